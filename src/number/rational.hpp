@@ -1,0 +1,18 @@
+// Exact numbers. Every exact layer of slipproof computes with these two types and nothing else.
+#pragma once
+
+#include <boost/multiprecision/gmp.hpp>
+
+namespace slipproof {
+
+/// Integer of any size (GMP).
+using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
+/// Rational number of any size in lowest terms (GMP); the denominator is always positive.
+using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
+
+/// -1, 0 or +1.
+inline int sign(const Integer& x) { return x.sign(); }
+inline int sign(const Rational& x) { return x.sign(); }
+inline int sign(double x) { return (x > 0) - (x < 0); }
+
+}  // namespace slipproof
