@@ -1,0 +1,82 @@
+#!/usr/bin/env bash
+# run.sh RUN: what ./run calls, seen by programs that only note how they are called: dpkg-query, which lacks the packages
+# of $LACKING, apt-get, sudo, cmake, ctest and the built slipproof.
+set -euo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+project="$scratch/a path with spaces"
+mkdir -p "$project/build" "$scratch/bin"
+cp "$1" "$project/run"
+
+note='#!/bin/sh
+echo "${0##*/} $*" >>"$CALLS"
+'
+for program in apt-get cmake ctest; do echo "$note" >"$scratch/bin/$program"; done
+echo "$note"'[ "${SUDO_WORKS-}" ] || exit 1
+[ "$1" = -n ] && shift
+exec "$@"' >"$scratch/bin/sudo"
+echo '#!/bin/sh
+for package in "$@"; do :; done
+case " $LACKING " in
+  *" $package:known "*) printf "not-installed " ;;
+  *" $package "*) exit 1 ;;
+  *) printf "installed " ;;
+esac' >"$scratch/bin/dpkg-query"
+echo '#!/bin/sh
+echo "slipproof$(printf " <%s>" "$@")" >>"$CALLS"
+echo "s REFUTED"
+exit 1' >"$project/build/slipproof"
+chmod -R a+rwX "$scratch"
+chmod a+x "$scratch/bin/"* "$project/run" "$project/build/slipproof"
+
+as_user=()
+((EUID)) || as_user=(setpriv --reuid=65534 --regid=65534 --clear-groups)
+export CALLS="$scratch/calls" LACKING="" SUDO_WORKS=""
+call() {  # ARGUMENTS of run; leaves output, calls, code
+  : >"$CALLS"
+  chmod a+rw "$CALLS"
+  code=0
+  output=$(cd / && PATH="$scratch/bin:$PATH" "$@" 2>&1) || code=$?
+  calls=$(cat "$CALLS")
+}
+expect() {  # CODE PATTERN of calls, PATTERN of output
+  # shellcheck disable=SC2053
+  [[ $code == "$1" && $calls == $2 && $output == $3 ]] || {
+    printf 'line %s: expected exit code %s, calls %s, output %s\ngot %s\ncalls:\n%s\noutput:\n%s\n' \
+      "${BASH_LINENO[0]}" "$1" "$2" "$3" "$code" "$calls" "$output"
+    exit 1
+  }
+}
+
+call "$project/run"
+expect 2 '' '*which command*usage:*'
+call "$project/run" verfy
+expect 2 '' '*unknown command: verfy*usage:*'
+call "$project/run" test --most
+expect 2 '' '*--all*--most*'
+call "$project/run" help
+expect 0 '' 'usage:*'
+
+# Nothing missing: no apt-get. The verdict's exit code comes through, the output is kept.
+call "$project/run" verify --samples 5 'a b'
+expect 1 'cmake --preset release*cmake --build --preset release*slipproof <verify> <--samples> <5> <a b>' 's REFUTED'
+[[ $(cat "$project/build/report/verify.txt") == 's REFUTED' ]]
+call "$project/run" test
+expect 0 'cmake*ctest --preset release*cmake*ctest --preset sanitize*' ''
+[[ $calls != *apt-get* ]]
+
+# Missing, and nobody to install it: everything missing is named, nothing is built.
+LACKING='cmake libgmp-dev:known'
+call "${as_user[@]}" "$project/run" test
+expect 1 'sudo -n true' '*missing*apt-get install --no-install-recommends cmake libgmp-dev'
+
+SUDO_WORKS=yes
+call "${as_user[@]}" "$project/run" test
+expect 0 '*sudo*apt-get*update*sudo*apt-get*install --no-install-recommends cmake libgmp-dev?cmake --preset*' '*installing*'
+
+LACKING=coq
+call "${as_user[@]}" "$project/run" test
+expect 0 'cmake --preset*' ''
+[[ $calls != *apt-get* ]]
+call "${as_user[@]}" "$project/run" test --all
+expect 0 '*install --no-install-recommends coq?cmake --preset*ctest --test-dir build*' '*installing coq*'
