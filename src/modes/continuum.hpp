@@ -1,0 +1,42 @@
+// Singular contact modes: no motion, or a continuum of them.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "model/bicycle.hpp"
+#include "model/contact_mode.hpp"
+#include "modes/force_interval.hpp"
+
+namespace slipproof {
+
+/// All solutions of a mode whose equations are singular: base(F) + sum of t_i directions[i], for the forces that the
+/// equations admit, under the mode's conditions.
+class Continuum {
+ public:
+  ContactMode mode;
+  ForceInterval solvable;                     ///< forces for which the equations have solutions: all or one
+  Motion<Affine<Rational>> base;              ///< the solution with all parameters 0
+  std::vector<Motion<Rational>> directions;   ///< one for each free parameter, linearly independent
+  std::vector<Quantity> parameters;           ///< the quantity that is its free parameter: base is 0 there
+  ForceInterval closed;                       ///< forces for which some solution meets all conditions
+  ForceInterval strict;                       ///< the same with all conditions strict
+
+  /// The range of each parameter over the consistent motions at a force; nothing if there are none.
+  std::optional<std::vector<ForceInterval>> parameter_ranges(const Rational& force, bool strict_conditions) const;
+  /// The quantities that are not determined by the force.
+  std::vector<Quantity> undetermined() const;
+
+ private:
+  friend std::optional<Continuum> solve_singular(const Bicycle<Rational>&, const Road<Rational>&, ForceKind,
+                                                 ContactMode);
+  /// (constant, F, t_1, ..., t_k) of every condition's left-hand side.
+  std::vector<std::vector<Rational>> conditions_;
+};
+
+/// Solves the raw equations of a mode by elimination; nothing if they have no solution for any force. Meant for
+/// singular modes; a regular mode comes back with no directions.
+std::optional<Continuum> solve_singular(const Bicycle<Rational>& bicycle, const Road<Rational>& road, ForceKind kind,
+                                        ContactMode mode);
+
+}  // namespace slipproof

@@ -1,0 +1,52 @@
+// Sets of forces: exact intervals with open and closed ends.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "number/affine.hpp"
+#include "number/rational.hpp"
+
+namespace slipproof {
+
+/// A convex set of rational forces: empty, a point, an interval, a half line or the whole line.
+class ForceInterval {
+ public:
+  ForceInterval() = default;  ///< the whole line
+  static ForceInterval nothing();
+  static ForceInterval point(Rational force);
+  /// No value: infinite. An interval with nothing in it becomes nothing().
+  static ForceInterval between(std::optional<Rational> lower, bool lower_closed, std::optional<Rational> upper,
+                               bool upper_closed);
+
+  bool empty() const { return empty_; }
+  bool is_point() const { return !empty_ && lower_ && upper_ && *lower_ == *upper_; }
+  bool contains(const Rational& force) const;
+  const std::optional<Rational>& lower() const { return lower_; }
+  const std::optional<Rational>& upper() const { return upper_; }
+  bool lower_closed() const { return lower_closed_; }
+  bool upper_closed() const { return upper_closed_; }
+
+  /// Keeps the forces where condition(F) >= 0, or > 0 if strict.
+  void restrict_to(const Affine<Rational>& condition, bool strict);
+  void intersect(const ForceInterval& other);
+  /// The interval without its ends; a point becomes empty.
+  ForceInterval interior() const;
+  /// A rational inside; the interval must not be empty. The simplest of the usual choices: a midpoint, or 1 beyond an end.
+  Rational sample() const;
+
+  bool operator==(const ForceInterval&) const = default;
+
+ private:
+  void settle();
+  void clear();
+
+  std::optional<Rational> lower_, upper_;
+  bool lower_closed_ = false, upper_closed_ = false;
+  bool empty_ = false;
+};
+
+/// `[1/2, 3)`, `(-oo, 0]`, `{5}`, `{}`.
+std::string to_string(const ForceInterval& interval);
+
+}  // namespace slipproof

@@ -1,0 +1,28 @@
+// A rational scene brought to integers by a choice of units: no denominator enters the elimination.
+#pragma once
+
+#include "model/bicycle.hpp"
+#include "model/contact_mode.hpp"
+#include "number/affine.hpp"
+#include "number/rational.hpp"
+
+namespace slipproof {
+
+/// The parameters of a scene in units in which they are integers. A true value is the integer divided by its unit.
+struct IntegerScene {
+  Bicycle<Integer> bicycle;
+  Road<Integer> road;            ///< f is the numerator of the Coulomb coefficient
+  Integer friction_denominator;  ///< its denominator
+  Integer length;                ///< units in a metre
+  Integer mass;                  ///< units in a kilogram
+  Integer rate;                  ///< units of 1/s^2 in one 1/s^2
+
+  /// Units of the quantity in its SI unit.
+  Integer unit(Quantity quantity) const;
+  /// Units of force in a newton.
+  Integer force_unit() const { return mass * length * rate; }
+};
+
+IntegerScene to_integers(const Bicycle<Rational>& bicycle, const Road<Rational>& road);
+
+}  // namespace slipproof

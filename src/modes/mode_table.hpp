@@ -1,0 +1,71 @@
+// Every contact mode of a scene, solved exactly for every force at once.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "model/bicycle.hpp"
+#include "model/contact_mode.hpp"
+#include "model/reduction.hpp"
+#include "modes/continuum.hpp"
+#include "modes/force_interval.hpp"
+#include "modes/integer_scene.hpp"
+
+namespace slipproof {
+
+/// One contact mode over alpha + beta F.
+class ModeSolution {
+ public:
+  enum class Kind {
+    regular,   ///< one solution for each force
+    none,      ///< singular, without a solution for any force
+    continuum  ///< singular, with a continuum of solutions for all forces or for one
+  };
+
+  ContactMode mode() const { return mode_; }
+  Kind kind() const { return kind_; }
+  /// The forces for which the mode's conditions hold (non-strict), and those for which all hold strictly.
+  const ForceInterval& closed() const { return closed_; }
+  const ForceInterval& strict() const { return strict_; }
+
+  /// Regular modes only: a quantity, or a condition's left-hand side, as a function of F.
+  Affine<Rational> quantity(Quantity quantity) const;
+  Affine<Rational> condition_value(const Condition& condition) const;
+  Motion<Affine<Rational>> motion() const;
+  /// Of a continuum only.
+  const Continuum& continuum() const { return *continuum_; }
+
+ private:
+  friend class ModeTable;
+  ContactMode mode_;
+  Kind kind_ = Kind::none;
+  ForceInterval closed_ = ForceInterval::nothing(), strict_ = ForceInterval::nothing();
+  std::optional<ReducedMotion<Integer, Affine<Integer>>> reduced_;
+  const IntegerScene* units_ = nullptr;
+  std::shared_ptr<const Continuum> continuum_;
+};
+
+/// All modes that the scene models: 9 with both wheels on the road, 16 with J. Immutable; safe to read from threads.
+class ModeTable {
+ public:
+  ModeTable(const Bicycle<Rational>& bicycle, const Road<Rational>& road, ForceKind kind);
+
+  bool detachment() const { return solutions_.size() == 16; }
+  /// In the order of all_modes().
+  const std::vector<ModeSolution>& solutions() const { return solutions_; }
+  /// nullptr for a mode that is not modelled.
+  const ModeSolution* find(ContactMode mode) const;
+
+ private:
+  struct Ground {
+    IntegerScene scene;
+    ReducedDynamics<Integer, Affine<Integer>> dynamics;
+  };
+  ModeSolution solve(ContactMode mode, const Bicycle<Rational>&, const Road<Rational>&, ForceKind) const;
+
+  std::unique_ptr<const Ground> ground_;  ///< a stable address: the solutions point into it
+  std::vector<ModeSolution> solutions_;
+};
+
+}  // namespace slipproof

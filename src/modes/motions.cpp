@@ -1,0 +1,164 @@
+#include "modes/motions.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "model/conditions.hpp"
+
+namespace slipproof {
+
+namespace {
+
+using Kind = ModeSolution::Kind;
+
+template <class V>
+void add(std::vector<FoundMotion<V>>& motions, ContactMode mode, bool strict, Motion<V> values) {
+  for (auto& found : motions) {
+    if (found.values == values) {
+      found.modes.push_back(mode);
+      found.strict = found.strict || strict;
+      return;
+    }
+  }
+  motions.push_back({{mode}, strict, std::move(values)});
+}
+
+Motion<Rational> at(const Motion<Affine<Rational>>& motion, const Rational& force) {
+  Motion<Rational> result;
+  for (const Quantity q : all_quantities()) result[q] = motion[q].at(force);
+  return result;
+}
+
+std::optional<Rejection> first_violation(const ModeSolution& s, const Rational& force) {
+  for (const Condition& condition : conditions(s.mode())) {
+    Rational value = s.condition_value(condition).at(force);
+    if (sign(value) >= 0) continue;
+    return Rejection{s.mode(), condition, std::move(value)};
+  }
+  return std::nullopt;
+}
+
+/// A continuum whose consistent motions at the force shrink to one, gives that one.
+std::optional<Motion<Rational>> only_motion(const Continuum& c, const std::vector<ForceInterval>& ranges,
+                                            const Rational& force) {
+  Motion<Rational> result = at(c.base, force);
+  for (std::size_t k = 0; k < ranges.size(); ++k) {
+    if (!ranges[k].is_point()) return std::nullopt;
+    for (const Quantity q : all_quantities()) result[q] += *ranges[k].lower() * c.directions[k][q];
+  }
+  return result;
+}
+
+/// Where two motions that are affine in the force agree, if at one force only.
+std::optional<Rational> crossing(const Motion<Affine<Rational>>& x, const Motion<Affine<Rational>>& y) {
+  std::optional<Rational> force;
+  for (const Quantity q : all_quantities()) {
+    const Affine<Rational> d = x[q] - y[q];
+    if (sign(d.beta) == 0) {
+      if (sign(d.alpha) != 0) return std::nullopt;
+      continue;
+    }
+    const Rational root = -d.alpha / d.beta;
+    if (force && *force != root) return std::nullopt;
+    force = root;
+  }
+  return force;
+}
+
+void add_ends(std::vector<Rational>& points, const ForceInterval& interval) {
+  if (interval.lower()) points.push_back(*interval.lower());
+  if (interval.upper()) points.push_back(*interval.upper());
+}
+
+/// Every force at which the set of motions can change.
+std::vector<Rational> breakpoints(const ModeTable& table) {
+  std::vector<Rational> points;
+  std::vector<const ModeSolution*> on_boundary;  // consistent on an interval, yet nowhere strict
+  for (const ModeSolution& s : table.solutions()) {
+    add_ends(points, s.closed());
+    if (s.kind() == Kind::continuum) add_ends(points, s.strict());
+    if (s.kind() == Kind::regular && !s.closed().empty() && s.strict().empty()) on_boundary.push_back(&s);
+  }
+  for (const ModeSolution* s : on_boundary) {
+    for (const ModeSolution& t : table.solutions()) {
+      if (&t == s || t.kind() != Kind::regular || t.closed().empty()) continue;
+      if (auto force = crossing(s->motion(), t.motion())) points.push_back(std::move(*force));
+    }
+  }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
+Cell point_cell(const ModeTable& table, const Rational& force) {
+  Cell cell;
+  cell.forces = ForceInterval::point(force);
+  const MotionsAtForce found = motions_at(table, force);
+  for (const auto& motion : found.motions) {
+    Motion<Affine<Rational>> values;
+    for (const Quantity q : all_quantities()) values[q] = motion.values[q];
+    cell.motions.push_back({motion.modes, motion.strict, std::move(values)});
+  }
+  for (const auto& c : found.continua) cell.continua.push_back(c.continuum->mode);
+  return cell;
+}
+
+Cell open_cell(const ModeTable& table, const ForceInterval& forces) {
+  Cell cell;
+  cell.forces = forces;
+  const Rational inside = forces.sample();
+  for (const ModeSolution& s : table.solutions()) {
+    if (!s.closed().contains(inside)) continue;
+    if (s.kind() == Kind::continuum) {
+      cell.continua.push_back(s.mode());
+    } else {
+      add(cell.motions, s.mode(), s.strict().contains(inside), s.motion());
+    }
+  }
+  return cell;
+}
+
+}  // namespace
+
+MotionsAtForce motions_at(const ModeTable& table, const Rational& force) {
+  MotionsAtForce result;
+  for (const ModeSolution& s : table.solutions()) {
+    const bool consistent = s.closed().contains(force);
+    if (s.kind() == Kind::regular) {
+      if (consistent) {
+        add(result.motions, s.mode(), s.strict().contains(force), at(s.motion(), force));
+      } else if (auto rejection = first_violation(s, force)) {
+        result.rejected.push_back(std::move(*rejection));
+      }
+      continue;
+    }
+    auto ranges = consistent ? s.continuum().parameter_ranges(force, false) : std::nullopt;
+    if (!ranges) {
+      result.rejected.push_back({s.mode(), std::nullopt, 0});
+    } else if (auto motion = only_motion(s.continuum(), *ranges, force)) {
+      add(result.motions, s.mode(), false, std::move(*motion));
+    } else {
+      result.continua.push_back({&s.continuum(), std::move(*ranges), s.strict().contains(force)});
+    }
+  }
+  return result;
+}
+
+std::size_t Cell::strict_count() const {
+  return static_cast<std::size_t>(
+      std::count_if(motions.begin(), motions.end(), [](const auto& motion) { return motion.strict; }));
+}
+
+std::vector<Cell> partition(const ModeTable& table) {
+  std::vector<Cell> cells;
+  std::optional<Rational> below;
+  for (const Rational& point : breakpoints(table)) {
+    cells.push_back(open_cell(table, ForceInterval::between(below, false, point, false)));
+    cells.push_back(point_cell(table, point));
+    below = point;
+  }
+  cells.push_back(open_cell(table, ForceInterval::between(below, false, std::nullopt, false)));
+  return cells;
+}
+
+}  // namespace slipproof

@@ -1,0 +1,55 @@
+// The motions of a scene: at one force, and over the whole line of forces.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "modes/mode_table.hpp"
+
+namespace slipproof {
+
+/// One motion with every mode that gives it; V is Rational at one force, Affine<Rational> over a cell.
+template <class V>
+struct FoundMotion {
+  std::vector<ContactMode> modes;
+  bool strict = false;  ///< every condition of one of its modes holds strictly; otherwise it is a boundary motion
+  Motion<V> values;
+};
+
+/// A mode with more than one consistent motion at a force.
+struct FoundContinuum {
+  const Continuum* continuum = nullptr;
+  std::vector<ForceInterval> parameters;  ///< the range of each free parameter
+  bool strict = false;
+};
+
+/// Why a mode has no motion at a force.
+struct Rejection {
+  ContactMode mode;
+  std::optional<Condition> violated;  ///< absent: the mode's equations have no solution
+  Rational margin;                    ///< the left-hand side of the condition, negative
+};
+
+struct MotionsAtForce {
+  std::vector<FoundMotion<Rational>> motions;
+  std::vector<FoundContinuum> continua;
+  std::vector<Rejection> rejected;
+};
+
+/// Every motion at a force. A motion found through several modes is one motion.
+MotionsAtForce motions_at(const ModeTable& table, const Rational& force);
+
+/// A force, or an open interval of forces, with the same motions throughout.
+struct Cell {
+  ForceInterval forces;
+  std::vector<FoundMotion<Affine<Rational>>> motions;
+  std::vector<ContactMode> continua;
+
+  std::size_t strict_count() const;
+};
+
+/// The whole line of forces, from -oo to +oo, cut into points and open intervals.
+std::vector<Cell> partition(const ModeTable& table);
+
+}  // namespace slipproof

@@ -1,0 +1,57 @@
+// Fraction-free elimination on integers (Bareiss): every intermediate value is a minor of the matrix, so the exact
+// division by the previous pivot replaces all gcds.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "number/rational.hpp"
+
+namespace slipproof {
+
+using IntegerMatrix = std::vector<std::vector<Integer>>;
+
+/// A matrix in reduced row echelon form times `pivot`: in each of the first rank() rows the pivot column holds `pivot`
+/// and the other pivot columns 0.
+struct Echelon {
+  IntegerMatrix rows;                     ///< rows beyond the rank are zero in the eliminated columns
+  std::vector<std::size_t> pivot_columns; /// increasing
+  Integer pivot = 1;
+
+  std::size_t rank() const { return pivot_columns.size(); }
+};
+
+/// Eliminates the first `columns` columns; the others (right-hand sides) are carried along.
+inline Echelon eliminate(IntegerMatrix matrix, std::size_t columns) {
+  Echelon result;
+  Integer previous = 1;
+  std::size_t rank = 0;
+  for (std::size_t column = 0; column < columns && rank < matrix.size(); ++column) {
+    std::size_t source = rank;
+    while (source < matrix.size() && matrix[source][column].is_zero()) ++source;
+    if (source == matrix.size()) continue;
+    if (source != rank) {
+      matrix[source].swap(matrix[rank]);
+      for (Integer& x : matrix[rank]) x = -x;  // keeps the pivots minors of the original, sign included
+    }
+    const std::vector<Integer> pivot_row = matrix[rank];
+    const Integer& pivot = pivot_row[column];
+    for (std::size_t i = 0; i < matrix.size(); ++i) {
+      if (i == rank) continue;
+      const Integer factor = matrix[i][column];
+      for (std::size_t j = 0; j < matrix[i].size(); ++j) {
+        Integer value = pivot * matrix[i][j];
+        if (!factor.is_zero() && !pivot_row[j].is_zero()) value -= factor * pivot_row[j];
+        matrix[i][j] = value / previous;
+      }
+    }
+    previous = pivot;
+    result.pivot_columns.push_back(column);
+    ++rank;
+  }
+  result.rows = std::move(matrix);
+  result.pivot = previous;
+  return result;
+}
+
+}  // namespace slipproof
