@@ -8,11 +8,17 @@ constexpr std::array<std::string_view, quantity_count> quantity_names{
     "a", "a_y", "phi", "eps2", "eps3", "S2", "S3", "N2", "N3", "gap2", "gap3", "slip2", "slip3"};
 }  // namespace
 
-std::string_view name(ContactState state) { return state_names[static_cast<std::size_t>(state)]; }
+std::string_view name(ContactState state) {
+  return state_names[static_cast<std::size_t>(state)];
+}
 
-std::string name(ContactMode mode) { return std::string(name(mode.rear)) + '/' + std::string(name(mode.front)); }
+std::string name(ContactMode mode) {
+  return std::string(name(mode.rear)) + '/' + std::string(name(mode.front));
+}
 
-std::string_view name(Quantity quantity) { return quantity_names[static_cast<std::size_t>(quantity)]; }
+std::string_view name(Quantity quantity) {
+  return quantity_names[static_cast<std::size_t>(quantity)];
+}
 
 std::optional<ContactMode> parse_mode(std::string_view text) {
   for (const ContactMode mode : all_modes()) {

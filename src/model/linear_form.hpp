@@ -49,8 +49,8 @@ std::array<LinearForm<T>, unknown_count> raw_system(const Bicycle<T>& p, const R
   const auto motion = equations_of_motion(p, road, kind, u, x(unknown_count));
   const auto rear = contact_equations(p, road, u, Wheel::rear, mode.rear);
   const auto front = contact_equations(p, road, u, Wheel::front, mode.front);
-  return {motion[0], motion[1], motion[2], motion[3], motion[4], motion[5], motion[6], rear[0], rear[1], front[0],
-          front[1]};
+  return {motion[0], motion[1], motion[2], motion[3], motion[4], motion[5],
+          motion[6], rear[0],   rear[1],   front[0],  front[1]};
 }
 
 }  // namespace slipproof

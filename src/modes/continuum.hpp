@@ -15,12 +15,12 @@ namespace slipproof {
 class Continuum {
  public:
   ContactMode mode;
-  ForceInterval solvable;                     ///< forces for which the equations have solutions: all or one
-  Motion<Affine<Rational>> base;              ///< the solution with all parameters 0
-  std::vector<Motion<Rational>> directions;   ///< one for each free parameter, linearly independent
-  std::vector<Quantity> parameters;           ///< the quantity that is its free parameter: base is 0 there
-  ForceInterval closed;                       ///< forces for which some solution meets all conditions
-  ForceInterval strict;                       ///< the same with all conditions strict
+  ForceInterval solvable;                    ///< forces for which the equations have solutions: all or one
+  Motion<Affine<Rational>> base;             ///< the solution with all parameters 0
+  std::vector<Motion<Rational>> directions;  ///< one for each free parameter, linearly independent
+  std::vector<Quantity> parameters;          ///< the quantity that is its free parameter: base is 0 there
+  ForceInterval closed;                      ///< forces for which some solution meets all conditions
+  ForceInterval strict;                      ///< the same with all conditions strict
 
   /// The range of each parameter over the consistent motions at a force; nothing if there are none.
   std::optional<std::vector<ForceInterval>> parameter_ranges(const Rational& force, bool strict_conditions) const;

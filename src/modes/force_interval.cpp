@@ -35,7 +35,9 @@ bool ForceInterval::contains(const Rational& force) const {
   return !(upper_ && (upper_closed_ ? force > *upper_ : force >= *upper_));
 }
 
-void ForceInterval::clear() { *this = nothing(); }
+void ForceInterval::clear() {
+  *this = nothing();
+}
 
 void ForceInterval::settle() {
   if (lower_ && upper_ && (*lower_ > *upper_ || (*lower_ == *upper_ && !(lower_closed_ && upper_closed_)))) clear();

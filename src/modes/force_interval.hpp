@@ -32,7 +32,8 @@ class ForceInterval {
   void intersect(const ForceInterval& other);
   /// The interval without its ends; a point becomes empty.
   ForceInterval interior() const;
-  /// A rational inside; the interval must not be empty. The simplest of the usual choices: a midpoint, or 1 beyond an end.
+  /// A rational inside; the interval must not be empty. The simplest of the usual choices: a midpoint, or 1 beyond an
+  /// end.
   Rational sample() const;
 
   bool operator==(const ForceInterval&) const = default;

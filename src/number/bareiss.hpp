@@ -14,8 +14,8 @@ using IntegerMatrix = std::vector<std::vector<Integer>>;
 /// A matrix in reduced row echelon form times `pivot`: in each of the first rank() rows the pivot column holds `pivot`
 /// and the other pivot columns 0.
 struct Echelon {
-  IntegerMatrix rows;                     ///< rows beyond the rank are zero in the eliminated columns
-  std::vector<std::size_t> pivot_columns; /// increasing
+  IntegerMatrix rows;                      ///< rows beyond the rank are zero in the eliminated columns
+  std::vector<std::size_t> pivot_columns;  /// increasing
   Integer pivot = 1;
 
   std::size_t rank() const { return pivot_columns.size(); }
