@@ -2,8 +2,7 @@
 function(refused_by_configuration name option)
   file(REMOVE_RECURSE "${SCRATCH}/build")
   execute_process(
-    COMMAND ${ARGN} ${CMAKE_COMMAND} -S ${PROJECT} -B ${SCRATCH}/build -G ${GENERATOR}
-            -D CMAKE_CXX_COMPILER=${COMPILER} ${name}
+    COMMAND ${ARGN} ${CMAKE_COMMAND} -S ${PROJECT} -B ${SCRATCH}/build -D CMAKE_CXX_COMPILER=${COMPILER} ${name}
     RESULT_VARIABLE result OUTPUT_QUIET ERROR_VARIABLE errors)
   if(result EQUAL 0 OR NOT errors MATCHES "do not hold under ${option}: remove it")
     message(FATAL_ERROR "${ARGN} cmake ${name} was not refused because of ${option}: ${result}\n${errors}")

@@ -1,0 +1,33 @@
+// The tokens of an expression.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace slipproof {
+
+struct Token {
+  enum class Kind { end, number, word, punctuation, unknown };
+  Kind kind = Kind::end;
+  std::string_view text;
+  std::size_t column = 1;  ///< of its first byte, from 1
+};
+
+/// For a message: `b1`, the end, ...; bytes that are no printable ASCII are shown by their number.
+std::string describe(const Token& token);
+
+/// One token at a time. A number is as long as what could belong to one, so that `2b` is one (malformed) token.
+class Lexer {
+ public:
+  explicit Lexer(std::string_view text) : text_(text) { advance(); }
+  const Token& token() const { return token_; }
+  void advance();
+
+ private:
+  std::string_view text_;
+  std::size_t position_ = 0;
+  Token token_;
+};
+
+}  // namespace slipproof

@@ -1,0 +1,153 @@
+// Expressions back to text.
+#include <string>
+
+#include "claims/expression.hpp"
+
+namespace slipproof {
+
+namespace {
+
+// How tightly an operation binds, from loose to tight, as in the grammar of parser.hpp.
+enum Binding { loosest, disjunction, conjunction, negation, comparison, sum, product, unary, primary };
+
+Binding binding(const Node& node) {
+  switch (node.operation) {
+    case Operation::logical_or:
+      return disjunction;
+    case Operation::logical_and:
+      return conjunction;
+    case Operation::logical_not:
+      return negation;
+    case Operation::compare:
+      return comparison;
+    case Operation::add:
+    case Operation::subtract:
+      return sum;
+    case Operation::multiply:
+    case Operation::divide:
+      return product;
+    case Operation::negate:
+    case Operation::power:
+      return unary;
+    default:
+      return primary;
+  }
+}
+
+// A finite decimal reads back as the same literal; other values become a quotient in parentheses.
+std::string literal(const Rational& value) {
+  constexpr unsigned longest = 1'000;
+  Integer denominator = boost::multiprecision::denominator(value);
+  const Integer numerator = boost::multiprecision::numerator(value);
+  if (denominator == 1) return numerator.str();
+  unsigned digits = 0;
+  Integer scaled = numerator, rest = denominator;
+  while (rest != 1) {
+    const Integer factor = boost::multiprecision::gcd(rest, Integer(10));
+    if (factor == 1 || digits == longest) return "(" + numerator.str() + " / " + denominator.str() + ")";
+    scaled *= 10 / factor;
+    rest /= factor;
+    ++digits;
+  }
+  std::string text = scaled.str();
+  if (text.size() <= digits) text.insert(0, digits + 1 - text.size(), '0');
+  return text.insert(text.size() - digits, 1, '.');
+}
+
+void print(const Expression& expression, Binding at_least, std::string& text);
+
+void print_infix(const Node& node, std::string_view sign, Binding right, std::string& text) {
+  print(node.operands[0], binding(node), text);
+  text += ' ';
+  text += sign;
+  text += ' ';
+  print(node.operands[1], right, text);
+}
+
+void print_call(const Node& node, std::string_view function, std::string& text) {
+  text += function;
+  for (std::size_t i = 0; i < node.operands.size(); ++i) {
+    text += i == 0 ? "(" : ", ";
+    print(node.operands[i], loosest, text);
+  }
+  text += ')';
+}
+
+void print_bare(const Node& node, std::string& text) {
+  switch (node.operation) {
+    case Operation::number:
+      text += literal(node.number);
+      break;
+    case Operation::symbol:
+      text += node.symbol;
+      break;
+    case Operation::truth:
+      text += node.truth ? "true" : "false";
+      break;
+    case Operation::negate:
+      text += '-';
+      print(node.operands[0], unary, text);
+      break;
+    case Operation::add:
+      print_infix(node, "+", product, text);
+      break;
+    case Operation::subtract:
+      print_infix(node, "-", product, text);
+      break;
+    case Operation::multiply:
+      print_infix(node, "*", unary, text);
+      break;
+    case Operation::divide:
+      print_infix(node, "/", unary, text);
+      break;
+    case Operation::power:
+      print(node.operands[0], primary, text);
+      text += '^' + std::to_string(node.exponent);
+      break;
+    case Operation::absolute:
+      print_call(node, "abs", text);
+      break;
+    case Operation::signum:
+      print_call(node, "sign", text);
+      break;
+    case Operation::minimum:
+      print_call(node, "min", text);
+      break;
+    case Operation::maximum:
+      print_call(node, "max", text);
+      break;
+    case Operation::compare:
+      for (std::size_t i = 0; i < node.operands.size(); ++i) {
+        if (i != 0) text.append(" ").append(spelling(node.relations[i - 1])).append(" ");
+        print(node.operands[i], sum, text);
+      }
+      break;
+    case Operation::logical_not:
+      text += "not ";
+      print(node.operands[0], negation, text);
+      break;
+    case Operation::logical_and:
+      print_infix(node, "and", negation, text);
+      break;
+    case Operation::logical_or:
+      print_infix(node, "or", conjunction, text);
+      break;
+  }
+}
+
+void print(const Expression& expression, Binding at_least, std::string& text) {
+  const bool parentheses = binding(*expression) < at_least;
+  if (parentheses) text += '(';
+  print_bare(*expression, text);
+  if (parentheses) text += ')';
+}
+
+}  // namespace
+
+std::string to_string(const Expression& expression) {
+  std::string text;
+  print(expression, loosest, text);
+  return text;
+}
+
+}  // namespace slipproof

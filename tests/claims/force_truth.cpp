@@ -1,0 +1,104 @@
+#include "claims/force_truth.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "claims/parser.hpp"
+#include "claims/random_expression.hpp"
+
+using namespace slipproof;
+
+namespace {
+
+const std::vector<std::string> names{"F", "a", "b"};
+
+Program compile(const Expression& expression) {
+  return Program(expression, [&](std::string_view name) -> std::optional<std::size_t> {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (names[i] == name) return i;
+    }
+    return std::nullopt;
+  });
+}
+
+struct Setting {
+  Scope scope{{{"F", {}}, {"a", {}}, {"b", {}}}};
+  Evaluator<RationalFunction> functions{scope};
+  Evaluator<Rational> numbers{scope};
+
+  Setting(const Rational& a, const Rational& b) {
+    functions.set(0, RationalFunction::variable());
+    functions.set(1, a);
+    functions.set(2, b);
+    numbers.set(1, a);
+    numbers.set(2, b);
+  }
+  std::string cells(const std::string& statement) {
+    std::string text;
+    constexpr const char* words[] = {"no", "yes", "undefined", "undecided"};
+    for (const TruthCell& cell : truth_over_forces(compile(parse_expression(statement, Sort::truth)), functions)) {
+      text += to_string(cell.forces) + " " + words[static_cast<int>(cell.truth)] + "; ";
+    }
+    return text;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("the line of forces is cut where the truth changes") {
+  Setting at(2, 6);
+  CHECK(at.cells("0 < F*a < b") == "(-oo, 0] no; (0, 3) yes; [3, +oo) no; ");
+  CHECK(at.cells("0 <= F*a <= b") == "(-oo, 0) no; [0, 3] yes; (3, +oo) no; ");
+  CHECK(at.cells("F = a or F > b") == "(-oo, 2) no; {2} yes; (2, 6] no; (6, +oo) yes; ");
+  CHECK(at.cells("F != a") == "(-oo, 2) yes; {2} no; (2, +oo) yes; ");
+  CHECK(at.cells("a < b") == "(-oo, +oo) yes; ");
+  CHECK(at.cells("1/F > 0") == "(-oo, 0) no; {0} undefined; (0, +oo) yes; ");
+  CHECK(at.cells("(F - 1)/(F + 1) < 0") == "(-oo, -1) no; {-1} undefined; (-1, 1) yes; [1, +oo) no; ");
+  CHECK(at.cells("F > 1/(a - 2)") == "(-oo, +oo) undefined; ");
+  CHECK(at.cells("F > 1/(a - 2) and F > 3") == "(-oo, 3] no; (3, +oo) undefined; ");
+  CHECK(at.cells("F^2 > 1") == "(-oo, +oo) undecided; ");
+  CHECK(at.cells("abs(F) > 1") == "(-oo, +oo) undecided; ");
+}
+
+TEST_CASE("one interval, or none claimed") {
+  Setting at(2, 6);
+  const auto interval = [&](const std::string& statement, const ForceInterval& within) {
+    const auto found = true_interval(compile(parse_expression(statement, Sort::truth)), at.functions, within);
+    return found ? to_string(*found) : "-";
+  };
+  const ForceInterval positive = ForceInterval::between(Rational(0), false, std::nullopt, false);
+  CHECK(interval("F*a < b", positive) == "(0, 3)");
+  CHECK(interval("F < 0", positive) == "{}");
+  CHECK(interval("F != 5", positive) == "-");
+  CHECK(interval("1/F > 0", positive) == "(0, +oo)");
+  CHECK(interval("1/F > 0", {}) == "-");
+  CHECK(interval("F^2 > 1", positive) == "-");
+}
+
+TEST_CASE("every cell says what evaluation at a force says") {
+  testing::RandomExpressions random(3, names);
+  int decided = 0;
+  for (int i = 0; i < 2000; ++i) {
+    Setting at(random.below(7) - 3, Rational(1, 1 + random.below(4)));
+    const Expression statement = random.truth(1 + random.below(3));
+    CAPTURE(to_string(statement));
+    const Program program = compile(statement);
+    for (const TruthCell& cell : truth_over_forces(program, at.functions)) {
+      if (cell.truth == Truth::undecided) continue;
+      at.numbers.reset();
+      at.numbers.set(0, cell.forces.sample());
+      at.numbers.set(1, at.functions.at(1).number->numerator().coefficient(0));
+      at.numbers.set(2, at.functions.at(2).number->numerator().coefficient(0));
+      const Truth there = at.numbers.truth(program);
+      CAPTURE(to_string(cell.forces));
+      // The two may differ only where functions cancel what numbers divide by: 0 * (1/F), 1/(1/F).
+      if (cell.truth != Truth::undefined && there != Truth::undefined) {
+        CHECK(cell.truth == there);
+        ++decided;
+      }
+    }
+  }
+  CHECK(decided > 500);
+}
