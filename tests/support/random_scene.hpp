@@ -12,8 +12,14 @@ class RandomScenes {
   explicit RandomScenes(std::uint32_t seed) : engine_(seed) {}
 
   int integer(int low, int high) { return std::uniform_int_distribution<int>(low, high)(engine_); }
-  Rational positive() { return Rational(integer(1, 40), integer(1, 20)); }
-  Rational any() { return Rational(integer(-40, 40), integer(1, 20)); }
+  /// The numerator in [low, high] over at most 20. Two draws in one call's arguments would come in the compiler's
+  /// order.
+  Rational fraction(int low, int high) {
+    const int denominator = integer(1, 20);
+    return Rational(integer(low, high), denominator);
+  }
+  Rational positive() { return fraction(1, 40); }
+  Rational any() { return fraction(-40, 40); }
 
   /// Any mu, b2 != b3, any M; h of every sign; L of every sign.
   Bicycle<Rational> bicycle(bool with_J) {
@@ -23,7 +29,7 @@ class RandomScenes {
     p.h = positive() - p.R;
     p.b2 = positive() - Rational(integer(0, 1), 4);
     p.b3 = positive();
-    p.I1 = Rational(integer(0, 10), integer(1, 20));
+    p.I1 = fraction(0, 10);
     p.I2 = positive();
     p.I3 = positive();
     p.r1 = positive();
