@@ -1,5 +1,7 @@
 #include "input/diagnostic.hpp"
 
+#include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace slipproof {
@@ -29,5 +31,33 @@ std::string joined(const std::vector<Diagnostic>& diagnostics) {
 
 InputError::InputError(std::vector<Diagnostic> diagnostics)
     : std::runtime_error(joined(diagnostics)), diagnostics_(std::move(diagnostics)) {}
+
+void Mistakes::add(Place place, std::string message) {
+  diagnostics_.push_back({file_, place.line, place.column, std::move(message)});
+}
+
+void Mistakes::refuse_if_any() const {
+  if (diagnostics_.empty()) return;
+  auto sorted = diagnostics_;
+  std::ranges::stable_sort(sorted, {}, [](const Diagnostic& d) { return std::tuple(d.line, d.column); });
+  throw InputError(std::move(sorted));
+}
+
+std::string in_quotes(std::string_view text) {
+  constexpr std::size_t longest = 60;
+  constexpr std::string_view hex = "0123456789abcdef";
+  std::string result = "'";
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const bool starts_character = (byte & 0xc0) != 0x80;
+    if (i >= longest && starts_character) return result + "...'";
+    if (byte < 0x20 || byte == 0x7f) {
+      result += {'\\', 'x', hex[byte >> 4], hex[byte & 15]};
+    } else {
+      result += text[i];
+    }
+  }
+  return result + "'";
+}
 
 }  // namespace slipproof

@@ -1,11 +1,22 @@
 // What is wrong with an input, and where: every reader reports all mistakes of a file in one go.
 #pragma once
 
+#include <compare>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace slipproof {
+
+/// A place in a text: line, and column in characters (code points), from 1; 0 where there is no place.
+struct Place {
+  std::size_t line = 0;
+  std::size_t column = 0;
+  auto operator<=>(const Place&) const = default;
+};
 
 /// One mistake. Lines and columns count from 1; 0 where there is no place.
 struct Diagnostic {
@@ -29,5 +40,22 @@ class InputError : public std::runtime_error {
  private:
   std::vector<Diagnostic> diagnostics_;
 };
+
+/// The mistakes found in one file so far: a reader adds, goes on, and refuses the file at the end.
+class Mistakes {
+ public:
+  explicit Mistakes(std::string file) : file_(std::move(file)) {}
+  void add(Place place, std::string message);
+  bool empty() const { return diagnostics_.empty(); }
+  /// Throws InputError with all mistakes in the order of their places, if there are any.
+  void refuse_if_any() const;
+
+ private:
+  std::string file_;
+  std::vector<Diagnostic> diagnostics_;
+};
+
+/// 'text' as a message may show it: control characters escaped, long texts cut.
+std::string in_quotes(std::string_view text);
 
 }  // namespace slipproof

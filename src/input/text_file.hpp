@@ -1,0 +1,17 @@
+// Whole text files, read with a limit.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+
+namespace slipproof {
+
+/// Scenes and claims are written by hand: nothing of this kind is longer.
+inline constexpr std::size_t max_text_file_size = 1U << 20U;
+
+/// The bytes of a file. Throws InputError when it cannot be opened or read, is a directory, or is longer than
+/// `max_size` (which also ends the reading of an endless device).
+std::string read_text_file(const std::filesystem::path& path, std::size_t max_size = max_text_file_size);
+
+}  // namespace slipproof
