@@ -1,0 +1,129 @@
+#include "claims/claims_file.hpp"
+
+#include <algorithm>
+
+#include "claims/claims_reader.hpp"
+#include "claims/parser.hpp"
+#include "input/near_match.hpp"
+#include "input/text_file.hpp"
+
+namespace slipproof {
+
+std::string_view name(Reading reading) {
+  return reading == Reading::printed ? "printed" : "repaired";
+}
+
+std::string_view name(ClaimKind kind) {
+  constexpr std::array<std::string_view, all_claim_kinds.size()> names{"interval", "impossible", "formula",
+                                                                       "motions",  "unique",     "cover"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+std::string_view name(Grade grade) {
+  constexpr std::array<std::string_view, 4> names{"misprint", "gap", "boundary", "false"};
+  return names[static_cast<std::size_t>(grade)];
+}
+
+std::string_view name(Expectation expectation) {
+  constexpr std::array<std::string_view, 4> names{"none", "holds", "refuted", "undecided"};
+  return names[static_cast<std::size_t>(expectation)];
+}
+
+const Claim* ClaimsFile::find(std::string_view id) const {
+  const auto found = std::find_if(claims.begin(), claims.end(), [&](const Claim& claim) { return claim.id == id; });
+  return found == claims.end() ? nullptr : &*found;
+}
+
+namespace claims_reader {
+
+std::string unknown(std::string_view what, std::string_view found, const std::vector<std::string_view>& known) {
+  std::string message = "unknown " + std::string(what) + ' ' + in_quotes(found);
+  if (const auto meant = near_match(found, known)) return message + ", did you mean '" + std::string(*meant) + "'?";
+  message += ", expected one of";
+  for (std::size_t i = 0; i < known.size(); ++i) message += (i == 0 ? " " : ", ") + std::string(known[i]);
+  return message;
+}
+
+Expression Context::expression(const PlacedText& text, std::string_view key, Sort sort, std::size_t setting,
+                               Allowed allowed) {
+  try {
+    Expression read = parse_expression(text.text(), sort);
+    uses.push_back({read, text, std::string(key), setting, allowed, {}});
+    return read;
+  } catch (const ExpressionError& error) {
+    refuse(text, error.column() - 1, key, error.what());
+    return sort == Sort::truth ? make_truth(true) : make_number(0);
+  }
+}
+
+Expression Context::expression(const TableReader& table, std::string_view key, Sort sort, std::size_t setting,
+                               Allowed allowed) {
+  if (const PlacedText* text = table.string(key)) return expression(*text, key, sort, setting, allowed);
+  return sort == Sort::truth ? make_truth(true) : make_number(0);
+}
+
+std::string Context::text(const TableReader& table, std::string_view key, std::string_view expected) {
+  return table.require(key, expected) ? optional_text(table, key) : std::string();
+}
+
+std::string Context::optional_text(const TableReader& table, std::string_view key) {
+  const PlacedText* text = table.string(key);
+  return text == nullptr ? std::string() : text->text();
+}
+
+std::size_t Context::line(const TableReader& table, std::string_view key, bool required) {
+  if (required && !table.require(key, "the line in the paper's source")) return 0;
+  const auto value = table.number(key);
+  if (!value) return 0;
+  if (denominator(*value) != 1 || *value < 1 || *value > 10'000'000) {
+    table.refuse(key, "expected a line number, an integer from 1");
+    return 0;
+  }
+  return value->convert_to<std::size_t>();
+}
+
+namespace {
+
+void read_paper(const TableReader& root, Context& context) {
+  if (!root.require("paper", "the table [paper]")) return;
+  const TomlValue* table = root.table("paper");
+  if (table == nullptr) return;
+  static constexpr std::array<std::string_view, 3> keys{"title", "authors", "source"};
+  const TableReader paper(*table, "[paper]", keys, context.mistakes);
+  context.file.paper.title = context.text(paper, "title", "the title of the paper");
+  context.file.paper.source = context.text(paper, "source", "the name of the file that line numbers refer to");
+  if (paper.require("authors", "an array of names")) {
+    for (const PlacedText* author : paper.strings("authors")) context.file.paper.authors.push_back(author->text());
+  }
+}
+
+}  // namespace
+
+}  // namespace claims_reader
+
+ClaimsFile parse_claims(std::string_view text, const std::string& file) {
+  ClaimsFile claims;
+  claims.file = file;
+  Mistakes mistakes(file);
+  if (const auto document = parse_toml(text, mistakes)) {
+    static constexpr std::array<std::string_view, 4> keys{"schema", "paper", "setting", "claim"};
+    const TableReader root(*document, "", keys, mistakes);
+    claims_reader::Context context(claims, mistakes);
+    constexpr std::string_view schema = "slipproof/claims/1";
+    if (context.text(root, "schema", "\"slipproof/claims/1\"") != schema && root.has("schema")) {
+      root.refuse("schema", "expected \"slipproof/claims/1\"");
+    }
+    claims_reader::read_paper(root, context);
+    claims_reader::read_settings(root, context);
+    claims_reader::read_claims(root, context);
+    claims_reader::check_uses(context);
+  }
+  mistakes.refuse_if_any();
+  return claims;
+}
+
+ClaimsFile read_claims(const std::filesystem::path& path) {
+  return parse_claims(read_text_file(path), path.string());
+}
+
+}  // namespace slipproof

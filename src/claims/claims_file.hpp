@@ -1,0 +1,147 @@
+// What a paper states, as data: its symbols, its definitions, and its claims about the model, read from a file
+// `slipproof/claims/1`. doc/claims.md describes the file for those who write one.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "claims/expression.hpp"
+#include "model/bicycle.hpp"
+#include "model/contact_mode.hpp"
+
+namespace slipproof {
+
+/// What stands in print; and, where the print is plainly a misprint, what was meant.
+enum class Reading : std::uint8_t { printed, repaired };
+inline constexpr std::array<Reading, 2> all_readings{Reading::printed, Reading::repaired};
+std::string_view name(Reading reading);
+
+struct Paper {
+  std::string title;
+  std::vector<std::string> authors;
+  std::string source;  ///< file name of the text that line numbers refer to
+};
+
+/// A symbol of the paper that may take any value in its domain.
+struct Parameter {
+  std::string symbol;
+  Expression domain;  ///< over parameters
+  std::string meaning;
+  std::size_t line = 0;  ///< of the source; 0 if the paper does not have it
+};
+
+/// The paper's variable for the force, the only one that a sample leaves open.
+struct ForceVariable {
+  std::string symbol;
+  Expression domain;  ///< where the paper stands, over parameters and the force
+  std::size_t line = 0;
+};
+
+/// A parameter set to the value at which something changes: `b = b1`.
+struct Boundary {
+  std::string symbol;
+  Expression value;  ///< over parameters and definitions, independent of the symbol and of the force
+};
+
+/// A symbol defined by the paper.
+struct Definition {
+  std::string symbol;
+  std::string equation;  ///< number in the paper, `3.1`
+  std::size_t line = 0;
+  Expression printed;
+  Expression repaired;  ///< null: as printed
+  std::string why;      ///< why the print must be a misprint
+};
+
+/// Expressions for what a scene file holds, over parameters; `F` also over the force.
+inline constexpr std::array<std::string_view, 15> scene_symbols{"M",  "R",  "h", "b2", "b3", "I1", "I2", "I3",
+                                                                "r1", "r2", "L", "J",  "f",  "g",  "F"};
+
+/// One way in which the paper looks at the model: which symbols are free and what they are in a scene.
+struct Setting {
+  std::string id;
+  std::string statement;
+  std::size_t line = 0;
+  ForceKind force_kind = ForceKind::internal;
+  bool strict = true;  ///< the paper's motions satisfy their conditions strictly
+  std::vector<Parameter> parameters;
+  ForceVariable force;
+  std::map<std::string, Expression, std::less<>> scene;  ///< by scene symbol; all but J must be there
+  std::vector<Definition> definitions;                   ///< each uses only symbols that do not lead back to it
+  std::vector<Boundary> boundaries;
+};
+
+enum class ClaimKind : std::uint8_t {
+  interval,    ///< in `region`, the mode's forces are exactly `forces`
+  impossible,  ///< in `region`, no force of `forces` gives a motion in `modes`
+  formula,     ///< in `region`, for `forces`, `holds`; with a mode, about the quantities of its motion
+  motions,     ///< in `region`, at each of `forces`, the motions are one in each of `modes` and no others
+  unique,      ///< but where a claim of `except` stands, one motion: in a mode of `modes`, or as one of `claims` states
+  cover        ///< every bicycle is in the region of one of `claims`
+};
+inline constexpr std::array<ClaimKind, 6> all_claim_kinds{ClaimKind::interval, ClaimKind::impossible,
+                                                          ClaimKind::formula,  ClaimKind::motions,
+                                                          ClaimKind::unique,   ClaimKind::cover};
+std::string_view name(ClaimKind kind);
+
+/// How a claim fails, if it does.
+enum class Grade : std::uint8_t { misprint, gap, boundary, wrong };
+std::string_view name(Grade grade);  ///< `wrong` is written `false`
+
+/// What a claim is known to get.
+enum class Expectation : std::uint8_t { none, holds, refuted, undecided };
+std::string_view name(Expectation expectation);
+
+/// What one reading of a claim says.
+struct ClaimBody {
+  Expression region;  ///< bicycles: over parameters and definitions, independent of the force; `true` if not given
+  Expression forces;  ///< over everything but quantities; `true` if not given
+  Expression holds;   ///< formula only; with a mode also over quantities
+  std::vector<ContactMode> modes;
+  std::vector<std::size_t> claims;  ///< indices of the claims that it refers to
+  std::vector<std::size_t> except;
+  Expectation expect = Expectation::none;
+};
+
+struct Claim {
+  std::string id;
+  std::string equation;  ///< number in the paper, or empty
+  std::size_t line = 0;
+  std::string statement;  ///< in words or as printed
+  ClaimKind kind = ClaimKind::formula;
+  std::size_t setting = 0;  ///< index
+  ClaimBody printed;
+  /// There if the repaired reading is another one: the claim's own repair, or that of a definition that it uses.
+  std::optional<ClaimBody> repaired;
+  std::string why;  ///< of the claim's own repair
+  std::string note;
+  std::optional<Grade> grade;
+
+  const ClaimBody& body(Reading reading) const {
+    return reading == Reading::repaired && repaired ? *repaired : printed;
+  }
+};
+
+struct ClaimsFile {
+  std::string file;
+  Paper paper;
+  std::vector<Setting> settings;
+  std::vector<Claim> claims;
+
+  const Claim* find(std::string_view id) const;
+};
+
+/// Reads a claims file. Throws InputError with every mistake of the file, in the order of their places.
+ClaimsFile read_claims(const std::filesystem::path& path);
+
+/// The same from a text; `file` is how messages call it.
+ClaimsFile parse_claims(std::string_view text, const std::string& file);
+
+}  // namespace slipproof

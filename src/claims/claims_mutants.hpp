@@ -1,0 +1,33 @@
+// Mutants of a whole claims file: one definition, region, set of forces or formula changed in one place.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "claims/claims_file.hpp"
+#include "claims/mutate.hpp"
+
+namespace slipproof {
+
+/// The file with one reading only: what was `repaired`, or else printed, becomes `printed`.
+ClaimsFile as_read(const ClaimsFile& file, Reading reading);
+
+struct ClaimsMutant {
+  enum class Part { definition, region, forces, holds };
+  Part part = Part::definition;
+  std::size_t setting = 0;  ///< of a definition
+  std::size_t index = 0;    ///< of the definition in its setting, or of the claim
+  Mutant mutant;
+  std::string where;                ///< `definition xi4 (line 195)`, `forces of A2.1 (line 209)`
+  std::vector<std::size_t> claims;  ///< the claims whose meaning may change: no others need to be judged again
+
+  /// The file, which must be the one that the mutant was made of, with this change.
+  ClaimsFile apply(const ClaimsFile& file) const;
+};
+
+/// All mutants of the printed reading of definitions and claims, each of them valid: no definition leads back to
+/// itself, and what must not depend on the force does not.
+std::vector<ClaimsMutant> mutants(const ClaimsFile& file);
+
+}  // namespace slipproof

@@ -1,0 +1,63 @@
+// Inside the reading of claims files: what its parts share.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "claims/claims_file.hpp"
+#include "input/table_reader.hpp"
+
+namespace slipproof::claims_reader {
+
+/// Which symbols an expression may use, beyond the parameters of its setting.
+struct Allowed {
+  bool definitions = false;
+  bool force = false;
+  bool quantities = false;
+};
+
+/// An expression that was read, to be checked when all names are known.
+struct Use {
+  Expression expression;
+  PlacedText text;
+  std::string key;
+  std::size_t setting = 0;
+  Allowed allowed;
+  std::string independent_of;  ///< a symbol that it must not depend on; empty: none
+};
+
+class Context {
+ public:
+  Context(ClaimsFile& claims_file, Mistakes& list) : file(claims_file), mistakes(list) {}
+
+  /// The expression in a key's string; a mistake is reported, and `true` or 0 stands in for it.
+  Expression expression(const TableReader& table, std::string_view key, Sort sort, std::size_t setting,
+                        Allowed allowed);
+  Expression expression(const PlacedText& text, std::string_view key, Sort sort, std::size_t setting, Allowed allowed);
+  /// The text of a required key; a mistake is reported, and it is empty.
+  std::string text(const TableReader& table, std::string_view key, std::string_view expected);
+  std::string optional_text(const TableReader& table, std::string_view key);
+  /// A line number of the source.
+  std::size_t line(const TableReader& table, std::string_view key, bool required);
+  void refuse(const PlacedText& text, std::size_t position, std::string_view key, const std::string& message) {
+    mistakes.add(text.at(position), std::string(key) + ": " + message);
+  }
+
+  ClaimsFile& file;
+  Mistakes& mistakes;
+  std::vector<Use> uses;
+};
+
+void read_settings(const TableReader& root, Context& context);
+/// After the settings.
+void read_claims(const TableReader& root, Context& context);
+/// Symbols that do not exist or must not be used, definitions in circles or too large to evaluate.
+void check_uses(Context& context);
+
+/// `unknown NAME, did you mean ...`.
+std::string unknown(std::string_view what, std::string_view found, const std::vector<std::string_view>& known);
+
+}  // namespace slipproof::claims_reader

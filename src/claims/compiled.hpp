@@ -1,0 +1,79 @@
+// A claims file made ready for evaluation.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "claims/claims_file.hpp"
+#include "claims/evaluate.hpp"
+#include "claims/program.hpp"
+
+namespace slipproof {
+
+/// A setting's symbols as slots of one scope: quantities, the force, parameters, then the definitions of each reading.
+/// A definition that is the same in both readings, with all that it needs, has one slot.
+class CompiledSetting {
+ public:
+  explicit CompiledSetting(const Setting& setting);
+
+  const Scope& scope() const { return scope_; }
+  static std::size_t quantity_slot(Quantity quantity) { return static_cast<std::size_t>(quantity); }
+  static std::size_t force_slot() { return quantity_count; }
+  static std::size_t parameter_slot(std::size_t index) { return quantity_count + 1 + index; }
+  std::size_t definition_slot(std::size_t index, Reading reading) const {
+    return definition_slots_[static_cast<std::size_t>(reading)][index];
+  }
+  /// An expression of the setting.
+  Program compile(const Expression& expression, Reading reading) const;
+
+  struct Boundary {
+    std::size_t parameter;  ///< index
+    Program value;
+  };
+  /// The values at which parameters are on a boundary, those of both readings where they differ.
+  const std::vector<Boundary>& boundaries() const { return boundaries_; }
+  /// By parameter.
+  const std::vector<Program>& domains() const { return domains_; }
+  const Program& force_domain() const { return *force_domain_; }
+  /// In the order of scene_symbols; nothing for J if the setting does not have it.
+  const std::vector<std::optional<Program>>& scene() const { return scene_; }
+
+ private:
+  std::optional<std::size_t> resolve(std::string_view symbol, Reading reading) const;
+
+  Scope scope_;
+  std::map<std::string, std::size_t, std::less<>> slots_;  ///< of what is no definition
+  std::map<std::string, std::size_t, std::less<>> definition_indices_;
+  std::array<std::vector<std::size_t>, 2> definition_slots_;
+  std::vector<Boundary> boundaries_;
+  std::vector<Program> domains_;
+  std::optional<Program> force_domain_;
+  std::vector<std::optional<Program>> scene_;
+};
+
+struct CompiledBody {
+  Program region;
+  Program forces;
+  Program holds;
+};
+
+struct CompiledClaim {
+  CompiledBody printed;
+  std::optional<CompiledBody> repaired;
+
+  const CompiledBody& body(Reading reading) const {
+    return reading == Reading::repaired && repaired ? *repaired : printed;
+  }
+};
+
+/// In the order of the file.
+struct CompiledClaims {
+  explicit CompiledClaims(const ClaimsFile& file);
+
+  std::vector<CompiledSetting> settings;
+  std::vector<CompiledClaim> claims;
+};
+
+}  // namespace slipproof

@@ -1,0 +1,84 @@
+#include "claims/claims_mutants.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "claims/compiled.hpp"
+
+using namespace slipproof;
+
+namespace {
+
+ClaimsFile paper() {
+  return read_claims(SLIPPROOF_SOURCE_DIR "/proofs/rozenblat-yashin/claims.toml");
+}
+
+const Definition& definition(const ClaimsFile& file, const std::string& symbol) {
+  const auto& all = file.settings.at(0).definitions;
+  return *std::find_if(all.begin(), all.end(), [&](const Definition& d) { return d.symbol == symbol; });
+}
+
+}  // namespace
+
+TEST_CASE("a file can be taken in one reading") {
+  const ClaimsFile file = paper();
+  const ClaimsFile printed = as_read(file, Reading::printed), repaired = as_read(file, Reading::repaired);
+  CHECK(to_string(definition(printed, "b1").printed) == "f * h * (2 * M1)");
+  CHECK(to_string(definition(repaired, "b1").printed) == "f * h / (2 * M1)");
+  CHECK_FALSE(definition(repaired, "b1").repaired);
+  CHECK(printed.find("A2.1")->printed.expect == Expectation::refuted);
+  CHECK(repaired.find("A2.1")->printed.expect == Expectation::holds);
+  CHECK_FALSE(repaired.find("A2.1")->repaired);
+}
+
+TEST_CASE("the paper has thousands of mutants, each valid, each another claims file") {
+  const ClaimsFile file = as_read(paper(), Reading::repaired);
+  const auto all = mutants(file);
+  CHECK(all.size() >= 2000);
+  std::map<ClaimsMutant::Part, int> parts;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const ClaimsMutant& mutant = all[i];
+    ++parts[mutant.part];
+    CHECK_FALSE(mutant.claims.empty());
+    if (i % 50 != 0) continue;
+    CAPTURE(mutant.where);
+    CAPTURE(mutant.mutant.description);
+    const ClaimsFile changed = mutant.apply(file);
+    int differences = 0;
+    for (std::size_t d = 0; d < file.settings[0].definitions.size(); ++d) {
+      differences += !same(file.settings[0].definitions[d].printed, changed.settings[0].definitions[d].printed);
+    }
+    for (std::size_t c = 0; c < file.claims.size(); ++c) {
+      const ClaimBody &before = file.claims[c].printed, &after = changed.claims[c].printed;
+      differences +=
+          !same(before.region, after.region) + !same(before.forces, after.forces) + !same(before.holds, after.holds);
+    }
+    CHECK(differences == 1);
+    // Circles would never end, and regions must not come to depend on the force.
+    const CompiledClaims compiled(changed);
+    Evaluator<Rational> evaluator(compiled.settings[0].scope());
+    for (std::size_t p = 0; p < file.settings[0].parameters.size(); ++p) {
+      evaluator.set(CompiledSetting::parameter_slot(p), Rational(static_cast<int>(p) + 2, 3));
+    }
+    for (const CompiledClaim& claim : compiled.claims) {
+      CHECK(evaluator.truth(claim.printed.region) != Truth::undecided);
+    }
+  }
+  CHECK(parts.size() == 4);
+}
+
+TEST_CASE("a mutant knows which claims it may change") {
+  const ClaimsFile file = as_read(paper(), Reading::printed);
+  for (const ClaimsMutant& mutant : mutants(file)) {
+    std::vector<std::string> ids;
+    for (const std::size_t claim : mutant.claims) ids.push_back(file.claims[claim].id);
+    if (mutant.where == "definition xi6 (line 195)") {
+      CHECK(ids == std::vector<std::string>{"A4.1", "A4.1a", "A4.2", "A4.2a", "A4.cover", "A5.2"});
+    } else if (mutant.where == "forces of A5.1 (line 233)") {
+      CHECK(ids == std::vector<std::string>{"A5.1", "A5.2"});
+    }
+  }
+}
