@@ -90,14 +90,36 @@ std::vector<Rational> breakpoints(const ModeTable& table) {
   return points;
 }
 
+/// What a mode gives at a force; with `rejected`, also why it gives nothing.
+void visit(const ModeSolution& s, const Rational& force, MotionsAtForce& result, bool rejected) {
+  const bool consistent = s.closed().contains(force);
+  if (s.kind() == Kind::regular) {
+    if (consistent) {
+      add(result.motions, s.mode(), s.strict().contains(force), at(s.motion(), force));
+    } else if (rejected) {
+      if (auto rejection = first_violation(s, force)) result.rejected.push_back(std::move(*rejection));
+    }
+    return;
+  }
+  auto ranges = consistent ? s.continuum().parameter_ranges(force, false) : std::nullopt;
+  if (!ranges) {
+    if (rejected) result.rejected.push_back({s.mode(), std::nullopt, 0});
+  } else if (auto motion = only_motion(s.continuum(), *ranges, force)) {
+    add(result.motions, s.mode(), false, std::move(*motion));
+  } else {
+    result.continua.push_back({&s.continuum(), std::move(*ranges), s.strict().contains(force)});
+  }
+}
+
 Cell point_cell(const ModeTable& table, const Rational& force) {
   Cell cell;
   cell.forces = ForceInterval::point(force);
-  const MotionsAtForce found = motions_at(table, force);
-  for (const auto& motion : found.motions) {
+  MotionsAtForce found;
+  for (const ModeSolution& s : table.solutions()) visit(s, force, found, false);
+  for (auto& motion : found.motions) {
     Motion<Affine<Rational>> values;
     for (const Quantity q : all_quantities()) values[q] = motion.values[q];
-    cell.motions.push_back({motion.modes, motion.strict, std::move(values)});
+    cell.motions.push_back({std::move(motion.modes), motion.strict, std::move(values)});
   }
   for (const auto& c : found.continua) cell.continua.push_back(c.continuum->mode);
   return cell;
@@ -122,25 +144,7 @@ Cell open_cell(const ModeTable& table, const ForceInterval& forces) {
 
 MotionsAtForce motions_at(const ModeTable& table, const Rational& force) {
   MotionsAtForce result;
-  for (const ModeSolution& s : table.solutions()) {
-    const bool consistent = s.closed().contains(force);
-    if (s.kind() == Kind::regular) {
-      if (consistent) {
-        add(result.motions, s.mode(), s.strict().contains(force), at(s.motion(), force));
-      } else if (auto rejection = first_violation(s, force)) {
-        result.rejected.push_back(std::move(*rejection));
-      }
-      continue;
-    }
-    auto ranges = consistent ? s.continuum().parameter_ranges(force, false) : std::nullopt;
-    if (!ranges) {
-      result.rejected.push_back({s.mode(), std::nullopt, 0});
-    } else if (auto motion = only_motion(s.continuum(), *ranges, force)) {
-      add(result.motions, s.mode(), false, std::move(*motion));
-    } else {
-      result.continua.push_back({&s.continuum(), std::move(*ranges), s.strict().contains(force)});
-    }
-  }
+  for (const ModeSolution& s : table.solutions()) visit(s, force, result, true);
   return result;
 }
 
