@@ -51,6 +51,13 @@ U slip(const Bicycle<T>& p, const Unknowns<U>& u, Wheel wheel) {
   return u.a - p.h * u.phi - p.R * (wheel == Wheel::rear ? u.eps2 : u.eps3);
 }
 
+/// The quantities of a motion from the unknowns.
+template <class T, class U>
+Motion<U> motion_of(const Bicycle<T>& p, const Unknowns<U>& u) {
+  return {{u.a, u.a_y, u.phi, u.eps2, u.eps3, u.S2, u.S3, u.N2, u.N3, gap(p, u, Wheel::rear), gap(p, u, Wheel::front),
+           slip(p, u, Wheel::rear), slip(p, u, Wheel::front)}};
+}
+
 /// The two equations of a wheel's contact state, as residuals.
 template <class T, class U>
 std::array<U, 2> contact_equations(const Bicycle<T>& p, const Road<T>& road, const Unknowns<U>& u, Wheel wheel,

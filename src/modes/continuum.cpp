@@ -37,25 +37,6 @@ IntegerMatrix integer_rows(const std::array<LinearForm<Rational>, unknown_count>
 }
 
 template <class V>
-Motion<V> with_contacts(const Bicycle<Rational>& p, const Unknowns<V>& u) {
-  Motion<V> m;
-  m[Quantity::a] = u.a;
-  m[Quantity::a_y] = u.a_y;
-  m[Quantity::phi] = u.phi;
-  m[Quantity::eps2] = u.eps2;
-  m[Quantity::eps3] = u.eps3;
-  m[Quantity::S2] = u.S2;
-  m[Quantity::S3] = u.S3;
-  m[Quantity::N2] = u.N2;
-  m[Quantity::N3] = u.N3;
-  m[Quantity::gap2] = gap(p, u, Wheel::rear);
-  m[Quantity::gap3] = gap(p, u, Wheel::front);
-  m[Quantity::slip2] = slip(p, u, Wheel::rear);
-  m[Quantity::slip3] = slip(p, u, Wheel::front);
-  return m;
-}
-
-template <class V>
 Unknowns<V> from_array(std::array<V, unknown_count> x) {
   return {x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], x[10]};
 }
@@ -113,7 +94,7 @@ std::optional<Continuum> solve_singular(const Bicycle<Rational>& bicycle, const 
     base[column_order[column]] = {Rational(echelon.rows[i][unknown_count], echelon.pivot),
                                   Rational(echelon.rows[i][unknown_count + 1], echelon.pivot)};
   }
-  result.base = with_contacts(bicycle, from_array(base));
+  result.base = motion_of(bicycle, from_array(base));
   for (std::size_t column = 0; column < unknown_count; ++column) {
     if (pivot[column]) continue;
     std::array<Rational, unknown_count> direction;
@@ -121,7 +102,7 @@ std::optional<Continuum> solve_singular(const Bicycle<Rational>& bicycle, const 
     for (std::size_t i = 0; i < echelon.rank(); ++i) {
       direction[column_order[echelon.pivot_columns[i]]] = Rational(-echelon.rows[i][column], echelon.pivot);
     }
-    result.directions.push_back(with_contacts(bicycle, from_array(direction)));
+    result.directions.push_back(motion_of(bicycle, from_array(direction)));
     result.parameters.push_back(quantity_of_unknown[column_order[column]]);
   }
 

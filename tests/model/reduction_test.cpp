@@ -6,6 +6,7 @@
 #include "modes/mode_table.hpp"
 #include "support/random_scene.hpp"
 #include "support/raw_solver.hpp"
+#include "support/unknowns.hpp"
 
 using namespace slipproof;
 using slipproof::test::RandomScenes;
@@ -81,7 +82,7 @@ TEST_CASE("every motion satisfies the raw equations at a force") {
         for (const Wheel w : {Wheel::rear, Wheel::front}) {
           for (const Rational& residual : contact_equations(p, road, u, w, s.mode()[w])) CHECK(residual == 0);
         }
-        CHECK(m == test::with_contacts(p, u));
+        CHECK(m == motion_of(p, u));
       }
     }
   }

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "model/linear_form.hpp"
-#include "support/unknowns.hpp"
 
 namespace slipproof::test {
 
@@ -29,8 +28,8 @@ inline std::optional<Motion<Affine<Rational>>> solve_raw(const Bicycle<Rational>
   if (lu.rank() < n) return std::nullopt;
   const RationalMatrix x = lu.solve(b);
   const auto at = [&](int i) { return Affine<Rational>(x(i, 0), x(i, 1)); };
-  return with_contacts<Affine<Rational>>(
-      p, {at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7), at(8), at(9), at(10)});
+  return motion_of(
+      p, Unknowns<Affine<Rational>>{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7), at(8), at(9), at(10)});
 }
 
 }  // namespace slipproof::test

@@ -1,0 +1,20 @@
+#include "cli/command.hpp"
+
+#include <iostream>
+#include <stdexcept>
+
+namespace slipproof::cli {
+
+void add_common_options(CLI::App& command, CommonOptions& options) {
+  command.add_flag("--json", options.json, "JSON on standard output");
+  command.add_option("--seed", options.seed, "Seed of everything random")->capture_default_str();
+  command.add_option("--threads", options.threads, "Number of threads; 0: all cores")->capture_default_str();
+  command.add_flag("--quiet", options.quiet, "The result only: no progress, no details");
+}
+
+void print(std::string_view text) {
+  std::cout.write(text.data(), static_cast<std::streamsize>(text.size())).flush();
+  if (!std::cout) throw std::runtime_error("standard output cannot be written");
+}
+
+}  // namespace slipproof::cli

@@ -1,0 +1,36 @@
+// What the subcommands share: common options, exit codes, and how they join the program.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string_view>
+
+namespace slipproof::cli {
+
+/// Exit codes of the program.
+enum Exit : int {
+  as_it_should_be = 0,
+  refuted_or_not_certified = 1,
+  usage = 2,
+  bad_input = 3,
+  undecided = 4,
+  certificate_rejected = 5,
+};
+
+/// --json, --seed, --threads, --quiet.
+struct CommonOptions {
+  bool json = false;
+  std::uint64_t seed = 1;
+  unsigned threads = 0;  ///< 0: as many as the machine has
+  bool quiet = false;
+};
+
+void add_common_options(CLI::App& command, CommonOptions& options);
+
+/// Writes to standard output. Throws std::runtime_error when that fails, so that nothing is lost in silence.
+void print(std::string_view text);
+
+/// Each adds its subcommand; running it sets the exit code.
+void add_solve(CLI::App& app, int& exit_code);
+
+}  // namespace slipproof::cli
