@@ -11,10 +11,16 @@ namespace slipproof {
 
 using Json = nlohmann::ordered_json;
 
-inline Json to_json(const Rational& x) { return exact_text(x); }
+inline Json to_json(const Rational& x) {
+  return exact_text(x);
+}
 /// [alpha, beta].
-inline Json to_json(const Affine<Rational>& x) { return Json::array({exact_text(x.alpha), exact_text(x.beta)}); }
-inline Json to_json(const std::optional<Rational>& x) { return x ? Json(exact_text(*x)) : Json(nullptr); }
+inline Json to_json(const Affine<Rational>& x) {
+  return Json::array({exact_text(x.alpha), exact_text(x.beta)});
+}
+inline Json to_json(const std::optional<Rational>& x) {
+  return x ? Json(exact_text(*x)) : Json(nullptr);
+}
 
 /// Adds the ends of a non-empty interval under `key`, and which of them belong to it under "closed".
 inline void put_interval(Json& object, const char* key, const ForceInterval& interval) {

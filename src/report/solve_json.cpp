@@ -100,8 +100,8 @@ Json cells_json(const SolvedScene& solved, const SolveReportOptions& options) {
     Json entry, motions = Json::array();
     put_interval(entry, "F", cell.forces);
     for (const auto& found : cell.motions) {
-      motions.push_back(
-          motion_json(found, solved, cell.forces.is_point() ? Affine<Rational>(*cell.forces.lower()) : F, options.chain));
+      motions.push_back(motion_json(found, solved, cell.forces.is_point() ? Affine<Rational>(*cell.forces.lower()) : F,
+                                    options.chain));
     }
     entry["motions"] = std::move(motions);
     entry["continua"] = mode_names(cell.continua);

@@ -11,8 +11,7 @@
 
 namespace slipproof {
 
-SolvedScene::SolvedScene(Scene given)
-    : scene(std::move(given)), table(scene.bicycle, scene.road, scene.force_kind) {
+SolvedScene::SolvedScene(Scene given) : scene(std::move(given)), table(scene.bicycle, scene.road, scene.force_kind) {
   if (scene.F) {
     at_force = motions_at(table, *scene.F);
   } else {
@@ -121,10 +120,10 @@ void write_cells(Out out, const SolvedScene& solved, const SolveReportOptions& o
 std::string solve_text(const SolvedScene& solved, const SolveReportOptions& options) {
   std::string text;
   Out out(text);
-  fmt::format_to(out, "{}: {} force, {}\n", solved.scene.name,
-                 solved.scene.force_kind == ForceKind::internal ? "internal" : "external",
-                 solved.table.detachment() ? "all 16 contact modes"
-                                           : "no J: motions with a wheel off the road are not modelled");
+  fmt::format_to(
+      out, "{}: {} force, {}\n", solved.scene.name,
+      solved.scene.force_kind == ForceKind::internal ? "internal" : "external",
+      solved.table.detachment() ? "all 16 contact modes" : "no J: motions with a wheel off the road are not modelled");
   for (const std::string& note : solved.scene.notes) fmt::format_to(out, "note: {}\n", note);
   if (solved.at_force) {
     write_at_force(out, solved, options);
