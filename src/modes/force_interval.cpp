@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "number/simplest.hpp"
+
 namespace slipproof {
 
 ForceInterval ForceInterval::nothing() {
@@ -73,12 +75,7 @@ ForceInterval ForceInterval::interior() const {
   return empty_ ? nothing() : between(lower_, false, upper_, false);
 }
 
-Rational ForceInterval::sample() const {
-  if (lower_ && upper_) return (*lower_ + *upper_) / 2;
-  if (lower_) return *lower_ + 1;
-  if (upper_) return *upper_ - 1;
-  return 0;
-}
+Rational ForceInterval::sample() const { return is_point() ? *lower_ : simplest_between(lower_, upper_); }
 
 std::string to_string(const ForceInterval& interval) {
   if (interval.empty()) return "{}";

@@ -32,8 +32,7 @@ class ForceInterval {
   void intersect(const ForceInterval& other);
   /// The interval without its ends; a point becomes empty.
   ForceInterval interior() const;
-  /// A rational inside; the interval must not be empty. The simplest of the usual choices: a midpoint, or 1 beyond an
-  /// end.
+  /// The simplest rational inside that is not an end, or the point; the interval must not be empty.
   Rational sample() const;
 
   bool operator==(const ForceInterval&) const = default;

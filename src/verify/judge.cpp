@@ -1,0 +1,332 @@
+#include "verify/judge.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace slipproof {
+
+std::string_view name(Reason reason) {
+  constexpr std::array<std::string_view, 10> names{"none",  "ends",    "forces",    "exists",   "formula", "continuum",
+                                                   "extra", "missing", "uncovered", "no value"};
+  return names[static_cast<std::size_t>(reason)];
+}
+
+namespace {
+
+Judgement refuted(Reason reason) { return {.outcome = Outcome::refuted, .reason = reason}; }
+Judgement undecided() { return {.outcome = Outcome::undecided, .reason = Reason::no_value}; }
+Judgement holds() { return {.outcome = Outcome::holds}; }
+
+bool no_value(Truth truth) { return truth == Truth::undefined || truth == Truth::undecided; }
+
+ForceInterval common(ForceInterval x, const ForceInterval& y) {
+  x.intersect(y);
+  return x;
+}
+
+/// Some forces that are in one interval and not in the other; the intervals differ.
+ForceInterval difference(const ForceInterval& x, const ForceInterval& y) {
+  for (const auto& [a, b] : {std::pair(&x, &y), std::pair(&y, &x)}) {
+    if (a->empty()) continue;
+    if (b->empty()) return *a;
+    const ForceInterval below = ForceInterval::between(std::nullopt, false, b->lower(), !b->lower_closed());
+    const ForceInterval above = ForceInterval::between(b->upper(), !b->upper_closed(), std::nullopt, false);
+    if (b->lower()) {
+      if (auto part = common(*a, below); !part.empty()) return part;
+    }
+    if (b->upper()) {
+      if (auto part = common(*a, above); !part.empty()) return part;
+    }
+  }
+  return ForceInterval::nothing();
+}
+
+class Judge {
+ public:
+  Judge(const ClaimsFile& file, const CompiledClaims& compiled, std::size_t claim, Reading reading,
+        SolvedSample& sample)
+      : file_(file),
+        compiled_(compiled),
+        claim_(file.claims[claim]),
+        body_(claim_.body(reading)),
+        programs_(compiled.claims[claim].body(reading)),
+        reading_(reading),
+        sample_(sample) {}
+
+  Judgement judge() {
+    if (!sample_.force_domain()) return undecided();
+    if (claim_.kind == ClaimKind::cover) return cover();
+    const Truth inside = sample_.region(programs_.region);
+    if (no_value(inside)) return undecided();
+    if (inside == Truth::no) return {};
+    switch (claim_.kind) {
+      case ClaimKind::interval:
+        return interval();
+      case ClaimKind::impossible:
+        return impossible();
+      case ClaimKind::formula:
+        return formula();
+      case ClaimKind::motions:
+        return motions();
+      case ClaimKind::unique:
+        return unique();
+      case ClaimKind::cover:
+        break;
+    }
+    return undecided();
+  }
+
+ private:
+  const ForceInterval& domain() const { return *sample_.force_domain(); }
+  bool strict() const { return file_.settings[claim_.setting].strict; }
+
+  /// The forces of a mode inside the paper's domain.
+  ForceInterval forces_of(const ModeSolution& s) const {
+    return common(sample_.in_variable(strict() ? s.strict() : s.closed()), domain());
+  }
+  std::optional<ForceInterval> claimed_by(const CompiledBody& programs) {
+    std::optional<ForceInterval> found;
+    for (const TruthCell& cell : sample_.over_forces(programs.forces...
+      ForceInterval forces = common(cell.forces, domain());
+      if (forces.empty() || cell.truth == Truth::no) continue;
+      if (cell.truth != Truth::yes || found) return std::nullopt;
+      found = std::move(forces);
+    }
+    return found ? found : ForceInterval::nothing();
+  }
+
+  Judgement interval() {
+    const ModeSolution* s = sample_.table().find(body_.modes.front());
+    if (s == nullptr) return undecided();
+    auto claimed = claimed_by(programs_);
+    if (!claimed) return undecided();
+    ForceInterval real = forces_of(*s);
+    if (*claimed == real) return holds();
+    const bool ends = !claimed->empty() && !real.empty() && claimed->interior() == real.interior() &&
+                      !claimed->interior().empty();
+    Judgement j = refuted(ends ? Reason::ends : s->kind() == ModeSolution::Kind::continuum ? Reason::continuum
+                                                                                           : Reason::forces);
+    j.mode = s->mode();
+    j.witnesses = difference(*claimed, real);
+    j.claimed = std::move(claimed);
+    j.real = std::move(real);
+    return j;
+  }
+
+  Judgement impossible() {
+    const auto claimed = claimed_by(programs_);
+    if (!claimed) return undecided();
+    for (const ContactMode mode : body_.modes) {
+      const ModeSolution* s = sample_.table().find(mode);
+      if (s == nullptr) return undecided();
+      ForceInterval real = common(forces_of(*s), *claimed);
+      if (real.empty()) continue;
+      Judgement j = refuted(s->kind() == ModeSolution::Kind::continuum ? Reason::continuum : Reason::exists);
+      j.mode = mode;
+      j.witnesses = real;
+      j.real = std::move(real);
+      return j;
+    }
+    return holds();
+  }
+
+  Judgement formula() {
+    auto where = claimed_by(programs_);
+    if (!where) return undecided();
+    if (!body_.modes.empty()) {
+      const ModeSolution* s = sample_.table().find(body_.modes.front());
+      if (s == nullptr) return undecided();
+      where->intersect(forces_of(*s));
+      if (where->empty()) return {};
+      if (s->kind() == ModeSolution::Kind::continuum) {
+        Judgement j = refuted(Reason::continuum);
+        j.mode = s->mode();
+        j.witnesses = std::move(where);
+        return j;
+      }
+      sample_.set_motion(s->motion());
+    }
+    if (where->empty()) return {};
+    bool decided = true;
+    for (const TruthCell& cell : sample_.over_forces(*programs_.holds...
+      ForceInterval here = common(cell.forces, *where);
+      if (here.empty() || cell.truth == Truth::yes) continue;
+      if (no_value(cell.truth)) {
+        decided = false;
+        continue;
+      }
+      Judgement j = refuted(Reason::formula);
+      if (!body_.modes.empty()) j.mode = body_.modes.front();
+      j.witnesses = std::move(here);
+      return j;
+    }
+    return decided ? holds() : undecided();
+  }
+
+  /// Motions that count: all of an open cell that are strict (all, if the paper's conditions are not strict).
+  bool counts(const FoundMotion<Affine<Rational>>& motion) const { return motion.strict || !strict(); }
+
+  Judgement motions() {
+    const auto claimed = claimed_by(programs_);
+    if (!claimed) return undecided();
+    if (claimed->empty()) return {};
+    for (const Cell& cell : sample_.cells()) {
+      ForceInterval here = common(cell.forces, *claimed);
+      if (here.empty()) continue;
+      const auto fail = [&](Reason reason, ContactMode mode) {
+        Judgement j = refuted(reason);
+        j.mode = mode;
+        j.claimed = claimed;
+        j.witnesses = here;
+        return j;
+      };
+      if (!cell.continua.empty()) return fail(Reason::continuum, cell.continua.front());
+      for (const auto& motion : cell.motions) {
+        const bool known = std::any_of(motion.modes.begin(), motion.modes.end(), [&](ContactMode m) { return listed(m); });
+        if (!known && counts(motion)) return fail(Reason::extra, motion.modes.front());
+      }
+      for (const ContactMode mode : body_.modes) {
+        const bool there = std::any_of(cell.motions.begin(), cell.motions.end(), [&](const auto& motion) {
+          return (counts(motion) || cell.forces.is_point()) &&
+                 std::find(motion.modes.begin(), motion.modes.end(), mode) != motion.modes.end();
+        });
+        if (!there) return fail(Reason::missing, mode);
+      }
+    }
+    return holds();
+  }
+
+  bool listed(ContactMode mode) const {
+    return std::find(body_.modes.begin(), body_.modes.end(), mode) != body_.modes.end();
+  }
+
+  /// The forces that another claim states in its region; nothing() outside of it.
+  std::optional<ForceInterval> stated(std::size_t claim) {
+    const CompiledBody& programs = compiled_.claims[claim].body(reading_);
+    const Truth inside = sample_.region(programs.region);
+    if (no_value(inside)) return std::nullopt;
+    return inside == Truth::yes ? claimed_by(programs) : ForceInterval::nothing();
+  }
+
+  /// Judged on open intervals of forces: at their ends two motions meet, and neither is strict.
+  Judgement unique() {
+    std::vector<ForceInterval> excepted;
+    std::vector<std::pair<ContactMode, ForceInterval>> known;
+    for (const std::size_t claim : body_.except) {
+      auto forces = stated(claim);
+      if (!forces) return undecided();
+      excepted.push_back(std::move(*forces));
+    }
+    for (const std::size_t claim : body_.claims) {
+      auto forces = stated(claim);
+      if (!forces) return undecided();
+      const ClaimBody& body = file_.claims[claim].body(reading_);
+      if (!forces->empty()) known.emplace_back(body.modes.front(), std::move(*forces));
+    }
+    const auto where = claimed_by(programs_);
+    if (!where) return undecided();
+    bool judged = false;
+    for (const ForceInterval& piece : pieces(*where, excepted, known)) {
+      const Rational force = piece.sample();
+      if (std::any_of(excepted.begin(), excepted.end(), [&](const auto& e) { return e.contains(force); })) continue;
+      judged = true;
+      if (auto failure = not_unique(piece, force, known)) return *failure;
+    }
+    return judged ? holds() : Judgement{};
+  }
+
+  /// Open intervals on which neither the motions nor the claims change.
+  std::vector<ForceInterval> pieces(const ForceInterval& where, const std::vector<ForceInterval>& excepted,
+                                    const std::vector<std::pair<ContactMode, ForceInterval>>& known) {
+    std::vector<Rational> cuts;
+    const auto cut = [&](const ForceInterval& interval) {
+      for (const auto& end : {interval.lower(), interval.upper()}) {
+        if (end) cuts.push_back(*end);
+      }
+    };
+    for (const Cell& cell : sample_.cells()) cut(cell.forces);
+    for (const ForceInterval& interval : excepted) cut(interval);
+    for (const auto& [mode, interval] : known) cut(interval);
+    std::sort(cuts.begin(), cuts.end());
+    cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+    std::vector<ForceInterval> result;
+    std::optional<Rational> below;
+    const auto add = [&](std::optional<Rational> upper) {
+      ForceInterval piece = common(ForceInterval::between(below, false, upper, false), where).interior();
+      if (!piece.empty()) result.push_back(std::move(piece));
+      below = std::move(upper);
+    };
+    for (const Rational& x : cuts) add(x);
+    add(std::nullopt);
+    return result;
+  }
+
+  std::optional<Judgement> not_unique(const ForceInterval& piece, const Rational& force,
+                                      const std::vector<std::pair<ContactMode, ForceInterval>>& known) {
+    const auto fail = [&](Reason reason, std::optional<ContactMode> mode) {
+      Judgement j = refuted(reason);
+      j.mode = mode;
+      j.witnesses = piece;
+      return j;
+    };
+    const auto& cells = sample_.cells();
+    const auto cell =
+        std::find_if(cells.begin(), cells.end(), [&](const Cell& c) { return c.forces.contains(force); });
+    if (!cell->continua.empty()) return fail(Reason::continuum, cell->continua.front());
+    std::optional<ContactMode> only;
+    for (const auto& motion : cell->motions) {
+      if (!counts(motion)) continue;
+      for (const ContactMode mode : motion.modes) {
+        const bool expected = listed(mode) || std::any_of(known.begin(), known.end(), [&](const auto& k) {
+                                return k.first == mode && k.second.contains(force);
+                              });
+        if (!expected) return fail(Reason::extra, mode);
+      }
+      if (only) return fail(Reason::extra, motion.modes.front());
+      only = motion.modes.front();
+    }
+    if (!only) return fail(Reason::missing, std::nullopt);
+    for (const auto& [mode, forces] : known) {
+      if (mode != *only && forces.contains(force)) return fail(Reason::missing, mode);
+    }
+    return std::nullopt;
+  }
+
+  Judgement cover() {
+    for (const std::size_t claim : body_.claims) {
+      const Truth inside = sample_.region(compiled_.claims[claim].body(reading_).region);
+      if (no_value(inside)) return undecided();
+      if (inside == Truth::yes) return holds();
+    }
+    Judgement j = refuted(Reason::uncovered);
+    for (const std::size_t claim : body_.claims) {  // what really happens there, in the mode they are about
+      const auto& modes = file_.claims[claim].body(reading_).modes;
+      if (modes.empty()) continue;
+      const ModeSolution* s = sample_.table().find(modes.front());
+      if (s == nullptr) continue;
+      j.mode = s->mode();
+      j.real = forces_of(*s);
+      if (!j.real->empty()) j.witnesses = j.real;
+      break;
+    }
+    return j;
+  }
+
+  const ClaimsFile& file_;
+  const CompiledClaims& compiled_;
+  const Claim& claim_;
+  const ClaimBody& body_;
+  const CompiledBody& programs_;
+  Reading reading_;
+  SolvedSample& sample_;
+};
+
+}  // namespace
+
+Judgement judge(const ClaimsFile& file, const CompiledClaims& compiled, std::size_t claim, Reading reading,
+                SolvedSample& sample) {
+  return Judge(file, compiled, claim, reading, sample).judge();
+}
+
+}  // namespace slipproof

@@ -1,0 +1,131 @@
+#include "verify/sampler.hpp"
+
+#include <algorithm>
+#include <random>
+#include <utility>
+
+namespace slipproof {
+
+namespace {
+
+/// std::mt19937_64 is the same everywhere; the standard distributions are not.
+class Dice {
+ public:
+  Dice(std::uint64_t seed, std::uint64_t i) : engine_(seed * 0x9E3779B97F4A7C15U + i * 0xD1B54A32D192ED03U + 1) {}
+  int number(int low, int high) {
+    return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
+  }
+  bool chance(int one_in) { return number(1, one_in) == 1; }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+Rational power_of_two(int exponent) {
+  const Integer power = Integer(1) << static_cast<unsigned>(exponent < 0 ? -exponent : exponent);
+  return exponent < 0 ? Rational(Integer(1), power) : Rational(power);
+}
+
+Evaluator<Rational> evaluator_at(const CompiledSetting& setting, const std::vector<Rational>& values) {
+  Evaluator<Rational> evaluator(setting.scope());
+  for (std::size_t k = 0; k < values.size(); ++k) evaluator.set(CompiledSetting::parameter_slot(k), values[k]);
+  return evaluator;
+}
+
+enum class Kind { integers, fractions, on_boundary, near_boundary, between_boundaries, extreme };
+constexpr std::array kinds{Kind::integers,      Kind::fractions,          Kind::on_boundary,
+                           Kind::near_boundary, Kind::between_boundaries, Kind::extreme,
+                           Kind::fractions,     Kind::on_boundary};
+
+Rational draw(Dice& dice, Kind kind) {
+  const int sign = dice.chance(4) ? -1 : 1;
+  if (dice.chance(10)) return 0;
+  if (kind == Kind::integers) return sign * dice.number(1, 6);
+  const Rational small(sign * dice.number(1, 12), dice.number(1, 8));
+  if (kind != Kind::extreme || dice.chance(2)) return small;
+  return small * power_of_two(dice.number(-40, 40));
+}
+
+std::vector<Rational> draw_all(const CompiledSetting& setting, Dice& dice, Kind kind) {
+  std::vector<Rational> values(setting.domains().size());
+  for (int attempt = 0; attempt < 200; ++attempt) {
+    for (Rational& value : values) value = draw(dice, kind);
+    if (in_domain(setting, values)) return values;
+    // Domains of one parameter alone are met soonest by drawing it alone again.
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      for (int again = 0; again < 20; ++again) {
+        if (evaluator_at(setting, values).truth(setting.domains()[k]) == Truth::yes) break;
+        values[k] = draw(dice, kind);
+      }
+    }
+    if (in_domain(setting, values)) return values;
+  }
+  return {};
+}
+
+/// The boundaries of one parameter, ascending.
+std::vector<Rational> boundaries_of(const CompiledSetting& setting, std::size_t parameter,
+                                    const std::vector<Rational>& values) {
+  std::vector<Rational> result;
+  for (const auto& boundary : setting.boundaries()) {
+    if (boundary.parameter != parameter) continue;
+    if (auto value = boundary_value(setting, boundary, values)) result.push_back(std::move(*value));
+  }
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+Rational placed(const std::vector<Rational>& boundaries, Dice& dice, Kind kind) {
+  const auto last = static_cast<int>(boundaries.size()) - 1;
+  const Rational& here = boundaries[static_cast<std::size_t>(dice.number(0, last))];
+  if (kind == Kind::on_boundary) return here;
+  if (kind == Kind::near_boundary) {
+    const Rational step = power_of_two(-dice.number(3, 60));
+    return here + (dice.chance(2) ? step : Rational(-step)) * (here.is_zero() ? Rational(1) : here);
+  }
+  const Rational& other = boundaries[static_cast<std::size_t>(dice.number(0, last))];
+  return here + (other - here) * Rational(dice.number(1, 7), 8);
+}
+
+}  // namespace
+
+bool in_domain(const CompiledSetting& setting, const std::vector<Rational>& values) {
+  auto evaluator = evaluator_at(setting, values);
+  return std::all_of(setting.domains().begin(), setting.domains().end(),
+                     [&](const Program& domain) { return evaluator.truth(domain) == Truth::yes; });
+}
+
+std::optional<Rational> boundary_value(const CompiledSetting& setting, const CompiledSetting::Boundary& boundary,
+                                       const std::vector<Rational>& values) {
+  return evaluator_at(setting, values).number(boundary.value).number;
+}
+
+std::vector<Rational> Sampler::at(std::uint64_t i) const {
+  Dice dice(seed_, i);
+  const Kind kind = kinds[i % kinds.size()];
+  std::vector<Rational> values = draw_all(*setting_, dice, kind);
+  if (values.empty() || kind == Kind::integers || kind == Kind::fractions || setting_->boundaries().empty()) return values;
+  if (kind == Kind::extreme && dice.chance(2)) return values;
+
+  std::vector<std::size_t> bounded;
+  for (const auto& boundary : setting_->boundaries()) {
+    if (std::find(bounded.begin(), bounded.end(), boundary.parameter) == bounded.end()) {
+      bounded.push_back(boundary.parameter);
+    }
+  }
+  // Parameters with boundaries in the file's order; the last may depend on those before it. Sometimes all are placed.
+  const bool all = dice.chance(4);
+  const std::size_t chosen = static_cast<std::size_t>(dice.number(0, static_cast<int>(bounded.size()) - 1));
+  for (std::size_t k = 0; k < bounded.size(); ++k) {
+    if (!all && k != chosen) continue;
+    const auto boundaries = boundaries_of(*setting_, bounded[k], values);
+    if (boundaries.empty()) continue;
+    std::vector<Rational> moved = values;
+    moved[bounded[k]] = placed(boundaries, dice, kind == Kind::extreme ? Kind::on_boundary : kind);
+    if (in_domain(*setting_, moved)) values = std::move(moved);
+  }
+  return values;
+}
+
+}  // namespace slipproof

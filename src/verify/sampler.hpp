@@ -1,0 +1,35 @@
+// Rational bicycles to judge claims at: random ones, and those where something could go wrong.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "claims/compiled.hpp"
+
+namespace slipproof {
+
+/// Samples of a setting's parameters. Sample i depends on the seed and on i alone. The kinds take turns: small
+/// integers, small fractions, exactly on a boundary of the claims file, next to one, between two, and ratios from
+/// 2^-40 to 2^40.
+class Sampler {
+ public:
+  /// What is given must outlive the sampler.
+  Sampler(const CompiledSetting& setting, std::uint64_t seed) : setting_(&setting), seed_(seed) {}
+
+  /// Values of the parameters, inside their domains; empty if none was found in many tries.
+  std::vector<Rational> at(std::uint64_t i) const;
+
+ private:
+  const CompiledSetting* setting_;
+  std::uint64_t seed_;
+};
+
+/// Whether the values are inside the domains of all parameters.
+bool in_domain(const CompiledSetting& setting, const std::vector<Rational>& values);
+
+/// The value of a boundary at a sample; nothing where it is undefined.
+std::optional<Rational> boundary_value(const CompiledSetting& setting, const CompiledSetting::Boundary& boundary,
+                                       const std::vector<Rational>& values);
+
+}  // namespace slipproof

@@ -1,0 +1,88 @@
+#include "verify/solved_sample.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace slipproof {
+
+namespace {
+
+/// The domains of model.md's table.
+bool in_model_domain(const Bicycle<Rational>& p, const Road<Rational>& road) {
+  return p.M > 0 && p.R > 0 && p.h > -p.R && p.b2 + p.b3 > 0 && p.I1 >= 0 && p.I2 >= 0 && p.I3 >= 0 && p.r1 > 0 &&
+         p.r2 > 0 && (!p.J || *p.J > 0) && road.f >= 0 && road.g > 0;
+}
+
+}  // namespace
+
+SolvedSample::SolvedSample(const CompiledSetting& setting, std::vector<Rational> values)
+    : setting_(&setting), values_(std::move(values)), constants_(setting.scope()), functions_(setting.scope()) {
+  for (std::size_t k = 0; k < values_.size(); ++k) {
+    constants_.set(CompiledSetting::parameter_slot(k), values_[k]);
+    functions_.set(CompiledSetting::parameter_slot(k), values_[k]);
+  }
+  functions_.set(CompiledSetting::force_slot(), RationalFunction::variable());
+}
+
+bool SolvedSample::read_scene(ForceKind kind) {
+  Bicycle<Rational>& p = scene_.bicycle;
+  p.J = Rational(0);
+  const std::array<Rational*, 14> targets{&p.M,  &p.R,  &p.h,  &p.b2, &p.b3, &p.I1,          &p.I2,
+                                          &p.I3, &p.r1, &p.r2, &p.L,  &*p.J, &scene_.road.f, &scene_.road.g};
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    if (!setting_->scene()[i]) {
+      p.J.reset();
+      continue;
+    }
+    auto value = constants_.number(*setting_->scene()[i]).number;
+    if (!value) return false;
+    *targets[i] = std::move(*value);
+  }
+  scene_.force_kind = kind;
+  if (!in_model_domain(p, scene_.road)) return false;
+  const auto force = functions_.number(*setting_->scene()[targets.size()]).number;
+  if (!force || force->numerator().degree() > 1 || force->denominator().degree() > 0) return false;
+  force_ = {force->numerator().coefficient(0), force->numerator().coefficient(1)};
+  return !force_.beta.is_zero();
+}
+
+std::unique_ptr<SolvedSample> SolvedSample::make(const CompiledSetting& setting, ForceKind kind,
+                                                 std::vector<Rational> values) {
+  std::unique_ptr<SolvedSample> sample(new SolvedSample(setting, std::move(values)));
+  if (!sample->read_scene(kind)) return nullptr;
+  sample->domain_ = true_interval(setting.force_domain(), sample->functions_);
+  sample->table_.emplace(sample->scene_.bicycle, sample->scene_.road, kind);
+  return sample;
+}
+
+ForceInterval SolvedSample::in_variable(const ForceInterval& forces) const {
+  if (forces.empty()) return forces;
+  const auto turned = [&](const std::optional<Rational>& F) {
+    return F ? std::optional<Rational>((*F - force_.alpha) / force_.beta) : std::nullopt;
+  };
+  auto lower = turned(forces.lower()), upper = turned(forces.upper());
+  if (force_.beta > 0) {
+    return ForceInterval::between(std::move(lower), forces.lower_closed(), std::move(upper), forces.upper_closed());
+  }
+  return ForceInterval::between(std::move(upper), forces.upper_closed(), std::move(lower), forces.lower_closed());
+}
+
+const std::vector<Cell>& SolvedSample::cells() {
+  if (!cells_) {
+    cells_ = partition(*table_);
+    for (Cell& cell : *cells_) cell.forces = in_variable(cell.forces);
+    if (force_.beta < 0) std::reverse(cells_->begin(), cells_->end());
+  }
+  return *cells_;
+}
+
+void SolvedSample::set_motion(const Motion<Affine<Rational>>& motion) {
+  for (const Quantity q : all_quantities()) {
+    const Affine<Rational>& F = motion[q];
+    functions_.set(CompiledSetting::quantity_slot(q),
+                   Affine<Rational>(F.alpha + F.beta * force_.alpha, F.beta * force_.beta));
+  }
+}
+
+}  // namespace slipproof

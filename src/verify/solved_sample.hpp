@@ -1,0 +1,56 @@
+// One sample of a setting: its bicycle, all its modes solved, and the claims' symbols with their values.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "claims/force_truth.hpp"
+#include "modes/motions.hpp"
+#include "claims/compiled.hpp"
+
+namespace slipproof {
+
+/// Modes are solved over the pedal force F; claims speak of the paper's force variable x, and F = offset + slope x.
+/// Everything that this class gives out is in x. Not shared between threads.
+class SolvedSample {
+ public:
+  /// Nothing if the sample is no bicycle of the model (a scene expression undefined or out of its domain).
+  /// The setting must outlive the sample.
+  static std::unique_ptr<SolvedSample> make(const CompiledSetting& setting, ForceKind kind,
+                                            std::vector<Rational> values);
+
+  const std::vector<Rational>& values() const { return values_; }
+  const Scene& scene() const { return scene_; }  ///< without a force
+  const ModeTable& table() const { return *table_; }
+
+  /// The pedal force at a value of the force variable.
+  Rational pedal_force(const Rational& x) const { return force_.at(x); }
+  /// Forces as the force variable sees them.
+  ForceInterval in_variable(const ForceInterval& pedal_forces) const;
+  /// The partition of the line of the force variable; made when first asked for.
+  const std::vector<Cell>& cells();
+  /// Where the paper stands: the domain of the force variable.
+  const std::optional<ForceInterval>& force_domain() const { return domain_; }
+
+  Truth region(const Program& region) { return constants_.truth(region); }
+  std::vector<TruthCell> over_forces(const Program& statement) { return truth_over_forces(statement, functions_); }
+  /// Gives the quantities the values of a motion (over pedal forces) as functions of the force variable.
+  void set_motion(const Motion<Affine<Rational>>& motion);
+
+ private:
+  SolvedSample(const CompiledSetting& setting, std::vector<Rational> values);
+  bool read_scene(ForceKind kind);
+
+  const CompiledSetting* setting_;
+  std::vector<Rational> values_;
+  Evaluator<Rational> constants_;
+  Evaluator<RationalFunction> functions_;
+  Scene scene_;
+  Affine<Rational> force_;
+  std::optional<ModeTable> table_;
+  std::optional<ForceInterval> domain_;
+  std::optional<std::vector<Cell>> cells_;
+};
+
+}  // namespace slipproof

@@ -1,0 +1,73 @@
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/run_program.hpp"
+
+using slipproof::test::run;
+using Json = nlohmann::json;
+
+namespace {
+
+std::vector<std::filesystem::path> cases() {
+  std::vector<std::filesystem::path> result;
+  for (const auto& entry : std::filesystem::directory_iterator(SLIPPROOF_SOURCE_DIR "/cases")) {
+    if (entry.path().extension() == ".toml") result.push_back(entry.path());
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("every shipped scene is solved, in text and in JSON, the same bytes twice") {
+  REQUIRE(cases().size() >= 12);
+  for (const auto& scene : cases()) {
+    CAPTURE(scene);
+    const auto text = run({"solve", scene});
+    CHECK(text.exit_code == 0);
+    CHECK(text.err.empty());
+    CHECK(text.out.substr(text.out.rfind('\n', text.out.size() - 2) + 1).starts_with("s SOLVED "));
+    const auto json = run({"solve", "--json", scene});
+    CHECK(json.exit_code == 0);
+    const Json document = Json::parse(json.out);
+    CHECK(document["schema"] == "slipproof/solve/1");
+    CHECK(document.contains("motions") == !document["F"].is_null());
+    if (document.contains("motions")) {
+      std::size_t modes = document["rejected"].size() + document["continua"].size();
+      for (const auto& motion : document["motions"]) modes += motion["modes"].size();
+      CHECK(modes == (document["detachment"].get<bool>() ? 16 : 9));
+    }
+    CHECK(run({"solve", "--json", scene}).out == json.out);
+  }
+}
+
+TEST_CASE("--quiet prints the result line alone") {
+  const auto quiet = run({"solve", "--quiet", cases().front()});
+  CHECK(quiet.out.starts_with("s SOLVED "));
+  CHECK(std::count(quiet.out.begin(), quiet.out.end(), '\n') == 1);
+}
+
+TEST_CASE("usage errors exit with 2 and say what is wrong; help and version with 0") {
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {}, {"solve"}, {"sovle", "x"}, {"solve", "a", "b"}, {"solve", "--digits", "0", "x"}, {"--nonsense"}}) {
+    const auto outcome = run(arguments);
+    CHECK(outcome.exit_code == 2);
+    CHECK_FALSE(outcome.err.empty());
+    CHECK(outcome.out.empty());
+  }
+  CHECK(run({"--help"}).exit_code == 0);
+  CHECK(run({"solve", "--help"}).exit_code == 0);
+  CHECK(run({"--version"}).out.starts_with("slipproof "));
+}
+
+TEST_CASE("bad scenes exit with 3 and name the place; nothing on standard output") {
+  const slipproof::test::TemporaryFolder folder;
+  const auto scene = folder.write("bad.toml", "[bicycle]\nR = \"one\"\n");
+  const auto outcome = run({"solve", scene});
+  CHECK(outcome.exit_code == 3);
+  CHECK(outcome.out.empty());
+  CHECK(outcome.err.find("bad.toml:2:") != std::string::npos);
+  CHECK(run({"solve", folder.path() / "missing.toml"}).exit_code == 3);
+  CHECK(run({"solve", folder.path()}).exit_code == 3);
+}
