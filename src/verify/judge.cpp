@@ -7,18 +7,32 @@
 namespace slipproof {
 
 std::string_view name(Reason reason) {
-  constexpr std::array<std::string_view, 10> names{"none",  "ends",    "forces",    "exists",   "formula", "continuum",
-                                                   "extra", "missing", "uncovered", "no value"};
+  constexpr std::array<std::string_view, 10> names{"none",      "ends",  "forces",  "exists",    "formula",
+                                                   "continuum", "extra", "missing", "uncovered", "no value"};
   return names[static_cast<std::size_t>(reason)];
 }
 
 namespace {
 
-Judgement refuted(Reason reason) { return {.outcome = Outcome::refuted, .reason = reason}; }
-Judgement undecided() { return {.outcome = Outcome::undecided, .reason = Reason::no_value}; }
-Judgement holds() { return {.outcome = Outcome::holds}; }
+Judgement made(Outcome outcome, Reason reason) {
+  Judgement j;
+  j.outcome = outcome;
+  j.reason = reason;
+  return j;
+}
+Judgement refuted(Reason reason) {
+  return made(Outcome::refuted, reason);
+}
+Judgement undecided() {
+  return made(Outcome::undecided, Reason::no_value);
+}
+Judgement holds() {
+  return made(Outcome::holds, Reason::none);
+}
 
-bool no_value(Truth truth) { return truth == Truth::undefined || truth == Truth::undecided; }
+bool no_value(Truth truth) {
+  return truth == Truth::undefined || truth == Truth::undecided;
+}
 
 ForceInterval common(ForceInterval x, const ForceInterval& y) {
   x.intersect(y);
@@ -87,7 +101,7 @@ class Judge {
   }
   std::optional<ForceInterval> claimed_by(const CompiledBody& programs) {
     std::optional<ForceInterval> found;
-    for (const TruthCell& cell : sample_.over_forces(programs.forces...
+    for (const TruthCell& cell : sample_.over_forces(programs.forces)) {
       ForceInterval forces = common(cell.forces, domain());
       if (forces.empty() || cell.truth == Truth::no) continue;
       if (cell.truth != Truth::yes || found) return std::nullopt;
@@ -103,10 +117,11 @@ class Judge {
     if (!claimed) return undecided();
     ForceInterval real = forces_of(*s);
     if (*claimed == real) return holds();
-    const bool ends = !claimed->empty() && !real.empty() && claimed->interior() == real.interior() &&
-                      !claimed->interior().empty();
-    Judgement j = refuted(ends ? Reason::ends : s->kind() == ModeSolution::Kind::continuum ? Reason::continuum
-                                                                                           : Reason::forces);
+    const bool ends =
+        !claimed->empty() && !real.empty() && claimed->interior() == real.interior() && !claimed->interior().empty();
+    Judgement j = refuted(ends                                         ? Reason::ends
+                          : s->kind() == ModeSolution::Kind::continuum ? Reason::continuum
+                                                                       : Reason::forces);
     j.mode = s->mode();
     j.witnesses = difference(*claimed, real);
     j.claimed = std::move(claimed);
@@ -149,7 +164,7 @@ class Judge {
     }
     if (where->empty()) return {};
     bool decided = true;
-    for (const TruthCell& cell : sample_.over_forces(*programs_.holds...
+    for (const TruthCell& cell : sample_.over_forces(programs_.holds)) {
       ForceInterval here = common(cell.forces, *where);
       if (here.empty() || cell.truth == Truth::yes) continue;
       if (no_value(cell.truth)) {
@@ -183,7 +198,8 @@ class Judge {
       };
       if (!cell.continua.empty()) return fail(Reason::continuum, cell.continua.front());
       for (const auto& motion : cell.motions) {
-        const bool known = std::any_of(motion.modes.begin(), motion.modes.end(), [&](ContactMode m) { return listed(m); });
+        const bool known =
+            std::any_of(motion.modes.begin(), motion.modes.end(), [&](ContactMode m) { return listed(m); });
         if (!known && counts(motion)) return fail(Reason::extra, motion.modes.front());
       }
       for (const ContactMode mode : body_.modes) {
@@ -271,8 +287,7 @@ class Judge {
       return j;
     };
     const auto& cells = sample_.cells();
-    const auto cell =
-        std::find_if(cells.begin(), cells.end(), [&](const Cell& c) { return c.forces.contains(force); });
+    const auto cell = std::find_if(cells.begin(), cells.end(), [&](const Cell& c) { return c.forces.contains(force); });
     if (!cell->continua.empty()) return fail(Reason::continuum, cell->continua.front());
     std::optional<ContactMode> only;
     for (const auto& motion : cell->motions) {

@@ -10,7 +10,7 @@
 namespace slipproof {
 
 enum class Outcome : std::uint8_t {
-  outside,   ///< the sample is not in the claim's region, or the claim says nothing at it
+  outside,  ///< the sample is not in the claim's region, or the claim says nothing at it
   holds,
   refuted,
   undecided  ///< the claim has no value at the sample
@@ -35,13 +35,14 @@ std::string_view name(Reason reason);
 struct Judgement {
   Outcome outcome = Outcome::outside;
   Reason reason = Reason::none;
-  std::optional<ContactMode> mode;        ///< the mode it is about
-  std::optional<ForceInterval> claimed;   ///< interval: what the claim says
-  std::optional<ForceInterval> real;      ///< interval, impossible: the forces that the mode has
-  std::optional<ForceInterval> witnesses; ///< forces at which claim and truth differ
+  std::optional<ContactMode> mode;         ///< the mode it is about
+  std::optional<ForceInterval> claimed;    ///< interval: what the claim says
+  std::optional<ForceInterval> real;       ///< interval, impossible: the forces that the mode has
+  std::optional<ForceInterval> witnesses;  ///< forces at which claim and truth differ
 };
 
-/// Judges a claim, given by its index, in a reading. `compiled` is made from `file`, the sample from the claim's setting.
+/// Judges a claim, given by its index, in a reading. `compiled` is made from `file`, the sample from the claim's
+/// setting.
 Judgement judge(const ClaimsFile& file, const CompiledClaims& compiled, std::size_t claim, Reading reading,
                 SolvedSample& sample);
 

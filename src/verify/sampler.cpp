@@ -33,9 +33,8 @@ Evaluator<Rational> evaluator_at(const CompiledSetting& setting, const std::vect
 }
 
 enum class Kind { integers, fractions, on_boundary, near_boundary, between_boundaries, extreme };
-constexpr std::array kinds{Kind::integers,      Kind::fractions,          Kind::on_boundary,
-                           Kind::near_boundary, Kind::between_boundaries, Kind::extreme,
-                           Kind::fractions,     Kind::on_boundary};
+constexpr std::array kinds{Kind::integers,           Kind::fractions, Kind::on_boundary, Kind::near_boundary,
+                           Kind::between_boundaries, Kind::extreme,   Kind::fractions,   Kind::on_boundary};
 
 Rational draw(Dice& dice, Kind kind) {
   const int sign = dice.chance(4) ? -1 : 1;
@@ -54,7 +53,7 @@ std::vector<Rational> draw_all(const CompiledSetting& setting, Dice& dice, Kind 
     // Domains of one parameter alone are met soonest by drawing it alone again.
     for (std::size_t k = 0; k < values.size(); ++k) {
       for (int again = 0; again < 20; ++again) {
-        if (evaluator_at(setting, values).truth(setting.domains()[k]) == Truth::yes) break;
+        if (allows(setting, k, values)) break;
         values[k] = draw(dice, kind);
       }
     }
@@ -90,6 +89,10 @@ Rational placed(const std::vector<Rational>& boundaries, Dice& dice, Kind kind) 
 
 }  // namespace
 
+bool allows(const CompiledSetting& setting, std::size_t parameter, const std::vector<Rational>& values) {
+  return evaluator_at(setting, values).truth(setting.domains()[parameter]) == Truth::yes;
+}
+
 bool in_domain(const CompiledSetting& setting, const std::vector<Rational>& values) {
   auto evaluator = evaluator_at(setting, values);
   return std::all_of(setting.domains().begin(), setting.domains().end(),
@@ -105,7 +108,8 @@ std::vector<Rational> Sampler::at(std::uint64_t i) const {
   Dice dice(seed_, i);
   const Kind kind = kinds[i % kinds.size()];
   std::vector<Rational> values = draw_all(*setting_, dice, kind);
-  if (values.empty() || kind == Kind::integers || kind == Kind::fractions || setting_->boundaries().empty()) return values;
+  if (values.empty() || kind == Kind::integers || kind == Kind::fractions || setting_->boundaries().empty())
+    return values;
   if (kind == Kind::extreme && dice.chance(2)) return values;
 
   std::vector<std::size_t> bounded;

@@ -25,7 +25,8 @@ class Sampler {
   std::uint64_t seed_;
 };
 
-/// Whether the values are inside the domains of all parameters.
+/// Whether the values are inside the domain of one parameter, of all parameters.
+bool allows(const CompiledSetting& setting, std::size_t parameter, const std::vector<Rational>& values);
 bool in_domain(const CompiledSetting& setting, const std::vector<Rational>& values);
 
 /// The value of a boundary at a sample; nothing where it is undefined.

@@ -52,7 +52,6 @@ std::unique_ptr<SolvedSample> SolvedSample::make(const CompiledSetting& setting,
   std::unique_ptr<SolvedSample> sample(new SolvedSample(setting, std::move(values)));
   if (!sample->read_scene(kind)) return nullptr;
   sample->domain_ = true_interval(setting.force_domain(), sample->functions_);
-  sample->table_.emplace(sample->scene_.bicycle, sample->scene_.road, kind);
   return sample;
 }
 
@@ -70,7 +69,7 @@ ForceInterval SolvedSample::in_variable(const ForceInterval& forces) const {
 
 const std::vector<Cell>& SolvedSample::cells() {
   if (!cells_) {
-    cells_ = partition(*table_);
+    cells_ = partition(table());
     for (Cell& cell : *cells_) cell.forces = in_variable(cell.forces);
     if (force_.beta < 0) std::reverse(cells_->begin(), cells_->end());
   }

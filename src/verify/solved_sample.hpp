@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "claims/compiled.hpp"
 #include "claims/force_truth.hpp"
 #include "modes/motions.hpp"
-#include "claims/compiled.hpp"
 
 namespace slipproof {
 
@@ -22,7 +22,11 @@ class SolvedSample {
 
   const std::vector<Rational>& values() const { return values_; }
   const Scene& scene() const { return scene_; }  ///< without a force
-  const ModeTable& table() const { return *table_; }
+  /// All modes; solved when first asked for, since most samples are outside of most regions.
+  const ModeTable& table() {
+    if (!table_) table_.emplace(scene_.bicycle, scene_.road, scene_.force_kind);
+    return *table_;
+  }
 
   /// The pedal force at a value of the force variable.
   Rational pedal_force(const Rational& x) const { return force_.at(x); }

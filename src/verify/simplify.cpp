@@ -1,0 +1,200 @@
+#include "verify/simplify.hpp"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "number/simplest.hpp"
+
+namespace slipproof {
+
+bool Complexity::operator<(const Complexity& other) const {
+  return std::tie(height, non_one, sum) < std::tie(other.height, other.non_one, other.sum);
+}
+
+Complexity complexity(const std::vector<Rational>& values) {
+  Complexity c;
+  for (const Rational& value : values) {
+    const Integer h = height(value);
+    c.height = std::max(c.height, h);
+    c.sum += h;
+    if (value != 1) ++c.non_one;
+  }
+  return c;
+}
+
+namespace {
+
+/// A parameter that is not free: its value follows from the others by a boundary.
+struct Tie {
+  std::size_t parameter;
+  const CompiledSetting::Boundary* boundary;
+};
+
+/// Gives the tied parameters their values; false where one is undefined or the sample outside of the domains.
+bool complete(const CompiledSetting& setting, const std::vector<Tie>& ties, std::vector<Rational>& values) {
+  for (const Tie& tie : ties) {
+    auto value = boundary_value(setting, *tie.boundary, values);
+    if (!value) return false;
+    values[tie.parameter] = std::move(*value);
+  }
+  return in_domain(setting, values);
+}
+
+class Search {
+ public:
+  Search(const CompiledSetting& setting, const std::function<bool(const std::vector<Rational>&)>& fails,
+         std::size_t budget, std::vector<Tie> ties)
+      : setting_(setting), fails_(fails), budget_(budget), ties_(std::move(ties)) {
+    for (std::size_t k = 0; k < setting.domains().size(); ++k) {
+      if (std::none_of(ties_.begin(), ties_.end(), [&](const Tie& tie) { return tie.parameter == k; }))
+        free_.push_back(k);
+    }
+  }
+
+  /// All samples whose free values have at most this height, simplest first. False: out of budget.
+  bool exhaust(int height, std::optional<std::vector<Rational>>& found) {
+    std::vector<Rational> values(setting_.domains().size(), Rational(1));
+    choices_.clear();
+    for (const std::size_t k : free_) choices_.push_back(allowed(k, height));
+    for (std::size_t others = 0; others <= free_.size(); ++others) {
+      if (!choose(0, others, values, found)) return false;
+      if (found) return true;
+    }
+    return true;
+  }
+
+  /// Makes single free values simpler while the sample fails.
+  std::vector<Rational> descend(std::vector<Rational> values) {
+    for (bool improved = true; improved;) {
+      improved = false;
+      for (const std::size_t k : free_) {
+        for (const Rational& candidate : simpler(values[k])) {
+          std::vector<Rational> tried = values;
+          tried[k] = candidate;
+          if (!complete(setting_, ties_, tried) || !(complexity(tried) < complexity(values)) || !fails_(tried))
+            continue;
+          values = std::move(tried);
+          improved = true;
+          break;
+        }
+      }
+    }
+    return values;
+  }
+
+ private:
+  /// Rationals of height up to h but 1, both signs and 0, simplest first.
+  static std::vector<Rational> numbers(int h) {
+    std::vector<Rational> result;
+    for (int top = 1; top <= h; ++top) {
+      for (int other = 0; other <= top; ++other) {
+        for (const auto& [n, d] : {std::pair(top, other), std::pair(other, top)}) {
+          if (d == 0) continue;
+          const Rational x(n, d);
+          for (const Rational& value : {x, Rational(-x)}) {
+            if (value != 1 && std::find(result.begin(), result.end(), value) == result.end()) result.push_back(value);
+          }
+        }
+      }
+    }
+    return result;
+  }
+
+  /// Those that the parameter may have where all others are 1, or not 1 but positive: domains that couple parameters
+  /// (h > -R) are looked at again when all values are known.
+  std::vector<Rational> allowed(std::size_t parameter, int height) const {
+    std::vector<Rational> result;
+    for (const Rational& value : numbers(height)) {
+      for (const Rational& others : {Rational(1), Rational(height), Rational(Integer(1), Integer(height))}) {
+        std::vector<Rational> values(setting_.domains().size(), others);
+        values[parameter] = value;
+        if (!allows(setting_, parameter, values)) continue;
+        result.push_back(value);
+        break;
+      }
+    }
+    return result;
+  }
+
+  static std::vector<Rational> simpler(const Rational& value) {
+    std::vector<Rational> result{1, 0, 2, Rational(1, 2), -1, Rational(-1, 2), 3, 4, Rational(1, 3)};
+    const Rational step(Integer(1), 4 * denominator(value));
+    for (const Rational& radius : {abs(value) / 2, abs(value) / 4, abs(value) / 16, step}) {
+      if (!radius.is_zero()) result.push_back(simplest_between(Rational(value - radius), Rational(value + radius)));
+    }
+    return result;
+  }
+
+  /// Gives `others` of the free parameters from `first` on a value that is not 1.
+  bool choose(std::size_t first, std::size_t others, std::vector<Rational>& values,
+              std::optional<std::vector<Rational>>& found) {
+    if (others == 0) {
+      if (budget_ == 0) return false;
+      --budget_;
+      std::vector<Rational> tried = values;
+      if (complete(setting_, ties_, tried) && (!found || complexity(tried) < complexity(*found)) && fails_(tried))
+        found = std::move(tried);
+      return true;
+    }
+    for (std::size_t i = first; i + others <= free_.size(); ++i) {
+      for (const Rational& choice : choices_[i]) {
+        values[free_[i]] = choice;
+        if (!choose(i + 1, others - 1, values, found)) return false;
+      }
+      values[free_[i]] = 1;
+    }
+    return true;
+  }
+
+  const CompiledSetting& setting_;
+  const std::function<bool(const std::vector<Rational>&)>& fails_;
+  std::size_t budget_;
+  std::vector<Tie> ties_;
+  std::vector<std::size_t> free_;
+  std::vector<std::vector<Rational>> choices_;  ///< by position in free_
+};
+
+/// The boundaries that the failure is one of: the sample sits on them, and a little off them, the others kept, it does
+/// not fail.
+std::vector<Tie> ties_of(const CompiledSetting& setting, const std::vector<Rational>& values,
+                         const std::function<bool(const std::vector<Rational>&)>& fails) {
+  std::vector<Tie> candidates;
+  for (const auto& boundary : setting.boundaries()) {
+    if (boundary_value(setting, boundary, values) == values[boundary.parameter]) {
+      candidates.push_back({boundary.parameter, &boundary});
+    }
+  }
+  std::vector<Tie> ties;
+  for (const Tie& candidate : candidates) {
+    const auto same = [&](const Tie& tie) { return tie.parameter == candidate.parameter; };
+    if (std::any_of(ties.begin(), ties.end(), same)) continue;
+    std::vector<Tie> others = candidates;
+    std::erase_if(others, same);
+    const Rational& here = values[candidate.parameter];
+    const Rational step = Rational(Integer(1), Integer(1) << 60) * (here.is_zero() ? Rational(1) : here);
+    bool thin = true;
+    for (const Rational& moved : {Rational(here - step), Rational(here + step)}) {
+      std::vector<Rational> beside = values;
+      beside[candidate.parameter] = moved;
+      thin = thin && !(complete(setting, others, beside) && fails(beside));
+    }
+    if (thin) ties.push_back(candidate);
+  }
+  return ties;
+}
+
+}  // namespace
+
+Simplified simplify(const CompiledSetting& setting, const std::vector<Rational>& failing,
+                    const std::function<bool(const std::vector<Rational>&)>& fails, std::size_t budget) {
+  Search search(setting, fails, budget, ties_of(setting, failing, fails));
+  std::optional<std::vector<Rational>> found;
+  for (int height = 1; !found && height <= 6; ++height) {
+    if (!search.exhaust(height, found)) return {search.descend(found ? std::move(*found) : failing), false};
+  }
+  if (!found) return {search.descend(failing), false};
+  return {std::move(*found), true};
+}
+
+}  // namespace slipproof

@@ -1,0 +1,35 @@
+// The simplest counterexample: one that a person can check by hand.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "verify/sampler.hpp"
+
+namespace slipproof {
+
+/// How simple a sample is: the largest height of its values, then how many are not 1, then the sum of heights.
+/// Smaller is simpler.
+struct Complexity {
+  Integer height;
+  std::size_t non_one = 0;
+  Integer sum;
+
+  bool operator<(const Complexity& other) const;
+};
+Complexity complexity(const std::vector<Rational>& values);
+
+struct Simplified {
+  std::vector<Rational> values;
+  /// No simpler sample of the setting fails, among all with parameters tied to boundaries as here.
+  bool minimal = false;
+};
+
+/// A simplest sample that `fails`, starting from one that does. If the failure is one of a boundary of the setting (it
+/// is gone on both sides), the parameter stays tied to that boundary. All samples of height 1, 2, ... are tried in the
+/// order of Complexity, at most `budget` of them; past that, single values are made simpler as long as it goes.
+Simplified simplify(const CompiledSetting& setting, const std::vector<Rational>& failing,
+                    const std::function<bool(const std::vector<Rational>&)>& fails, std::size_t budget = 50'000);
+
+}  // namespace slipproof
