@@ -358,9 +358,9 @@ TEST_CASE("the shipped paper") {
       {"s1", Rational(36, 25)},
       {"s2", Rational(-11, 25)},
   };
-  for (const auto& [symbol, exact] : expected) {
-    CAPTURE(symbol);
-    CHECK(value(symbol, Reading::printed) == exact);
+  for (const auto& symbol_and_value : expected) {
+    CAPTURE(symbol_and_value.first);
+    CHECK(value(symbol_and_value.first, Reading::printed) == symbol_and_value.second);
   }
   CHECK(value("b1", Reading::printed) == 3);
   CHECK(value("b1", Reading::repaired) == Rational(1, 3));

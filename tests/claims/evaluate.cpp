@@ -103,7 +103,7 @@ TEST_CASE("numbers agree with a plain walk over the tree") {
   for (int i = 0; i < 4000; ++i) {
     const Expression expression = random.number(random.below(5));
     CAPTURE(to_string(expression));
-    const Rational a(random.below(9) - 4, 1 + random.below(3)), b(random.below(9) - 4), c(1, 1 + random.below(5));
+    const Rational a = random.rational(-4, 5, 3), b = random.rational(-4, 5, 1), c = random.rational(1, 2, 5);
     const Value<Rational> value = at(scope, a, b, c).number(compile(expression));
     try {
       const Rational expected = plain(expression, {{"a", a}, {"b", b}, {"c", c}, {"zero", 0}});

@@ -81,7 +81,8 @@ TEST_CASE("every cell says what evaluation at a force says") {
   testing::RandomExpressions random(3, names);
   int decided = 0;
   for (int i = 0; i < 2000; ++i) {
-    Setting at(random.below(7) - 3, Rational(1, 1 + random.below(4)));
+    const Rational a = random.rational(-3, 4, 1);
+    Setting at(a, random.rational(1, 2, 4));
     const Expression statement = random.truth(1 + random.below(3));
     CAPTURE(to_string(statement));
     const Program program = compile(statement);

@@ -1,4 +1,5 @@
-// Random trees, for round trips and for comparing evaluators.
+// Random trees, for round trips and for comparing evaluators. Every draw is a statement of its own: arguments are
+// evaluated in an order that the compiler chooses.
 #pragma once
 
 #include <random>
@@ -17,46 +18,49 @@ class RandomExpressions {
 
   Expression number(int depth) {
     if (depth == 0) {
-      if (below(2) == 0)
-        return make_symbol(symbols_[static_cast<std::size_t>(below(static_cast<int>(symbols_.size())))]);
-      return make_number(Rational(below(40), below(2) == 0 ? 1 : 20));
+      const bool symbol = below(2) == 0;
+      if (symbol) return make_symbol(symbols_[static_cast<std::size_t>(below(static_cast<int>(symbols_.size())))]);
+      const int numerator = below(40);
+      return make_number(Rational(numerator, below(2) == 0 ? 1 : 20));
     }
     constexpr Operation binary[] = {Operation::add,    Operation::subtract, Operation::multiply,
                                     Operation::divide, Operation::minimum,  Operation::maximum};
-    switch (below(10)) {
-      case 0:
-        return make(Operation::negate, {number(depth - 1)});
-      case 1:
-        return make_power(number(depth - 1), below(7) - 3);
-      case 2:
-        return make(below(2) == 0 ? Operation::absolute : Operation::signum, {number(depth - 1)});
-      default:
-        return make(binary[below(6)], {number(depth - 1), number(below(depth))});
-    }
+    const int choice = below(10);
+    const Expression first = number(depth - 1);
+    if (choice == 0) return make(Operation::negate, {first});
+    if (choice == 1) return make_power(first, below(7) - 3);
+    if (choice == 2) return make(below(2) == 0 ? Operation::absolute : Operation::signum, {first});
+    const Expression second = number(below(depth));
+    return make(binary[below(6)], {first, second});
+  }
+
+  /// numerator / denominator with lowest <= numerator < highest, 1 <= denominator <= largest.
+  Rational rational(int lowest, int highest, int largest) {
+    const int numerator = lowest + below(highest - lowest);
+    return Rational(numerator, 1 + below(largest));
   }
 
   Expression truth(int depth) {
     if (depth == 0) return make_truth(below(2) == 0);
-    switch (below(5)) {
-      case 0:
-        return make(Operation::logical_not, {truth(depth - 1)});
-      case 1:
-        return make(Operation::logical_and, {truth(depth - 1), truth(below(depth))});
-      case 2:
-        return make(Operation::logical_or, {truth(depth - 1), truth(below(depth))});
-      default: {
-        std::vector<Expression> operands{number(depth - 1)};
-        std::vector<Relation> relations;
-        for (int links = 1 + below(2); links > 0; --links) {
-          operands.push_back(number(depth - 1));
-          relations.push_back(static_cast<Relation>(below(6)));
-        }
-        return make_comparison(std::move(operands), std::move(relations));
-      }
-    }
+    const int choice = below(5);
+    if (choice >= 3) return comparison(depth);
+    const Expression first = truth(depth - 1);
+    if (choice == 0) return make(Operation::logical_not, {first});
+    const Expression second = truth(below(depth));
+    return make(choice == 1 ? Operation::logical_and : Operation::logical_or, {first, second});
   }
 
  private:
+  Expression comparison(int depth) {
+    std::vector<Expression> operands{number(depth - 1)};
+    std::vector<Relation> relations;
+    for (int links = 1 + below(2); links > 0; --links) {
+      operands.push_back(number(depth - 1));
+      relations.push_back(static_cast<Relation>(below(6)));
+    }
+    return make_comparison(std::move(operands), std::move(relations));
+  }
+
   std::mt19937 random_;
   std::vector<std::string> symbols_;
 };
