@@ -172,6 +172,7 @@ TEST_CASE("hostile bytes are refused, not obeyed") {
   CHECK(refusal("\n" + key + " = 1") == "t:2:32: found a key of more than 16 parts, expected a shorter one");
   CHECK(refusal("a = {" + key + " = 1}").find("16 parts") != std::string::npos);
   CHECK(refusal("# " + key + "\na = '" + key + "' # " + key) == "accepted");
+  CHECK(refusal("a = \"\"\"x\"\" " + key + "\"\"\"") == "accepted");  // two quotes do not end it
 }
 
 TEST_CASE("tables as deep as the limits allow are read") {
