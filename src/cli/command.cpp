@@ -17,4 +17,14 @@ void print(std::string_view text) {
   if (!std::cout) throw std::runtime_error("standard output cannot be written");
 }
 
+std::filesystem::path shipped(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (!error) {
+    const auto installed = program.parent_path().parent_path() / SLIPPROOF_DATA_DIRECTORY / file;
+    if (std::filesystem::exists(installed, error)) return installed;
+  }
+  return std::filesystem::path(SLIPPROOF_SOURCE_DIRECTORY) / file;
+}
+
 }  // namespace slipproof::cli

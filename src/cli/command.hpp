@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <filesystem>
 #include <string_view>
 
 namespace slipproof::cli {
@@ -30,7 +31,12 @@ void add_common_options(CLI::App& command, CommonOptions& options);
 /// Writes to standard output. Throws std::runtime_error when that fails, so that nothing is lost in silence.
 void print(std::string_view text);
 
+/// A file that comes with the program, by its path in the repository: beside the installed program, or in the sources
+/// it was built from.
+std::filesystem::path shipped(const std::filesystem::path& file);
+
 /// Each adds its subcommand; running it sets the exit code.
 void add_solve(CLI::App& app, int& exit_code);
+void add_verify(CLI::App& app, int& exit_code);
 
 }  // namespace slipproof::cli

@@ -75,7 +75,9 @@ ForceInterval ForceInterval::interior() const {
   return empty_ ? nothing() : between(lower_, false, upper_, false);
 }
 
-Rational ForceInterval::sample() const { return is_point() ? *lower_ : simplest_between(lower_, upper_); }
+Rational ForceInterval::sample() const {
+  return is_point() ? *lower_ : simplest_between(lower_, upper_);
+}
 
 std::string to_string(const ForceInterval& interval) {
   if (interval.empty()) return "{}";

@@ -21,8 +21,7 @@ Rational simplest_positive(const Rational& lower, const std::optional<Rational>&
   // No integer strictly between: both ends have the same integer part, or upper is the next integer. The ends turn
   // round under 1/x.
   const Rational low = lower - Rational(whole), high = *upper - Rational(whole);
-  const Rational inner =
-      simplest_positive(1 / high, low.is_zero() ? std::nullopt : std::optional<Rational>(1 / low));
+  const Rational inner = simplest_positive(1 / high, low.is_zero() ? std::nullopt : std::optional<Rational>(1 / low));
   return Rational(whole) + 1 / inner;
 }
 

@@ -58,7 +58,8 @@ inline Outcome run(const std::vector<std::string>& arguments, const std::string&
   const TemporaryFolder folder;
   std::string command = quoted(std::string(SLIPPROOF_BINARY_DIR) + "/" + program);
   for (const std::string& argument : arguments) command += " " + quoted(argument);
-  command += " </dev/null >" + quoted((folder.path() / "out").string()) + " 2>" + quoted((folder.path() / "err").string());
+  command +=
+      " </dev/null >" + quoted((folder.path() / "out").string()) + " 2>" + quoted((folder.path() / "err").string());
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder.path() / "out"),
           read_file(folder.path() / "err")};

@@ -1,0 +1,66 @@
+#include <utility>
+
+#include "model/scene.hpp"
+#include "report/motion_json.hpp"
+#include "report/verify_report.hpp"
+
+namespace slipproof {
+
+namespace {
+
+Json interval_json(const ForceInterval& interval) {
+  if (interval.empty()) return nullptr;
+  Json object;
+  put_interval(object, "F", interval);
+  return object;
+}
+
+Json counterexample_json(const ClaimsFile& file, const ClaimResult& result) {
+  const Counterexample& e = *result.counterexample;
+  const Setting& setting = file.settings[file.claims[result.claim].setting];
+  Json object, parameters = Json::object();
+  for (std::size_t k = 0; k < e.values.size(); ++k) parameters[setting.parameters[k].symbol] = to_json(e.values[k]);
+  object["reason"] = name(e.judgement.reason);
+  object["explanation"] = explain(file, result);
+  object["minimal"] = e.minimal;
+  object["parameters"] = std::move(parameters);
+  object["scene"] = to_toml(e.scene);
+  object["mode"] = e.judgement.mode ? Json(name(*e.judgement.mode)) : Json(nullptr);
+  if (e.judgement.claimed) object["claimed"] = interval_json(*e.judgement.claimed);
+  if (e.judgement.real) object["real"] = interval_json(*e.judgement.real);
+  if (e.judgement.witnesses) object["witnesses"] = interval_json(*e.judgement.witnesses);
+  object["force"] = to_json(e.force);
+  if (e.motions) put_motions(object, *e.motions, e.scene);
+  return object;
+}
+
+}  // namespace
+
+std::string verify_json(const ClaimsFile& file, const VerifyResult& result) {
+  Json document, claims = Json::array();
+  document["schema"] = "slipproof/verify/1";
+  document["paper"] = file.paper.title;
+  document["samples"] = result.samples;
+  document["seed"] = result.seed;
+  for (const ClaimResult& r : result.claims) {
+    const Claim& claim = file.claims[r.claim];
+    Json entry;
+    entry["id"] = claim.id;
+    entry["reading"] = name(r.reading);
+    entry["verdict"] = name(r.verdict);
+    const Expectation expect = claim.body(r.reading).expect;
+    entry["expected"] = expect == Expectation::none ? "holds" : std::string(name(expect));
+    entry["samples"] = r.samples();
+    entry["refuted"] = r.refuted;
+    entry["undecided"] = r.undecided;
+    entry["line"] = claim.line;
+    entry["statement"] = claim.statement;
+    entry["grade"] = claim.grade ? Json(name(*claim.grade)) : Json(nullptr);
+    entry["counterexample"] = r.counterexample ? counterexample_json(file, r) : Json(nullptr);
+    claims.push_back(std::move(entry));
+  }
+  document["claims"] = std::move(claims);
+  return dump(document);
+}
+
+}  // namespace slipproof

@@ -1,0 +1,23 @@
+// What `slipproof verify` says: every claim's verdict, and counterexamples that a person can check by hand.
+#pragma once
+
+#include <string>
+
+#include "verify/verify.hpp"
+
+namespace slipproof {
+
+/// One JSON document, schema slipproof/verify/1, ending in a newline.
+std::string verify_json(const ClaimsFile& file, const VerifyResult& result);
+
+/// For people; the last line begins with `s VERIFIED`, `s REFUTED` or `s UNDECIDED`, with counts. `quiet`: it alone.
+std::string verify_text(const ClaimsFile& file, const VerifyResult& result, bool quiet = false);
+
+/// All verdicts as expected; or the first of: something else refuted, something else undecided.
+enum class Summary { as_expected, refuted, undecided };
+Summary summary(const ClaimsFile& file, const VerifyResult& result);
+
+/// What went wrong, in one sentence.
+std::string explain(const ClaimsFile& file, const ClaimResult& result);
+
+}  // namespace slipproof
