@@ -1,5 +1,5 @@
 // What a paper states, as data: its symbols, its definitions, and its claims about the model, read from a file
-// `slipproof/claims/1`. doc/claims.md describes the file for those who write one.
+// `slipproof/claims/1`. proofs/CLAIMS.md describes the file for those who write one.
 #pragma once
 
 #include <array>

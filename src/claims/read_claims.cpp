@@ -100,6 +100,11 @@ class ClaimsReader {
       ClaimBody& body = references.reading == Reading::printed ? claim.printed : *claim.repaired;
       for (const PlacedText* id : references.ids) resolve(claim, *id, references.except, body);
     }
+    for (Claim& claim : context_.file.claims) {  // a repair that names no claims is about those of the print
+      if (!claim.repaired) continue;
+      if (claim.repaired->claims.empty()) claim.repaired->claims = claim.printed.claims;
+      if (claim.repaired->except.empty()) claim.repaired->except = claim.printed.except;
+    }
     add_implied_readings();
   }
 
