@@ -1,0 +1,97 @@
+#include "filter/batch.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <functional>
+#include <stdexcept>
+
+#include "filter/lanes.hpp"
+
+namespace slipproof {
+
+namespace {
+
+/// Scenes `first` to `first` + lane_count - 1; the last scene again where there are no more.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+[[gnu::target_clones("avx512f", "avx2", "default")]]
+#endif
+[[gnu::flatten]] void
+decide_block(const ForcedScene<Column>& scenes, std::size_t first, std::size_t count, LaneSets& sets) {
+  LaneBits within{};
+  within = ~within;
+  const auto load = [&](const Column& column) {
+    Lanes x{};
+    if (column.size() == 1) {
+      x += column[0];
+    } else {
+      for (std::size_t lane = 0; lane < lane_count; ++lane) x[lane] = column[std::min(first + lane, count - 1)];
+    }
+    within &= absolute(x) <= input_limit;
+    return TrackedLanes::input(x);
+  };
+  const auto s = convert<Column, TrackedLanes>(scenes, load);
+  const auto dynamics = reduce<TrackedLanes, TrackedLanes>(s.bicycle, s.road, s.force_kind, s.F, TrackedLanes(1));
+  sets = decide_lanes(dynamics, s.bicycle.J.has_value());
+  sets.undecided |= ~within;
+}
+
+ForcedScene<double> scene_at(const ForcedScene<Column>& scenes, std::size_t i) {
+  return convert<Column, double>(scenes, [i](const Column& c) { return c.size() == 1 ? c[0] : c[i]; });
+}
+
+TierCounts decide_range(const ForcedScene<Column>& scenes, std::span<ConsistentModes> answers, std::size_t begin,
+                        std::size_t end) {
+  TierCounts counts{};
+  for (std::size_t first = begin; first < end; first += lane_count) {
+    LaneSets sets;
+    decide_block(scenes, first, answers.size(), sets);
+    for (std::size_t i = first; i < std::min<std::size_t>(end, first + lane_count); ++i) {
+      const auto modes = static_cast<std::uint16_t>(sets.consistent[i - first]);
+      answers[i] = {modes, modes, Tier::filter};
+      if (sets.undecided[i - first] != 0) answers[i] = consistent_modes(scene_at(scenes, i));
+      ++counts[static_cast<std::size_t>(answers[i].tier)];
+    }
+  }
+  return counts;
+}
+
+void check_lengths(const ForcedScene<Column>& scenes, std::size_t count) {
+  convert<Column, Column>(scenes, [count](const Column& c) {
+    if (c.size() != 1 && c.size() != count) throw std::invalid_argument("a column of neither one nor all scenes");
+    return c;
+  });
+}
+
+TierCounts sum(TierCounts x, const TierCounts& y) {
+  for (std::size_t i = 0; i < tier_count; ++i) x[i] += y[i];
+  return x;
+}
+
+}  // namespace
+
+void consistent_modes(const ForcedScene<Column>& scenes, std::span<ConsistentModes> answers, TierCounts& counts,
+                      unsigned threads) {
+  check_lengths(scenes, answers.size());
+  const auto decide = [&](std::size_t begin, std::size_t end) { return decide_range(scenes, answers, begin, end); };
+  if (threads == 1) {
+    counts = sum(counts, decide(0, answers.size()));
+    return;
+  }
+  constexpr std::size_t grain = 1024;
+  tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic : static_cast<int>(threads));
+  const std::size_t blocks = (answers.size() + lane_count - 1) / lane_count;  // a block of lanes is never cut
+  const TierCounts found = arena.execute([&] {
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, blocks, grain / lane_count), TierCounts{},
+        [&](const tbb::blocked_range<std::size_t>& r, const TierCounts& so_far) {
+          return sum(so_far, decide(r.begin() * lane_count, std::min(r.end() * lane_count, answers.size())));
+        },
+        sum);
+  });
+  counts = sum(counts, found);
+}
+
+}  // namespace slipproof

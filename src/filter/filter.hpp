@@ -1,0 +1,106 @@
+// Which contact modes are consistent at one force: the answer of the exact solver at nearly the speed of binary64.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "filter/double_double.hpp"
+#include "filter/mode_status.hpp"
+#include "filter/tracked.hpp"
+#include "model/bicycle.hpp"
+#include "modes/motions.hpp"
+
+namespace slipproof {
+
+/// A scene at one force in numbers of one type, SI units.
+template <class T>
+struct ForcedScene {
+  Bicycle<T> bicycle;
+  Road<T> road;
+  ForceKind force_kind = ForceKind::internal;
+  T F{};
+};
+
+/// What decided, fastest first. Each tier gives the same answer as the exact one, or passes on.
+enum class Tier : std::uint8_t { filter, double_double, exact };
+inline constexpr std::size_t tier_count = 3;
+std::string_view name(Tier tier);
+
+using TierCounts = std::array<std::uint64_t, tier_count>;
+
+/// Modes that are consistent at the force, bit i for the mode with index i. Without J only modes with both wheels on
+/// the road are modelled.
+struct ConsistentModes {
+  std::uint16_t consistent = 0;  ///< the non-strict conditions hold for some motion of the mode
+  std::uint16_t strict = 0;      ///< of these, the ones in which some motion holds all conditions strictly
+  Tier tier = Tier::filter;
+  bool operator==(const ConsistentModes&) const = default;
+};
+
+template <class T, class U, class Convert>
+ForcedScene<U> convert(const ForcedScene<T>& s, const Convert& to) {
+  const Bicycle<T>& p = s.bicycle;
+  ForcedScene<U> r{.bicycle = {.M = to(p.M),
+                               .R = to(p.R),
+                               .h = to(p.h),
+                               .b2 = to(p.b2),
+                               .b3 = to(p.b3),
+                               .I1 = to(p.I1),
+                               .I2 = to(p.I2),
+                               .I3 = to(p.I3),
+                               .r1 = to(p.r1),
+                               .r2 = to(p.r2),
+                               .L = to(p.L),
+                               .J = std::nullopt},
+                   .road = {to(s.road.f), to(s.road.g)},
+                   .force_kind = s.force_kind,
+                   .F = to(s.F)};
+  if (p.J) r.bicycle.J.emplace(to(*p.J));
+  return r;
+}
+
+/// Each number rounded to the nearest binary64; the filter's bounds include that rounding.
+ForcedScene<double> nearest_binary64(const ForcedScene<Rational>& scene);
+ForcedScene<Rational> to_rational(const ForcedScene<double>& scene);
+
+/// The dynamics in a number type with error bounds. It must be a copy of the inputs: N::input(T) says what a T means.
+template <class N, class T>
+ReducedDynamics<N, N> tracked_dynamics(const ForcedScene<T>& scene) {
+  const auto s = convert<T, N>(scene, [](const T& x) { return N::input(x); });
+  return reduce<N, N>(s.bicycle, s.road, s.force_kind, s.F, N(1));
+}
+
+/// True where every input is finite and small enough for the error bounds to hold.
+inline bool within_input_limit(const ForcedScene<double>& s) {
+  const Bicycle<double>& p = s.bicycle;
+  bool within = true;  // a NaN fails each comparison
+  for (const double x :
+       {p.M, p.R, p.h, p.b2, p.b3, p.I1, p.I2, p.I3, p.r1, p.r2, p.L, s.road.f, s.road.g, s.F, p.J ? *p.J : 0.0}) {
+    within &= std::fabs(x) <= input_limit;
+  }
+  return within;
+}
+
+inline constexpr ModeSets all_undecided{0, 0xFFFF};
+
+/// The first tier alone: no allocation, no exception, no dependence on the rounding of anything but + - *. Every number
+/// may be the nearest binary64 of what is meant.
+inline ModeSets filter_modes(const ForcedScene<double>& scene) {
+  if (!within_input_limit(scene)) return all_undecided;
+  return decide_modes(tracked_dynamics<Tracked>(scene), scene.bicycle.J.has_value());
+}
+
+/// The second tier alone, for the numbers as they are. `rounded` is the scene's nearest_binary64().
+ModeSets double_double_modes(const ForcedScene<double>& exact);
+ModeSets double_double_modes(const ForcedScene<Rational>& exact, const ForcedScene<double>& rounded);
+
+/// The last tier alone.
+ConsistentModes exact_modes(const ForcedScene<Rational>& scene);
+
+/// All tiers, for a scene in the domain (bicycle.hpp); throws NumberError for a NaN or an infinity.
+ConsistentModes consistent_modes(const ForcedScene<double>& exact);
+ConsistentModes consistent_modes(const ForcedScene<Rational>& exact);
+
+}  // namespace slipproof

@@ -1,0 +1,48 @@
+// binary64 beside the magnitude that bounds its error: the number type of the first tier.
+#pragma once
+
+#include <bit>
+#include <cmath>
+
+#include "filter/bounds.hpp"
+#include "number/rational.hpp"
+
+namespace slipproof {
+
+/// The value of an expression in +, -, * computed in binary64, and the same expression with all signs made positive:
+/// |value - exact| <= roundings u magnitude + underflow (bounds.hpp), whatever cancels. Both are one pair of a vector
+/// register, so that a tracked operation is one instruction, like a plain one.
+class Tracked {
+ public:
+  Tracked() : pair_{0, 0} {}
+  explicit Tracked(int constant) : pair_{double(constant), std::fabs(double(constant))} {}
+  /// An input, exact or rounded once.
+  static Tracked input(double x) { return Tracked(Pair{x, std::fabs(x)}); }
+
+  double value() const { return pair_[0]; }
+  double magnitude() const { return pair_[1]; }
+  /// Bound on |value - exact|.
+  double error() const { return magnitude() * (error_roundings * unit_roundoff) + underflow_error; }
+
+  friend Tracked operator+(Tracked x, Tracked y) { return Tracked(x.pair_ + y.pair_); }
+  friend Tracked operator*(Tracked x, Tracked y) { return Tracked(x.pair_ * y.pair_); }
+  friend Tracked operator-(Tracked x) {
+    const Pair flip{-0.0, 0.0};
+    return Tracked(std::bit_cast<Pair>(std::bit_cast<Bits>(x.pair_) ^ std::bit_cast<Bits>(flip)));
+  }
+  friend Tracked operator-(Tracked x, Tracked y) { return x + -y; }
+
+ private:
+  typedef double Pair __attribute__((vector_size(16)));
+  typedef long long Bits __attribute__((vector_size(16)));
+  explicit Tracked(Pair pair) : pair_(pair) {}
+  Pair pair_;
+};
+
+/// The sign of the exact value where it is certain, else 0.
+inline int certain_sign(Tracked x) {
+  const double error = x.error();
+  return (x.value() > error) - (x.value() < -error);
+}
+
+}  // namespace slipproof

@@ -1,0 +1,155 @@
+// The filter never says what the exact solver does not. The long version is tests/filter_soak.
+#include <doctest/doctest.h>
+
+#include "filter/batch.hpp"
+#include "support/filter_scenes.hpp"
+
+using namespace slipproof;
+using namespace slipproof::test;
+
+TEST_CASE("whatever a tier decides is what the exact solver says, near thresholds and at the extremes") {
+  FilterScenes random(61);
+  for (int population = 0; population < population_count; ++population) {
+    for (const bool adversarial : {false, true}) {
+      Comparison found;
+      for (int i = 0; i < 25; ++i) compare(random, static_cast<Population>(population), 100, adversarial, found);
+      CAPTURE(population);
+      CAPTURE(adversarial);
+      CHECK(found.scenes == 2500);
+      CHECK(found.differences == 0);
+      if (population == 0 && !adversarial) CHECK(found.undecided <= 50);  // forces of 0 and below 1e-290
+      if (adversarial) CHECK(found.undecided > 0);                        // the ties are there
+      CHECK(found.undecided_twice <= found.undecided);
+    }
+  }
+}
+
+TEST_CASE("each tier is reached, and the answer of all tiers together is the exact one, boundaries included") {
+  FilterScenes random(62);
+  TierCounts counts{};
+  for (int i = 0; i < 200; ++i) {
+    ForcedScene<Rational> s = random.scene(static_cast<Population>(i % population_count));
+    const ForceOracle oracle(s);
+    for (const double F : random.forces(oracle, 4, true)) {
+      s.F = to_rational(F);
+      const ConsistentModes answer = consistent_modes(s), exact = oracle.at(F);
+      CHECK(answer.consistent == exact.consistent);
+      CHECK(answer.strict == exact.strict);
+      ++counts[static_cast<std::size_t>(answer.tier)];
+    }
+  }
+  for (const auto count : counts) CHECK(count > 0);
+}
+
+TEST_CASE(
+    "a distance of 2^-40 from a threshold is decided by the first tier, 2^-80 by the second, 0 by the exact one") {
+  FilterScenes random(63);
+  int first = 0, second = 0, exact = 0, all = 0;
+  for (int i = 0; i < 100; ++i) {
+    ForcedScene<Rational> s = random.scene(Population::bicycles);
+    const ModeTable table(s.bicycle, s.road, s.force_kind);
+    for (const ModeSolution& mode : table.solutions()) {
+      if (!mode.closed().lower() || mode.closed().is_point() || sign(*mode.closed().lower()) == 0) continue;
+      const Rational end = *mode.closed().lower();
+      const auto tier_at = [&](int k) {
+        s.F = end + (k == 0 ? Rational(0) : abs(end) / Rational(Integer(1) << k));
+        const ConsistentModes answer = consistent_modes(s);
+        CHECK(((answer.consistent >> mode.mode().index()) & 1) == mode.closed().contains(s.F));
+        return answer.tier;
+      };
+      ++all;
+      first += tier_at(40) == Tier::filter;
+      second += tier_at(80) == Tier::double_double;
+      exact += tier_at(0) == Tier::exact;
+    }
+  }
+  REQUIRE(all > 300);
+  CHECK(first > all * 99 / 100);
+  CHECK(second > all * 99 / 100);
+  CHECK(exact == all);
+}
+
+TEST_CASE(
+    "a batch gives what its scenes give one by one, at any number of threads, tails and shared columns included") {
+  FilterScenes random(64);
+  for (const std::size_t count : {1U, 7U, 8U, 5000U}) {
+    std::array<std::vector<double>, 15> columns;
+    std::vector<ForcedScene<double>> scenes;
+    while (scenes.size() < count) {
+      const auto s = random.scene(static_cast<Population>(random.next() % population_count));
+      if (!s.bicycle.J || s.force_kind != ForceKind::internal) continue;
+      const ForceOracle oracle(s);
+      for (const double F : random.forces(oracle, 50, true)) {
+        scenes.push_back(nearest_binary64(s));
+        scenes.back().F = F;
+        if (scenes.size() == count) break;
+      }
+    }
+    for (const auto& s : scenes) {
+      std::size_t i = 0;
+      convert<double, double>(s, [&](double x) {
+        columns[i++].push_back(x);
+        return x;
+      });
+    }
+    std::size_t i = 0;
+    const auto next = [&]() -> Column { return columns[i++]; };
+    Bicycle<Column> p;
+    for (Column* c : {&p.M, &p.R, &p.h, &p.b2, &p.b3, &p.I1, &p.I2, &p.I3, &p.r1, &p.r2, &p.L}) *c = next();
+    const Road<Column> road{columns[11], columns[12]};
+    p.J = columns[14];
+    const ForcedScene<Column> batch{p, road, ForceKind::internal, columns[13]};
+    std::vector<ConsistentModes> one(count), many(count);
+    TierCounts counts{}, counts_many{};
+    consistent_modes(batch, one, counts);
+    consistent_modes(batch, many, counts_many, 2);
+    CHECK(one == many);
+    CHECK(counts == counts_many);
+    CHECK(counts[0] + counts[1] + counts[2] == count);
+    for (std::size_t k = 0; k < count; ++k) CHECK(one[k] == consistent_modes(scenes[k]));
+
+    ForcedScene<Column> shared = batch;  // one bicycle, many forces
+    shared.bicycle = {};
+    i = 0;
+    for (Column* c : {&shared.bicycle.M, &shared.bicycle.R, &shared.bicycle.h, &shared.bicycle.b2, &shared.bicycle.b3,
+                      &shared.bicycle.I1, &shared.bicycle.I2, &shared.bicycle.I3, &shared.bicycle.r1,
+                      &shared.bicycle.r2, &shared.bicycle.L})
+      *c = Column(columns[i++]).first(1);
+    consistent_modes(shared, many, counts_many);
+    for (std::size_t k = 0; k < count; ++k) {
+      ForcedScene<double> s = scenes[0];
+      s.bicycle.J.reset();
+      s.road = {columns[11][k], columns[12][k]};
+      s.F = columns[13][k];
+      CHECK(many[k] == consistent_modes(s));
+    }
+  }
+  std::vector<ConsistentModes> none(3);
+  TierCounts counts{};
+  CHECK_THROWS_AS(consistent_modes(ForcedScene<Column>{}, none, counts), std::invalid_argument);
+}
+
+TEST_CASE("the guard against underflow matters: without it a sign is wrong") {
+  // 2^-600 2^-600 underflows to 0 = its own magnitude: an unguarded bound calls the difference -2^-1100 exact.
+  const Tracked x = Tracked::input(0x1p-600), y = Tracked::input(0x1p-550);
+  const Tracked difference = x * x - y * Tracked::input(0x1p-520) * Tracked::input(0x1p-30);
+  CHECK(certain_sign(difference) == 0);
+  const Tracked product = x * x * Tracked::input(0x1p600) + Tracked::input(-0x1p-700);
+  CHECK(certain_sign(product) == 0);  // exactly 2^-600 - 2^-700 > 0
+  const double unguarded = product.magnitude() * error_roundings * unit_roundoff;
+  CHECK(product.value() < -unguarded);  // "certainly negative", were it not for underflow_error
+}
+
+TEST_CASE("inputs that are no numbers or too large are never decided by the fast tiers") {
+  FilterScenes random(65);
+  for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL, 1e300, 2 * input_limit}) {
+    for (int k = 0; k < 15; ++k) {
+      auto s = random.scene(Population::bicycles);
+      s.bicycle.J = 1;
+      int i = 0;
+      const auto spoiled = convert<double, double>(nearest_binary64(s), [&](double x) { return i++ == k ? bad : x; });
+      CHECK(filter_modes(spoiled).undecided == 0xFFFF);
+      CHECK(double_double_modes(spoiled).undecided == 0xFFFF);
+    }
+  }
+}
