@@ -67,11 +67,29 @@ ForceInterval SolvedSample::in_variable(const ForceInterval& forces) const {
   return ForceInterval::between(std::move(upper), forces.upper_closed(), std::move(lower), forces.lower_closed());
 }
 
+const ModeTable& SolvedSample::table() {
+  if (!table_) table_ = std::make_shared<const ModeTable>(scene_.bicycle, scene_.road, scene_.force_kind);
+  return *table_;
+}
+
+std::unique_ptr<SolvedSample> SolvedSample::under(const CompiledSetting& other) {
+  std::unique_ptr<SolvedSample> sample(new SolvedSample(other, values_));
+  table();
+  cells();
+  sample->scene_ = scene_;
+  sample->force_ = force_;
+  sample->table_ = table_;
+  sample->domain_ = domain_;
+  sample->cells_ = cells_;
+  return sample;
+}
+
 const std::vector<Cell>& SolvedSample::cells() {
   if (!cells_) {
-    cells_ = partition(table());
-    for (Cell& cell : *cells_) cell.forces = in_variable(cell.forces);
-    if (force_.beta < 0) std::reverse(cells_->begin(), cells_->end());
+    std::vector<Cell> cells = partition(table());
+    for (Cell& cell : cells) cell.forces = in_variable(cell.forces);
+    if (force_.beta < 0) std::reverse(cells.begin(), cells.end());
+    cells_ = std::make_shared<const std::vector<Cell>>(std::move(cells));
   }
   return *cells_;
 }

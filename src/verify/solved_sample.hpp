@@ -23,10 +23,10 @@ class SolvedSample {
   const std::vector<Rational>& values() const { return values_; }
   const Scene& scene() const { return scene_; }  ///< without a force
   /// All modes; solved when first asked for, since most samples are outside of most regions.
-  const ModeTable& table() {
-    if (!table_) table_.emplace(scene_.bicycle, scene_.road, scene_.force_kind);
-    return *table_;
-  }
+  const ModeTable& table();
+  /// The same bicycle for another version of its setting, with what is already solved: the versions may differ in
+  /// definitions, not in parameters, scene or force.
+  std::unique_ptr<SolvedSample> under(const CompiledSetting& other);
 
   /// The pedal force at a value of the force variable.
   Rational pedal_force(const Rational& x) const { return force_.at(x); }
@@ -52,9 +52,9 @@ class SolvedSample {
   Evaluator<RationalFunction> functions_;
   Scene scene_;
   Affine<Rational> force_;
-  std::optional<ModeTable> table_;
+  std::shared_ptr<const ModeTable> table_;
   std::optional<ForceInterval> domain_;
-  std::optional<std::vector<Cell>> cells_;
+  std::shared_ptr<const std::vector<Cell>> cells_;
 };
 
 }  // namespace slipproof

@@ -1,6 +1,7 @@
 #include "verify/verify.hpp"
 
 #include <tbb/blocked_range.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -69,7 +70,9 @@ class Run {
       : file_(file), compiled_(file), options_(options), tasks_(tasks_of(file)), tallies_(tasks_.size()) {}
 
   VerifyResult result() {
-    tbb::task_arena arena(options_.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(options_.threads));
+    const int cores = tbb::info::default_concurrency();  // more threads than that only bring a warning
+    const unsigned threads = options_.threads;
+    tbb::task_arena arena(threads == 0 || threads > static_cast<unsigned>(cores) ? cores : static_cast<int>(threads));
     VerifyResult result{options_.samples, options_.seed, std::vector<ClaimResult>(tasks_.size())};
     arena.execute([&] {
       for (std::size_t s = 0; s < file_.settings.size(); ++s) sample(s);
@@ -145,7 +148,7 @@ class Run {
     example.scene = sample->scene();
     example.scene.name = "counterexample to " + file_.claims[task.claim].id + ", " + std::string(name(task.reading));
     example.minimal = minimal;
-    example.table.emplace(example.scene.bicycle, example.scene.road, kind);
+    example.table = std::make_shared<const ModeTable>(example.scene.bicycle, example.scene.road, kind);
     if (const auto& witnesses = example.judgement.witnesses; witnesses && !witnesses->empty()) {
       example.force = witnesses->sample();
       example.scene.F = sample->pedal_force(*example.force);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,11 +30,11 @@ std::string_view name(Verdict verdict);
 struct Counterexample {
   std::vector<Rational> values;  ///< of the setting's parameters
   Judgement judgement;
-  std::optional<Rational> force;  ///< a value of the force variable at which claim and truth differ
-  Scene scene;                    ///< with the pedal force, if there is a force
-  std::optional<ModeTable> table;
-  std::optional<MotionsAtForce> motions;  ///< what is really there at the force
-  bool minimal = false;                   ///< no simpler one exists: see simplify()
+  std::optional<Rational> force;           ///< a value of the force variable at which claim and truth differ
+  Scene scene;                             ///< with the pedal force, if there is a force
+  std::shared_ptr<const ModeTable> table;  ///< what `motions` points into
+  std::optional<MotionsAtForce> motions;   ///< what is really there at the force
+  bool minimal = false;                    ///< no simpler one exists: see simplify()
 };
 
 /// One claim in one reading.

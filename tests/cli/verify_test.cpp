@@ -1,0 +1,104 @@
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/run_program.hpp"
+
+using slipproof::test::read_file;
+using slipproof::test::run;
+using slipproof::test::TemporaryFolder;
+using Json = nlohmann::json;
+
+namespace {
+
+const std::string shipped = SLIPPROOF_SOURCE_DIR "/proofs/rozenblat-yashin/claims.toml";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const auto at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+std::string last_line(const std::string& out) {
+  return out.substr(out.rfind('\n', out.size() - 2) + 1);
+}
+
+}  // namespace
+
+TEST_CASE("the shipped paper is the default; every verdict as expected exits with 0") {
+  const auto json = run({"verify", "--samples", "300", "--json"});
+  CHECK(json.exit_code == 0);
+  CHECK(json.err.empty());  // no progress bar where there is no terminal
+  const Json document = Json::parse(json.out);
+  CHECK(document["schema"] == "slipproof/verify/1");
+  CHECK(document["samples"] == 300);
+  CHECK(document["seed"] == 1);
+  bool found = false;
+  for (const Json& claim : document["claims"]) {
+    for (const char* key : {"id", "reading", "verdict", "expected", "samples", "counterexample"}) {
+      CHECK(claim.contains(key));
+    }
+    if (claim["id"] != "A5.1" || claim["reading"] != "printed") continue;
+    found = true;
+    CHECK(claim["verdict"] == "refuted");
+    CHECK(claim["expected"] == "refuted");
+    CHECK(claim["counterexample"]["motions"].size() == 3);
+    // The counterexample is a scene: `solve` finds the same motions in it.
+    const TemporaryFolder folder;
+    const auto scene = folder.write("scene.toml", claim["counterexample"]["scene"].get<std::string>());
+    const auto solved = run({"solve", "--json", scene});
+    REQUIRE(solved.exit_code == 0);
+    CHECK(Json::parse(solved.out)["motions"] == claim["counterexample"]["motions"]);
+  }
+  CHECK(found);
+  CHECK(run({"verify", "--samples", "300", "--json", "--threads", "1"}).out == json.out);
+  CHECK(run({"verify", "--samples", "300", "--json", "--threads", "64", shipped}).out == json.out);
+  CHECK(last_line(run({"verify", "--samples", "300"}).out).starts_with("s VERIFIED "));
+}
+
+TEST_CASE("an unexpected refutation exits with 1, an undecided claim with 4") {
+  const TemporaryFolder folder;
+  const std::string text = read_file(shipped);
+  const auto wrong = folder.write("wrong.toml", replaced(text, "0 < F*sigma < xi1", "0 < F*sigma < 2*xi1"));
+  const auto refuted = run({"verify", "--samples", "300", wrong});
+  CHECK(refuted.exit_code == 1);
+  CHECK(last_line(refuted.out).starts_with("s REFUTED "));
+  const auto unclear = folder.write("unclear.toml", replaced(text, "0 < F*sigma < xi1", "0 < F*sigma < xi1/(b - b)"));
+  const auto undecided = run({"verify", "--samples", "300", "--quiet", unclear});
+  CHECK(undecided.exit_code == 4);
+  CHECK(undecided.out.starts_with("s UNDECIDED "));
+}
+
+TEST_CASE("malformed claims exit with 3 and name the place") {
+  const TemporaryFolder folder;
+  const std::string text = read_file(shipped);
+  const std::vector<std::pair<std::string, std::string>> mistakes{
+      {replaced(text, "0 < F*sigma < xi1", "0 < F*sigma < xi9"), "xi9"},
+      {replaced(text, "0 < F*sigma < xi1", "0 < F*sigma <"), "expected"},
+      {replaced(text, "kind = \"interval\"", "kind = \"intervall\""), "interval"},
+      {replaced(text, "mode = \"stick/stick\"", "mode = \"stick/stuck\""), "stuck"},
+      {"schema = \"slipproof/claims/7\"\n", "slipproof/claims/1"},
+      {"[[claim\n", "bad.toml:"},
+      {"", "schema"}};
+  for (const auto& mistake : mistakes) {
+    const auto outcome = run({"verify", folder.write("bad.toml", mistake.first)});
+    CHECK(outcome.exit_code == 3);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.err.find("bad.toml:") != std::string::npos);
+    CAPTURE(outcome.err);
+    CHECK(outcome.err.find(mistake.second) != std::string::npos);
+  }
+  CHECK(run({"verify", "/nonexistent/claims.toml"}).exit_code == 3);
+}
+
+TEST_CASE("usage errors of verify exit with 2") {
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"verify", "--samples", "0"},
+                                             {"verify", "--samples", "many"},
+                                             {"verify", "--seed", "-1"},
+                                             {"verify", "--threads", "x"},
+                                             {"verify", "a", "b"},
+                                             {"verify", "--frobnicate"}}) {
+    CHECK(run(arguments).exit_code == 2);
+  }
+}

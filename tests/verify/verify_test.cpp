@@ -1,0 +1,122 @@
+#include "verify/verify.hpp"
+
+#include <doctest/doctest.h>
+
+#include "claims/claims_mutants.hpp"
+#include "claims/parser.hpp"
+#include "model/conditions.hpp"
+#include "report/verify_report.hpp"
+#include "support/unknowns.hpp"
+#include "verify/shipped.hpp"
+
+using namespace slipproof;
+
+namespace {
+
+VerifyOptions options(std::uint64_t samples, std::uint64_t seed = 1, unsigned threads = 0) {
+  VerifyOptions o;
+  o.samples = samples;
+  o.seed = seed;
+  o.threads = threads;
+  return o;
+}
+
+/// One claim of the repaired paper, changed, and judged.
+ClaimResult judged(const std::string& id, const std::function<void(ClaimBody&)>& change) {
+  ClaimsFile file = as_read(test::shipped_paper(), Reading::repaired);
+  Claim claim = file.claims[test::index_of(file, id)];
+  change(claim.printed);
+  claim.printed.claims.clear();
+  file.claims = {claim};
+  return verify(file, options(400)).claims.front();
+}
+
+Expression truth(const char* text) {
+  return parse_expression(text, Sort::truth);
+}
+
+ContactMode mode(const char* text) {
+  return *parse_mode(text);
+}
+
+Reason reason(const ClaimResult& r) {
+  REQUIRE(r.counterexample);
+  return r.counterexample->judgement.reason;
+}
+
+}  // namespace
+
+TEST_CASE("the shipped paper: every verdict is the expected one") {
+  const ClaimsFile& file = test::shipped_paper();
+  const VerifyResult result = verify(file, options(1500));
+  for (const ClaimResult& claim : result.claims) {
+    CAPTURE(file.claims[claim.claim].id);
+    CAPTURE(name(claim.reading));
+    CHECK(as_expected(file, claim));
+    if (claim.verdict == Verdict::refuted) CHECK(claim.counterexample.has_value());
+  }
+  CHECK(summary(file, result) == Summary::as_expected);
+}
+
+TEST_CASE("the same bytes at any number of threads; another seed, other samples") {
+  const ClaimsFile& file = test::shipped_paper();
+  const auto bytes = [&](unsigned threads, std::uint64_t seed) {
+    return verify_json(file, verify(file, options(300, seed, threads)));
+  };
+  const std::string one = bytes(1, 1);
+  CHECK(bytes(2, 1) == one);
+  CHECK(bytes(3, 1) == one);
+  CHECK(bytes(1, 2) != one);
+}
+
+TEST_CASE("A2.1 as printed: the counterexample that a person can check") {
+  // R = h = b = M2 = M3 = f = g = sigma = 1: b1 is printed as f h (2 M1) = 4 > b, xi2 = 3/(2 + 4) = 1/2 and
+  // xi3 = 2/(1 + 2) = 2/3, so that xi3 < F < xi2 is empty; yet the front wheel slips for 1/2 < F < 2/3.
+  const ClaimsFile& file = test::shipped_paper();
+  const VerifyResult result = verify(file, options(500));
+  const ClaimResult& r = *result.find(file, "A2.1", Reading::printed);
+  REQUIRE(r.counterexample);
+  const Counterexample& e = *r.counterexample;
+  CHECK(e.minimal);
+  for (const Rational& value : e.values) CHECK(value == 1);
+  CHECK(e.judgement.claimed->empty());
+  CHECK(*e.judgement.real == ForceInterval::between(Rational(1, 2), false, Rational(2, 3), false));
+  CHECK(e.motions->motions.size() == 1);
+}
+
+TEST_CASE("motions of a counterexample satisfy the raw equations and their conditions") {
+  const ClaimsFile& file = test::shipped_paper();
+  int checked = 0;
+  for (const ClaimResult& claim : verify(file, options(400)).claims) {
+    if (!claim.counterexample || !claim.counterexample->motions) continue;
+    const Scene& scene = claim.counterexample->scene;
+    for (const auto& found : claim.counterexample->motions->motions) {
+      const auto u = test::unknowns(scene.bicycle, *scene.F, found.values);
+      for (const auto& r : equations_of_motion(scene.bicycle, scene.road, scene.force_kind, u, *scene.F)) CHECK(r == 0);
+      for (const ContactMode m : found.modes) {
+        for (const Condition& c : conditions(m)) CHECK(condition_value(c, found.values, scene.road.f) >= 0);
+      }
+      ++checked;
+    }
+  }
+  CHECK(checked >= 5);
+}
+
+TEST_CASE("each way to fail has its reason") {
+  CHECK(judged("A1.1", [](ClaimBody&) {}).verdict == Verdict::holds);
+  CHECK(reason(judged("A1.1", [](ClaimBody& b) { b.forces = truth("0 < F*sigma <= xi1"); })) == Reason::ends);
+  CHECK(reason(judged("A1.1", [](ClaimBody& b) { b.forces = truth("0 < F*sigma < xi2"); })) == Reason::forces);
+  CHECK(reason(judged("A2.4", [](ClaimBody& b) { b.region = truth("b >= b11"); })) == Reason::exists);
+  CHECK(reason(judged("A2.1a", [](ClaimBody& b) { b.holds = truth("a = a22 + F"); })) == Reason::formula);
+  CHECK(reason(judged("A2.2", [](ClaimBody& b) { b.region = truth("b1 <= b < b11"); })) == Reason::continuum);
+  CHECK(reason(judged("A5.1", [](ClaimBody& b) { b.modes.pop_back(); })) == Reason::extra);
+  CHECK(reason(judged("A5.1", [](ClaimBody& b) { b.modes.push_back(mode("slip-/lift")); })) == Reason::missing);
+}
+
+TEST_CASE("no value in its own region is undecided, never a success") {
+  const auto undefined = judged("A1.1", [](ClaimBody& b) { b.forces = truth("0 < F*sigma < 1/(b - b)"); });
+  CHECK(undefined.verdict == Verdict::undecided);
+  const auto never = judged("A1.1", [](ClaimBody& b) { b.region = truth("b < 0"); });
+  CHECK(never.verdict == Verdict::undecided);
+  CHECK(never.samples() == 0);
+}
