@@ -7,8 +7,12 @@ namespace slipproof::cli {
 
 void add_common_options(CLI::App& command, CommonOptions& options) {
   command.add_flag("--json", options.json, "JSON on standard output");
-  command.add_option("--seed", options.seed, "Seed of everything random")->capture_default_str();
-  command.add_option("--threads", options.threads, "Number of threads; 0: all cores")->capture_default_str();
+  command.add_option("--seed", options.seed, "Seed of everything random")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command.add_option("--threads", options.threads, "Number of threads; 0: all cores")
+      ->check(CLI::Range(0, 4096))
+      ->capture_default_str();
   command.add_flag("--quiet", options.quiet, "The result only: no progress, no details");
 }
 

@@ -97,6 +97,7 @@ TEST_CASE("usage errors of verify exit with 2") {
                                              {"verify", "--samples", "many"},
                                              {"verify", "--seed", "-1"},
                                              {"verify", "--threads", "x"},
+                                             {"verify", "--threads", "-1"},
                                              {"verify", "a", "b"},
                                              {"verify", "--frobnicate"}}) {
     CHECK(run(arguments).exit_code == 2);
