@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   int exit_code = cli::as_it_should_be;
   cli::add_solve(app, exit_code);
+  cli::add_certify(app, exit_code);
   cli::add_verify(app, exit_code);
   try {
     app.parse(argc, argv);

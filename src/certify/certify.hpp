@@ -1,0 +1,63 @@
+// Certifying solver outputs in bulk: a stream of records in, a line of JSON for each out.
+#pragma once
+
+#include <functional>
+#include <istream>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "certify/judge.hpp"
+#include "input/diagnostic.hpp"
+
+namespace slipproof {
+
+enum class RecordFormat { csv, json_lines };
+
+struct CertifyOptions {
+  JudgeOptions judge;
+  RecordFormat format = RecordFormat::csv;
+  std::string file = "-";          ///< how messages call the input
+  std::optional<Scene> scene;      ///< parameters that are the same for all records
+  bool decimal_exact = false;      ///< decimals mean what they say, not the nearest binary64
+  bool stop_at_broken = false;     ///< throw at the first record that cannot be read, instead of reporting it
+  bool ignore_unknown = false;     ///< columns and keys that are no field
+  std::uint64_t first_record = 1;  ///< records before it are skipped: where an earlier run stopped
+  unsigned threads = 0;            ///< 0: as many as there are
+};
+
+/// Counts over the records judged.
+struct CertifySummary {
+  std::uint64_t records = 0;
+  std::array<std::uint64_t, record_verdict_count> verdicts{};
+  TierCounts tiers{};
+  std::uint64_t broken = 0;          ///< of the invalid ones, those that could not be read
+  double worst_certified_error = 0;  ///< largest relative error of a component among certified records
+  double worst_error = 0;            ///< and among those that are the right motion, certified or not
+
+  std::uint64_t count(RecordVerdict v) const { return verdicts[static_cast<std::size_t>(v)]; }
+  void add(const CertifySummary& other);
+  /// Records were judged, and each is certified.
+  bool all_certified() const { return count(RecordVerdict::certified) == records; }
+};
+
+/// Receives output lines, whole ones, in the order of the records.
+using LineSink = std::function<void(std::string_view)>;
+/// Is told the number of records judged so far, in order.
+using Progress = std::function<void(std::uint64_t)>;
+
+/// Reads records to the end of the input and writes a line for each, in memory that does not grow with their number.
+/// Records count from 1; blank lines do not count. Throws InputError for a header that cannot be used, a line beyond
+/// max_record_line, and with stop_at_broken for a record that cannot be read; what was judged before is written.
+CertifySummary certify(std::istream& input, const LineSink& output, const CertifyOptions& options,
+                       const Progress& progress = {});
+
+inline constexpr std::size_t max_record_line = 1U << 20U;
+
+/// The output line of a record, ending in a newline.
+void append_line(std::string& out, std::uint64_t record, const Judgement& judgement);
+
+/// {"records":..,"verdicts":{..},"tiers":{..},...} without the schema.
+std::string to_json(const CertifySummary& summary);
+
+}  // namespace slipproof

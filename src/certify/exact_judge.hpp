@@ -1,0 +1,12 @@
+// The slow and complete judgement: every motion, the violated condition, exact margins.
+#pragma once
+
+#include "certify/judge.hpp"
+
+namespace slipproof {
+
+Judgement judge_exactly(const Record& record, const JudgeOptions& options);
+
+Judgement invalid_judgement(const std::string& reason);
+
+}  // namespace slipproof

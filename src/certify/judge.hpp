@@ -1,0 +1,43 @@
+// Judging one solver output: is it the one motion of its scene?
+#pragma once
+
+#include <string>
+
+#include "certify/record.hpp"
+
+namespace slipproof {
+
+enum class RecordVerdict : std::uint8_t {
+  certified,   ///< the answer is the one motion, within the tolerance
+  ambiguous,   ///< it is one of several motions
+  inaccurate,  ///< the right motion, with an error above the tolerance
+  wrong,       ///< no motion is near
+  invalid      ///< NaN, infinity, outside the domain, or no record at all
+};
+inline constexpr std::size_t record_verdict_count = 5;
+std::string_view name(RecordVerdict verdict);
+
+struct JudgeOptions {
+  /// Largest relative error of a component. A component that is exactly 0 is held against M g (forces), g
+  /// (accelerations) or g / R (angular accelerations) instead of against itself.
+  double tolerance = 1e-9;
+  /// An answer of which each component is within this of a motion's, relative to the largest component of its kind (M g
+  /// and g included), is that motion, computed badly; beyond it the answer is wrong.
+  double near = 1e-2;
+};
+
+/// What was found, and what the reader needs to see of it.
+struct Judgement {
+  RecordVerdict verdict = RecordVerdict::invalid;
+  Tier tier = Tier::exact;
+  std::uint16_t modes = 0;  ///< of the motion that the answer is, bit i for the mode with index i
+  std::size_t motions = 0;  ///< how many motions the scene has
+  bool continuum = false;   ///< and infinitely many more
+  double max_error = 0;  ///< upper bound on the largest relative error of a component; certified, ambiguous, inaccurate
+  std::string details;   ///< further JSON members, `,"violated":...`; empty for a certified record
+};
+
+/// The record is complete (see incomplete()).
+Judgement judge(const Record& record, const JudgeOptions& options);
+
+}  // namespace slipproof

@@ -1,0 +1,51 @@
+// One output of a solver: parameters and answer, each a binary64 or, where that is not what was written, a rational.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "certify/field.hpp"
+#include "filter/filter.hpp"
+
+namespace slipproof {
+
+struct Record {
+  std::array<double, field_count> values{};
+  std::uint32_t present = 0;                      ///< bit(Field) of those that are given
+  std::vector<std::pair<Field, Rational>> exact;  ///< those that `values` only rounds
+  std::optional<ContactMode> mode;                ///< claimed by the solver
+  ForceKind force_kind = ForceKind::internal;
+
+  bool has(Field f) const { return (present & bit(f)) != 0; }
+  double operator[](Field f) const { return values[index(f)]; }
+  void set(Field f, double value) {
+    values[index(f)] = value;
+    present |= bit(f);
+    if (!exact.empty()) std::erase_if(exact, [f](const auto& x) { return x.first == f; });
+  }
+  void set(Field f, const Rational& value);
+  /// What was written, exactly; the field must be there and finite.
+  Rational exactly(Field f) const;
+  /// Forgets what `f` says in another form: setting h0 over a scene's h leaves no h.
+  void replace_other_forms(Field f);
+};
+
+/// The parameters of a scene as a record without an answer.
+Record to_record(const Scene& scene);
+
+/// What is missing from a set of fields for a complete record, or given twice; empty if nothing is.
+std::string incomplete(std::uint32_t present);
+
+/// The first field that is NaN, infinite or outside the domain, with what was expected; empty if all is well.
+std::string outside_domain(const Record& record);
+
+/// The scene that a complete record in the domain means.
+ForcedScene<Rational> exact_scene(const Record& record);
+
+/// The same rounded, each number the nearest binary64; nothing if that takes exact arithmetic.
+std::optional<ForcedScene<double>> rounded_scene(const Record& record);
+
+}  // namespace slipproof

@@ -1,0 +1,42 @@
+// From a line of text to a record.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "certify/certify.hpp"
+
+namespace slipproof {
+
+/// A line that cannot be read: its column (from 1; 0: no place) and what was found and expected.
+struct BrokenRecord {
+  std::size_t column;
+  std::string message;
+};
+
+/// What a CSV header says: a field, the mode or the kind of force for each column. Immutable once made; shared by
+/// threads.
+class RecordReader {
+ public:
+  /// `header` is the first line of CSV. Throws InputError at line 1.
+  RecordReader(const CertifyOptions& options, std::string_view header);
+  /// Throws BrokenRecord.
+  Record read(std::string_view line) const { return csv_ ? read_csv(line) : read_json(line); }
+
+ private:
+  friend class JsonRecord;
+  static constexpr int mode_column = -1, kind_column = -2, ignored_column = -3;
+
+  void read_header(std::string_view header);
+  Record read_csv(std::string_view line) const;
+  Record read_json(std::string_view line) const;
+  void put(Record& record, int column, std::string_view text, std::size_t place) const;
+
+  const CertifyOptions& options_;
+  bool csv_;
+  Record base_;
+  std::vector<int> columns_;
+};
+
+}  // namespace slipproof

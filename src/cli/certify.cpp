@@ -1,0 +1,119 @@
+#include "certify/certify.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <fstream>
+#include <iostream>
+#include <memory>
+
+#include "cli/command.hpp"
+#include "model/scene.hpp"
+
+namespace slipproof::cli {
+
+namespace {
+
+struct Options {
+  CommonOptions common;
+  CertifyOptions certify;
+  std::string file, scene, decimal = "nearest", broken = "report", format, summary;
+};
+
+RecordFormat format_of(const Options& options) {
+  if (options.format == "jsonl") return RecordFormat::json_lines;
+  if (options.format == "csv") return RecordFormat::csv;
+  const auto ends_with = [&](std::string_view end) { return options.file.ends_with(end); };
+  return ends_with(".jsonl") || ends_with(".ndjson") || ends_with(".json") ? RecordFormat::json_lines
+                                                                           : RecordFormat::csv;
+}
+
+std::string summary_text(const CertifySummary& s) {
+  std::string text = fmt::format("{} records", s.records);
+  for (std::size_t i = 0; i < record_verdict_count; ++i) {
+    text += fmt::format("{} {} {}", i == 0 ? ":" : ",", s.verdicts[i], name(static_cast<RecordVerdict>(i)));
+  }
+  text += fmt::format("\ndecided by binary64 {}, double-double {}, exact arithmetic {}; {} could not be read\n",
+                      s.tiers[0], s.tiers[1], s.tiers[2], s.broken);
+  text += fmt::format("largest relative error of a certified record {:.3g}, of any right motion {:.3g}\n",
+                      s.worst_certified_error, s.worst_error);
+  return text + fmt::format("s {} {}/{}\n", s.all_certified() ? "CERTIFIED" : "NOT CERTIFIED",
+                            s.count(RecordVerdict::certified), s.records);
+}
+
+/// A line on a terminal's standard error, twice a second at most.
+Progress progress_bar(bool wanted) {
+  if (!wanted || isatty(STDERR_FILENO) == 0) return {};
+  auto last = std::make_shared<std::chrono::steady_clock::time_point>();
+  return [last](std::uint64_t records) {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - *last < std::chrono::milliseconds(500)) return;
+    *last = now;
+    std::cerr << '\r' << records << " records" << std::flush;
+  };
+}
+
+int run(Options& options) {
+  options.certify.format = format_of(options);
+  options.certify.file = options.file;
+  options.certify.decimal_exact = options.decimal == "exact";
+  options.certify.stop_at_broken = options.broken == "stop";
+  options.certify.threads = options.common.threads;
+  if (!options.scene.empty()) options.certify.scene = read_scene(options.scene);
+  std::ifstream file;
+  if (options.file != "-") {
+    file.open(options.file, std::ios::binary);
+    // A directory opens, and cannot be read.
+    if (!file || (file.peek(), file.bad())) throw InputError({{options.file, 0, 0, "cannot be read"}});
+    file.clear();
+  }
+  const bool quiet = options.common.quiet;
+  const Progress progress = progress_bar(!quiet);
+  const LineSink sink = [&](std::string_view lines) {
+    if (!quiet) print(lines);
+  };
+  const CertifySummary summary = certify(options.file == "-" ? std::cin : file, sink, options.certify, progress);
+  if (progress) std::cerr << "\r\033[K";
+  if (!options.summary.empty()) {
+    std::ofstream out(options.summary, std::ios::binary);
+    out << R"({"schema":"slipproof/certify/1",)" << to_json(summary).substr(1) << '\n';
+    if (!out.flush()) throw InputError({{options.summary, 0, 0, "cannot be written"}});
+  }
+  if (!options.common.json) {
+    print(summary_text(summary));
+  } else if (!quiet) {
+    std::cerr << summary_text(summary);  // stdout has a line for each record and nothing else
+  }
+  return summary.all_certified() ? as_it_should_be : refuted_or_not_certified;
+}
+
+}  // namespace
+
+void add_certify(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<Options>();
+  CLI::App& command =
+      *app.add_subcommand("certify", "Certify outputs of floating-point solvers: a line of JSON for each");
+  command.add_option("FILE", options->file, "CSV with a header, or JSON Lines; - for standard input")->required();
+  command.add_option("--scene", options->scene, "Scene file with the parameters that are the same for all records");
+  command.add_option("--tolerance", options->certify.judge.tolerance, "Largest relative error of a component")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  command.add_option("--decimal", options->decimal, "What a decimal means: the nearest binary64, or exactly itself")
+      ->check(CLI::IsMember({"nearest", "exact"}))
+      ->capture_default_str();
+  command.add_option("--format", options->format, "csv or jsonl; default: by the file's name, csv for -")
+      ->check(CLI::IsMember({"csv", "jsonl"}));
+  command.add_option("--broken", options->broken, "Records that cannot be read: report them as invalid, or stop")
+      ->check(CLI::IsMember({"report", "stop"}))
+      ->capture_default_str();
+  command.add_option("--from", options->certify.first_record, "Record to begin with, to go on where a run stopped")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command.add_flag("--ignore-unknown", options->certify.ignore_unknown, "Pass over columns that are no field");
+  command.add_option("--summary", options->summary, "Write the counts to this file, as JSON");
+  add_common_options(command, options->common);
+  command.callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace slipproof::cli

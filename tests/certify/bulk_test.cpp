@@ -1,0 +1,146 @@
+// Correct answers are certified, corrupted ones never; streams of any size and at any number of threads give the same.
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "support/solver_records.hpp"
+
+using namespace slipproof;
+using namespace slipproof::test;
+
+namespace {
+
+std::size_t record_count() {
+  const char* wanted = std::getenv("SLIPPROOF_CERTIFY_RECORDS");
+  return wanted == nullptr ? 4000 : static_cast<std::size_t>(std::atof(wanted));
+}
+
+std::pair<std::string, CertifySummary> run(const std::string& text, CertifyOptions options = {}) {
+  std::istringstream input(text);
+  std::string lines;
+  const auto summary = certify(
+      input, [&](std::string_view out) { lines += out; }, options);
+  return {lines, summary};
+}
+
+double number(const std::string& cell) {
+  return std::strtod(cell.c_str(), nullptr);
+}
+
+/// Spoils one field so that no correct judge may certify it.
+void corrupt(Cells& c, std::size_t kind, FilterScenes& random) {
+  // A component that is not zero: S2, S3, N2, N3, a.
+  std::vector<std::size_t> candidates;
+  for (const std::size_t i : {0U, 5U, 6U, 7U, 8U}) {
+    if (number(c[answer_cell + i]) != 0) candidates.push_back(answer_cell + i);
+  }
+  if (candidates.empty()) return;
+  std::string& cell = c[candidates[random.next() % candidates.size()]];
+  switch (kind % 5) {
+    case 0: {
+      std::string mode = c[mode_cell];
+      while (mode == c[mode_cell]) mode = name(all_modes()[random.next() % 16]);
+      c[mode_cell] = mode;
+      break;
+    }
+    case 1:
+      cell = fmt::format("{}", number(cell) * (1 + (random.coin() ? 1 : -1) * random.log_uniform(2e-9, 1)));
+      break;
+    case 2:
+      std::swap(c[answer_cell + 5], c[answer_cell + 6]);
+      std::swap(c[answer_cell + 7], c[answer_cell + 8]);
+      break;
+    case 3:
+      cell = random.coin() ? "nan" : "-inf";
+      break;
+    default:
+      cell = fmt::format("{}", -number(cell));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("correct outputs are all certified") {
+  SolverRecords records(91);
+  std::string text = header();
+  const std::size_t n = record_count();
+  for (std::size_t i = 0; i < n; ++i) text += joined(records.next());
+  const auto [lines, summary] = run(text);
+  CHECK(summary.records == n);
+  CHECK(summary.count(RecordVerdict::certified) == n);
+  CHECK(summary.all_certified());
+  CHECK(summary.tiers[0] > n * 3 / 4);
+  CHECK(summary.worst_certified_error < 1e-9);
+}
+
+TEST_CASE("outputs corrupted in one field are all reported, none is certified") {
+  SolverRecords records(92);
+  std::string text = header();
+  const std::size_t n = record_count() / 4;
+  std::size_t made = 0;
+  for (std::size_t i = 0; made < n; ++i) {
+    Cells cells = records.next(), before = cells;
+    corrupt(cells, i, records.random());
+    if (cells == before) continue;  // equal wheels, swapped; nothing but zeros
+    text += joined(cells);
+    ++made;
+  }
+  const auto [lines, summary] = run(text);
+  CHECK(summary.records == n);
+  CHECK(summary.count(RecordVerdict::certified) == 0);
+  CHECK(summary.count(RecordVerdict::ambiguous) == 0);
+  CHECK(summary.count(RecordVerdict::invalid) > 0);
+  CHECK(summary.count(RecordVerdict::inaccurate) > 0);
+  CHECK(summary.count(RecordVerdict::wrong) > 0);
+  CHECK(std::count(lines.begin(), lines.end(), '\n') == static_cast<std::ptrdiff_t>(n));
+}
+
+TEST_CASE("the same bytes at any number of threads, in the order of the records, and from the middle on") {
+  SolverRecords records(93);
+  std::string text = header();
+  constexpr std::uint64_t n = 3000;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    Cells cells = records.next();
+    if (i % 100 == 7) corrupt(cells, i / 100, records.random());
+    text += joined(cells);
+  }
+  CertifyOptions options;
+  options.threads = 1;
+  const auto [one, summary] = run(text, options);
+  options.threads = 2;
+  const auto [two, summary_two] = run(text, options);
+  CHECK(one == two);
+  std::istringstream lines(one);
+  std::string line;
+  for (std::uint64_t i = 1; i <= n; ++i) {
+    REQUIRE(std::getline(lines, line));
+    CHECK(nlohmann::json::parse(line).at("record") == i);
+  }
+  options.first_record = 2001;
+  const auto [rest, summary_rest] = run(text, options);
+  CHECK(summary_rest.records == 1000);
+  CHECK(one.substr(one.find("{\"record\":2001,")) == rest);
+}
+
+TEST_CASE("JSON Lines give what CSV gives") {
+  SolverRecords records(94);
+  std::string csv = header(), json;
+  for (int i = 0; i < 200; ++i) {
+    Cells cells = records.next();
+    if (i % 10 == 3) corrupt(cells, static_cast<std::size_t>(i) / 10 * 5 + 1, records.random());
+    csv += joined(cells);
+    json += '{';
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      if (cells[k].empty()) continue;
+      const bool text = k == kind_cell || k == mode_cell || k == 4;
+      json += (k == 0 ? "\"" : ",\"") + record_columns[k] + "\":" + (text ? "\"" + cells[k] + "\"" : cells[k]);
+    }
+    json += "}\n";
+  }
+  CertifyOptions options;
+  const auto from_csv = run(csv, options).first;
+  options.format = RecordFormat::json_lines;
+  CHECK(run(json, options).first == from_csv);
+}
