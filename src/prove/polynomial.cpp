@@ -1,0 +1,198 @@
+#include "prove/polynomial.hpp"
+
+#include <flint/flint.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace slipproof::prove {
+namespace {
+
+/// An fmpq that frees itself.
+struct Fraction {
+  Fraction() { fmpq_init(value); }
+  explicit Fraction(const Rational& x) : Fraction() { fmpq_set_mpq(value, x.backend().data()); }
+  ~Fraction() { fmpq_clear(value); }
+  Fraction(const Fraction&) = delete;
+  Fraction& operator=(const Fraction&) = delete;
+  Rational rational() const {
+    Rational result;
+    fmpq_get_mpq(result.backend().data(), value);
+    return result;
+  }
+  fmpq_t value;
+};
+
+}  // namespace
+
+Ring::Ring(std::vector<std::string> names) : names_(std::move(names)) {
+  for (const std::string& name : names_) pointers_.push_back(name.c_str());
+  fmpq_mpoly_ctx_init(context_, static_cast<slong>(names_.size()), ORD_LEX);
+}
+
+Ring::~Ring() {
+  fmpq_mpoly_ctx_clear(context_);
+}
+
+Polynomial::Polynomial(const Ring& ring, const Rational& constant) : ring_(&ring) {
+  fmpq_mpoly_init(value_, ring_->context_);
+  fmpq_mpoly_set_fmpq(value_, Fraction(constant).value, ring_->context_);
+}
+
+Polynomial Polynomial::variable(const Ring& ring, std::size_t index) {
+  Polynomial result(ring);
+  fmpq_mpoly_gen(result.value_, static_cast<slong>(index), ring.context_);
+  return result;
+}
+
+Polynomial::Polynomial(const Polynomial& other) : ring_(other.ring_) {
+  fmpq_mpoly_init(value_, ring_->context_);
+  fmpq_mpoly_set(value_, other.value_, ring_->context_);
+}
+
+Polynomial::Polynomial(Polynomial&& other) noexcept : ring_(other.ring_) {
+  fmpq_mpoly_init(value_, ring_->context_);
+  fmpq_mpoly_swap(value_, other.value_, ring_->context_);
+}
+
+Polynomial& Polynomial::operator=(Polynomial other) noexcept {
+  std::swap(ring_, other.ring_);
+  std::swap(value_[0], other.value_[0]);
+  return *this;
+}
+
+Polynomial::~Polynomial() {
+  fmpq_mpoly_clear(value_, ring_->context_);
+}
+
+bool Polynomial::is_zero() const {
+  return fmpq_mpoly_is_zero(value_, ring_->context_) != 0;
+}
+bool Polynomial::is_constant() const {
+  return fmpq_mpoly_is_fmpq(value_, ring_->context_) != 0;
+}
+
+Rational Polynomial::constant() const {
+  Fraction result;
+  fmpq_mpoly_get_fmpq(result.value, value_, ring_->context_);
+  return result.rational();
+}
+
+std::size_t Polynomial::length() const {
+  return static_cast<std::size_t>(fmpq_mpoly_length(value_, ring_->context_));
+}
+
+std::size_t Polynomial::degree(std::size_t variable) const {
+  return static_cast<std::size_t>(
+      std::max<slong>(0, fmpq_mpoly_degree_si(value_, static_cast<slong>(variable), ring_->context_)));
+}
+
+std::vector<std::size_t> Polynomial::variables() const {
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < ring_->size(); ++i) {
+    if (contains(i)) result.push_back(i);
+  }
+  return result;
+}
+
+std::vector<Term> Polynomial::terms() const {
+  std::vector<Term> result;
+  Fraction coefficient;
+  for (std::size_t i = 0; i < length(); ++i) {
+    Term term{0, std::vector<unsigned long>(ring_->size())};
+    fmpq_mpoly_get_term_coeff_fmpq(coefficient.value, value_, static_cast<slong>(i), ring_->context_);
+    fmpq_mpoly_get_term_exp_ui(term.exponents.data(), value_, static_cast<slong>(i), ring_->context_);
+    term.coefficient = coefficient.rational();
+    result.push_back(std::move(term));
+  }
+  return result;
+}
+
+Polynomial Polynomial::coefficient(std::size_t variable, std::size_t exponent) const {
+  Polynomial result(*ring_);
+  const slong variables[] = {static_cast<slong>(variable)};
+  const ulong exponents[] = {exponent};
+  fmpq_mpoly_get_coeff_vars_ui(result.value_, value_, variables, exponents, 1, ring_->context_);
+  return result;
+}
+
+std::string Polynomial::text() const {
+  // The pretty-printer does not change the names, though it takes them as pointers to non-const.
+  char* text = fmpq_mpoly_get_str_pretty(value_, const_cast<const char**>(ring_->pointers_.data()), ring_->context_);
+  std::string result(text);
+  flint_free(text);
+  return result;
+}
+
+Polynomial& Polynomial::operator+=(const Polynomial& other) {
+  fmpq_mpoly_add(value_, value_, other.value_, ring_->context_);
+  return *this;
+}
+
+Polynomial& Polynomial::operator-=(const Polynomial& other) {
+  fmpq_mpoly_sub(value_, value_, other.value_, ring_->context_);
+  return *this;
+}
+
+Polynomial& Polynomial::operator*=(const Polynomial& other) {
+  fmpq_mpoly_mul(value_, value_, other.value_, ring_->context_);
+  return *this;
+}
+
+Polynomial Polynomial::operator-() const {
+  return scaled(-1);
+}
+
+bool Polynomial::operator==(const Polynomial& other) const {
+  return fmpq_mpoly_equal(value_, other.value_, ring_->context_) != 0;
+}
+
+Polynomial Polynomial::scaled(const Rational& factor) const {
+  Polynomial result(*ring_);
+  fmpq_mpoly_scalar_mul_fmpq(result.value_, value_, Fraction(factor).value, ring_->context_);
+  return result;
+}
+
+std::optional<Polynomial> Polynomial::divided_by(const Polynomial& divisor) const {
+  Polynomial result(*ring_);
+  if (fmpq_mpoly_divides(result.value_, value_, divisor.value_, ring_->context_) == 0) return std::nullopt;
+  return result;
+}
+
+Factorization Polynomial::factors() const {
+  Factorization result{0, {}};
+  if (is_zero()) return result;
+  fmpq_mpoly_factor_t factorization;
+  fmpq_mpoly_factor_init(factorization, ring_->context_);
+  if (fmpq_mpoly_factor(factorization, value_, ring_->context_) == 0) {
+    fmpq_mpoly_factor_clear(factorization, ring_->context_);
+    throw std::runtime_error("a polynomial could not be factored");
+  }
+  fmpq_mpoly_factor_make_integral(factorization, ring_->context_);
+  Fraction constant;
+  fmpq_mpoly_factor_get_constant_fmpq(constant.value, factorization, ring_->context_);
+  result.constant = constant.rational();
+  for (slong i = 0; i < factorization->num; ++i) {
+    Polynomial factor(*ring_);
+    fmpq_mpoly_factor_get_base(factor.value_, factorization, i, ring_->context_);
+    const unsigned exponent = static_cast<unsigned>(fmpq_mpoly_factor_get_exp_si(factorization, i, ring_->context_));
+    if (factor.terms().front().coefficient < 0) {
+      factor = -factor;
+      if (exponent % 2 == 1) result.constant = -result.constant;
+    }
+    result.factors.emplace_back(std::move(factor), exponent);
+  }
+  fmpq_mpoly_factor_clear(factorization, ring_->context_);
+  std::sort(result.factors.begin(), result.factors.end(), [](const auto& x, const auto& y) {
+    return x.first.length() != y.first.length() ? x.first.length() < y.first.length() : x.first.text() < y.first.text();
+  });
+  return result;
+}
+
+Polynomial power(const Polynomial& base, std::size_t exponent) {
+  Polynomial result(base.ring(), 1);
+  for (std::size_t i = 0; i < exponent; ++i) result *= base;
+  return result;
+}
+
+}  // namespace slipproof::prove

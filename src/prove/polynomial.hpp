@@ -1,0 +1,91 @@
+// Multivariate polynomials over the rationals for the prover: a value type over FLINT's fmpq_mpoly.
+#pragma once
+
+#include <flint/fmpq_mpoly_factor.h>
+
+#include <compare>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "number/rational.hpp"
+
+namespace slipproof::prove {
+
+/// The variables of one statement. Polynomials keep a pointer to their ring, which must outlive them.
+class Ring {
+ public:
+  explicit Ring(std::vector<std::string> names);
+  ~Ring();
+  Ring(const Ring&) = delete;
+  Ring& operator=(const Ring&) = delete;
+
+  std::size_t size() const { return names_.size(); }
+  const std::string& name(std::size_t variable) const { return names_[variable]; }
+
+ private:
+  friend class Polynomial;
+  std::vector<std::string> names_;
+  std::vector<const char*> pointers_;
+  fmpq_mpoly_ctx_t context_;
+};
+
+struct Term {
+  Rational coefficient;
+  std::vector<unsigned long> exponents;
+};
+
+struct Factorization;
+
+class Polynomial {
+ public:
+  explicit Polynomial(const Ring& ring, const Rational& constant = 0);
+  static Polynomial variable(const Ring& ring, std::size_t index);
+  Polynomial(const Polynomial& other);
+  Polynomial(Polynomial&& other) noexcept;
+  Polynomial& operator=(Polynomial other) noexcept;
+  ~Polynomial();
+
+  const Ring& ring() const { return *ring_; }
+  bool is_zero() const;
+  bool is_constant() const;
+  Rational constant() const;  ///< of a constant polynomial
+  std::size_t length() const;
+  std::size_t degree(std::size_t variable) const;
+  bool contains(std::size_t variable) const { return degree(variable) > 0; }
+  std::vector<std::size_t> variables() const;
+  std::vector<Term> terms() const;
+  /// The coefficient of variable^exponent, a polynomial in the other variables.
+  Polynomial coefficient(std::size_t variable, std::size_t exponent) const;
+  std::string text() const;  ///< in the syntax of statements and certificates
+
+  Polynomial& operator+=(const Polynomial& other);
+  Polynomial& operator-=(const Polynomial& other);
+  Polynomial& operator*=(const Polynomial& other);
+  Polynomial operator-() const;
+  friend Polynomial operator+(Polynomial x, const Polynomial& y) { return x += y; }
+  friend Polynomial operator-(Polynomial x, const Polynomial& y) { return x -= y; }
+  friend Polynomial operator*(Polynomial x, const Polynomial& y) { return x *= y; }
+  bool operator==(const Polynomial& other) const;
+
+  Polynomial scaled(const Rational& factor) const;
+  /// The quotient where it is a polynomial.
+  std::optional<Polynomial> divided_by(const Polynomial& divisor) const;
+  Factorization factors() const;
+
+ private:
+  const Ring* ring_;
+  fmpq_mpoly_t value_;
+};
+
+/// constant * product of factor^exponent; the factors are irreducible, primitive over the integers with positive
+/// leading coefficient, and in a fixed order (short ones first).
+struct Factorization {
+  Rational constant;
+  std::vector<std::pair<Polynomial, unsigned>> factors;
+};
+
+Polynomial power(const Polynomial& base, std::size_t exponent);
+
+}  // namespace slipproof::prove

@@ -1,0 +1,156 @@
+#include "prove/slack.hpp"
+
+namespace slipproof::prove {
+namespace {
+
+/// What a coordinate is a product of; absent while its sign is not known.
+struct Slot {
+  Product product;
+  bool strict = true;
+};
+
+/// variable = numerator / denominator in the coordinates, where the variable's own name now stands for the slack.
+struct Substitution {
+  std::size_t variable;
+  Polynomial numerator;
+  Polynomial denominator;
+  Product denominator_product;
+};
+
+struct Coordinates {
+  std::vector<std::optional<Slot>> slots;
+  std::vector<Substitution> substitutions;
+};
+
+/// p in new coordinates, times denominator^degree, which goes into `multiplier`.
+Polynomial substitute(const Substitution& s, const Polynomial& p, Product& multiplier) {
+  const std::size_t degree = p.degree(s.variable);
+  if (degree == 0) return p;
+  Polynomial result = p.coefficient(s.variable, degree);
+  Polynomial denominators(p.ring(), 1);
+  for (std::size_t k = degree; k-- > 0;) {
+    denominators *= s.denominator;
+    result = result * s.numerator + p.coefficient(s.variable, k) * denominators;
+  }
+  multiply(multiplier, s.denominator_product, static_cast<unsigned>(degree));
+  return result;
+}
+
+class Search {
+ public:
+  Search(const std::vector<Fact>& facts, const std::vector<Fact>& derived, int attempts)
+      : facts_(facts), derived_(derived), attempts_(attempts) {}
+
+  std::optional<SlackForm> run(const Polynomial& p, int depth) {
+    Coordinates start;
+    start.slots.resize(p.ring().size());
+    for (const Fact& fact : facts_) {
+      if (fact.sign == Sign::zero || fact.p.length() != 1) continue;
+      const std::vector<std::size_t> variables = fact.p.variables();
+      if (variables.size() != 1 || fact.p.degree(variables[0]) != 1) continue;
+      if (!(fact.p == Polynomial::variable(p.ring(), variables[0]))) continue;
+      std::optional<Slot>& slot = start.slots[variables[0]];
+      if (!slot || fact.sign == Sign::positive) slot = Slot{{{fact.name, 1}}, fact.sign == Sign::positive};
+    }
+    for (int d = 0; d <= depth && attempts_ > 0; ++d) {
+      if (auto found = extend(start, p, {}, d)) return found;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::optional<SlackForm> read_off(const Coordinates& at, const Polynomial& p, const Product& multiplier) const {
+    SlackForm result{multiplier, {}, false};
+    for (const Term& term : p.terms()) {
+      if (term.coefficient < 0) return std::nullopt;
+      WeightedProduct product{term.coefficient, {}};
+      bool strict = true;
+      for (std::size_t i = 0; i < term.exponents.size(); ++i) {
+        if (term.exponents[i] == 0) continue;
+        if (!at.slots[i]) return std::nullopt;
+        multiply(product.product, at.slots[i]->product, static_cast<unsigned>(term.exponents[i]));
+        strict = strict && at.slots[i]->strict;
+      }
+      result.strict = result.strict || strict;
+      result.terms.push_back(std::move(product));
+    }
+    return result;
+  }
+
+  /// The product that a denominator is, where every factor of it is known to be positive.
+  std::optional<Product> positive_product(const Coordinates& at, const Polynomial& c) const {
+    if (c.length() == 1) {
+      Product result;
+      const Term term = c.terms().front();
+      for (std::size_t i = 0; i < term.exponents.size(); ++i) {
+        if (term.exponents[i] == 0) continue;
+        if (!at.slots[i] || !at.slots[i]->strict) return std::nullopt;
+        multiply(result, at.slots[i]->product, static_cast<unsigned>(term.exponents[i]));
+      }
+      return result;
+    }
+    if (!at.substitutions.empty()) return std::nullopt;
+    for (const std::vector<Fact>* known : {&facts_, &derived_}) {
+      for (const Fact& fact : *known) {
+        if (fact.sign == Sign::positive && fact.p == c) return Product{{fact.name, 1}};
+      }
+    }
+    return std::nullopt;
+  }
+
+  std::optional<SlackForm> extend(const Coordinates& at, const Polynomial& p, const Product& multiplier, int depth) {
+    if (--attempts_ < 0) return std::nullopt;
+    if (depth == 0) return read_off(at, p, multiplier);
+    for (const Fact& fact : facts_) {
+      if (fact.sign == Sign::zero || fact.p.length() > 60) continue;
+      Product scale;
+      Polynomial slack = fact.p;
+      for (const Substitution& s : at.substitutions) slack = substitute(s, slack, scale);
+      for (const std::size_t variable : slack.variables()) {
+        const bool replaced = [&] {
+          for (const Substitution& s : at.substitutions) {
+            if (s.variable == variable) return true;
+          }
+          return false;
+        }();
+        if (replaced || slack.degree(variable) != 1 || !p.contains(variable)) continue;
+        if (slack.length() == 1 && at.slots[variable]) continue;
+        Polynomial c = slack.coefficient(variable, 1);
+        Polynomial numerator = Polynomial::variable(p.ring(), variable) - slack.coefficient(variable, 0);
+        const bool negative = c.terms().front().coefficient < 0;
+        if (negative) {
+          c = -c;
+          numerator = -numerator;
+        }
+        const Rational leading = c.length() == 1 ? c.terms().front().coefficient : Rational(1);
+        c = c.scaled(1 / leading);
+        numerator = numerator.scaled(1 / leading);
+        const auto denominator = positive_product(at, c);
+        if (!denominator) continue;
+        Coordinates next = at;
+        next.substitutions.push_back({variable, numerator, c, *denominator});
+        next.slots[variable] = Slot{scale, fact.sign == Sign::positive};
+        next.slots[variable]->product[fact.name] += 1;
+        Product next_multiplier = multiplier;
+        const Polynomial next_p = substitute(next.substitutions.back(), p, next_multiplier);
+        if (next_p.length() > 400) continue;
+        if (auto found = extend(next, next_p, next_multiplier, depth - 1)) return found;
+        if (attempts_ < 0) return std::nullopt;
+      }
+    }
+    return std::nullopt;
+  }
+
+  const std::vector<Fact>& facts_;
+  const std::vector<Fact>& derived_;
+  int attempts_;
+};
+
+}  // namespace
+
+std::optional<SlackForm> find_slack_form(const std::vector<Fact>& facts, const std::vector<Fact>& derived,
+                                         const Polynomial& p, int depth, int attempts) {
+  return Search(facts, derived, attempts).run(p, depth);
+}
+
+}  // namespace slipproof::prove

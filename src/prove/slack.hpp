@@ -1,0 +1,32 @@
+// Positivity after substitution by slack variables.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "prove/proof.hpp"
+
+namespace slipproof::prove {
+
+/// A hypothesis p = 0, p > 0 or p >= 0 by its name.
+struct Fact {
+  std::string name;
+  Polynomial p;
+  Sign sign = Sign::zero;
+};
+
+/// multiplier * p = sum of `terms`, where every hypothesis in them is an inequality and those of the multiplier are
+/// strict.
+struct SlackForm {
+  Product multiplier;
+  std::vector<WeightedProduct> terms;
+  bool strict = false;  ///< some term consists of strict hypotheses only, so p > 0; otherwise p >= 0
+};
+
+/// Looks for coordinates in which all coefficients of p are positive: one variable after another is replaced by the
+/// slack of a hypothesis that is linear in it, at most `depth` of them, in at most `attempts` attempts. Uses
+/// inequalities only.
+std::optional<SlackForm> find_slack_form(const std::vector<Fact>& facts, const std::vector<Fact>& derived,
+                                         const Polynomial& p, int depth, int attempts);
+
+}  // namespace slipproof::prove

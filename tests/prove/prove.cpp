@@ -1,0 +1,56 @@
+// The prover finds the shipped certificates again, byte for byte, and says undecided of what is false.
+#include "prove/prove.hpp"
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "check/files.hpp"
+#include "input/diagnostic.hpp"
+
+namespace {
+
+const std::filesystem::path kFolder = std::filesystem::path(SLIPPROOF_SOURCE_DIR) / "proofs" / "rozenblat-yashin";
+
+std::string content(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+TEST_CASE("certificates of Assertions 1 to 4 are found again, byte for byte") {
+  for (const char* name : {"A1.1.always", "A1.1.only-then", "A2.1.always", "A2.2.only-then", "A3.1.always", "A3.2",
+                           "A4.1.always", "A4.3", "A5.1.third-motion"}) {
+    const auto statement = kFolder / (std::string(name) + ".statement");
+    const slipproof::ProofOutcome outcome = slipproof::prove_statement(statement.string(), content(statement));
+    CHECK(outcome.theorem == name);
+    REQUIRE(outcome.proved());
+    CHECK(outcome.certificate == content(kFolder / (std::string(name) + ".cert")));
+  }
+}
+
+TEST_CASE("a false statement stays undecided, with what was left") {
+  // The wrong end of Assertion 1: the motion exists up to xi1, not up to 2 xi1.
+  std::string text = content(kFolder / "A1.1.always.statement");
+  text.replace(text.find("P < xi1", text.find("assume region")), 7, "P < 2*xi1");
+  slipproof::prove::Limits limits;
+  limits.split_depth = 0;
+  const slipproof::ProofOutcome outcome = slipproof::prove_statement("false", text, limits);
+  CHECK(!outcome.proved());
+  CHECK(!outcome.leftover.empty());
+}
+
+TEST_CASE("a malformed statement is an input error with its line") {
+  try {
+    slipproof::prove_statement("bad.statement",
+                               "slipproof-statement 1\ntheorem t\nreal x\nassume a: x > y\nshow false\n");
+    FAIL("no error");
+  } catch (const slipproof::InputError& error) {
+    REQUIRE(error.diagnostics().size() == 1);
+    CHECK(error.diagnostics()[0].file == "bad.statement");
+    CHECK(error.diagnostics()[0].line == 4);
+  }
+}
