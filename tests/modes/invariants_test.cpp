@@ -87,6 +87,16 @@ TEST_CASE("f = 0: without friction the forces on the wheels vanish; sticking is 
   }
 }
 
+TEST_CASE("a condition that vanishes for every force leaves no strict force") {
+  RandomScenes random(26);
+  auto p = random.bicycle(true);
+  p.L = 0;  // the force does nothing, and without friction sticking needs S = 0, which is there
+  const ModeTable table(p, {0, 1}, ForceKind::internal);
+  const ModeSolution& s = *table.find(stick_stick);
+  CHECK(s.closed() == ForceInterval());
+  CHECK(s.strict().empty());
+}
+
 TEST_CASE(
     "f very large (remark 3 of section 3): both wheels stick, or the front one slips, or a wheel leaves the road") {
   RandomScenes random(24);

@@ -113,6 +113,16 @@ TEST_CASE("each way to fail has its reason") {
   CHECK(reason(judged("A5.1", [](ClaimBody& b) { b.modes.push_back(mode("slip-/lift")); })) == Reason::missing);
 }
 
+TEST_CASE("uniqueness: several motions are refuted although each of them is stated by some claim") {
+  ClaimsFile file = as_read(test::shipped_paper(), Reading::repaired);
+  file.claims[test::index_of(file, "A5.2")].printed.except.clear();
+  const VerifyResult result = verify(file, options(400));
+  const ClaimResult& r = *result.find(file, "A5.2", Reading::printed);
+  REQUIRE(r.verdict == Verdict::refuted);
+  CHECK(reason(r) == Reason::extra);
+  CHECK(r.counterexample->motions->motions.size() == 3);
+}
+
 TEST_CASE("no value in its own region is undecided, never a success") {
   const auto undefined = judged("A1.1", [](ClaimBody& b) { b.forces = truth("0 < F*sigma < 1/(b - b)"); });
   CHECK(undefined.verdict == Verdict::undecided);
