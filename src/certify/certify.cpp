@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -117,6 +118,42 @@ void count(CertifySummary& summary, const Judgement& j) {
   summary.worst_error = std::max(summary.worst_error, j.max_error);
 }
 
+/// "1.3e-16": two digits, rounded up, as JSON text. printf and its like take longer than the whole judgement.
+void append_upper_bound(std::string& out, double x) {
+  constexpr int lowest = -40, highest = 4;
+  if (!(x >= 1e-39 && x < 1e4)) {
+    fmt::format_to(std::back_inserter(out), "\"{:.3g}\"", x);
+    return;
+  }
+  static const auto powers = [] {  // 10^(1 - e) for the exponents e that occur
+    std::array<double, highest - lowest + 1> result{};
+    for (int e = lowest; e <= highest; ++e) result[static_cast<std::size_t>(e - lowest)] = std::pow(10.0, 1 - e);
+    return result;
+  }();
+  int exponent = static_cast<int>(std::floor(std::log10(x)));
+  const auto digits_at = [&](int e) {
+    return static_cast<int>(std::ceil(x * powers[static_cast<std::size_t>(e - lowest)] * (1 + 0x1p-48)));
+  };
+  int digits = digits_at(exponent);
+  if (digits < 10) digits = digits_at(--exponent);
+  if (digits >= 100) {
+    digits = (digits + 9) / 10;
+    ++exponent;
+  }
+  const int size = std::abs(exponent);
+  const auto digit = [](int d) { return static_cast<char>('0' + d); };
+  const char text[] = {'"',
+                       digit(digits / 10),
+                       '.',
+                       digit(digits % 10),
+                       'e',
+                       exponent < 0 ? '-' : '+',
+                       digit(size / 10),
+                       digit(size % 10),
+                       '"'};
+  out.append(text, sizeof text);
+}
+
 Judged judge_chunk(const Chunk& chunk, const RecordReader& reader, const CertifyOptions& options) {
   Judged result;
   std::uint64_t line_number = chunk.first_line, record = chunk.first_record;
@@ -157,25 +194,36 @@ void CertifySummary::add(const CertifySummary& other) {
 }
 
 void append_line(std::string& out, std::uint64_t record, const Judgement& j) {
-  auto to = std::back_inserter(out);
-  fmt::format_to(to, "{{\"record\":{},\"verdict\":\"{}\"", record, name(j.verdict));
+  const auto append = [&out](std::uint64_t x) {
+    const fmt::format_int text(x);
+    out.append(text.data(), text.size());
+  };
+  out += "{\"record\":";
+  append(record);
+  out += ",\"verdict\":\"";
+  out += name(j.verdict);
+  out += '"';
   if (j.verdict != RecordVerdict::invalid) {
     out += ",\"modes\":[";
-    bool first = true;
     for (unsigned rest = j.modes; rest != 0; rest &= rest - 1) {
       const ContactMode mode = all_modes()[static_cast<std::size_t>(std::countr_zero(rest))];
-      if (!first) out += ',';
-      first = false;
-      out += '"';
+      out += rest == j.modes ? "\"" : ",\"";
       out += name(mode.rear);
       out += '/';
       out += name(mode.front);
       out += '"';
     }
-    fmt::format_to(to, "],\"motions\":{}", j.motions);
-    if (j.modes != 0) fmt::format_to(to, ",\"max_relative_error\":\"{:.3g}\"", j.max_error);
-    if (j.modes == 0) out += ",\"max_relative_error\":null";
-    fmt::format_to(to, ",\"tier\":\"{}\"", name(j.tier));
+    out += "],\"motions\":";
+    append(j.motions);
+    out += ",\"max_relative_error\":";
+    if (j.modes == 0) {
+      out += "null";
+    } else {
+      append_upper_bound(out, j.max_error);
+    }
+    out += ",\"tier\":\"";
+    out += name(j.tier);
+    out += '"';
   }
   out += j.details;
   out += "}\n";

@@ -68,7 +68,7 @@ Judgement judge(const Record& record, const JudgeOptions& options) {
   Judgement result;
   if (rounded && within_input_limit(*rounded)) {
     if (certify(tracked_dynamics<Tracked>(*rounded), Tier::filter, record, *rounded, options, result)) return result;
-    if (record.exact.empty() && !record.has(Field::h0) &&
+    if (record.is_exact() && !record.has(Field::h0) &&
         certify(tracked_dynamics<TrackedDouble2>(*rounded), Tier::double_double, record, *rounded, options, result)) {
       return result;
     }

@@ -1,5 +1,6 @@
 #include "certify/record.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -43,7 +44,15 @@ Rational Record::exactly(Field f) const {
   for (const auto& [field, value] : exact) {
     if (field == f) return value;
   }
+  if (base != nullptr && (own & bit(f)) == 0) return base->exactly(f);
   return to_rational((*this)[f]);
+}
+
+bool Record::is_exact() const {
+  if (!exact.empty()) return false;
+  if (base == nullptr) return true;
+  return std::none_of(base->exact.begin(), base->exact.end(),
+                      [&](const auto& x) { return has(x.first) && (own & bit(x.first)) == 0; });
 }
 
 void Record::replace_other_forms(Field f) {
@@ -109,7 +118,7 @@ std::string outside_domain(const Record& r) {
     // A positive number may round to 0: the exact one decides then.
     const auto negative_or = [&](bool zero_counts) {
       if (x != 0) return x < 0;
-      const int s = r.exact.empty() ? 0 : sign(r.exactly(static_cast<Field>(i)));
+      const int s = sign(r.exactly(static_cast<Field>(i)));
       return zero_counts ? s <= 0 : s < 0;
     };
     const auto mask = std::uint32_t{1} << i;
@@ -151,7 +160,7 @@ ForcedScene<Rational> exact_scene(const Record& r) {
 std::optional<ForcedScene<double>> rounded_scene(const Record& r) {
   if (r.has(Field::M2) || r.has(Field::P)) return std::nullopt;
   // h0 - R is one rounding of the exact h only where h0 and R are exact.
-  if (r.has(Field::h0) && !r.exact.empty()) return std::nullopt;
+  if (r.has(Field::h0) && !r.is_exact()) return std::nullopt;
   const bool ratio = r.has(Field::mu), equal = r.has(Field::b);
   ForcedScene<double> s{{.M = r[Field::M],
                          .R = r[Field::R],

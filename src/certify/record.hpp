@@ -16,6 +16,8 @@ struct Record {
   std::array<double, field_count> values{};
   std::uint32_t present = 0;                      ///< bit(Field) of those that are given
   std::vector<std::pair<Field, Rational>> exact;  ///< those that `values` only rounds
+  const Record* base = nullptr;                   ///< where the fields not set here come from, exactly
+  std::uint32_t own = 0;                          ///< bit(Field) of those set here
   std::optional<ContactMode> mode;                ///< claimed by the solver
   ForceKind force_kind = ForceKind::internal;
 
@@ -24,9 +26,12 @@ struct Record {
   void set(Field f, double value) {
     values[index(f)] = value;
     present |= bit(f);
+    own |= bit(f);
     if (!exact.empty()) std::erase_if(exact, [f](const auto& x) { return x.first == f; });
   }
   void set(Field f, const Rational& value);
+  /// No field that still counts is rounded.
+  bool is_exact() const;
   /// What was written, exactly; the field must be there and finite.
   Rational exactly(Field f) const;
   /// Forgets what `f` says in another form: setting h0 over a scene's h leaves no h.

@@ -113,8 +113,18 @@ void RecordReader::put(Record& record, int column, std::string_view text, std::s
   }
 }
 
+/// The scene's parameters, their exact values by reference.
+Record RecordReader::fresh() const {
+  Record record;
+  record.values = base_.values;
+  record.present = base_.present;
+  record.force_kind = base_.force_kind;
+  record.base = &base_;
+  return record;
+}
+
 Record RecordReader::read_csv(std::string_view line) const {
-  Record record = base_;
+  Record record = fresh();
   const char* at = line.data();
   const char* const end = at + line.size();
   for (std::size_t i = 0; i < columns_.size(); ++i) {
@@ -150,7 +160,7 @@ Record RecordReader::read_csv(std::string_view line) const {
 /// nlohmann's SAX interface: numbers as they were written.
 class JsonRecord {
  public:
-  explicit JsonRecord(const RecordReader& reader) : reader_(reader), record_(reader.base_) {}
+  explicit JsonRecord(const RecordReader& reader) : reader_(reader), record_(reader.fresh()) {}
   Record take() { return std::move(record_); }
 
   bool null() { return skip(); }

@@ -85,10 +85,13 @@ class TrackedDouble2 {
   double magnitude_ = 0;
 };
 
-/// The sign of the exact value where it is certain, else 0. `value()` is within one rounding of the double-double.
-inline int certain_sign(const TrackedDouble2& x) {
-  const double error = x.error();
-  return (x.value() > error) - (x.value() < -error);
+/// value() is within one rounding of the double-double, which error_roundings has room for.
+/// What is certain of the sign of the exact value.
+inline bool certainly_positive(const TrackedDouble2& x) {
+  return x.value() > x.error();
+}
+inline bool certainly_negative(const TrackedDouble2& x) {
+  return x.value() < -x.error();
 }
 
 }  // namespace slipproof

@@ -75,12 +75,11 @@ ReducedDynamics<N, N> tracked_dynamics(const ForcedScene<T>& scene) {
 /// True where every input is finite and small enough for the error bounds to hold.
 inline bool within_input_limit(const ForcedScene<double>& s) {
   const Bicycle<double>& p = s.bicycle;
-  bool within = true;  // a NaN fails each comparison
-  for (const double x :
-       {p.M, p.R, p.h, p.b2, p.b3, p.I1, p.I2, p.I3, p.r1, p.r2, p.L, s.road.f, s.road.g, s.F, p.J ? *p.J : 0.0}) {
-    within &= std::fabs(x) <= input_limit;
+  double sum = p.J ? std::fabs(*p.J) : 0;  // NaN, or infinite, where one of them is
+  for (const double x : {p.M, p.R, p.h, p.b2, p.b3, p.I1, p.I2, p.I3, p.r1, p.r2, p.L, s.road.f, s.road.g, s.F}) {
+    sum += std::fabs(x);
   }
-  return within;
+  return sum <= input_limit;
 }
 
 inline constexpr ModeSets all_undecided{0, 0xFFFF};

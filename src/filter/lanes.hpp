@@ -8,6 +8,9 @@
 
 namespace slipproof {
 
+// The vectors stay inside one function; their calling convention does not matter.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
 inline constexpr int lane_count = 8;
 typedef double Lanes __attribute__((vector_size(8 * lane_count)));
 typedef std::int64_t LaneBits __attribute__((vector_size(8 * lane_count)));
@@ -19,7 +22,7 @@ inline Lanes from_bits(LaneBits x) {
   return reinterpret_cast<Lanes>(x);
 }
 inline LaneBits sign_bit() {
-  return bits(Lanes{} - 0.0);
+  return bits(-Lanes{});  // of -0.0: 0.0 - 0.0 would be +0.0
 }
 inline Lanes absolute(Lanes x) {
   return from_bits(bits(x) & ~sign_bit());

@@ -49,20 +49,22 @@ struct ModeSets {
   std::uint16_t undecided = 0;
 };
 
-/// The status of one mode. N offers the reduction's operations and certain_sign(N), 0 where a sign is uncertain.
+/// The status of one mode. N offers the reduction's operations, certainly_positive(N) and
+/// certainly_negative(N), both false where the sign is uncertain.
 template <class N, ContactMode mode>
 [[gnu::flatten]] inline ModeStatus mode_status(const ReducedDynamics<N, N>& dynamics) {
   constexpr ConditionList list = condition_list(mode);
   const ReducedMotion<N, N> motion(dynamics, mode);
-  const int orientation = certain_sign(motion.determinant());
-  if (orientation == 0) return ModeStatus::undecided;
+  const N determinant = motion.determinant();
+  const bool flipped = certainly_negative(determinant);
+  if (!flipped && !certainly_positive(determinant)) return ModeStatus::undecided;
   bool certain = true;
 #pragma GCC unroll 6
   for (int i = 0; i < list.count; ++i) {
-    const int sign =
-        orientation * certain_sign(motion.condition_value(list.items[static_cast<std::size_t>(i)]).numerator);
-    if (sign < 0) return ModeStatus::inconsistent;
-    certain = certain && sign > 0;
+    const N numerator = motion.condition_value(list.items[static_cast<std::size_t>(i)]).numerator;
+    const N side = flipped ? -numerator : numerator;
+    if (certainly_negative(side)) return ModeStatus::inconsistent;
+    certain &= certainly_positive(side);
   }
   return certain ? ModeStatus::consistent : ModeStatus::undecided;
 }
@@ -71,7 +73,7 @@ template <class N, ContactMode mode>
 template <class N>
 inline ModeSets decide_modes(const ReducedDynamics<N, N>& dynamics, bool detachment) {
   // A wheel that may have no inertia may spin as it likes: its modes may be singular.
-  const bool rear_spins = certain_sign(dynamics.A) <= 0, front_spins = certain_sign(dynamics.I3) <= 0;
+  const bool rear_spins = !certainly_positive(dynamics.A), front_spins = !certainly_positive(dynamics.I3);
   ModeSets sets;
   const auto judge = [&]<std::size_t index>() {
     constexpr ContactMode mode = all_modes()[index];

@@ -39,10 +39,12 @@ class Tracked {
   Pair pair_;
 };
 
-/// The sign of the exact value where it is certain, else 0.
-inline int certain_sign(Tracked x) {
-  const double error = x.error();
-  return (x.value() > error) - (x.value() < -error);
+/// What is certain of the sign of the exact value.
+inline bool certainly_positive(Tracked x) {
+  return x.value() > x.error();
+}
+inline bool certainly_negative(Tracked x) {
+  return x.value() < -x.error();
 }
 
 }  // namespace slipproof

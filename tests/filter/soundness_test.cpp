@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "filter/batch.hpp"
+#include "filter/lanes.hpp"
 #include "support/filter_scenes.hpp"
 
 using namespace slipproof;
@@ -133,9 +134,11 @@ TEST_CASE("the guard against underflow matters: without it a sign is wrong") {
   // 2^-600 2^-600 underflows to 0 = its own magnitude: an unguarded bound calls the difference -2^-1100 exact.
   const Tracked x = Tracked::input(0x1p-600), y = Tracked::input(0x1p-550);
   const Tracked difference = x * x - y * Tracked::input(0x1p-520) * Tracked::input(0x1p-30);
-  CHECK(certain_sign(difference) == 0);
+  CHECK(!certainly_positive(difference));
+  CHECK(!certainly_negative(difference));
   const Tracked product = x * x * Tracked::input(0x1p600) + Tracked::input(-0x1p-700);
-  CHECK(certain_sign(product) == 0);  // exactly 2^-600 - 2^-700 > 0
+  CHECK(!certainly_positive(product));  // exactly 2^-600 - 2^-700 > 0
+  CHECK(!certainly_negative(product));
   const double unguarded = product.magnitude() * error_roundings * unit_roundoff;
   CHECK(product.value() < -unguarded);  // "certainly negative", were it not for underflow_error
 }
@@ -151,5 +154,21 @@ TEST_CASE("inputs that are no numbers or too large are never decided by the fast
       CHECK(filter_modes(spoiled).undecided == 0xFFFF);
       CHECK(double_double_modes(spoiled).undecided == 0xFFFF);
     }
+  }
+}
+
+TEST_CASE("the lanes of a batch decide for themselves what the first tier decides, with its magnitudes") {
+  CHECK(TrackedLanes::input(Lanes{} - 3).magnitude[0] == 3);
+  FilterScenes random(66);
+  for (int i = 0; i < 500; ++i) {
+    auto s = nearest_binary64(random.scene(i % 2 == 0 ? Population::bicycles : Population::wide));
+    s.F = random.signed_log(1, 3000);
+    const auto lanes = convert<double, TrackedLanes>(s, [](double x) { return TrackedLanes::input(Lanes{} + x); });
+    const auto dynamics =
+        reduce<TrackedLanes, TrackedLanes>(lanes.bicycle, lanes.road, lanes.force_kind, lanes.F, TrackedLanes(1));
+    const LaneSets sets = decide_lanes(dynamics, s.bicycle.J.has_value());
+    const ModeSets one = filter_modes(s);
+    CHECK(sets.consistent[i % lane_count] == one.consistent);
+    CHECK(sets.undecided[i % lane_count] == one.undecided);
   }
 }
