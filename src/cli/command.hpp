@@ -37,6 +37,8 @@ std::filesystem::path shipped(const std::filesystem::path& file);
 
 /// Each adds its subcommand; running it sets the exit code.
 void add_solve(CLI::App& app, int& exit_code);
+void add_check(CLI::App& app, int& exit_code);
+void add_prove(CLI::App& app, int& exit_code);
 void add_certify(CLI::App& app, int& exit_code);
 void add_verify(CLI::App& app, int& exit_code);
 

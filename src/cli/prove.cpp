@@ -1,0 +1,85 @@
+#include <fstream>
+#include <memory>
+#include <string>
+
+#include "cli/command.hpp"
+#include "prove/prove_files.hpp"
+#include "report/exact_json.hpp"
+
+namespace slipproof::cli {
+
+namespace {
+
+struct Options {
+  CommonOptions common;
+  std::string claims;
+  std::string out;
+};
+
+void write(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream stream(file, std::ios::binary);
+  stream << text << std::flush;
+  if (!stream) throw std::runtime_error(file.string() + " cannot be written");
+}
+
+std::string as_text(const std::vector<ProofOutcome>& outcomes) {
+  std::string text;
+  for (const ProofOutcome& outcome : outcomes) {
+    text += (outcome.proved() ? "proved    " : "undecided ") + outcome.theorem + '\n';
+    for (const std::string& left : outcome.leftover) text += "          left with " + left + '\n';
+  }
+  return text;
+}
+
+Json as_json(const std::vector<ProofOutcome>& outcomes) {
+  Json document, theorems = Json::array();
+  for (const ProofOutcome& outcome : outcomes) {
+    Json entry;
+    entry["theorem"] = outcome.theorem;
+    entry["verdict"] = outcome.proved() ? "proved" : "undecided";
+    entry["left_with"] = outcome.leftover;
+    theorems.push_back(std::move(entry));
+  }
+  document["schema"] = "slipproof/prove/1";
+  document["theorems"] = std::move(theorems);
+  return document;
+}
+
+}  // namespace
+
+void add_prove(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand("prove", "The claims for all parameters; writes a certificate for each");
+  command.add_option("CLAIMS", options->claims,
+                     "Claims file, beside which the statements stand; default: the shipped paper");
+  command.add_option("--out", options->out, "Folder for the certificates; default: beside the statements");
+  add_common_options(command, options->common);
+  command.callback([options, &exit_code] {
+    const std::filesystem::path claims = options->claims.empty() ? shipped("proofs/rozenblat-yashin/claims.toml")
+                                                                 : std::filesystem::path(options->claims);
+    const auto statements = statements_in(claims.parent_path().empty() ? "." : claims.parent_path());
+    const std::filesystem::path out = options->out;
+    if (!out.empty()) std::filesystem::create_directories(out);
+    const auto outcomes = prove_files(statements, options->common.threads);
+    std::size_t proved = 0;
+    for (std::size_t i = 0; i < statements.size(); ++i) {
+      if (!outcomes[i].proved()) continue;
+      ++proved;
+      std::filesystem::path certificate = statements[i];
+      certificate.replace_extension(".cert");
+      write(out.empty() ? certificate : out / certificate.filename(), outcomes[i].certificate);
+      if (!out.empty()) {
+        std::filesystem::copy_file(statements[i], out / statements[i].filename(),
+                                   std::filesystem::copy_options::overwrite_existing);
+      }
+    }
+    const std::size_t undecided_count = statements.size() - proved;
+    exit_code = undecided_count > 0 || statements.empty() ? undecided : as_it_should_be;
+    if (options->common.json) return print(dump(as_json(outcomes)));
+    print((options->common.quiet ? std::string() : as_text(outcomes)) +
+          (exit_code == as_it_should_be ? "s PROVED " : "s UNDECIDED ") + std::to_string(proved) + " proved, " +
+          std::to_string(undecided_count) + " undecided\n");
+  });
+}
+
+}  // namespace slipproof::cli

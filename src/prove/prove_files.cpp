@@ -1,0 +1,44 @@
+#include "prove/prove_files.hpp"
+
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+
+#include "input/diagnostic.hpp"
+#include "input/text_file.hpp"
+
+namespace slipproof {
+
+std::vector<std::filesystem::path> statements_in(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> result;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    if (entry.path().extension() == ".statement") result.push_back(entry.path());
+  }
+  if (error)
+    throw InputError({{folder.string(), 0, 0, "found " + error.message() + ", expected a folder of statements"}});
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+std::vector<ProofOutcome> prove_files(const std::vector<std::filesystem::path>& statements, unsigned threads) {
+  std::vector<ProofOutcome> outcomes(statements.size());
+  const auto cores = static_cast<unsigned>(tbb::info::default_concurrency());
+  tbb::task_arena arena(static_cast<int>(threads == 0 ? cores : std::min(threads, cores)));
+  arena.execute([&] {
+    // One statement a task: they differ by orders of magnitude.
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, statements.size(), 1),
+        [&](const auto& range) {
+          for (std::size_t i = range.begin(); i != range.end(); ++i) {
+            outcomes[i] = prove_statement(statements[i].string(), read_text_file(statements[i]));
+          }
+        },
+        tbb::simple_partitioner());
+  });
+  return outcomes;
+}
+
+}  // namespace slipproof

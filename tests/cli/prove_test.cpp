@@ -1,0 +1,60 @@
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/run_program.hpp"
+
+using slipproof::test::read_file;
+using slipproof::test::run;
+using slipproof::test::TemporaryFolder;
+using Json = nlohmann::json;
+
+namespace {
+
+const std::string proofs = SLIPPROOF_SOURCE_DIR "/proofs/rozenblat-yashin/";
+
+}  // namespace
+
+TEST_CASE("prove writes the certificates that check accepts, the same bytes at any number of threads") {
+  const TemporaryFolder folder;
+  const auto claims = folder.write("claims.toml", "");
+  for (const char* theorem : {"A2.4.statement", "A3.2.statement"}) folder.write(theorem, read_file(proofs + theorem));
+  const auto out = folder.path() / "certificates";
+  const auto proved = run({"prove", claims, "--out", out});
+  CHECK(proved.exit_code == 0);
+  CHECK(proved.out.ends_with("s PROVED 2 proved, 0 undecided\n"));
+  const std::string certificate = read_file(out / "A2.4.cert");
+  CHECK_FALSE(certificate.empty());
+  CHECK(run({"prove", claims, "--out", out, "--threads", "1"}).exit_code == 0);
+  CHECK(read_file(out / "A2.4.cert") == certificate);
+  CHECK(run({"check", out}).exit_code == 0);
+  CHECK(run({out / "A2.4.cert"}, "slipproof-check").exit_code == 0);
+  const Json document = Json::parse(run({"check", "--json", out}).out);
+  CHECK(document["schema"] == "slipproof/check/1");
+  CHECK(document["certificates"].size() == 2);
+}
+
+TEST_CASE("a certificate of another statement is rejected with exit code 5") {
+  const TemporaryFolder folder;
+  folder.write("A2.4.statement", read_file(proofs + "A2.4.statement"));
+  folder.write("A2.4.cert", read_file(proofs + "A3.2.cert"));
+  for (const char* program : {"slipproof", "slipproof-check"}) {
+    std::vector<std::string> arguments{folder.path() / "A2.4.cert"};
+    if (std::string(program) == "slipproof") arguments.insert(arguments.begin(), "check");
+    const auto outcome = run(arguments, program);
+    CHECK(outcome.exit_code == 5);
+    CHECK(outcome.out.find("s REJECTED") != std::string::npos);
+  }
+}
+
+TEST_CASE("what is not there, or is no statement, exits with 3") {
+  const TemporaryFolder folder;
+  CHECK(run({"check", folder.path() / "nothing.cert"}).exit_code == 3);
+  CHECK(run({"check", folder.path()}).exit_code == 3);
+  const auto claims = folder.write("claims.toml", "");
+  folder.write("bad.statement", "this is no statement\n");
+  const auto outcome = run({"prove", claims, "--out", folder.path() / "out"});
+  CHECK(outcome.exit_code == 3);
+  CHECK(outcome.err.find("bad.statement:") != std::string::npos);
+  CHECK(run({"prove", "/nonexistent/claims.toml"}).exit_code == 3);
+}
