@@ -89,8 +89,10 @@ std::size_t Polynomial::degree(std::size_t variable) const {
 
 std::vector<std::size_t> Polynomial::variables() const {
   std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < ring_->size(); ++i) {
-    if (contains(i)) result.push_back(i);
+  std::vector<slong> degrees(ring_->size());
+  fmpq_mpoly_degrees_si(degrees.data(), value_, ring_->context_);
+  for (std::size_t i = 0; i < degrees.size(); ++i) {
+    if (degrees[i] > 0) result.push_back(i);
   }
   return result;
 }

@@ -503,23 +503,23 @@ bool Search::close_split(State& state, const Polynomial& p, int depth) {
 std::vector<Polynomial> Search::split_candidates(State& state, const std::vector<Polynomial>& from_pairs) {
   std::vector<Polynomial> result;
   std::vector<std::pair<std::size_t, Polynomial>> counted;
-  const auto propose = [&](const Polynomial& p) {
+  const auto propose = [&](const Polynomial& p, std::size_t weight = 1) {
     if (p.is_constant()) return;
     for (auto& [count, other] : counted) {
       if (other == p) {
-        ++count;
+        count += weight;
         return;
       }
     }
     if (state.signs.contains(p.text()) && state.signs.at(p.text()).strict) return;
-    counted.emplace_back(1, p);
+    counted.emplace_back(weight, p);
   };
   for (const Polynomial& hint : statement_.hints()) {
     Fact reduced{"", hint, Sign::zero};
     State scratch = state.branch();
     for (const Rule& rule : state.rules) reduce(scratch, rule, reduced);
     for (const auto& [factor, exponent] : reduced.p.factors().factors) {
-      for (int weight = 0; weight < 1000; ++weight) propose(factor);
+      propose(factor, 1000);
     }
   }
   for (const Fact& fact : state.facts) {
@@ -530,7 +530,7 @@ std::vector<Polynomial> Search::split_candidates(State& state, const std::vector
       }
       const std::size_t last = fact.p.variables().back();
       if (fact.p.degree(last) == 1) {
-        for (const auto& [factor, exponent] : fact.p.coefficient(last, 1).factors().factors) propose(factor);
+        for (const auto& [factor, exponent] : fact.p.coefficient(last, 1).factors().factors) propose(factor, 5000);
       }
     } else {
       const Factorization factors = fact.p.factors();
@@ -557,6 +557,14 @@ bool Search::close(State& state, int depth) {
     std::size_t which = 0;
     for (std::size_t i = 1; i < state.disjunctions.size(); ++i) {
       if (state.disjunctions[i].second.parts.size() < state.disjunctions[which].second.parts.size()) which = i;
+    }
+    if (state.disjunctions[which].second.parts.size() > 4) {  // long ones are mostly negated conclusions: try without
+      State bare = state;
+      bare.disjunctions.clear();
+      if (close(bare, std::min(depth, 1))) {
+        state = std::move(bare);
+        return true;
+      }
     }
     return close_cases(state, which, depth);
   }
@@ -641,19 +649,53 @@ bool Search::close_by_witness(State& state) {
          close(state, limits_.split_depth);
 }
 
-std::optional<Proof> Search::prove() {
-  State state;
-  bool closed = false;
-  for (const auto& [name, formula] : statement_.assumptions()) closed = closed || add_formula(state, name, formula);
-  closed = closed || eliminate(state);
-  if (!closed && !statement_.unknowns().empty()) {
-    closed = close_by_witness(state);
-  } else if (!closed) {
-    closed = add_formula(state, "goal", negation(statement_.shown())) || close(state, limits_.split_depth);
+/// Proves existence: by a witness, or, where the signs of its pivots are not known, by splits on the statement's hints.
+bool Search::close_existence(State& state, std::size_t hint) {
+  if (eliminate(state) || refute_facts(state, false)) return true;
+  State attempt = state;
+  if (close_by_witness(attempt)) {
+    state = std::move(attempt);
+    return true;
   }
-  if (!closed) return std::nullopt;
-  prune(state.steps);
-  return std::move(state.steps);
+  if (hint == statement_.hints().size()) {
+    std::vector<Polynomial> candidates;
+    return refute_pairs(state, candidates, true) || refute_facts(state, true);
+  }
+  Step step;
+  step.rule = Step::Rule::split;
+  step.name = fresh();
+  step.polynomial = {statement_.hints()[hint]};
+  for (const int sign : {-1, 0, 1}) {
+    State branch = state.branch();
+    const Polynomial p = step.polynomial.front().scaled(sign < 0 ? -1 : 1);
+    if (!add(branch, {step.name, p, sign == 0 ? Sign::zero : Sign::positive}) && !close_existence(branch, hint + 1)) {
+      return false;
+    }
+    step.branches.push_back(std::move(branch.steps));
+  }
+  state.steps.push_back(std::move(step));
+  return true;
+}
+
+std::optional<Proof> Search::prove() {
+  State start;
+  bool closed = false;
+  for (const auto& [name, formula] : statement_.assumptions()) closed = closed || add_formula(start, name, formula);
+  closed = closed || eliminate(start);
+  const int deepest = limits_.split_depth;
+  for (limits_.split_depth = std::min(deepest, 1); !closed; ++limits_.split_depth) {
+    State state = start;
+    if (statement_.unknowns().empty()) {
+      closed = add_formula(state, "goal", negation(statement_.shown())) || close(state, limits_.split_depth);
+    } else {
+      closed = close_existence(state, 0);
+    }
+    if (closed) start = std::move(state);
+    if (!closed && limits_.split_depth >= deepest) return std::nullopt;
+  }
+  limits_.split_depth = deepest;
+  prune(start.steps);
+  return std::move(start.steps);
 }
 
 }  // namespace slipproof::prove

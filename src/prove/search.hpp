@@ -12,7 +12,7 @@
 namespace slipproof::prove {
 
 struct Limits {
-  int split_depth = 4;       ///< nested splits that no hypothesis asks for
+  int split_depth = 2;       ///< nested splits that no hypothesis asks for
   int split_candidates = 6;  ///< tried at each of them
   int slack_depth = 2;       ///< variables replaced at a time
   int slack_attempts = 400;  ///< for one polynomial
@@ -54,6 +54,7 @@ class Search {
   bool close_split(State& state, const Polynomial& p, int depth);
   std::vector<Polynomial> split_candidates(State& state, const std::vector<Polynomial>& from_pairs);
   bool close_by_witness(State& state);
+  bool close_existence(State& state, std::size_t hint);
 
   const Statement& statement_;
   Limits limits_;

@@ -1,0 +1,26 @@
+// The statements whose proofs together prove a claim of a claims file.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "claims/claims_file.hpp"
+
+namespace slipproof {
+
+/// `name` is the theorem's name and that of its files, without extension.
+struct NamedStatement {
+  std::string name;
+  std::string text;
+};
+
+/// The claim in a reading as statements (proofs/FORMAT.md) about the raw equations of the model:
+/// - interval: ID.only-then (a motion of the mode needs a force of `forces`) and ID.always (each such force has one);
+/// - impossible: ID, or ID.1, ID.2, ... where there are several modes;
+/// - formula: ID;  cover: ID;
+/// - motions: ID.1, ID.2, ... (there is a motion in each mode) and ID.complete (each motion is in one of the modes).
+/// The repaired reading adds `.repaired` to ID where it is another one. Empty where statements cannot say what the
+/// claim says: `unique`, and `not`, `abs`, `sign`, `min`, `max`. Uniqueness of the motion in a mode is not part of it.
+std::vector<NamedStatement> claim_statements(const ClaimsFile& claims, const Claim& claim, Reading reading);
+
+}  // namespace slipproof

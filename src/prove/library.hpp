@@ -1,0 +1,27 @@
+// The shipped proofs of a claims file: which certificates prove a claim, and whether they do.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "prove/claim_statements.hpp"
+
+namespace slipproof {
+
+/// What stands in the folder for a claim in a reading.
+struct ClaimProof {
+  bool proved = false;                              ///< all of its statements are, by `certificates`
+  std::vector<std::filesystem::path> certificates;  ///< one for each statement of the claim, there or not
+  std::vector<std::string> problems;                ///< why not: a missing file, another statement, a rejection
+};
+
+/// Whether certificates in `folder` prove the claim: for each of claim_statements(), NAME.statement there must be the
+/// same bytes and `rejection` of NAME.cert empty: the checker's objection to a certificate
+/// (check::check_file(...).message). So the claims file cannot say one thing and the proof another.
+ClaimProof find_claim_proof(const ClaimsFile& claims, const Claim& claim, Reading reading,
+                            const std::filesystem::path& folder,
+                            const std::function<std::string(const std::filesystem::path&)>& rejection);
+
+}  // namespace slipproof

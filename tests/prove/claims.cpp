@@ -1,0 +1,138 @@
+// Claims and their proofs: the statements say what the claims file and the model say, and the certificates prove them.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "check/files.hpp"
+#include "modes/motions.hpp"
+#include "prove/library.hpp"
+#include "prove/statement.hpp"
+
+namespace {
+
+using namespace slipproof;
+
+const std::filesystem::path kFolder = std::filesystem::path(SLIPPROOF_SOURCE_DIR) / "proofs" / "rozenblat-yashin";
+
+std::string rejection(const std::filesystem::path& certificate) {
+  return check::check_file(certificate).message;
+}
+
+bool holds(const prove::Formula& formula) {
+  using Kind = prove::Formula::Kind;
+  if (formula.kind == Kind::atom) {
+    const Rational value = formula.polynomial.front().constant();
+    return formula.sign == prove::Sign::zero       ? value == 0
+           : formula.sign == prove::Sign::positive ? value > 0
+                                                   : value >= 0;
+  }
+  for (const prove::Formula& part : formula.parts) {
+    if (holds(part) != (formula.kind == Kind::conjunction)) return formula.kind != Kind::conjunction;
+  }
+  return formula.kind == Kind::conjunction;
+}
+
+/// The statement with numbers for its parameters.
+std::string with_numbers(std::string text, const std::map<std::string, Rational>& values) {
+  const std::size_t begin = text.find("real ");
+  const std::size_t end = text.find('\n', begin) + 1;
+  std::string lets;
+  for (const auto& [name, value] : values) lets += "let " + name + " = " + value.str() + "\n";
+  return text.replace(begin, end - begin, lets);
+}
+
+}  // namespace
+
+TEST_CASE("Assertions 1 to 4 are proved in the reading in which they are true") {
+  const ClaimsFile claims = read_claims(kFolder / "claims.toml");
+  for (const char* id : {"A1.1", "A1.1a", "A1.2",  "A1.2a", "A2.1", "A2.1a", "A2.2", "A2.2a", "A2.3", "A2.3a",
+                         "A2.4", "A3.1",  "A3.1a", "A3.2",  "A4.1", "A4.1a", "A4.2", "A4.2a", "A4.3", "A5.1"}) {
+    const Claim* claim = claims.find(id);
+    REQUIRE_MESSAGE(claim != nullptr, id);
+    const ClaimProof proof = find_claim_proof(claims, *claim, Reading::repaired, kFolder, rejection);
+    INFO(id, ": ", proof.problems.empty() ? "" : proof.problems.front());
+    CHECK(proof.proved);
+  }
+}
+
+TEST_CASE("what is false in print has no proof") {
+  const ClaimsFile claims = read_claims(kFolder / "claims.toml");
+  for (const char* id : {"A2.1", "A2.cover", "A3.cover", "A4.cover", "A5.1"}) {
+    const Claim* claim = claims.find(id);
+    REQUIRE_MESSAGE(claim != nullptr, id);
+    const ClaimProof proof = find_claim_proof(claims, *claim, Reading::printed, kFolder, rejection);
+    CHECK(!proof.proved);
+    CHECK(!proof.problems.empty());
+  }
+}
+
+TEST_CASE("a claim that changes loses its proof") {
+  ClaimsFile claims = read_claims(kFolder / "claims.toml");
+  const Claim* claim = claims.find("A1.1");
+  REQUIRE(find_claim_proof(claims, *claim, Reading::printed, kFolder, rejection).proved);
+  for (Setting& setting : claims.settings) {
+    for (Definition& definition : setting.definitions) {
+      if (definition.symbol == "b0") definition.printed = make_symbol("R");
+    }
+  }
+  CHECK(!find_claim_proof(claims, *claim, Reading::printed, kFolder, rejection).proved);
+}
+
+TEST_CASE("the statements' mechanics accept the motions of the mode solver, and nothing beside them") {
+  const ClaimsFile claims = read_claims(kFolder / "claims.toml");
+  struct Sample {
+    const char* id;
+    Rational b, F;
+    ContactMode mode;
+  };
+  using enum ContactState;
+  // f = g = R = sigma = 1, h = 1/2, M2 = M3 = J = 1: b1 = 1/8, b11 = 5/2, b0 = 7/2.
+  const std::vector<Sample> samples = {{"A1.1", 4, Rational(1, 2), {stick, stick}},
+                                       {"A2.2", 1, Rational(3, 5), {stick, slip_forward}},
+                                       {"A3.1", 8, 2, {slip_backward, stick}},
+                                       {"A4.2", 4, 2, {slip_backward, slip_forward}}};
+  for (const Sample& sample : samples) {
+    const Rational half(1, 2);
+    Bicycle<Rational> bicycle{1, 1, half, sample.b, sample.b, half, half, 1, 1, 1, 1, Rational(1)};
+    const ModeTable table(bicycle, {1, 1}, ForceKind::internal);
+    const MotionsAtForce motions = motions_at(table, sample.F);
+    INFO(sample.id);
+    REQUIRE(motions.motions.size() == 1);
+    REQUIRE(motions.motions[0].modes.size() == 1);
+    REQUIRE(motions.motions[0].modes[0] == sample.mode);
+    const Motion<Rational>& motion = motions.motions[0].values;
+    const std::string text = claim_statements(claims, *claims.find(sample.id), Reading::repaired)[1].text;
+    const std::map<std::string, Rational> numbers = {{"R", 1},  {"h", half},    {"b", sample.b}, {"M2", 1},
+                                                     {"M3", 1}, {"f", 1},       {"g", 1},        {"sigma", 1},
+                                                     {"J", 1},  {"F", sample.F}};
+    const prove::Statement statement("sample", with_numbers(text, numbers));
+    // eps1 = eps2 and T = I1 eps1 - F L, which the mode solver does not list: mu = 1, r1 = 1.
+    const Rational eps2 = motion[Quantity::eps2];
+    std::vector<Rational> values = {motion[Quantity::a],
+                                    motion[Quantity::a_y],
+                                    motion[Quantity::phi],
+                                    eps2,
+                                    eps2,
+                                    motion[Quantity::eps3],
+                                    half * eps2 - sample.F,
+                                    motion[Quantity::S2],
+                                    motion[Quantity::S3],
+                                    motion[Quantity::N2],
+                                    motion[Quantity::N3]};
+    const auto texts = [&] {
+      std::vector<std::string> result;
+      for (const Rational& value : values) result.push_back(value.str());
+      return result;
+    };
+    for (const auto& [name, assumption] : statement.assumptions()) CHECK(holds(assumption));
+    CHECK(holds(statement.shown(texts())));
+    for (Rational& value : values) {
+      value += Rational(1, 1000);
+      CHECK(!holds(statement.shown(texts())));
+      value -= Rational(1, 1000);
+    }
+  }
+}
