@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "claims/claims_reader.hpp"
+#include "claims/compiled.hpp"
 #include "claims/setting_names.hpp"
 
 namespace slipproof::claims_reader {
@@ -80,6 +81,7 @@ class SettingCheck {
     for (const Expression& operand : expression->operands) walk(use, operand, known);
     if (expression->operation != Operation::symbol) return;
     const std::string& symbol = expression->symbol;
+    if (use.allowed.unknowns && unknown_index(symbol)) return;
     const auto entry = names_.find(symbol);
     if (!entry) {
       known = false;

@@ -14,8 +14,9 @@ std::string_view name(Reading reading) {
 }
 
 std::string_view name(ClaimKind kind) {
-  constexpr std::array<std::string_view, all_claim_kinds.size()> names{"interval", "impossible", "formula",
-                                                                       "motions",  "unique",     "cover"};
+  constexpr std::array<std::string_view, all_claim_kinds.size()> names{
+      "interval",    "impossible", "formula", "motions",     "unique", "cover",
+      "equivalence", "limit",      "exists",  "consequence", "system"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -88,12 +89,33 @@ void read_paper(const TableReader& root, Context& context) {
   if (!root.require("paper", "the table [paper]")) return;
   const TomlValue* table = root.table("paper");
   if (table == nullptr) return;
-  static constexpr std::array<std::string_view, 3> keys{"title", "authors", "source"};
+  static constexpr std::array<std::string_view, 4> keys{"title", "authors", "source", "equations"};
   const TableReader paper(*table, "[paper]", keys, context.mistakes);
   context.file.paper.title = context.text(paper, "title", "the title of the paper");
   context.file.paper.source = context.text(paper, "source", "the name of the file that line numbers refer to");
   if (paper.require("authors", "an array of names")) {
     for (const PlacedText* author : paper.strings("authors")) context.file.paper.authors.push_back(author->text());
+  }
+  if (const TomlValue* equations = paper.table("equations")) {
+    std::vector<std::string_view> numbers;
+    for (const TomlEntry& entry : equations->entries) numbers.push_back(entry.key);
+    const TableReader lines(*equations, "[paper.equations]", numbers, context.mistakes);
+    for (const TomlEntry& entry : equations->entries) {
+      context.file.paper.equations.push_back({entry.key, context.line(lines, entry.key, true)});
+    }
+  }
+}
+
+void read_unchecked(const TableReader& root, Context& context) {
+  static constexpr std::array<std::string_view, 4> keys{"id", "line", "statement", "why"};
+  for (const TomlValue* value : root.tables("unchecked")) {
+    const TableReader table(*value, "[[unchecked]]", keys, context.mistakes);
+    Unchecked unchecked;
+    unchecked.id = context.text(table, "id", "an id such as \"R1.1\"");
+    unchecked.line = context.line(table, "line", true);
+    unchecked.statement = context.text(table, "statement", "what the paper says");
+    unchecked.why = context.text(table, "why", "why it cannot be judged");
+    context.file.unchecked.push_back(std::move(unchecked));
   }
 }
 
@@ -106,7 +128,7 @@ ClaimsFile parse_claims(std::string_view text, const std::string& file) {
   claims.file = file;
   Mistakes mistakes(file);
   if (const auto document = parse_toml(text, mistakes)) {
-    static constexpr std::array<std::string_view, 4> keys{"schema", "paper", "setting", "claim"};
+    static constexpr std::array<std::string_view, 5> keys{"schema", "paper", "setting", "claim", "unchecked"};
     const TableReader root(*document, "", keys, mistakes);
     claims_reader::Context context(claims, mistakes);
     constexpr std::string_view schema = "slipproof/claims/1";
@@ -116,6 +138,7 @@ ClaimsFile parse_claims(std::string_view text, const std::string& file) {
     claims_reader::read_paper(root, context);
     claims_reader::read_settings(root, context);
     claims_reader::read_claims(root, context);
+    claims_reader::read_unchecked(root, context);
     claims_reader::check_uses(context);
   }
   mistakes.refuse_if_any();

@@ -27,6 +27,19 @@ struct Paper {
   std::string title;
   std::vector<std::string> authors;
   std::string source;  ///< file name of the text that line numbers refer to
+  struct Equation {
+    std::string number;
+    std::size_t line = 0;
+  };
+  std::vector<Equation> equations;  ///< all that the paper numbers, in its order
+};
+
+/// A statement that no calculation can judge.
+struct Unchecked {
+  std::string id;
+  std::size_t line = 0;
+  std::string statement;
+  std::string why;
 };
 
 /// A symbol of the paper that may take any value in its domain.
@@ -81,14 +94,20 @@ struct Setting {
 enum class ClaimKind : std::uint8_t {
   interval,    ///< in `region`, the mode's forces are exactly `forces`
   impossible,  ///< in `region`, no force of `forces` gives a motion in `modes`
-  formula,     ///< in `region`, for `forces`, `holds`; with a mode, about the quantities of its motion
+  formula,     ///< in `region`, for `forces`, `holds`; with modes, about the quantities of each mode's motion
   motions,     ///< in `region`, at each of `forces`, the motions are one in each of `modes` and no others
   unique,      ///< but where a claim of `except` stands, one motion: in a mode of `modes`, or as one of `claims` states
-  cover        ///< every bicycle is in the region of one of `claims`
+  cover,       ///< every bicycle is in the region of one of `claims`
+  equivalence,  ///< in `region`, `forces` and `holds` are true of the same forces
+  limit,        ///< in `region`, as `parameter` grows beyond all bounds, `holds` from some value on
+  exists,       ///< somewhere in `region`, one of `forces` gives a motion in each of `modes`
+  consequence,  ///< every equation of `equations` follows from those of `given` and `claims`, or from the model's
+  system        ///< under `given`, `equations` say of their unknowns what `claims` (or the model) say
 };
-inline constexpr std::array<ClaimKind, 6> all_claim_kinds{ClaimKind::interval, ClaimKind::impossible,
-                                                          ClaimKind::formula,  ClaimKind::motions,
-                                                          ClaimKind::unique,   ClaimKind::cover};
+inline constexpr std::array<ClaimKind, 11> all_claim_kinds{
+    ClaimKind::interval, ClaimKind::impossible,  ClaimKind::formula,     ClaimKind::motions,
+    ClaimKind::unique,   ClaimKind::cover,       ClaimKind::equivalence, ClaimKind::limit,
+    ClaimKind::exists,   ClaimKind::consequence, ClaimKind::system};
 std::string_view name(ClaimKind kind);
 
 /// How a claim fails, if it does.
@@ -103,10 +122,14 @@ std::string_view name(Expectation expectation);
 struct ClaimBody {
   Expression region;  ///< bicycles: over parameters and definitions, independent of the force; `true` if not given
   Expression forces;  ///< over everything but quantities; `true` if not given
-  Expression holds;   ///< formula only; with a mode also over quantities
+  Expression holds;   ///< formula, equivalence, limit; of a formula with a mode also over quantities
+  std::vector<Expression> equations;  ///< `=` between what is linear in the unknowns of the model and in the force
+  std::vector<Expression> assume;     ///< equations added to those of `given`
+  std::string parameter;              ///< limit only
   std::vector<ContactMode> modes;
   std::vector<std::size_t> claims;  ///< indices of the claims that it refers to
   std::vector<std::size_t> except;
+  std::vector<std::size_t> given;
   Expectation expect = Expectation::none;
 };
 
@@ -134,6 +157,7 @@ struct ClaimsFile {
   Paper paper;
   std::vector<Setting> settings;
   std::vector<Claim> claims;
+  std::vector<Unchecked> unchecked;
 
   const Claim* find(std::string_view id) const;
 };

@@ -17,6 +17,7 @@ struct Allowed {
   bool definitions = false;
   bool force = false;
   bool quantities = false;
+  bool unknowns = false;  ///< of the model's equations; the force too
 };
 
 /// An expression that was read, to be checked when all names are known.

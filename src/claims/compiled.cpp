@@ -1,10 +1,17 @@
 #include "claims/compiled.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "claims/setting_names.hpp"
 
 namespace slipproof {
+
+std::optional<std::size_t> unknown_index(std::string_view symbol) {
+  const auto found = std::find(unknown_names.begin(), unknown_names.end(), symbol);
+  return found == unknown_names.end() ? std::nullopt
+                                      : std::optional(static_cast<std::size_t>(found - unknown_names.begin()));
+}
 
 CompiledSetting::CompiledSetting(const Setting& setting) {
   const auto add = [&](std::string symbol) {
@@ -27,6 +34,8 @@ CompiledSetting::CompiledSetting(const Setting& setting) {
     definition_slots_[1][i] = scope_.slots.size();
     scope_.slots.push_back({definition.symbol, std::nullopt});
   }
+  first_unknown_ = scope_.slots.size();
+  for (const std::string_view unknown : unknown_names) scope_.slots.push_back({std::string(unknown), std::nullopt});
   for (const Reading reading : all_readings) {
     for (std::size_t i = 0; i < count; ++i) {
       auto& slot = scope_.slots[definition_slot(i, reading)];
@@ -59,13 +68,30 @@ Program CompiledSetting::compile(const Expression& expression, Reading reading) 
   return Program(expression, [&](std::string_view symbol) { return resolve(symbol, reading); });
 }
 
+Program CompiledSetting::compile_equation(const Expression& equation, Reading reading) const {
+  return Program(equation, [&](std::string_view symbol) {
+    const auto unknown = unknown_index(symbol);
+    return unknown ? std::optional(unknown_slot(*unknown)) : resolve(symbol, reading);
+  });
+}
+
 CompiledClaims::CompiledClaims(const ClaimsFile& file) {
   for (const Setting& setting : file.settings) settings.emplace_back(setting);
   for (const Claim& claim : file.claims) {
     const CompiledSetting& setting = settings[claim.setting];
     const auto compile = [&](const ClaimBody& body, Reading reading) {
-      return CompiledBody{setting.compile(body.region, reading), setting.compile(body.forces, reading),
-                          setting.compile(body.holds, reading)};
+      CompiledBody programs{setting.compile(body.region, reading),
+                            setting.compile(body.forces, reading),
+                            setting.compile(body.holds, reading),
+                            {},
+                            {}};
+      for (const Expression& equation : body.equations) {
+        programs.equations.push_back(setting.compile_equation(equation, reading));
+      }
+      for (const Expression& equation : body.assume) {
+        programs.assume.push_back(setting.compile_equation(equation, reading));
+      }
+      return programs;
     };
     claims.push_back({compile(claim.printed, Reading::printed), std::nullopt});
     if (claim.repaired) claims.back().repaired = compile(*claim.repaired, Reading::repaired);

@@ -9,8 +9,14 @@
 #include "claims/claims_file.hpp"
 #include "claims/evaluate.hpp"
 #include "claims/program.hpp"
+#include "model/equations.hpp"
 
 namespace slipproof {
+
+/// The unknowns of the model's equations, as `equations` of claims call them, in the order of slipproof::Unknowns.
+inline constexpr std::array<std::string_view, unknown_count> unknown_names{"a", "a_y", "phi", "eps1", "eps2", "eps3",
+                                                                           "T", "S2",  "S3",  "N2",   "N3"};
+std::optional<std::size_t> unknown_index(std::string_view symbol);
 
 /// A setting's symbols as slots of one scope: quantities, the force, parameters, then the definitions of each reading.
 /// A definition that is the same in both readings, with all that it needs, has one slot.
@@ -27,6 +33,9 @@ class CompiledSetting {
   }
   /// An expression of the setting.
   Program compile(const Expression& expression, Reading reading) const;
+  /// An equation between the model's unknowns, which hide symbols of the same name.
+  Program compile_equation(const Expression& equation, Reading reading) const;
+  std::size_t unknown_slot(std::size_t index) const { return first_unknown_ + index; }
 
   struct Boundary {
     std::size_t parameter;  ///< index
@@ -44,6 +53,7 @@ class CompiledSetting {
   std::optional<std::size_t> resolve(std::string_view symbol, Reading reading) const;
 
   Scope scope_;
+  std::size_t first_unknown_ = 0;
   std::map<std::string, std::size_t, std::less<>> slots_;  ///< of what is no definition
   std::map<std::string, std::size_t, std::less<>> definition_indices_;
   std::array<std::vector<std::size_t>, 2> definition_slots_;
@@ -57,6 +67,7 @@ struct CompiledBody {
   Program region;
   Program forces;
   Program holds;
+  std::vector<Program> equations, assume;
 };
 
 struct CompiledClaim {

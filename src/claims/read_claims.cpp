@@ -21,18 +21,23 @@ struct Shape {
 
 const Shape& shape(ClaimKind kind) {
   static const std::array<Shape, all_claim_kinds.size()> shapes{{
-      {{"mode", "forces"}, {"region"}},                       // interval
-      {{"modes"}, {"region", "forces"}},                      // impossible
-      {{"holds"}, {"mode", "region", "forces"}},              // formula
-      {{"modes"}, {"region", "forces"}},                      // motions
-      {{"claims"}, {"except", "modes", "region", "forces"}},  // unique
-      {{"claims"}, {"region"}},                               // cover
+      {{"mode", "forces"}, {"region"}},                                  // interval
+      {{"modes"}, {"region", "forces"}},                                 // impossible
+      {{"holds"}, {"mode", "modes", "region", "forces"}},                // formula
+      {{"modes"}, {"region", "forces"}},                                 // motions
+      {{"claims"}, {"except", "modes", "region", "forces"}},             // unique
+      {{"claims"}, {"region"}},                                          // cover
+      {{"forces", "holds"}, {"region"}},                                 // equivalence
+      {{"parameter", "holds"}, {"region"}},                              // limit
+      {{"modes"}, {"region", "forces"}},                                 // exists
+      {{"equations"}, {"given", "assume", "claims", "mode", "region"}},  // consequence
+      {{"equations"}, {"given", "assume", "claims", "mode", "region"}},  // system
   }};
   return shapes[static_cast<std::size_t>(kind)];
 }
 
-constexpr std::array<std::string_view, 8> body_keys{"mode",  "modes",  "region", "forces",
-                                                    "holds", "claims", "except", "expect"};
+constexpr std::array<std::string_view, 12> body_keys{"mode",   "modes",  "region", "forces",    "holds",  "claims",
+                                                     "except", "expect", "given",  "equations", "assume", "parameter"};
 constexpr std::array<std::string_view, 10> claim_keys{"id",      "equation", "line",  "statement", "kind",
                                                       "setting", "note",     "grade", "repaired",  "why"};
 
@@ -40,6 +45,8 @@ std::string expected_value(std::string_view key) {
   if (key == "mode") return "a contact mode such as \"stick/slip+\"";
   if (key == "modes") return "an array of contact modes such as [\"*/lift\"]";
   if (key == "forces") return "a condition on the force";
+  if (key == "equations" || key == "assume") return "an array of equations";
+  if (key == "parameter") return "a parameter of the setting";
   if (key == "holds") return "what is claimed, as a condition";
   return "an array of ids of claims";
 }
@@ -60,7 +67,7 @@ std::vector<ContactMode> expand(std::string_view pattern) {
 struct References {
   std::size_t claim;
   Reading reading;
-  bool except;
+  std::string_view key;  ///< `claims`, `except` or `given`
   std::vector<const PlacedText*> ids;
 };
 
@@ -98,12 +105,13 @@ class ClaimsReader {
     for (const References& references : references_) {
       Claim& claim = context_.file.claims[references.claim];
       ClaimBody& body = references.reading == Reading::printed ? claim.printed : *claim.repaired;
-      for (const PlacedText* id : references.ids) resolve(claim, *id, references.except, body);
+      for (const PlacedText* id : references.ids) resolve(claim, *id, references.key, body);
     }
     for (Claim& claim : context_.file.claims) {  // a repair that names no claims is about those of the print
       if (!claim.repaired) continue;
       if (claim.repaired->claims.empty()) claim.repaired->claims = claim.printed.claims;
       if (claim.repaired->except.empty()) claim.repaired->except = claim.printed.except;
+      if (claim.repaired->given.empty()) claim.repaired->given = claim.printed.given;
     }
     add_implied_readings();
   }
@@ -175,6 +183,9 @@ class ClaimsReader {
     const std::size_t setting = claim.setting;
     const auto has = [&](std::string_view key) { return table.has(key) && shape(claim.kind).has(key); };
     if (has("mode")) read_mode(table, body);
+    if (has_equations(claim.kind) && has("mode") && !body.modes.empty() && !body.modes.front().on_road()) {
+      table.refuse("mode", "expected a mode with both wheels on the road");
+    }
     if (has("modes")) read_modes(table, body);
     if (has("region")) {
       body.region = context_.expression(table, "region", Sort::truth, setting, {.definitions = true});
@@ -187,9 +198,38 @@ class ClaimsReader {
       body.holds = context_.expression(table, "holds", Sort::truth, setting, allowed);
     }
     const std::size_t index = context_.file.claims.size();
-    if (has("claims")) references_.push_back({index, reading, false, table.strings("claims")});
-    if (has("except")) references_.push_back({index, reading, true, table.strings("except")});
+    for (const std::string_view key : {"claims", "except", "given"}) {
+      if (has(key)) references_.push_back({index, reading, key, table.strings(key)});
+    }
+    if (has("equations")) read_equations(table, "equations", setting, body.equations);
+    if (has("assume")) read_equations(table, "assume", setting, body.assume);
+    if (has("parameter")) read_parameter(table, setting, body);
     read_expectation(table, body);
+  }
+
+  void read_equations(const TableReader& table, std::string_view key, std::size_t setting,
+                      std::vector<Expression>& equations) {
+    equations.clear();
+    const Allowed allowed{.definitions = true, .force = true, .unknowns = true};
+    for (const PlacedText* text : table.strings(key)) {
+      Expression equation = context_.expression(*text, key, Sort::truth, setting, allowed);
+      if (equation->operation == Operation::compare && equation->relations == std::vector{Relation::equal}) {
+        equations.push_back(std::move(equation));
+      } else if (equation->operation != Operation::truth) {
+        context_.refuse(*text, 0, key, "expected EXPRESSION = EXPRESSION");
+      }
+    }
+  }
+
+  void read_parameter(const TableReader& table, std::size_t setting, ClaimBody& body) {
+    const PlacedText* text = table.string("parameter");
+    if (text == nullptr || setting >= context_.file.settings.size()) return;
+    std::vector<std::string_view> known;
+    for (const Parameter& parameter : context_.file.settings[setting].parameters) known.push_back(parameter.symbol);
+    body.parameter = text->text();
+    if (std::find(known.begin(), known.end(), body.parameter) == known.end()) {
+      table.refuse("parameter", unknown("parameter", body.parameter, known));
+    }
   }
 
   void read_mode(const TableReader& table, ClaimBody& body) {
@@ -250,23 +290,30 @@ class ClaimsReader {
     }
   }
 
-  void resolve(const Claim& claim, const PlacedText& id, bool except, ClaimBody& body) {
+  static bool has_equations(ClaimKind kind) { return kind == ClaimKind::consequence || kind == ClaimKind::system; }
+
+  void resolve(const Claim& claim, const PlacedText& id, std::string_view key, ClaimBody& body) {
     const auto& claims = context_.file.claims;
-    const std::string_view key = except ? "except" : "claims";
     const Claim* found = context_.file.find(id.text());
     if (found == nullptr) {
       std::vector<std::string_view> ids;
       for (const Claim& other : claims) ids.push_back(other.id);
       return context_.refuse(id, 0, key, unknown("claim", id.text(), ids));
     }
-    const bool fits = except ? found->kind == ClaimKind::motions
-                             : found->kind == ClaimKind::interval || found->kind == ClaimKind::impossible;
+    const bool equations = has_equations(claim.kind), except = key == "except";
+    const bool fits = equations ? has_equations(found->kind)
+                      : except  ? found->kind == ClaimKind::motions
+                                : found->kind == ClaimKind::interval || found->kind == ClaimKind::impossible;
     if (!fits || found->setting != claim.setting) {
       return context_.refuse(id, 0, key,
                              "found " + in_quotes(id.text()) + ", expected a claim of kind " +
-                                 (except ? "motions" : "interval or impossible") + " in the same setting");
+                                 (equations ? "consequence or system"
+                                  : except  ? "motions"
+                                            : "interval or impossible") +
+                                 " in the same setting");
     }
-    (except ? body.except : body.claims).push_back(static_cast<std::size_t>(found - claims.data()));
+    std::vector<std::size_t>& list = except ? body.except : key == "given" ? body.given : body.claims;
+    list.push_back(static_cast<std::size_t>(found - claims.data()));
   }
 
   // A claim has a repaired reading, too, if a definition or another claim that it builds on has one.
@@ -279,15 +326,24 @@ class ClaimsReader {
       for (const Expression& expression : {body.region, body.forces, body.holds}) {
         if (expression && !names.empty() && names[claim.setting].readings_differ(expression)) return true;
       }
+      for (const Expression& equation : body.equations) {
+        if (!names.empty() && names[claim.setting].readings_differ(equation)) return true;
+      }
+      for (const Expression& equation : body.assume) {
+        if (!names.empty() && names[claim.setting].readings_differ(equation)) return true;
+      }
       const auto repaired = [&](std::size_t i) { return claims[i].repaired.has_value(); };
       return std::any_of(body.claims.begin(), body.claims.end(), repaired) ||
+             std::any_of(body.given.begin(), body.given.end(), repaired) ||
              std::any_of(body.except.begin(), body.except.end(), repaired);
     };
     std::vector<bool> implied(claims.size());
-    for (int pass = 0; pass < 2; ++pass) {  // claims that refer to others come second, and nothing refers to them
+    for (bool more = true; more;) {  // along the references, until none gains a reading
+      more = false;
       for (std::size_t i = 0; i < claims.size(); ++i) {
         implied[i] = builds_on_repair(claims[i]);
         if (!implied[i] || claims[i].repaired) continue;
+        more = true;
         claims[i].repaired = claims[i].printed;
         claims[i].repaired->expect = Expectation::none;
       }

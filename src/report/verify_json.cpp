@@ -47,7 +47,7 @@ std::string verify_json(const ClaimsFile& file, const VerifyResult& result) {
     Json entry;
     entry["id"] = claim.id;
     entry["reading"] = name(r.reading);
-    entry["verdict"] = name(r.verdict);
+    entry["verdict"] = r.proved ? "proved" : name(r.verdict);
     const Expectation expect = claim.body(r.reading).expect;
     entry["expected"] = expect == Expectation::none ? "holds" : std::string(name(expect));
     entry["samples"] = r.samples();

@@ -62,7 +62,7 @@ void write_counterexample(Out out, const ClaimsFile& file, const ClaimResult& re
 }  // namespace
 
 std::string explain(const ClaimsFile& file, const ClaimResult& result) {
-  if (!result.counterexample) return "";
+  if (!result.counterexample) return result.verdict == Verdict::refuted ? "there is none at any sample" : "";
   const Judgement& j = result.counterexample->judgement;
   const std::string& F = file.settings[file.claims[result.claim].setting].force.symbol;
   switch (j.reason) {
@@ -86,6 +86,10 @@ std::string explain(const ClaimsFile& file, const ClaimResult& result) {
                            to_string(*j.real));
       }
       return fmt::format("no line speaks of this bicycle; {} does not exist there", mode_of(j));
+    case Reason::limit:
+      return "false however large the parameter";
+    case Reason::equation:
+      return "an equation does not follow";
     case Reason::none:
     case Reason::no_value:
       break;
@@ -119,8 +123,8 @@ std::string verify_text(const ClaimsFile& file, const VerifyResult& result, bool
     if (!expected) ++unexpected;
     if (quiet) continue;
     fmt::format_to(out, "  {:<11} {:<9} {:<10} {:>8} {:>8}  {}{}\n", file.claims[claim.claim].id, name(claim.reading),
-                   name(claim.verdict), claim.samples(), claim.refuted, file.claims[claim.claim].line,
-                   expected ? "" : "  unexpected");
+                   claim.proved ? "proved" : name(claim.verdict), claim.samples(), claim.refuted,
+                   file.claims[claim.claim].line, expected ? "" : "  unexpected");
     if (claim.counterexample) write_counterexample(out, file, claim);
   }
   const Summary s = summary(file, result);

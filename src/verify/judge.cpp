@@ -4,11 +4,13 @@
 #include <array>
 #include <utility>
 
+#include "verify/linear_system.hpp"
+
 namespace slipproof {
 
 std::string_view name(Reason reason) {
-  constexpr std::array<std::string_view, 10> names{"none",      "ends",  "forces",  "exists",    "formula",
-                                                   "continuum", "extra", "missing", "uncovered", "no value"};
+  constexpr std::array<std::string_view, 12> names{"none",  "ends",    "forces",    "exists", "formula",  "continuum",
+                                                   "extra", "missing", "uncovered", "limit",  "equation", "no value"};
   return names[static_cast<std::size_t>(reason)];
 }
 
@@ -71,6 +73,7 @@ class Judge {
   Judgement judge() {
     if (!sample_.force_domain()) return undecided();
     if (claim_.kind == ClaimKind::cover) return cover();
+    if (claim_.kind == ClaimKind::limit) return limit();
     const Truth inside = sample_.region(programs_.region);
     if (no_value(inside)) return undecided();
     if (inside == Truth::no) return {};
@@ -85,7 +88,15 @@ class Judge {
         return motions();
       case ClaimKind::unique:
         return unique();
+      case ClaimKind::equivalence:
+        return equivalence();
+      case ClaimKind::exists:
+        return exists();
+      case ClaimKind::consequence:
+      case ClaimKind::system:
+        return linear();
       case ClaimKind::cover:
+      case ClaimKind::limit:
         break;
     }
     return undecided();
@@ -146,37 +157,135 @@ class Judge {
     return holds();
   }
 
+  /// The forces in the domain at which a claim's `forces` is true; nothing where it has no value.
+  std::optional<std::vector<ForceInterval>> claimed_parts() {
+    std::vector<ForceInterval> parts;
+    for (const TruthCell& cell : sample_.over_forces(programs_.forces)) {
+      ForceInterval forces = common(cell.forces, domain());
+      if (forces.empty() || cell.truth == Truth::no) continue;
+      if (cell.truth != Truth::yes) return std::nullopt;
+      parts.push_back(std::move(forces));
+    }
+    return parts;
+  }
+
   Judgement formula() {
-    auto where = claimed_by(programs_);
+    const auto where = claimed_parts();
     if (!where) return undecided();
-    if (!body_.modes.empty()) {
-      const ModeSolution* s = sample_.table().find(body_.modes.front());
-      if (s == nullptr) return undecided();
-      where->intersect(forces_of(*s));
-      if (where->empty()) return {};
-      if (s->kind() == ModeSolution::Kind::continuum) {
-        Judgement j = refuted(Reason::continuum);
-        j.mode = s->mode();
-        j.witnesses = std::move(where);
-        return j;
-      }
+    if (body_.modes.empty()) return formula_on(*where, nullptr);
+    Judgement result;
+    for (const ContactMode mode : body_.modes) {
+      const ModeSolution* s = sample_.table().find(mode);
+      Judgement j = s == nullptr ? undecided() : formula_on(*where, s);
+      if (j.outcome == Outcome::refuted) return j;
+      if (j.outcome == Outcome::undecided || result.outcome == Outcome::outside) result = std::move(j);
+    }
+    return result;
+  }
+
+  Judgement formula_on(std::vector<ForceInterval> where, const ModeSolution* s) {
+    if (s != nullptr) {
+      for (ForceInterval& forces : where) forces.intersect(forces_of(*s));
+    }
+    std::erase_if(where, [](const ForceInterval& forces) { return forces.empty(); });
+    if (where.empty()) return {};
+    const auto fail = [&](Reason reason, ForceInterval witnesses) {
+      Judgement j = refuted(reason);
+      if (s != nullptr) j.mode = s->mode();
+      j.witnesses = std::move(witnesses);
+      return j;
+    };
+    if (s != nullptr) {
+      if (s->kind() == ModeSolution::Kind::continuum) return fail(Reason::continuum, where.front());
       sample_.set_motion(s->motion());
     }
-    if (where->empty()) return {};
     bool decided = true;
     for (const TruthCell& cell : sample_.over_forces(programs_.holds)) {
-      ForceInterval here = common(cell.forces, *where);
-      if (here.empty() || cell.truth == Truth::yes) continue;
-      if (no_value(cell.truth)) {
+      for (const ForceInterval& forces : where) {
+        ForceInterval here = common(cell.forces, forces);
+        if (here.empty() || cell.truth == Truth::yes) continue;
+        if (!no_value(cell.truth)) return fail(Reason::formula, std::move(here));
         decided = false;
-        continue;
       }
-      Judgement j = refuted(Reason::formula);
-      if (!body_.modes.empty()) j.mode = body_.modes.front();
-      j.witnesses = std::move(here);
-      return j;
     }
     return decided ? holds() : undecided();
+  }
+
+  Judgement equivalence() {
+    bool decided = true;
+    for (const TruthCell& x : sample_.over_forces(programs_.forces)) {
+      for (const TruthCell& y : sample_.over_forces(programs_.holds)) {
+        ForceInterval here = common(common(x.forces, y.forces), domain());
+        if (here.empty()) continue;
+        if (no_value(x.truth) || no_value(y.truth)) {
+          decided = false;
+        } else if (x.truth != y.truth) {
+          Judgement j = refuted(Reason::formula);
+          j.witnesses = std::move(here);
+          return j;
+        }
+      }
+    }
+    return decided ? holds() : undecided();
+  }
+
+  Judgement exists() {
+    const auto where = claimed_parts();
+    if (!where) return undecided();
+    for (ForceInterval forces : *where) {
+      for (const ContactMode mode : body_.modes) {
+        const ModeSolution* s = sample_.table().find(mode);
+        if (s == nullptr) return undecided();
+        forces.intersect(forces_of(*s));
+      }
+      if (forces.empty()) continue;
+      Judgement j = holds();
+      j.witnesses = std::move(forces);
+      return j;
+    }
+    return {};
+  }
+
+  Judgement limit() {
+    const auto& parameters = file_.settings[claim_.setting].parameters;
+    const auto parameter = std::find_if(parameters.begin(), parameters.end(),
+                                        [&](const Parameter& p) { return p.symbol == body_.parameter; });
+    const auto index = static_cast<std::size_t>(parameter - parameters.begin());
+    const Truth inside = sample_.eventually(programs_.region, index);
+    if (no_value(inside)) return undecided();
+    if (inside == Truth::no) return {};
+    const Truth truth = sample_.eventually(programs_.holds, index);
+    if (no_value(truth)) return undecided();
+    return truth == Truth::yes ? holds() : refuted(Reason::limit);
+  }
+
+  std::optional<LinearRows> rows_of(const std::vector<std::size_t>& claims) {
+    LinearRows rows;
+    for (const std::size_t claim : claims) {
+      auto more = rows_of(compiled_.claims[claim].body(reading_).equations);
+      if (!more) return std::nullopt;
+      rows.insert(rows.end(), more->begin(), more->end());
+    }
+    return rows;
+  }
+  std::optional<LinearRows> rows_of(const std::vector<Program>& equations) {
+    return linear_rows(compiled_.settings[claim_.setting], sample_.values(), equations);
+  }
+
+  Judgement linear() {
+    const auto given = rows_of(body_.given), claims = rows_of(body_.claims), equations = rows_of(programs_.equations);
+    const auto assumed = rows_of(programs_.assume);
+    if (!given || !claims || !equations || !assumed) return undecided();
+    LinearRows left = *given, right = *given;
+    left.insert(left.end(), claims->begin(), claims->end());
+    right.insert(right.end(), equations->begin(), equations->end());
+    if (body_.given.empty() && body_.claims.empty()) {
+      const bool mode = !body_.modes.empty();
+      left = sample_.equations(mode ? std::optional(body_.modes.front()) : std::nullopt);
+    }
+    left.insert(left.end(), assumed->begin(), assumed->end());
+    const bool fine = claim_.kind == ClaimKind::system ? equivalent(left, right) : follows(*equations, left);
+    return fine ? holds() : refuted(Reason::equation);
   }
 
   /// Motions that count: all of an open cell that are strict (all, if the paper's conditions are not strict).

@@ -27,6 +27,8 @@ enum class Reason : std::uint8_t {
   extra,      ///< a motion that the claim does not mention
   missing,    ///< a motion of the claim that does not exist
   uncovered,  ///< a bicycle of which no line speaks
+  limit,      ///< false however large the parameter
+  equation,   ///< an equation that does not follow
   no_value    ///< undefined or undecided in the claim's own region
 };
 std::string_view name(Reason reason);

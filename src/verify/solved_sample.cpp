@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "model/linear_form.hpp"
+
 namespace slipproof {
 
 namespace {
@@ -13,6 +15,15 @@ bool in_model_domain(const Bicycle<Rational>& p, const Road<Rational>& road) {
   return p.M > 0 && p.R > 0 && p.h > -p.R && p.b2 + p.b3 > 0 && p.I1 >= 0 && p.I2 >= 0 && p.I3 >= 0 && p.r1 > 0 &&
          p.r2 > 0 && (!p.J || *p.J > 0) && road.f >= 0 && road.g > 0;
 }
+
+/// The order of rational functions of a variable that grows beyond all bounds.
+struct FieldAtInfinity : FieldOf<RationalFunction> {
+  static int sign_of(const Polynomial& p) { return sign(p.coefficient(p.degree())); }
+  std::optional<int> compare(const RationalFunction& x, const RationalFunction& y) const {
+    const RationalFunction d = x - y;
+    return sign_of(d.numerator()) * sign_of(d.denominator());
+  }
+};
 
 }  // namespace
 
@@ -92,6 +103,37 @@ const std::vector<Cell>& SolvedSample::cells() {
     cells_ = std::make_shared<const std::vector<Cell>>(std::move(cells));
   }
   return *cells_;
+}
+
+const LinearRows& SolvedSample::raw_rows(ContactState both) {
+  LinearRows& rows = raw_rows_[static_cast<std::size_t>(both)];
+  if (!rows.empty()) return rows;
+  for (auto& equation : raw_system(scene_.bicycle, scene_.road, scene_.force_kind, {both, both})) {
+    std::vector<Rational>& row = rows.emplace_back(equation.coefficients.begin(), equation.coefficients.end());
+    row.push_back(equation.constant + row.back() * force_.alpha);
+    row[unknown_count] *= force_.beta;
+  }
+  return rows;
+}
+
+LinearRows SolvedSample::equations(std::optional<ContactMode> mode) {
+  const LinearRows& stick = raw_rows(ContactState::stick);
+  LinearRows rows(stick.begin(), stick.begin() + 7);
+  for (const std::size_t contact : {7, 9}) {  // a wheel's gap, then its slip or friction
+    const Wheel wheel = contact == 7 ? Wheel::rear : Wheel::front;
+    rows.push_back(stick[contact]);
+    if (mode) rows.push_back(raw_rows((*mode)[wheel])[contact + 1]);
+  }
+  return rows;
+}
+
+Truth SolvedSample::eventually(const Program& statement, std::size_t parameter) const {
+  Evaluator<RationalFunction, FieldAtInfinity> evaluator(setting_->scope());
+  for (std::size_t k = 0; k < values_.size(); ++k) {
+    evaluator.set(CompiledSetting::parameter_slot(k),
+                  k == parameter ? RationalFunction::variable() : RationalFunction(values_[k]));
+  }
+  return evaluator.truth(statement);
 }
 
 void SolvedSample::set_motion(const Motion<Affine<Rational>>& motion) {

@@ -1,6 +1,7 @@
 // One sample of a setting: its bicycle, all its modes solved, and the claims' symbols with their values.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -10,6 +11,11 @@
 #include "modes/motions.hpp"
 
 namespace slipproof {
+
+/// Rows of coefficients: of the model's unknowns in their order, of the force variable, and the constant; each row
+/// vanishes.
+using LinearRows = std::vector<std::vector<Rational>>;
+inline constexpr std::size_t linear_columns = unknown_count + 2;
 
 /// Modes are solved over the pedal force F; claims speak of the paper's force variable x, and F = offset + slope x.
 /// Everything that this class gives out is in x. Not shared between threads.
@@ -34,9 +40,13 @@ class SolvedSample {
   ForceInterval in_variable(const ForceInterval& pedal_forces) const;
   /// The partition of the line of the force variable; made when first asked for.
   const std::vector<Cell>& cells();
+  /// The equations of motion with both wheels on the road; in a mode, with the equations of its contacts.
+  LinearRows equations(std::optional<ContactMode> mode);
   /// Where the paper stands: the domain of the force variable.
   const std::optional<ForceInterval>& force_domain() const { return domain_; }
 
+  /// The truth of a statement for all values of a parameter beyond some value, the others as they are.
+  Truth eventually(const Program& statement, std::size_t parameter) const;
   Truth region(const Program& region) { return constants_.truth(region); }
   std::vector<TruthCell> over_forces(const Program& statement) { return truth_over_forces(statement, functions_); }
   /// Gives the quantities the values of a motion (over pedal forces) as functions of the force variable.
@@ -44,6 +54,7 @@ class SolvedSample {
 
  private:
   SolvedSample(const CompiledSetting& setting, std::vector<Rational> values);
+  const LinearRows& raw_rows(ContactState both);
   bool read_scene(ForceKind kind);
 
   const CompiledSetting* setting_;
@@ -55,6 +66,7 @@ class SolvedSample {
   std::shared_ptr<const ModeTable> table_;
   std::optional<ForceInterval> domain_;
   std::shared_ptr<const std::vector<Cell>> cells_;
+  std::array<LinearRows, 3> raw_rows_;  ///< of both wheels in one state on the road
 };
 
 }  // namespace slipproof

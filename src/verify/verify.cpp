@@ -11,6 +11,7 @@
 #include <tuple>
 #include <utility>
 
+#include "verify/identity.hpp"
 #include "verify/simplify.hpp"
 
 namespace slipproof {
@@ -53,13 +54,23 @@ struct Tally {
 struct Task {
   std::size_t claim;
   Reading reading;
+  bool identity = false;  ///< proved as an identity of rational functions
+  bool rational = false;  ///< true or false of rational functions: where it is false, it is so nearly everywhere
 };
 
-std::vector<Task> tasks_of(const ClaimsFile& file) {
+/// What is rational is judged at one sample in so many; prime to the number of the sampler's kinds of samples.
+constexpr std::uint64_t thinning = 17;
+
+std::vector<Task> tasks_of(const ClaimsFile& file, const CompiledClaims& compiled) {
   std::vector<Task> tasks;
   for (std::size_t i = 0; i < file.claims.size(); ++i) {
-    tasks.push_back({i, Reading::printed});
-    if (file.claims[i].repaired) tasks.push_back({i, Reading::repaired});
+    const ClaimKind kind = file.claims[i].kind;
+    for (const Reading reading : all_readings) {
+      if (reading == Reading::repaired && !file.claims[i].repaired) continue;
+      const bool identity = is_identity(file, compiled, i, reading);
+      const bool rational = identity || kind == ClaimKind::consequence || kind == ClaimKind::system;
+      tasks.push_back({i, reading, identity, rational});
+    }
   }
   return tasks;
 }
@@ -67,7 +78,7 @@ std::vector<Task> tasks_of(const ClaimsFile& file) {
 class Run {
  public:
   Run(const ClaimsFile& file, const VerifyOptions& options)
-      : file_(file), compiled_(file), options_(options), tasks_(tasks_of(file)), tallies_(tasks_.size()) {}
+      : file_(file), compiled_(file), options_(options), tasks_(tasks_of(file, compiled_)), tallies_(tasks_.size()) {}
 
   VerifyResult result() {
     const int cores = tbb::info::default_concurrency();  // more threads than that only bring a warning
@@ -86,7 +97,7 @@ class Run {
     const Sampler sampler(compiled_.settings[setting], options_.seed);
     tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, options_.samples, 64), [&](const auto& block) {
       std::vector<Tally> tallies(tasks_.size());
-      for (std::uint64_t i = block.begin(); i != block.end(); ++i) judge_sample(setting, sampler.at(i), tallies);
+      for (std::uint64_t i = block.begin(); i != block.end(); ++i) judge_sample(setting, i, sampler.at(i), tallies);
       const std::scoped_lock lock(mutex_);
       for (std::size_t t = 0; t < tasks_.size(); ++t) tallies_[t].add(tallies[t]);
       done_ += block.size();
@@ -94,13 +105,15 @@ class Run {
     });
   }
 
-  void judge_sample(std::size_t setting, std::vector<Rational> values, std::vector<Tally>& tallies) const {
+  void judge_sample(std::size_t setting, std::uint64_t i, std::vector<Rational> values,
+                    std::vector<Tally>& tallies) const {
     if (values.empty()) return;
     const auto sample =
         SolvedSample::make(compiled_.settings[setting], file_.settings[setting].force_kind, std::move(values));
     if (!sample) return;
     for (std::size_t t = 0; t < tasks_.size(); ++t) {
       if (file_.claims[tasks_[t].claim].setting != setting) continue;
+      if (tasks_[t].rational && i % thinning != 0) continue;
       const Judgement j = judge(file_, compiled_, tasks_[t].claim, tasks_[t].reading, *sample);
       tallies[t].add(j.outcome, sample->values());
     }
@@ -117,8 +130,12 @@ class Run {
     if (tally.refuted > 0) {
       result.verdict = Verdict::refuted;
       result.counterexample = counterexample(tasks_[t], tally.simplest);
+    } else if (file_.claims[result.claim].kind == ClaimKind::exists) {
+      result.verdict = tally.held > 0 ? Verdict::holds : tally.undecided == 0 ? Verdict::refuted : Verdict::undecided;
+      result.proved = tally.held > 0;
     } else if (tally.undecided == 0 && tally.held > 0) {
       result.verdict = Verdict::holds;
+      result.proved = tasks_[t].identity;
     }
     return result;
   }

@@ -44,6 +44,9 @@ struct ClaimResult {
   Verdict verdict = Verdict::undecided;
   std::uint64_t held = 0, refuted = 0, undecided = 0;  ///< samples; those outside of its region do not count
   std::optional<Counterexample> counterexample;
+  /// It holds for all parameters: an identity of rational functions (wherever both sides have a value and, with a
+  /// mode, its equations are regular), or the existence of what a sample shows.
+  bool proved = false;
 
   std::uint64_t samples() const { return held + refuted + undecided; }
 };

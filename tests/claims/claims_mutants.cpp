@@ -43,13 +43,15 @@ TEST_CASE("the paper has thousands of mutants, each valid, each another claims f
     const ClaimsMutant& mutant = all[i];
     ++parts[mutant.part];
     CHECK_FALSE(mutant.claims.empty());
-    if (i % 50 != 0) continue;
+    if (i % 500 != 0) continue;
     CAPTURE(mutant.where);
     CAPTURE(mutant.mutant.description);
     const ClaimsFile changed = mutant.apply(file);
     int differences = 0;
-    for (std::size_t d = 0; d < file.settings[0].definitions.size(); ++d) {
-      differences += !same(file.settings[0].definitions[d].printed, changed.settings[0].definitions[d].printed);
+    for (std::size_t s = 0; s < file.settings.size(); ++s) {
+      for (std::size_t d = 0; d < file.settings[s].definitions.size(); ++d) {
+        differences += !same(file.settings[s].definitions[d].printed, changed.settings[s].definitions[d].printed);
+      }
     }
     for (std::size_t c = 0; c < file.claims.size(); ++c) {
       const ClaimBody &before = file.claims[c].printed, &after = changed.claims[c].printed;
@@ -59,12 +61,13 @@ TEST_CASE("the paper has thousands of mutants, each valid, each another claims f
     CHECK(differences == 1);
     // Circles would never end, and regions must not come to depend on the force.
     const CompiledClaims compiled(changed);
-    Evaluator<Rational> evaluator(compiled.settings[0].scope());
-    for (std::size_t p = 0; p < file.settings[0].parameters.size(); ++p) {
-      evaluator.set(CompiledSetting::parameter_slot(p), Rational(static_cast<int>(p) + 2, 3));
-    }
-    for (const CompiledClaim& claim : compiled.claims) {
-      CHECK(evaluator.truth(claim.printed.region) != Truth::undecided);
+    for (std::size_t c = 0; c < file.claims.size(); ++c) {
+      const std::size_t s = file.claims[c].setting;
+      Evaluator<Rational> evaluator(compiled.settings[s].scope());
+      for (std::size_t p = 0; p < file.settings[s].parameters.size(); ++p) {
+        evaluator.set(CompiledSetting::parameter_slot(p), Rational(static_cast<int>(p) + 2, 3));
+      }
+      CHECK(evaluator.truth(compiled.claims[c].printed.region) != Truth::undecided);
     }
   }
   CHECK(parts.size() == 4);
@@ -76,7 +79,8 @@ TEST_CASE("a mutant knows which claims it may change") {
     std::vector<std::string> ids;
     for (const std::size_t claim : mutant.claims) ids.push_back(file.claims[claim].id);
     if (mutant.where == "definition xi6 (line 195)") {
-      CHECK(ids == std::vector<std::string>{"A4.1", "A4.1a", "A4.2", "A4.2a", "A4.cover", "A5.2"});
+      CHECK(ids == std::vector<std::string>{"E3.1.b11", "E3.1.xi6", "A4.1", "A4.1a", "A4.2", "A4.2a",
+                                             "A4.cover", "A5.2",     "R3.2.2"});
     } else if (mutant.where == "forces of A5.1 (line 233)") {
       CHECK(ids == std::vector<std::string>{"A5.1", "A5.2"});
     }

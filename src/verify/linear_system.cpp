@@ -1,0 +1,149 @@
+#include "verify/linear_system.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace slipproof {
+
+namespace {
+
+/// A linear form, or the statement that something is none. Most are constants and carry no coefficients.
+struct Linear {
+  Rational constant = 0;
+  std::vector<Rational> coefficients;  ///< of the unknowns and the force; empty: a constant
+  bool linear = true;
+
+  bool is_constant() const { return coefficients.empty(); }
+  static Linear variable(std::size_t i) {
+    Linear form;
+    form.coefficients.resize(linear_columns - 1);
+    form.coefficients[i] = 1;
+    return form;
+  }
+  Linear scaled(const Rational& factor) const {
+    Linear result = *this;
+    result.constant *= factor;
+    for (Rational& c : result.coefficients) {
+      if (!c.is_zero()) c *= factor;
+    }
+    return result;
+  }
+};
+
+Linear operator+(Linear x, const Linear& y) {
+  x.constant += y.constant;
+  if (x.is_constant()) {
+    x.coefficients = y.coefficients;
+  } else {
+    for (std::size_t i = 0; i < y.coefficients.size(); ++i) {
+      if (!y.coefficients[i].is_zero()) x.coefficients[i] += y.coefficients[i];
+    }
+  }
+  x.linear = x.linear && y.linear;
+  return x;
+}
+Linear operator-(const Linear& x) {
+  return x.scaled(-1);
+}
+Linear operator-(const Linear& x, const Linear& y) {
+  return x + -y;
+}
+Linear operator*(const Linear& x, const Linear& y) {
+  Linear result = y.is_constant() ? x.scaled(y.constant) : y.scaled(x.constant);
+  result.linear = x.linear && y.linear && (x.is_constant() || y.is_constant());
+  return result;
+}
+Linear operator/(const Linear& x, const Linear& y) {
+  Linear result = y.is_constant() ? x.scaled(1 / y.constant) : x;
+  result.linear = x.linear && y.linear && y.is_constant();
+  return result;
+}
+
+struct LinearField {
+  Linear constant(const Rational& value) const {
+    Linear form;
+    form.constant = value;
+    return form;
+  }
+  bool is_zero(const Linear& x) const { return x.linear && x.is_constant() && x.constant.is_zero(); }
+  std::optional<int> compare(const Linear& x, const Linear& y) const {
+    const Linear d = x - y;
+    return d.linear && d.is_constant() ? std::optional(sign(d.constant)) : std::nullopt;
+  }
+};
+
+/// row -= factor * pivot row, from `column` on.
+void subtract(std::vector<Rational>& row, const std::vector<Rational>& pivot, std::size_t column) {
+  if (row[column].is_zero()) return;
+  const Rational factor = row[column] / pivot[column];
+  for (std::size_t j = 0; j < linear_columns; ++j) {
+    if (!pivot[j].is_zero()) row[j] -= factor * pivot[j];
+  }
+}
+
+/// Gaussian elimination in the order of `columns`: the pivot rows come first. The columns of the pivots.
+std::vector<std::size_t> eliminate(LinearRows& rows, const std::vector<std::size_t>& columns) {
+  std::vector<std::size_t> pivots;
+  for (const std::size_t column : columns) {
+    const std::size_t rank = pivots.size();
+    const auto pivot = std::find_if(rows.begin() + static_cast<std::ptrdiff_t>(rank), rows.end(),
+                                    [&](const auto& row) { return !row[column].is_zero(); });
+    if (pivot == rows.end()) continue;
+    std::swap(rows[rank], *pivot);
+    for (std::size_t i = rank + 1; i < rows.size(); ++i) subtract(rows[i], rows[rank], column);
+    pivots.push_back(column);
+  }
+  return pivots;
+}
+
+}  // namespace
+
+std::optional<LinearRows> linear_rows(const CompiledSetting& setting, const std::vector<Rational>& values,
+                                      const std::vector<Program>& equations) {
+  Evaluator<Linear, LinearField> evaluator(setting.scope());
+  const LinearField field;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    evaluator.set(CompiledSetting::parameter_slot(k), field.constant(values[k]));
+  }
+  for (std::size_t i = 0; i < unknown_count; ++i) evaluator.set(setting.unknown_slot(i), Linear::variable(i));
+  evaluator.set(CompiledSetting::force_slot(), Linear::variable(unknown_count));
+  LinearRows rows;
+  for (const Program& equation : equations) {
+    const Program::Instruction& root = equation.code()[equation.root()];
+    const auto x = evaluator.number(equation, root.first), y = evaluator.number(equation, root.second);
+    if (!x.number || !y.number) return std::nullopt;
+    Linear difference = *x.number - *y.number;
+    if (!difference.linear) return std::nullopt;
+    difference.coefficients.resize(linear_columns - 1);
+    difference.coefficients.push_back(std::move(difference.constant));
+    rows.push_back(std::move(difference.coefficients));
+  }
+  return rows;
+}
+
+bool follows(const LinearRows& rows, const LinearRows& given) {
+  std::vector<std::size_t> columns(linear_columns);
+  std::iota(columns.begin(), columns.end(), std::size_t{0});
+  LinearRows echelon = given;
+  const auto pivots = eliminate(echelon, columns);
+  return std::all_of(rows.begin(), rows.end(), [&](std::vector<Rational> row) {
+    for (std::size_t i = 0; i < pivots.size(); ++i) subtract(row, echelon[i], pivots[i]);
+    return std::all_of(row.begin(), row.end(), [](const Rational& x) { return x.is_zero(); });
+  });
+}
+
+bool equivalent(const LinearRows& left, const LinearRows& right) {
+  std::vector<std::size_t> eliminated;
+  for (std::size_t j = 0; j < unknown_count; ++j) {
+    if (std::all_of(right.begin(), right.end(), [&](const auto& row) { return row[j].is_zero(); })) {
+      eliminated.push_back(j);
+    }
+  }
+  LinearRows rest = left;
+  const std::size_t rank = eliminate(rest, eliminated).size();
+  rest.erase(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(rank));
+  return follows(right, rest) && follows(rest, right);
+}
+
+}  // namespace slipproof
