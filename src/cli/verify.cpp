@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/command.hpp"
+#include "report/errata.hpp"
 #include "report/verify_report.hpp"
 
 namespace slipproof::cli {
@@ -15,6 +16,9 @@ struct Options {
   CommonOptions common;
   VerifyOptions verify;
   std::string claims;
+  bool errata = false, markdown = false, sarif = false, coverage = false;
+
+  bool lists_findings() const { return errata || markdown || sarif; }
 };
 
 /// A bar on a terminal, and nowhere else.
@@ -39,15 +43,35 @@ void add_verify(CLI::App& app, int& exit_code) {
   command.add_option("--samples", options->verify.samples, "Bicycles for each setting of the paper")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}))
       ->capture_default_str();
+  auto* list = command.add_flag("--errata", options->errata, "List what is wrong with the paper");
+  auto* markdown = command.add_flag("--markdown", options->markdown, "The errata in Markdown")->needs(list);
+  auto* sarif = command.add_flag("--sarif", options->sarif, "The errata as SARIF 2.1.0, for editors and code hosts");
+  command.add_flag("--coverage", options->coverage, "Which claims each numbered equation has, and judge nothing")
+      ->excludes(list)
+      ->excludes(sarif);
+  sarif->excludes(markdown);
   add_common_options(command, options->common);
   command.callback([options, &exit_code] {
     const ClaimsFile file = read_claims(options->claims.empty() ? shipped("proofs/rozenblat-yashin/claims.toml")
                                                                 : std::filesystem::path(options->claims));
+    if (options->coverage) {
+      print(coverage_markdown(file));
+      exit_code = uncovered_equations(file).empty() ? as_it_should_be : refuted_or_not_certified;
+      return;
+    }
     options->verify.seed = options->common.seed;
     options->verify.threads = options->common.threads;
     if (!options->common.quiet) options->verify.progress = progress_bar();
     const VerifyResult result = verify(file, options->verify);
-    print(options->common.json ? verify_json(file, result) : verify_text(file, result, options->common.quiet));
+    if (options->lists_findings()) {
+      const std::vector<Finding> findings = errata(file, result);
+      print(options->sarif         ? errata_sarif(file, findings)
+            : options->common.json ? errata_json(file, findings)
+            : options->markdown    ? errata_markdown(file, findings)
+                                   : errata_text(file, findings));
+    } else {
+      print(options->common.json ? verify_json(file, result) : verify_text(file, result, options->common.quiet));
+    }
     switch (summary(file, result)) {
       case Summary::as_expected:
         exit_code = as_it_should_be;

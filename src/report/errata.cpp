@@ -1,0 +1,228 @@
+#include "report/errata.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "claims/setting_names.hpp"
+#include "number/format.hpp"
+#include "report/verify_report.hpp"
+
+namespace slipproof {
+
+std::string_view name(Certainty certainty) {
+  return certainty == Certainty::proved ? "proved for all parameters" : "sampled";
+}
+
+namespace {
+
+/// What changes from one body to the other, as text: `region: ...; holds: ...`.
+std::string changed(const ClaimBody& body, const ClaimBody& other) {
+  std::string text;
+  const auto add = [&](std::string_view key, const std::string& value) {
+    text += (text.empty() ? "" : "; ") + std::string(key) + ": " + value;
+  };
+  const auto differ = [](const Expression& x, const Expression& y) { return x && y && !same(x, y); };
+  if (differ(body.region, other.region)) add("where", to_string(body.region));
+  if (differ(body.forces, other.forces)) add("forces", to_string(body.forces));
+  if (differ(body.holds, other.holds)) add("claim", to_string(body.holds));
+  for (std::size_t i = 0; i < body.equations.size(); ++i) {
+    if (i < other.equations.size() && same(body.equations[i], other.equations[i])) continue;
+    add("equation", to_string(body.equations[i]));
+  }
+  if (body.modes != other.modes) {
+    std::string modes;
+    for (const ContactMode mode : body.modes) modes += (modes.empty() ? "" : ", ") + name(mode);
+    add("motions", modes);
+  }
+  return text;
+}
+
+std::string counterexample_text(const ClaimsFile& file, const ClaimResult& result) {
+  std::string text = explain(file, result);
+  if (!result.counterexample) return text;
+  const Counterexample& e = *result.counterexample;
+  const Setting& setting = file.settings[file.claims[result.claim].setting];
+  text += "; for example at";
+  for (std::size_t k = 0; k < e.values.size(); ++k) {
+    text += (k == 0 ? " " : ", ") + setting.parameters[k].symbol + " = " + exact_text(e.values[k]);
+  }
+  if (e.force) text += ", " + setting.force.symbol + " = " + exact_text(*e.force);
+  return text;
+}
+
+class Collection {
+ public:
+  Collection(const ClaimsFile& file, const VerifyResult& result) : file_(file), result_(result) {}
+
+  std::vector<Finding> all() {
+    for (std::size_t s = 0; s < file_.settings.size(); ++s) {
+      for (const Definition& definition : file_.settings[s].definitions) {
+        if (definition.repaired) add_definition(s, definition);
+      }
+    }
+    for (const ClaimResult& r : result_.claims) {
+      if (r.reading == Reading::printed && file_.claims[r.claim].grade) add_claim(r);
+    }
+    std::stable_sort(found_.begin(), found_.end(), [](const auto& x, const auto& y) { return x.line < y.line; });
+    return std::move(found_);
+  }
+
+ private:
+  void add_definition(std::size_t setting, const Definition& definition) {
+    Finding finding;
+    finding.id = (definition.equation.empty() ? "" : definition.equation + ".") + definition.symbol;
+    finding.line = definition.line;
+    finding.statement = definition.symbol;
+    // A symbol that the paper uses and defines nowhere stands in the file as a quotient by 0.
+    const bool undefined = to_string(definition.printed) == "1 / 0";
+    finding.printed = definition.symbol + (undefined ? "" : " = " + to_string(definition.printed));
+    finding.repair = definition.symbol + " = " + to_string(definition.repaired);
+    finding.why = definition.why;
+    finding.wrong = undefined ? "the symbol is defined nowhere" : "what uses it fails";
+    std::size_t failing = 0, mended = 0;
+    const SettingNames names(file_.settings[setting]);
+    bool proved = true;
+    for (const ClaimResult& r : result_.claims) {
+      const Claim& claim = file_.claims[r.claim];
+      if (claim.setting != setting || !uses(names, claim, definition.symbol)) continue;
+      if (r.reading == Reading::printed) {
+        failing += r.verdict != Verdict::holds;
+        if (r.verdict == Verdict::refuted && !undefined && failing == 1) {
+          finding.wrong = claim.id + ": " + counterexample_text(file_, r);
+        }
+      } else if (r.verdict == Verdict::holds) {
+        ++mended;
+        proved = proved && r.proved;
+      }
+    }
+    finding.wrong +=
+        " (" + std::to_string(failing) + " claims fail in print, " + std::to_string(mended) + " hold with the repair)";
+    finding.mended = proved && mended > 0 ? Certainty::proved : Certainty::sampled;
+    found_.push_back(std::move(finding));
+  }
+
+  static bool uses(const SettingNames& names, const Claim& claim, std::string_view symbol) {
+    const ClaimBody& body = claim.printed;
+    std::vector<Expression> all{body.region, body.forces, body.holds};
+    all.insert(all.end(), body.equations.begin(), body.equations.end());
+    return std::any_of(all.begin(), all.end(),
+                       [&](const Expression& e) { return names.depends(e, Reading::printed, symbol); });
+  }
+
+  void add_claim(const ClaimResult& printed) {
+    const Claim& claim = file_.claims[printed.claim];
+    const ClaimResult* repaired = result_.find(file_, claim.id, Reading::repaired);
+    const std::string change = claim.repaired ? changed(*claim.repaired, claim.printed) : std::string();
+    // What fails through a definition alone is the definition's finding.
+    if (claim.repaired && change.empty() && *claim.grade == Grade::misprint) return;
+    Finding finding;
+    finding.id = claim.id;
+    finding.line = claim.line;
+    finding.grade = *claim.grade;
+    finding.statement = claim.statement;
+    if (claim.repaired) finding.printed = changed(claim.printed, *claim.repaired);
+    if (printed.verdict == Verdict::refuted) finding.wrong = counterexample_text(file_, printed);
+    if (printed.verdict == Verdict::undecided) finding.wrong = "the claim has no value somewhere in its own region";
+    if (!claim.note.empty()) finding.wrong += (finding.wrong.empty() ? "" : ". ") + claim.note;
+    if (finding.wrong.empty()) finding.wrong = claim.why;
+    if (repaired != nullptr && repaired->verdict == Verdict::holds) finding.repair = change;
+    finding.why = claim.why;
+    finding.error =
+        printed.verdict == Verdict::refuted && !printed.counterexample ? Certainty::sampled : Certainty::proved;
+    finding.mended = repaired != nullptr && repaired->proved ? Certainty::proved : Certainty::sampled;
+    found_.push_back(std::move(finding));
+  }
+
+  const ClaimsFile& file_;
+  const VerifyResult& result_;
+  std::vector<Finding> found_;
+};
+
+/// A counterexample, or a missing value, is exact.
+std::string sureness_of(const Finding& f) {
+  return f.error == Certainty::proved ? "exact" : "sampled";
+}
+
+std::string summary_line(const std::vector<Finding>& findings) {
+  std::array<int, 4> counts{};
+  for (const Finding& f : findings) ++counts[static_cast<std::size_t>(f.grade)];
+  std::string line = std::to_string(findings.size()) + " findings:";
+  for (const Grade grade : {Grade::misprint, Grade::gap, Grade::boundary, Grade::wrong}) {
+    line += (grade == Grade::misprint ? " " : ", ") + std::to_string(counts[static_cast<std::size_t>(grade)]) + " " +
+            std::string(name(grade));
+  }
+  return line;
+}
+
+}  // namespace
+
+std::vector<Finding> errata(const ClaimsFile& file, const VerifyResult& result) {
+  return Collection(file, result).all();
+}
+
+std::string errata_text(const ClaimsFile& file, const std::vector<Finding>& findings) {
+  std::string text = file.paper.title + "\n" + summary_line(findings) + "\n";
+  const auto line = [&](std::string_view label, const std::string& value) {
+    if (!value.empty()) text += "  " + std::string(label) + ": " + value + "\n";
+  };
+  for (const Finding& f : findings) {
+    text += "\n" + file.paper.source + ":" + std::to_string(f.line) + ": " + std::string(name(f.grade)) + " [" + f.id +
+            "]\n";
+    line("statement", f.statement);
+    line("printed", f.printed);
+    line("wrong", f.wrong);
+    line("repair", f.repair);
+    line("why", f.why);
+    line("certainty", "error " + sureness_of(f) + (f.repair.empty() ? "" : ", repair " + std::string(name(f.mended))));
+  }
+  return text;
+}
+
+std::string errata_markdown(const ClaimsFile& file, const std::vector<Finding>& findings) {
+  std::string text = "# Errata: " + file.paper.title + "\n\n" + summary_line(findings) + ". Lines are those of `" +
+                     file.paper.source + "`.\n";
+  const auto item = [&](std::string_view label, const std::string& value, bool code) {
+    if (value.empty()) return;
+    text += "- **" + std::string(label) + "**: " + (code ? "`" + value + "`" : value) + "\n";
+  };
+  for (const Finding& f : findings) {
+    text += "\n## Line " + std::to_string(f.line) + ", " + f.id + " (" + std::string(name(f.grade)) + ")\n\n";
+    item("Statement", f.statement, false);
+    item("Printed", f.printed, true);
+    item("What is wrong", f.wrong, false);
+    item("Repair", f.repair, true);
+    item("Why", f.why, false);
+    item("How sure",
+         "the error " + sureness_of(f) + (f.repair.empty() ? "" : ", the repair " + std::string(name(f.mended))),
+         false);
+  }
+  return text;
+}
+
+std::vector<std::string> uncovered_equations(const ClaimsFile& file) {
+  std::vector<std::string> missing;
+  for (const auto& equation : file.paper.equations) {
+    if (std::none_of(file.claims.begin(), file.claims.end(),
+                     [&](const Claim& claim) { return claim.equation == equation.number; })) {
+      missing.push_back(equation.number);
+    }
+  }
+  return missing;
+}
+
+std::string coverage_markdown(const ClaimsFile& file) {
+  std::string text = "| equation | line | claims |\n|---|---|---|\n";
+  for (const auto& equation : file.paper.equations) {
+    std::string ids;
+    for (const Claim& claim : file.claims) {
+      if (claim.equation == equation.number) ids += (ids.empty() ? "" : ", ") + claim.id;
+    }
+    text += "| (" + equation.number + ") | " + std::to_string(equation.line) + " | " + ids + " |\n";
+  }
+  for (const Unchecked& u : file.unchecked) {
+    text += "| " + u.id + " | " + std::to_string(u.line) + " | not judged: " + u.why + " |\n";
+  }
+  return text;
+}
+
+}  // namespace slipproof
