@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "claims/compiled.hpp"
 #include "claims/setting_names.hpp"
 
 namespace slipproof {
@@ -31,6 +32,7 @@ using Part = ClaimsMutant::Part;
 Expression& part_of(ClaimsFile& file, const ClaimsMutant& mutant) {
   if (mutant.part == Part::definition) return file.settings[mutant.setting].definitions[mutant.index].printed;
   ClaimBody& body = file.claims[mutant.index].printed;
+  if (mutant.part == Part::equation) return body.equations[mutant.item];
   return mutant.part == Part::region ? body.region : mutant.part == Part::forces ? body.forces : body.holds;
 }
 
@@ -61,7 +63,7 @@ class Enumeration {
       }
     }
     const std::string where = "definition " + definition.symbol + " (line " + std::to_string(definition.line) + ")";
-    add({Part::definition, s, d, {}, where, claims_with(s, definition.symbol)}, definition.printed, symbols);
+    add({Part::definition, s, d, 0, {}, where, claims_with(s, definition.symbol)}, definition.printed, symbols);
   }
 
   void mutate_claim(std::size_t c) {
@@ -70,7 +72,7 @@ class Enumeration {
       constexpr const char* words[] = {"", "region", "forces", "holds"};
       const std::string where =
           std::string(words[static_cast<int>(part)]) + " of " + claim.id + " (line " + std::to_string(claim.line) + ")";
-      ClaimsMutant mutant{part, claim.setting, c, {}, where, {c}};
+      ClaimsMutant mutant{part, claim.setting, c, 0, {}, where, {c}};
       add_referring(mutant.claims);
       const ClaimBody& body = claim.printed;
       const Expression& original = part == Part::region ? body.region : part == Part::forces ? body.forces : body.holds;
@@ -78,12 +80,22 @@ class Enumeration {
       if (original->operation == Operation::truth) continue;
       add(std::move(mutant), original, symbols_for(claim, part));
     }
+    for (std::size_t i = 0; i < claim.printed.equations.size(); ++i) {
+      const std::string where =
+          "equation " + std::to_string(i + 1) + " of " + claim.id + " (line " + std::to_string(claim.line) + ")";
+      ClaimsMutant mutant{Part::equation, claim.setting, c, i, {}, where, {c}};
+      add_referring(mutant.claims);
+      add(std::move(mutant), claim.printed.equations[i], symbols_for(claim, Part::equation));
+    }
   }
 
   std::vector<std::string> symbols_for(const Claim& claim, Part part) const {
     std::vector<std::string> symbols;
     for (const auto& [symbol, entry] : names_[claim.setting].all()) {
-      if (entry.kind == SettingNames::Kind::quantity && (part != Part::holds || claim.printed.modes.empty())) continue;
+      if (part == Part::equation && entry.kind == SettingNames::Kind::quantity && !unknown_index(symbol)) continue;
+      if (part != Part::equation && entry.kind == SettingNames::Kind::quantity &&
+          (part != Part::holds || claim.printed.modes.empty()))
+        continue;
       if (part == Part::region && depends_on_force(claim.setting, make_symbol(symbol))) continue;
       symbols.push_back(symbol);
     }
@@ -99,7 +111,10 @@ class Enumeration {
     for (std::size_t c = 0; c < file_.claims.size(); ++c) {
       const ClaimBody& body = file_.claims[c].printed;
       if (file_.claims[c].setting != s) continue;
-      for (const Expression& expression : {body.region, body.forces, body.holds}) {
+      std::vector<Expression> all{body.region, body.forces, body.holds};
+      all.insert(all.end(), body.equations.begin(), body.equations.end());
+      all.insert(all.end(), body.assume.begin(), body.assume.end());
+      for (const Expression& expression : all) {
         if (!names_[s].depends(expression, Reading::printed, symbol)) continue;
         result.push_back(c);
         break;
@@ -116,7 +131,7 @@ class Enumeration {
       const auto refers = [&](const std::vector<std::size_t>& to) {
         return std::find_first_of(to.begin(), to.end(), direct.begin(), direct.end()) != to.end();
       };
-      if (refers(body.claims) || refers(body.except)) claims.push_back(c);
+      if (refers(body.claims) || refers(body.except) || refers(body.given)) claims.push_back(c);
     }
     std::sort(claims.begin(), claims.end());
     claims.erase(std::unique(claims.begin(), claims.end()), claims.end());

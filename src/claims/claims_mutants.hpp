@@ -14,10 +14,11 @@ namespace slipproof {
 ClaimsFile as_read(const ClaimsFile& file, Reading reading);
 
 struct ClaimsMutant {
-  enum class Part { definition, region, forces, holds };
+  enum class Part { definition, region, forces, holds, equation };
   Part part = Part::definition;
   std::size_t setting = 0;  ///< of a definition
   std::size_t index = 0;    ///< of the definition in its setting, or of the claim
+  std::size_t item = 0;     ///< of an equation in its claim
   Mutant mutant;
   std::string where;                ///< `definition xi4 (line 195)`, `forces of A2.1 (line 209)`
   std::vector<std::size_t> claims;  ///< the claims whose meaning may change: no others need to be judged again
