@@ -122,6 +122,7 @@ class Writer {
         }
         break;
       case ClaimKind::formula:
+        complete_ = body_.modes.size() < 2;
         implied("", body_.forces, body_.modes.empty() ? std::nullopt : std::optional(body_.modes.front()), body_.holds);
         break;
       case ClaimKind::cover: {
@@ -138,6 +139,11 @@ class Writer {
         complete();
         break;
       case ClaimKind::unique:
+      case ClaimKind::equivalence:
+      case ClaimKind::limit:
+      case ClaimKind::exists:
+      case ClaimKind::consequence:
+      case ClaimKind::system:
         break;
     }
     return complete_ ? std::move(statements_) : std::vector<NamedStatement>{};
