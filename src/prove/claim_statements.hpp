@@ -20,7 +20,8 @@ struct NamedStatement {
 /// - formula: ID;  cover: ID;
 /// - motions: ID.1, ID.2, ... (there is a motion in each mode) and ID.complete (each motion is in one of the modes).
 /// The repaired reading adds `.repaired` to ID where it is another one. Empty where statements cannot say what the
-/// claim says: other kinds, a formula of several modes, and `not`, `abs`, `sign`, `min`, `max`. Uniqueness of the motion in a mode is not part of it.
+/// claim says: other kinds, a formula of several modes, and `not`, `abs`, `sign`, `min`, `max`. Uniqueness of the
+/// motion in a mode is not part of it.
 std::vector<NamedStatement> claim_statements(const ClaimsFile& claims, const Claim& claim, Reading reading);
 
 }  // namespace slipproof
