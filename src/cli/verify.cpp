@@ -50,6 +50,8 @@ void add_verify(CLI::App& app, int& exit_code) {
       ->excludes(list)
       ->excludes(sarif);
   sarif->excludes(markdown);
+  command.add_option("--only", options->verify.only,
+                     "Judge only the claims whose id begins with this, such as A or E4.7");
   add_common_options(command, options->common);
   command.callback([options, &exit_code] {
     const ClaimsFile file = read_claims(options->claims.empty() ? shipped("proofs/rozenblat-yashin/claims.toml")

@@ -101,10 +101,4 @@ bool is_identity(const ClaimsFile& file, const CompiledClaims& compiled, std::si
   return true;
 }
 
-bool same_function(const CompiledSetting& setting, const Program& x, const Program& y) {
-  Symbols symbols = symbols_of(setting);
-  const auto a = symbols.number(x).number, b = symbols.number(y).number;
-  return a && b && (*a - *b).numerator.is_zero();
-}
-
 }  // namespace slipproof

@@ -9,7 +9,4 @@ namespace slipproof {
 /// wherever its denominators are not 0 and, with modes, their equations are regular. False: not shown.
 bool is_identity(const ClaimsFile& file, const CompiledClaims& compiled, std::size_t claim, Reading reading);
 
-/// Whether two numbers of a setting, given as expressions in the same reading, are the same rational function.
-bool same_function(const CompiledSetting& setting, const Program& x, const Program& y);
-
 }  // namespace slipproof

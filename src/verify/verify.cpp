@@ -61,9 +61,10 @@ struct Task {
 /// What is rational is judged at one sample in so many; prime to the number of the sampler's kinds of samples.
 constexpr std::uint64_t thinning = 17;
 
-std::vector<Task> tasks_of(const ClaimsFile& file, const CompiledClaims& compiled) {
+std::vector<Task> tasks_of(const ClaimsFile& file, const CompiledClaims& compiled, const std::string& only) {
   std::vector<Task> tasks;
   for (std::size_t i = 0; i < file.claims.size(); ++i) {
+    if (!file.claims[i].id.starts_with(only)) continue;
     const ClaimKind kind = file.claims[i].kind;
     for (const Reading reading : all_readings) {
       if (reading == Reading::repaired && !file.claims[i].repaired) continue;
@@ -78,7 +79,11 @@ std::vector<Task> tasks_of(const ClaimsFile& file, const CompiledClaims& compile
 class Run {
  public:
   Run(const ClaimsFile& file, const VerifyOptions& options)
-      : file_(file), compiled_(file), options_(options), tasks_(tasks_of(file, compiled_)), tallies_(tasks_.size()) {}
+      : file_(file),
+        compiled_(file),
+        options_(options),
+        tasks_(tasks_of(file, compiled_, options.only)),
+        tallies_(tasks_.size()) {}
 
   VerifyResult result() {
     const int cores = tbb::info::default_concurrency();  // more threads than that only bring a warning
@@ -94,6 +99,8 @@ class Run {
 
  private:
   void sample(std::size_t setting) {
+    const auto here = [&](const Task& task) { return file_.claims[task.claim].setting == setting; };
+    if (std::none_of(tasks_.begin(), tasks_.end(), here)) return;
     const Sampler sampler(compiled_.settings[setting], options_.seed);
     tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, options_.samples, 64), [&](const auto& block) {
       std::vector<Tally> tallies(tasks_.size());

@@ -18,6 +18,7 @@ struct VerifyOptions {
   std::uint64_t samples = 10'000;  ///< of each setting
   std::uint64_t seed = 1;
   unsigned threads = 0;  ///< 0: all cores
+  std::string only;      ///< judge only the claims whose id begins with this
   bool simplify = true;  ///< search for simple counterexamples
   /// Called now and then, from one thread at a time, with the number of samples done and of all.
   std::function<void(std::uint64_t, std::uint64_t)> progress;
