@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/command.hpp"
+#include "report/certificates.hpp"
 #include "report/errata.hpp"
 #include "report/verify_report.hpp"
 
@@ -54,8 +55,9 @@ void add_verify(CLI::App& app, int& exit_code) {
                      "Judge only the claims whose id begins with this, such as A or E4.7");
   add_common_options(command, options->common);
   command.callback([options, &exit_code] {
-    const ClaimsFile file = read_claims(options->claims.empty() ? shipped("proofs/rozenblat-yashin/claims.toml")
-                                                                : std::filesystem::path(options->claims));
+    const std::filesystem::path claims = options->claims.empty() ? shipped("proofs/rozenblat-yashin/claims.toml")
+                                                                 : std::filesystem::path(options->claims);
+    const ClaimsFile file = read_claims(claims);
     if (options->coverage) {
       print(coverage_markdown(file));
       exit_code = uncovered_equations(file).empty() ? as_it_should_be : refuted_or_not_certified;
@@ -64,7 +66,11 @@ void add_verify(CLI::App& app, int& exit_code) {
     options->verify.seed = options->common.seed;
     options->verify.threads = options->common.threads;
     if (!options->common.quiet) options->verify.progress = progress_bar();
-    const VerifyResult result = verify(file, options->verify);
+    VerifyResult result = verify(file, options->verify);
+    find_certificates(file, result, claims.parent_path());
+    for (const ClaimResult& claim : result.claims) {
+      for (const std::string& objection : claim.rejections) std::cerr << "certificate rejected: " << objection << '\n';
+    }
     if (options->lists_findings()) {
       const std::vector<Finding> findings = errata(file, result);
       print(options->sarif         ? errata_sarif(file, findings)
@@ -77,6 +83,9 @@ void add_verify(CLI::App& app, int& exit_code) {
     switch (summary(file, result)) {
       case Summary::as_expected:
         exit_code = as_it_should_be;
+        break;
+      case Summary::rejected:
+        exit_code = certificate_rejected;
         break;
       case Summary::refuted:
         exit_code = refuted_or_not_certified;

@@ -15,6 +15,8 @@ struct ClaimProof {
   bool proved = false;                              ///< all of its statements are, by `certificates`
   std::vector<std::filesystem::path> certificates;  ///< one for each statement of the claim, there or not
   std::vector<std::string> problems;                ///< why not: a missing file, another statement, a rejection
+  std::vector<std::string> outdated;                ///< of these: a statement that is there and not the claim's
+  std::vector<std::string> rejections;              ///< of these: a certificate that is there and proves nothing
 };
 
 /// Whether certificates in `folder` prove the claim: for each of claim_statements(), NAME.statement there must be the

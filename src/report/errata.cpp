@@ -93,6 +93,7 @@ class Collection {
       } else if (r.verdict == Verdict::holds) {
         ++mended;
         proved = proved && r.proved;
+        add_support(finding, r);
       }
     }
     finding.wrong +=
@@ -107,6 +108,11 @@ class Collection {
     all.insert(all.end(), body.equations.begin(), body.equations.end());
     return std::any_of(all.begin(), all.end(),
                        [&](const Expression& e) { return names.depends(e, Reading::printed, symbol); });
+  }
+
+  static void add_support(Finding& finding, const ClaimResult& holding) {
+    finding.certificates.insert(finding.certificates.end(), holding.certificates.begin(), holding.certificates.end());
+    if (!holding.proved) finding.samples += holding.samples();
   }
 
   void add_claim(const ClaimResult& printed) {
@@ -127,9 +133,12 @@ class Collection {
     if (finding.wrong.empty()) finding.wrong = claim.why;
     if (repaired != nullptr && repaired->verdict == Verdict::holds) finding.repair = change;
     finding.why = claim.why;
-    finding.error =
-        printed.verdict == Verdict::refuted && !printed.counterexample ? Certainty::sampled : Certainty::proved;
+    if (printed.verdict == Verdict::refuted && !printed.counterexample) {
+      finding.error = Certainty::sampled;
+      finding.tried = result_.samples;
+    }
     finding.mended = repaired != nullptr && repaired->proved ? Certainty::proved : Certainty::sampled;
+    if (!finding.repair.empty()) add_support(finding, *repaired);
     found_.push_back(std::move(finding));
   }
 
@@ -137,11 +146,6 @@ class Collection {
   const VerifyResult& result_;
   std::vector<Finding> found_;
 };
-
-/// A counterexample, or a missing value, is exact.
-std::string sureness_of(const Finding& f) {
-  return f.error == Certainty::proved ? "exact" : "sampled";
-}
 
 std::string summary_line(const std::vector<Finding>& findings) {
   std::array<int, 4> counts{};
@@ -155,6 +159,21 @@ std::string summary_line(const std::vector<Finding>& findings) {
 }
 
 }  // namespace
+
+std::string error_certainty(const Finding& finding) {
+  // A counterexample, or a missing value, is exact.
+  return finding.error == Certainty::proved ? "exact" : "sampled (" + std::to_string(finding.tried) + " samples)";
+}
+
+std::string repair_certainty(const Finding& finding) {
+  std::string names;
+  for (const std::string& certificate : finding.certificates) names += (names.empty() ? "" : ", ") + certificate;
+  if (!names.empty()) names = (finding.certificates.size() == 1 ? "certificate " : "certificates ") + names;
+  if (finding.mended == Certainty::sampled) {
+    names = std::to_string(finding.samples) + " samples" + (names.empty() ? "" : "; in part proved: " + names);
+  }
+  return std::string(name(finding.mended)) + (names.empty() ? "" : " (" + names + ")");
+}
 
 std::vector<Finding> errata(const ClaimsFile& file, const VerifyResult& result) {
   return Collection(file, result).all();
@@ -173,7 +192,7 @@ std::string errata_text(const ClaimsFile& file, const std::vector<Finding>& find
     line("wrong", f.wrong);
     line("repair", f.repair);
     line("why", f.why);
-    line("certainty", "error " + sureness_of(f) + (f.repair.empty() ? "" : ", repair " + std::string(name(f.mended))));
+    line("certainty", "error " + error_certainty(f) + (f.repair.empty() ? "" : ", repair " + repair_certainty(f)));
   }
   return text;
 }
@@ -193,8 +212,7 @@ std::string errata_markdown(const ClaimsFile& file, const std::vector<Finding>& 
     item("Repair", f.repair, true);
     item("Why", f.why, false);
     item("How sure",
-         "the error " + sureness_of(f) + (f.repair.empty() ? "" : ", the repair " + std::string(name(f.mended))),
-         false);
+         "the error " + error_certainty(f) + (f.repair.empty() ? "" : ", the repair " + repair_certainty(f)), false);
   }
   return text;
 }

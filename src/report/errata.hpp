@@ -27,7 +27,14 @@ struct Finding {
   std::string why;                        ///< why that is meant
   Certainty error = Certainty::proved;    ///< that the print is wrong
   Certainty mended = Certainty::sampled;  ///< that the repair is right
+  std::vector<std::string> certificates;  ///< names of those that prove what holds with the repair, or part of it
+  std::uint64_t samples = 0;              ///< at which the rest of it holds: 0 where all is proved
+  std::uint64_t tried = 0;                ///< samples at which an error was looked for, where that is all there is
 };
+
+/// How sure the error is, and how sure the repair: with the certificates' names, or the number of samples.
+std::string error_certainty(const Finding& finding);
+std::string repair_certainty(const Finding& finding);
 
 /// The findings of a verification, in the order of the paper's lines.
 std::vector<Finding> errata(const ClaimsFile& file, const VerifyResult& result);

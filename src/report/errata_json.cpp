@@ -30,6 +30,8 @@ std::string errata_json(const ClaimsFile& file, const std::vector<Finding>& find
     entry["why"] = text_or_null(f.why);
     entry["error"] = f.error == Certainty::proved ? "exact" : "sampled";
     entry["repaired"] = f.repair.empty() ? Json(nullptr) : Json(name(f.mended));
+    entry["certificates"] = f.certificates;
+    entry["samples"] = f.samples;
     list.push_back(std::move(entry));
   }
   document["findings"] = std::move(list);

@@ -53,6 +53,9 @@ std::string verify_json(const ClaimsFile& file, const VerifyResult& result) {
     entry["samples"] = r.samples();
     entry["refuted"] = r.refuted;
     entry["undecided"] = r.undecided;
+    entry["certificates"] = r.certificates;
+    if (!r.rejections.empty()) entry["rejected"] = r.rejections;
+    if (!r.outdated.empty()) entry["outdated"] = r.outdated;
     entry["line"] = claim.line;
     entry["statement"] = claim.statement;
     entry["grade"] = claim.grade ? Json(name(*claim.grade)) : Json(nullptr);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <map>
 
@@ -59,6 +60,12 @@ void write_counterexample(Out out, const ClaimsFile& file, const ClaimResult& re
   write_motions(out, e);
 }
 
+void write_certificates(Out out, const ClaimResult& claim) {
+  for (const std::string& certificate : claim.certificates) fmt::format_to(out, "      by {}\n", certificate);
+  for (const std::string& objection : claim.rejections) fmt::format_to(out, "      REJECTED {}\n", objection);
+  for (const std::string& statement : claim.outdated) fmt::format_to(out, "      outdated {}\n", statement);
+}
+
 }  // namespace
 
 std::string explain(const ClaimsFile& file, const ClaimResult& result) {
@@ -98,6 +105,8 @@ std::string explain(const ClaimsFile& file, const ClaimResult& result) {
 }
 
 Summary summary(const ClaimsFile& file, const VerifyResult& result) {
+  const auto rejected = [](const ClaimResult& claim) { return !claim.rejections.empty(); };
+  if (std::any_of(result.claims.begin(), result.claims.end(), rejected)) return Summary::rejected;
   Summary worst = Summary::as_expected;
   for (const ClaimResult& claim : result.claims) {
     if (as_expected(file, claim)) continue;
@@ -111,7 +120,7 @@ std::string verify_text(const ClaimsFile& file, const VerifyResult& result, bool
   std::string text;
   Out out(text);
   std::map<Verdict, int> count;
-  int unexpected = 0;
+  int unexpected = 0, proved = 0;
   if (!quiet) {
     fmt::format_to(out, "{}\n{} bicycles for each setting, seed {}\n\n", file.paper.title, result.samples, result.seed);
     fmt::format_to(out, "  {:<11} {:<9} {:<10} {:>8} {:>8}  line\n", "claim", "reading", "verdict", "samples",
@@ -121,18 +130,19 @@ std::string verify_text(const ClaimsFile& file, const VerifyResult& result, bool
     const bool expected = as_expected(file, claim);
     ++count[claim.verdict];
     if (!expected) ++unexpected;
+    if (claim.proved) ++proved;
     if (quiet) continue;
     fmt::format_to(out, "  {:<11} {:<9} {:<10} {:>8} {:>8}  {}{}\n", file.claims[claim.claim].id, name(claim.reading),
                    claim.proved ? "proved" : name(claim.verdict), claim.samples(), claim.refuted,
                    file.claims[claim.claim].line, expected ? "" : "  unexpected");
+    write_certificates(out, claim);
     if (claim.counterexample) write_counterexample(out, file, claim);
   }
   const Summary s = summary(file, result);
-  fmt::format_to(out, "{}s {} holds {} refuted {} undecided {} unexpected {}\n", quiet ? "" : "\n",
-                 s == Summary::as_expected ? "VERIFIED"
-                 : s == Summary::refuted   ? "REFUTED"
-                                           : "UNDECIDED",
-                 count[Verdict::holds], count[Verdict::refuted], count[Verdict::undecided], unexpected);
+  constexpr std::array<const char*, 4> words{"VERIFIED", "REJECTED", "REFUTED", "UNDECIDED"};
+  fmt::format_to(out, "{}s {} holds {} refuted {} undecided {} unexpected {} proved {}\n", quiet ? "" : "\n",
+                 words[static_cast<std::size_t>(s)], count[Verdict::holds], count[Verdict::refuted],
+                 count[Verdict::undecided], unexpected, proved);
   return text;
 }
 

@@ -10,11 +10,12 @@ namespace slipproof {
 /// One JSON document, schema slipproof/verify/1, ending in a newline.
 std::string verify_json(const ClaimsFile& file, const VerifyResult& result);
 
-/// For people; the last line begins with `s VERIFIED`, `s REFUTED` or `s UNDECIDED`, with counts. `quiet`: it alone.
+/// For people; the last line begins with `s VERIFIED`, `s REFUTED`, `s UNDECIDED` or `s REJECTED`, with counts; those
+/// that hold include the proved ones. `quiet`: it alone.
 std::string verify_text(const ClaimsFile& file, const VerifyResult& result, bool quiet = false);
 
-/// All verdicts as expected; or the first of: something else refuted, something else undecided.
-enum class Summary { as_expected, refuted, undecided };
+/// All verdicts as expected; or the first of: a certificate rejected, something else refuted, something else undecided.
+enum class Summary { as_expected, rejected, refuted, undecided };
 Summary summary(const ClaimsFile& file, const VerifyResult& result);
 
 /// What went wrong, in one sentence.

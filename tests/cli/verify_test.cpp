@@ -69,6 +69,42 @@ TEST_CASE("an unexpected refutation exits with 1, an undecided claim with 4") {
   CHECK(undecided.out.starts_with("s UNDECIDED "));
 }
 
+TEST_CASE("proved claims name their certificates, and a tampered one exits with 5") {
+  const TemporaryFolder folder;
+  const std::filesystem::path proofs = std::filesystem::path(shipped).parent_path();
+  for (const char* name : {"claims.toml", "A1.1.always.statement", "A1.1.always.cert", "A1.1.only-then.statement",
+                           "A1.1.only-then.cert"}) {
+    folder.write(name, read_file(proofs / name));
+  }
+  const auto claims = folder.path() / "claims.toml";
+  const std::vector<std::string> text{"verify", "--samples", "100", "--only", "A1.1", claims};
+  const std::vector<std::string> json{"verify", "--samples", "100", "--only", "A1.1", "--json", claims};
+  CHECK(run(text).exit_code == 0);
+  CHECK(run(text).out.find("by A1.1.always.cert\n") != std::string::npos);
+  Json claim = Json::parse(run(json).out)["claims"][0];
+  CHECK(claim["verdict"] == "proved");
+  CHECK(claim["certificates"] == Json{"A1.1.only-then.cert", "A1.1.always.cert"});
+  CHECK_FALSE(claim.contains("rejected"));
+
+  folder.write("A1.1.always.cert", replaced(read_file(proofs / "A1.1.always.cert"), "\nterm 1 ", "\nterm 2 "));
+  for (const std::string more : {"--quiet", "--errata", "--seed=1"}) {
+    auto arguments = text;
+    arguments.push_back(more);
+    const auto rejected = run(arguments);
+    CHECK(rejected.exit_code == 5);
+    CHECK(rejected.err.find("certificate rejected: ") != std::string::npos);
+    CHECK(rejected.err.find("A1.1.always.cert:") != std::string::npos);
+    if (more != "--errata") CHECK(last_line(rejected.out).starts_with("s REJECTED "));
+  }
+  const auto rejected = run(json);
+  CHECK(rejected.exit_code == 5);
+  claim = Json::parse(rejected.out)["claims"][0];
+  CHECK(claim["verdict"] == "holds");
+  CHECK(claim["certificates"].empty());
+  CHECK(claim["rejected"].size() == 1);
+  CHECK(run({"verify", "--samples", "100", "--only", "A1.2", claims}).exit_code == 0);  // no claim that it is about
+}
+
 TEST_CASE("malformed claims exit with 3 and name the place") {
   const TemporaryFolder folder;
   const std::string text = read_file(shipped);

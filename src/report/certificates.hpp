@@ -1,0 +1,16 @@
+// Sampled verdicts and certificates, brought together: which claims are proved for all parameters, and by what.
+#pragma once
+
+#include <filesystem>
+
+#include "verify/verify.hpp"
+
+namespace slipproof {
+
+/// Looks in `folder` for the certificates of every claim of `result` and checks them. A claim that holds at every
+/// sample and whose statements, the same bytes as the claims file gives now, all have accepted certificates becomes
+/// `proved`, and its certificates are named. Certificates that are there and are not accepted stand in `rejections`; so
+/// does the contradiction of a claim that is refuted at a sample and has accepted certificates.
+void find_certificates(const ClaimsFile& file, VerifyResult& result, const std::filesystem::path& folder);
+
+}  // namespace slipproof
