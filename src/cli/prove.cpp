@@ -1,8 +1,12 @@
 #include <fstream>
+#include <functional>
 #include <memory>
 #include <string>
 
+#include "check/files.hpp"
 #include "cli/command.hpp"
+#include "export/smtlib.hpp"
+#include "input/text_file.hpp"
 #include "prove/prove_files.hpp"
 #include "report/exact_json.hpp"
 
@@ -13,13 +17,27 @@ namespace {
 struct Options {
   CommonOptions common;
   std::string claims;
-  std::string out;
+  std::string out, smtlib;
 };
 
 void write(const std::filesystem::path& file, const std::string& text) {
   std::ofstream stream(file, std::ios::binary);
   stream << text << std::flush;
   if (!stream) throw std::runtime_error(file.string() + " cannot be written");
+}
+
+/// Writes what `text_of` makes of each statement beside the claims and in the folders below, under the same names.
+void export_statements(const std::filesystem::path& folder, const std::filesystem::path& out, const char* extension,
+                       const std::function<std::string(const std::filesystem::path&)>& text_of) {
+  std::size_t written = 0;
+  for (std::filesystem::path file : check::certificates_in(folder)) {
+    file.replace_extension(".statement");
+    std::filesystem::path target = out / file.lexically_relative(folder);
+    std::filesystem::create_directories(target.parent_path());
+    write(target.replace_extension(extension), text_of(file));
+    ++written;
+  }
+  print("s EXPORTED " + std::to_string(written) + " to " + out.string() + '\n');
 }
 
 std::string as_text(const std::vector<ProofOutcome>& outcomes) {
@@ -53,11 +71,20 @@ void add_prove(CLI::App& app, int& exit_code) {
   command.add_option("CLAIMS", options->claims,
                      "Claims file, beside which the statements stand; default: the shipped paper");
   command.add_option("--out", options->out, "Folder for the certificates; default: beside the statements");
+  command.add_option("--smtlib", options->smtlib,
+                     "Search for nothing, but write the negation of each statement to this folder as SMT-LIB 2");
   add_common_options(command, options->common);
   command.callback([options, &exit_code] {
     const std::filesystem::path claims = options->claims.empty() ? shipped("proofs/rozenblat-yashin/claims.toml")
                                                                  : std::filesystem::path(options->claims);
-    const auto statements = statements_in(claims.parent_path().empty() ? "." : claims.parent_path());
+    const std::filesystem::path folder = claims.parent_path().empty() ? "." : claims.parent_path();
+    if (!options->smtlib.empty()) {
+      export_statements(folder, options->smtlib, ".smt2", [](const std::filesystem::path& file) {
+        return smtlib_text(file.string(), read_text_file(file));
+      });
+      return;
+    }
+    const auto statements = statements_in(folder);
     const std::filesystem::path out = options->out;
     if (!out.empty()) std::filesystem::create_directories(out);
     const auto outcomes = prove_files(statements, options->common.threads);

@@ -34,6 +34,23 @@ TEST_CASE("prove writes the certificates that check accepts, the same bytes at a
   CHECK(document["certificates"].size() == 2);
 }
 
+TEST_CASE("prove --smtlib writes every statement, also those of folders below, and searches for no proof") {
+  const TemporaryFolder folder;
+  const auto claims = folder.write("claims.toml", "");
+  std::filesystem::create_directory(folder.path() / "more");
+  folder.write("A2.4.statement", read_file(proofs + "A2.4.statement"));
+  folder.write("more/A3.2.statement", read_file(proofs + "A3.2.statement"));
+  const auto out = folder.path() / "new" / "smt";
+  CHECK(run({"prove", claims, "--smtlib", out}).exit_code == 0);
+  CHECK(read_file(out / "A2.4.smt2").find("(check-sat)") != std::string::npos);
+  CHECK(read_file(out / "more" / "A3.2.smt2").find("; theorem A3.2\n") != std::string::npos);
+  CHECK_FALSE(std::filesystem::exists(folder.path() / "A2.4.cert"));
+  folder.write("more/bad.statement", "slipproof-statement 1\ntheorem bad\nshow x > 0\n");
+  const auto bad = run({"prove", claims, "--smtlib", out});
+  CHECK(bad.exit_code == 3);
+  CHECK(bad.err.find("bad.statement:3:") != std::string::npos);
+}
+
 TEST_CASE("a certificate of another statement is rejected with exit code 5") {
   const TemporaryFolder folder;
   folder.write("A2.4.statement", read_file(proofs + "A2.4.statement"));

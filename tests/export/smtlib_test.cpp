@@ -1,0 +1,240 @@
+// The exported text, evaluated by a reader of its own, says at every point what the statement says there according to
+// the checker's reader.
+#include "export/smtlib.hpp"
+
+#include <doctest/doctest.h>
+
+#include <map>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "check/statement.hpp"
+#include "number/rational.hpp"
+#include "support/run_program.hpp"
+
+using namespace slipproof;
+using test::read_file;
+
+namespace {
+
+const std::string kProofs = SLIPPROOF_SOURCE_DIR "/proofs/rozenblat-yashin/";
+
+using Point = std::map<std::string, Rational>;
+
+/// An S-expression: a word, or a list.
+struct Node {
+  std::string word;
+  std::vector<Node> list;
+};
+
+Node read_node(std::istream& in) {
+  Node node;
+  char c = 0;
+  in >> c;
+  if (c == '(') {
+    while ((in >> std::ws).peek() != ')') node.list.push_back(read_node(in));
+    in.get();
+    return node;
+  }
+  for (in.unget(); in.peek() != EOF && std::string("() \n").find(static_cast<char>(in.peek())) == std::string::npos;) {
+    node.word += static_cast<char>(in.get());
+  }
+  return node;
+}
+
+std::vector<Node> read_script(const std::string& text) {
+  std::string code, line;
+  for (std::istringstream lines(text); std::getline(lines, line);) {
+    if (!line.starts_with(";")) code += line + '\n';
+  }
+  std::vector<Node> script;
+  for (std::istringstream in(code); (in >> std::ws).peek() != EOF;) script.push_back(read_node(in));
+  return script;
+}
+
+Rational number(const Node& node, const Point& point) {
+  if (node.list.empty()) {
+    return std::isdigit(static_cast<unsigned char>(node.word[0])) != 0 ? Rational(node.word) : point.at(node.word);
+  }
+  const std::string& operation = node.list[0].word;
+  Rational result = number(node.list[1], point);
+  if (operation == "-" && node.list.size() == 2) return -result;
+  for (std::size_t i = 2; i < node.list.size(); ++i) {
+    const Rational operand = number(node.list[i], point);
+    if (operation == "+") {
+      result += operand;
+    } else {
+      REQUIRE(operation == "*");
+      result *= operand;
+    }
+  }
+  return result;
+}
+
+/// A sentence; what `forall` binds has the values of the point.
+bool truth(const Node& node, const Point& point) {
+  if (node.list.empty()) {
+    REQUIRE((node.word == "true" || node.word == "false"));
+    return node.word == "true";
+  }
+  const std::string& operation = node.list[0].word;
+  if (operation == "forall") return truth(node.list[2], point);
+  if (operation == "and" || operation == "or") {
+    for (std::size_t i = 1; i < node.list.size(); ++i) {
+      if (truth(node.list[i], point) == (operation == "or")) return operation == "or";
+    }
+    return operation == "and";
+  }
+  REQUIRE(node.list.size() == 3);
+  const Rational left = number(node.list[1], point), right = number(node.list[2], point);
+  if (operation == "=") return left == right;
+  if (operation == ">=") return left >= right;
+  REQUIRE(operation == ">");
+  return left > right;
+}
+
+bool truth(const check::Formula& formula) {
+  using enum check::Formula::Kind;
+  if (formula.kind == atom) {
+    REQUIRE(formula.polynomial.is_constant());
+    const int s = sgn(formula.polynomial.constant());
+    return formula.relation == check::Relation::zero
+               ? s == 0
+               : s > 0 || (formula.relation != check::Relation::positive && s == 0);
+  }
+  for (const check::Formula& part : formula.parts) {
+    if (truth(part) == (formula.kind == disjunction)) return formula.kind == disjunction;
+  }
+  return formula.kind == conjunction;
+}
+
+/// The lines of the certificate's witness, as values of the unknowns.
+std::vector<std::pair<std::string, std::string>> witness(const std::string& theorem) {
+  std::vector<std::pair<std::string, std::string>> values;
+  std::string line;
+  for (std::istringstream lines(read_file(kProofs + theorem + ".cert")); std::getline(lines, line);) {
+    if (!line.starts_with("set ")) continue;
+    const auto equal = line.find(" = ");
+    values.emplace_back(line.substr(4, equal - 4), line.substr(equal + 3));
+  }
+  REQUIRE(values.size() == 11);
+  return values;
+}
+
+/// A motion of A2.1 and the like: the parameters, and the unknowns as the witness of a certificate gives them.
+Point motion(const Point& parameters, const std::vector<std::pair<std::string, std::string>>& values) {
+  check::Environment environment;
+  for (const auto& [name, value] : parameters) {
+    environment.values[name] =
+        check::Fraction{check::Polynomial(mpq_class(value.str())), check::Polynomial(mpq_class(1))};
+  }
+  Point point = parameters;
+  for (const auto& [name, text] : values) {
+    const check::Fraction value = check::LineReader(text).expression(environment);
+    point[name] = Rational(mpq_class(value.numerator.constant() / value.denominator.constant()).get_str());
+  }
+  return point;
+}
+
+/// The statement with numbers for its variables and unknowns.
+check::Statement at(const std::string& statement, const Point& point) {
+  std::string text, line;
+  for (std::istringstream lines(statement); std::getline(lines, line);) {
+    if (!line.starts_with("real ") && !line.starts_with("exists ")) {
+      text += line + '\n';
+      continue;
+    }
+    std::istringstream words(line.substr(line.find(' ')));
+    for (std::string name; words >> name;) text += "let " + name + " = " + point.at(name).str() + '\n';
+  }
+  std::istringstream in(text);
+  return check::Statement(in);
+}
+
+/// Compares both readings at the point; how many assertions are true there, of how many.
+std::pair<std::size_t, std::size_t> compare(const std::string& statement, const std::vector<Node>& script,
+                                            const Point& point) {
+  const check::Statement numbers = at(statement, point);
+  std::vector<bool> expected;
+  for (const auto& [name, formula] : numbers.assumptions()) expected.push_back(truth(formula));
+  expected.push_back(!truth(numbers.shown({})));
+  std::size_t assertion = 0, count = 0;
+  for (const Node& command : script) {
+    if (command.list[0].word != "assert") continue;
+    REQUIRE(assertion < expected.size());
+    const bool here = truth(command.list[1], point);
+    CHECK(here == expected[assertion++]);
+    count += here;
+  }
+  CHECK(assertion == expected.size());
+  return {count, assertion};
+}
+
+}  // namespace
+
+TEST_CASE("an exported statement is true where the statement is") {
+  std::mt19937 random(4);
+  const auto positive = [&] {
+    return Rational(std::uniform_int_distribution(1, 997)(random), 1 << std::uniform_int_distribution(4, 12)(random));
+  };
+  for (const std::string claim : {"A1.1", "A2.1.repaired", "A2.2.repaired", "A3.1", "A4.1", "A5.1.repaired.1"}) {
+    CAPTURE(claim);
+    const bool interval = !claim.starts_with("A5");
+    const std::string theorem = claim + (interval ? ".always" : "");
+    const auto values = witness(theorem);
+    std::vector<std::string> texts{read_file(kProofs + theorem + ".statement")};
+    if (interval) texts.push_back(read_file(kProofs + claim + ".only-then.statement"));
+    for (const std::string& statement : texts) {
+      const std::vector<Node> script = read_script(smtlib_text(theorem, statement));
+      // Points beside motions, and beside others: a motion meets all assumptions, and the conclusion.
+      std::map<bool, int> seen;
+      for (int sample = 0; sample < 400 && (seen[true] < 3 || seen[false] < 3); ++sample) {
+        Point parameters;
+        for (const char* name : {"R", "h", "b", "M2", "M3", "f", "g", "sigma", "J", "F"}) parameters[name] = positive();
+        const Point point = motion(parameters, values);
+        const auto [met, assertions] = compare(statement, script, point);
+        if (++seen[met + 1 == assertions] > 3) continue;
+        for (const auto& [name, value] : point) {
+          Point beside = point;
+          beside[name] -= Rational(1, 1000);
+          compare(statement, script, beside);
+          beside[name] = -value;
+          compare(statement, script, beside);
+        }
+      }
+      CHECK(seen[true] >= 3);
+      CHECK(seen[false] >= 3);
+    }
+  }
+}
+
+TEST_CASE("the text of a small statement") {
+  const std::string statement =
+      "slipproof-statement 1\ntheorem small\nreal x lett e\nassume domain: e > 0 and x <= lett/e\nshow x*e/2 < lett or "
+      "x != 3\n";
+  const std::string text = smtlib_text("small", statement);
+  CHECK(
+      text.substr(text.find("(set-logic")) ==
+      "(set-logic QF_NRA)\n"
+      "(declare-const x Real)\n"
+      "(declare-const lett Real)\n"
+      "(declare-const |the variable e| Real)\n"
+      "; domain\n"
+      "(assert (and (> |the variable e| 0) (and (or (> |the variable e| 0) (> (* (- 1) |the variable e|) 0)) (>= (+ (* "
+      "(- 1) x |the variable e| |the variable e|) (* lett |the variable e|)) 0))))\n"
+      "; not what is shown\n"
+      "(assert (and (>= (+ (* 2 x |the variable e|) (* (- 4) lett)) 0) (and (>= (+ (* (- 1) x) 3) 0) (>= (+ x (- 3)) "
+      "0))))\n"
+      "(check-sat)\n");
+}
+
+TEST_CASE("existence is a quantifier over the unknowns") {
+  const std::string text = smtlib_text(
+      "exists", "slipproof-statement 1\ntheorem t\nreal x\nassume a: x > 0\nexists y z\nshow y*z = x and y > 0\n");
+  CHECK(text.substr(text.find("(set-logic")) ==
+        "(set-logic NRA)\n(declare-const x Real)\n; a\n(assert (> x 0))\n; not what is shown\n(assert (forall ((y "
+        "Real) (z "
+        "Real)) (or (or (> (+ (* (- 1) x) (* y z)) 0) (> (+ x (* (- 1) y z)) 0)) (>= (* (- 1) y) 0))))\n(check-sat)\n");
+}
