@@ -97,7 +97,7 @@ void add_certify(CLI::App& app, int& exit_code) {
   command.add_option("FILE", options->file, "CSV with a header, or JSON Lines; - for standard input")->required();
   command.add_option("--scene", options->scene, "Scene file with the parameters that are the same for all records");
   command.add_option("--tolerance", options->certify.judge.tolerance, "Largest relative error of a component")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(number_in(0, 1))
       ->capture_default_str();
   command.add_option("--decimal", options->decimal, "What a decimal means: the nearest binary64, or exactly itself")
       ->check(CLI::IsMember({"nearest", "exact"}))

@@ -1,5 +1,6 @@
 #include "cli/command.hpp"
 
+#include <cmath>
 #include <iostream>
 #include <stdexcept>
 
@@ -14,6 +15,18 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();
   command.add_flag("--quiet", options.quiet, "The result only: no progress, no details");
+}
+
+CLI::Validator number_in(double low, double high) {
+  CLI::Validator range = CLI::Range(low, high);
+  const std::string description = range.get_description();
+  return CLI::Validator(
+      [range, description](std::string& text) {
+        double value = 0;
+        if (CLI::detail::lexical_cast(text, value) && std::isnan(value)) return "Value NaN not in range " + description;
+        return range(text);
+      },
+      description);
 }
 
 void print(std::string_view text) {

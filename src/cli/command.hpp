@@ -28,6 +28,9 @@ struct CommonOptions {
 
 void add_common_options(CLI::App& command, CommonOptions& options);
 
+/// A number from low to high. CLI::Range alone lets NaN through.
+CLI::Validator number_in(double low, double high);
+
 /// Writes to standard output. Throws std::runtime_error when that fails, so that nothing is lost in silence.
 void print(std::string_view text);
 
@@ -37,6 +40,7 @@ std::filesystem::path shipped(const std::filesystem::path& file);
 
 /// Each adds its subcommand; running it sets the exit code.
 void add_solve(CLI::App& app, int& exit_code);
+void add_trade(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
 void add_prove(CLI::App& app, int& exit_code);
 void add_certify(CLI::App& app, int& exit_code);

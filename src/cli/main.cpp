@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
   int exit_code = cli::as_it_should_be;
   cli::add_solve(app, exit_code);
   cli::add_certify(app, exit_code);
+  cli::add_trade(app, exit_code);
   cli::add_verify(app, exit_code);
   cli::add_prove(app, exit_code);
   cli::add_check(app, exit_code);

@@ -1,0 +1,62 @@
+#include "trade/trade.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <iostream>
+#include <memory>
+
+#include "cli/command.hpp"
+#include "report/trade_report.hpp"
+
+namespace slipproof::cli {
+
+namespace {
+
+struct Options {
+  CommonOptions common;
+  TradeOptions trade;
+  bool quick = false;
+};
+
+int run(Options& options) {
+  const bool quiet = options.common.quiet;
+  options.trade.seed = options.common.seed;
+  if (options.quick) {
+    options.trade.scenes = 25;
+    options.trade.seconds = 0.002;
+  }
+  const bool bar = !quiet && isatty(STDERR_FILENO) != 0;
+  const Trade trade = measure_trade(options.trade, [bar](std::size_t done, std::size_t all) {
+    if (bar) std::cerr << fmt::format("\r{}/{}{}", done, all, done == all ? "\r\033[K" : "") << std::flush;
+  });
+  if (options.common.json) {
+    print(trade_json(trade));
+  } else {
+    if (!quiet) print(trade_text(trade) + "\n");
+    print(fmt::format("s {} workloads {} types {} scenes {}\n",
+                      trade.sound() ? "MEASURED" : "REFUTED the filter differs from the exact answer:",
+                      trade.workloads.size(), trade.types.size(), trade.workloads.size() * trade.options.scenes));
+  }
+  return trade.sound() ? as_it_should_be : refuted_or_not_certified;
+}
+
+}  // namespace
+
+void add_trade(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand("trade", "Measure speed against accuracy over the number types");
+  auto* quick = command.add_flag("--quick", options->quick, "25 scenes of each workload, rough timings: seconds");
+  command.add_option("--scenes", options->trade.scenes, "Scenes of each workload")
+      ->check(CLI::Range(1, 1'000'000))
+      ->excludes(quick)
+      ->capture_default_str();
+  command.add_option("--seconds", options->trade.seconds, "CPU time for each measurement of speed, at least")
+      ->check(number_in(0, 60))
+      ->excludes(quick)
+      ->capture_default_str();
+  add_common_options(command, options->common);
+  command.callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace slipproof::cli

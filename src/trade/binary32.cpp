@@ -1,0 +1,23 @@
+#include "trade/mpfr_value.hpp"
+#include "trade/plain.hpp"
+
+namespace slipproof {
+
+namespace {
+
+struct Conversion {
+  static float rounded(const Rational& x) { return mpfr_get_flt(MpfrValue(x, 24).get(), MPFR_RNDN); }
+  static std::optional<Rational> exactly(float x) {
+    MpfrValue value(24);
+    mpfr_set_flt(value.get(), x, MPFR_RNDN);
+    return exact_rational(value.get());
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Arithmetic> binary32_arithmetic() {
+  return std::make_unique<PlainArithmetic<float, Conversion, true>>(TradeType{"binary32", 24});
+}
+
+}  // namespace slipproof
