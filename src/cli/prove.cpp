@@ -84,21 +84,23 @@ void add_prove(CLI::App& app, int& exit_code) {
       });
       return;
     }
-    const auto statements = statements_in(folder);
-    const std::filesystem::path out = options->out;
-    if (!out.empty()) std::filesystem::create_directories(out);
+    const std::filesystem::path out = options->out.empty() ? folder : std::filesystem::path(options->out);
+    auto statements = statements_in(folder);
+    if (out != folder) {  // not the copies that an earlier run left there
+      std::erase_if(statements, [&](const std::filesystem::path& path) {
+        const std::filesystem::path inside = path.lexically_relative(out);
+        return !inside.empty() && *inside.begin() != "..";
+      });
+    }
     const auto outcomes = prove_files(statements, options->common.threads);
     std::size_t proved = 0;
     for (std::size_t i = 0; i < statements.size(); ++i) {
       if (!outcomes[i].proved()) continue;
       ++proved;
-      std::filesystem::path certificate = statements[i];
-      certificate.replace_extension(".cert");
-      write(out.empty() ? certificate : out / certificate.filename(), outcomes[i].certificate);
-      if (!out.empty()) {
-        std::filesystem::copy_file(statements[i], out / statements[i].filename(),
-                                   std::filesystem::copy_options::overwrite_existing);
-      }
+      const std::filesystem::path copy = out / statements[i].lexically_relative(folder);
+      std::filesystem::create_directories(copy.parent_path());
+      if (out != folder) write(copy, read_text_file(statements[i]));
+      write(std::filesystem::path(copy).replace_extension(".cert"), outcomes[i].certificate);
     }
     const std::size_t undecided_count = statements.size() - proved;
     exit_code = undecided_count > 0 || statements.empty() ? undecided : as_it_should_be;

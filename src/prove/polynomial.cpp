@@ -34,63 +34,60 @@ Ring::~Ring() {
   fmpq_mpoly_ctx_clear(context_);
 }
 
+struct Polynomial::Value {
+  explicit Value(const Ring& ring) : ring(ring) { fmpq_mpoly_init(polynomial, ring.context_); }
+  ~Value() { fmpq_mpoly_clear(polynomial, ring.context_); }
+  Value(const Value&) = delete;
+  Value& operator=(const Value&) = delete;
+
+  const Ring& ring;
+  fmpq_mpoly_t polynomial;
+};
+
+Polynomial::Polynomial(std::shared_ptr<const Value> value) : ring_(&value->ring), value_(std::move(value)) {}
+
+std::shared_ptr<Polynomial::Value> Polynomial::blank(const Ring& ring) {
+  return std::make_shared<Value>(ring);
+}
+
 Polynomial::Polynomial(const Ring& ring, const Rational& constant) : ring_(&ring) {
-  fmpq_mpoly_init(value_, ring_->context_);
-  fmpq_mpoly_set_fmpq(value_, Fraction(constant).value, ring_->context_);
+  const auto value = blank(ring);
+  fmpq_mpoly_set_fmpq(value->polynomial, Fraction(constant).value, ring.context_);
+  value_ = value;
 }
 
 Polynomial Polynomial::variable(const Ring& ring, std::size_t index) {
-  Polynomial result(ring);
-  fmpq_mpoly_gen(result.value_, static_cast<slong>(index), ring.context_);
-  return result;
-}
-
-Polynomial::Polynomial(const Polynomial& other) : ring_(other.ring_) {
-  fmpq_mpoly_init(value_, ring_->context_);
-  fmpq_mpoly_set(value_, other.value_, ring_->context_);
-}
-
-Polynomial::Polynomial(Polynomial&& other) noexcept : ring_(other.ring_) {
-  fmpq_mpoly_init(value_, ring_->context_);
-  fmpq_mpoly_swap(value_, other.value_, ring_->context_);
-}
-
-Polynomial& Polynomial::operator=(Polynomial other) noexcept {
-  std::swap(ring_, other.ring_);
-  std::swap(value_[0], other.value_[0]);
-  return *this;
-}
-
-Polynomial::~Polynomial() {
-  fmpq_mpoly_clear(value_, ring_->context_);
+  const auto value = blank(ring);
+  fmpq_mpoly_gen(value->polynomial, static_cast<slong>(index), ring.context_);
+  return Polynomial(value);
 }
 
 bool Polynomial::is_zero() const {
-  return fmpq_mpoly_is_zero(value_, ring_->context_) != 0;
+  return fmpq_mpoly_is_zero(value_->polynomial, ring_->context_) != 0;
 }
 bool Polynomial::is_constant() const {
-  return fmpq_mpoly_is_fmpq(value_, ring_->context_) != 0;
+  return fmpq_mpoly_is_fmpq(value_->polynomial, ring_->context_) != 0;
 }
 
 Rational Polynomial::constant() const {
   Fraction result;
-  fmpq_mpoly_get_fmpq(result.value, value_, ring_->context_);
+  fmpq_mpoly_get_fmpq(result.value, value_->polynomial, ring_->context_);
   return result.rational();
 }
 
 std::size_t Polynomial::length() const {
-  return static_cast<std::size_t>(fmpq_mpoly_length(value_, ring_->context_));
+  return static_cast<std::size_t>(fmpq_mpoly_length(value_->polynomial, ring_->context_));
 }
 
 std::size_t Polynomial::degree(std::size_t variable) const {
   return static_cast<std::size_t>(
-      std::max<slong>(0, fmpq_mpoly_degree_si(value_, static_cast<slong>(variable), ring_->context_)));
+      std::max<slong>(0, fmpq_mpoly_degree_si(value_->polynomial, static_cast<slong>(variable), ring_->context_)));
 }
 
 std::vector<std::size_t> Polynomial::variables() const {
   std::vector<std::size_t> result;
   std::vector<slong> degrees(ring_->size());
-  fmpq_mpoly_degrees_si(degrees.data(), value_, ring_->context_);
+  fmpq_mpoly_degrees_si(degrees.data(), value_->polynomial, ring_->context_);
   for (std::size_t i = 0; i < degrees.size(); ++i) {
     if (degrees[i] > 0) result.push_back(i);
   }
@@ -102,8 +99,8 @@ std::vector<Term> Polynomial::terms() const {
   Fraction coefficient;
   for (std::size_t i = 0; i < length(); ++i) {
     Term term{0, std::vector<unsigned long>(ring_->size())};
-    fmpq_mpoly_get_term_coeff_fmpq(coefficient.value, value_, static_cast<slong>(i), ring_->context_);
-    fmpq_mpoly_get_term_exp_ui(term.exponents.data(), value_, static_cast<slong>(i), ring_->context_);
+    fmpq_mpoly_get_term_coeff_fmpq(coefficient.value, value_->polynomial, static_cast<slong>(i), ring_->context_);
+    fmpq_mpoly_get_term_exp_ui(term.exponents.data(), value_->polynomial, static_cast<slong>(i), ring_->context_);
     term.coefficient = coefficient.rational();
     result.push_back(std::move(term));
   }
@@ -111,33 +108,40 @@ std::vector<Term> Polynomial::terms() const {
 }
 
 Polynomial Polynomial::coefficient(std::size_t variable, std::size_t exponent) const {
-  Polynomial result(*ring_);
+  const auto result = blank(*ring_);
   const slong variables[] = {static_cast<slong>(variable)};
   const ulong exponents[] = {exponent};
-  fmpq_mpoly_get_coeff_vars_ui(result.value_, value_, variables, exponents, 1, ring_->context_);
-  return result;
+  fmpq_mpoly_get_coeff_vars_ui(result->polynomial, value_->polynomial, variables, exponents, 1, ring_->context_);
+  return Polynomial(result);
 }
 
 std::string Polynomial::text() const {
   // The pretty-printer does not change the names, though it takes them as pointers to non-const.
-  char* text = fmpq_mpoly_get_str_pretty(value_, const_cast<const char**>(ring_->pointers_.data()), ring_->context_);
+  char* text =
+      fmpq_mpoly_get_str_pretty(value_->polynomial, const_cast<const char**>(ring_->pointers_.data()), ring_->context_);
   std::string result(text);
   flint_free(text);
   return result;
 }
 
 Polynomial& Polynomial::operator+=(const Polynomial& other) {
-  fmpq_mpoly_add(value_, value_, other.value_, ring_->context_);
+  const auto result = blank(*ring_);
+  fmpq_mpoly_add(result->polynomial, value_->polynomial, other.value_->polynomial, ring_->context_);
+  value_ = result;
   return *this;
 }
 
 Polynomial& Polynomial::operator-=(const Polynomial& other) {
-  fmpq_mpoly_sub(value_, value_, other.value_, ring_->context_);
+  const auto result = blank(*ring_);
+  fmpq_mpoly_sub(result->polynomial, value_->polynomial, other.value_->polynomial, ring_->context_);
+  value_ = result;
   return *this;
 }
 
 Polynomial& Polynomial::operator*=(const Polynomial& other) {
-  fmpq_mpoly_mul(value_, value_, other.value_, ring_->context_);
+  const auto result = blank(*ring_);
+  fmpq_mpoly_mul(result->polynomial, value_->polynomial, other.value_->polynomial, ring_->context_);
+  value_ = result;
   return *this;
 }
 
@@ -146,19 +150,20 @@ Polynomial Polynomial::operator-() const {
 }
 
 bool Polynomial::operator==(const Polynomial& other) const {
-  return fmpq_mpoly_equal(value_, other.value_, ring_->context_) != 0;
+  return fmpq_mpoly_equal(value_->polynomial, other.value_->polynomial, ring_->context_) != 0;
 }
 
 Polynomial Polynomial::scaled(const Rational& factor) const {
-  Polynomial result(*ring_);
-  fmpq_mpoly_scalar_mul_fmpq(result.value_, value_, Fraction(factor).value, ring_->context_);
-  return result;
+  const auto result = blank(*ring_);
+  fmpq_mpoly_scalar_mul_fmpq(result->polynomial, value_->polynomial, Fraction(factor).value, ring_->context_);
+  return Polynomial(result);
 }
 
 std::optional<Polynomial> Polynomial::divided_by(const Polynomial& divisor) const {
-  Polynomial result(*ring_);
-  if (fmpq_mpoly_divides(result.value_, value_, divisor.value_, ring_->context_) == 0) return std::nullopt;
-  return result;
+  const auto result = blank(*ring_);
+  if (fmpq_mpoly_divides(result->polynomial, value_->polynomial, divisor.value_->polynomial, ring_->context_) == 0)
+    return std::nullopt;
+  return Polynomial(result);
 }
 
 Factorization Polynomial::factors() const {
@@ -166,7 +171,7 @@ Factorization Polynomial::factors() const {
   if (is_zero()) return result;
   fmpq_mpoly_factor_t factorization;
   fmpq_mpoly_factor_init(factorization, ring_->context_);
-  if (fmpq_mpoly_factor(factorization, value_, ring_->context_) == 0) {
+  if (fmpq_mpoly_factor(factorization, value_->polynomial, ring_->context_) == 0) {
     fmpq_mpoly_factor_clear(factorization, ring_->context_);
     throw std::runtime_error("a polynomial could not be factored");
   }
@@ -175,8 +180,9 @@ Factorization Polynomial::factors() const {
   fmpq_mpoly_factor_get_constant_fmpq(constant.value, factorization, ring_->context_);
   result.constant = constant.rational();
   for (slong i = 0; i < factorization->num; ++i) {
-    Polynomial factor(*ring_);
-    fmpq_mpoly_factor_get_base(factor.value_, factorization, i, ring_->context_);
+    const auto base = blank(*ring_);
+    fmpq_mpoly_factor_get_base(base->polynomial, factorization, i, ring_->context_);
+    Polynomial factor(base);
     const unsigned exponent = static_cast<unsigned>(fmpq_mpoly_factor_get_exp_si(factorization, i, ring_->context_));
     if (factor.terms().front().coefficient < 0) {
       factor = -factor;

@@ -4,6 +4,7 @@
 #include <flint/fmpq_mpoly_factor.h>
 
 #include <compare>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -42,10 +43,6 @@ class Polynomial {
  public:
   explicit Polynomial(const Ring& ring, const Rational& constant = 0);
   static Polynomial variable(const Ring& ring, std::size_t index);
-  Polynomial(const Polynomial& other);
-  Polynomial(Polynomial&& other) noexcept;
-  Polynomial& operator=(Polynomial other) noexcept;
-  ~Polynomial();
 
   const Ring& ring() const { return *ring_; }
   bool is_zero() const;
@@ -75,8 +72,12 @@ class Polynomial {
   Factorization factors() const;
 
  private:
+  struct Value;
+  explicit Polynomial(std::shared_ptr<const Value> value);
+  static std::shared_ptr<Value> blank(const Ring& ring);
+
   const Ring* ring_;
-  fmpq_mpoly_t value_;
+  std::shared_ptr<const Value> value_;  ///< never changed, so that copies are free
 };
 
 /// constant * product of factor^exponent; the factors are irreducible, primitive over the integers with positive

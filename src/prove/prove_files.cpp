@@ -14,7 +14,7 @@ namespace slipproof {
 std::vector<std::filesystem::path> statements_in(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> result;
   std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder, error)) {
     if (entry.path().extension() == ".statement") result.push_back(entry.path());
   }
   if (error)

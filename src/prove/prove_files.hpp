@@ -8,7 +8,7 @@
 
 namespace slipproof {
 
-/// The statements in a folder, in the order of their names.
+/// The statements in a folder and the folders in it, in the order of their names.
 std::vector<std::filesystem::path> statements_in(const std::filesystem::path& folder);
 
 /// Proves each; the outcomes in the order of the files, the same at any number of threads (0: all cores). Throws

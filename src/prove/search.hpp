@@ -1,12 +1,16 @@
-// The search for proofs: refutes a set of sign conditions by linear elimination, factorization, splits on the signs of
-// factors, and positivity after substitution by slack variables.
+// The search for proofs: refutes a set of sign conditions by linear elimination (elimination.cpp), factorization and
+// rewriting (rewriting.cpp), positivity after substitution by slack variables (slack.cpp, single.cpp, signs.cpp),
+// Fourier-Motzkin elimination (pairs.cpp), and case splits (splits.cpp); existence.cpp finds witnesses.
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "prove/budget.hpp"
 #include "prove/slack.hpp"
 
 namespace slipproof::prove {
@@ -16,21 +20,23 @@ struct Limits {
   int split_candidates = 6;  ///< tried at each of them
   int slack_depth = 2;       ///< variables replaced at a time
   int slack_attempts = 400;  ///< for one polynomial
+  /// For one statement, in terms of polynomials multiplied or evaluated: the same on every machine, as time is not.
+  std::uint64_t steps = 20'000'000;
 };
 
 /// What a failed search was left with, for a person to read.
 struct Leftover {
   std::vector<std::string> facts;
-  std::size_t size = 0;
 };
 
 class Search {
  public:
-  Search(const Statement& statement, const Limits& limits) : statement_(statement), limits_(limits) {}
+  Search(const Statement& statement, const Limits& limits);
 
   /// A proof that the statement holds, or nothing; then leftover() tells where the search got stuck.
   std::optional<Proof> prove();
   const Leftover& leftover() const { return leftover_; }
+  std::uint64_t steps() const { return budget_.spent(); }
 
  private:
   struct Rule;
@@ -45,6 +51,9 @@ class Search {
   void reduce(State& state, const Rule& rule, Fact& fact);
   bool apply_rule(State& state, const Rule& rule);
   std::optional<Rule> find_rule(State& state, std::size_t first);
+  const Factorization& factored(const Polynomial& p);
+  const SignPattern& signs_at_samples(const Polynomial& p);
+  SampleSet fails(const Fact& fact);
   const KnownSign* sign_of(State& state, const Polynomial& factor, bool thorough = false);
   bool refute_facts(State& state, bool thorough);
   bool refute_pairs(State& state, std::vector<Polynomial>& candidates, bool thorough);
@@ -56,8 +65,16 @@ class Search {
   bool close_by_witness(State& state);
   bool close_existence(State& state, std::size_t hint);
 
+  bool hopeless(const State& state) const;
+  void keep_leftover(const State& state);
+  std::optional<Proof> search();
+
   const Statement& statement_;
   Limits limits_;
+  Samples samples_;
+  std::map<std::string, SignPattern> patterns_;  ///< by the text of a polynomial, as what follows
+  std::map<std::string, Factorization> factorizations_;
+  Budget budget_;
   int counter_ = 0;
   Leftover leftover_;
 };

@@ -38,22 +38,25 @@ Polynomial substitute(const Substitution& s, const Polynomial& p, Product& multi
 
 class Search {
  public:
-  Search(const std::vector<Fact>& facts, const std::vector<Fact>& derived, int attempts)
-      : facts_(facts), derived_(derived), attempts_(attempts) {}
+  Search(const std::vector<Fact>& facts, const std::vector<Fact>& derived, const SampleSet& negative, int attempts,
+         Budget& budget)
+      : facts_(facts), derived_(derived), negative_(negative), attempts_(attempts), budget_(budget) {}
 
   std::optional<SlackForm> run(const Polynomial& p, int depth) {
     Coordinates start;
     start.slots.resize(p.ring().size());
+    SampleSet outside;  // where a fact in use is false
     for (const Fact& fact : facts_) {
       if (fact.sign == Sign::zero || fact.p.length() != 1) continue;
       const std::vector<std::size_t> variables = fact.p.variables();
       if (variables.size() != 1 || fact.p.degree(variables[0]) != 1) continue;
       if (!(fact.p == Polynomial::variable(p.ring(), variables[0]))) continue;
+      outside |= fact.fails;
       std::optional<Slot>& slot = start.slots[variables[0]];
       if (!slot || fact.sign == Sign::positive) slot = Slot{{{fact.name, 1}}, fact.sign == Sign::positive};
     }
     for (int d = 0; d <= depth && attempts_ > 0; ++d) {
-      if (auto found = extend(start, p, {}, d)) return found;
+      if (auto found = extend(start, p, {}, outside, d)) return found;
     }
     return std::nullopt;
   }
@@ -98,11 +101,24 @@ class Search {
     return std::nullopt;
   }
 
-  std::optional<SlackForm> extend(const Coordinates& at, const Polynomial& p, const Product& multiplier, int depth) {
+  /// Whether some fact, with those in use, excludes all samples at which p is negative.
+  bool possible(const SampleSet& outside) const {
+    for (const Fact& fact : facts_) {
+      if (fact.sign != Sign::zero && (outside | fact.fails).contains(negative_)) return true;
+    }
+    return false;
+  }
+
+  std::optional<SlackForm> extend(const Coordinates& at, const Polynomial& p, const Product& multiplier,
+                                  const SampleSet& outside, int depth) {
+    if (depth == 0 && !outside.contains(negative_)) return std::nullopt;
     if (--attempts_ < 0) return std::nullopt;
+    budget_.spend(p.length() + 1);
     if (depth == 0) return read_off(at, p, multiplier);
     for (const Fact& fact : facts_) {
       if (fact.sign == Sign::zero || fact.p.length() > 60) continue;
+      const SampleSet next_outside = outside | fact.fails;
+      if (depth == 1 ? !next_outside.contains(negative_) : !possible(next_outside)) continue;
       Product scale;
       Polynomial slack = fact.p;
       for (const Substitution& s : at.substitutions) slack = substitute(s, slack, scale);
@@ -133,8 +149,9 @@ class Search {
         next.slots[variable]->product[fact.name] += 1;
         Product next_multiplier = multiplier;
         const Polynomial next_p = substitute(next.substitutions.back(), p, next_multiplier);
+        budget_.spend(next_p.length() + p.length());
         if (next_p.length() > 400) continue;
-        if (auto found = extend(next, next_p, next_multiplier, depth - 1)) return found;
+        if (auto found = extend(next, next_p, next_multiplier, next_outside, depth - 1)) return found;
         if (attempts_ < 0) return std::nullopt;
       }
     }
@@ -143,14 +160,17 @@ class Search {
 
   const std::vector<Fact>& facts_;
   const std::vector<Fact>& derived_;
+  const SampleSet& negative_;
   int attempts_;
+  Budget& budget_;
 };
 
 }  // namespace
 
 std::optional<SlackForm> find_slack_form(const std::vector<Fact>& facts, const std::vector<Fact>& derived,
-                                         const Polynomial& p, int depth, int attempts) {
-  return Search(facts, derived, attempts).run(p, depth);
+                                         const Polynomial& p, const SampleSet& negative, int depth, int attempts,
+                                         Budget& budget) {
+  return Search(facts, derived, negative, attempts, budget).run(p, depth);
 }
 
 }  // namespace slipproof::prove

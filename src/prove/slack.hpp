@@ -4,7 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "prove/budget.hpp"
 #include "prove/proof.hpp"
+#include "prove/samples.hpp"
 
 namespace slipproof::prove {
 
@@ -13,6 +15,7 @@ struct Fact {
   std::string name;
   Polynomial p;
   Sign sign = Sign::zero;
+  SampleSet fails = {};  ///< the samples for which it is false
 };
 
 /// multiplier * p = sum of `terms`, where every hypothesis in them is an inequality and those of the multiplier are
@@ -25,8 +28,9 @@ struct SlackForm {
 
 /// Looks for coordinates in which all coefficients of p are positive: one variable after another is replaced by the
 /// slack of a hypothesis that is linear in it, at most `depth` of them, in at most `attempts` attempts. Uses
-/// inequalities only.
+/// inequalities only, and leaves out what is false for a sample: p is negative at `negative`.
 std::optional<SlackForm> find_slack_form(const std::vector<Fact>& facts, const std::vector<Fact>& derived,
-                                         const Polynomial& p, int depth, int attempts);
+                                         const Polynomial& p, const SampleSet& negative, int depth, int attempts,
+                                         Budget& budget);
 
 }  // namespace slipproof::prove

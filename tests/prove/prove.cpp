@@ -6,9 +6,11 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "check/files.hpp"
 #include "input/diagnostic.hpp"
+#include "prove/prove_files.hpp"
 
 namespace {
 
@@ -43,6 +45,33 @@ TEST_CASE("a false statement stays undecided, with what was left") {
   const slipproof::ProofOutcome outcome = slipproof::prove_statement("false", text, limits);
   CHECK(!outcome.proved());
   CHECK(!outcome.leftover.empty());
+}
+
+TEST_CASE("the limit on steps ends a search, the same way each time") {
+  const std::string text = content(kFolder / "theorems" / "A5.2.cell.lifts.3.statement");
+  slipproof::prove::Limits limits;
+  limits.steps = 20'000;
+  const slipproof::ProofOutcome first = slipproof::prove_statement("limited", text, limits);
+  CHECK(!first.proved());
+  REQUIRE(!first.leftover.empty());
+  CHECK(first.leftover.front() == "no step left of 20000");
+  CHECK(slipproof::prove_statement("limited", text, limits).leftover == first.leftover);
+}
+
+TEST_CASE("the number of threads does not change a byte") {
+  std::vector<std::filesystem::path> statements = slipproof::statements_in(kFolder / "theorems");
+  std::erase_if(statements,
+                [](const auto& path) { return path.filename().string().find("cell") != std::string::npos; });
+  REQUIRE(statements.size() > 20);
+  const auto one = slipproof::prove_files(statements, 1);
+  const auto several = slipproof::prove_files(statements, 4);
+  REQUIRE(one.size() == several.size());
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    INFO(one[i].theorem);
+    CHECK(one[i].proved());
+    CHECK(one[i].certificate == several[i].certificate);
+    CHECK(one[i].certificate == content(std::filesystem::path(statements[i]).replace_extension(".cert")));
+  }
 }
 
 TEST_CASE("a malformed statement is an input error with its line") {
