@@ -9,17 +9,16 @@
 #include <stdexcept>
 
 #include "filter/lanes.hpp"
+#include "filter/vector_clones.hpp"
 
 namespace slipproof {
 
 namespace {
 
 /// Scenes `first` to `first` + lane_count - 1; the last scene again where there are no more.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
-[[gnu::target_clones("avx512f", "avx2", "default")]]
-#endif
-[[gnu::flatten]] void
-decide_block(const ForcedScene<Column>& scenes, std::size_t first, std::size_t count, LaneSets& sets) {
+SLIPPROOF_VECTOR_CLONES("avx512f", "avx2")
+[[gnu::flatten]] void decide_block(const ForcedScene<Column>& scenes, std::size_t first, std::size_t count,
+                                   LaneSets& sets) {
   LaneBits within{};
   within = ~within;
   const auto load = [&](const Column& column) {

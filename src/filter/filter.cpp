@@ -1,5 +1,6 @@
 #include "filter/filter.hpp"
 
+#include "filter/vector_clones.hpp"
 #include "number/binary64.hpp"
 
 namespace slipproof {
@@ -34,6 +35,12 @@ ForcedScene<double> nearest_binary64(const ForcedScene<Rational>& scene) {
 
 ForcedScene<Rational> to_rational(const ForcedScene<double>& scene) {
   return convert<double, Rational>(scene, [](double x) { return to_rational(x); });
+}
+
+SLIPPROOF_VECTOR_CLONES("avx2")
+[[gnu::flatten]] ModeSets filter_modes(const ForcedScene<double>& scene) {
+  if (!within_input_limit(scene)) return all_undecided;
+  return decide_modes(tracked_dynamics<Tracked>(scene), scene.bicycle.J.has_value());
 }
 
 ModeSets double_double_modes(const ForcedScene<double>& exact) {

@@ -75,21 +75,18 @@ ReducedDynamics<N, N> tracked_dynamics(const ForcedScene<T>& scene) {
 /// True where every input is finite and small enough for the error bounds to hold.
 inline bool within_input_limit(const ForcedScene<double>& s) {
   const Bicycle<double>& p = s.bicycle;
-  double sum = p.J ? std::fabs(*p.J) : 0;  // NaN, or infinite, where one of them is
-  for (const double x : {p.M, p.R, p.h, p.b2, p.b3, p.I1, p.I2, p.I3, p.r1, p.r2, p.L, s.road.f, s.road.g, s.F}) {
-    sum += std::fabs(x);
-  }
-  return sum <= input_limit;
+  const std::array inputs{p.M,  p.R,  p.h, p.b2,     p.b3,     p.I1, p.I2,           p.I3,
+                          p.r1, p.r2, p.L, s.road.f, s.road.g, s.F,  p.J ? *p.J : 0, 0.0};
+  std::array<double, 4> sums{};  // side by side; NaN, or infinite, where an input is
+  for (std::size_t i = 0; i < inputs.size(); ++i) sums[i % 4] += std::fabs(inputs[i]);
+  return (sums[0] + sums[1]) + (sums[2] + sums[3]) <= input_limit;
 }
 
 inline constexpr ModeSets all_undecided{0, 0xFFFF};
 
 /// The first tier alone: no allocation, no exception, no dependence on the rounding of anything but + - *. Every number
 /// may be the nearest binary64 of what is meant.
-inline ModeSets filter_modes(const ForcedScene<double>& scene) {
-  if (!within_input_limit(scene)) return all_undecided;
-  return decide_modes(tracked_dynamics<Tracked>(scene), scene.bicycle.J.has_value());
-}
+ModeSets filter_modes(const ForcedScene<double>& scene);
 
 /// The second tier alone, for the numbers as they are. `rounded` is the scene's nearest_binary64().
 ModeSets double_double_modes(const ForcedScene<double>& exact);

@@ -49,24 +49,28 @@ struct ModeSets {
   std::uint16_t undecided = 0;
 };
 
+/// 1 for a certainly positive number, 2 for a certainly negative one, 0 where the sign is uncertain.
+template <class N>
+inline int certain_sign(const N& x) {
+  return certainly_positive(x) ? 1 : certainly_negative(x) ? 2 : 0;
+}
+
 /// The status of one mode. N offers the reduction's operations, certainly_positive(N) and
-/// certainly_negative(N), both false where the sign is uncertain.
+/// certainly_negative(N), both false where the sign is uncertain; or a faster certain_sign(N).
 template <class N, ContactMode mode>
 [[gnu::flatten]] inline ModeStatus mode_status(const ReducedDynamics<N, N>& dynamics) {
   constexpr ConditionList list = condition_list(mode);
   const ReducedMotion<N, N> motion(dynamics, mode);
-  const N determinant = motion.determinant();
-  const bool flipped = certainly_negative(determinant);
-  if (!flipped && !certainly_positive(determinant)) return ModeStatus::undecided;
-  bool certain = true;
+  const int orientation = certain_sign(motion.determinant());
+  if (orientation == 0) return ModeStatus::undecided;
+  int certain = orientation;
 #pragma GCC unroll 6
   for (int i = 0; i < list.count; ++i) {
-    const N numerator = motion.condition_value(list.items[static_cast<std::size_t>(i)]).numerator;
-    const N side = flipped ? -numerator : numerator;
-    if (certainly_negative(side)) return ModeStatus::inconsistent;
-    certain &= certainly_positive(side);
+    const int side = certain_sign(motion.condition_value(list.items[static_cast<std::size_t>(i)]).numerator);
+    if ((side | orientation) == 3) return ModeStatus::inconsistent;
+    certain &= side;
   }
-  return certain ? ModeStatus::consistent : ModeStatus::undecided;
+  return certain != 0 ? ModeStatus::consistent : ModeStatus::undecided;
 }
 
 /// The status of all modes that are modelled: 9 with both wheels on the road, 16 with detachment.

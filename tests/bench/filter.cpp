@@ -4,7 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include "filter/batch.hpp"
-#include "filter/bounded_motion.hpp"
+#include "filter/vector_clones.hpp"
 #include "number/binary64.hpp"
 #include "support/filter_scenes.hpp"
 
@@ -66,7 +66,9 @@ void each(benchmark::State& state, const std::vector<ForcedScene<double>>& all, 
   benchmark::DoNotOptimize(seen);
 }
 
-[[gnu::noinline]] unsigned plain(const ForcedScene<double>& s) {
+/// Inlined and compiled as the filter is, so that the two differ in nothing but the bounds.
+SLIPPROOF_VECTOR_CLONES("avx2")
+[[gnu::flatten, gnu::noinline]] unsigned plain(const ForcedScene<double>& s) {
   return decide_modes(tracked_dynamics<Unchecked>(s), s.bicycle.J.has_value()).consistent;
 }
 

@@ -143,6 +143,22 @@ TEST_CASE("the guard against underflow matters: without it a sign is wrong") {
   CHECK(product.value() < -unguarded);  // "certainly negative", were it not for underflow_error
 }
 
+TEST_CASE("both signs at once are certain exactly where each comparison is, to the last bit") {
+  const double bound = error_roundings * unit_roundoff;
+  for (const double value : {0.0, -0.0, 1.0, 0x1p-388, 0x1p-387, 0x1p-386, 0x1p300}) {
+    for (const double size : {0.0, value, value / bound, std::nextafter(value / bound, 0.0),
+                              std::nextafter(value / bound, HUGE_VAL), value / bound / 2, 2 * value / bound}) {
+      // The value, and a magnitude of about `size`.
+      const Tracked padding = Tracked::input(size / 2) - Tracked::input(size / 2);
+      for (const Tracked x : {Tracked::input(value) + padding, Tracked::input(-value) + padding}) {
+        CAPTURE(value);
+        CAPTURE(size);
+        CHECK(certain_sign(x) == (certainly_positive(x) ? 1 : certainly_negative(x) ? 2 : 0));
+      }
+    }
+  }
+}
+
 TEST_CASE("inputs that are no numbers or too large are never decided by the fast tiers") {
   FilterScenes random(65);
   for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL, 1e300, 2 * input_limit}) {
