@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
-#include "check/files.hpp"
 #include "cli/command.hpp"
+#include "export/coq.hpp"
 #include "export/smtlib.hpp"
 #include "input/text_file.hpp"
 #include "prove/prove_files.hpp"
@@ -17,8 +17,10 @@ namespace {
 struct Options {
   CommonOptions common;
   std::string claims;
-  std::string out, smtlib;
+  std::string out, smtlib, coq;
 };
+
+constexpr std::size_t max_certificate_size = std::size_t{1} << 28U;
 
 void write(const std::filesystem::path& file, const std::string& text) {
   std::ofstream stream(file, std::ios::binary);
@@ -27,17 +29,32 @@ void write(const std::filesystem::path& file, const std::string& text) {
 }
 
 /// Writes what `text_of` makes of each statement beside the claims and in the folders below, under the same names.
+/// Where that is nothing, the statement is named.
 void export_statements(const std::filesystem::path& folder, const std::filesystem::path& out, const char* extension,
                        const std::function<std::string(const std::filesystem::path&)>& text_of) {
   std::size_t written = 0;
-  for (std::filesystem::path file : check::certificates_in(folder)) {
-    file.replace_extension(".statement");
+  for (const std::filesystem::path& file : statements_in(folder)) {
+    const std::string text = text_of(file);
+    if (text.empty()) {
+      print("no certificate: " + file.string() + '\n');
+      continue;
+    }
     std::filesystem::path target = out / file.lexically_relative(folder);
     std::filesystem::create_directories(target.parent_path());
-    write(target.replace_extension(extension), text_of(file));
+    write(target.replace_extension(extension), text);
     ++written;
   }
   print("s EXPORTED " + std::to_string(written) + " to " + out.string() + '\n');
+}
+
+/// The Coq file of a statement and the certificate beside it, if there is one.
+std::string coq_file(const std::filesystem::path& statement) {
+  std::filesystem::path certificate = statement;
+  certificate.replace_extension(".cert");
+  std::error_code error;
+  if (!std::filesystem::exists(certificate, error)) return "";
+  return coq_text(statement.string(), read_text_file(statement), certificate.string(),
+                  read_text_file(certificate, max_certificate_size));
 }
 
 std::string as_text(const std::vector<ProofOutcome>& outcomes) {
@@ -73,6 +90,8 @@ void add_prove(CLI::App& app, int& exit_code) {
   command.add_option("--out", options->out, "Folder for the certificates; default: beside the statements");
   command.add_option("--smtlib", options->smtlib,
                      "Search for nothing, but write the negation of each statement to this folder as SMT-LIB 2");
+  command.add_option("--coq", options->coq,
+                     "Search for nothing, but write each statement with its certificate to this folder as a Coq file");
   add_common_options(command, options->common);
   command.callback([options, &exit_code] {
     const std::filesystem::path claims = options->claims.empty() ? shipped("proofs/rozenblat-yashin/claims.toml")
@@ -82,8 +101,9 @@ void add_prove(CLI::App& app, int& exit_code) {
       export_statements(folder, options->smtlib, ".smt2", [](const std::filesystem::path& file) {
         return smtlib_text(file.string(), read_text_file(file));
       });
-      return;
     }
+    if (!options->coq.empty()) export_statements(folder, options->coq, ".v", coq_file);
+    if (!options->smtlib.empty() || !options->coq.empty()) return;
     const std::filesystem::path out = options->out.empty() ? folder : std::filesystem::path(options->out);
     auto statements = statements_in(folder);
     if (out != folder) {  // not the copies that an earlier run left there

@@ -62,6 +62,14 @@ Polynomial Polynomial::variable(const Ring& ring, std::size_t index) {
   return Polynomial(value);
 }
 
+std::optional<Polynomial> Polynomial::parse(const Ring& ring, const std::string& text) {
+  const auto value = blank(ring);
+  const int error = fmpq_mpoly_set_str_pretty(value->polynomial, text.c_str(),
+                                              const_cast<const char**>(ring.pointers_.data()), ring.context_);
+  if (error != 0) return std::nullopt;
+  return Polynomial(value);
+}
+
 bool Polynomial::is_zero() const {
   return fmpq_mpoly_is_zero(value_->polynomial, ring_->context_) != 0;
 }

@@ -43,6 +43,8 @@ class Polynomial {
  public:
   explicit Polynomial(const Ring& ring, const Rational& constant = 0);
   static Polynomial variable(const Ring& ring, std::size_t index);
+  /// Reads what text() writes, and any other polynomial in that syntax; nothing if it is none.
+  static std::optional<Polynomial> parse(const Ring& ring, const std::string& text);
 
   const Ring& ring() const { return *ring_; }
   bool is_zero() const;

@@ -56,17 +56,39 @@ Formula comparison(const Fraction& x, const Fraction& y, Relation relation) {
   return combine(Formula::Kind::conjunction, std::move(parts));
 }
 
-/// Parts of nested binary `and`s or `or`s, from left to right.
-void flatten(const Expression& expression, Operation operation, std::vector<Expression>& parts) {
+void flatten_into(const Expression& expression, Operation operation, std::vector<Expression>& parts) {
   if (expression->operation != operation) {
     parts.push_back(expression);
     return;
   }
-  flatten(expression->operands[0], operation, parts);
+  flatten_into(expression->operands[0], operation, parts);
   parts.push_back(expression->operands[1]);
 }
 
 }  // namespace
+
+std::vector<Expression> flatten(const Expression& expression, Operation operation) {
+  std::vector<Expression> parts;
+  flatten_into(expression, operation, parts);
+  return parts;
+}
+
+Expression parse_formula(const std::string& text, const std::function<bool(const std::string&)>& names_formula) {
+  std::string translated;
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t end = i;
+    while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_')) ++end;
+    const std::string word = text.substr(i, end - i);
+    if (word.empty()) {
+      translated += text[i] == '{' ? '(' : text[i] == '}' ? ')' : text[i];
+      ++i;
+    } else {
+      translated += names_formula(word) ? "(" + word + "=0)" : word;
+      i = end;
+    }
+  }
+  return parse_expression(translated, Sort::truth);
+}
 
 /// Reads the lines of a statement in their order; names mean what the lines before gave them.
 struct Statement::Reader {
@@ -116,10 +138,8 @@ struct Statement::Reader {
   Formula formula(const Expression& e) const {
     const bool conjunction = e->operation == Operation::logical_and;
     if (conjunction || e->operation == Operation::logical_or) {
-      std::vector<Expression> operands;
-      flatten(e, e->operation, operands);
       std::vector<Formula> parts;
-      for (const Expression& operand : operands) parts.push_back(formula(operand));
+      for (const Expression& operand : flatten(e, e->operation)) parts.push_back(formula(operand));
       return combine(conjunction ? Formula::Kind::conjunction : Formula::Kind::disjunction, std::move(parts));
     }
     if (e->operation == Operation::truth && !e->truth) return {Formula::Kind::disjunction, {}, Sign::zero, {}};
@@ -134,22 +154,8 @@ struct Statement::Reader {
     return combine(Formula::Kind::conjunction, std::move(parts));
   }
 
-  /// The claims' grammar with formulas' names and braces written in it: a name as the comparison `NAME = 0`.
   Formula formula(const std::string& text) const {
-    std::string translated;
-    for (std::size_t i = 0; i < text.size();) {
-      std::size_t end = i;
-      while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_')) ++end;
-      const std::string word = text.substr(i, end - i);
-      if (word.empty()) {
-        translated += text[i] == '{' ? '(' : text[i] == '}' ? ')' : text[i];
-        ++i;
-      } else {
-        translated += formulas.contains(word) ? "(" + word + "=0)" : word;
-        i = end;
-      }
-    }
-    return formula(parse_expression(translated, Sort::truth));
+    return formula(parse_formula(text, [&](const std::string& name) { return formulas.contains(name); }));
   }
 
   Fraction expression(const std::string& text) const { return number(parse_expression(text, Sort::number)); }

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "claims/expression.hpp"
 #include "prove/formula.hpp"
 
 namespace slipproof::prove {
@@ -19,6 +21,13 @@ struct Fraction {
   Polynomial denominator;
   std::vector<Polynomial> divisors;
 };
+
+/// A formula of a statement in the grammar of claims: for the name of a formula stands the comparison `NAME = 0`.
+/// Throws ExpressionError.
+Expression parse_formula(const std::string& text, const std::function<bool(const std::string&)>& names_formula);
+
+/// The conjuncts (disjuncts) of nested binary `and`s (`or`s), from left to right; of anything else itself.
+std::vector<Expression> flatten(const Expression& expression, Operation operation);
 
 class Statement {
  public:

@@ -1,0 +1,97 @@
+// Certificates read back and written for Coq. Whether Coq accepts them is for tests/external to see.
+#include "export/coq.hpp"
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "check/files.hpp"
+#include "export/certificate_reader.hpp"
+#include "input/diagnostic.hpp"
+#include "prove/prove_files.hpp"
+#include "support/run_program.hpp"
+
+using namespace slipproof;
+using test::read_file;
+
+namespace {
+
+const std::filesystem::path kProofs = SLIPPROOF_SOURCE_DIR "/proofs/rozenblat-yashin";
+
+const std::string kStatement =
+    "slipproof-statement 1\ntheorem small.one\nreal x end\nassume domain: end > 0\nlet q = x/end\nassume large: q > 1\n"
+    "show x > end or false\n";
+
+/// A certificate of it; the fingerprint is that of the statement.
+std::string certificate(const std::string& proof) {
+  return "slipproof-certificate 1\ntheorem small.one " + prove::Statement("small", kStatement).fingerprint() + '\n' +
+         proof;
+}
+
+const std::string kProof =
+    "have above: 1/2*x - 1/2*end > 0\nterm 1 large.2\nterm 2 domain above\nqed\n"
+    "contradiction\nterm 2 above\nterm 1 goal.1\nqed\n";
+
+std::string message(const std::string& text) {
+  try {
+    coq_text("small.statement", kStatement, "small.cert", text);
+  } catch (const InputError& error) {
+    return to_string(error.diagnostics().front());
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("shipped certificates read back as they were written") {
+  std::size_t count = 0;
+  for (const std::filesystem::path& file : statements_in(kProofs)) {
+    std::filesystem::path path = file;
+    const std::string text = read_file(path.replace_extension(".cert"));
+    if (text.empty() || text.size() > 300'000) continue;
+    const prove::Statement statement(file.string(), read_file(file));
+    CAPTURE(path);
+    CHECK(certificate_text(statement, read_certificate(statement, path.string(), text)) == text);
+    ++count;
+  }
+  CHECK(count > 50);
+}
+
+TEST_CASE("the theorem says what the statement says, and the proof takes the certificate's steps") {
+  const test::TemporaryFolder folder;
+  folder.write("small.statement", kStatement);
+  CHECK(check::check_file(folder.write("small.cert", certificate(kProof))).verdict == check::Verdict::accepted);
+  const std::string text = coq_text("small.statement", kStatement, "small.cert", certificate(kProof));
+  const auto theorem = text.find("Theorem ");
+  CHECK(text.substr(theorem, text.find("Proof.\n", theorem) - theorem) ==
+        "Theorem small_one :\n"
+        "  forall x end_ : real,\n"
+        "  (* domain *) end_ > 0 ->\n"
+        "  let q := x / end_ in\n"
+        "  (* large *) (end_ <> 0 /\\ q > 1) ->\n"
+        "  x > end_ \\/ False.\n");
+  CHECK(text.substr(text.find("assert (_above")) ==
+        "assert (_above : 0 < x - end_). {\n"
+        "destruct (Steps.positive_or (x - end_)) as [_above | _above]; [exact _above | exfalso].\n"
+        "refine (Steps.absurd _ (Steps.add (_large_2) (Steps.mul0 (_above) (Steps.weak (_domain)))) _). ring.\n"
+        "}\n"
+        "refine (Steps.absurd _ (Steps.add (_above) (_goal_1)) _). ring.\n"
+        "Qed.\n");
+}
+
+TEST_CASE("what is no certificate of the statement is an input error with its line") {
+  CHECK(message(certificate(kProof)).empty());
+  CHECK(message("") == "small.cert: the certificate ends before its proof does");
+  CHECK(message("slipproof-certificate 1\ntheorem small.one 0123456789abcdef\n") ==
+        "small.cert:2: the certificate is of another statement");
+  CHECK(message(certificate("# a comment\n\nguess\n")) == "small.cert:5: unknown rule `guess`");
+  CHECK(message(certificate("contradiction\nterm -1 domain\nqed\n")).starts_with("small.cert:4: found `-1`"));
+  CHECK(message(certificate("contradiction\nterm 1 domain^65\nqed\n")).starts_with("small.cert:4: "));
+  CHECK(message(certificate("contradiction\nequation domain: x +* y\nqed\n")).starts_with("small.cert:4: "));
+  CHECK(message(certificate("contradiction\nterm 1 elsewhere\nqed\n")) ==
+        "small.cert: there is no hypothesis 'elsewhere' here");
+  CHECK(message(certificate("contradiction\nterm 1 goal.1\nqed\n")) == "small.cert: no term of the identity is strict");
+  CHECK(message(certificate("split s: x\nbranch positive\n")).starts_with("small.cert:4: expected `branch negative`"));
+  CHECK(message(certificate("cases domain\nend\n")) == "small.cert: 'domain' has other alternatives");
+}

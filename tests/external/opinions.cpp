@@ -1,0 +1,211 @@
+// What z3, cvc5 and Coq say of the shipped statements and certificates, beside the prover and the checker: a table. The
+// limit on a query of z3 and cvc5 is SLIPPROOF_SECONDS (10), on a file of Coq SLIPPROOF_COQ_SECONDS (600) of its
+// processor time. A program that is not installed is left out.
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+#include <future>
+#include <string>
+#include <vector>
+
+#include "check/files.hpp"
+#include "prove/prove_files.hpp"
+#include "support/run_program.hpp"
+
+using namespace slipproof;
+using test::quoted;
+using test::read_file;
+using test::run;
+using test::TemporaryFolder;
+
+namespace {
+
+const std::filesystem::path kProofs = SLIPPROOF_SOURCE_DIR "/proofs/rozenblat-yashin";
+
+std::string setting(const char* name, const char* otherwise) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? otherwise : value;
+}
+
+const std::string kSeconds = setting("SLIPPROOF_SECONDS", "10");
+const std::string kCoqSeconds = setting("SLIPPROOF_COQ_SECONDS", "600");
+
+bool installed(const std::string& program) {
+  const bool found = std::system(("command -v " + program + " >/dev/null").c_str()) == 0;
+  if (!found) MESSAGE(program, " is not installed: skipped");
+  return found;
+}
+
+struct Answer {
+  std::string text;  ///< `unsat`, `sat`, `accepted`, `proved`, ...; `-` without the program; `?`: none in time
+  double seconds = 0;
+};
+
+template <class Action>
+Answer timed(const Action& action) {
+  const auto begin = std::chrono::steady_clock::now();
+  Answer answer{action()};
+  answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return answer;
+}
+
+/// What the shell command writes.
+std::string output(const std::string& command) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "out";
+  // A program that is stopped at its limit has said nothing.
+  if (std::system(("(" + command + ") >" + quoted(file.string()) + " 2>&1").c_str()) < 0) return "";
+  return read_file(file);
+}
+
+std::string solver(const std::string& program, const std::filesystem::path& file) {
+  const std::string out = output("timeout " + kSeconds + " " + program + " " + quoted(file.string()));
+  for (const char* answer : {"unsat", "sat"}) {
+    if (out.starts_with(answer)) return answer;
+  }
+  return out.find("rror") == std::string::npos ? "?" : out;
+}
+
+/// `accepted`, `?`, or Coq's complaint.
+std::string coq(const std::filesystem::path& file) {
+  const TemporaryFolder folder;
+  std::filesystem::copy_file(file, folder.path() / "theorem.v");
+  const std::string out = output("cd " + quoted(folder.path().string()) + " && ulimit -t " + kCoqSeconds +
+                                 " && coqc -q theorem.v && echo accepted");
+  if (out.ends_with("accepted\n")) return "accepted";
+  return out.find("Error") == std::string::npos ? "?" : out;
+}
+
+struct Row {
+  std::string name;
+  Answer check, prove, z3, cvc5, coq;
+};
+
+std::string cell(const Answer& answer) {
+  return answer.text == "-" ? "-" : fmt::format("{} {:.2f}", answer.text, answer.seconds);
+}
+
+}  // namespace
+
+TEST_CASE("nobody contradicts the shipped proofs") {
+  const bool z3 = installed("z3"), cvc5 = installed("cvc5"), coqc = installed("coqc");
+  const TemporaryFolder folder;
+  REQUIRE(run({"prove", "--smtlib", folder.path() / "smt"}).exit_code == 0);
+  REQUIRE(run({"prove", "--coq", folder.path() / "coq"}).exit_code == 0);
+  const auto statements = statements_in(kProofs);
+  std::vector<Row> rows(statements.size());
+  const auto ask = [&](std::size_t i) {
+    const std::filesystem::path name = statements[i].lexically_relative(kProofs);
+    const auto file = [&](const char* sub, const char* extension) {
+      return (folder.path() / sub / name).replace_extension(extension);
+    };
+    Row& row = rows[i];
+    row.name = std::filesystem::path(name).replace_extension().string();
+    const auto absent = [] { return std::string("-"); };
+    std::filesystem::path certificate = statements[i];
+    certificate.replace_extension(".cert");
+    row.check = timed([&] {
+      const check::Verdict verdict = check::check_file(certificate).verdict;
+      return std::string(verdict == check::Verdict::accepted ? "accepted" : "rejected");
+    });
+    row.prove = timed([&] {
+      return std::string(prove_statement(statements[i].string(), read_file(statements[i])).proved() ? "proved" : "?");
+    });
+    row.z3 = z3 ? timed([&] { return solver("z3", file("smt", ".smt2")); }) : timed(absent);
+    row.cvc5 = cvc5 ? timed([&] { return solver("cvc5", file("smt", ".smt2")); }) : timed(absent);
+    row.coq = coqc ? timed([&] { return coq(file("coq", ".v")); }) : timed(absent);
+  };
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < rows.size(); i = next++) ask(i);
+  };
+  auto other = std::async(std::launch::async, work);
+  work();
+  other.get();
+
+  std::string table = "| statement | check, ms | prove, s | z3, s | cvc5, s | coqc, s |\n|---|---|---|---|---|---|\n";
+  double check = 0, prove = 0, solver_time[3] = {0, 0, 0};
+  int decided[3] = {0, 0, 0};
+  for (const Row& row : rows) {
+    table += fmt::format("| {} | {:.1f} | {} | {} | {} | {} |\n", row.name, 1000 * row.check.seconds, cell(row.prove),
+                         cell(row.z3), cell(row.cvc5), cell(row.coq));
+    check += row.check.seconds;
+    prove += row.prove.seconds;
+    const Answer* others[] = {&row.z3, &row.cvc5, &row.coq};
+    for (int k = 0; k < 3; ++k) {
+      solver_time[k] += others[k]->seconds;
+      decided[k] += others[k]->text == "unsat" || others[k]->text == "accepted";
+    }
+    CAPTURE(row.name);
+    CHECK(row.check.text == "accepted");
+    for (const Answer* answer : others) {
+      CAPTURE(answer->text);
+      CHECK((answer->text == "unsat" || answer->text == "accepted" || answer->text == "?" || answer->text == "-"));
+    }
+  }
+  table += fmt::format("| all {} | {:.0f} | {:.1f} | {} in {:.0f} | {} in {:.0f} | {} in {:.0f} |\n", rows.size(),
+                       1000 * check, prove, decided[0], solver_time[0], decided[1], solver_time[1], decided[2],
+                       solver_time[2]);
+  fmt::print("{}", table);
+  CHECK((!z3 || decided[0] > 0));
+  CHECK((!cvc5 || decided[1] > 0));
+  CHECK((!coqc || decided[2] > 0));
+}
+
+TEST_CASE("z3 contradicts statements that are made false") {
+  if (!installed("z3")) return;
+  struct Change {
+    const char *theorem, *from, *to;
+  };
+  for (const Change& change : std::vector<Change>{{"A1.1.only-then", "F * sigma < xi1", "F * sigma < xi1/2"},
+                                                  {"A2.1.repaired.only-then", "< xi2", "< (xi2 + xi3)/2"},
+                                                  {"A3.2", "b < b0", "b < 2*b0"},
+                                                  {"A4.1.only-then", "< xi6", "< (xi4 + xi6)/2"},
+                                                  {"A1.cover", "b0 < b", "2*b0 < b"},
+                                                  {"theorems/A2.1.printed-refuted", "P < xi3", "P > xi3"}}) {
+    CAPTURE(std::string(change.theorem));
+    const TemporaryFolder folder;
+    std::string text = read_file(kProofs / (std::string(change.theorem) + ".statement"));
+    const auto place = text.rfind(change.from);
+    REQUIRE(place != std::string::npos);
+    folder.write("changed.statement", text.replace(place, std::string(change.from).size(), change.to));
+    REQUIRE(run({"prove", folder.path() / "claims.toml", "--smtlib", folder.path()}).exit_code == 0);
+    CHECK(solver("z3", folder.path() / "changed.smt2") == "sat");
+  }
+}
+
+TEST_CASE("Coq refuses a proof with another number in it, and a theorem that is not what was proved") {
+  if (!installed("coqc")) return;
+  const TemporaryFolder folder;
+  for (const char* kind : {".statement", ".cert"}) {
+    folder.write(std::string("A2.4") + kind, read_file(kProofs / (std::string("A2.4") + kind)));
+  }
+  REQUIRE(run({"prove", folder.path() / "claims.toml", "--coq", folder.path()}).exit_code == 0);
+  const std::string text = read_file(folder.path() / "A2.4.v");
+  const auto changed = [&](const std::string& from, const std::string& to, std::size_t after) {
+    std::string other = text;
+    const auto place = other.find(from, after);
+    REQUIRE(place != std::string::npos);
+    return coq(folder.write("changed.v", other.replace(place, from.size(), to)));
+  };
+  const std::size_t theorem = text.find("\nTheorem "), proof = text.find("\nProof.", theorem);
+  CHECK(coq(folder.path() / "A2.4.v") == "accepted");
+  CHECK(changed("IZR_lt 0 2 eq_refl", "IZR_lt 0 3 eq_refl", proof).find("ring") != std::string::npos);
+  CHECK(changed("sigma > 0", "sigma >= 0", theorem).find("Error") != std::string::npos);
+  CHECK(changed("h > -R", "h > -2*R", theorem).find("Error") != std::string::npos);
+  // Nothing is assumed but what the reals of the standard library rest on.
+  folder.write("axioms.v", text + "Print Assumptions A2_4.\n");
+  const std::string axioms = output("cd " + quoted(folder.path().string()) + " && coqc -q axioms.v");
+  CHECK(axioms.starts_with("Axioms:\n"));
+  std::size_t count = 0;
+  std::istringstream lines(axioms);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty() || line.front() == ' ' || line == "Axioms:") continue;
+    ++count;
+    CHECK((line.starts_with("ClassicalDedekindReals.") || line.starts_with("FunctionalExtensionality.")));
+  }
+  CHECK(count > 0);
+}
