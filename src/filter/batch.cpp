@@ -17,8 +17,8 @@ namespace {
 
 /// Scenes `first` to `first` + lane_count - 1; the last scene again where there are no more.
 SLIPPROOF_VECTOR_CLONES("avx512f", "avx2")
-[[gnu::flatten]] void decide_block(const ForcedScene<Column>& scenes, std::size_t first, std::size_t count,
-                                   LaneSets& sets) {
+SLIPPROOF_FLATTEN void decide_block(const ForcedScene<Column>& scenes, std::size_t first, std::size_t count,
+                                    LaneSets& sets) {
   LaneBits within{};
   within = ~within;
   const auto load = [&](const Column& column) {

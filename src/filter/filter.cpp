@@ -38,7 +38,7 @@ ForcedScene<Rational> to_rational(const ForcedScene<double>& scene) {
 }
 
 SLIPPROOF_VECTOR_CLONES("avx2")
-[[gnu::flatten]] ModeSets filter_modes(const ForcedScene<double>& scene) {
+SLIPPROOF_FLATTEN ModeSets filter_modes(const ForcedScene<double>& scene) {
   if (!within_input_limit(scene)) return all_undecided;
   return decide_modes(tracked_dynamics<Tracked>(scene), scene.bicycle.J.has_value());
 }

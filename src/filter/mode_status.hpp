@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "filter/vector_clones.hpp"
 #include "model/contact_mode.hpp"
 #include "model/reduction.hpp"
 
@@ -58,7 +59,7 @@ inline int certain_sign(const N& x) {
 /// The status of one mode. N offers the reduction's operations, certainly_positive(N) and
 /// certainly_negative(N), both false where the sign is uncertain; or a faster certain_sign(N).
 template <class N, ContactMode mode>
-[[gnu::flatten]] inline ModeStatus mode_status(const ReducedDynamics<N, N>& dynamics) {
+SLIPPROOF_FLATTEN inline ModeStatus mode_status(const ReducedDynamics<N, N>& dynamics) {
   constexpr ConditionList list = condition_list(mode);
   const ReducedMotion<N, N> motion(dynamics, mode);
   const int orientation = certain_sign(motion.determinant());

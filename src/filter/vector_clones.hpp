@@ -7,3 +7,10 @@
 #else
 #define SLIPPROOF_VECTOR_CLONES(...)
 #endif
+
+// Everything called is inlined, so that it is compiled for those registers too. Under sanitizers that takes minutes.
+#if defined(__SANITIZE_ADDRESS__)
+#define SLIPPROOF_FLATTEN
+#else
+#define SLIPPROOF_FLATTEN [[gnu::flatten]]
+#endif
