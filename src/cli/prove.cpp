@@ -28,33 +28,49 @@ void write(const std::filesystem::path& file, const std::string& text) {
   if (!stream) throw std::runtime_error(file.string() + " cannot be written");
 }
 
+std::filesystem::path certificate_of(std::filesystem::path statement) {
+  return statement.replace_extension(".cert");
+}
+
 /// Writes what `text_of` makes of each statement beside the claims and in the folders below, under the same names.
-/// Where that is nothing, the statement is named.
+/// Empty texts are not written.
 void export_statements(const std::filesystem::path& folder, const std::filesystem::path& out, const char* extension,
                        const std::function<std::string(const std::filesystem::path&)>& text_of) {
   std::size_t written = 0;
   for (const std::filesystem::path& file : statements_in(folder)) {
     const std::string text = text_of(file);
-    if (text.empty()) {
-      print("no certificate: " + file.string() + '\n');
-      continue;
-    }
+    if (text.empty()) continue;
     std::filesystem::path target = out / file.lexically_relative(folder);
     std::filesystem::create_directories(target.parent_path());
     write(target.replace_extension(extension), text);
     ++written;
   }
-  print("s EXPORTED " + std::to_string(written) + " to " + out.string() + '\n');
+  print("s EXPORTED " + std::to_string(written) + " *" + extension + " to " + out.string() + '\n');
 }
 
-/// The Coq file of a statement and the certificate beside it, if there is one.
-std::string coq_file(const std::filesystem::path& statement) {
-  std::filesystem::path certificate = statement;
-  certificate.replace_extension(".cert");
+/// What `make` makes of the statement and the certificate beside it; empty where there is none.
+template <class Make>
+std::string with_certificate(const std::filesystem::path& statement, const Make& make) {
+  const std::filesystem::path certificate = certificate_of(statement);
   std::error_code error;
   if (!std::filesystem::exists(certificate, error)) return "";
-  return coq_text(statement.string(), read_text_file(statement), certificate.string(),
-                  read_text_file(certificate, max_certificate_size));
+  return make(statement.string(), read_text_file(statement), certificate.string(),
+              read_text_file(certificate, max_certificate_size));
+}
+
+void export_smtlib(const std::filesystem::path& folder, const std::filesystem::path& out) {
+  export_statements(folder, out, ".smt2",
+                    [](const std::filesystem::path& file) { return smtlib_text(file.string(), read_text_file(file)); });
+  export_statements(folder, out, ".witness.smt2",
+                    [](const std::filesystem::path& file) { return with_certificate(file, smtlib_witness_text); });
+}
+
+void export_coq(const std::filesystem::path& folder, const std::filesystem::path& out) {
+  export_statements(folder, out, ".v", [](const std::filesystem::path& file) {
+    std::string text = with_certificate(file, coq_text);
+    if (text.empty()) print("no certificate: " + file.string() + '\n');
+    return text;
+  });
 }
 
 std::string as_text(const std::vector<ProofOutcome>& outcomes) {
@@ -97,12 +113,8 @@ void add_prove(CLI::App& app, int& exit_code) {
     const std::filesystem::path claims = options->claims.empty() ? shipped("proofs/rozenblat-yashin/claims.toml")
                                                                  : std::filesystem::path(options->claims);
     const std::filesystem::path folder = claims.parent_path().empty() ? "." : claims.parent_path();
-    if (!options->smtlib.empty()) {
-      export_statements(folder, options->smtlib, ".smt2", [](const std::filesystem::path& file) {
-        return smtlib_text(file.string(), read_text_file(file));
-      });
-    }
-    if (!options->coq.empty()) export_statements(folder, options->coq, ".v", coq_file);
+    if (!options->smtlib.empty()) export_smtlib(folder, options->smtlib);
+    if (!options->coq.empty()) export_coq(folder, options->coq);
     if (!options->smtlib.empty() || !options->coq.empty()) return;
     const std::filesystem::path out = options->out.empty() ? folder : std::filesystem::path(options->out);
     auto statements = statements_in(folder);

@@ -7,6 +7,7 @@
 #include <array>
 #include <sstream>
 
+#include "export/certificate_reader.hpp"
 #include "export/integer_terms.hpp"
 #include "prove/statement.hpp"
 
@@ -66,28 +67,61 @@ std::string sentence(const Formula& formula) {
   return list(conjunction ? "and" : "or", parts, conjunction ? "true" : "false");
 }
 
-}  // namespace
-
-std::string smtlib_text(const std::string& file, const std::string& text) {
-  const prove::Statement statement(file, text);
+/// Everything but the negated conclusion.
+std::string beginning(const prove::Statement& statement, const std::string& text, std::size_t variables,
+                      const char* logic) {
   const Ring& ring = statement.ring();
-  const std::size_t variables = ring.size() - statement.unknowns().size();
-  const bool quantified = variables < ring.size();
-  std::string out = "; The negation of this statement: unsat confirms it.\n";
-  std::string line;
+  std::string out, line;
   for (std::istringstream lines(text); std::getline(lines, line);) out += "; " + line + '\n';
-  out += fmt::format("(set-logic {})\n", quantified ? "NRA" : "QF_NRA");
+  out += fmt::format("(set-logic {})\n", logic);
   for (std::size_t i = 0; i < variables; ++i) out += fmt::format("(declare-const {} Real)\n", symbol(ring.name(i)));
   for (const auto& [name, formula] : statement.assumptions()) {
     out += fmt::format("; {}\n(assert {})\n", name, sentence(formula));
   }
+  return out;
+}
+
+std::string ending(const std::string& negated) {
+  return fmt::format("; not what is shown\n(assert {})\n(check-sat)\n", negated);
+}
+
+}  // namespace
+
+std::string smtlib_text(const std::string& file, const std::string& text) {
+  const prove::Statement statement(file, text);
+  const std::vector<std::size_t>& unknowns = statement.unknowns();
   std::string negated = sentence(negation(statement.shown()));
-  if (quantified) {
+  if (!unknowns.empty()) {
     std::vector<std::string> bound;
-    for (const std::size_t i : statement.unknowns()) bound.push_back(fmt::format("({} Real)", symbol(ring.name(i))));
+    for (const std::size_t i : unknowns) bound.push_back(fmt::format("({} Real)", symbol(statement.ring().name(i))));
     negated = fmt::format("(forall ({}) {})", fmt::join(bound, " "), negated);
   }
-  return out + fmt::format("; not what is shown\n(assert {})\n(check-sat)\n", negated);
+  return "; The negation of this statement: unsat confirms it.\n" +
+         beginning(statement, text, statement.ring().size() - unknowns.size(), unknowns.empty() ? "QF_NRA" : "NRA") +
+         ending(negated);
+}
+
+std::string smtlib_witness_text(const std::string& file, const std::string& text, const std::string& certificate_file,
+                                const std::string& certificate) {
+  const prove::Statement statement(file, text);
+  if (statement.unknowns().empty()) return "";
+  const prove::Proof proof = read_certificate(statement, certificate_file, certificate);
+  const auto step = std::find_if(proof.begin(), proof.end(),
+                                 [](const prove::Step& s) { return s.rule == prove::Step::Rule::witness; });
+  if (step == proof.end()) return "";
+  std::string out =
+      "; That these values of the unknowns are not defined or violate the conclusion: unsat confirms the\n"
+      "; statement.\n";
+  std::vector<std::string> values;
+  for (const auto& [unknown, value] : step->values) {
+    out += fmt::format(";   {} = {}\n", unknown, value);
+    values.push_back(value);
+  }
+  std::vector<Formula> failures;
+  for (const Polynomial& divisor : statement.divisors(values)) failures.push_back(atom(divisor, prove::Sign::zero));
+  failures.push_back(negation(statement.shown(values)));
+  return out + beginning(statement, text, statement.ring().size() - statement.unknowns().size(), "QF_NRA") +
+         ending(sentence(combine(Formula::Kind::disjunction, std::move(failures))));
 }
 
 }  // namespace slipproof

@@ -11,4 +11,11 @@ namespace slipproof {
 /// is that for some values of the variables all values of the unknowns violate the conclusion. Throws InputError.
 std::string smtlib_text(const std::string& file, const std::string& text);
 
+/// A statement with `exists` for the values that its certificate gives first, without a quantifier (QF_NRA): that for
+/// some values of the variables a divisor of these values is zero or they violate the conclusion. `unsat` confirms the
+/// statement, and `sat` contradicts the certificate. Empty where the certificate gives values in branches only, or
+/// none. Throws InputError.
+std::string smtlib_witness_text(const std::string& file, const std::string& text, const std::string& certificate_file,
+                                const std::string& certificate);
+
 }  // namespace slipproof

@@ -12,6 +12,7 @@
 
 #include "check/statement.hpp"
 #include "number/rational.hpp"
+#include "prove/statement.hpp"
 #include "support/run_program.hpp"
 
 using namespace slipproof;
@@ -24,17 +25,17 @@ const std::string kProofs = SLIPPROOF_SOURCE_DIR "/proofs/rozenblat-yashin/";
 using Point = std::map<std::string, Rational>;
 
 /// An S-expression: a word, or a list.
-struct Node {
+struct Sexp {
   std::string word;
-  std::vector<Node> list;
+  std::vector<Sexp> list;
 };
 
-Node read_node(std::istream& in) {
-  Node node;
+Sexp read_sexp(std::istream& in) {
+  Sexp node;
   char c = 0;
   in >> c;
   if (c == '(') {
-    while ((in >> std::ws).peek() != ')') node.list.push_back(read_node(in));
+    while ((in >> std::ws).peek() != ')') node.list.push_back(read_sexp(in));
     in.get();
     return node;
   }
@@ -44,17 +45,17 @@ Node read_node(std::istream& in) {
   return node;
 }
 
-std::vector<Node> read_script(const std::string& text) {
+std::vector<Sexp> read_script(const std::string& text) {
   std::string code, line;
   for (std::istringstream lines(text); std::getline(lines, line);) {
     if (!line.starts_with(";")) code += line + '\n';
   }
-  std::vector<Node> script;
-  for (std::istringstream in(code); (in >> std::ws).peek() != EOF;) script.push_back(read_node(in));
+  std::vector<Sexp> script;
+  for (std::istringstream in(code); (in >> std::ws).peek() != EOF;) script.push_back(read_sexp(in));
   return script;
 }
 
-Rational number(const Node& node, const Point& point) {
+Rational number(const Sexp& node, const Point& point) {
   if (node.list.empty()) {
     return std::isdigit(static_cast<unsigned char>(node.word[0])) != 0 ? Rational(node.word) : point.at(node.word);
   }
@@ -74,7 +75,7 @@ Rational number(const Node& node, const Point& point) {
 }
 
 /// A sentence; what `forall` binds has the values of the point.
-bool truth(const Node& node, const Point& point) {
+bool truth(const Sexp& node, const Point& point) {
   if (node.list.empty()) {
     REQUIRE((node.word == "true" || node.word == "false"));
     return node.word == "true";
@@ -154,14 +155,14 @@ check::Statement at(const std::string& statement, const Point& point) {
 }
 
 /// Compares both readings at the point; how many assertions are true there, of how many.
-std::pair<std::size_t, std::size_t> compare(const std::string& statement, const std::vector<Node>& script,
+std::pair<std::size_t, std::size_t> compare(const std::string& statement, const std::vector<Sexp>& script,
                                             const Point& point) {
   const check::Statement numbers = at(statement, point);
   std::vector<bool> expected;
   for (const auto& [name, formula] : numbers.assumptions()) expected.push_back(truth(formula));
   expected.push_back(!truth(numbers.shown({})));
   std::size_t assertion = 0, count = 0;
-  for (const Node& command : script) {
+  for (const Sexp& command : script) {
     if (command.list[0].word != "assert") continue;
     REQUIRE(assertion < expected.size());
     const bool here = truth(command.list[1], point);
@@ -186,8 +187,10 @@ TEST_CASE("an exported statement is true where the statement is") {
     const auto values = witness(theorem);
     std::vector<std::string> texts{read_file(kProofs + theorem + ".statement")};
     if (interval) texts.push_back(read_file(kProofs + claim + ".only-then.statement"));
+    const std::vector<Sexp> with_values =
+        read_script(smtlib_witness_text(theorem, texts.front(), "cert", read_file(kProofs + theorem + ".cert")));
     for (const std::string& statement : texts) {
-      const std::vector<Node> script = read_script(smtlib_text(theorem, statement));
+      const std::vector<Sexp> script = read_script(smtlib_text(theorem, statement));
       // Points beside motions, and beside others: a motion meets all assumptions, and the conclusion.
       std::map<bool, int> seen;
       for (int sample = 0; sample < 400 && (seen[true] < 3 || seen[false] < 3); ++sample) {
@@ -195,6 +198,7 @@ TEST_CASE("an exported statement is true where the statement is") {
         for (const char* name : {"R", "h", "b", "M2", "M3", "f", "g", "sigma", "J", "F"}) parameters[name] = positive();
         const Point point = motion(parameters, values);
         const auto [met, assertions] = compare(statement, script, point);
+        if (&statement == texts.data()) compare(statement, with_values, point);
         if (++seen[met + 1 == assertions] > 3) continue;
         for (const auto& [name, value] : point) {
           Point beside = point;
@@ -237,4 +241,25 @@ TEST_CASE("existence is a quantifier over the unknowns") {
         "(set-logic NRA)\n(declare-const x Real)\n; a\n(assert (> x 0))\n; not what is shown\n(assert (forall ((y "
         "Real) (z "
         "Real)) (or (or (> (+ (* (- 1) x) (* y z)) 0) (> (+ x (* (- 1) y z)) 0)) (>= (* (- 1) y) 0))))\n(check-sat)\n");
+}
+
+TEST_CASE("existence with the values of a certificate needs no quantifier") {
+  const std::string statement = "slipproof-statement 1\ntheorem t\nreal x\nassume a: x > 0\nexists y\nshow y*x = 1\n";
+  const std::string begin =
+      "slipproof-certificate 1\ntheorem t " + prove::Statement("t", statement).fingerprint() + '\n';
+  const std::string proof =
+      "cases w\nbranch 1\ncontradiction\nterm 1 a\nequation w.1: -1\nqed\nbranch 2\ncases w.2\n"
+      "branch 1\ncontradiction\nterm 1\nqed\nbranch 2\ncontradiction\nterm 1\nqed\nend\nend\n";
+  const std::string text = smtlib_witness_text("t", statement, "cert", begin + "witness w\nset y = 1/x\n" + proof);
+  CHECK(text.find(";   y = 1/x\n") != std::string::npos);
+  CHECK(
+      text.substr(text.find("(set-logic")) ==
+      "(set-logic QF_NRA)\n(declare-const x Real)\n; a\n(assert (> x 0))\n; not what is shown\n(assert (or (= x 0) (or "
+      "(and (>= (* (- 1) x) 0) (>= x 0)) (or (> 0 0) (> 0 0)))))\n(check-sat)\n");
+  const std::string in_branches =
+      "split s: x\nbranch negative\ncontradiction\nterm 1 s a\nqed\nbranch zero\ncontradiction\nterm 1 a\nqed\n"
+      "branch positive\nwitness w\nset y = 1/x\n" +
+      proof + "end\n";
+  CHECK(smtlib_witness_text("t", statement, "cert", begin + in_branches).empty());
+  CHECK(smtlib_witness_text("t", "slipproof-statement 1\ntheorem t\nreal x\nshow x*x >= 0\n", "cert", "").empty());
 }
