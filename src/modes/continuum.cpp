@@ -27,11 +27,7 @@ IntegerMatrix integer_rows(const std::array<LinearForm<Rational>, unknown_count>
     for (const std::size_t column : column_order) row.push_back(form.coefficients[column]);
     row.push_back(-form.constant);
     row.push_back(-form.coefficients[unknown_count]);
-    Integer common = 1;
-    for (const Rational& x : row) common = lcm(common, Integer(denominator(x)));
-    std::vector<Integer> integers;
-    for (const Rational& x : row) integers.push_back(numerator(x) * Integer(common / denominator(x)));
-    rows.push_back(std::move(integers));
+    rows.push_back(clear_denominators(row));
   }
   return rows;
 }

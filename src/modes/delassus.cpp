@@ -24,11 +24,7 @@ std::optional<DelassusForm> delassus(const Bicycle<Rational>& p, const Road<Rati
     for (const std::size_t i : lambda) row.push_back(-form.coefficients[i]);
     row.push_back(-form.constant);
     row.push_back(-form.coefficients[unknown_count]);
-    Integer common = 1;
-    for (const Rational& value : row) common = lcm(common, Integer(denominator(value)));
-    std::vector<Integer> integers;
-    for (const Rational& value : row) integers.push_back(numerator(value) * Integer(common / denominator(value)));
-    rows.push_back(std::move(integers));
+    rows.push_back(clear_denominators(row));
   }
   const Echelon echelon = eliminate(std::move(rows), inner_count);
   if (echelon.rank() < inner_count) return std::nullopt;

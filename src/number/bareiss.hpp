@@ -11,6 +11,31 @@ namespace slipproof {
 
 using IntegerMatrix = std::vector<std::vector<Integer>>;
 
+/// The least common multiple of the denominators; `values` is a range of Rational, or of references to it.
+template <class Range>
+Integer common_denominator(const Range& values) {
+  Integer result = 1;
+  for (const Rational& value : values) {
+    const Integer d = denominator(value);
+    if (d != 1) result = lcm(result, d);
+  }
+  return result;
+}
+
+/// value * multiple, where `multiple` is one of the value's denominator.
+inline Integer integer_times(const Rational& value, const Integer& multiple) {
+  return numerator(value) * Integer(multiple / denominator(value));
+}
+
+/// A row times the common denominator of its entries.
+inline std::vector<Integer> clear_denominators(const std::vector<Rational>& row) {
+  const Integer common = common_denominator(row);
+  std::vector<Integer> integers;
+  integers.reserve(row.size());
+  for (const Rational& x : row) integers.push_back(integer_times(x, common));
+  return integers;
+}
+
 /// A matrix in reduced row echelon form times `pivot`: in each of the first rank() rows the pivot column holds `pivot`
 /// and the other pivot columns 0.
 struct Echelon {

@@ -1,32 +1,15 @@
 // One exact solve of all 16 contact modes over alpha + beta F, beside the same by Eigen on the raw equations.
 #include <benchmark/benchmark.h>
 
+#include "bench/examples.hpp"
 #include "modes/motions.hpp"
-#include "support/random_scene.hpp"
 #include "support/raw_solver.hpp"
 
 namespace {
 
 using namespace slipproof;
-
-struct Example {
-  Bicycle<Rational> bicycle;
-  Road<Rational> road;
-};
-
-/// The same bicycles for all; every one checked: the answers are equal.
-const std::vector<Example>& examples() {
-  static const std::vector<Example> all = [] {
-    test::RandomScenes random(99);
-    std::vector<Example> made;
-    for (int i = 0; i < 32; ++i) {
-      const auto bicycle = random.bicycle(true);
-      made.push_back({bicycle, random.road()});
-    }
-    return made;
-  }();
-  return all;
-}
+using test::Example;
+using test::examples;
 
 std::size_t solve_with_eigen(const Example& e) {
   std::size_t regular = 0;
