@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "certify/exact_judge.hpp"
+#include "certify/problem_reader.hpp"
 #include "certify/record_reader.hpp"
 
 namespace slipproof {
@@ -109,7 +110,7 @@ class ChunkReader {
   bool at_end_ = false;
 };
 
-void count(CertifySummary& summary, const Judgement& j) {
+void count(CertifySummary& summary, const RecordJudgement& j) {
   ++summary.records;
   ++summary.verdicts[static_cast<std::size_t>(j.verdict)];
   if (j.verdict != RecordVerdict::invalid) ++summary.tiers[static_cast<std::size_t>(j.tier)];
@@ -154,6 +155,13 @@ void append_upper_bound(std::string& out, double x) {
   out.append(text, sizeof text);
 }
 
+RecordJudgement judge_line(std::string_view line, const RecordReader& reader, const CertifyOptions& options) {
+  if (options.format != RecordFormat::json_lines || !is_problem(line)) return judge(reader.read(line), options.judge);
+  const ProblemRecord record = read_problem(line, options.decimal_exact, options.ignore_unknown);
+  if (!record.not_finite.empty()) return invalid_judgement(record.not_finite);
+  return judge_problem(record.problem, record.answer, options.judge);
+}
+
 Judged judge_chunk(const Chunk& chunk, const RecordReader& reader, const CertifyOptions& options) {
   Judged result;
   std::uint64_t line_number = chunk.first_line, record = chunk.first_record;
@@ -163,9 +171,9 @@ Judged judge_chunk(const Chunk& chunk, const RecordReader& reader, const Certify
     if (blank(line)) return;
     const std::uint64_t number = record++;
     if (number < options.first_record || result.broken) return;
-    Judgement judgement;
+    RecordJudgement judgement;
     try {
-      judgement = judge(reader.read(line), options.judge);
+      judgement = judge_line(line, reader, options);
     } catch (const BrokenRecord& broken) {
       if (options.stop_at_broken) {
         result.broken = {options.file, static_cast<std::size_t>(at), broken.column, broken.message};
@@ -193,7 +201,7 @@ void CertifySummary::add(const CertifySummary& other) {
   worst_error = std::max(worst_error, other.worst_error);
 }
 
-void append_line(std::string& out, std::uint64_t record, const Judgement& j) {
+void append_line(std::string& out, std::uint64_t record, const RecordJudgement& j) {
   const auto append = [&out](std::uint64_t x) {
     const fmt::format_int text(x);
     out.append(text.data(), text.size());
@@ -213,10 +221,11 @@ void append_line(std::string& out, std::uint64_t record, const Judgement& j) {
       out += name(mode.front);
       out += '"';
     }
-    out += "],\"motions\":";
+    out += j.mode_names;
+    out += j.contact_problem ? "],\"solutions\":" : "],\"motions\":";
     append(j.motions);
     out += ",\"max_relative_error\":";
-    if (j.modes == 0) {
+    if (j.modes == 0 && j.mode_names.empty()) {
       out += "null";
     } else {
       append_upper_bound(out, j.max_error);

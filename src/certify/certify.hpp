@@ -37,6 +37,8 @@ struct CertifySummary {
 
   std::uint64_t count(RecordVerdict v) const { return verdicts[static_cast<std::size_t>(v)]; }
   void add(const CertifySummary& other);
+  /// What is not certified is undecided.
+  bool nothing_refuted() const { return count(RecordVerdict::certified) + count(RecordVerdict::undecided) == records; }
   /// Records were judged, and each is certified.
   bool all_certified() const { return count(RecordVerdict::certified) == records; }
 };
@@ -55,7 +57,7 @@ CertifySummary certify(std::istream& input, const LineSink& output, const Certif
 inline constexpr std::size_t max_record_line = 1U << 20U;
 
 /// The output line of a record, ending in a newline.
-void append_line(std::string& out, std::uint64_t record, const Judgement& judgement);
+void append_line(std::string& out, std::uint64_t record, const RecordJudgement& judgement);
 
 /// {"records":..,"verdicts":{..},"tiers":{..},...} without the schema.
 std::string to_json(const CertifySummary& summary);

@@ -148,13 +148,13 @@ void explain(Json& details, const MotionsAtForce& found, ContactMode mode, bool 
 
 }  // namespace
 
-Judgement invalid_judgement(const std::string& reason) {
-  Judgement result;
+RecordJudgement invalid_judgement(const std::string& reason) {
+  RecordJudgement result;
   result.details = members({{"reason", reason}});
   return result;
 }
 
-Judgement judge_exactly(const Record& record, const JudgeOptions& options) {
+RecordJudgement judge_exactly(const Record& record, const JudgeOptions& options) {
   const ForcedScene<Rational> s = exact_scene(record);
   const ModeTable table(s.bicycle, s.road, s.force_kind);
   const MotionsAtForce found = motions_at(table, s.F);
@@ -175,7 +175,7 @@ Judgement judge_exactly(const Record& record, const JudgeOptions& options) {
     distance = d;
   }
 
-  Judgement result;
+  RecordJudgement result;
   result.motions = found.motions.size();
   result.continuum = !found.continua.empty();
   const bool several = result.motions > 1 || result.continuum;

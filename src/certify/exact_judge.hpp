@@ -5,8 +5,8 @@
 
 namespace slipproof {
 
-Judgement judge_exactly(const Record& record, const JudgeOptions& options);
+RecordJudgement judge_exactly(const Record& record, const JudgeOptions& options);
 
-Judgement invalid_judgement(const std::string& reason);
+RecordJudgement invalid_judgement(const std::string& reason);
 
 }  // namespace slipproof

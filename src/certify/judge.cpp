@@ -43,29 +43,29 @@ double largest_error(const ReducedDynamics<N, N>& dynamics, ContactMode mode, co
 /// Certifies, or says nothing. `dynamics` are those of the tier.
 template <class N>
 bool certify(const ReducedDynamics<N, N>& dynamics, Tier tier, const Record& r, const ForcedScene<double>& s,
-             const JudgeOptions& options, Judgement& result) {
+             const JudgeOptions& options, RecordJudgement& result) {
   const ModeSets sets = decide_modes(dynamics, s.bicycle.J.has_value());
   if (sets.undecided != 0 || std::popcount(sets.consistent) != 1) return false;
   const ContactMode mode = all_modes()[static_cast<std::size_t>(std::countr_zero(sets.consistent))];
   if (r.mode && *r.mode != mode) return false;
   const double error = largest_error(dynamics, mode, r, s.bicycle.M * s.road.g);
   if (!(error <= options.tolerance)) return false;
-  result = {RecordVerdict::certified, tier, sets.consistent, 1, false, error, {}};
+  result = {RecordVerdict::certified, tier, sets.consistent, 1, false, error, false, {}, {}};
   return true;
 }
 
 }  // namespace
 
 std::string_view name(RecordVerdict verdict) {
-  constexpr std::array<std::string_view, record_verdict_count> names{"certified", "ambiguous", "inaccurate", "wrong",
-                                                                     "invalid"};
+  constexpr std::array<std::string_view, record_verdict_count> names{"certified", "ambiguous", "inaccurate",
+                                                                     "wrong",     "invalid",   "undecided"};
   return names[static_cast<std::size_t>(verdict)];
 }
 
-Judgement judge(const Record& record, const JudgeOptions& options) {
+RecordJudgement judge(const Record& record, const JudgeOptions& options) {
   if (const std::string reason = outside_domain(record); !reason.empty()) return invalid_judgement(reason);
   const auto rounded = rounded_scene(record);
-  Judgement result;
+  RecordJudgement result;
   if (rounded && within_input_limit(*rounded)) {
     if (certify(tracked_dynamics<Tracked>(*rounded), Tier::filter, record, *rounded, options, result)) return result;
     if (record.is_exact() && !record.has(Field::h0) &&

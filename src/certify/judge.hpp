@@ -12,9 +12,10 @@ enum class RecordVerdict : std::uint8_t {
   ambiguous,   ///< it is one of several motions
   inaccurate,  ///< the right motion, with an error above the tolerance
   wrong,       ///< no motion is near
-  invalid      ///< NaN, infinity, outside the domain, or no record at all
+  invalid,     ///< NaN, infinity, outside the domain, or no record at all
+  undecided    ///< contact problems too large to find every solution
 };
-inline constexpr std::size_t record_verdict_count = 5;
+inline constexpr std::size_t record_verdict_count = 6;
 std::string_view name(RecordVerdict verdict);
 
 struct JudgeOptions {
@@ -27,17 +28,19 @@ struct JudgeOptions {
 };
 
 /// What was found, and what the reader needs to see of it.
-struct Judgement {
+struct RecordJudgement {
   RecordVerdict verdict = RecordVerdict::invalid;
   Tier tier = Tier::exact;
   std::uint16_t modes = 0;  ///< of the motion that the answer is, bit i for the mode with index i
   std::size_t motions = 0;  ///< how many motions the scene has
   bool continuum = false;   ///< and infinitely many more
   double max_error = 0;  ///< upper bound on the largest relative error of a component; certified, ambiguous, inaccurate
-  std::string details;   ///< further JSON members, `,"violated":...`; empty for a certified record
+  bool contact_problem = false;
+  std::string mode_names;  ///< of a contact problem, in place of `modes`: a list of JSON texts without the brackets
+  std::string details;     ///< further JSON members, `,"violated":...`; empty for a certified record
 };
 
 /// The record is complete (see incomplete()).
-Judgement judge(const Record& record, const JudgeOptions& options);
+RecordJudgement judge(const Record& record, const JudgeOptions& options);
 
 }  // namespace slipproof

@@ -19,11 +19,11 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+}  // namespace
+
 bool is_decimal(std::string_view text) {
   return text.find_first_of("/xXpP") == std::string_view::npos;
 }
-
-}  // namespace
 
 RecordReader::RecordReader(const CertifyOptions& options, std::string_view header)
     : options_(options), csv_(options.format == RecordFormat::csv) {

@@ -15,6 +15,9 @@ struct BrokenRecord {
   std::string message;
 };
 
+/// Neither a fraction nor hexadecimal: what `--decimal` is about.
+bool is_decimal(std::string_view text);
+
 /// What a CSV header says: a field, the mode or the kind of force for each column. Immutable once made; shared by
 /// threads.
 class RecordReader {

@@ -32,7 +32,9 @@ RecordFormat format_of(const Options& options) {
 std::string summary_text(const CertifySummary& s) {
   std::string text = fmt::format("{} records", s.records);
   for (std::size_t i = 0; i < record_verdict_count; ++i) {
-    text += fmt::format("{} {} {}", i == 0 ? ":" : ",", s.verdicts[i], name(static_cast<RecordVerdict>(i)));
+    const auto verdict = static_cast<RecordVerdict>(i);
+    if (verdict == RecordVerdict::undecided && s.count(verdict) == 0) continue;
+    text += fmt::format("{} {} {}", i == 0 ? ":" : ",", s.verdicts[i], name(verdict));
   }
   text += fmt::format("\ndecided by binary64 {}, double-double {}, exact arithmetic {}; {} could not be read\n",
                       s.tiers[0], s.tiers[1], s.tiers[2], s.broken);
@@ -85,15 +87,17 @@ int run(Options& options) {
   } else if (!quiet) {
     std::cerr << summary_text(summary);  // stdout has a line for each record and nothing else
   }
-  return summary.all_certified() ? as_it_should_be : refuted_or_not_certified;
+  if (summary.all_certified()) return as_it_should_be;
+  return summary.nothing_refuted() ? undecided : refuted_or_not_certified;
 }
 
 }  // namespace
 
 void add_certify(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<Options>();
-  CLI::App& command =
-      *app.add_subcommand("certify", "Certify outputs of floating-point solvers: a line of JSON for each");
+  CLI::App& command = *app.add_subcommand(
+      "certify",
+      "Certify outputs of floating-point solvers, of scenes or of contact problems:\na line of JSON for each");
   command.add_option("FILE", options->file, "CSV with a header, or JSON Lines; - for standard input")->required();
   command.add_option("--scene", options->scene, "Scene file with the parameters that are the same for all records");
   command.add_option("--tolerance", options->certify.judge.tolerance, "Largest relative error of a component")

@@ -23,7 +23,7 @@ TEST_CASE("the verdicts on recorded solvers are those of the table") {
     CAPTURE(name);
     std::array<std::uint64_t, record_verdict_count> expected{};
     std::uint64_t unfounded = 0;
-    for (auto& count : expected) cells >> bar >> count;
+    for (std::size_t i = 0; i < expected.size() - 1; ++i) cells >> bar >> expected[i];  // none is undecided
     cells >> bar >> unfounded;
 
     std::ifstream file(folder + name);

@@ -1,0 +1,21 @@
+// Judging the answer to a contact problem: is it the one solution?
+#pragma once
+
+#include "certify/judge.hpp"
+#include "contact/solutions.hpp"
+
+namespace slipproof {
+
+struct ProblemAnswer {
+  std::vector<Rational> z;
+  std::optional<std::vector<Rational>> w;  ///< where the solver gives it
+  std::optional<ProblemMode> mode;         ///< claimed by the solver
+};
+
+/// Verdicts as for a scene. The relative error of a component that is exactly 0 is held against the largest component
+/// of its kind: of z in the solution, or, where z = 0, the largest |q_i / W_ii|; of w, the largest of w and q. If the
+/// modes are too many to try, and the matrix is not positive definite, the verdict on a right solution is `undecided`:
+/// it may not be the only one. `problem` has passed check(); `answer` has its size.
+RecordJudgement judge_problem(const ContactProblem& problem, const ProblemAnswer& answer, const JudgeOptions& options);
+
+}  // namespace slipproof

@@ -1,0 +1,144 @@
+#include "contact/problem.hpp"
+
+#include <algorithm>
+
+#include "modes/delassus.hpp"
+
+namespace slipproof {
+
+namespace {
+
+constexpr std::array<ContactState, 4> all_states{ContactState::stick, ContactState::slip_forward,
+                                                 ContactState::slip_backward, ContactState::lift};
+
+}  // namespace
+
+std::string name(const ContactProblem& problem, const ProblemMode& mode) {
+  std::string text;
+  for (const ContactState state : mode) {
+    if (!problem.frictional()) {
+      text += state == ContactState::lift ? 'w' : 'z';
+    } else {
+      if (!text.empty()) text += '/';
+      text += name(state);
+    }
+  }
+  return text;
+}
+
+std::optional<ProblemMode> parse_mode(const ContactProblem& problem, std::string_view text) {
+  ProblemMode mode;
+  if (!problem.frictional()) {
+    if (text.find_first_not_of("zw") != std::string_view::npos) return std::nullopt;
+    for (const char c : text) mode.push_back(c == 'w' ? ContactState::lift : ContactState::stick);
+  } else {
+    while (true) {
+      const std::string_view word = text.substr(0, text.find('/'));
+      const auto state = std::find_if(all_states.begin(), all_states.end(),
+                                      [&](ContactState candidate) { return name(candidate) == word; });
+      if (state == all_states.end()) return std::nullopt;
+      mode.push_back(*state);
+      if (word.size() == text.size()) break;
+      text.remove_prefix(word.size() + 1);
+    }
+  }
+  if (mode.size() != problem.contacts()) return std::nullopt;
+  return mode;
+}
+
+std::vector<ProblemCondition> conditions(const ContactProblem& problem, const ProblemMode& mode) {
+  std::vector<ProblemCondition> list;
+  for (std::size_t i = 0; i < mode.size(); ++i) {
+    const auto add = [&](ConditionKind kind) { list.push_back({i, kind, mode[i]}); };
+    if (mode[i] == ContactState::lift) {
+      add(ConditionKind::gap);
+      continue;
+    }
+    add(ConditionKind::normal);
+    if (!problem.frictional()) continue;
+    if (mode[i] == ContactState::stick) {
+      add(ConditionKind::friction_up);
+      add(ConditionKind::friction_dn);
+    } else {
+      add(ConditionKind::slip);
+    }
+  }
+  return list;
+}
+
+std::string name(const ContactProblem& problem, const ProblemCondition& condition) {
+  const std::string j = std::to_string(condition.contact + 1);
+  switch (condition.kind) {
+    case ConditionKind::normal:
+      return (problem.frictional() ? "N" : "z") + j + " >= 0";
+    case ConditionKind::friction_up:
+    case ConditionKind::friction_dn:
+      return "|T" + j + "| <= mu N" + j;
+    case ConditionKind::slip:
+      return "slip" + j + (condition.state == ContactState::slip_forward ? " >= 0" : " <= 0");
+    case ConditionKind::gap:
+      return (problem.frictional() ? "gap" : "w") + j + " >= 0";
+  }
+  return {};
+}
+
+Rational condition_value(const ContactProblem& problem, const ProblemCondition& condition,
+                         const std::vector<Rational>& z, const std::vector<Rational>& w) {
+  const std::size_t i = condition.contact, normal = problem.frictional() ? 2 * i : i;
+  switch (condition.kind) {
+    case ConditionKind::normal:
+      return z[normal];
+    case ConditionKind::friction_up:
+      return problem.mu[i] * z[normal] - z[normal + 1];
+    case ConditionKind::friction_dn:
+      return problem.mu[i] * z[normal] + z[normal + 1];
+    case ConditionKind::slip:
+      return condition.state == ContactState::slip_forward ? w[normal + 1] : Rational(-w[normal + 1]);
+    case ConditionKind::gap:
+      return w[normal];
+  }
+  return 0;
+}
+
+bool solves(const ContactProblem& problem, const ProblemMode& mode, const std::vector<Rational>& z) {
+  const auto w = accelerations(problem, z);
+  for (std::size_t i = 0; i < mode.size(); ++i) {
+    const std::size_t normal = problem.frictional() ? 2 * i : i, tangential = normal + 1;
+    const std::vector<Rational>& nothing = mode[i] == ContactState::lift ? z : w;
+    if (!nothing[normal].is_zero()) return false;
+    if (!problem.frictional()) continue;
+    const int direction = slip_direction(mode[i]);
+    if (direction == 0 ? !nothing[tangential].is_zero() : z[tangential] != -direction * problem.mu[i] * z[normal]) {
+      return false;
+    }
+  }
+  const auto list = conditions(problem, mode);
+  return std::all_of(list.begin(), list.end(), [&](const ProblemCondition& condition) {
+    return condition_value(problem, condition, z, w).sign() >= 0;
+  });
+}
+
+std::vector<Rational> accelerations(const ContactProblem& problem, const std::vector<Rational>& z) {
+  std::vector<Rational> w = problem.q;
+  for (std::size_t i = 0; i < w.size(); ++i) {
+    for (std::size_t j = 0; j < z.size(); ++j) {
+      if (!z[j].is_zero()) w[i] += problem.W[i][j] * z[j];
+    }
+  }
+  return w;
+}
+
+std::optional<ContactProblem> contact_problem(const Bicycle<Rational>& bicycle, const Road<Rational>& road,
+                                              ForceKind kind, const Rational& F) {
+  const auto form = delassus(bicycle, road, kind);
+  if (!form) return std::nullopt;
+  ContactProblem problem;
+  for (std::size_t i = 0; i < form->W.size(); ++i) {
+    problem.W.emplace_back(form->W[i].begin(), form->W[i].end());
+    problem.q.push_back(form->free[i] + form->per_force[i] * F);
+  }
+  problem.mu = {road.f, road.f};
+  return problem;
+}
+
+}  // namespace slipproof

@@ -1,0 +1,170 @@
+#include "number/linear_program.hpp"
+
+#include <limits>
+#include <utility>
+
+namespace slipproof {
+
+namespace {
+
+using Row = std::vector<Rational>;  // constant, then the coefficient of each variable in the columns
+constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+/// Each row's variable as an affine form of the columns' variables (Chvatal's dictionary). Variables below `free_count`
+/// may have any sign, all others are >= 0; the point of the dictionary has 0 for all variables in columns.
+class Dictionary {
+ public:
+  Dictionary(const AffineForm& objective, const std::vector<AffineForm>& constraints)
+      : free_count_(objective.coefficients.size()), objective_(to_row(objective)) {
+    for (std::size_t i = 0; i < free_count_; ++i) columns_.push_back(i);
+    for (const AffineForm& c : constraints) {
+      rows_.push_back(to_row(c));
+      basis_.push_back(free_count_ + basis_.size());
+    }
+  }
+
+  LinearOptimum solve() {
+    bring_free_variables_in();
+    if (!make_feasible()) return {};
+    LinearOptimum result;
+    // A free variable that no constraint holds and the objective wants.
+    for (std::size_t j = 0; j < columns_.size(); ++j) {
+      if (columns_[j] < free_count_ && !objective_[j + 1].is_zero()) result.kind = LinearOptimum::Kind::unbounded;
+    }
+    if (result.kind != LinearOptimum::Kind::unbounded) {
+      result.kind = improve(objective_) ? LinearOptimum::Kind::attained : LinearOptimum::Kind::unbounded;
+    }
+    result.value = objective_[0];
+    result.x.resize(free_count_);
+    for (std::size_t i = 0; i < basis_.size(); ++i) {
+      if (basis_[i] < free_count_) result.x[basis_[i]] = rows_[i][0];
+    }
+    return result;
+  }
+
+ private:
+  static Row to_row(const AffineForm& form) {
+    Row row{form.constant};
+    row.insert(row.end(), form.coefficients.begin(), form.coefficients.end());
+    return row;
+  }
+
+  /// row += factor * pivot_row, where `factor` is the row's coefficient of the column that leaves.
+  static void substitute(Row& row, std::size_t column, const Row& replacement) {
+    const Rational factor = std::exchange(row[column + 1], Rational(0));
+    if (factor.is_zero()) return;
+    for (std::size_t j = 0; j < row.size(); ++j) row[j] += factor * replacement[j];
+  }
+
+  void pivot(std::size_t r, std::size_t column) {
+    Row& row = rows_[r];
+    // v = c + ... + a x  =>  x = (v - c - ...) / a
+    const Rational inverse = 1 / std::exchange(row[column + 1], Rational(-1));
+    for (Rational& x : row) x *= -inverse;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      if (i != r) substitute(rows_[i], column, row);
+    }
+    substitute(objective_, column, row);
+    if (!artificial_.empty()) substitute(artificial_, column, row);
+    std::swap(basis_[r], columns_[column]);
+  }
+
+  void bring_free_variables_in() {
+    for (std::size_t j = 0; j < columns_.size(); ++j) {
+      for (std::size_t i = 0; i < rows_.size(); ++i) {
+        if (basis_[i] < free_count_ || rows_[i][j + 1].is_zero()) continue;
+        pivot(i, j);
+        break;
+      }
+    }
+  }
+
+  /// The column to enter: the one with the least variable that lowers the row; none at the optimum.
+  std::size_t entering(const Row& goal) const {
+    std::size_t best = none;
+    for (std::size_t j = 0; j < columns_.size(); ++j) {
+      if (columns_[j] < free_count_ || goal[j + 1].sign() >= 0) continue;
+      if (best == none || columns_[j] < columns_[best]) best = j;
+    }
+    return best;
+  }
+
+  /// The row that holds an entering column first; none if no row does.
+  std::size_t leaving(std::size_t column) const {
+    std::size_t best = none;
+    Rational least;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      if (basis_[i] < free_count_ || rows_[i][column + 1].sign() >= 0) continue;
+      const Rational ratio = rows_[i][0] / -rows_[i][column + 1];
+      if (best == none || ratio < least || (ratio == least && basis_[i] < basis_[best])) {
+        best = i;
+        least = ratio;
+      }
+    }
+    return best;
+  }
+
+  /// Lowers `goal`, one of the objectives, to its optimum; false if it has none.
+  bool improve(const Row& goal) {
+    for (std::size_t column = entering(goal); column != none; column = entering(goal)) {
+      const std::size_t row = leaving(column);
+      if (row == none) return false;
+      pivot(row, column);
+    }
+    return true;
+  }
+
+  /// The first phase: a variable that is added to every constraint, as small as possible.
+  bool make_feasible() {
+    std::size_t worst = none;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      if (basis_[i] < free_count_ || rows_[i][0].sign() >= 0) continue;
+      if (worst == none || rows_[i][0] < rows_[worst][0]) worst = i;
+    }
+    if (worst == none) return true;
+    const std::size_t added = free_count_ + rows_.size();
+    for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i].push_back(basis_[i] < free_count_ ? 0 : 1);
+    objective_.push_back(0);
+    artificial_.assign(objective_.size(), 0);
+    artificial_.back() = 1;
+    columns_.push_back(added);
+    pivot(worst, columns_.size() - 1);
+    improve(artificial_);
+    if (artificial_[0].sign() > 0) return false;
+    std::size_t column = none;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {  // it may stay in the basis, at 0
+      if (basis_[i] != added) continue;
+      for (column = 0; rows_[i][column + 1].is_zero() || columns_[column] < free_count_;) ++column;
+      pivot(i, column);
+      break;
+    }
+    for (std::size_t j = 0; j < columns_.size(); ++j) {
+      if (columns_[j] == added) column = j;
+    }
+    const auto at = static_cast<std::ptrdiff_t>(column);
+    columns_.erase(columns_.begin() + at);
+    for (Row& row : rows_) row.erase(row.begin() + at + 1);
+    objective_.erase(objective_.begin() + at + 1);
+    artificial_.clear();
+    return true;
+  }
+
+  std::size_t free_count_;
+  Row objective_, artificial_;
+  std::vector<std::size_t> columns_, basis_;
+  std::vector<Row> rows_;
+};
+
+}  // namespace
+
+Rational AffineForm::at(const std::vector<Rational>& x) const {
+  Rational value = constant;
+  for (std::size_t i = 0; i < coefficients.size(); ++i) value += coefficients[i] * x[i];
+  return value;
+}
+
+LinearOptimum minimize(const AffineForm& objective, const std::vector<AffineForm>& constraints) {
+  return Dictionary(objective, constraints).solve();
+}
+
+}  // namespace slipproof

@@ -1,0 +1,30 @@
+// Small linear programs, solved exactly.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "number/rational.hpp"
+
+namespace slipproof {
+
+/// constant + coefficients . x
+struct AffineForm {
+  Rational constant;
+  std::vector<Rational> coefficients;
+
+  Rational at(const std::vector<Rational>& x) const;
+};
+
+struct LinearOptimum {
+  enum class Kind { infeasible, unbounded, attained };
+  Kind kind = Kind::infeasible;
+  Rational value;           ///< of the objective; attained only
+  std::vector<Rational> x;  ///< a point with that value; unbounded: a feasible point
+};
+
+/// The least value of the objective over all x, of any sign, with every constraint >= 0. All forms have as many
+/// coefficients as the objective. The simplex method on dictionaries with Bland's rule: it ends, without a tolerance.
+LinearOptimum minimize(const AffineForm& objective, const std::vector<AffineForm>& constraints);
+
+}  // namespace slipproof

@@ -1,0 +1,113 @@
+#include "number/linear_program.hpp"
+
+#include <doctest/doctest.h>
+
+#include <random>
+
+using namespace slipproof;
+using Kind = LinearOptimum::Kind;
+
+namespace {
+
+/// The least value over the corners of a bounded feasible set in the plane or in space, by trying every one.
+std::optional<Rational> least_corner(const AffineForm& objective, const std::vector<AffineForm>& constraints) {
+  const std::size_t n = objective.coefficients.size();
+  std::optional<Rational> least;
+  std::vector<std::size_t> chosen(n);
+  const auto determinant = [&](const std::vector<std::vector<Rational>>& m) {
+    if (n == 2) return Rational(m[0][0] * m[1][1] - m[0][1] * m[1][0]);
+    Rational sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      sum += m[0][i] * (m[1][(i + 1) % 3] * m[2][(i + 2) % 3] - m[1][(i + 2) % 3] * m[2][(i + 1) % 3]);
+    }
+    return sum;
+  };
+  const auto visit = [&](const auto& self, std::size_t depth, std::size_t from) -> void {
+    if (depth < n) {
+      for (std::size_t i = from; i < constraints.size(); ++i) {
+        chosen[depth] = i;
+        self(self, depth + 1, i + 1);
+      }
+      return;
+    }
+    std::vector<std::vector<Rational>> m;
+    for (const std::size_t i : chosen) m.push_back(constraints[i].coefficients);
+    const Rational d = determinant(m);
+    if (d.is_zero()) return;
+    std::vector<Rational> x;
+    for (std::size_t k = 0; k < n; ++k) {  // Cramer's rule
+      auto replaced = m;
+      for (std::size_t i = 0; i < n; ++i) replaced[i][k] = -constraints[chosen[i]].constant;
+      x.push_back(determinant(replaced) / d);
+    }
+    for (const AffineForm& c : constraints) {
+      if (c.at(x).sign() < 0) return;
+    }
+    const Rational value = objective.at(x);
+    if (!least || value < *least) least = value;
+  };
+  visit(visit, 0, 0);
+  return least;
+}
+
+}  // namespace
+
+TEST_CASE("the optimum is the best corner of a bounded set, and infeasible sets are told") {
+  std::mt19937_64 random(5);
+  const auto small = [&](int low, int high) {
+    return Rational(low + static_cast<int>(random() % static_cast<std::uint64_t>(high - low + 1)));
+  };
+  int infeasible = 0, attained = 0;
+  for (int trial = 0; trial < 600; ++trial) {
+    const std::size_t n = 2 + random() % 2;
+    const auto form = [&](int offset) {
+      AffineForm f{small(-4, 4) + offset, {}};
+      for (std::size_t i = 0; i < n; ++i) f.coefficients.push_back(small(-2, 2));
+      return f;
+    };
+    std::vector<AffineForm> constraints;
+    for (std::size_t i = 0; i < n; ++i) {  // |x_i| <= 3
+      for (const int sign : {1, -1}) {
+        AffineForm f{3, std::vector<Rational>(n)};
+        f.coefficients[i] = sign;
+        constraints.push_back(f);
+      }
+    }
+    for (auto more = random() % 5; more > 0; --more) constraints.push_back(form(-2));
+    const AffineForm objective = form(0);
+    const LinearOptimum found = minimize(objective, constraints);
+    const auto expected = least_corner(objective, constraints);
+    REQUIRE((found.kind == Kind::attained) == expected.has_value());
+    if (!expected) {
+      CHECK(found.kind == Kind::infeasible);
+      ++infeasible;
+      continue;
+    }
+    ++attained;
+    CHECK(found.value == *expected);
+    CHECK(objective.at(found.x) == *expected);
+    for (const AffineForm& c : constraints) CHECK(c.at(found.x).sign() >= 0);
+  }
+  CHECK(infeasible > 50);
+  CHECK(attained > 50);
+}
+
+TEST_CASE("unbounded and degenerate programs end") {
+  CHECK(minimize({0, {1}}, {}).kind == Kind::unbounded);
+  CHECK(minimize({0, {1}}, {{5, {-1}}}).kind == Kind::unbounded);
+  CHECK(minimize({7, {0}}, {{5, {-1}}}).value == 7);
+  CHECK(minimize({0, {1, 1}}, {{0, {1, 0}}}).kind == Kind::unbounded);
+  CHECK(minimize({0, {1, 0}}, {{-2, {1, 1}}, {-2, {1, -1}}}).value == 2);
+  CHECK(minimize({0, {1}}, {{-1, {0}}}).kind == Kind::infeasible);
+  CHECK(minimize({0, {}}, {{-1, {}}}).kind == Kind::infeasible);
+  CHECK(minimize({3, {}}, {}).value == 3);
+  // Beale's example, on which the largest-coefficient rule cycles.
+  const std::vector<AffineForm> beale{{0, {Rational(-1, 4), 60, Rational(1, 25), -9}},
+                                      {0, {Rational(-1, 2), 90, Rational(1, 50), -3}},
+                                      {1, {0, 0, -1, 0}},
+                                      {0, {1, 0, 0, 0}},
+                                      {0, {0, 1, 0, 0}},
+                                      {0, {0, 0, 1, 0}},
+                                      {0, {0, 0, 0, 1}}};
+  CHECK(minimize({0, {Rational(-3, 4), 150, Rational(-1, 50), 6}}, beale).value == Rational(-1, 20));
+}
