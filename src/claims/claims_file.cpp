@@ -30,6 +30,12 @@ std::string_view name(Expectation expectation) {
   return names[static_cast<std::size_t>(expectation)];
 }
 
+std::size_t Setting::parameter_index(std::string_view symbol) const {
+  const auto found = std::find_if(parameters.begin(), parameters.end(),
+                                  [&](const Parameter& parameter) { return parameter.symbol == symbol; });
+  return static_cast<std::size_t>(found - parameters.begin());
+}
+
 const Claim* ClaimsFile::find(std::string_view id) const {
   const auto found = std::find_if(claims.begin(), claims.end(), [&](const Claim& claim) { return claim.id == id; });
   return found == claims.end() ? nullptr : &*found;

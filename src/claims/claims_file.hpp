@@ -89,6 +89,9 @@ struct Setting {
   std::map<std::string, Expression, std::less<>> scene;  ///< by scene symbol; all but J must be there
   std::vector<Definition> definitions;                   ///< each uses only symbols that do not lead back to it
   std::vector<Boundary> boundaries;
+
+  /// Of a symbol that is a parameter.
+  std::size_t parameter_index(std::string_view symbol) const;
 };
 
 enum class ClaimKind : std::uint8_t {

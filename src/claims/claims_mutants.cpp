@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "claims/compiled.hpp"
 #include "claims/setting_names.hpp"
 
 namespace slipproof {
@@ -29,11 +28,19 @@ namespace {
 
 using Part = ClaimsMutant::Part;
 
-Expression& part_of(ClaimsFile& file, const ClaimsMutant& mutant) {
+/// Of a ClaimBody or a CompiledBody.
+template <class Body>
+auto& part_of(Body& body, Part part, std::size_t item) {
+  if (part == Part::equation) return body.equations[item];
+  if (part == Part::assumption) return body.assume[item];
+  return part == Part::region ? body.region : part == Part::forces ? body.forces : body.holds;
+}
+
+/// Of a file, const or not.
+template <class File>
+auto& part_of(File& file, const ClaimsMutant& mutant) {
   if (mutant.part == Part::definition) return file.settings[mutant.setting].definitions[mutant.index].printed;
-  ClaimBody& body = file.claims[mutant.index].printed;
-  if (mutant.part == Part::equation) return body.equations[mutant.item];
-  return mutant.part == Part::region ? body.region : mutant.part == Part::forces ? body.forces : body.holds;
+  return part_of(file.claims[mutant.index].printed, mutant.part, mutant.item);
 }
 
 class Enumeration {
@@ -80,21 +87,27 @@ class Enumeration {
       if (original->operation == Operation::truth) continue;
       add(std::move(mutant), original, symbols_for(claim, part));
     }
-    for (std::size_t i = 0; i < claim.printed.equations.size(); ++i) {
-      const std::string where =
-          "equation " + std::to_string(i + 1) + " of " + claim.id + " (line " + std::to_string(claim.line) + ")";
-      ClaimsMutant mutant{Part::equation, claim.setting, c, i, {}, where, {c}};
+    mutate_equations(c, Part::equation, claim.printed.equations);
+    mutate_equations(c, Part::assumption, claim.printed.assume);
+  }
+
+  void mutate_equations(std::size_t c, Part part, const std::vector<Expression>& equations) {
+    const Claim& claim = file_.claims[c];
+    for (std::size_t i = 0; i < equations.size(); ++i) {
+      const std::string where = (part == Part::equation ? "equation " : "assumption ") + std::to_string(i + 1) +
+                                " of " + claim.id + " (line " + std::to_string(claim.line) + ")";
+      ClaimsMutant mutant{part, claim.setting, c, i, {}, where, {c}};
       add_referring(mutant.claims);
-      add(std::move(mutant), claim.printed.equations[i], symbols_for(claim, Part::equation));
+      add(std::move(mutant), equations[i], symbols_for(claim, part));
     }
   }
 
   std::vector<std::string> symbols_for(const Claim& claim, Part part) const {
     std::vector<std::string> symbols;
+    const bool linear = part == Part::equation || part == Part::assumption;
     for (const auto& [symbol, entry] : names_[claim.setting].all()) {
-      if (part == Part::equation && entry.kind == SettingNames::Kind::quantity && !unknown_index(symbol)) continue;
-      if (part != Part::equation && entry.kind == SettingNames::Kind::quantity &&
-          (part != Part::holds || claim.printed.modes.empty()))
+      if (linear && entry.kind == SettingNames::Kind::quantity && !unknown_index(symbol)) continue;
+      if (!linear && entry.kind == SettingNames::Kind::quantity && (part != Part::holds || claim.printed.modes.empty()))
         continue;
       if (part == Part::region && depends_on_force(claim.setting, make_symbol(symbol))) continue;
       symbols.push_back(symbol);
@@ -139,6 +152,7 @@ class Enumeration {
 
   void add(ClaimsMutant mutant, const Expression& original, const std::vector<std::string>& symbols) {
     for (Mutant& change : mutants(original, symbols)) {
+      if (mutant.is_linear() && change.expression->relations != original->relations) continue;  // no longer an equation
       mutant.mutant = std::move(change);
       found_.push_back(mutant);
     }
@@ -151,10 +165,23 @@ class Enumeration {
 
 }  // namespace
 
+const Expression& ClaimsMutant::original(const ClaimsFile& file) const {
+  return part_of(file, *this);
+}
+
 ClaimsFile ClaimsMutant::apply(const ClaimsFile& file) const {
   ClaimsFile changed = file;
   part_of(changed, *this) = mutant.expression;
   return changed;
+}
+
+void ClaimsMutant::put(const Expression& expression, CompiledClaims& compiled) const {
+  if (part == Part::definition) return compiled.settings[setting].redefine(index, expression);
+  const CompiledSetting& scope = compiled.settings[setting];
+  CompiledBody& body = compiled.claims[index].printed;
+  Program program =
+      is_linear() ? scope.compile_equation(expression, Reading::printed) : scope.compile(expression, Reading::printed);
+  part_of(body, part, item) = std::move(program);
 }
 
 std::vector<ClaimsMutant> mutants(const ClaimsFile& file) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "claims/claims_file.hpp"
+#include "claims/compiled.hpp"
 #include "claims/mutate.hpp"
 
 namespace slipproof {
@@ -14,17 +15,23 @@ namespace slipproof {
 ClaimsFile as_read(const ClaimsFile& file, Reading reading);
 
 struct ClaimsMutant {
-  enum class Part { definition, region, forces, holds, equation };
+  enum class Part { definition, region, forces, holds, equation, assumption };
   Part part = Part::definition;
   std::size_t setting = 0;  ///< of a definition
   std::size_t index = 0;    ///< of the definition in its setting, or of the claim
-  std::size_t item = 0;     ///< of an equation in its claim
+  std::size_t item = 0;     ///< of an equation or assumption in its claim
   Mutant mutant;
   std::string where;                ///< `definition xi4 (line 195)`, `forces of A2.1 (line 209)`
   std::vector<std::size_t> claims;  ///< the claims whose meaning may change: no others need to be judged again
 
-  /// The file, which must be the one that the mutant was made of, with this change.
+  /// Whether it may use the unknowns of the model: an equation or assumption.
+  bool is_linear() const { return part == Part::equation || part == Part::assumption; }
+  /// What stands there in the file, which must be the one that the mutant was made of.
+  const Expression& original(const ClaimsFile& file) const;
+  /// The file with this change.
   ClaimsFile apply(const ClaimsFile& file) const;
+  /// Puts an expression in the mutant's place: `mutant.expression`, or original() to undo that.
+  void put(const Expression& expression, CompiledClaims& compiled) const;
 };
 
 /// All mutants of the printed reading of definitions and claims, each of them valid: no definition leads back to

@@ -75,6 +75,10 @@ Program CompiledSetting::compile_equation(const Expression& equation, Reading re
   });
 }
 
+void CompiledSetting::redefine(std::size_t index, const Expression& expression) {
+  scope_.slots[definition_slot(index, Reading::printed)].definition = compile(expression, Reading::printed);
+}
+
 CompiledClaims::CompiledClaims(const ClaimsFile& file) {
   for (const Setting& setting : file.settings) settings.emplace_back(setting);
   for (const Claim& claim : file.claims) {

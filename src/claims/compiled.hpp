@@ -36,6 +36,9 @@ class CompiledSetting {
   /// An equation between the model's unknowns, which hide symbols of the same name.
   Program compile_equation(const Expression& equation, Reading reading) const;
   std::size_t unknown_slot(std::size_t index) const { return first_unknown_ + index; }
+  /// Gives a definition, by its index, another expression, which must not lead back to it. In the printed reading, and
+  /// in the other one if the definition is the same there.
+  void redefine(std::size_t index, const Expression& expression);
 
   struct Boundary {
     std::size_t parameter;  ///< index

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <unordered_set>
 #include <utility>
 
 namespace slipproof {
@@ -65,8 +66,7 @@ class Enumeration {
 
   void add(Expression changed, std::string description) {
     Expression whole = (*around_)(std::move(changed));
-    const auto duplicate = [&](const Mutant& mutant) { return same(mutant.expression, whole); };
-    if (std::any_of(found_.begin(), found_.end(), duplicate)) return;
+    if (!seen_.insert(to_string(whole)).second) return;
     found_.push_back({std::move(whole), std::move(description), (*here_)->column});
   }
   void becomes(Expression changed) {
@@ -200,6 +200,7 @@ class Enumeration {
   const Expression* here_ = nullptr;
   const Around* around_ = nullptr;
   std::vector<Mutant> found_;
+  std::unordered_set<std::string> seen_;  ///< as text, which tells trees apart
 };
 
 }  // namespace

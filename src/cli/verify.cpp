@@ -1,12 +1,16 @@
 #include <unistd.h>
 
+#include <fstream>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "cli/command.hpp"
 #include "report/certificates.hpp"
 #include "report/errata.hpp"
+#include "report/mutation_report.hpp"
 #include "report/verify_report.hpp"
 
 namespace slipproof::cli {
@@ -16,7 +20,9 @@ namespace {
 struct Options {
   CommonOptions common;
   VerifyOptions verify;
-  std::string claims;
+  MutationOptions mutation;
+  std::string claims, lemmas;
+  bool mutants = false;
   bool errata = false, markdown = false, sarif = false, coverage = false;
 
   bool lists_findings() const { return errata || markdown || sarif; }
@@ -32,6 +38,30 @@ std::function<void(std::uint64_t, std::uint64_t)> progress_bar() {
     std::cerr << "\r[" << std::string(percent / 2, '#') << std::string(50 - percent / 2, ' ') << "] " << percent << " %"
               << (done == all ? "\r\033[K" : "") << std::flush;
   };
+}
+
+/// The lemmas as files that slipproof-check reads.
+void write_lemmas(const std::filesystem::path& folder, const MutationResult& result) {
+  std::filesystem::create_directories(folder);
+  std::size_t number = 0;
+  for (const Lemma* lemma : lemmas_of(result)) {
+    const std::string name = "lemma-" + std::to_string(++number);
+    for (const auto& [extension, text] : {std::pair(".statement", &lemma->statement), {".cert", &lemma->certificate}}) {
+      std::ofstream stream(folder / (name + extension), std::ios::binary);
+      stream << *text << std::flush;
+      if (!stream) throw std::runtime_error((folder / (name + extension)).string() + " cannot be written");
+    }
+  }
+}
+
+int judge_mutants(const ClaimsFile& file, Options& options) {
+  options.mutation.seed = options.common.seed;
+  options.mutation.threads = options.common.threads;
+  if (!options.common.quiet) options.mutation.progress = progress_bar();
+  const MutationResult result = judge_mutants(file, options.mutation);
+  if (!options.lemmas.empty()) write_lemmas(options.lemmas, result);
+  print(options.common.json ? mutation_json(result) : mutation_text(result, options.common.quiet));
+  return result.count(MutantEnd::survivor) == 0 && result.vacuous.empty() ? as_it_should_be : undecided;
 }
 
 }  // namespace
@@ -53,6 +83,14 @@ void add_verify(CLI::App& app, int& exit_code) {
   sarif->excludes(markdown);
   command.add_option("--only", options->verify.only,
                      "Judge only the claims whose id begins with this, such as A or E4.7");
+  auto* mutants = command.add_flag("--mutants", options->mutants,
+                                   "Change every formula in every small way: is each change noticed?");
+  mutants->excludes(list)->excludes(sarif);
+  command.add_option("--every", options->mutation.every, "Judge one mutant in so many")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}))
+      ->needs(mutants);
+  command.add_option("--lemmas", options->lemmas, "Folder for what the arguments rest on, with certificates")
+      ->needs(mutants);
   add_common_options(command, options->common);
   command.callback([options, &exit_code] {
     const std::filesystem::path claims = options->claims.empty() ? shipped("proofs/rozenblat-yashin/claims.toml")
@@ -61,6 +99,10 @@ void add_verify(CLI::App& app, int& exit_code) {
     if (options->coverage) {
       print(coverage_markdown(file));
       exit_code = uncovered_equations(file).empty() ? as_it_should_be : refuted_or_not_certified;
+      return;
+    }
+    if (options->mutants) {
+      exit_code = judge_mutants(file, *options);
       return;
     }
     options->verify.seed = options->common.seed;

@@ -96,14 +96,99 @@ std::optional<std::string> formula_text(const Expression& e, bool inner = false)
   return inner ? "{" + text + "}" : text;
 }
 
-class Writer {
+/// The parts of statements about a setting.
+class SettingWriter {
+ public:
+  SettingWriter(const Setting& setting, Reading reading) : setting_(setting), reading_(reading) {}
+
+ protected:
+  std::string formula(const Expression& e) {
+    const auto text = formula_text(e);
+    complete_ = complete_ && text;
+    return text.value_or("");
+  }
+
+  /// `let` lines for every definition that the expressions use, each after those that it uses itself; lines that need
+  /// an unknown of the motion do not occur, as definitions are over parameters and the force.
+  std::string definitions(const std::vector<Expression>& uses) {
+    std::string text;
+    for (const Expression& use : uses) {
+      if (!use) continue;
+      for (const std::string& symbol : symbols(use)) {
+        const auto found = std::find_if(setting_.definitions.begin(), setting_.definitions.end(),
+                                        [&](const Definition& d) { return d.symbol == symbol; });
+        if (found == setting_.definitions.end() || !defined_.insert(symbol).second) continue;
+        const Expression& value = reading_ == Reading::repaired && found->repaired ? found->repaired : found->printed;
+        text += definitions({value});
+        text += fmt::format("let {} = {}\n", symbol, to_string(value));
+      }
+    }
+    return text;
+  }
+
+  /// The first lines: the variables, their domain, and what the expressions use.
+  std::string opening(const std::string& theorem, const std::string& comment, const std::vector<Expression>& uses,
+                      bool scene = true) {
+    defined_.clear();
+    std::vector<std::string> names;
+    std::string domain;
+    for (const Parameter& parameter : setting_.parameters) {
+      names.push_back(parameter.symbol);
+      domain += formula(parameter.domain) + " and ";
+    }
+    std::string text = fmt::format("slipproof-statement 1\ntheorem {}\n# {}\n", theorem, comment);
+    text += fmt::format("real {} {}\n", fmt::join(names, " "), setting_.force.symbol);
+    text += fmt::format("assume domain: {}{}\n", domain, formula(setting_.force.domain));
+    std::vector<Expression> all = uses;
+    if (scene) {
+      for (const auto& [symbol, value] : setting_.scene) all.push_back(value);
+    }
+    text += definitions(all);
+    if (!scene) return text;
+    if (!has_pitch_inertia() && std::find(names.begin(), names.end(), "J") == names.end()) text += "let J = 0\n";
+    for (const auto& [symbol, value] : setting_.scene) {
+      const auto definition = std::find_if(setting_.definitions.begin(), setting_.definitions.end(),
+                                           [&](const Definition& d) { return d.symbol == symbol; });
+      if (defined_.contains(symbol)) {  // the paper may use a symbol of the scene for the same, but for nothing else
+        complete_ = complete_ && same(definition->printed, value);
+      } else if (to_string(value) != symbol) {
+        text += fmt::format("let {} = {}\n", symbol, to_string(value));
+      }
+    }
+    return text;
+  }
+
+  std::string assumption(const char* label, const Expression& e) {
+    if (!e || (e->operation == Operation::truth && e->truth)) return "";
+    return fmt::format("assume {}: {}\n", label, formula(e));
+  }
+
+  /// Without it, only motions with both wheels on the road are modelled, and there it drops out.
+  bool has_pitch_inertia() const { return setting_.scene.contains("J"); }
+
+  /// The unknowns of the model, and what its equations and contact states are called.
+  std::string motion_terms() const {
+    return fmt::format("real {}\n", fmt::join(kUnknowns, " ")) + mechanics(setting_.force_kind);
+  }
+  std::string mode_definition(ContactMode mode) {
+    complete_ = complete_ && (mode.on_road() || has_pitch_inertia());
+    return state_definition(Wheel::rear, mode.rear, setting_.strict) +
+           state_definition(Wheel::front, mode.front, setting_.strict);
+  }
+
+  const Setting& setting_;
+  Reading reading_;
+  std::set<std::string> defined_;
+  bool complete_ = true;
+};
+
+class Writer : SettingWriter {
  public:
   Writer(const ClaimsFile& claims, const Claim& claim, Reading reading)
-      : claims_(claims),
+      : SettingWriter(claims.settings[claim.setting], claim.repaired ? reading : Reading::printed),
+        claims_(claims),
         claim_(claim),
-        body_(claim.body(reading)),
-        setting_(claims.settings[claim.setting]),
-        reading_(claim.repaired ? reading : Reading::printed) {
+        body_(claim.body(reading)) {
     name_ = claim.id + (reading == Reading::repaired && claim.repaired ? ".repaired" : "");
   }
 
@@ -150,64 +235,17 @@ class Writer {
   }
 
  private:
-  std::string formula(const Expression& e) {
-    const auto text = formula_text(e);
-    complete_ = complete_ && text;
-    return text.value_or("");
-  }
-
-  /// `let` lines for every definition that the expressions use, each after those that it uses itself; lines that need
-  /// an unknown of the motion do not occur, as definitions are over parameters and the force.
-  std::string definitions(const std::vector<Expression>& uses) {
-    std::string text;
-    for (const Expression& use : uses) {
-      if (!use) continue;
-      for (const std::string& symbol : symbols(use)) {
-        const auto found = std::find_if(setting_.definitions.begin(), setting_.definitions.end(),
-                                        [&](const Definition& d) { return d.symbol == symbol; });
-        if (found == setting_.definitions.end() || !defined_.insert(symbol).second) continue;
-        const Expression& value = reading_ == Reading::repaired && found->repaired ? found->repaired : found->printed;
-        text += definitions({value});
-        text += fmt::format("let {} = {}\n", symbol, to_string(value));
-      }
-    }
-    return text;
-  }
-
-  std::string opening(const std::string& suffix, const std::vector<Expression>& uses) {
-    defined_.clear();
-    std::vector<std::string> names;
-    std::string domain;
-    for (const Parameter& parameter : setting_.parameters) {
-      names.push_back(parameter.symbol);
-      domain += formula(parameter.domain) + " and ";
-    }
-    std::string text = fmt::format("slipproof-statement 1\ntheorem {}{}\n# {} of {}, {} reading\n", name_, suffix,
-                                   claim_.id, claims_.paper.source, name(reading_));
-    text += fmt::format("real {} {}\n", fmt::join(names, " "), setting_.force.symbol);
-    text += fmt::format("assume domain: {}{}\n", domain, formula(setting_.force.domain));
-    std::vector<Expression> all = uses;
-    for (const auto& [symbol, value] : setting_.scene) all.push_back(value);
-    text += definitions(all);
-    for (const auto& [symbol, value] : setting_.scene) {
-      if (to_string(value) != symbol) text += fmt::format("let {} = {}\n", symbol, to_string(value));
-    }
-    return text;
-  }
-
-  std::string assumption(const char* label, const Expression& e) {
-    if (!e || (e->operation == Operation::truth && e->truth)) return "";
-    return fmt::format("assume {}: {}\n", label, formula(e));
+  std::string head(const std::string& suffix, const std::vector<Expression>& uses) {
+    return opening(name_ + suffix, fmt::format("{} of {}, {} reading", claim_.id, claims_.paper.source, name(reading_)),
+                   uses);
   }
 
   void implied(const std::string& suffix, const Expression& forces, std::optional<ContactMode> mode,
                const Expression& shown) {
-    std::string text = opening(suffix, {body_.region, forces, shown}) + assumption("region", body_.region) +
-                       assumption("force", forces);
+    std::string text =
+        head(suffix, {body_.region, forces, shown}) + assumption("region", body_.region) + assumption("force", forces);
     if (mode) {
-      text += fmt::format("real {}\n", fmt::join(kUnknowns, " ")) + mechanics(setting_.force_kind);
-      text += state_definition(Wheel::rear, mode->rear, setting_.strict) +
-              state_definition(Wheel::front, mode->front, setting_.strict);
+      text += motion_terms() + mode_definition(*mode);
       text += fmt::format("assume motion: {} and {}\n", kDynamics, mode_text(*mode));
     }
     text += fmt::format("show {}\n", formula(shown));
@@ -215,20 +253,18 @@ class Writer {
   }
 
   void exists(const std::string& suffix, ContactMode mode) {
-    std::string text = opening(suffix, {body_.region, body_.forces}) + assumption("region", body_.region) +
+    std::string text = head(suffix, {body_.region, body_.forces}) + assumption("region", body_.region) +
                        assumption("force", body_.forces);
     text += fmt::format("exists {}\n", fmt::join(kUnknowns, " ")) + mechanics(setting_.force_kind);
-    text += state_definition(Wheel::rear, mode.rear, setting_.strict) +
-            state_definition(Wheel::front, mode.front, setting_.strict);
-    text += fmt::format("show {} and {}\n", kDynamics, mode_text(mode));
+    text += mode_definition(mode) + fmt::format("show {} and {}\n", kDynamics, mode_text(mode));
     statements_.push_back({name_ + suffix, std::move(text)});
   }
 
   /// Every motion of all sixteen modes, boundaries included, is in one of the claim's modes.
   void complete() {
-    std::string text = opening(".complete", {body_.region, body_.forces}) + assumption("region", body_.region) +
+    std::string text = head(".complete", {body_.region, body_.forces}) + assumption("region", body_.region) +
                        assumption("force", body_.forces);
-    text += fmt::format("real {}\n", fmt::join(kUnknowns, " ")) + mechanics(setting_.force_kind);
+    text += motion_terms();
     constexpr std::array kStates{ContactState::stick, ContactState::slip_forward, ContactState::slip_backward,
                                  ContactState::lift};
     std::string assumptions = fmt::format("assume motion: {}\n", kDynamics);
@@ -249,15 +285,61 @@ class Writer {
   const ClaimsFile& claims_;
   const Claim& claim_;
   const ClaimBody& body_;
-  const Setting& setting_;
-  Reading reading_;
   std::string name_;
-  std::set<std::string> defined_;
   std::vector<NamedStatement> statements_;
-  bool complete_ = true;
+};
+
+class ImplicationWriter : SettingWriter {
+ public:
+  ImplicationWriter(const ClaimsFile& claims, const Implication& implication)
+      : SettingWriter(claims.settings[implication.setting], Reading::printed), implication_(implication) {}
+
+  std::optional<std::string> write() {
+    const bool moving = implication_.on_road || implication_.mode;
+    std::vector<Expression> uses = implication_.given;
+    uses.push_back(implication_.shown);
+    std::string text = opening(implication_.name, setting_.id, uses, moving);
+    if (moving) {
+      text += motion_terms();
+      if (implication_.mode) text += mode_definition(*implication_.mode);
+      text += fmt::format("assume motion: {} and {}\n", kDynamics,
+                          implication_.mode ? mode_text(*implication_.mode) : "gap2 = 0 and gap3 = 0");
+    } else {
+      text += free_unknowns(uses);
+    }
+    for (std::size_t i = 0; i < implication_.given.size(); ++i) {
+      text += assumption(fmt::format("given{}", i + 1).c_str(), implication_.given[i]);
+    }
+    text += fmt::format("show {}\n", formula(implication_.shown));
+    return complete_ ? std::optional(std::move(text)) : std::nullopt;
+  }
+
+ private:
+  /// The quantities and unknowns that occur, as any numbers; where they hide symbols of the setting, they are those.
+  std::string free_unknowns(const std::vector<Expression>& uses) const {
+    std::set<std::string> names;
+    const auto known = [&](const std::string& symbol) {
+      const auto is = [&](const auto& entry) { return entry.symbol == symbol; };
+      return symbol == setting_.force.symbol ||
+             std::any_of(setting_.parameters.begin(), setting_.parameters.end(), is) ||
+             std::any_of(setting_.definitions.begin(), setting_.definitions.end(), is);
+    };
+    for (const Expression& use : uses) {
+      for (const std::string& symbol : symbols(use)) {
+        if (!known(symbol)) names.insert(symbol);
+      }
+    }
+    return names.empty() ? "" : fmt::format("real {}\n", fmt::join(names, " "));
+  }
+
+  const Implication& implication_;
 };
 
 }  // namespace
+
+std::optional<std::string> implication_statement(const ClaimsFile& claims, const Implication& implication) {
+  return ImplicationWriter(claims, implication).write();
+}
 
 std::vector<NamedStatement> claim_statements(const ClaimsFile& claims, const Claim& claim, Reading reading) {
   return Writer(claims, claim, reading).write();

@@ -1,7 +1,9 @@
 // The statements whose proofs together prove a claim of a claims file.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "claims/claims_file.hpp"
@@ -23,5 +25,19 @@ struct NamedStatement {
 /// claim says: other kinds, a formula of several modes, and `not`, `abs`, `sign`, `min`, `max`. Uniqueness of the
 /// motion in a mode is not part of it.
 std::vector<NamedStatement> claim_statements(const ClaimsFile& claims, const Claim& claim, Reading reading);
+
+/// In the domain of a setting, `given` implies `shown`. Both may use the unknowns of the model and the quantities of a
+/// motion; these are any numbers, unless a motion is asked for.
+struct Implication {
+  std::string name;
+  std::size_t setting = 0;
+  std::vector<Expression> given;
+  Expression shown;
+  bool on_road = false;             ///< the unknowns obey the model's equations with both wheels on the road
+  std::optional<ContactMode> mode;  ///< they are a motion in this mode
+};
+
+/// The implication, in the printed reading, as a statement; nothing where statements cannot say it.
+std::optional<std::string> implication_statement(const ClaimsFile& claims, const Implication& implication);
 
 }  // namespace slipproof

@@ -107,18 +107,12 @@ class Judge {
   bool strict() const { return file_.settings[claim_.setting].strict; }
 
   /// The forces of a mode inside the paper's domain.
-  ForceInterval forces_of(const ModeSolution& s) const {
-    return common(sample_.in_variable(strict() ? s.strict() : s.closed()), domain());
-  }
+  ForceInterval forces_of(const ModeSolution& s) const { return sample_.forces_of(s, strict()); }
+  /// Where a claim's `forces` is true, if that is one interval.
   std::optional<ForceInterval> claimed_by(const CompiledBody& programs) {
-    std::optional<ForceInterval> found;
-    for (const TruthCell& cell : sample_.over_forces(programs.forces)) {
-      ForceInterval forces = common(cell.forces, domain());
-      if (forces.empty() || cell.truth == Truth::no) continue;
-      if (cell.truth != Truth::yes || found) return std::nullopt;
-      found = std::move(forces);
-    }
-    return found ? found : ForceInterval::nothing();
+    auto parts = sample_.true_at(programs.forces);
+    if (!parts || parts->size() > 1) return std::nullopt;
+    return parts->empty() ? ForceInterval::nothing() : std::move(parts->front());
   }
 
   Judgement interval() {
@@ -157,20 +151,8 @@ class Judge {
     return holds();
   }
 
-  /// The forces in the domain at which a claim's `forces` is true; nothing where it has no value.
-  std::optional<std::vector<ForceInterval>> claimed_parts() {
-    std::vector<ForceInterval> parts;
-    for (const TruthCell& cell : sample_.over_forces(programs_.forces)) {
-      ForceInterval forces = common(cell.forces, domain());
-      if (forces.empty() || cell.truth == Truth::no) continue;
-      if (cell.truth != Truth::yes) return std::nullopt;
-      parts.push_back(std::move(forces));
-    }
-    return parts;
-  }
-
   Judgement formula() {
-    const auto where = claimed_parts();
+    const auto where = sample_.true_at(programs_.forces);
     if (!where) return undecided();
     if (body_.modes.empty()) return formula_on(*where, nullptr);
     Judgement result;
@@ -230,7 +212,7 @@ class Judge {
   }
 
   Judgement exists() {
-    const auto where = claimed_parts();
+    const auto where = sample_.true_at(programs_.forces);
     if (!where) return undecided();
     for (ForceInterval forces : *where) {
       for (const ContactMode mode : body_.modes) {
@@ -247,10 +229,7 @@ class Judge {
   }
 
   Judgement limit() {
-    const auto& parameters = file_.settings[claim_.setting].parameters;
-    const auto parameter = std::find_if(parameters.begin(), parameters.end(),
-                                        [&](const Parameter& p) { return p.symbol == body_.parameter; });
-    const auto index = static_cast<std::size_t>(parameter - parameters.begin());
+    const std::size_t index = file_.settings[claim_.setting].parameter_index(body_.parameter);
     const Truth inside = sample_.eventually(programs_.region, index);
     if (no_value(inside)) return undecided();
     if (inside == Truth::no) return {};
@@ -399,8 +378,10 @@ class Judge {
     const auto cell = std::find_if(cells.begin(), cells.end(), [&](const Cell& c) { return c.forces.contains(force); });
     if (!cell->continua.empty()) return fail(Reason::continuum, cell->continua.front());
     std::optional<ContactMode> only;
+    // One motion alone that is on a boundary at all of these forces is a motion, too.
+    const bool alone = cell->motions.size() == 1;
     for (const auto& motion : cell->motions) {
-      if (!counts(motion)) continue;
+      if (!counts(motion) && !alone) continue;
       for (const ContactMode mode : motion.modes) {
         const bool expected = listed(mode) || std::any_of(known.begin(), known.end(), [&](const auto& k) {
                                 return k.first == mode && k.second.contains(force);

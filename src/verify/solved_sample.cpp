@@ -78,6 +78,23 @@ ForceInterval SolvedSample::in_variable(const ForceInterval& forces) const {
   return ForceInterval::between(std::move(upper), forces.upper_closed(), std::move(lower), forces.lower_closed());
 }
 
+std::optional<std::vector<ForceInterval>> SolvedSample::true_at(const Program& statement) {
+  std::vector<ForceInterval> parts;
+  for (TruthCell& cell : over_forces(statement)) {
+    cell.forces.intersect(*domain_);
+    if (cell.forces.empty() || cell.truth == Truth::no) continue;
+    if (cell.truth != Truth::yes) return std::nullopt;
+    parts.push_back(std::move(cell.forces));
+  }
+  return parts;
+}
+
+ForceInterval SolvedSample::forces_of(const ModeSolution& mode, bool strict) const {
+  ForceInterval forces = in_variable(strict ? mode.strict() : mode.closed());
+  forces.intersect(*domain_);
+  return forces;
+}
+
 const ModeTable& SolvedSample::table() {
   if (!table_) table_ = std::make_shared<const ModeTable>(scene_.bicycle, scene_.road, scene_.force_kind);
   return *table_;
@@ -86,7 +103,6 @@ const ModeTable& SolvedSample::table() {
 std::unique_ptr<SolvedSample> SolvedSample::under(const CompiledSetting& other) {
   std::unique_ptr<SolvedSample> sample(new SolvedSample(other, values_));
   table();
-  cells();
   sample->scene_ = scene_;
   sample->force_ = force_;
   sample->table_ = table_;

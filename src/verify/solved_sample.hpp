@@ -49,6 +49,10 @@ class SolvedSample {
   Truth eventually(const Program& statement, std::size_t parameter) const;
   Truth region(const Program& region) { return constants_.truth(region); }
   std::vector<TruthCell> over_forces(const Program& statement) { return truth_over_forces(statement, functions_); }
+  /// The forces in the domain at which a statement is true; nothing where it has no value at one of them.
+  std::optional<std::vector<ForceInterval>> true_at(const Program& statement);
+  /// The forces in the domain at which the mode has motions: strict ones, or all.
+  ForceInterval forces_of(const ModeSolution& mode, bool strict) const;
   /// Gives the quantities the values of a motion (over pedal forces) as functions of the force variable.
   void set_motion(const Motion<Affine<Rational>>& motion);
 

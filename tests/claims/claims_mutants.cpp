@@ -60,6 +60,7 @@ TEST_CASE("the paper has thousands of mutants, each valid, each another claims f
       for (std::size_t i = 0; i < before.equations.size(); ++i) {
         differences += !same(before.equations[i], after.equations[i]);
       }
+      for (std::size_t i = 0; i < before.assume.size(); ++i) differences += !same(before.assume[i], after.assume[i]);
     }
     CHECK(differences == 1);
     // Circles would never end, and regions must not come to depend on the force.
@@ -73,7 +74,7 @@ TEST_CASE("the paper has thousands of mutants, each valid, each another claims f
       CHECK(evaluator.truth(compiled.claims[c].printed.region) != Truth::undecided);
     }
   }
-  CHECK(parts.size() == 5);
+  CHECK(parts.size() == 6);
 }
 
 TEST_CASE("a mutant knows which claims it may change") {

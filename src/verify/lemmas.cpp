@@ -1,0 +1,172 @@
+#include "verify/lemmas.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "prove/claim_statements.hpp"
+#include "prove/prove.hpp"
+#include "prove/statement.hpp"
+
+namespace slipproof {
+
+Expression both(const Expression& x, const Expression& y) {
+  if (x->operation == Operation::truth && x->truth) return y;
+  if (y->operation == Operation::truth && y->truth) return x;
+  return make(Operation::logical_and, {x, y});
+}
+
+namespace {
+
+/// min and max beside one relation, in words that statements have.
+Expression without_extrema(const Expression& e) {
+  if (e->operation == Operation::logical_and || e->operation == Operation::logical_or) {
+    return make(e->operation, {without_extrema(e->operands[0]), without_extrema(e->operands[1])});
+  }
+  if (e->operation != Operation::compare || e->relations.size() != 1) return e;
+  const Relation relation = e->relations.front();
+  if (relation == Relation::equal || relation == Relation::not_equal) return e;
+  const bool below = relation == Relation::less || relation == Relation::less_equal;
+  for (const std::size_t side : {0U, 1U}) {
+    const Expression& extremum = e->operands[side];
+    const bool maximum = extremum->operation == Operation::maximum;
+    if (!maximum && extremum->operation != Operation::minimum) continue;
+    // max < x and x > max ask it of both operands, max > x and x < max of one.
+    const bool every = maximum == (below == (side == 0));
+    std::vector<Expression> parts;
+    for (const Expression& operand : extremum->operands) {
+      std::vector<Expression> operands = e->operands;
+      operands[side] = operand;
+      parts.push_back(without_extrema(make_comparison(std::move(operands), e->relations)));
+    }
+    return make(every ? Operation::logical_and : Operation::logical_or, std::move(parts));
+  }
+  return e;
+}
+
+/// The comparisons that a conjunction consists of, and what else it consists of.
+void collect_conjuncts(const Expression& e, std::vector<Expression>& found) {
+  if (e->operation == Operation::logical_and) {
+    for (const Expression& operand : e->operands) collect_conjuncts(operand, found);
+  } else if (e->operation == Operation::compare) {
+    for (std::size_t i = 0; i < e->relations.size(); ++i) {
+      found.push_back(make_comparison({e->operands[i], e->operands[i + 1]}, {e->relations[i]}));
+    }
+  } else if (e->operation != Operation::truth || !e->truth) {
+    found.push_back(e);
+  }
+}
+
+/// `shown` without what stands in `given` already.
+Expression not_given(const Expression& shown, const std::vector<Expression>& given) {
+  std::vector<Expression> known, wanted;
+  for (const Expression& e : given) collect_conjuncts(e, known);
+  collect_conjuncts(shown, wanted);
+  Expression rest = make_truth(true);
+  for (const Expression& e : wanted) {
+    if (std::none_of(known.begin(), known.end(), [&](const Expression& k) { return same(k, e); })) rest = both(rest, e);
+  }
+  return rest;
+}
+
+void collect_divisors(const Expression& e, std::vector<Expression>& found) {
+  if (e->operation == Operation::divide) found.push_back(e->operands[1]);
+  if (e->operation == Operation::power && e->exponent < 0) found.push_back(e->operands[0]);
+  for (const Expression& operand : e->operands) collect_divisors(operand, found);
+}
+
+/// The formula at large values of a variable, by leading coefficients; nothing where an equation is no identity.
+std::optional<std::string> at_infinity(const prove::Formula& formula, std::size_t variable) {
+  using prove::Formula;
+  if (formula.kind == Formula::Kind::atom) {
+    const prove::Polynomial& p = formula.polynomial.front();
+    if (formula.sign == prove::Sign::zero) return p.is_zero() ? std::optional<std::string>("0 = 0") : std::nullopt;
+    return p.coefficient(variable, p.degree(variable)).text() + " > 0";
+  }
+  const bool all = formula.kind == Formula::Kind::conjunction;
+  std::string text;
+  for (const Formula& part : formula.parts) {
+    const auto inner = at_infinity(part, variable);
+    if (!inner && all) return std::nullopt;
+    if (inner) text += (text.empty() ? "{" : all ? " and {" : " or {") + *inner + "}";
+  }
+  if (!text.empty()) return text;
+  return all ? std::optional<std::string>("0 = 0") : std::nullopt;
+}
+
+}  // namespace
+
+std::string LemmaBook::certificate(const std::string& statement) {
+  {
+    const std::scoped_lock lock(mutex_);
+    const auto found = known_.find(statement);
+    if (found != known_.end()) return found->second;
+  }
+  std::string certificate = prove_statement("lemma", statement, limits_).certificate;
+  const std::scoped_lock lock(mutex_);
+  return known_.emplace(statement, std::move(certificate)).first->second;
+}
+
+bool Implications::prove(const std::string& statement, Lemmas& lemmas) const {
+  std::string certificate = book_->certificate(statement);
+  if (certificate.empty()) return false;
+  lemmas.push_back({statement, std::move(certificate)});
+  return true;
+}
+
+bool Implications::implies(std::vector<Expression> given, const Expression& shown, Lemmas& lemmas,
+                           std::optional<ContactMode> mode, bool on_road) const {
+  const Expression rest = not_given(shown, given);
+  if (rest->operation == Operation::truth && rest->truth) return true;
+  Implication implication{"lemma", setting_, std::move(given), without_extrema(rest), on_road, mode};
+  for (Expression& e : implication.given) e = without_extrema(e);
+  const auto text = implication_statement(*file_, implication);
+  return text && prove(*text, lemmas);
+}
+
+bool Implications::equivalent(const std::vector<Expression>& given, const Expression& x, const Expression& y,
+                              Lemmas& lemmas, bool on_road) const {
+  const auto with = [&](const Expression& e) {
+    std::vector<Expression> all = given;
+    all.push_back(e);
+    return all;
+  };
+  return implies(with(x), y, lemmas, std::nullopt, on_road) && implies(with(y), x, lemmas, std::nullopt, on_road) &&
+         divides_alike(given, x, y, lemmas);
+}
+
+std::vector<Expression> Implications::divisors(const Expression& e) const {
+  std::vector<Expression> found;
+  collect_divisors(e, found);
+  for (const std::size_t d : names_.needs(e, Reading::printed)) {
+    collect_divisors(names_.definition(d, Reading::printed), found);
+  }
+  std::erase_if(found, [](const Expression& divisor) { return divisor->operation == Operation::number; });
+  return found;
+}
+
+bool Implications::divides_alike(const std::vector<Expression>& given, const Expression& x, const Expression& y,
+                                 Lemmas& lemmas) const {
+  const auto before = divisors(x), after = divisors(y);
+  return std::all_of(after.begin(), after.end(), [&](const Expression& divisor) {
+    return std::any_of(before.begin(), before.end(), [&](const Expression& other) { return same(other, divisor); }) ||
+           implies(given, make_comparison({divisor, make_number(0)}, {Relation::not_equal}), lemmas);
+  });
+}
+
+bool Implications::eventually(const Expression& given, const Expression& shown, std::string_view parameter,
+                              Lemmas& lemmas) const {
+  if (names_.depends(given, Reading::printed, parameter)) return false;
+  auto text = implication_statement(*file_, {"lemma", setting_, {given}, shown, false, std::nullopt});
+  if (!text) return false;
+  const prove::Statement statement("lemma", *text);
+  for (std::size_t variable = 0; variable < statement.ring().size(); ++variable) {
+    if (statement.ring().name(variable) != parameter) continue;
+    const auto leading = at_infinity(statement.shown(), variable);
+    if (!leading) return false;
+    text->erase(text->rfind("show "));
+    return prove(*text + "show " + *leading + "\n", lemmas);
+  }
+  return false;
+}
+
+}  // namespace slipproof

@@ -1,0 +1,315 @@
+#include "verify/mutation.hpp"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <numeric>
+#include <utility>
+
+#include "verify/reach.hpp"
+#include "verify/sampler.hpp"
+#include "verify/settle.hpp"
+
+namespace slipproof {
+
+std::string_view name(MutantEnd end) {
+  constexpr std::array<std::string_view, 7> names{"refuted",    "no value", "another reach", "says nothing",
+                                                  "equivalent", "theorem",  "survivor"};
+  return names[static_cast<std::size_t>(end)];
+}
+
+std::uint64_t MutationResult::count(MutantEnd end) const {
+  return static_cast<std::uint64_t>(
+      std::count_if(mutants.begin(), mutants.end(), [&](const MutantResult& m) { return m.end == end; }));
+}
+
+namespace {
+
+using Samples = std::vector<std::unique_ptr<SolvedSample>>;
+
+/// What a claim comes to at a sample, unchanged.
+struct Baseline {
+  Outcome outcome = Outcome::outside;
+  std::vector<ForceInterval> reach;
+};
+
+/// What a thread works on: claims that it may change, and its own samples, which remember values.
+struct Workshop {
+  Workshop(const ClaimsFile& file, const CompiledClaims& claims, LemmaBook& quick_proofs, LemmaBook& thorough_proofs)
+      : compiled(claims),
+        samples(file.settings.size()),
+        quick(file, claims, quick_proofs),
+        thorough(file, claims, thorough_proofs) {}
+  CompiledClaims compiled;
+  std::vector<Samples> samples;
+  Settler quick, thorough;
+};
+
+/// A force in one of two sets and not in the other.
+std::optional<Rational> some_force(const std::vector<ForceInterval>& x, const std::vector<ForceInterval>& y) {
+  for (const auto& [a, b] : {std::pair(&x, &y), std::pair(&y, &x)}) {
+    for (const ForceInterval& part : *a) {
+      std::vector<Rational> candidates{part.sample()};
+      for (const ForceInterval& other : *b) {
+        for (const auto& end : {other.lower(), other.upper()}) {
+          if (!end) continue;
+          candidates.push_back(*end);
+          for (const ForceInterval& beside : {ForceInterval::between(*end, false, std::nullopt, false),
+                                              ForceInterval::between(std::nullopt, false, *end, false)}) {
+            ForceInterval rest = part;
+            rest.intersect(beside);
+            if (!rest.empty()) candidates.push_back(rest.sample());
+          }
+        }
+      }
+      for (const Rational& force : candidates) {
+        if (!part.contains(force)) continue;
+        if (std::none_of(b->begin(), b->end(), [&](const auto& other) { return other.contains(force); })) return force;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+/// Claims whose equations have to be solved take longest.
+bool is_costly(ClaimKind kind) {
+  return kind == ClaimKind::consequence || kind == ClaimKind::system;
+}
+
+class Run {
+ public:
+  Run(const ClaimsFile& file, const MutationOptions& options)
+      : file_(as_read(file, Reading::repaired)),
+        options_(options),
+        compiled_(file_),
+        samples_(file_.settings.size()),
+        baselines_(file_.claims.size()) {}
+
+  MutationResult result() {
+    const int cores = tbb::info::default_concurrency();
+    const unsigned threads = options_.threads;
+    tbb::task_arena arena(threads == 0 || threads > static_cast<unsigned>(cores) ? cores : static_cast<int>(threads));
+    MutationResult result;
+    arena.execute([&] { judge_all(result); });
+    result.samples = options_.samples;
+    result.more_samples = options_.more_samples;
+    result.seed = options_.seed;
+    result.file = std::move(file_);
+    return result;
+  }
+
+ private:
+  void judge_all(MutationResult& result) {
+    std::vector<std::size_t> every_claim(file_.claims.size());
+    std::iota(every_claim.begin(), every_claim.end(), std::size_t{0});
+    for (std::size_t s = 0; s < file_.settings.size(); ++s) solve_samples(s, options_.samples, every_claim);
+    collect(result);
+    std::vector<MutantResult>& all = result.mutants;
+    // The mutants of one formula are judged in turn, by one thread: what refutes one is tried first on the next.
+    constexpr std::size_t at_most = 64;
+    std::vector<std::size_t> groups;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (i == 0 || all[i].mutant.where != all[i - 1].mutant.where || i - groups.back() == at_most) groups.push_back(i);
+    }
+    groups.push_back(all.size());
+    std::atomic<std::uint64_t> done = 0;
+    tbb::parallel_for(std::size_t{0}, groups.size() - 1, [&](std::size_t g) {
+      judge_group(workshop(), all.data() + groups[g], all.data() + groups[g + 1]);
+      done += groups[g + 1] - groups[g];
+      if (!options_.progress) return;
+      const std::scoped_lock lock(mutex_);
+      options_.progress(done, all.size());
+    });
+    judge_again(all);
+  }
+
+  void collect(MutationResult& result) {
+    std::vector<std::size_t>& left_out = result.not_mutated;
+    for (std::size_t c = 0; c < file_.claims.size(); ++c) {
+      const auto& here = baselines_[c];
+      const auto has = [&](Outcome outcome) {
+        return std::any_of(here.begin(), here.end(), [&](const Baseline& b) { return b.outcome == outcome; });
+      };
+      if (has(Outcome::refuted) || has(Outcome::undecided) || !has(Outcome::holds)) left_out.push_back(c);
+    }
+    Settler settler(file_, compiled_, quick_);
+    for (std::size_t c = 0; c < file_.claims.size(); ++c) {
+      if (settler.is_vacuous(c)) result.vacuous.push_back(c);
+    }
+    std::vector<ClaimsMutant> all = mutants(file_);
+    std::erase_if(all, [&](const ClaimsMutant& m) {
+      return m.part != ClaimsMutant::Part::definition && std::binary_search(left_out.begin(), left_out.end(), m.index);
+    });
+    for (std::size_t i = 0; i < all.size(); i += options_.every) {
+      std::stable_partition(all[i].claims.begin(), all[i].claims.end(),
+                            [&](std::size_t c) { return !is_costly(file_.claims[c].kind); });
+      result.mutants.emplace_back().mutant = std::move(all[i]);
+    }
+  }
+
+  /// What survived, at many more samples, and with proofs that are given more time.
+  void judge_again(std::vector<MutantResult>& all) {
+    std::vector<MutantResult*> rest;
+    std::vector<std::vector<std::size_t>> claims(file_.settings.size());
+    for (MutantResult& m : all) {
+      if (m.end != MutantEnd::survivor) continue;
+      rest.push_back(&m);
+      std::vector<std::size_t>& needed = claims[m.mutant.setting];
+      needed.insert(needed.end(), m.mutant.claims.begin(), m.mutant.claims.end());
+    }
+    for (std::size_t s = 0; s < file_.settings.size(); ++s) {
+      std::sort(claims[s].begin(), claims[s].end());
+      claims[s].erase(std::unique(claims[s].begin(), claims[s].end()), claims[s].end());
+      if (!claims[s].empty()) solve_samples(s, options_.samples + options_.more_samples, claims[s]);
+    }
+    tbb::parallel_for(std::size_t{0}, rest.size(), [&](std::size_t i) {
+      MutantResult& m = *rest[i];
+      Workshop& shop = workshop();
+      Order order = samples_from(m.mutant.setting, options_.samples);
+      m.mutant.put(m.mutant.mutant.expression, shop.compiled);
+      if (!caught(shop, m, order)) settle(m, shop.thorough, shop.compiled);
+      m.mutant.put(m.mutant.original(file_), shop.compiled);
+    });
+  }
+
+  /// Solves samples of a setting, up to a number of them, and judges claims there: those of the setting.
+  void solve_samples(std::size_t s, std::uint64_t count, const std::vector<std::size_t>& claims) {
+    Samples& samples = samples_[s];
+    const std::size_t first = samples.size();
+    if (count <= first) return;
+    samples.resize(count);
+    for (std::size_t c = 0; c < file_.claims.size(); ++c) {
+      if (file_.claims[c].setting == s) baselines_[c].resize(count);
+    }
+    const Sampler sampler(compiled_.settings[s], options_.seed);
+    tbb::parallel_for(first, static_cast<std::size_t>(count), [&](std::size_t i) {
+      std::vector<Rational> values = sampler.at(i);
+      if (values.empty()) return;
+      auto sample = SolvedSample::make(compiled_.settings[s], file_.settings[s].force_kind, std::move(values));
+      if (!sample) return;
+      for (const std::size_t c : claims) {
+        if (file_.claims[c].setting != s) continue;
+        baselines_[c][i].outcome = judge(file_, compiled_, c, Reading::printed, *sample).outcome;
+        baselines_[c][i].reach = reach(file_, compiled_, c, *sample);
+      }
+      sample->table();  // solved once, before threads share it
+      samples[i] = std::move(sample);
+    });
+  }
+
+  using Order = std::vector<std::size_t>;
+  /// The samples of a setting from one on.
+  Order samples_from(std::size_t setting, std::size_t first) const {
+    Order order;
+    for (std::size_t i = first; i < samples_[setting].size(); ++i) {
+      if (samples_[setting][i]) order.push_back(i);
+    }
+    return order;
+  }
+
+  Workshop& workshop() {
+    std::unique_ptr<Workshop>& shop = workshops_.local();
+    if (!shop) shop = std::make_unique<Workshop>(file_, compiled_, quick_, thorough_);
+    return *shop;
+  }
+
+  void judge_group(Workshop& shop, MutantResult* first, MutantResult* last) {
+    Order order = samples_from(first->mutant.setting, 0);
+    for (MutantResult* m = first; m != last; ++m) {
+      m->mutant.put(m->mutant.mutant.expression, shop.compiled);
+      if (!caught(shop, *m, order)) settle(*m, shop.quick, shop.compiled);
+      m->mutant.put(m->mutant.original(file_), shop.compiled);
+    }
+  }
+
+  /// The sample of a workshop whose claims are changed.
+  SolvedSample& changed(Workshop& shop, const ClaimsMutant& m, std::size_t i) const {
+    Samples& own = shop.samples[m.setting];
+    if (own.size() < samples_[m.setting].size()) own.resize(samples_[m.setting].size());
+    // Definitions are evaluated once for a sample: another definition needs another one.
+    if (m.part == ClaimsMutant::Part::definition || !own[i]) {
+      own[i] = samples_[m.setting][i]->under(shop.compiled.settings[m.setting]);
+    }
+    return *own[i];
+  }
+
+  bool caught(Workshop& shop, MutantResult& m, Order& order) const {
+    const bool found = fails(shop, m, order) || reaches_elsewhere(shop, m, order);
+    if (m.mutant.part == ClaimsMutant::Part::definition) {  // its samples remember what is changed back
+      for (auto& sample : shop.samples[m.mutant.setting]) sample.reset();
+    }
+    return found;
+  }
+
+  bool fails(Workshop& shop, MutantResult& m, Order& order) const {
+    for (auto i = order.begin(); i != order.end(); ++i) {
+      SolvedSample& sample = changed(shop, m.mutant, *i);
+      for (const std::size_t c : m.mutant.claims) {
+        if (file_.claims[c].setting != m.mutant.setting) continue;
+        const Outcome before = baselines_[c][*i].outcome;
+        if (before == Outcome::refuted || before == Outcome::undecided) continue;
+        const Judgement j = judge(file_, shop.compiled, c, Reading::printed, sample);
+        if (j.outcome != Outcome::refuted && j.outcome != Outcome::undecided) continue;
+        m.end = j.outcome == Outcome::refuted ? MutantEnd::refuted : MutantEnd::no_value;
+        m.claim = c;
+        m.reason = j.reason;
+        m.sample = sample.values();
+        if (j.witnesses && !j.witnesses->empty()) m.force = j.witnesses->sample();
+        std::rotate(order.begin(), i, i + 1);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool reaches_elsewhere(Workshop& shop, MutantResult& m, const Order& order) const {
+    for (const std::size_t i : order) {
+      SolvedSample& sample = changed(shop, m.mutant, i);
+      for (const std::size_t c : m.mutant.claims) {
+        if (file_.claims[c].setting != m.mutant.setting) continue;
+        const auto force = some_force(reach(file_, shop.compiled, c, sample), baselines_[c][i].reach);
+        if (!force) continue;
+        m.end = MutantEnd::reach;
+        m.claim = c;
+        m.sample = sample.values();
+        m.force = force;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  static void settle(MutantResult& m, Settler& settler, const CompiledClaims& changed) {
+    auto settlement = settler.settle(m.mutant, changed);
+    if (!settlement) return;
+    constexpr std::array ends{MutantEnd::equivalent, MutantEnd::theorem, MutantEnd::vacuous};
+    m.end = ends[static_cast<std::size_t>(settlement->kind)];
+    m.claim = settlement->claim;
+    m.argument = std::move(settlement->argument);
+    m.lemmas = std::move(settlement->lemmas);
+  }
+
+  ClaimsFile file_;
+  const MutationOptions& options_;
+  const CompiledClaims compiled_;
+  std::vector<Samples> samples_;                  ///< by setting; null: no bicycle
+  std::vector<std::vector<Baseline>> baselines_;  ///< by claim and sample
+  LemmaBook quick_{{.split_depth = 1, .slack_attempts = 100, .steps = 500'000}}, thorough_{{}};
+  tbb::enumerable_thread_specific<std::unique_ptr<Workshop>> workshops_;
+  std::mutex mutex_;
+};
+
+}  // namespace
+
+MutationResult judge_mutants(const ClaimsFile& file, const MutationOptions& options) {
+  return Run(file, options).result();
+}
+
+}  // namespace slipproof
