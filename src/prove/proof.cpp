@@ -62,6 +62,41 @@ Names prune_and_name(Proof& proof) {
   return used;
 }
 
+/// Multiplies by the common denominator: certificates have integer coefficients.
+void clear_denominators(Identity& identity) {
+  Integer common = 1;
+  const auto include = [&](const Rational& x) { common = lcm(common, denominator(x)); };
+  for (const WeightedProduct& term : identity.terms) include(term.coefficient);
+  for (const auto& [name, multiplier] : identity.equations) {
+    for (const Term& term : multiplier.terms()) include(term.coefficient);
+  }
+  if (common == 1) return;
+  for (WeightedProduct& term : identity.terms) term.coefficient *= common;
+  for (auto& [name, multiplier] : identity.equations) multiplier = multiplier.scaled(Rational(common));
+}
+
+/// Where the fact 0 > 0 has been derived, its derivation is a contradiction already, without the terms of that fact.
+void close_at_absurdity(Proof& proof) {
+  for (std::size_t i = 0; i < proof.size(); ++i) {
+    Step& step = proof[i];
+    for (Proof& branch : step.branches) close_at_absurdity(branch);
+    if (step.rule != Step::Rule::have || step.sign != Sign::positive || !step.polynomial.front().is_zero()) continue;
+    Step last;
+    last.identities = std::move(step.identities);
+    std::erase_if(last.identities.front().terms,
+                  [&](const WeightedProduct& term) { return term.product.contains(step.name); });
+    proof.erase(proof.begin() + static_cast<std::ptrdiff_t>(i), proof.end());
+    proof.push_back(std::move(last));
+  }
+}
+
+void clear_denominators(Proof& proof) {
+  for (Step& step : proof) {
+    for (Identity& identity : step.identities) clear_denominators(identity);
+    for (Proof& branch : step.branches) clear_denominators(branch);
+  }
+}
+
 void write(std::string& out, const Identity& identity) {
   for (const WeightedProduct& term : identity.terms) {
     out += "term " + term.coefficient.str();
@@ -118,7 +153,9 @@ void multiply(Product& product, const Product& other, unsigned exponent) {
 }
 
 void prune(Proof& proof) {
+  close_at_absurdity(proof);
   prune_and_name(proof);
+  clear_denominators(proof);
 }
 
 std::string certificate_text(const Statement& statement, const Proof& proof) {

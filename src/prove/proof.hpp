@@ -42,7 +42,8 @@ struct Step {
   std::vector<std::pair<std::string, std::string>> values;  ///< of `witness`
 };
 
-/// Removes what the proof does not use: derived facts, and splits with a branch that needs no split.
+/// Removes what the proof does not use: derived facts, and splits with a branch that needs no split. Clears
+/// denominators.
 void prune(Proof& proof);
 
 std::string certificate_text(const Statement& statement, const Proof& proof);
