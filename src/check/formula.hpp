@@ -1,53 +1,207 @@
-// Formulas over sign conditions of polynomials, in negation normal form.
+// Expressions and formulas: what they stand for, and how they are read (grammar and normal form: proofs/FORMAT.md).
 #pragma once
-
-#include <utility>
-#include <vector>
 
 #include "check/polynomial.hpp"
 
 namespace slipproof::check {
 
-enum class Relation { zero, positive, non_negative };  // p = 0, p > 0, p >= 0
-
-/// An atom, or a conjunction or disjunction of parts; without parts the one is true, the other false.
-struct Formula {
-  enum class Kind { atom, conjunction, disjunction } kind = Kind::conjunction;
-  Polynomial polynomial;
-  Relation relation = Relation::zero;
-  std::vector<Formula> parts;
+/// numerator / denominator, defined where no polynomial in `divisors` is zero; the denominator is a product of those.
+struct Fraction {
+  Polynomial numerator;
+  Polynomial denominator{1};
+  std::vector<Polynomial> divisors{};  ///< those that are not constant, each once
 };
 
-inline Formula atom(Polynomial p, Relation relation) {
-  return {Formula::Kind::atom, std::move(p), relation, {}};
-}
+enum class Kind { zero, positive, non_negative, conjunction, disjunction };
 
-/// A list of one part is that part.
-inline Formula combine(Formula::Kind kind, std::vector<Formula> parts) {
+/// p = 0, p > 0, p >= 0, or a conjunction or disjunction; of no parts the one is true, the other false.
+struct Formula {
+  Kind kind = Kind::zero;
+  Polynomial polynomial{};
+  std::vector<Formula> parts{};
+  int depth = 0;
+};
+
+/// A conjunction or disjunction; of one part it is that part.
+inline Formula combine(Kind kind, std::vector<Formula> parts) {
   if (parts.size() == 1) return Formula(std::move(parts.front()));
-  return {kind, {}, {}, std::move(parts)};
+  int depth = 0;
+  for (const Formula& part : parts) depth = std::max(depth, part.depth + 1);
+  require(depth <= kMaxNesting, "a formula is nested too deeply");
+  return {kind, {}, std::move(parts), depth};
 }
 
-inline Formula non_zero(const Polynomial& p) {  // p > 0 or -p > 0
-  return combine(Formula::Kind::disjunction, {atom(p, Relation::positive), atom(-p, Relation::positive)});
+inline Formula non_zero(const Polynomial& p) {
+  return combine(Kind::disjunction, {{Kind::positive, p}, {Kind::positive, -p}});
 }
 
 inline Formula negation(const Formula& formula) {
-  using enum Formula::Kind;
-  if (formula.kind == atom) {
-    if (formula.relation == Relation::zero) return non_zero(formula.polynomial);
-    const bool strict = formula.relation == Relation::positive;
-    return check::atom(-formula.polynomial, strict ? Relation::non_negative : Relation::positive);
-  }
-  Formula result{formula.kind == conjunction ? disjunction : conjunction, {}, {}, {}};
-  for (const Formula& part : formula.parts) result.parts.push_back(negation(part));
-  return result;
+  const Polynomial& p = formula.polynomial;
+  if (formula.kind == Kind::zero) return non_zero(p);
+  if (formula.kind == Kind::positive) return {Kind::non_negative, -p};
+  if (formula.kind == Kind::non_negative) return {Kind::positive, -p};
+  std::vector<Formula> parts;
+  for (const Formula& part : formula.parts) parts.push_back(negation(part));
+  return combine(formula.kind == Kind::conjunction ? Kind::disjunction : Kind::conjunction, std::move(parts));
 }
 
-inline std::size_t size(const Formula& formula) {
-  std::size_t result = 1;
-  for (const Formula& part : formula.parts) result += size(part);
-  return result;
-}
+/// What names stand for.
+struct Names {
+  std::map<std::string, Fraction, std::less<>> values;
+  std::map<std::string, Formula, std::less<>> formulas;
+};
+
+/// Reads expressions and formulas in the names given so far, by a function for each line of the grammar.
+class FormulaReader : public Reader {
+ public:
+  using Reader::Reader;
+  Names names;
+
+  Formula formula() {
+    std::vector<Formula> parts;
+    do parts.push_back(conjunction());
+    while (accept("or"));
+    return combine(Kind::disjunction, std::move(parts));
+  }
+
+  Fraction expression() {
+    Fraction result = product();
+    while (true) {
+      const bool minus = accept("-");
+      if (!minus && !accept("+")) return result;
+      result = sum(std::move(result), minus ? negative(product()) : product());
+    }
+  }
+
+  /// An expression without division.
+  Polynomial polynomial() {
+    Fraction value = expression();
+    require(value.denominator == Polynomial(1), "expected a polynomial with integer coefficients");
+    return std::move(value.numerator);
+  }
+
+ private:
+  /// What stands in brackets. A failure ends the reading, so the depth need not come down after one.
+  template <class Read>
+  auto nested(const char* closing, Read read) {
+    require(++nesting_ <= kMaxNesting, "nested too deeply");
+    auto result = read();
+    expect(closing);
+    --nesting_;
+    return result;
+  }
+
+  Formula conjunction() {
+    std::vector<Formula> parts;
+    do parts.push_back(unit());
+    while (accept("and"));
+    return combine(Kind::conjunction, std::move(parts));
+  }
+
+  Formula unit() {
+    if (accept("{")) return nested("}", [this] { return formula(); });
+    if (accept("false")) return {Kind::disjunction};
+    const auto named = names.formulas.find(peek());
+    if (named == names.formulas.end()) return comparison_chain();
+    name();
+    return named->second;
+  }
+
+  Formula comparison_chain() {
+    std::vector<Formula> parts;
+    Fraction left = expression();
+    while (peek().find_first_of("<>=") != std::string_view::npos) {
+      const std::string relation = take();
+      Fraction right = expression();
+      parts.push_back(comparison(std::move(left), relation, right));
+      left = std::move(right);
+    }
+    require(!parts.empty(), "expected a comparison");
+    return combine(Kind::conjunction, std::move(parts));
+  }
+
+  /// x - y = n/d, and where d is not zero, n/d > 0 says n d > 0. The divisors come first, each as a condition.
+  static Formula comparison(Fraction x, const std::string& relation, Fraction y) {
+    const auto [n, d, divisors] = sum(std::move(x), negative(std::move(y)));
+    std::vector<Formula> parts;
+    for (const Polynomial& divisor : divisors) parts.push_back(non_zero(divisor));
+    if (relation == "!=") parts.push_back(non_zero(n));
+    if (relation == "=") parts.push_back({Kind::zero, n});
+    if (relation == "<") parts.push_back({Kind::positive, -(n * d)});
+    if (relation == "<=") parts.push_back({Kind::non_negative, -(n * d)});
+    if (relation == ">") parts.push_back({Kind::positive, n * d});
+    if (relation == ">=") parts.push_back({Kind::non_negative, n * d});
+    return combine(Kind::conjunction, std::move(parts));
+  }
+
+  Fraction product() {
+    Fraction result = power();
+    while (true) {
+      const bool divide = accept("/");
+      if (!divide && !accept("*")) return result;
+      result = times(std::move(result), divide ? inverse(power()) : power());
+    }
+  }
+
+  Fraction power() {
+    bool minus = false;
+    while (accept("-")) minus = !minus;
+    Fraction result = base();
+    if (accept("^")) {
+      const int n = exponent();
+      result.numerator = result.numerator.power(n);
+      result.denominator = result.denominator.power(n);
+    }
+    return minus ? negative(std::move(result)) : result;
+  }
+
+  Fraction base() {
+    if (accept("(")) return nested(")", [this] { return expression(); });
+    const auto named = names.values.find(peek());
+    if (named == names.values.end()) return {Polynomial(number())};
+    name();
+    return named->second;
+  }
+
+  static Fraction negative(Fraction x) {
+    x.numerator = -std::move(x.numerator);
+    return x;
+  }
+
+  static Fraction sum(Fraction x, const Fraction& y) {
+    add_divisors(x, y.divisors);
+    if (x.denominator == y.denominator) {
+      x.numerator += y.numerator;
+    } else {
+      x.numerator = x.numerator * y.denominator;
+      x.numerator += y.numerator * x.denominator;
+      x.denominator = x.denominator * y.denominator;
+    }
+    return x;
+  }
+
+  static Fraction times(Fraction x, const Fraction& y) {
+    add_divisors(x, y.divisors);
+    x.numerator = x.numerator * y.numerator;
+    x.denominator = x.denominator * y.denominator;
+    return x;
+  }
+
+  static Fraction inverse(Fraction x) {
+    require(!x.numerator.is_zero(), "division by zero");
+    add_divisors(x, {x.numerator});
+    std::swap(x.numerator, x.denominator);
+    return x;
+  }
+
+  static void add_divisors(Fraction& x, const std::vector<Polynomial>& more) {
+    for (const Polynomial& p : more) {
+      const bool known = std::find(x.divisors.begin(), x.divisors.end(), p) != x.divisors.end();
+      if (!known && !p.is_constant()) x.divisors.push_back(p);
+    }
+  }
+
+  int nesting_ = 0;
+};
 
 }  // namespace slipproof::check

@@ -1,81 +1,91 @@
-// Polynomials with rational coefficients for the certificate checker, with limits on their size.
+// Polynomials with integer coefficients.
 #pragma once
 
-#include <gmpxx.h>
-
 #include <array>
-#include <cstdint>
 #include <map>
-#include <stdexcept>
+
+#include "check/reader.hpp"
 
 namespace slipproof::check {
 
-// Limits that keep memory and time bounded whatever is read; proofs/FORMAT.md lists them.
-inline constexpr std::size_t kMaxVariables = 64, kMaxTerms = 10'000, kMaxTermProducts = 200'000;
-inline constexpr std::size_t kMaxCoefficientBits = 8'192;
-inline constexpr int kMaxDegree = 255;  ///< in one variable
+inline constexpr std::size_t kMaxVariables = 64;
+inline constexpr int kMaxDegree = 255;                 ///< in one variable
+inline constexpr std::size_t kMaxProducts = 200'000;   ///< of terms, in a multiplication
+inline constexpr std::size_t kMaxCoefficient = 128;    ///< words of 64 bits
+inline constexpr std::size_t kMaxCounted = 1'000'000;  ///< polynomials and terms at a time
 
-struct LimitError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+/// What is counted while it exists, so that its number, and with it the memory, is bounded whatever is read.
+class Counted {
+ public:
+  Counted() {
+    require(count < kMaxCounted, "too many polynomials and terms");
+    ++count;
+  }
+  Counted(const Counted&) : Counted() {}
+  Counted(Counted&&) noexcept { ++count; }
+  Counted& operator=(const Counted&) = default;
+  ~Counted() { --count; }
+
+ private:
+  inline static thread_local std::size_t count = 0;
 };
 
-/// Terms with coefficient zero are never stored, so equality of polynomials is equality of the maps.
-class Polynomial {
+/// Of each variable in a term.
+struct Exponents : Counted, std::array<std::uint8_t, kMaxVariables> {};
+
+class Polynomial : Counted {
  public:
   Polynomial() = default;
-  explicit Polynomial(const mpq_class& constant) { add({}, constant); }
-  static Polynomial variable(std::size_t index) {
-    Polynomial result;
-    Exponents exponents{};
-    exponents.at(index) = 1;
-    result.add(exponents, 1);
-    return result;
-  }
+  explicit Polynomial(const mpz_class& coefficient, const Exponents& exponents = {}) { add(exponents, coefficient); }
   bool is_zero() const { return terms_.empty(); }
   bool is_constant() const { return is_zero() || (terms_.size() == 1 && terms_.begin()->first == Exponents{}); }
-  mpq_class constant() const { return is_zero() ? mpq_class(0) : terms_.begin()->second; }  ///< of a constant
+  mpz_class constant() const { return is_zero() ? mpz_class(0) : terms_.begin()->second; }  ///< of a constant
+  bool operator==(const Polynomial& other) const { return terms_ == other.terms_; }
 
-  friend Polynomial operator+(Polynomial x, const Polynomial& y) {
-    for (const auto& [exponents, coefficient] : y.terms_) x.add(exponents, coefficient);
-    return x;
+  Polynomial& operator+=(const Polynomial& other) {
+    for (const auto& [exponents, coefficient] : other.terms_) add(exponents, coefficient);
+    return *this;
   }
+
   friend Polynomial operator*(const Polynomial& x, const Polynomial& y) {
-    if (x.terms_.size() * y.terms_.size() > kMaxTermProducts) throw LimitError("a product has too many terms");
+    require(x.terms_.size() * y.terms_.size() <= kMaxProducts, "a product has too many terms");
     Polynomial result;
     for (const auto& [left, p] : x.terms_) {
-      for (const auto& [right, q] : y.terms_) {
-        Exponents sum{};
-        for (std::size_t i = 0; i < kMaxVariables; ++i) {
-          if (left[i] + right[i] > kMaxDegree) throw LimitError("a degree is too large");
-          sum[i] = static_cast<std::uint8_t>(left[i] + right[i]);
-        }
-        result.add(sum, p * q);
-      }
+      for (const auto& [right, q] : y.terms_) result.add(sum(left, right), p * q);
     }
     return result;
   }
-  Polynomial operator-() const { return Polynomial(mpq_class(-1)) * *this; }
-  bool operator==(const Polynomial& other) const { return terms_ == other.terms_; }
-  Polynomial power(unsigned exponent) const {
-    Polynomial result(mpq_class(1));
+
+  friend Polynomial operator-(Polynomial p) {
+    for (auto& [exponents, coefficient] : p.terms_) coefficient = -coefficient;
+    return p;
+  }
+
+  Polynomial power(int exponent) const {
+    Polynomial result(1);
     while (exponent-- > 0) result = result * *this;
     return result;
   }
 
  private:
-  using Exponents = std::array<std::uint8_t, kMaxVariables>;
-
-  void add(const Exponents& exponents, const mpq_class& coefficient) {
-    mpq_class& sum = terms_[exponents];
-    sum += coefficient;
-    if (mpz_sizeinbase(sum.get_num_mpz_t(), 2) + mpz_sizeinbase(sum.get_den_mpz_t(), 2) > kMaxCoefficientBits) {
-      throw LimitError("a coefficient has too many digits");
+  static Exponents sum(const Exponents& x, const Exponents& y) {
+    Exponents result{};
+    for (std::size_t i = 0; i < kMaxVariables; ++i) {
+      require(x[i] + y[i] <= kMaxDegree, "a degree is too large");
+      result[i] = static_cast<std::uint8_t>(x[i] + y[i]);
     }
-    if (sum == 0) terms_.erase(exponents);
-    if (terms_.size() > kMaxTerms) throw LimitError("a polynomial has too many terms");
+    return result;
   }
 
-  std::map<Exponents, mpq_class> terms_;
+  void add(const Exponents& exponents, const mpz_class& coefficient) {
+    const auto term = terms_.try_emplace(exponents).first;
+    mpz_class& sum = term->second;
+    sum += coefficient;
+    require(mpz_size(sum.get_mpz_t()) <= kMaxCoefficient, "a coefficient is too large");
+    if (sum == 0) terms_.erase(term);
+  }
+
+  std::map<Exponents, mpz_class> terms_;  ///< no coefficient is zero, so equality is equality of the maps
 };
 
 }  // namespace slipproof::check

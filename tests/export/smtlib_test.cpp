@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "check/statement.hpp"
+#include "check/theorem.hpp"
 #include "number/rational.hpp"
 #include "prove/statement.hpp"
 #include "support/run_program.hpp"
@@ -97,13 +97,11 @@ bool truth(const Sexp& node, const Point& point) {
 }
 
 bool truth(const check::Formula& formula) {
-  using enum check::Formula::Kind;
-  if (formula.kind == atom) {
+  using enum check::Kind;
+  if (formula.kind != conjunction && formula.kind != disjunction) {
     REQUIRE(formula.polynomial.is_constant());
     const int s = sgn(formula.polynomial.constant());
-    return formula.relation == check::Relation::zero
-               ? s == 0
-               : s > 0 || (formula.relation != check::Relation::positive && s == 0);
+    return formula.kind == zero ? s == 0 : s > 0 || (formula.kind == non_negative && s == 0);
   }
   for (const check::Formula& part : formula.parts) {
     if (truth(part) == (formula.kind == disjunction)) return formula.kind == disjunction;
@@ -126,21 +124,32 @@ std::vector<std::pair<std::string, std::string>> witness(const std::string& theo
 
 /// A motion of A2.1 and the like: the parameters, and the unknowns as the witness of a certificate gives them.
 Point motion(const Point& parameters, const std::vector<std::pair<std::string, std::string>>& values) {
-  check::Environment environment;
+  check::Names names;
   for (const auto& [name, value] : parameters) {
-    environment.values[name] =
-        check::Fraction{check::Polynomial(mpq_class(value.str())), check::Polynomial(mpq_class(1))};
+    names.values[name] = {check::Polynomial(mpz_class(numerator(value).str())),
+                          check::Polynomial(mpz_class(denominator(value).str()))};
   }
   Point point = parameters;
   for (const auto& [name, text] : values) {
-    const check::Fraction value = check::LineReader(text).expression(environment);
-    point[name] = Rational(mpq_class(value.numerator.constant() / value.denominator.constant()).get_str());
+    std::istringstream line(text);
+    check::FormulaReader reader(line);
+    reader.names = names;
+    reader.need_line();
+    const check::Fraction value = reader.expression();
+    point[name] = Rational(value.numerator.constant().get_str()) / Rational(value.denominator.constant().get_str());
   }
   return point;
 }
 
 /// The statement with numbers for its variables and unknowns.
-check::Statement at(const std::string& statement, const Point& point) {
+struct Numbers {
+  explicit Numbers(const std::string& text) : input(text), reader(input), statement(reader) {}
+  std::istringstream input;
+  check::FormulaReader reader;
+  check::Statement statement;
+};
+
+Numbers at(const std::string& statement, const Point& point) {
   std::string text, line;
   for (std::istringstream lines(statement); std::getline(lines, line);) {
     if (!line.starts_with("real ") && !line.starts_with("exists ")) {
@@ -150,17 +159,16 @@ check::Statement at(const std::string& statement, const Point& point) {
     std::istringstream words(line.substr(line.find(' ')));
     for (std::string name; words >> name;) text += "let " + name + " = " + point.at(name).str() + '\n';
   }
-  std::istringstream in(text);
-  return check::Statement(in);
+  return Numbers(text);
 }
 
 /// Compares both readings at the point; how many assertions are true there, of how many.
 std::pair<std::size_t, std::size_t> compare(const std::string& statement, const std::vector<Sexp>& script,
                                             const Point& point) {
-  const check::Statement numbers = at(statement, point);
+  const Numbers numbers = at(statement, point);
   std::vector<bool> expected;
-  for (const auto& [name, formula] : numbers.assumptions()) expected.push_back(truth(formula));
-  expected.push_back(!truth(numbers.shown({})));
+  for (const auto& [name, formula] : numbers.statement.assumptions) expected.push_back(truth(formula));
+  expected.push_back(!truth(numbers.statement.shown));
   std::size_t assertion = 0, count = 0;
   for (const Sexp& command : script) {
     if (command.list[0].word != "assert") continue;

@@ -107,10 +107,7 @@ TEST_CASE("nobody contradicts the shipped proofs") {
     const auto absent = [] { return std::string("-"); };
     std::filesystem::path certificate = statements[i];
     certificate.replace_extension(".cert");
-    row.check = timed([&] {
-      const check::Verdict verdict = check::check_file(certificate).verdict;
-      return std::string(verdict == check::Verdict::accepted ? "accepted" : "rejected");
-    });
+    row.check = timed([&] { return check::check_file(certificate).verdict; });
     row.prove = timed([&] {
       return std::string(prove_statement(statements[i].string(), read_file(statements[i])).proved() ? "proved" : "?");
     });

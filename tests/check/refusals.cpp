@@ -1,0 +1,80 @@
+// Statements that are malformed, and texts that would take memory without bound, are refused with rule and line.
+#include <doctest/doctest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "check/examples.hpp"
+
+using namespace slipproof::check;
+
+TEST_CASE("malformed statements are refused with rule and line") {
+  const std::vector<std::pair<std::string, std::string>> table = {
+      {"", "header: the file ends too early"},
+      {"slipproof-statement 2\n", "header: expected 'slipproof-statement 1'"},
+      {"slipproof-statement 1\nshow false\n", "header: expected 'theorem'"},
+      {"slipproof-statement 1\ntheorem t\nreal x\n", "real: the file ends too early"},
+      {"slipproof-statement 1\ntheorem t\nreal x x\nshow false\n", "real: the name is given twice, or reserved"},
+      {"slipproof-statement 1\ntheorem t\nreal x\nlet x = 1\nshow false\n", "let: the name is given twice"},
+      {"slipproof-statement 1\ntheorem t\nreal or\nshow false\n", "real: the name is given twice, or reserved"},
+      {"slipproof-statement 1\ntheorem t\nassume a: 1 > 0\nassume a: 2 > 0\nshow false\n",
+       "assume: the name is given twice"},
+      {"slipproof-statement 1\ntheorem t\nassume a: y > 0\nshow false\n", "assume: expected a number or a known name"},
+      {"slipproof-statement 1\ntheorem t\nreal x\nassume a: x\nshow false\n", "assume: expected a comparison"},
+      {"slipproof-statement 1\ntheorem t\nreal x\nassume a: x > 1/0\nshow false\n", "assume: division by zero"},
+      {"slipproof-statement 1\ntheorem t\nreal x\nassume a: x > 0 x\nshow false\n",
+       "assume: expected the end of the line"},
+      {"slipproof-statement 1\ntheorem t\nexists u\nassume a: u > 0\nshow false\n", "assume: unknown directive"},
+      {"slipproof-statement 1\ntheorem t\nexists u\nexists v\nshow false\n", "exists: unknown directive"},
+      {"slipproof-statement 1\ntheorem t\nexists u\nreal x\nshow false\n", "real: unknown directive"},
+      {"slipproof-statement 1\ntheorem t\nexists u\nlet u = 1\nshow false\n", "let: the name is given twice"},
+      {"slipproof-statement 1\ntheorem t\nshow false\nshow false\n", "show: nothing may follow `show`"},
+      {"slipproof-statement 1\ntheorem t\nreal x\nshow x^65 > 0\n", "show: an exponent is out of range"},
+      {"slipproof-statement 1\ntheorem t\nreal x\nshow x^0 > 0\n", "show: an exponent is out of range"},
+      {"slipproof-statement 1\ntheorem t\nreal x\nshow ((x^64)^64) > 0\n", "show: a degree is too large"},
+      {"slipproof-statement 1\ntheorem t\nshow (2^64)^64*(2^64)^64*(2^64)^64 > 0\n",
+       "show: a coefficient is too large"},
+      {"slipproof-statement 1\ntheorem t\nshow " + std::string(200, '(') + "1" + std::string(200, ')') + " > 0\n",
+       "nested too deeply"},
+      {"slipproof-statement 1\ntheorem t\nshow " + std::string(100'000, '{') + "\n", "nested too deeply"},
+      {"slipproof-statement 1\ntheorem t\nshow " + std::string(5'000, '9') + " > 0\n", "a coefficient is too large"},
+      {"slipproof-statement 1\ntheorem t\nreal " + std::string(200, 'x') + "\nshow false\n", "expected a name"},
+      {"slipproof-statement 1\ntheorem t\nreal a b c d e f g h\nshow (a+b+c+d+e+f+g+h)^40 > 0\n",
+       "a product has too many terms"},
+      {"slipproof-statement 1\ntheorem t\n#" + std::string(2 << 20, 'x') + "\nshow false\n", "the line is too long"}};
+  for (const auto& [text, expected] : table) {
+    const std::string found = verdict(text, "");
+    INFO("'", text.substr(0, 200), "' gave '", found, "'");
+    CHECK(found.find(expected) != std::string::npos);
+  }
+}
+
+TEST_CASE("what would take memory without bound is refused") {
+  const std::string start = "slipproof-statement 1\ntheorem t\n";
+  std::string variables = start + "real";
+  for (int i = 0; i < 65; ++i) variables += " x" + std::to_string(i);
+  CHECK(verdict(variables + "\nshow false\n", "").find("too many variables") != std::string::npos);
+
+  std::string deep = header(kSplitStatement);
+  for (int i = 0; i < 1'100; ++i) deep += "split n" + std::to_string(i) + ": x\nbranch negative\n";
+  CHECK(verdict(kSplitStatement, deep).find("nested too deeply") != std::string::npos);
+
+  std::string formulas = start + "define d0: 1 = 0 or 1 = 0\n";  // each doubles the one before
+  for (int i = 1; i < 40; ++i) {
+    const std::string before = "d" + std::to_string(i - 1);
+    formulas += "define d" + std::to_string(i) + ": " + before + " and " + before + "\n";
+  }
+  CHECK(verdict(formulas + "show false\n", "").find("too many polynomials and terms") != std::string::npos);
+
+  std::string chain = start + "define d0: 1 = 0\n";  // each one level deeper than the one before
+  for (int i = 1; i < 200; ++i) {
+    chain +=
+        "define d" + std::to_string(i) + ": 1 = 0 " + (i % 2 == 0 ? "and d" : "or d") + std::to_string(i - 1) + "\n";
+  }
+  CHECK(verdict(chain + "show false\n", "").find("a formula is nested too deeply") != std::string::npos);
+
+  std::string sums = start + "real a b c d e f g h\n";
+  for (int i = 0; i < 1'500; ++i) sums += "let s" + std::to_string(i) + " = (a + b + c + d + e + f + g + h)^5\n";
+  CHECK(verdict(sums + "show false\n", "").find("too many polynomials and terms") != std::string::npos);
+}
