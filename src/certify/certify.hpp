@@ -40,7 +40,7 @@ struct CertifySummary {
   /// What is not certified is undecided.
   bool nothing_refuted() const { return count(RecordVerdict::certified) + count(RecordVerdict::undecided) == records; }
   /// Records were judged, and each is certified.
-  bool all_certified() const { return count(RecordVerdict::certified) == records; }
+  bool all_certified() const { return records > 0 && count(RecordVerdict::certified) == records; }
 };
 
 /// Receives output lines, whole ones, in the order of the records.

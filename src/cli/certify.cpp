@@ -70,6 +70,12 @@ int run(Options& options) {
     if (!file || (file.peek(), file.bad())) throw InputError({{options.file, 0, 0, "cannot be read"}});
     file.clear();
   }
+  std::ofstream summary_file;  // opened before the work, not after it
+  const auto cannot_write = [&] { return InputError({{options.summary, 0, 0, "cannot be written"}}); };
+  if (!options.summary.empty()) {
+    summary_file.open(options.summary, std::ios::binary);
+    if (!summary_file) throw cannot_write();
+  }
   const bool quiet = options.common.quiet;
   const Progress progress = progress_bar(!quiet);
   const LineSink sink = [&](std::string_view lines) {
@@ -78,9 +84,8 @@ int run(Options& options) {
   const CertifySummary summary = certify(options.file == "-" ? std::cin : file, sink, options.certify, progress);
   if (progress) std::cerr << "\r\033[K";
   if (!options.summary.empty()) {
-    std::ofstream out(options.summary, std::ios::binary);
-    out << R"({"schema":"slipproof/certify/1",)" << to_json(summary).substr(1) << '\n';
-    if (!out.flush()) throw InputError({{options.summary, 0, 0, "cannot be written"}});
+    summary_file << R"({"schema":"slipproof/certify/1",)" << to_json(summary).substr(1) << '\n';
+    if (!summary_file.flush()) throw cannot_write();
   }
   if (!options.common.json) {
     print(summary_text(summary));

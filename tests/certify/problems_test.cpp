@@ -6,8 +6,9 @@
 #include <sstream>
 
 #include "certify/certify.hpp"
-#include "certify/problem_judge.hpp"
+#include "certify/problem_reader.hpp"
 #include "certify/record_reader.hpp"
+#include "model/scene.hpp"
 
 using namespace slipproof;
 using Json = nlohmann::json;
@@ -193,6 +194,39 @@ TEST_CASE("recorded answers of Siconos get the same verdict as contact problems 
   }
   CHECK(records > 950);
   CHECK(several >= 50);
+}
+
+TEST_CASE("the shipped examples get the verdicts that their table tells, and the bicycle is the one of the scene") {
+  const std::string folder = std::string(SLIPPROOF_SOURCE_DIR) + "/cases/";
+  std::ifstream readme(folder + "contact-problems/README.md"), file(folder + "contact-problems/examples.jsonl");
+  REQUIRE(readme);
+  REQUIRE(file);
+  std::vector<std::string> expected;
+  for (std::string row; std::getline(readme, row);) {
+    std::istringstream cells(row);
+    std::string bar, number, verdict;
+    cells >> bar >> number >> bar >> verdict;
+    if (number == std::to_string(expected.size() + 1)) expected.push_back(verdict);
+  }
+  std::ostringstream text;
+  text << file.rdbuf();
+  const auto lines = run(text.str()).first;
+  REQUIRE(lines.size() == 10);
+  REQUIRE(expected.size() == lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) CHECK(lines[i]["verdict"] == expected[i]);
+  CHECK(lines[3]["solutions"] == 3);
+  CHECK(lines[7]["solutions"] == 3);
+  CHECK(lines[9]["solutions"] == 3);
+
+  const Scene scene = read_scene(folder + "ambiguous.toml");
+  const auto problem = contact_problem(scene.bicycle, scene.road, scene.force_kind, *scene.F);
+  REQUIRE(problem);
+  const std::string all = text.str();
+  const std::size_t last = all.rfind("{");
+  const auto record = read_problem(std::string_view(all).substr(last, all.find('\n', last) - last), false, false);
+  CHECK(record.problem.W == problem->W);
+  CHECK(record.problem.q == problem->q);
+  CHECK(record.problem.mu == problem->mu);
 }
 
 TEST_CASE("decimals mean the nearest binary64, or themselves") {
