@@ -223,7 +223,11 @@ void append_line(std::string& out, std::uint64_t record, const RecordJudgement& 
     }
     out += j.mode_names;
     out += j.contact_problem ? "],\"solutions\":" : "],\"motions\":";
-    append(j.motions);
+    if (j.verdict == RecordVerdict::undecided) {
+      out += "null";  // nobody has counted them
+    } else {
+      append(j.motions);
+    }
     out += ",\"max_relative_error\":";
     if (j.modes == 0 && j.mode_names.empty()) {
       out += "null";

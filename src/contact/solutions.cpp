@@ -12,6 +12,7 @@ namespace {
 constexpr int max_pivots = 2000;
 /// Bits of integers by rows, beyond which exact elimination takes more than a moment.
 constexpr std::size_t max_enumerated_bits = 1U << 13U;
+constexpr std::size_t max_pivoted_bits = 1U << 14U;
 constexpr std::size_t max_bits = 1U << 17U;
 
 std::size_t bit_count(const Integer& x) {
@@ -207,7 +208,7 @@ std::optional<ContactSolutions> ContactSolver::all() const {
 }
 
 std::optional<ContactSolution> ContactSolver::only(ProblemMode mode) const {
-  if (problem_.frictional() || !positive_definite(problem_.W)) return std::nullopt;
+  if (problem_.frictional() || scaled_->bits > max_pivoted_bits || !positive_definite(problem_.W)) return std::nullopt;
   for (int step = 0; step < max_pivots; ++step) {
     ModeOutcome outcome = solve(mode);
     if (outcome.kind == ModeOutcome::Kind::solution) {
