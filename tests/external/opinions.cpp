@@ -1,13 +1,14 @@
-// What z3, cvc5 and Coq say of the shipped statements and certificates, beside the prover and the checker: a table. The
-// limit on a query of z3 and cvc5 is SLIPPROOF_SECONDS (10), on a file of Coq SLIPPROOF_COQ_SECONDS (600) of its
-// processor time. A program that is not installed is left out.
+// What z3, cvc5 and Coq say of the shipped statements and certificates, beside the prover and the checker: a table. All
+// times are processor times. The limit on a query of z3 and cvc5 is SLIPPROOF_SECONDS (10), on a file of Coq
+// SLIPPROOF_COQ_SECONDS (600). A program that is not installed is left out.
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
 #include <atomic>
-#include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <future>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -40,43 +41,67 @@ bool installed(const std::string& program) {
 }
 
 struct Answer {
-  std::string text;  ///< `unsat`, `sat`, `accepted`, `proved`, ...; `-` without the program; `?`: none in time
-  double seconds = 0;
+  std::string text = "-";  ///< `unsat`, `sat`, `accepted`, `proved`, ...; `?`: none in time; `-`: not asked
+  double seconds = 0;      ///< of processor time
 };
 
+double processor_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// What this thread answers.
 template <class Action>
 Answer timed(const Action& action) {
-  const auto begin = std::chrono::steady_clock::now();
+  const double begin = processor_seconds();
   Answer answer{action()};
-  answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  answer.seconds = processor_seconds() - begin;
   return answer;
 }
 
-/// What the shell command writes.
-std::string output(const std::string& command) {
+/// What the shell command writes, with a limit on its processor time.
+Answer output(const std::string& command, const std::string& seconds) {
   const TemporaryFolder folder;
-  const auto file = folder.path() / "out";
-  // A program that is stopped at its limit has said nothing.
-  if (std::system(("(" + command + ") >" + quoted(file.string()) + " 2>&1").c_str()) < 0) return "";
-  return read_file(file);
+  const auto out = folder.path() / "out", times = folder.path() / "times";
+  const std::string limited = "exec 2>/dev/null; (ulimit -t " + seconds + "; " + command + ") >" +
+                              quoted(out.string()) + " 2>&1; times >" + quoted(times.string());
+  if (std::system(limited.c_str()) < 0) return {};
+  // The second line of `times` is of the children, user and system: 0m3.2s 0m0.1s
+  std::istringstream children(read_file(times));
+  std::string line;
+  std::getline(children, line);
+  Answer answer{read_file(out)};
+  double minutes = 0, part = 0;
+  for (char m = 0, s = 0; children >> minutes >> m >> part >> s;) answer.seconds += 60 * minutes + part;
+  return answer;
 }
 
-std::string solver(const std::string& program, const std::filesystem::path& file) {
-  const std::string out = output("timeout " + kSeconds + " " + program + " " + quoted(file.string()));
-  for (const char* answer : {"unsat", "sat"}) {
-    if (out.starts_with(answer)) return answer;
+Answer solver(const std::string& program, const std::filesystem::path& file) {
+  Answer answer = output(program + " " + quoted(file.string()), kSeconds);
+  const bool error = answer.text.find("rror") != std::string::npos;
+  if (answer.text.starts_with("unsat")) {
+    answer.text = "unsat";
+  } else if (answer.text.starts_with("sat")) {
+    answer.text = "sat";
+  } else if (!error) {
+    answer.text = "?";
   }
-  return out.find("rror") == std::string::npos ? "?" : out;
+  return answer;
 }
 
 /// `accepted`, `?`, or Coq's complaint.
-std::string coq(const std::filesystem::path& file) {
+Answer coq(const std::filesystem::path& file) {
   const TemporaryFolder folder;
   std::filesystem::copy_file(file, folder.path() / "theorem.v");
-  const std::string out = output("cd " + quoted(folder.path().string()) + " && ulimit -t " + kCoqSeconds +
-                                 " && coqc -q theorem.v && echo accepted");
-  if (out.ends_with("accepted\n")) return "accepted";
-  return out.find("Error") == std::string::npos ? "?" : out;
+  Answer answer =
+      output("cd " + quoted(folder.path().string()) + " && coqc -q theorem.v && echo accepted", kCoqSeconds);
+  if (answer.text.ends_with("accepted\n")) {
+    answer.text = "accepted";
+  } else if (answer.text.find("Error") == std::string::npos) {
+    answer.text = "?";
+  }
+  return answer;
 }
 
 struct Row {
@@ -104,18 +129,17 @@ TEST_CASE("nobody contradicts the shipped proofs") {
     };
     Row& row = rows[i];
     row.name = std::filesystem::path(name).replace_extension().string();
-    const auto absent = [] { return std::string("-"); };
     std::filesystem::path certificate = statements[i];
     certificate.replace_extension(".cert");
     row.check = timed([&] { return check::check_file(certificate).verdict; });
     row.prove = timed([&] {
       return std::string(prove_statement(statements[i].string(), read_file(statements[i])).proved() ? "proved" : "?");
     });
-    row.z3 = z3 ? timed([&] { return solver("z3", file("smt", ".smt2")); }) : timed(absent);
+    if (z3) row.z3 = solver("z3", file("smt", ".smt2"));
     const auto values = file("smt", ".witness.smt2");
-    row.z3_values = z3 && std::filesystem::exists(values) ? timed([&] { return solver("z3", values); }) : timed(absent);
-    row.cvc5 = cvc5 ? timed([&] { return solver("cvc5", file("smt", ".smt2")); }) : timed(absent);
-    row.coq = coqc ? timed([&] { return coq(file("coq", ".v")); }) : timed(absent);
+    if (z3 && std::filesystem::exists(values)) row.z3_values = solver("z3", values);
+    if (cvc5) row.cvc5 = solver("cvc5", file("smt", ".smt2"));
+    if (coqc) row.coq = coq(file("coq", ".v"));
   };
   std::atomic<std::size_t> next = 0;
   const auto work = [&] {
@@ -174,7 +198,7 @@ TEST_CASE("z3 contradicts statements that are made false") {
     REQUIRE(place != std::string::npos);
     folder.write("changed.statement", text.replace(place, std::string(change.from).size(), change.to));
     REQUIRE(run({"prove", folder.path() / "claims.toml", "--smtlib", folder.path()}).exit_code == 0);
-    CHECK(solver("z3", folder.path() / "changed.smt2") == "sat");
+    CHECK(solver("z3", folder.path() / "changed.smt2").text == "sat");
   }
 }
 
@@ -190,16 +214,16 @@ TEST_CASE("Coq refuses a proof with another number in it, and a theorem that is 
     std::string other = text;
     const auto place = other.find(from, after);
     REQUIRE(place != std::string::npos);
-    return coq(folder.write("changed.v", other.replace(place, from.size(), to)));
+    return coq(folder.write("changed.v", other.replace(place, from.size(), to))).text;
   };
   const std::size_t theorem = text.find("\nTheorem "), proof = text.find("\nProof.", theorem);
-  CHECK(coq(folder.path() / "A2.4.v") == "accepted");
+  CHECK(coq(folder.path() / "A2.4.v").text == "accepted");
   CHECK(changed("IZR_lt 0 2 eq_refl", "IZR_lt 0 3 eq_refl", proof).find("ring") != std::string::npos);
   CHECK(changed("sigma > 0", "sigma >= 0", theorem).find("Error") != std::string::npos);
   CHECK(changed("h > -R", "h > -2*R", theorem).find("Error") != std::string::npos);
   // Nothing is assumed but what the reals of the standard library rest on.
   folder.write("axioms.v", text + "Print Assumptions A2_4.\n");
-  const std::string axioms = output("cd " + quoted(folder.path().string()) + " && coqc -q axioms.v");
+  const std::string axioms = output("cd " + quoted(folder.path().string()) + " && coqc -q axioms.v", kCoqSeconds).text;
   CHECK(axioms.starts_with("Axioms:\n"));
   std::size_t count = 0;
   std::istringstream lines(axioms);
