@@ -32,7 +32,8 @@ struct Conversion {
 }  // namespace
 
 std::unique_ptr<Arithmetic> binary128_arithmetic() {
-  return std::make_unique<PlainArithmetic<Binary128, Conversion, false>>(TradeType{"binary128", bits});
+  return std::make_unique<PlainArithmetic<Binary128, Conversion, looped_modes<Binary128>>>(
+      TradeType{"binary128", bits});
 }
 
 }  // namespace slipproof

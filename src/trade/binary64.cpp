@@ -1,5 +1,6 @@
 #include "number/binary64.hpp"
 
+#include "filter/vector_clones.hpp"
 #include "trade/plain.hpp"
 
 namespace slipproof {
@@ -14,10 +15,16 @@ struct Conversion {
   }
 };
 
+/// Inlined and compiled as the filter is, so that the two differ in nothing but what is believed.
+SLIPPROOF_VECTOR_CLONES("avx2")
+SLIPPROOF_FLATTEN [[gnu::noinline]] ModeSets modes(const ForcedScene<double>& s) {
+  return unrolled_modes(s);
+}
+
 }  // namespace
 
 std::unique_ptr<Arithmetic> binary64_arithmetic() {
-  return std::make_unique<PlainArithmetic<double, Conversion, true>>(TradeType{"binary64", 53});
+  return std::make_unique<PlainArithmetic<double, Conversion, modes>>(TradeType{"binary64", 53});
 }
 
 }  // namespace slipproof

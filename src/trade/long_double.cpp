@@ -21,7 +21,8 @@ struct Conversion {
 }  // namespace
 
 std::unique_ptr<Arithmetic> long_double_arithmetic() {
-  return std::make_unique<PlainArithmetic<long double, Conversion, true>>(TradeType{"long double", bits});
+  return std::make_unique<PlainArithmetic<long double, Conversion, unrolled_modes<long double>>>(
+      TradeType{"long double", bits});
 }
 
 }  // namespace slipproof

@@ -24,7 +24,7 @@ struct Conversion {
 template <unsigned digits>
 std::unique_ptr<Arithmetic> arithmetic() {
   using T = Mpfr<digits>;
-  return std::make_unique<PlainArithmetic<T, Conversion<T>, false>>(
+  return std::make_unique<PlainArithmetic<T, Conversion<T>, looped_modes<T>>>(
       TradeType{"MPFR " + std::to_string(digits) + " digits", static_cast<int>(mpfr_get_prec(T().backend().data()))});
 }
 

@@ -32,15 +32,23 @@ class Plain {
   T value_;
 };
 
-/// decide_modes() for types whose operations are calls: unrolling all modes would save nothing and compile for minutes.
-template <class N>
-ModeSets decide_modes_in_a_loop(const ReducedDynamics<N, N>& dynamics, bool detachment) {
+/// All modes, unrolled: for types that the processor knows.
+template <class T>
+ModeSets unrolled_modes(const ForcedScene<T>& s) {
+  return decide_modes(tracked_dynamics<Plain<T>>(s), s.bicycle.J.has_value());
+}
+
+/// The same for types whose operations are calls: unrolling would save nothing and compile for minutes.
+template <class T>
+ModeSets looped_modes(const ForcedScene<T>& s) {
+  using N = Plain<T>;
+  const auto dynamics = tracked_dynamics<N>(s);
   ModeSets sets;
   const auto add = [](std::uint16_t& set, ContactMode mode) {
     set = static_cast<std::uint16_t>(set | 1U << mode.index());
   };
   for (const ContactMode mode : all_modes()) {
-    if (!mode.on_road() && !detachment) continue;
+    if (!mode.on_road() && !s.bicycle.J) continue;
     const ReducedMotion<N, N> motion(dynamics, mode);
     const bool flipped = certainly_negative(motion.determinant());
     bool certain = flipped || certainly_positive(motion.determinant()), violated = false;
@@ -58,7 +66,7 @@ ModeSets decide_modes_in_a_loop(const ReducedDynamics<N, N>& dynamics, bool deta
 
 /// `Conversion` offers `T rounded(const Rational&)`, correctly rounded but for subnormals, and
 /// `std::optional<Rational> exactly(const T&)`, nothing for NaN and the infinities.
-template <class T, class Conversion, bool unrolled>
+template <class T, class Conversion, ModeSets (*modes)(const ForcedScene<T>&)>
 class PlainArithmetic : public Arithmetic {
  public:
   using Arithmetic::Arithmetic;
@@ -101,15 +109,6 @@ class PlainArithmetic : public Arithmetic {
   }
 
  private:
-  static ModeSets modes(const ForcedScene<T>& s) {
-    const auto dynamics = tracked_dynamics<Plain<T>>(s);
-    if constexpr (unrolled) {
-      return decide_modes(dynamics, s.bicycle.J.has_value());
-    } else {
-      return decide_modes_in_a_loop(dynamics, s.bicycle.J.has_value());
-    }
-  }
-
   std::vector<ForcedScene<T>> scenes_;
 };
 
