@@ -127,6 +127,23 @@ TEST_CASE("false statements have no certificate") {
        "cases a\nbranch 1\ncontradiction\nterm 1 a.1\nterm 1 goal\nqed\nbranch 2\ncontradiction\nterm 1 a.1\n"
        "term 1 goal\nqed\nend\n",
        "there is no such hypothesis here"},
+      {"real x\nshow x > 0\n", "split s: x\nbranch negative\ncontradiction\nterm 1 s\nterm 1 goal\nqed\n",
+       "the lines do not add up to zero"},
+      {"real x\nshow x <= 0\n",
+       "split s: x\nbranch negative\ncontradiction\nterm 1 s\nterm 1 goal\nqed\nbranch zero\ncontradiction\nterm 1 "
+       "goal\n"
+       "equation s: -1\nqed\nbranch positive\ncontradiction\nterm 1 s\nterm 1 goal\nqed\n",
+       "the lines do not add up to zero"},
+      {bounds, "have k: x >= 0\nterm 1 a\nterm 1 k\nqed\ncontradiction\nterm 1 k\nterm 1 b\nqed\n",
+       "no term is strict"},
+      // The relations mean what they say.
+      {"real x\nassume a: x <= 0\nassume b: x >= 0\nshow false\n", "contradiction\nterm 1 a\nterm 1 b\nqed\n",
+       "no term is strict"},
+      {"real x\nassume a: x != 0\nassume b: x > 0\nshow false\n", "contradiction\nterm 1 b\nequation a: -1\nqed\n",
+       "not an equation"},
+      {"real x\nassume a: 1/x < 0\nshow false\n", "contradiction\nterm 1 a.2\nterm 1\nqed\n",
+       "the lines do not add up to zero"},
+      {"real x\nexists u\nshow u > x\n", "contradiction\nterm 1 goal\nqed\n", "there is no such hypothesis here"},
       // Divisors count: x/x = 1 is false at 0, and so is a value that is not defined there.
       {"real x\nshow x/x = 1\n", "cases goal\nbranch 1\ncontradiction\nterm 1 goal.1.1\nterm 1 goal.1.2\nqed\n",
        "no term is strict"},
