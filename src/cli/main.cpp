@@ -17,6 +17,8 @@ int main(int argc, char** argv) {
   cli::add_verify(app, exit_code);
   cli::add_prove(app, exit_code);
   cli::add_check(app, exit_code);
+  cli::add_report(app, exit_code);
+  cli::add_map(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,14 +1,12 @@
-#include <unistd.h>
-
+#include <filesystem>
 #include <fstream>
-#include <iostream>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "cli/command.hpp"
-#include "report/certificates.hpp"
+#include "cli/verify_run.hpp"
 #include "report/errata.hpp"
 #include "report/mutation_report.hpp"
 #include "report/verify_report.hpp"
@@ -21,24 +19,12 @@ struct Options {
   CommonOptions common;
   VerifyOptions verify;
   MutationOptions mutation;
-  std::string claims, lemmas;
+  std::string claims, lemmas, report, trade;
   bool mutants = false;
   bool errata = false, markdown = false, sarif = false, coverage = false;
 
   bool lists_findings() const { return errata || markdown || sarif; }
 };
-
-/// A bar on a terminal, and nowhere else.
-std::function<void(std::uint64_t, std::uint64_t)> progress_bar() {
-  if (isatty(STDERR_FILENO) == 0) return {};
-  return [shown = std::uint64_t{101}](std::uint64_t done, std::uint64_t all) mutable {
-    const std::uint64_t percent = all == 0 ? 100 : done * 100 / all;
-    if (percent == shown) return;
-    shown = percent;
-    std::cerr << "\r[" << std::string(percent / 2, '#') << std::string(50 - percent / 2, ' ') << "] " << percent << " %"
-              << (done == all ? "\r\033[K" : "") << std::flush;
-  };
-}
 
 /// The lemmas as files that slipproof-check reads.
 void write_lemmas(const std::filesystem::path& folder, const MutationResult& result) {
@@ -91,11 +77,13 @@ void add_verify(CLI::App& app, int& exit_code) {
       ->needs(mutants);
   command.add_option("--lemmas", options->lemmas, "Folder for what the arguments rest on, with certificates")
       ->needs(mutants);
+  auto* report =
+      command.add_option("--report", options->report, "Also write the HTML report of the verdicts to this file");
+  command.add_option("--trade", options->trade, "For the report: what slipproof trade --json wrote")->needs(report);
   add_common_options(command, options->common);
   command.callback([options, &exit_code] {
-    const std::filesystem::path claims = options->claims.empty() ? shipped("proofs/rozenblat-yashin/claims.toml")
-                                                                 : std::filesystem::path(options->claims);
-    const ClaimsFile file = read_claims(claims);
+    const std::filesystem::path path = claims_path(options->claims);
+    const ClaimsFile file = read_claims(path);
     if (options->coverage) {
       print(coverage_markdown(file));
       exit_code = uncovered_equations(file).empty() ? as_it_should_be : refuted_or_not_certified;
@@ -105,13 +93,9 @@ void add_verify(CLI::App& app, int& exit_code) {
       exit_code = judge_mutants(file, *options);
       return;
     }
-    options->verify.seed = options->common.seed;
-    options->verify.threads = options->common.threads;
-    if (!options->common.quiet) options->verify.progress = progress_bar();
-    VerifyResult result = verify(file, options->verify);
-    find_certificates(file, result, claims.parent_path());
-    for (const ClaimResult& claim : result.claims) {
-      for (const std::string& objection : claim.rejections) std::cerr << "certificate rejected: " << objection << '\n';
+    const VerifyResult result = run_verify(path, file, options->verify, options->common);
+    if (!options->report.empty()) {
+      write_report(options->report, report_html(path, file, result, options->verify.only, options->trade));
     }
     if (options->lists_findings()) {
       const std::vector<Finding> findings = errata(file, result);
@@ -122,20 +106,7 @@ void add_verify(CLI::App& app, int& exit_code) {
     } else {
       print(options->common.json ? verify_json(file, result) : verify_text(file, result, options->common.quiet));
     }
-    switch (summary(file, result)) {
-      case Summary::as_expected:
-        exit_code = as_it_should_be;
-        break;
-      case Summary::rejected:
-        exit_code = certificate_rejected;
-        break;
-      case Summary::refuted:
-        exit_code = refuted_or_not_certified;
-        break;
-      case Summary::undecided:
-        exit_code = undecided;
-        break;
-    }
+    exit_code = exit_of(summary(file, result));
   });
 }
 

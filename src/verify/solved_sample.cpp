@@ -4,17 +4,12 @@
 #include <array>
 #include <utility>
 
+#include "model/domain.hpp"
 #include "model/linear_form.hpp"
 
 namespace slipproof {
 
 namespace {
-
-/// The domains of model.md's table.
-bool in_model_domain(const Bicycle<Rational>& p, const Road<Rational>& road) {
-  return p.M > 0 && p.R > 0 && p.h > -p.R && p.b2 + p.b3 > 0 && p.I1 >= 0 && p.I2 >= 0 && p.I3 >= 0 && p.r1 > 0 &&
-         p.r2 > 0 && (!p.J || *p.J > 0) && road.f >= 0 && road.g > 0;
-}
 
 /// The order of rational functions of a variable that grows beyond all bounds.
 struct FieldAtInfinity : FieldOf<RationalFunction> {
@@ -51,7 +46,7 @@ bool SolvedSample::read_scene(ForceKind kind) {
     *targets[i] = std::move(*value);
   }
   scene_.force_kind = kind;
-  if (!in_model_domain(p, scene_.road)) return false;
+  if (!in_domain(p, scene_.road)) return false;
   const auto force = functions_.number(*setting_->scene()[targets.size()]).number;
   if (!force || force->numerator().degree() > 1 || force->denominator().degree() > 0) return false;
   force_ = {force->numerator().coefficient(0), force->numerator().coefficient(1)};

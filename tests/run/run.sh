@@ -24,6 +24,7 @@ case " $LACKING " in
 esac' >"$scratch/bin/dpkg-query"
 echo '#!/bin/sh
 echo "slipproof$(printf " <%s>" "$@")" >>"$CALLS"
+[ "$1" = trade ] && exit 0
 echo "s REFUTED"
 exit 1' >"$project/build/slipproof"
 chmod -R a+rwX "$scratch"
@@ -59,7 +60,7 @@ expect 0 '' 'usage:*'
 
 # Nothing missing: no apt-get. The verdict's exit code comes through, the output is kept.
 call "$project/run" verify --samples 5 'a b'
-expect 1 'cmake --preset release*cmake --build --preset release*slipproof <verify> <--samples> <5> <a b>' 's REFUTED'
+expect 1 'cmake --preset release*cmake --build --preset release*slipproof <trade> <--quick> <--json>*slipproof <verify> <--report> <build/report/index.html> <--trade> <build/report/trade.json> <--samples> <5> <a b>' 's REFUTED'
 [[ $(cat "$project/build/report/verify.txt") == 's REFUTED' ]]
 call "$project/run" test
 expect 0 'cmake*ctest --preset release*cmake*ctest --preset sanitize*' ''

@@ -1,0 +1,12 @@
+// SVG to PNG, where librsvg was there when the program was built.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace slipproof::cli {
+
+/// The picture at twice its size in pixels. Throws std::runtime_error, which says so if the program has no librsvg.
+std::string png_of(std::string_view svg);
+
+}  // namespace slipproof::cli

@@ -1,0 +1,57 @@
+#include <fmt/format.h>
+
+#include <fstream>
+#include <memory>
+#include <string>
+
+#include "cli/command.hpp"
+#include "cli/verify_run.hpp"
+#include "page/page.hpp"
+#include "page/sha256.hpp"
+#include "report/exact_json.hpp"
+
+namespace slipproof::cli {
+
+namespace {
+
+struct Options {
+  CommonOptions common;
+  VerifyOptions verify;
+  std::string claims, trade, out = "report.html";
+};
+
+}  // namespace
+
+void add_report(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<Options>();
+  CLI::App& command =
+      *app.add_subcommand("report", "One self-contained HTML file with everything: verdicts, proofs, pictures");
+  command.add_option("CLAIMS", options->claims, "Claims file (TOML); default: the shipped paper");
+  command.add_option("--out", options->out, "The file to write; - for standard output")->capture_default_str();
+  command.add_option("--samples", options->verify.samples, "Bicycles for each setting of the paper")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}))
+      ->capture_default_str();
+  command.add_option("--only", options->verify.only, "Only the claims whose id begins with this, such as A or E4.7");
+  command.add_option("--trade", options->trade, "What slipproof trade --json wrote, for speed against accuracy");
+  add_common_options(command, options->common);
+  command.callback([options, &exit_code] {
+    const std::filesystem::path path = claims_path(options->claims);
+    const ClaimsFile file = read_claims(path);
+    const VerifyResult result = run_verify(path, file, options->verify, options->common);
+    const std::string html = report_html(path, file, result, options->verify.only, options->trade);
+    exit_code = exit_of(summary(file, result));
+    if (options->out == "-") return print(html);
+    write_report(options->out, html);
+    if (options->common.json) {
+      Json document;
+      document["schema"] = "slipproof/report/1";
+      document["file"] = options->out;
+      document["bytes"] = html.size();
+      document["sha256"] = sha256(html);
+      return print(dump(document));
+    }
+    print(fmt::format("s REPORTED {} {} bytes\n", options->out, html.size()));
+  });
+}
+
+}  // namespace slipproof::cli

@@ -1,0 +1,77 @@
+#include "cli/verify_run.hpp"
+
+#include <unistd.h>
+
+#include <fstream>
+#include <iostream>
+
+#include "input/diagnostic.hpp"
+#include "page/page.hpp"
+#include "report/certificates.hpp"
+
+namespace slipproof::cli {
+
+std::function<void(std::uint64_t, std::uint64_t)> progress_bar() {
+  if (isatty(STDERR_FILENO) == 0) return {};
+  return [shown = std::uint64_t{101}](std::uint64_t done, std::uint64_t all) mutable {
+    const std::uint64_t percent = all == 0 ? 100 : done * 100 / all;
+    if (percent == shown) return;
+    shown = percent;
+    std::cerr << "\r[" << std::string(percent / 2, '#') << std::string(50 - percent / 2, ' ') << "] " << percent << " %"
+              << (done == all ? "\r\033[K" : "") << std::flush;
+  };
+}
+
+std::filesystem::path claims_path(const std::string& argument) {
+  return argument.empty() ? shipped("proofs/rozenblat-yashin/claims.toml") : std::filesystem::path(argument);
+}
+
+VerifyResult run_verify(const std::filesystem::path& claims, const ClaimsFile& file, VerifyOptions options,
+                        const CommonOptions& common) {
+  options.seed = common.seed;
+  options.threads = common.threads;
+  if (!common.quiet) options.progress = progress_bar();
+  VerifyResult result = verify(file, options);
+  find_certificates(file, result, claims.parent_path());
+  for (const ClaimResult& claim : result.claims) {
+    for (const std::string& objection : claim.rejections) std::cerr << "certificate rejected: " << objection << '\n';
+  }
+  return result;
+}
+
+Exit exit_of(Summary summary) {
+  switch (summary) {
+    case Summary::rejected:
+      return certificate_rejected;
+    case Summary::refuted:
+      return refuted_or_not_certified;
+    case Summary::undecided:
+      return undecided;
+    case Summary::as_expected:
+      break;
+  }
+  return as_it_should_be;
+}
+
+std::string report_html(const std::filesystem::path& claims, const ClaimsFile& file, const VerifyResult& result,
+                        const std::string& only, const std::filesystem::path& trade) {
+  PageInput input = gather({claims, shipped("cases"), shipped("cases/solvers"), trade}, file, result);
+  std::error_code error;
+  const bool is_shipped = std::filesystem::equivalent(claims, claims_path(""), error);
+  input.command = "slipproof report" + (is_shipped ? "" : " " + claims.filename().string()) + " --samples " +
+                  std::to_string(result.samples) + " --seed " + std::to_string(result.seed);
+  if (!only.empty()) input.command += " --only " + only;
+  if (!trade.empty()) input.command += " --trade " + trade.filename().string();
+  input.version = SLIPPROOF_VERSION;
+  return page_html(input);
+}
+
+void write_report(const std::filesystem::path& path, const std::string& contents) {
+  std::error_code error;
+  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
+  std::ofstream out(path, std::ios::binary);
+  out << contents;
+  if (!out.flush()) throw InputError({{path.string(), 0, 0, "cannot be written"}});
+}
+
+}  // namespace slipproof::cli

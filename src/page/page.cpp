@@ -1,0 +1,166 @@
+#include "page/page.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "check/files.hpp"
+#include "input/text_file.hpp"
+#include "page/assets.hpp"
+#include "page/sections.hpp"
+#include "page/sha256.hpp"
+#include "page/trade_data.hpp"
+#include "picture/palette.hpp"
+
+namespace slipproof {
+
+namespace {
+
+constexpr std::size_t longest_certificate = 1U << 28U;
+
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder, std::string_view extension) {
+  std::vector<std::filesystem::path> files;
+  if (folder.empty()) return files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.is_regular_file() && entry.path().extension() == extension) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+class Gathering {
+ public:
+  explicit Gathering(PageInput& input) : input_(input) {}
+
+  void source(const std::filesystem::path& file, const std::string& name) {
+    input_.sources.push_back({name, sha256(read_text_file(file, longest_certificate))});
+  }
+
+  void certificates(const std::filesystem::path& folder) {
+    for (const auto& file : check::certificates_in(folder)) {
+      const auto checked = check::check_file(file);
+      PageCertificate certificate;
+      certificate.file = file.lexically_relative(folder).generic_string();
+      certificate.theorem = checked.theorem.empty() ? certificate.file : checked.theorem;
+      certificate.accepted = checked.verdict == "accepted";
+      certificate.message = checked.message;
+      // The page does not say where it was made.
+      const std::string prefix = folder.string() + "/";
+      if (certificate.message.starts_with(prefix)) certificate.message.erase(0, prefix.size());
+      std::filesystem::path statement = file;
+      statement.replace_extension(".statement");
+      certificate.statement = read_text_file(statement, longest_certificate);
+      input_.certificates.push_back(certificate);
+      std::error_code error;
+      if (!std::filesystem::exists(file, error)) continue;
+      source(statement, "proofs/" + statement.lexically_relative(folder).generic_string());
+      source(file, "proofs/" + certificate.file);
+    }
+  }
+
+ private:
+  PageInput& input_;
+};
+
+void add_head(const Element& html, const PageInput& input) {
+  const Element head = html.add("head");
+  head.add("meta").set("charset", "utf-8");
+  head.add("meta").set("name", "viewport").set("content", "width=device-width, initial-scale=1");
+  head.add("meta").set("name", "color-scheme").set("content", "light dark");
+  head.add("meta").set("name", "generator").set("content", "slipproof " + input.version);
+  // No icon is fetched from anywhere.
+  head.add("link").set("rel", "icon").set("href", "data:,");
+  head.add("title").text("slipproof: " + input.claims->paper.title);
+  head.add("style").code(std::string(assets::style_css) + picture_style());
+}
+
+void add_header(const Element& body, const PageInput& input) {
+  body.add("a", "skip").set("href", "#overview").text("Skip to the results");
+  const Element header = body.add("header", "top");
+  header.add("a", "brand").set("href", "#overview").text("slipproof");
+  const Element list = header.add("nav").set("aria-label", "Sections").add("ul");
+  std::vector<std::pair<std::string, const char*>> links{{"#overview", "Overview"}};
+  if (!input.figures.empty() || !input.scenes.empty()) links.emplace_back("#phase", "Phase diagrams");
+  links.insert(links.end(), {{"#claims", "Claims"}, {"#errata", "Errata"}});
+  if (!input.certificates.empty()) links.emplace_back("#certificates", "Certificates");
+  links.emplace_back("#trade", "Speed");
+  if (!input.solvers.empty()) links.emplace_back("#solvers", "Solvers");
+  links.emplace_back("#reproduce", "Reproduce");
+  for (const auto& [target, text] : links) list.add("li").add("a").set("href", target).text(text);
+}
+
+}  // namespace
+
+PageInput gather(const PageFolders& folders, const ClaimsFile& claims, const VerifyResult& result) {
+  PageInput input;
+  input.claims = &claims;
+  input.result = &result;
+  Gathering gathering(input);
+  gathering.source(folders.claims, folders.claims.filename().string());
+  const std::filesystem::path beside = folders.claims.has_parent_path() ? folders.claims.parent_path() : ".";
+  const std::filesystem::path figures = beside / "figures.toml";
+  if (std::filesystem::exists(figures)) {
+    input.figures = read_figures(figures, claims);
+    gathering.source(figures, "figures.toml");
+  }
+  gathering.certificates(beside);
+  for (const auto& file : files_in(folders.cases, ".toml")) {
+    input.scenes.push_back(read_scene(file));
+    gathering.source(file, "cases/" + file.filename().string());
+  }
+  for (const auto& file : files_in(folders.solvers, ".csv")) {
+    input.solvers.push_back(certify_solver(file));
+    gathering.source(file, "solvers/" + file.filename().string());
+  }
+  if (!folders.trade.empty()) {
+    input.trade = read_trade(folders.trade);
+    gathering.source(folders.trade, folders.trade.filename().string());
+  }
+  return input;
+}
+
+Element add_section(const Element& main, const char* id, std::string_view heading) {
+  const Element section = main.add("section").set("id", id).set("aria-labelledby", std::string(id) + "-heading");
+  section.add("h2").set("id", std::string(id) + "-heading").text(heading);
+  return section;
+}
+
+std::string_view verdict_name(const ClaimResult& result) {
+  return result.proved && result.verdict == Verdict::holds ? "proved" : name(result.verdict);
+}
+
+Element add_chip(const Element& parent, std::string_view verdict) {
+  const std::array<std::pair<std::string_view, std::string_view>, 4> signs{
+      {{"proved", "✓✓ "}, {"holds", "✓ "}, {"refuted", "✗ "}, {"undecided", "? "}}};
+  const auto sign = std::find_if(signs.begin(), signs.end(), [&](const auto& s) { return s.first == verdict; });
+  const Element chip = parent.add("span", "chip " + std::string(verdict));
+  if (sign != signs.end()) chip.add("span").set("aria-hidden", "true").text(sign->second);
+  return chip.text(verdict);
+}
+
+std::string counted(std::size_t count, std::string_view noun) {
+  return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
+}
+
+std::string page_html(const PageInput& input) {
+  const Document document("html");
+  const Element html = document.root().set("lang", "en");
+  add_head(html, input);
+  const Element body = html.add("body");
+  add_header(body, input);
+  const Element main = body.add("main");
+  add_overview(main, input);
+  add_phase_section(main, input);
+  add_claims_section(main, input);
+  add_errata_section(main, input);
+  add_certificates_section(main, input);
+  add_trade_section(main, input);
+  add_solvers_section(main, input);
+  add_reproduce_section(main, input);
+  body.add("footer").add("p").text("Made by slipproof " + input.version +
+                                   ". Every number that is not marked as rounded is exact.");
+  body.add("script").code(assets::script_js);
+  return document.html();
+}
+
+}  // namespace slipproof

@@ -1,0 +1,59 @@
+// The report that people look at: one HTML file that needs nothing else, neither a network nor a script.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/scene.hpp"
+#include "page/solvers.hpp"
+#include "picture/figures.hpp"
+#include "trade/trade.hpp"
+#include "verify/verify.hpp"
+
+namespace slipproof {
+
+/// A file that the page was made from.
+struct PageSource {
+  std::string name;
+  std::string sha256;  ///< hexadecimal
+};
+
+/// A certificate and what the checker says of it.
+struct PageCertificate {
+  std::string theorem, file;
+  std::string statement;  ///< its text
+  bool accepted = false;
+  std::string message;  ///< why not
+};
+
+struct PageInput {
+  const ClaimsFile* claims = nullptr;
+  const VerifyResult* result = nullptr;
+  std::string command;  ///< what makes the page again
+  std::string version;
+  std::vector<Figure> figures;
+  std::vector<PageCertificate> certificates;
+  std::vector<Scene> scenes;  ///< a plane of f and F is drawn for each
+  std::vector<SolverVerdicts> solvers;
+  std::optional<Trade> trade;
+  std::vector<PageSource> sources;
+};
+
+/// Where the parts of a report come from; what is not given is left out of it.
+struct PageFolders {
+  std::filesystem::path claims;   ///< the claims file; figures.toml and certificates stand beside it
+  std::filesystem::path cases;    ///< scenes
+  std::filesystem::path solvers;  ///< recorded outputs of solvers, CSV
+  std::filesystem::path trade;    ///< a file that `slipproof trade --json` wrote
+};
+
+/// Reads all of it, checks the certificates and certifies the solvers' outputs. Names of files are relative to the
+/// folders, so that the page is the same wherever they stand. Throws InputError.
+PageInput gather(const PageFolders& folders, const ClaimsFile& claims, const VerifyResult& result);
+
+/// The page, HTML 5. The same input gives the same bytes.
+std::string page_html(const PageInput& input);
+
+}  // namespace slipproof

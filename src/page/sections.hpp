@@ -1,0 +1,50 @@
+// The sections of the page, in its order.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "markup/element.hpp"
+#include "page/page.hpp"
+#include "picture/phase_diagram.hpp"
+
+namespace slipproof {
+
+/// A section with its heading.
+Element add_section(const Element& main, const char* id, std::string_view heading);
+
+void add_overview(const Element& main, const PageInput& input);
+void add_phase_section(const Element& main, const PageInput& input);
+void add_claims_section(const Element& main, const PageInput& input);
+void add_errata_section(const Element& main, const PageInput& input);
+void add_certificates_section(const Element& main, const PageInput& input);
+void add_trade_section(const Element& main, const PageInput& input);
+/// One picture: speed against errors, or against wrong verdicts.
+void add_trade_plot(const Element& parent, const Trade& trade, bool errors, bool small);
+void add_solvers_section(const Element& main, const PageInput& input);
+void add_reproduce_section(const Element& main, const PageInput& input);
+
+/// One claim in all of its readings.
+void add_claim_card(const Element& parent, const PageInput& input, std::size_t claim);
+/// What a claim says, in words and formulas.
+void add_formal(const Element& parent, const ClaimsFile& file, const Claim& claim, Reading reading);
+/// What is wrong, with a picture, and the arithmetic to follow by hand.
+void add_counterexample(const Element& parent, const ClaimsFile& file, const ClaimResult& result);
+
+/// A diagram with its legend, its sample points for the script, and the table behind it.
+struct PhaseFigure {
+  const PhaseDiagram& diagram;
+  std::string caption;
+  bool small = false;
+};
+void add_phase_figure(const Element& parent, const PhaseFigure& figure);
+
+/// What a verdict is called: proved, holds, refuted, undecided.
+std::string_view verdict_name(const ClaimResult& result);
+/// A verdict as a small label that does not rely on its colour.
+Element add_chip(const Element& parent, std::string_view verdict);
+
+/// `5 claims`, `1 claim`.
+std::string counted(std::size_t count, std::string_view noun);
+
+}  // namespace slipproof

@@ -1,0 +1,15 @@
+// A bicycle seen from the side, with the forces of a motion as arrows.
+#pragma once
+
+#include "markup/element.hpp"
+#include "modes/motions.hpp"
+
+namespace slipproof {
+
+/// The scene drawn to scale, with the forces of `motion` in proportion to each other and their exact values beside
+/// them: normal reactions from below, tangential ones along the road, the weight, the pedal force and the acceleration.
+/// Without a motion, the bicycle alone. Needs picture_style() in the document.
+Element add_bicycle(const Element& parent, const Scene& scene, const FoundMotion<Rational>* motion,
+                    std::string_view title);
+
+}  // namespace slipproof

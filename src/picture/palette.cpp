@@ -1,0 +1,85 @@
+#include "picture/palette.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string_view>
+
+namespace slipproof {
+
+namespace {
+
+struct Colour {
+  std::string_view light, dark;
+};
+
+/// By ContactMode::index(): rear stick, slip+, slip-, lift; in each, front the same.
+constexpr std::array<Colour, 16> mode_colours{{{"#a6cbea", "#2b5a86"},
+                                               {"#8fd3b3", "#1f6b50"},
+                                               {"#bfe6e4", "#2a6f74"},
+                                               {"#cdbfe8", "#564692"},
+                                               {"#dfe08c", "#6b6a1b"},
+                                               {"#c3d69b", "#4d662b"},
+                                               {"#e3d0a6", "#705b2c"},
+                                               {"#b9c0f0", "#434b9a"},
+                                               {"#f9d989", "#8d680c"},
+                                               {"#ee9f78", "#96431b"},
+                                               {"#e9bfb2", "#804c3c"},
+                                               {"#e5a3c5", "#8a3b6b"},
+                                               {"#a4b3d8", "#3c4f82"},
+                                               {"#a3cfd2", "#33656a"},
+                                               {"#dab3dc", "#703e74"},
+                                               {"#c8c8c8", "#5c5c5c"}}};
+
+struct Ink {
+  std::string_view light, dark, rule;
+};
+
+/// Everything else that has a colour.
+constexpr std::array<Ink, 18> inks{{{"#1d2733", "#e8edf3", ".ink{{fill:{}}}"},
+                                    {"#55606e", "#a9b4c1", ".soft{{fill:{}}}"},
+                                    {"#1d2733", "#e8edf3", ".edge{{fill:none;stroke-width:1.6;stroke:{}}}"},
+                                    {"#b3125f", "#ff8fc0", ".new{{fill:none;stroke-width:2.4;stroke:{}}}"},
+                                    {"#4c5866", "#b9c4d0", ".curve{{fill:none;stroke-dasharray:2 4;stroke:{}}}"},
+                                    {"#4c5866", "#b9c4d0", ".line{{fill:none;stroke-dasharray:7 4;stroke:{}}}"},
+                                    {"#b3125f", "#ff8fc0", ".misprint{{fill:none;stroke-dasharray:7 4;stroke:{}}}"},
+                                    {"#8b95a1", "#7d8896", ".frame{{fill:none;stroke:{}}}"},
+                                    {"#ffffff", "#14191f", ".paper{{fill:{}}}"},
+                                    {"#ffffff", "#14191f", ".halo{{paint-order:stroke;stroke-width:3.5;stroke:{}}}"},
+                                    {"#4d3a80", "#d9ccff", ".dots{{fill:{}}}"},
+                                    {"#b3125f", "#ff8fc0", ".hatching{{fill:none;stroke-width:1.4;stroke:{}}}"},
+                                    {"#0b5fa5", "#7cc0ff", ".dot{{fill:{}}}"},
+                                    {"#17663f", "#8fdcb0", ".highlight{{fill:{}}}"},
+                                    {"#1d2733", "#e8edf3", ".body{{fill:none;stroke-width:2.2;stroke:{}}}"},
+                                    {"#0b5fa5", "#7cc0ff", ".normal{{stroke-width:2;stroke:{0};fill:{0}}}"},
+                                    {"#b34700", "#ffb27a", ".friction{{stroke-width:2;stroke:{0};fill:{0}}}"},
+                                    {"#4a5563", "#c0cad6", ".load{{stroke-width:2;stroke:{0};fill:{0}}}"}}};
+
+}  // namespace
+
+std::string picture_style() {
+  std::string light, dark;
+  for (std::size_t i = 0; i < mode_colours.size(); ++i) {
+    light += fmt::format(".m{}{{fill:{}}}\n", i, mode_colours[i].light);
+    dark += fmt::format(".m{}{{fill:{}}}\n", i, mode_colours[i].dark);
+  }
+  for (const Ink& ink : inks) {
+    light += fmt::format(fmt::runtime(ink.rule), ink.light) + "\n";
+    dark += fmt::format(fmt::runtime(ink.rule), ink.dark) + "\n";
+  }
+  return light + "@media screen and (prefers-color-scheme:dark){\n" + dark + "}\n";
+}
+
+std::string fill_class(ContactMode mode) {
+  return "m" + std::to_string(mode.index());
+}
+
+std::string in_words(ContactMode mode) {
+  constexpr std::array<std::string_view, 4> does{"rolls", "slips forwards", "slips backwards", "is off the road"};
+  const auto rear = static_cast<std::size_t>(mode.rear), front = static_cast<std::size_t>(mode.front);
+  if (mode.rear != mode.front) return fmt::format("rear wheel {}, front wheel {}", does[rear], does[front]);
+  constexpr std::array<std::string_view, 4> both{"roll", "slip forwards", "slip backwards", "are off the road"};
+  return fmt::format("both wheels {}", both[rear]);
+}
+
+}  // namespace slipproof

@@ -1,0 +1,79 @@
+// Phase diagrams: which motions there are at each point of a plane of one parameter (horizontal) and the force
+// (vertical). In every column the answer is exact, for all forces at once; between columns it is joined up.
+#pragma once
+
+#include <compare>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "modes/motions.hpp"
+
+namespace slipproof {
+
+struct Axis {
+  std::string symbol;
+  Rational from, to;  ///< from < to
+};
+
+/// One value of the parameter, solved for all forces.
+struct PhaseColumn {
+  Rational x;
+  bool even = true;                             ///< one of the evenly spaced ones
+  std::vector<Cell> cells;                      ///< of the vertical axis' variable; motions are over the pedal force
+  Affine<Rational> pedal{Rational(0), 1};       ///< the pedal force at a value of the vertical axis' variable
+  std::vector<std::optional<Rational>> curves;  ///< where the plane's curves are
+  std::vector<std::optional<ForceInterval>> refuted;  ///< for each claim of the plane: forces at which it is false
+};
+
+/// What is to be drawn.
+struct Plane {
+  /// A value of x that has a name.
+  struct Line {
+    std::string symbol;
+    Rational x;
+    bool misprint = false;  ///< as printed, where another value is meant
+  };
+  std::string id;     ///< letters, digits and -, unique in a page
+  std::string title;  ///< any text
+  Axis x, y;
+  std::vector<std::string> curves;  ///< symbols of the thresholds that a paper gives
+  std::vector<Line> lines;
+  std::vector<std::string> claims;  ///< ids of the claims that are held against the plane
+  struct Mark {
+    Rational x, y;
+    std::string label;
+  };
+  std::optional<Mark> mark;
+  /// Solves a column; nothing where the parameter has no meaning.
+  std::function<std::optional<PhaseColumn>(const Rational& x)> solve;
+};
+
+struct PhaseDiagram {
+  Plane plane;
+  std::vector<PhaseColumn> columns;  ///< in the order of x
+};
+
+/// Solves evenly spaced columns, the named values of x, and, where two neighbours differ in their sets of motions, more
+/// between them, until the change is narrower than can be seen.
+PhaseDiagram phase_diagram(Plane plane, std::size_t columns);
+
+/// Which motions there are: each by its modes, in the order of the modes; and the continua.
+struct MotionSet {
+  std::vector<std::vector<ContactMode>> motions;
+  std::vector<ContactMode> continua;
+
+  bool operator==(const MotionSet& other) const { return motions == other.motions && continua == other.continua; }
+};
+MotionSet motion_set(const Cell& cell);
+/// `stick/stick, stick/lift`; `no motion`.
+std::string name(const MotionSet& set);
+
+/// The open intervals of a column, upwards.
+std::vector<const Cell*> open_cells(const PhaseColumn& column);
+
+/// The cell that a value of the vertical axis is in.
+const Cell& cell_at(const PhaseColumn& column, const Rational& y);
+
+}  // namespace slipproof

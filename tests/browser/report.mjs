@@ -1,0 +1,165 @@
+// What a reader of the report meets in a browser: nothing is fetched, nothing complains, everything can be reached.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { after, before, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { chromium } from 'playwright-core';
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+const report = pathToFileURL('index.html').href;
+const project = process.env.PROJECT;
+let browser;
+
+before(async () => {
+  browser = await chromium.launch({ executablePath: '/usr/bin/chromium', args: ['--no-sandbox'] });
+});
+after(async () => browser?.close());
+
+// A page that has loaded the report, with all that it said and asked for.
+async function open({ width = 1280, colorScheme = 'light', javaScriptEnabled = true } = {}) {
+  const context = await browser.newContext({ viewport: { width, height: 900 }, colorScheme, javaScriptEnabled });
+  const page = await context.newPage();
+  page.said = [];
+  page.asked = [];
+  page.on('console', message => page.said.push(message.text()));
+  page.on('pageerror', error => page.said.push(String(error)));
+  page.on('request', request => page.asked.push(request.url()));
+  await page.goto(report);
+  return page;
+}
+
+const solve = scene => JSON.parse(execFileSync(process.env.SLIPPROOF, ['solve', '--json', scene], { encoding: 'utf8' }));
+
+test('loads from a file without a complaint and without asking for anything', async () => {
+  const page = await open();
+  assert.deepEqual(page.said, []);
+  assert.deepEqual(page.asked.filter(url => url !== report && !url.startsWith('data:')), []);
+  const milliseconds = await page.evaluate(() => performance.getEntriesByType('navigation')[0].domContentLoadedEventEnd);
+  console.log(`DOM ready after ${Math.round(milliseconds)} ms`);
+});
+
+test('sections are there, their links lead to them, a link to a claim opens it', async () => {
+  const page = await open();
+  for (const link of await page.locator('nav a').all()) {
+    const target = (await link.getAttribute('href')).slice(1);
+    await link.click();
+    assert.equal(await page.evaluate(() => location.hash.slice(1)), target);
+    assert.ok(await page.locator(`[id="${target}"]`).isVisible());
+  }
+  await page.locator('#errata a').first().click();
+  const id = await page.evaluate(() => decodeURIComponent(location.hash.slice(1)));
+  assert.ok(await page.locator(`[id="${id}"]`).evaluate(claim => claim.open));
+});
+
+test('the filter shows what it says', async () => {
+  const page = await open();
+  const visible = () => page.locator('.claim:visible').count();
+  const all = await visible();
+  await page.locator('#show-failing').check();
+  const failing = await visible();
+  assert.equal(failing, await page.locator('.claim.failing').count());
+  assert.ok(0 < failing && failing < all);
+});
+
+// The motions at a point as the tooltip has them: [modes, {quantity: value}].
+async function tooltip(figure) {
+  return figure.locator('.tip').evaluate(tip => {
+    const motions = [];
+    for (const child of tip.children) {
+      if (child.classList.contains('motion')) motions.push([child.textContent, {}]);
+      if (child.tagName !== 'DL') continue;
+      const names = [...child.querySelectorAll('dt')], values = [...child.querySelectorAll('dd')];
+      names.forEach((name, i) => { motions.at(-1)[1][name.textContent] = values[i].textContent; });
+    }
+    return { place: tip.firstChild.textContent, motions };
+  });
+}
+
+// The same from solve --json; quantities that are 0 do not stand in a tooltip.
+function solved(scene) {
+  return solve(scene).motions.map(motion => {
+    const { modes, status, ...values } = motion;
+    const named = Object.entries(values).filter(([, value]) => value !== '0');
+    return [modes.join(' = ') + (status === 'strict' ? '' : ' (boundary)'), Object.fromEntries(named)];
+  });
+}
+
+test('tooltips say exactly what solve --json says at the same point', async () => {
+  const page = await open();
+  for (const name of ['city-bicycle', 'pulled-pedal', 'reduced-form']) {
+    const text = readFileSync(`${project}/cases/${name}.toml`, 'utf8');
+    const title = /^name = "(.*)"/m.exec(text)[1];
+    const figure = page.locator('.grid .phase', { has: page.getByRole('heading', { name: title, exact: true }) });
+    const svg = figure.locator('.plot svg');
+    await svg.scrollIntoViewIfNeeded();
+    const box = await svg.boundingBox();
+    for (const [across, up] of [[0.35, 0.2], [0.5, 0.5], [0.8, 0.75]]) {
+      await page.mouse.move(box.x + across * box.width, box.y + up * box.height);
+      const shown = await tooltip(figure);
+      const [, f, F] = /^f = (\S+), +F = (\S+)$/.exec(shown.place);
+      const scene = text.replace(/^f = .*$/m, `f = "${f}"`).replace(/^[FP] = .*$/m, '')
+        .replace(/^kind = .*$/m, line => `${line}\nF = "${F}"`);
+      writeFileSync('scene.toml', scene);
+      assert.deepEqual(shown.motions, solved('scene.toml'), `${name} at ${shown.place}`);
+    }
+  }
+});
+
+test('the arrow keys go from point to point, Escape hides, leaving hides', async () => {
+  const page = await open();
+  const figure = page.locator('#plane-b');
+  await figure.locator('.plot').focus();
+  const first = await tooltip(figure);
+  await page.keyboard.press('ArrowRight');
+  const second = await tooltip(figure);
+  assert.notEqual(first.place, second.place);
+  await page.keyboard.press('ArrowLeft');
+  assert.deepEqual(await tooltip(figure), first);
+  await page.keyboard.press('Escape');
+  assert.ok(await figure.locator('.tip').isHidden());
+});
+
+test('a hostile name is text', async () => {
+  const name = '</script><img src=x onerror="document.title=1">&amp;<b>bold</b>';
+  const scene = readFileSync(`${project}/cases/city-bicycle.toml`, 'utf8').replace(/^name = .*$/m, `name = '${name}'`);
+  writeFileSync('hostile.toml', scene);
+  const svg = execFileSync(process.env.SLIPPROOF, ['map', 'hostile.toml', '--columns', '20'], { encoding: 'utf8' });
+  writeFileSync('hostile.svg', svg);
+  const page = await (await browser.newContext()).newPage();
+  const asked = [];
+  page.on('request', request => asked.push(request.url()));
+  await page.goto(pathToFileURL('hostile.svg').href);
+  assert.ok((await page.evaluate(() => document.documentElement.textContent)).includes(name));
+  assert.equal(await page.locator('img, b, script').count(), 0);
+  assert.equal(asked.length, 1);
+});
+
+for (const colorScheme of ['light', 'dark']) {
+  test(`axe-core finds nothing to object to, ${colorScheme}`, async () => {
+    const page = await open({ colorScheme });
+    await page.evaluate(() => document.querySelectorAll('details.failing').forEach(d => { d.open = true; }));
+    await page.evaluate(axe);
+    const found = await page.evaluate(() => window.axe.run(document, { resultTypes: ['violations'] }));
+    const told = found.violations.map(v => `${v.id}: ${v.nodes.length}, ${v.nodes[0].html.slice(0, 200)} ${v.nodes[0].failureSummary}`);
+    assert.deepEqual(told, []);
+  });
+}
+
+for (const width of [360, 768, 1280]) {
+  test(`nothing sticks out at a width of ${width}`, async () => {
+    const page = await open({ width });
+    await page.evaluate(() => document.querySelectorAll('details.failing').forEach(d => { d.open = true; }));
+    const overflow = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+    assert.ok(overflow <= 0, `${overflow} pixels`);
+    await page.screenshot({ path: `report-${width}.png` });
+  });
+}
+
+test('everything can be read without a script', async () => {
+  const page = await open({ javaScriptEnabled: false });
+  assert.ok(await page.locator('#plane-b svg').first().isVisible());
+  await page.locator('#plane-b details summary').click();
+  assert.ok(await page.locator('#plane-b details table').isVisible());
+});

@@ -1,0 +1,63 @@
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/run_program.hpp"
+
+using slipproof::test::read_file;
+using slipproof::test::run;
+using slipproof::test::TemporaryFolder;
+using Json = nlohmann::json;
+
+namespace {
+
+const std::string scene = SLIPPROOF_SOURCE_DIR "/cases/city-bicycle.toml";
+
+}  // namespace
+
+TEST_CASE("report writes one file, the same at any number of threads") {
+  const TemporaryFolder folder;
+  const auto report = [&](const std::string& name, const std::string& threads) {
+    const std::string file = (folder.path() / name).string();
+    const auto outcome = run({"report", "--samples", "40", "--only", "A5.1", "--threads", threads, "--out", file});
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.out.starts_with("s REPORTED "));
+    return read_file(file);
+  };
+  const std::string html = report("one.html", "1");
+  CHECK(html.starts_with("<!DOCTYPE html>"));
+  CHECK(html.find("claim-A5.1") != html.npos);
+  CHECK(html == report("deep/two.html", "2"));
+  CHECK(run({"report", "--samples", "1", "--only", "A1", "--out", folder.path().string()}).exit_code == 3);
+  CHECK(run({"report", "--trade", scene, "--samples", "1", "--only", "A1", "--out", "-"}).exit_code == 3);
+}
+
+TEST_CASE("verify writes the report of what it says") {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "index.html").string();
+  const auto outcome = run({"verify", "--samples", "20", "--only", "A1", "--report", file});
+  CHECK(outcome.exit_code == 0);
+  CHECK(read_file(file).find("claim-A1.1") != std::string::npos);
+}
+
+TEST_CASE("map draws a scene, as SVG, as PNG where it can, and as exact data") {
+  const auto svg = run({"map", scene, "--x", "f", "--y", "F", "--columns", "12"});
+  CHECK(svg.exit_code == 0);
+  CHECK(svg.out.starts_with("<?xml"));
+  const auto png = run({"map", scene, "--columns", "12", "--png"});
+  CHECK((png.out.starts_with("\x89PNG") || (png.exit_code == 1 && png.err.find("librsvg") != std::string::npos)));
+  const auto json = run({"map", scene, "--x", "h0", "--x-range", "0.5", "3/2", "--columns", "4", "--json"});
+  const Json document = Json::parse(json.out);
+  CHECK(document["schema"] == "slipproof/map/1");
+  CHECK(document["x_range"] == Json({"1/2", "3/2"}));
+  CHECK(document["columns"].front()["h0"] == "1/2");
+}
+
+TEST_CASE("map refuses what it cannot draw, in words") {
+  CHECK(run({"map", scene, "--x", "frog"}).exit_code == 2);
+  CHECK(run({"map", scene, "--y", "f"}).exit_code == 2);
+  CHECK(run({"map", scene, "--x-range", "nan", "1"}).exit_code == 2);
+  CHECK(run({"map", scene, "--x-range", "1", "1"}).exit_code == 3);
+  CHECK(run({"map", scene, "--x", "R", "--x-range", "-2", "-1"}).exit_code == 3);
+  CHECK(run({"map", "nowhere.toml"}).exit_code == 3);
+}

@@ -1,0 +1,180 @@
+// The report: well-formed, the same bytes each time, everything in it escaped, every link leading somewhere.
+#include "page/page.hpp"
+
+#include <doctest/doctest.h>
+
+#include <pugixml.hpp>
+#include <set>
+
+#include "input/diagnostic.hpp"
+#include "page/sha256.hpp"
+#include "page/trade_data.hpp"
+#include "report/trade_report.hpp"
+#include "support/run_program.hpp"
+#include "verify/shipped.hpp"
+
+using namespace slipproof;
+
+namespace {
+
+const std::string hostile = "</script><script>alert(1)</script><b onmouseover=x>\"'&amp;\xE2\x80\xAE\x01";
+
+const VerifyResult& small_result() {
+  static const VerifyResult result = [] {
+    VerifyOptions options;
+    options.samples = 60;
+    return verify(test::shipped_paper(), options);
+  }();
+  return result;
+}
+
+PageInput small_input() {
+  PageInput input;
+  input.claims = &test::shipped_paper();
+  input.result = &small_result();
+  input.command = "slipproof report";
+  input.version = "0";
+  input.figures = read_figures(SLIPPROOF_SOURCE_DIR "/proofs/rozenblat-yashin/figures.toml", *input.claims);
+  input.scenes.push_back(read_scene(SLIPPROOF_SOURCE_DIR "/cases/wheelie.toml"));
+  input.scenes.back().name = hostile;
+  input.certificates.push_back({"T<1>", "T.cert", "a < b & c", false, "line 1: " + hostile});
+  input.solvers.push_back({hostile, 10, {4, 3, 2, 1, 0, 0}, 1});
+  input.sources.push_back({hostile, sha256("")});
+  return input;
+}
+
+pugi::xml_document read(const std::string& html) {
+  pugi::xml_document tree;
+  const auto result = tree.load_string(html.c_str(), pugi::parse_default | pugi::parse_doctype | pugi::parse_ws_pcdata);
+  INFO(result.description() << " at " << result.offset);
+  REQUIRE(result);
+  return tree;
+}
+
+const std::string& small_page() {
+  static const std::string html = page_html(small_input());
+  return html;
+}
+
+}  // namespace
+
+TEST_CASE("the page is well-formed, small, and the same bytes each time") {
+  CHECK(small_page().starts_with("<!DOCTYPE html>"));
+  read(small_page());
+  CHECK(small_page().size() < 3'000'000);
+  CHECK(page_html(small_input()) == small_page());
+}
+
+TEST_CASE("hostile names are text") {
+  const auto tree = read(small_page());
+  for (const auto& script : tree.select_nodes("//script")) {
+    CHECK(std::string(script.node().text().get()).find("alert") == std::string::npos);
+  }
+  CHECK(tree.select_nodes("//b[@onmouseover]").empty());
+  int shown = 0;
+  for (const auto& heading : tree.select_nodes("//figure//bdi")) {
+    shown += std::string(heading.node().text().get()).find("<script>alert(1)</script>") != std::string::npos;
+  }
+  CHECK(shown == 1);
+}
+
+TEST_CASE("every link leads somewhere in the page, every id is there once, nothing comes from elsewhere") {
+  const auto tree = read(small_page());
+  std::set<std::string> ids;
+  for (const auto& found : tree.select_nodes("//*[@id]")) {
+    const std::string id = found.node().attribute("id").value();
+    CAPTURE(id);
+    CHECK(ids.insert(id).second);
+  }
+  for (const auto& found : tree.select_nodes("//a[@href]")) {
+    const std::string href = found.node().attribute("href").value();
+    CAPTURE(href);
+    REQUIRE(href.starts_with("#"));
+    CHECK(ids.contains(href.substr(1)));
+  }
+  for (const auto& found : tree.select_nodes("//*[@fill]")) {
+    const std::string fill = found.node().attribute("fill").value();
+    if (fill.starts_with("url(#")) CHECK(ids.contains(fill.substr(5, fill.size() - 6)));
+  }
+  CHECK(tree.select_nodes("//*[@src]").empty());
+  CHECK(tree.select_nodes("//link[not(starts-with(@href, 'data:'))]").empty());
+  CHECK(small_page().find("@import") == std::string::npos);
+}
+
+TEST_CASE("every claim is there with its verdicts, every finding in the errata, every counterexample with a picture") {
+  const auto tree = read(small_page());
+  const VerifyResult& result = small_result();
+  for (const ClaimResult& claim : result.claims) {
+    const std::string id = "claim-" + small_input().claims->claims[claim.claim].id;
+    CAPTURE(id);
+    const auto card = tree.select_node(("//details[@id='" + id + "']").c_str()).node();
+    REQUIRE(card);
+    const ClaimKind kind = small_input().claims->claims[claim.claim].kind;
+    const bool formulas = kind == ClaimKind::interval || kind == ClaimKind::formula || kind == ClaimKind::consequence ||
+                          kind == ClaimKind::system || kind == ClaimKind::equivalence;
+    CHECK((!formulas || !card.select_nodes(".//math").empty()));
+    if (!claim.counterexample) continue;
+    CHECK(!card.select_nodes(".//*[@class='counterexample']").empty());
+    const bool moves = claim.counterexample->motions && !claim.counterexample->motions->motions.empty();
+    if (moves) CHECK(!card.select_nodes(".//svg[@class='bicycle']").empty());
+  }
+  CHECK(tree.select_nodes("//section[@id='errata']//li").size() > 20);
+}
+
+TEST_CASE("the arithmetic beside a counterexample comes to nothing wrong: each row ends in = 0, 11 rows a motion") {
+  const auto tree = read(small_page());
+  const auto tables = tree.select_nodes("//div[@class='motion']//table[1]");
+  CHECK(tables.size() > 5);
+  for (const auto& table : tables) CHECK(table.node().select_nodes(".//tr").size() == 11);
+}
+
+TEST_CASE("fingerprints are SHA-256") {
+  CHECK(sha256("") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  CHECK(sha256("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+TEST_CASE("a measurement of trade is read back, and drawn") {
+  TradeOptions options;
+  options.scenes = 2;
+  options.seconds = 0;
+  const Trade trade = measure_trade(options);
+  const test::TemporaryFolder folder;
+  const Trade back = read_trade(folder.write("trade.json", trade_json(trade)));
+  REQUIRE(back.rows.size() == trade.rows.size());
+  for (std::size_t i = 0; i < back.rows.size(); ++i) {
+    CHECK(back.rows[i].type == trade.rows[i].type);
+    CHECK(back.rows[i].wrong == trade.rows[i].wrong);
+    CHECK(back.rows[i].worst_force == trade.rows[i].worst_force);
+  }
+  PageInput input = small_input();
+  input.figures.clear();
+  input.scenes.clear();
+  input.trade = back;
+  CHECK(!read(page_html(input)).select_nodes("//svg[@class='scatter']").empty());
+  for (const std::string bad : {"", "[]", "{\"schema\":\"slipproof/trade/2\"}", "{\"schema\":\"slipproof/trade/1\"}"}) {
+    CHECK_THROWS_AS(read_trade(folder.write("bad.json", bad)), InputError);
+  }
+}
+
+TEST_CASE("a solver's outputs are judged as the table of cases/solvers says") {
+  const SolverVerdicts verdicts = certify_solver(SLIPPROOF_SOURCE_DIR "/cases/solvers/plain-enumerator.csv");
+  CHECK(verdicts.verdicts == std::array<std::uint64_t, 6>{145, 10, 7, 10, 0, 0});
+  CHECK(verdicts.unfounded == 10);
+}
+
+TEST_CASE("everything that comes with the program is gathered") {
+  const std::string root = SLIPPROOF_SOURCE_DIR;
+  const test::TemporaryFolder folder;
+  const auto claims = folder.write("claims.toml", test::read_file(root + "/proofs/rozenblat-yashin/claims.toml"));
+  for (const char* name : {"A1.1a.statement", "A1.1a.cert", "A1.2a.statement"}) {
+    folder.write(name, test::read_file(root + "/proofs/rozenblat-yashin/" + name));
+  }
+  const PageInput input =
+      gather({claims, root + "/cases", root + "/cases/solvers", {}}, test::shipped_paper(), small_result());
+  CHECK(input.figures.empty());  // there is no figures.toml beside the claims
+  CHECK(input.scenes.size() >= 10);
+  CHECK(input.solvers.size() == 12);
+  REQUIRE(input.certificates.size() == 2);
+  CHECK(input.certificates[0].accepted);
+  CHECK(!input.certificates[1].accepted);  // it is missing
+}
