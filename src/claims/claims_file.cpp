@@ -30,6 +30,10 @@ std::string_view name(Expectation expectation) {
   return names[static_cast<std::size_t>(expectation)];
 }
 
+std::string id(const Definition& definition) {
+  return (definition.equation.empty() ? "" : definition.equation + ".") + definition.symbol;
+}
+
 std::size_t Setting::parameter_index(std::string_view symbol) const {
   const auto found = std::find_if(parameters.begin(), parameters.end(),
                                   [&](const Parameter& parameter) { return parameter.symbol == symbol; });

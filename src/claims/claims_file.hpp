@@ -73,6 +73,9 @@ struct Definition {
   std::string why;      ///< why the print must be a misprint
 };
 
+/// What a definition is called in references and lists: `3.1.b1`, or its symbol where the paper gives it no number.
+std::string id(const Definition& definition);
+
 /// Expressions for what a scene file holds, over parameters; `F` also over the force.
 inline constexpr std::array<std::string_view, 15> scene_symbols{"M",  "R",  "h", "b2", "b3", "I1", "I2", "I3",
                                                                 "r1", "r2", "L", "J",  "f",  "g",  "F"};
@@ -149,6 +152,8 @@ struct Claim {
   std::string why;  ///< of the claim's own repair
   std::string note;
   std::optional<Grade> grade;
+  /// Findings of others that it shows once more: ids of graded claims, or `3.1.b1` of a repaired definition.
+  std::vector<std::string> part_of;
 
   const ClaimBody& body(Reading reading) const {
     return reading == Reading::repaired && repaired ? *repaired : printed;

@@ -38,8 +38,8 @@ const Shape& shape(ClaimKind kind) {
 
 constexpr std::array<std::string_view, 12> body_keys{"mode",   "modes",  "region", "forces",    "holds",  "claims",
                                                      "except", "expect", "given",  "equations", "assume", "parameter"};
-constexpr std::array<std::string_view, 10> claim_keys{"id",      "equation", "line",  "statement", "kind",
-                                                      "setting", "note",     "grade", "repaired",  "why"};
+constexpr std::array<std::string_view, 11> claim_keys{"id",   "equation", "line",     "statement", "kind",   "setting",
+                                                      "note", "grade",    "repaired", "why",       "part_of"};
 
 std::string expected_value(std::string_view key) {
   if (key == "mode") return "a contact mode such as \"stick/slip+\"";
@@ -90,6 +90,10 @@ class ClaimsReader {
     claim.why = context_.optional_text(table, "why");
     read_setting(table, claim);
     read_grade(table, claim);
+    for (const PlacedText* id : table.strings("part_of")) {
+      claim.part_of.push_back(id->text());
+      parts_.push_back({context_.file.claims.size(), id});
+    }
     const bool known = read_kind(table, claim);
     if (known) {
       check_keys(table, claim.kind, "[[claim]]");
@@ -114,9 +118,24 @@ class ClaimsReader {
       if (claim.repaired->given.empty()) claim.repaired->given = claim.printed.given;
     }
     add_implied_readings();
+    for (const auto& [claim, id] : parts_) check_part(context_.file.claims[claim], *id);
   }
 
  private:
+  void check_part(const Claim& claim, const PlacedText& id) {
+    for (const Setting& setting : context_.file.settings) {
+      for (const Definition& definition : setting.definitions) {
+        if (definition.repaired && slipproof::id(definition) == id.text()) return;
+      }
+    }
+    const Claim* found = context_.file.find(id.text());
+    if (found != nullptr && found != &claim && found->grade && found->part_of.empty()) return;
+    context_.refuse(id, 0, "part_of",
+                    "found " + in_quotes(id.text()) +
+                        ", expected another claim with a grade and no part_of, or EQUATION.SYMBOL of a definition "
+                        "with a repair");
+  }
+
   void read_id(const TableReader& table, Claim& claim) {
     claim.id = context_.text(table, "id", "the id of the claim, such as \"A1.1\"");
     if (table.string("id") == nullptr) return;
@@ -365,6 +384,7 @@ class ClaimsReader {
   std::vector<std::string_view> settings_;
   std::vector<References> references_;
   std::vector<Expecting> only_expecting_;
+  std::vector<std::pair<std::size_t, const PlacedText*>> parts_;  ///< claims, and what they are part of
 };
 
 }  // namespace

@@ -61,7 +61,12 @@ class Collection {
       }
     }
     for (const ClaimResult& r : result_.claims) {
-      if (r.reading == Reading::printed && file_.claims[r.claim].grade) add_claim(r);
+      if (r.reading == Reading::printed && file_.claims[r.claim].grade && file_.claims[r.claim].part_of.empty()) {
+        add_claim(r);
+      }
+    }
+    for (const ClaimResult& r : result_.claims) {
+      if (r.reading == Reading::printed) add_part(r);
     }
     std::stable_sort(found_.begin(), found_.end(), [](const auto& x, const auto& y) { return x.line < y.line; });
     return std::move(found_);
@@ -70,7 +75,7 @@ class Collection {
  private:
   void add_definition(std::size_t setting, const Definition& definition) {
     Finding finding;
-    finding.id = (definition.equation.empty() ? "" : definition.equation + ".") + definition.symbol;
+    finding.id = id(definition);
     finding.line = definition.line;
     finding.statement = definition.symbol;
     // A symbol that the paper uses and defines nowhere stands in the file as a quotient by 0.
@@ -87,6 +92,7 @@ class Collection {
       if (claim.setting != setting || !uses(names, claim, definition.symbol)) continue;
       if (r.reading == Reading::printed) {
         failing += r.verdict != Verdict::holds;
+        if (r.verdict != Verdict::holds) finding.claims.push_back(claim.id);
         if (r.verdict == Verdict::refuted && !undefined && failing == 1) {
           finding.wrong = claim.id + ": " + counterexample_text(file_, r);
         }
@@ -123,6 +129,7 @@ class Collection {
     if (claim.repaired && change.empty() && *claim.grade == Grade::misprint) return;
     Finding finding;
     finding.id = claim.id;
+    finding.claims = {claim.id};
     finding.line = claim.line;
     finding.grade = *claim.grade;
     finding.statement = claim.statement;
@@ -142,10 +149,39 @@ class Collection {
     found_.push_back(std::move(finding));
   }
 
+  /// A claim that shows findings of others once more: the first of them lends it its place.
+  void add_part(const ClaimResult& printed) {
+    const Claim& claim = file_.claims[printed.claim];
+    for (const std::string& whole : claim.part_of) {
+      const auto found = std::find_if(found_.begin(), found_.end(), [&](const Finding& f) { return f.id == whole; });
+      if (found == found_.end()) continue;
+      if (std::find(found->claims.begin(), found->claims.end(), claim.id) == found->claims.end()) {
+        found->claims.push_back(claim.id);
+      }
+      const Claim* own = file_.find(whole);
+      if (own == nullptr) continue;
+      const ClaimResult* result = result_.find(file_, whole, Reading::printed);
+      const bool shown = result == nullptr || result->verdict != Verdict::holds;
+      if (!shown && printed.counterexample && whole == claim.part_of.front()) {
+        found->wrong += ". " + claim.id + ": " + counterexample_text(file_, printed);
+      }
+      if (found->error == Certainty::sampled && printed.proved) {  // what is true instead
+        found->error = Certainty::proved;
+        found->disproofs = printed.certificates;
+      }
+    }
+  }
+
   const ClaimsFile& file_;
   const VerifyResult& result_;
   std::vector<Finding> found_;
 };
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
 
 std::string summary_line(const std::vector<Finding>& findings) {
   std::array<int, 4> counts{};
@@ -161,13 +197,13 @@ std::string summary_line(const std::vector<Finding>& findings) {
 }  // namespace
 
 std::string error_certainty(const Finding& finding) {
+  if (!finding.disproofs.empty()) return "proved for all parameters (" + joined(finding.disproofs) + ")";
   // A counterexample, or a missing value, is exact.
   return finding.error == Certainty::proved ? "exact" : "sampled (" + std::to_string(finding.tried) + " samples)";
 }
 
 std::string repair_certainty(const Finding& finding) {
-  std::string names;
-  for (const std::string& certificate : finding.certificates) names += (names.empty() ? "" : ", ") + certificate;
+  std::string names = joined(finding.certificates);
   if (!names.empty()) names = (finding.certificates.size() == 1 ? "certificate " : "certificates ") + names;
   if (finding.mended == Certainty::sampled) {
     names = std::to_string(finding.samples) + " samples" + (names.empty() ? "" : "; in part proved: " + names);
@@ -192,6 +228,7 @@ std::string errata_text(const ClaimsFile& file, const std::vector<Finding>& find
     line("wrong", f.wrong);
     line("repair", f.repair);
     line("why", f.why);
+    line("claims", joined(f.claims));
     line("certainty", "error " + error_certainty(f) + (f.repair.empty() ? "" : ", repair " + repair_certainty(f)));
   }
   return text;
@@ -211,6 +248,7 @@ std::string errata_markdown(const ClaimsFile& file, const std::vector<Finding>& 
     item("What is wrong", f.wrong, false);
     item("Repair", f.repair, true);
     item("Why", f.why, false);
+    item("Claims", joined(f.claims), false);
     item("How sure",
          "the error " + error_certainty(f) + (f.repair.empty() ? "" : ", the repair " + repair_certainty(f)), false);
   }

@@ -29,6 +29,8 @@ struct Finding {
   Certainty mended = Certainty::sampled;  ///< that the repair is right
   std::vector<std::string> certificates;  ///< names of those that prove what holds with the repair, or part of it
   std::uint64_t samples = 0;              ///< at which the rest of it holds: 0 where all is proved
+  std::vector<std::string> claims;        ///< all claims that it touches
+  std::vector<std::string> disproofs;     ///< certificates of what is true instead
   std::uint64_t tried = 0;                ///< samples at which an error was looked for, where that is all there is
 };
 

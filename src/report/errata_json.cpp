@@ -30,7 +30,9 @@ std::string errata_json(const ClaimsFile& file, const std::vector<Finding>& find
     entry["why"] = text_or_null(f.why);
     entry["error"] = f.error == Certainty::proved ? "exact" : "sampled";
     entry["repaired"] = f.repair.empty() ? Json(nullptr) : Json(name(f.mended));
+    entry["claims"] = f.claims;
     entry["certificates"] = f.certificates;
+    entry["disproofs"] = f.disproofs;
     entry["samples"] = f.samples;
     list.push_back(std::move(entry));
   }

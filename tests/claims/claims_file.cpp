@@ -261,6 +261,9 @@ TEST_CASE("every mistake is told with its place") {
        "claims.toml:69:10: holds: found the quantity a, which only `holds` of a claim with a mode knows"},
       {"holds = \"a = P/2\"", "holds = \"a = P/2\"\nexpect = \"true\"",
        "claims.toml:71:10: expect: unknown verdict 'true', expected one of holds, refuted, undecided"},
+      {"holds = \"a = P/2\"", "holds = \"a = P/2\"\npart_of = [\"nothing\"]",
+       "claims.toml:71:13: part_of: found 'nothing', expected another claim with a grade and no part_of, or "
+       "EQUATION.SYMBOL of a definition with a repair"},
       {"holds = \"a = P/2\"", "holds = \"a = P/2\"\ngrade = \"typo\"",
        "claims.toml:71:9: grade: unknown grade 'typo', expected one of misprint, gap, boundary, false"},
       {"holds = \"a = P/2\"", "holds = \"a = P/2\"\nsetting = \"plane\"",

@@ -52,7 +52,7 @@ TEST_CASE("each finding says where, what is wrong, and how sure that is") {
   CHECK(finding("E4.1.2").mended == Certainty::proved);
   CHECK(finding("T4.8.1").grade == Grade::wrong);
   CHECK(finding("T4.8.1").repair.empty());
-  CHECK(finding("R2.3.2").error == Certainty::sampled);  // something that was not found
+  CHECK(finding("R2.3.2").error == Certainty::sampled);  // something that was not found, no certificate at hand
   const Finding& equilibrium = finding("T2.8.7");
   CHECK(equilibrium.grade == Grade::wrong);
   CHECK(equilibrium.repair.find("sigma != 1") != std::string::npos);
@@ -61,6 +61,42 @@ TEST_CASE("each finding says where, what is wrong, and how sure that is") {
     CHECK(f.line > 0);
     CHECK_FALSE(f.wrong.empty());
   }
+}
+
+TEST_CASE("every finding is listed once, with the claims that it touches") {
+  CHECK(finding("E4.14.1.minus_plus").claims == std::vector<std::string>{"E4.14.1.minus_plus", "E4.14.1.plus_plus",
+                                                                         "E4.14.1.plus_minus", "E4.14.1.minus_minus"});
+  CHECK(finding("A2.4").claims == std::vector<std::string>{"A2.4", "A2.cover"});
+  CHECK(finding("A2.4").wrong.find("A2.cover: no line speaks of this bicycle") != std::string::npos);
+  CHECK(finding("4.3.F_sigma").claims == std::vector<std::string>{"E4.3.plus", "E4.3.minus"});
+  CHECK(finding("4.8.EST").repair == "EST = F * sigma");
+  for (const Claim& claim : paper().claims) {  // every graded claim is there, once or as a part
+    if (!claim.grade) continue;
+    CAPTURE(claim.id);
+    const auto touches = [&](const Finding& f) {
+      return std::find(f.claims.begin(), f.claims.end(), claim.id) != f.claims.end();
+    };
+    CHECK(std::any_of(findings().begin(), findings().end(), touches));
+    const auto own =
+        std::count_if(findings().begin(), findings().end(), [&](const Finding& f) { return f.id == claim.id; });
+    CHECK(own <= (claim.part_of.empty() ? 1 : 0));
+  }
+}
+
+TEST_CASE("what is true instead makes an error certain") {
+  VerifyOptions options;
+  options.samples = 50;
+  options.only = "R2.3";
+  VerifyResult result = verify(paper(), options);
+  for (ClaimResult& r : result.claims) {
+    if (paper().claims[r.claim].id != "R2.3.3") continue;
+    r.proved = true;
+    r.certificates = {"R2.3.3"};
+  }
+  const auto list = errata(paper(), result);
+  const auto found = std::find_if(list.begin(), list.end(), [](const Finding& f) { return f.id == "R2.3.2"; });
+  REQUIRE(found != list.end());
+  CHECK(error_certainty(*found) == "proved for all parameters (R2.3.3)");
 }
 
 TEST_CASE("text, Markdown, JSON and SARIF hold the same findings") {
