@@ -115,11 +115,31 @@ bool Implications::prove(const std::string& statement, Lemmas& lemmas) const {
 
 bool Implications::implies(std::vector<Expression> given, const Expression& shown, Lemmas& lemmas,
                            std::optional<ContactMode> mode, bool on_road) const {
-  const Expression rest = not_given(shown, given);
+  const Expression rest = without_extrema(not_given(shown, given));
   if (rest->operation == Operation::truth && rest->truth) return true;
-  Implication implication{"lemma", setting_, std::move(given), without_extrema(rest), on_road, mode};
-  for (Expression& e : implication.given) e = without_extrema(e);
-  const auto text = implication_statement(*file_, implication);
+  for (Expression& e : given) e = without_extrema(e);
+  if (prove(given, rest, lemmas, mode, on_road)) return true;
+  // What differs from 0 is above or below: said first, that helps the search with all that comes after it.
+  std::vector<Expression> known;
+  for (const Expression& e : given) collect_conjuncts(e, known);
+  const auto unequal = std::find_if(known.begin(), known.end(), [](const Expression& e) {
+    return e->operation == Operation::compare && e->relations.front() == Relation::not_equal;
+  });
+  if (unequal == known.end()) return false;
+  const std::size_t before = lemmas.size();
+  const auto holds_where = [&](Relation relation) {
+    std::vector<Expression> branch{make_comparison((*unequal)->operands, {relation})};
+    branch.insert(branch.end(), given.begin(), given.end());
+    return prove(branch, rest, lemmas, mode, on_road);
+  };
+  if (holds_where(Relation::greater) && holds_where(Relation::less)) return true;
+  lemmas.resize(before);
+  return false;
+}
+
+bool Implications::prove(const std::vector<Expression>& given, const Expression& shown, Lemmas& lemmas,
+                         std::optional<ContactMode> mode, bool on_road) const {
+  const auto text = implication_statement(*file_, {"lemma", setting_, given, shown, on_road, mode});
   return text && prove(*text, lemmas);
 }
 
@@ -145,11 +165,20 @@ std::vector<Expression> Implications::divisors(const Expression& e) const {
 }
 
 bool Implications::divides_alike(const std::vector<Expression>& given, const Expression& x, const Expression& y,
-                                 Lemmas& lemmas) const {
+                                 Lemmas& lemmas, const Alike& alike) const {
+  const auto is_in = [&](const std::vector<Expression>& list, const Expression& divisor) {
+    return std::any_of(list.begin(), list.end(), [&](const Expression& other) { return alike(other, divisor); });
+  };
   const auto before = divisors(x), after = divisors(y);
+  std::vector<Expression> conditions;
+  if (sort(*y) == Sort::truth) collect_conjuncts(y, conditions);
   return std::all_of(after.begin(), after.end(), [&](const Expression& divisor) {
-    return std::any_of(before.begin(), before.end(), [&](const Expression& other) { return same(other, divisor); }) ||
-           implies(given, make_comparison({divisor, make_number(0)}, {Relation::not_equal}), lemmas);
+    if (is_in(before, divisor)) return true;
+    std::vector<Expression> context = given;  // where another condition is false, so is y, whatever it divides by
+    for (const Expression& e : conditions) {
+      if (!is_in(divisors(e), divisor)) context.push_back(e);
+    }
+    return implies(context, make_comparison({divisor, make_number(0)}, {Relation::not_equal}), lemmas);
   });
 }
 

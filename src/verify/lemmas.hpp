@@ -1,6 +1,7 @@
 // What follows from what in a setting, for all parameters, with proofs that the certificate checker accepts.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -49,8 +50,10 @@ class Implications {
   /// x and y are true of the same under `given`, and what only y divides by is never 0 there.
   bool equivalent(const std::vector<Expression>& given, const Expression& x, const Expression& y, Lemmas& lemmas,
                   bool on_road = false) const;
-  bool divides_alike(const std::vector<Expression>& given, const Expression& x, const Expression& y,
-                     Lemmas& lemmas) const;
+  /// What only y divides by, up to what is `alike`, is not 0 under `given` wherever the other conditions of y hold.
+  using Alike = std::function<bool(const Expression&, const Expression&)>;
+  bool divides_alike(const std::vector<Expression>& given, const Expression& x, const Expression& y, Lemmas& lemmas,
+                     const Alike& alike = same) const;
   /// Under `given`, which must not depend on the parameter, `shown` is true from some value of the parameter on: what
   /// is compared has leading coefficients of the right sign.
   bool eventually(const Expression& given, const Expression& shown, std::string_view parameter, Lemmas& lemmas) const;
@@ -58,6 +61,8 @@ class Implications {
  private:
   std::vector<Expression> divisors(const Expression& e) const;
   bool prove(const std::string& statement, Lemmas& lemmas) const;
+  bool prove(const std::vector<Expression>& given, const Expression& shown, Lemmas& lemmas,
+             std::optional<ContactMode> mode, bool on_road) const;
 
   const ClaimsFile* file_;
   std::size_t setting_;

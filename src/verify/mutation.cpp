@@ -13,6 +13,7 @@
 #include <numeric>
 #include <utility>
 
+#include "verify/edges.hpp"
 #include "verify/reach.hpp"
 #include "verify/sampler.hpp"
 #include "verify/settle.hpp"
@@ -192,6 +193,9 @@ class Run {
     tbb::parallel_for(first, static_cast<std::size_t>(count), [&](std::size_t i) {
       std::vector<Rational> values = sampler.at(i);
       if (values.empty()) return;
+      if (i >= options_.samples && i % 2 == 1) {  // what survived has seen all that the sampler is good at
+        values = toward_edges(file_.settings[s], compiled_.settings[s], values, i);
+      }
       auto sample = SolvedSample::make(compiled_.settings[s], file_.settings[s].force_kind, std::move(values));
       if (!sample) return;
       for (const std::size_t c : claims) {

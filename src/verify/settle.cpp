@@ -233,7 +233,8 @@ struct Settler::State {
     const Expression& before = m.original(file);
     if (functions[setting].same(before, m.mutant.expression, m.is_linear())) {
       Lemmas lemmas;
-      if (in().divides_alike({}, before, m.mutant.expression, lemmas)) {
+      if (in().divides_alike({}, before, m.mutant.expression, lemmas,
+                             [&](const Expression& x, const Expression& y) { return functions[setting].same(x, y); })) {
         return made(Kind::equivalent, m.claims.front(), "the same rational functions as before", std::move(lemmas));
       }
     }
