@@ -8,19 +8,65 @@ namespace slipproof {
 
 namespace {
 
-Affine<Rational> to_rational(const Quotient<Affine<Integer>, Integer>& q, const Integer& unit) {
-  const Integer denominator = q.denominator * unit;
-  return {Rational(q.numerator.alpha, denominator), Rational(q.numerator.beta, denominator)};
+/// numerator / denominator in lowest terms, in the memory of the two.
+Rational quotient(Integer numerator, Integer denominator) {
+  Rational result;
+  mpq_ptr q = result.backend().data();
+  mpz_swap(mpq_numref(q), numerator.backend().data());
+  mpz_swap(mpq_denref(q), denominator.backend().data());
+  mpq_canonicalize(q);
+  return result;
 }
 
-/// Keeps the forces where the quotient is >= 0 (> 0). Units are positive, so signs and roots are those of the SI value.
-void restrict_to(ForceInterval& interval, const Quotient<Affine<Integer>, Integer>& q, bool strict) {
-  const bool negative = sign(q.denominator) < 0;
-  if (interval.empty()) return;
-  interval.restrict_to({Rational(negative ? Integer(-q.numerator.alpha) : q.numerator.alpha),
-                        Rational(negative ? Integer(-q.numerator.beta) : q.numerator.beta)},
-                       strict);
+Affine<Rational> to_rational(Quotient<Affine<Integer>, Integer> q, const Integer& unit) {
+  const bool constant = q.numerator.beta.is_zero(), linear = q.numerator.alpha.is_zero();
+  if (constant && linear) return {};
+  q.denominator *= unit;
+  if (constant) return {quotient(std::move(q.numerator.alpha), std::move(q.denominator)), Rational()};
+  if (linear) return {Rational(), quotient(std::move(q.numerator.beta), std::move(q.denominator))};
+  return {quotient(std::move(q.numerator.alpha), q.denominator),
+          quotient(std::move(q.numerator.beta), std::move(q.denominator))};
 }
+
+/// A closed interval of forces whose ends are fractions that nobody has brought to lowest terms yet.
+class Ends {
+ public:
+  /// Keeps the forces where side / D >= 0 for a D of the sign of `orientation`. Units are positive, so signs and roots
+  /// are those of the SI value.
+  void restrict_to(Affine<Integer> side, int orientation) {
+    if (orientation < 0) side = -std::move(side);
+    const int slope = sign(side.beta);
+    if (slope == 0) {
+      empty_ = empty_ || sign(side.alpha) < 0;
+    } else if (slope > 0) {
+      tighten(lower_, {-std::move(side.alpha), std::move(side.beta)}, 1);
+    } else {
+      tighten(upper_, {std::move(side.alpha), -std::move(side.beta)}, -1);
+    }
+  }
+  ForceInterval interval() const {
+    return empty_ ? ForceInterval::nothing() : ForceInterval::between(value(lower_), true, value(upper_), true);
+  }
+
+ private:
+  struct Fraction {
+    Integer numerator, denominator;  ///< denominator > 0; 0 for an end that is not there
+  };
+  static void tighten(Fraction& end, Fraction root, int direction) {
+    if (!end.denominator.is_zero()) {
+      const Integer difference = root.numerator * end.denominator - end.numerator * root.denominator;
+      if (sign(difference) != direction) return;
+    }
+    end = std::move(root);
+  }
+  static std::optional<Rational> value(const Fraction& end) {
+    if (end.denominator.is_zero()) return std::nullopt;
+    return quotient(end.numerator, end.denominator);
+  }
+
+  Fraction lower_, upper_;
+  bool empty_ = false;
+};
 
 }  // namespace
 
@@ -36,9 +82,10 @@ Affine<Rational> ModeSolution::condition_value(const Condition& condition) const
 }
 
 Motion<Affine<Rational>> ModeSolution::motion() const {
-  Motion<Affine<Rational>> motion;
-  for (const Quantity q : all_quantities()) motion[q] = quantity(q);
-  return motion;
+  return [this]<std::size_t... i>(std::index_sequence<i...>) {
+    return Motion<Affine<Rational>>{{quantity(static_cast<Quantity>(i))...}};
+  }
+  (std::make_index_sequence<quantity_count>());
 }
 
 ModeTable::ModeTable(const Bicycle<Rational>& bicycle, const Road<Rational>& road, ForceKind kind) {
@@ -68,13 +115,14 @@ ModeSolution ModeTable::solve(ContactMode mode, const Bicycle<Rational>& bicycle
     return s;
   }
   s.kind_ = ModeSolution::Kind::regular;
-  s.closed_ = ForceInterval();
+  Ends ends;
   bool always_boundary = false;
   for (const Condition& condition : conditions(mode)) {
-    const auto value = reduced.condition_value(condition);
-    if (value.numerator.alpha.is_zero() && value.numerator.beta.is_zero()) always_boundary = true;
-    restrict_to(s.closed_, value, false);
+    Affine<Integer> side = reduced.condition_numerator(condition);
+    if (side.alpha.is_zero() && side.beta.is_zero()) always_boundary = true;
+    ends.restrict_to(std::move(side), sign(reduced.determinant()));
   }
+  s.closed_ = ends.interval();
   s.strict_ = always_boundary ? ForceInterval::nothing() : s.closed_.interior();
   s.reduced_.emplace(std::move(reduced));
   s.units_ = &ground_->scene;

@@ -1,6 +1,8 @@
 // Numbers of the form alpha + beta F with a symbol F: what every force and acceleration of one bicycle is in its force.
 #pragma once
 
+#include <utility>
+
 #include "number/rational.hpp"
 
 namespace slipproof {
@@ -23,17 +25,24 @@ struct Affine {
   bool operator==(const Affine&) const = default;
 };
 
+// By value where the operand's own memory can hold the result.
 template <class T>
-Affine<T> operator+(const Affine<T>& x, const Affine<T>& y) {
-  return {T(x.alpha + y.alpha), T(x.beta + y.beta)};
+Affine<T> operator+(Affine<T> x, const Affine<T>& y) {
+  x.alpha = std::move(x.alpha) + y.alpha;
+  x.beta = std::move(x.beta) + y.beta;
+  return x;
 }
 template <class T>
-Affine<T> operator-(const Affine<T>& x, const Affine<T>& y) {
-  return {T(x.alpha - y.alpha), T(x.beta - y.beta)};
+Affine<T> operator-(Affine<T> x, const Affine<T>& y) {
+  x.alpha = std::move(x.alpha) - y.alpha;
+  x.beta = std::move(x.beta) - y.beta;
+  return x;
 }
 template <class T>
-Affine<T> operator-(const Affine<T>& x) {
-  return {T(-x.alpha), T(-x.beta)};
+Affine<T> operator-(Affine<T> x) {
+  x.alpha = -std::move(x.alpha);
+  x.beta = -std::move(x.beta);
+  return x;
 }
 template <class T>
 Affine<T> operator*(const T& s, const Affine<T>& x) {
