@@ -109,24 +109,19 @@ BENCHMARK(one_exact)->ArgsProduct({{0, 1}, {0}});
 /// Arguments: detachment, threads.
 void batch(benchmark::State& state) {
   const bool detachment = state.range(0) != 0;
-  auto all = scenes(detachment, 0);
-  while (all.size() < (1U << 17U)) all.insert(all.end(), all.begin(), all.begin() + 4096);
-  std::array<std::vector<double>, 15> columns;
-  for (auto s : all) {
-    s.force_kind = ForceKind::internal;
-    std::size_t i = 0;
-    convert<double, double>(s, [&](double x) {
-      columns[i++].push_back(x);
-      return x;
-    });
+  const auto all = scenes(detachment, 0);
+  test::SceneColumns columns;
+  while (columns.size() < (1U << 17U)) {
+    for (auto s : all) {
+      s.force_kind = ForceKind::internal;
+      columns.add(s);
+    }
   }
-  std::size_t i = 0;
-  auto scene = convert<double, Column>(all[0], [&](double) { return Column(columns[i++]); });
-  scene.force_kind = ForceKind::internal;
-  std::vector<ConsistentModes> answers(all.size());
+  const ForcedScene<Column> scene = columns.scenes();
+  std::vector<ConsistentModes> answers(columns.size());
   TierCounts counts{};
   for (auto _ : state) consistent_modes(scene, answers, counts, static_cast<unsigned>(state.range(1)));
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(all.size()));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(columns.size()));
 }
 BENCHMARK(batch)->ArgsProduct({{0, 1}, {1, 2}})->UseRealTime();
 

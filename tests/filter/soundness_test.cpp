@@ -13,11 +13,17 @@ TEST_CASE("whatever a tier decides is what the exact solver says, near threshold
   for (int population = 0; population < population_count; ++population) {
     for (const bool adversarial : {false, true}) {
       Comparison found;
-      for (int i = 0; i < 25; ++i) compare(random, static_cast<Population>(population), 100, adversarial, found);
+      BatchComparison batch;
+      const auto kind = static_cast<Population>(population);
+      for (int i = 0; i < 20; ++i) compare(random, kind, 100, adversarial, found, batch);
+      for (int i = 0; i < 500; ++i) compare(random, kind, 1, adversarial, found, batch);
+      batch.run(1 + static_cast<unsigned>(population) % 2, found);
       CAPTURE(population);
       CAPTURE(adversarial);
       CHECK(found.scenes == 2500);
       CHECK(found.differences == 0);
+      CHECK(found.bicycles == 520);
+      CHECK((kind == Population::fractions ? found.in_batches == 0 : found.in_batches > 300));
       if (population == 0 && !adversarial) CHECK(found.undecided <= 50);  // forces of 0 and below 1e-290
       if (adversarial) CHECK(found.undecided > 0);                        // the ties are there
       CHECK(found.undecided_twice <= found.undecided);
@@ -74,7 +80,7 @@ TEST_CASE(
     "a batch gives what its scenes give one by one, at any number of threads, tails and shared columns included") {
   FilterScenes random(64);
   for (const std::size_t count : {1U, 7U, 8U, 5000U}) {
-    std::array<std::vector<double>, 15> columns;
+    SceneColumns columns;
     std::vector<ForcedScene<double>> scenes;
     while (scenes.size() < count) {
       const auto s = random.scene(static_cast<Population>(random.next() % population_count));
@@ -83,23 +89,11 @@ TEST_CASE(
       for (const double F : random.forces(oracle, 50, true)) {
         scenes.push_back(nearest_binary64(s));
         scenes.back().F = F;
+        columns.add(scenes.back());
         if (scenes.size() == count) break;
       }
     }
-    for (const auto& s : scenes) {
-      std::size_t i = 0;
-      convert<double, double>(s, [&](double x) {
-        columns[i++].push_back(x);
-        return x;
-      });
-    }
-    std::size_t i = 0;
-    const auto next = [&]() -> Column { return columns[i++]; };
-    Bicycle<Column> p;
-    for (Column* c : {&p.M, &p.R, &p.h, &p.b2, &p.b3, &p.I1, &p.I2, &p.I3, &p.r1, &p.r2, &p.L}) *c = next();
-    const Road<Column> road{columns[11], columns[12]};
-    p.J = columns[14];
-    const ForcedScene<Column> batch{p, road, ForceKind::internal, columns[13]};
+    const ForcedScene<Column> batch = columns.scenes();
     std::vector<ConsistentModes> one(count), many(count);
     TierCounts counts{}, counts_many{};
     consistent_modes(batch, one, counts);
@@ -110,18 +104,15 @@ TEST_CASE(
     for (std::size_t k = 0; k < count; ++k) CHECK(one[k] == consistent_modes(scenes[k]));
 
     ForcedScene<Column> shared = batch;  // one bicycle, many forces
-    shared.bicycle = {};
-    i = 0;
-    for (Column* c : {&shared.bicycle.M, &shared.bicycle.R, &shared.bicycle.h, &shared.bicycle.b2, &shared.bicycle.b3,
-                      &shared.bicycle.I1, &shared.bicycle.I2, &shared.bicycle.I3, &shared.bicycle.r1,
-                      &shared.bicycle.r2, &shared.bicycle.L})
-      *c = Column(columns[i++]).first(1);
+    Bicycle<Column>& p = shared.bicycle;
+    for (Column* c : {&p.M, &p.R, &p.h, &p.b2, &p.b3, &p.I1, &p.I2, &p.I3, &p.r1, &p.r2, &p.L}) *c = c->first(1);
+    p.J.reset();
     consistent_modes(shared, many, counts_many);
     for (std::size_t k = 0; k < count; ++k) {
       ForcedScene<double> s = scenes[0];
       s.bicycle.J.reset();
-      s.road = {columns[11][k], columns[12][k]};
-      s.F = columns[13][k];
+      s.road = scenes[k].road;
+      s.F = scenes[k].F;
       CHECK(many[k] == consistent_modes(s));
     }
   }

@@ -8,6 +8,7 @@
 #include "filter/filter.hpp"
 #include "number/binary64.hpp"
 #include "support/force_oracle.hpp"
+#include "support/scene_columns.hpp"
 
 namespace slipproof::test {
 
@@ -39,6 +40,15 @@ class FilterScenes {
     ForcedScene<Rational> s = population == Population::fractions ? fractions() : to_rational(binary(population));
     s.force_kind = coin() ? ForceKind::internal : ForceKind::external;
     if (!detachment) s.bicycle.J.reset();
+    return s;
+  }
+
+  /// A bicycle that one may meet, with a rider's force, as binary64.
+  ForcedScene<double> typical() {
+    ForcedScene<double> s = binary(Population::bicycles);
+    s.force_kind = coin() ? ForceKind::internal : ForceKind::external;
+    if (coin()) s.bicycle.J.reset();
+    s.F = signed_log(1, 3000);
     return s;
   }
 
@@ -157,15 +167,50 @@ class FilterScenes {
 
 /// What comparing the filter with the exact solver found.
 struct Comparison {
-  std::uint64_t scenes = 0, differences = 0, undecided = 0, undecided_twice = 0;
+  std::uint64_t bicycles = 0, scenes = 0, differences = 0, undecided = 0, undecided_twice = 0;
+  std::uint64_t in_batches = 0;
 };
 
-/// One bicycle at many forces: whatever a tier decides must be what the exact solver says.
+/// Scenes with their exact answers, for comparing the batch code.
+class BatchComparison {
+ public:
+  void add(const ForcedScene<double>& s, const ConsistentModes& exact) {
+    Group& group = groups_[(s.bicycle.J ? 2U : 0U) + (s.force_kind == ForceKind::external ? 1U : 0U)];
+    group.columns.add(s);
+    group.exact.push_back(exact);
+  }
+  /// All tiers together must give the exact answer, boundaries included.
+  void run(unsigned threads, Comparison& found) const {
+    for (const Group& group : groups_) {
+      if (group.exact.empty()) continue;
+      std::vector<ConsistentModes> answers(group.exact.size());
+      TierCounts counts{};
+      consistent_modes(group.columns.scenes(), answers, counts, threads);
+      for (std::size_t i = 0; i < answers.size(); ++i) {
+        const ConsistentModes &x = answers[i], &y = group.exact[i];
+        if (x.consistent != y.consistent || x.strict != y.strict) ++found.differences;
+      }
+      found.in_batches += answers.size();
+    }
+  }
+
+ private:
+  struct Group {
+    SceneColumns columns;
+    std::vector<ConsistentModes> exact;
+  };
+  std::array<Group, 4> groups_;
+};
+
+/// One bicycle at many forces: whatever a tier decides must be what the exact solver says. Scenes that binary64 holds
+/// exactly also go into a batch, every one that the first tier decides and every eighth of the others.
 inline void compare(FilterScenes& random, Population population, std::size_t forces, bool adversarial,
-                    Comparison& found) {
+                    Comparison& found, BatchComparison& batch) {
   ForcedScene<Rational> s = random.scene(population);
   const ForceOracle oracle(s);
   ForcedScene<double> rounded = nearest_binary64(s);
+  const bool binary = population != Population::fractions;
+  ++found.bicycles;
   for (const double F : random.forces(oracle, forces, adversarial)) {
     rounded.F = F;
     const ConsistentModes exact = oracle.at(F);
@@ -175,6 +220,7 @@ inline void compare(FilterScenes& random, Population population, std::size_t for
     ++found.scenes;
     const ModeSets first = filter_modes(rounded);
     if (wrong(first)) ++found.differences;
+    if (binary && (first.undecided == 0 || found.scenes % 8 == 0)) batch.add(rounded, exact);
     if (first.undecided == 0) continue;
     ++found.undecided;
     s.F = to_rational(F);
