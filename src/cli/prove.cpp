@@ -7,6 +7,7 @@
 #include "export/coq.hpp"
 #include "export/smtlib.hpp"
 #include "input/text_file.hpp"
+#include "prove/claim_statements.hpp"
 #include "prove/prove_files.hpp"
 #include "report/exact_json.hpp"
 
@@ -73,6 +74,23 @@ void export_coq(const std::filesystem::path& folder, const std::filesystem::path
   });
 }
 
+/// Writes the statements of the claims, and copies those of one's own that stand beside them and below.
+void write_statements(const ClaimsFile& claims, const std::filesystem::path& folder, const std::filesystem::path& out) {
+  std::filesystem::create_directories(out);
+  if (out != folder) {
+    for (const std::filesystem::path& file : statements_in(folder)) {
+      const std::filesystem::path inside = file.lexically_relative(out);
+      if (!inside.empty() && *inside.begin() != "..") continue;  // what an earlier run left in `out`
+      const std::filesystem::path copy = out / file.lexically_relative(folder);
+      std::filesystem::create_directories(copy.parent_path());
+      write(copy, read_text_file(file));
+    }
+  }
+  for (const NamedStatement& statement : paper_statements(claims)) {
+    write(out / (statement.name + ".statement"), statement.text);
+  }
+}
+
 std::string as_text(const std::vector<ProofOutcome>& outcomes) {
   std::string text;
   for (const ProofOutcome& outcome : outcomes) {
@@ -102,8 +120,8 @@ void add_prove(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<Options>();
   CLI::App& command = *app.add_subcommand("prove", "The claims for all parameters; writes a certificate for each");
   command.add_option("CLAIMS", options->claims,
-                     "Claims file, beside which the statements stand; default: the shipped paper");
-  command.add_option("--out", options->out, "Folder for the certificates; default: beside the statements");
+                     "Claims file; beside it and below may stand statements of one's own; default: the shipped paper");
+  command.add_option("--out", options->out, "Folder for statements and certificates; default: that of the claims file");
   command.add_option("--smtlib", options->smtlib,
                      "Search for nothing, but write the negation of each statement to this folder as SMT-LIB 2");
   command.add_option("--coq", options->coq,
@@ -117,22 +135,14 @@ void add_prove(CLI::App& app, int& exit_code) {
     if (!options->coq.empty()) export_coq(folder, options->coq);
     if (!options->smtlib.empty() || !options->coq.empty()) return;
     const std::filesystem::path out = options->out.empty() ? folder : std::filesystem::path(options->out);
-    auto statements = statements_in(folder);
-    if (out != folder) {  // not the copies that an earlier run left there
-      std::erase_if(statements, [&](const std::filesystem::path& path) {
-        const std::filesystem::path inside = path.lexically_relative(out);
-        return !inside.empty() && *inside.begin() != "..";
-      });
-    }
+    write_statements(read_claims(claims), folder, out);
+    const auto statements = statements_in(out);
     const auto outcomes = prove_files(statements, options->common.threads);
     std::size_t proved = 0;
     for (std::size_t i = 0; i < statements.size(); ++i) {
       if (!outcomes[i].proved()) continue;
       ++proved;
-      const std::filesystem::path copy = out / statements[i].lexically_relative(folder);
-      std::filesystem::create_directories(copy.parent_path());
-      if (out != folder) write(copy, read_text_file(statements[i]));
-      write(std::filesystem::path(copy).replace_extension(".cert"), outcomes[i].certificate);
+      write(std::filesystem::path(statements[i]).replace_extension(".cert"), outcomes[i].certificate);
     }
     const std::size_t undecided_count = statements.size() - proved;
     exit_code = undecided_count > 0 || statements.empty() ? undecided : as_it_should_be;

@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "claims/claims_file.hpp"
@@ -18,13 +17,24 @@ struct NamedStatement {
 
 /// The claim in a reading as statements (proofs/FORMAT.md) about the raw equations of the model:
 /// - interval: ID.only-then (a motion of the mode needs a force of `forces`) and ID.always (each such force has one);
-/// - impossible: ID, or ID.1, ID.2, ... where there are several modes;
-/// - formula: ID;  cover: ID;
-/// - motions: ID.1, ID.2, ... (there is a motion in each mode) and ID.complete (each motion is in one of the modes).
+/// - impossible, formula: ID, or ID.1, ID.2, ... where there are several modes;
+/// - cover, consequence: ID;
+/// - motions: ID.1, ID.2, ... (there is a motion in each mode) and ID.complete (each motion is in one of the modes);
+/// - equivalence: ID.forwards (where `forces`, there `holds`) and ID.backwards;
+/// - system: ID.forwards (the equations follow) and ID.backwards (what meets them can be completed to the rest);
+/// - exists: ID.
 /// The repaired reading adds `.repaired` to ID where it is another one. Empty where statements cannot say what the
-/// claim says: other kinds, a formula of several modes, and `not`, `abs`, `sign`, `min`, `max`. Uniqueness of the
-/// motion in a mode is not part of it.
+/// claim says: `unique`, `limit`, and `abs` and `sign`. Uniqueness of the motion in a mode is not part of it.
 std::vector<NamedStatement> claim_statements(const ClaimsFile& claims, const Claim& claim, Reading reading);
+
+/// For a claim that is false: ID.refuted, that there are a bicycle, a force and (where the claim is about them) a
+/// motion against it; of a claim that some motion exists, that there is none. Empty where statements cannot say it, for
+/// `limit` and where the claim fails in another way.
+std::vector<NamedStatement> claim_refutation(const ClaimsFile& claims, const Claim& claim, Reading reading);
+
+/// Of all claims in all readings: the claim, or, where `expect` says refuted, its refutation; nothing where it says
+/// undecided.
+std::vector<NamedStatement> paper_statements(const ClaimsFile& claims);
 
 /// In the domain of a setting, `given` implies `shown`. Both may use the unknowns of the model and the quantities of a
 /// motion; these are any numbers, unless a motion is asked for.

@@ -1,10 +1,11 @@
-// Strategy for existence: the conclusion's equations solved for the unknowns.
+// Strategies for existence: numbers, or the conclusion's equations solved for the unknowns.
+#include "prove/instance.hpp"
 #include "prove/state.hpp"
 
 namespace slipproof::prove {
 
-/// Solves the conclusion's equations for the unknowns, states the solution as a witness, and closes what is left.
-bool Search::close_by_witness(State& state) {
+/// The unknowns as quotients, from the equations of the conclusion; 0 where these leave one free.
+std::optional<std::vector<std::string>> Search::solve_conclusion(const State& state) {
   const Ring& ring = statement_.ring();
   State solving = state.branch();
   solving.disjunctions.clear();
@@ -18,9 +19,6 @@ bool Search::close_by_witness(State& state) {
   };
   collect(statement_.shown());
   eliminate(solving, statement_.unknowns().front());
-  Step step;
-  step.rule = Step::Rule::witness;
-  step.name = "goal";
   std::vector<std::string> values;
   for (const std::size_t unknown : statement_.unknowns()) {
     // unknown = numerator / denominator: reduce the unknown itself with a mark for its pivots.
@@ -47,12 +45,23 @@ bool Search::close_by_witness(State& state) {
         }
       }
     }
-    for (const std::size_t other : statement_.unknowns()) {
-      if (numerator.contains(other)) return false;
+    for (const std::size_t free : statement_.unknowns()) {
+      numerator = numerator.coefficient(free, 0);
+      if (denominator.contains(free)) return std::nullopt;
     }
     values.push_back(denominator.is_constant() ? numerator.scaled(1 / denominator.constant()).text()
                                                : "(" + numerator.text() + ")/(" + denominator.text() + ")");
-    step.values.emplace_back(ring.name(unknown), values.back());
+  }
+  return values;
+}
+
+/// States the values as a witness, and closes what is left.
+bool Search::close_by_witness(State& state, const std::vector<std::string>& values) {
+  Step step;
+  step.rule = Step::Rule::witness;
+  step.name = "goal";
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    step.values.emplace_back(statement_.ring().name(statement_.unknowns()[i]), values[i]);
   }
   state.steps.push_back(step);
   std::vector<Formula> failures;
@@ -62,32 +71,33 @@ bool Search::close_by_witness(State& state) {
          close(state, limits_.split_depth);
 }
 
-/// Proves existence: by a witness, or, where the signs of its pivots are not known, by splits on the statement's hints.
+/// Proves existence: by numbers where nothing is given; by the solution of the conclusion's equations; or, where the
+/// signs of its pivots are not known, by cases and by splits on the statement's hints.
 bool Search::close_existence(State& state, std::size_t hint) {
   if (eliminate(state) || refute_facts(state, false)) return true;
-  State attempt = state;
-  if (close_by_witness(attempt)) {
-    state = std::move(attempt);
-    return true;
+  if (statement_.unknowns().size() == statement_.ring().size()) {
+    const auto instance =
+        find_instance(statement_.ring(), statement_.shown(), statement_.hints(), limits_.instances, budget_);
+    if (!instance) return false;
+    std::vector<std::string> values;
+    for (const Rational& value : *instance) values.push_back(value.str());
+    return close_by_witness(state, values);
+  }
+  if (const auto values = solve_conclusion(state)) {
+    State attempt = state;
+    if (close_by_witness(attempt, *values)) {
+      state = std::move(attempt);
+      return true;
+    }
+  }
+  if (!state.disjunctions.empty()) {
+    return close_cases(state, 0, [&](State& branch) { return close_existence(branch, hint); });
   }
   if (hint == statement_.hints().size()) {
     std::vector<Polynomial> candidates;
     return refute_pairs(state, candidates, true) || refute_facts(state, true);
   }
-  Step step;
-  step.rule = Step::Rule::split;
-  step.name = fresh();
-  step.polynomial = {statement_.hints()[hint]};
-  for (const int sign : {-1, 0, 1}) {
-    State branch = state.branch();
-    const Polynomial p = step.polynomial.front().scaled(sign < 0 ? -1 : 1);
-    if (!add(branch, {step.name, p, sign == 0 ? Sign::zero : Sign::positive}) && !close_existence(branch, hint + 1)) {
-      return false;
-    }
-    step.branches.push_back(std::move(branch.steps));
-  }
-  state.steps.push_back(std::move(step));
-  return true;
+  return close_split(state, statement_.hints()[hint], [&](State& branch) { return close_existence(branch, hint + 1); });
 }
 
 }  // namespace slipproof::prove

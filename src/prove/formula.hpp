@@ -2,6 +2,7 @@
 // hypotheses follow proofs/FORMAT.md.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "prove/polynomial.hpp"
@@ -43,6 +44,24 @@ inline Formula negation(const Formula& formula) {
                  {}};
   for (const Formula& part : formula.parts) result.parts.push_back(negation(part));
   return result;
+}
+
+/// Whether the formula is true, where that does not depend on any variable.
+inline std::optional<bool> evident(const Formula& formula) {
+  if (formula.kind == Formula::Kind::atom) {
+    const Polynomial& p = formula.polynomial.front();
+    if (!p.is_constant()) return std::nullopt;
+    const Rational value = p.constant();
+    return formula.sign == Sign::zero ? value == 0 : formula.sign == Sign::positive ? value > 0 : value >= 0;
+  }
+  const bool settles = formula.kind == Formula::Kind::disjunction;  // a part of this value settles the whole
+  bool open = false;
+  for (const Formula& part : formula.parts) {
+    const std::optional<bool> truth = evident(part);
+    if (truth == settles) return settles;
+    open = open || !truth;
+  }
+  return open ? std::nullopt : std::optional(!settles);
 }
 
 }  // namespace slipproof::prove

@@ -6,6 +6,7 @@ namespace slipproof::prove {
 bool Search::add_formula(State& state, const std::string& name, const Formula& formula) {
   if (formula.kind == Formula::Kind::atom) return add(state, {name, formula.polynomial.front(), formula.sign});
   if (formula.kind == Formula::Kind::disjunction) {
+    if (evident(formula) == true) return false;  // nothing to learn from it
     state.disjunctions.emplace_back(name, formula);
     return false;
   }
@@ -27,6 +28,7 @@ bool Search::add(State& state, Fact fact) {
   for (const Fact& other : state.facts) {
     if (other.sign == fact.sign && other.p == fact.p) return false;
   }
+  std::optional<Polynomial> shorten;
   if (fact.sign != Sign::zero) {
     state.unknown_signs.clear();
     const Factorization& f = factored(fact.p);
@@ -34,11 +36,29 @@ bool Search::add(State& state, Fact fact) {
       KnownSign& known = state.signs[f.factors[0].first.text()];
       if (known.name.empty() || !known.strict) {
         known = {f.constant > 0 ? 1 : -1, fact.sign == Sign::positive, fact.name};
+        if (known.strict) shorten = f.factors[0].first;
       }
     }
   }
   fact.fails = fails(fact);
   state.facts.push_back(std::move(fact));
+  return shorten && divide_out(state, *shorten);
+}
+
+/// Shortens the facts with a factor whose sign has become known; true if one is contradictory then.
+bool Search::divide_out(State& state, const Polynomial& factor) {
+  std::vector<Fact> touched;
+  std::erase_if(state.facts, [&](const Fact& fact) {
+    const Factorization& factors = factored(fact.p);
+    const bool touches =
+        factors.factors.size() > 1 && std::any_of(factors.factors.begin(), factors.factors.end(),
+                                                  [&](const auto& other) { return other.first == factor; });
+    if (touches) touched.push_back(fact);
+    return touches;
+  });
+  for (Fact& fact : touched) {
+    if (add(state, std::move(fact))) return true;
+  }
   return false;
 }
 

@@ -60,6 +60,10 @@ bool Search::close(State& state, int depth) {
   drop_known_cases(state);
   if (refute_facts(state, false)) return true;
   if (!state.disjunctions.empty()) {
+    for (std::size_t i = 0; i < state.disjunctions.size(); ++i) {
+      if (evident(state.disjunctions[i].second) != false) continue;
+      return close_cases(state, i, [&](State& branch) { return close(branch, 0); });
+    }
     // Alternatives that can be opened one at a time: the shortest first.
     std::size_t which = 0;
     for (std::size_t i = 1; i < state.disjunctions.size(); ++i) {
@@ -73,7 +77,7 @@ bool Search::close(State& state, int depth) {
         return true;
       }
     }
-    return close_cases(state, which, depth);
+    return close_cases(state, which, [&](State& branch) { return close(branch, depth); });
   }
   if (hopeless(state)) {
     keep_leftover(state);
@@ -88,7 +92,7 @@ bool Search::close(State& state, int depth) {
   if (depth == 0) return false;
   const std::vector<Polynomial> proposed = split_candidates(state, candidates);
   for (std::size_t i = 0; i < proposed.size() && i < static_cast<std::size_t>(limits_.split_candidates); ++i) {
-    if (close_split(state, proposed[i], depth - 1)) return true;
+    if (close_split(state, proposed[i], [&](State& branch) { return close(branch, depth - 1); })) return true;
   }
   return false;
 }

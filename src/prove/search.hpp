@@ -20,6 +20,7 @@ struct Limits {
   int split_candidates = 6;  ///< tried at each of them
   int slack_depth = 2;       ///< variables replaced at a time
   int slack_attempts = 400;  ///< for one polynomial
+  int instances = 4000;      ///< attempts to find numbers for a statement about some bicycle
   /// For one statement, in terms of polynomials multiplied or evaluated: the same on every machine, as time is not.
   std::uint64_t steps = 20'000'000;
 };
@@ -42,10 +43,12 @@ class Search {
   struct Rule;
   struct KnownSign;
   struct State;
+  using Close = std::function<bool(State& branch)>;  ///< closes a branch of a case split
 
   std::string fresh() { return "e" + std::to_string(++counter_); }
   bool add_formula(State& state, const std::string& name, const Formula& formula);
   bool add(State& state, Fact fact);
+  bool divide_out(State& state, const Polynomial& factor);
   bool normalize(State& state, Fact& fact, bool& keep);
   bool eliminate(State& state, std::size_t first = 0);
   void reduce(State& state, const Rule& rule, Fact& fact);
@@ -59,10 +62,11 @@ class Search {
   bool refute_pairs(State& state, std::vector<Polynomial>& candidates, bool thorough);
   void drop_known_cases(State& state);
   bool close(State& state, int depth);
-  bool close_cases(State& state, std::size_t which, int depth);
-  bool close_split(State& state, const Polynomial& p, int depth);
+  bool close_cases(State& state, std::size_t which, const Close& close);
+  bool close_split(State& state, const Polynomial& p, const Close& close);
   std::vector<Polynomial> split_candidates(State& state, const std::vector<Polynomial>& from_pairs);
-  bool close_by_witness(State& state);
+  std::optional<std::vector<std::string>> solve_conclusion(const State& state);
+  bool close_by_witness(State& state, const std::vector<std::string>& values);
   bool close_existence(State& state, std::size_t hint);
 
   bool hopeless(const State& state) const;

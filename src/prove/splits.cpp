@@ -3,7 +3,7 @@
 
 namespace slipproof::prove {
 
-bool Search::close_cases(State& state, std::size_t which, int depth) {
+bool Search::close_cases(State& state, std::size_t which, const Close& close) {
   const auto [name, formula] = state.disjunctions[which];
   Step step;
   step.rule = Step::Rule::cases;
@@ -11,15 +11,14 @@ bool Search::close_cases(State& state, std::size_t which, int depth) {
   for (std::size_t i = 0; i < formula.parts.size(); ++i) {
     State branch = state.branch();
     branch.disjunctions.erase(branch.disjunctions.begin() + static_cast<std::ptrdiff_t>(which));
-    if (!add_formula(branch, name + "." + std::to_string(i + 1), formula.parts[i]) && !close(branch, depth))
-      return false;
+    if (!add_formula(branch, name + "." + std::to_string(i + 1), formula.parts[i]) && !close(branch)) return false;
     step.branches.push_back(std::move(branch.steps));
   }
   state.steps.push_back(std::move(step));
   return true;
 }
 
-bool Search::close_split(State& state, const Polynomial& p, int depth) {
+bool Search::close_split(State& state, const Polynomial& p, const Close& close) {
   Step step;
   step.rule = Step::Rule::split;
   step.name = fresh();
@@ -27,7 +26,7 @@ bool Search::close_split(State& state, const Polynomial& p, int depth) {
   for (const int sign : {-1, 0, 1}) {
     State branch = state.branch();
     const Fact fact{step.name, sign < 0 ? -p : p, sign == 0 ? Sign::zero : Sign::positive};
-    if (!add(branch, fact) && !close(branch, depth)) return false;
+    if (!add(branch, fact) && !close(branch)) return false;
     step.branches.push_back(std::move(branch.steps));
   }
   state.steps.push_back(std::move(step));

@@ -11,18 +11,63 @@ using Json = nlohmann::json;
 
 namespace {
 
+/// A paper with one claim.
+const std::string one_claim = R"(schema = "slipproof/claims/1"
+[paper]
+title = "t"
+authors = ["n"]
+source = "t.tex"
+[[setting]]
+id = "s"
+line = 1
+statement = "s"
+motions = "strict"
+[setting.parameters]
+b = { domain = "b > 0", line = 1, meaning = "half the distance of the axles" }
+[setting.force]
+symbol = "F"
+kind = "internal"
+domain = "F > 0"
+line = 1
+[setting.scene]
+M = "1"
+R = "1"
+h = "1"
+b2 = "b"
+b3 = "b"
+I1 = "1"
+I2 = "1"
+I3 = "1"
+r1 = "1"
+r2 = "1"
+L = "1"
+J = "1"
+f = "1"
+g = "1"
+F = "F"
+[[claim]]
+id = "ahead"
+setting = "s"
+line = 1
+statement = "it goes ahead"
+kind = "formula"
+mode = "stick/stick"
+holds = "a > 0"
+)";
+
 const std::string proofs = SLIPPROOF_SOURCE_DIR "/proofs/rozenblat-yashin/";
 
 }  // namespace
 
 TEST_CASE("prove writes the certificates that check accepts, the same bytes at any number of threads") {
   const TemporaryFolder folder;
-  const auto claims = folder.write("claims.toml", "");
+  const auto claims = folder.write("claims.toml", one_claim);
   for (const char* theorem : {"A2.4.statement", "A3.2.statement"}) folder.write(theorem, read_file(proofs + theorem));
   const auto out = folder.path() / "certificates";
   const auto proved = run({"prove", claims, "--out", out});
   CHECK(proved.exit_code == 0);
-  CHECK(proved.out.ends_with("s PROVED 2 proved, 0 undecided\n"));
+  CHECK(proved.out.ends_with("s PROVED 3 proved, 0 undecided\n"));
+  CHECK(read_file(out / "ahead.statement").find("assume motion") != std::string::npos);
   const std::string certificate = read_file(out / "A2.4.cert");
   CHECK_FALSE(certificate.empty());
   CHECK(run({"prove", claims, "--out", out, "--threads", "1"}).exit_code == 0);
@@ -31,7 +76,7 @@ TEST_CASE("prove writes the certificates that check accepts, the same bytes at a
   CHECK(run({out / "A2.4.cert"}, "slipproof-check").exit_code == 0);
   const Json document = Json::parse(run({"check", "--json", out}).out);
   CHECK(document["schema"] == "slipproof/check/1");
-  CHECK(document["certificates"].size() == 2);
+  CHECK(document["certificates"].size() == 3);
 }
 
 TEST_CASE("prove --smtlib writes every statement, also those of folders below, and searches for no proof") {
@@ -68,7 +113,7 @@ TEST_CASE("what is not there, or is no statement, exits with 3") {
   const TemporaryFolder folder;
   CHECK(run({"check", folder.path() / "nothing.cert"}).exit_code == 3);
   CHECK(run({"check", folder.path()}).exit_code == 3);
-  const auto claims = folder.write("claims.toml", "");
+  const auto claims = folder.write("claims.toml", one_claim);
   folder.write("bad.statement", "this is no statement\n");
   const auto outcome = run({"prove", claims, "--out", folder.path() / "out"});
   CHECK(outcome.exit_code == 3);

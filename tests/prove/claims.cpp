@@ -2,14 +2,18 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "check/files.hpp"
+#include "claims/parser.hpp"
 #include "modes/motions.hpp"
 #include "prove/library.hpp"
+#include "prove/prove.hpp"
 #include "prove/statement.hpp"
+#include "prove/truth_text.hpp"
 
 namespace {
 
@@ -67,6 +71,45 @@ TEST_CASE("what is false in print has no proof") {
     CHECK(!proof.proved);
     CHECK(!proof.problems.empty());
   }
+}
+
+TEST_CASE("every claim has a proof or a refutation, as far as statements can say it") {
+  for (const char* paper : {"rozenblat-yashin", "rear-drive"}) {
+    const std::filesystem::path folder = kFolder.parent_path() / paper;
+    const std::vector<NamedStatement> statements = paper_statements(read_claims(folder / "claims.toml"));
+    CHECK(statements.size() > 30);
+    for (const NamedStatement& statement : statements) {
+      INFO(statement.name);
+      std::ifstream file(folder / (statement.name + ".statement"), std::ios::binary);
+      CHECK(std::string{std::istreambuf_iterator<char>(file), {}} == statement.text);
+      CHECK(std::filesystem::exists(folder / (statement.name + ".cert")));
+    }
+  }
+}
+
+TEST_CASE("truth values find their words") {
+  const auto text = [](const char* source) { return truth_text(parse_expression(source, Sort::truth)); };
+  CHECK(text("not 0 < x <= 1") == "0 >= x or x > 1");
+  CHECK(text("x > max(y, z) and x < max(y, z)") == "{x > y and x > z} and {x < y or x < z}");
+  CHECK(text("min(y, z) >= x or min(y, z) < x") == "{y >= x and z >= x} or {y < x or z < x}");
+  CHECK(text("not (x = 1 or y != 2)") == "x != 1 and y = 2");
+  CHECK(!text("abs(x) > 1"));
+}
+
+TEST_CASE("a false claim is refuted by a theorem, and a true one is not") {
+  const ClaimsFile claims = read_claims(kFolder / "claims.toml");
+  for (const char* id : {"A2.1", "A3.cover", "A5.1", "E4.1.2", "T4.7"}) {
+    const auto statements = claim_refutation(claims, *claims.find(id), Reading::printed);
+    REQUIRE(statements.size() == 1);
+    INFO(id);
+    CHECK(statements[0].name == std::string(id) + ".refuted");
+    CHECK(prove_statement(id, statements[0].text).proved());
+  }
+  prove::Limits limits;
+  limits.instances = 50;
+  const auto statements = claim_refutation(claims, *claims.find("A1.1"), Reading::printed);
+  REQUIRE(statements.size() == 1);
+  CHECK(!prove_statement("A1.1", statements[0].text, limits).proved());
 }
 
 TEST_CASE("a claim that changes loses its proof") {

@@ -1,0 +1,139 @@
+#include "prove/claim_writer.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+
+#include "prove/truth_text.hpp"
+
+namespace slipproof {
+namespace {
+
+/// The same of another motion: its unknowns, and what is defined from them, with an ending to their names.
+MotionText with_ending(const MotionText& motion, const std::string& ending) {
+  std::set<std::string, std::less<>> names(motion_unknowns.begin(), motion_unknowns.end());
+  std::string line;
+  for (std::istringstream lines(motion.definitions); std::getline(lines, line);) {
+    const std::size_t begin = line.find(' ') + 1;
+    names.insert(line.substr(begin, line.find_first_of(" :", begin) - begin));
+  }
+  const auto renamed = [&](const std::string& text) {
+    std::string result;
+    for (std::size_t i = 0; i < text.size();) {
+      std::size_t end = i;
+      while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_')) ++end;
+      const std::string word = text.substr(i, std::max<std::size_t>(end - i, 1));
+      result += names.contains(word) ? word + ending : word;
+      i += word.size();
+    }
+    return result;
+  };
+  return {renamed(motion.definitions), renamed(motion.formula)};
+}
+
+}  // namespace
+
+ClaimWriter::ClaimWriter(const ClaimsFile& claims, const Claim& claim, Reading reading)
+    : SettingWriter(claims.settings[claim.setting], claim.repaired ? reading : Reading::printed),
+      claims_(claims),
+      claim_(claim),
+      body_(claim.body(reading)),
+      name_(claim.id + (reading == Reading::repaired && claim.repaired ? ".repaired" : "")) {}
+
+std::string ClaimWriter::opening(const std::string& suffix) {
+  return header(name_ + suffix, fmt::format("{} of {}, {} reading", claim_.id, claims_.paper.source, name(reading())));
+}
+
+void ClaimWriter::implied(const Implication& implication, const Expression& shown) {
+  implied(implication, text(shown), {shown});
+}
+
+void ClaimWriter::implied(const Implication& implication, const std::string& shown,
+                          const std::vector<Expression>& uses) {
+  std::string result = opening(implication.suffix);
+  std::vector<Expression> all = uses;
+  std::string assumptions;
+  for (const auto& [label, truth] : implication.assumptions) {
+    if (!is_true(truth)) all.push_back(truth);
+    assumptions += assumption(label, truth);
+  }
+  result += fmt::format("real {}\nassume domain: {}\n", parameters(), domain(implication.force_domain)) + scene(all);
+  if (implication.motion) {
+    result += fmt::format("{}real {}\n{}assume motion: {}\n", assumptions, fmt::join(motion_unknowns, " "),
+                          implication.motion->definitions, implication.motion->formula);
+  } else {
+    result += assumptions;
+  }
+  statements_.push_back({name_ + implication.suffix, result + fmt::format("show {}\n", shown)});
+}
+
+void ClaimWriter::exists(const Implication& implication, const std::vector<std::string>& unknowns,
+                         const MotionText& shown, const std::vector<Expression>& uses) {
+  std::string result = opening(implication.suffix);
+  std::vector<Expression> all = uses;
+  std::string assumptions;
+  for (const auto& [label, truth] : implication.assumptions) {
+    if (!is_true(truth)) all.push_back(truth);
+    assumptions += assumption(label, truth);
+  }
+  std::vector<std::string> known;  // unknowns of the motion that are given
+  for (const auto& unknown : motion_unknowns) {
+    if (std::find(unknowns.begin(), unknowns.end(), unknown) == unknowns.end()) known.emplace_back(unknown);
+  }
+  result += fmt::format("real {}\n", parameters());
+  if (!known.empty()) result += fmt::format("real {}\n", fmt::join(known, " "));
+  result += fmt::format("assume domain: {}\n", domain(implication.force_domain)) + scene(all) + assumptions;
+  result += fmt::format("exists {}\n{}show {}\n", fmt::join(unknowns, " "), shown.definitions, shown.formula);
+  statements_.push_back({name_ + implication.suffix, std::move(result)});
+}
+
+void ClaimWriter::somewhere(const std::string& suffix, const std::vector<Expression>& truths,
+                            const std::vector<MotionText>& motions, const std::vector<Expression>& more_uses) {
+  std::string result = opening(suffix);
+  std::string shown = domain(true);
+  std::vector<Expression> uses = more_uses;
+  for (const Expression& truth : truths) {
+    if (is_true(truth)) continue;
+    uses.push_back(truth);
+    shown += fmt::format(" and {{{}}}", text(truth));
+  }
+  result += fmt::format("exists {}", parameters());
+  std::string definitions;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const std::string ending = i == 0 ? "" : fmt::format("_{}", i + 1);
+    for (const auto& unknown : motion_unknowns) result += fmt::format(" {}{}", unknown, ending);
+    const MotionText motion = with_ending(motions[i], ending);
+    definitions += motion.definitions;
+    shown += " and " + motion.formula;
+  }
+  std::string hints;  // where bicycles are special
+  for (const Boundary& boundary : setting().boundaries) {
+    uses.push_back(boundary.value);
+    hints += fmt::format("# split: {} - ({})\n", boundary.symbol, to_string(boundary.value));
+  }
+  statements_.push_back({name_ + suffix, result + '\n' + scene(uses) + hints + definitions + "show " + shown + '\n'});
+}
+
+std::vector<Expression> equations_of(const ClaimWriter& writer, const std::vector<std::size_t>& claims,
+                                     const std::vector<Expression>& others) {
+  std::vector<Expression> result;
+  for (const std::size_t claim : claims) {
+    const ClaimBody& body = writer.claims().claims[claim].body(writer.reading());
+    result.insert(result.end(), body.equations.begin(), body.equations.end());
+  }
+  result.insert(result.end(), others.begin(), others.end());
+  return result;
+}
+
+Expression all_of(const std::vector<Expression>& truths) {
+  Expression result;
+  for (const Expression& truth : truths) {
+    result = result ? make(Operation::logical_and, {result, truth}) : truth;
+  }
+  return result;
+}
+
+}  // namespace slipproof

@@ -1,0 +1,244 @@
+#include "prove/instance.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+
+namespace slipproof::prove {
+namespace {
+
+struct Condition {
+  Polynomial p;
+  Sign sign;
+  bool either_sign = false;  ///< p != 0
+
+  bool is_equation() const { return sign == Sign::zero; }
+  bool holds_at(const Rational& value) const {
+    if (either_sign) return value != 0;
+    return sign == Sign::zero ? value == 0 : sign == Sign::positive ? value > 0 : value >= 0;
+  }
+};
+
+/// One side of the values that a variable may have.
+struct End {
+  Rational value;
+  bool included;
+};
+
+class Attempt {
+ public:
+  Attempt(const Ring& ring, const Formula& formula, std::mt19937_64& random, const Polynomial* boundary, Budget& budget)
+      : ring_(ring), random_(random), budget_(budget), values_(ring.size()), chosen_(ring.size()), order_(ring.size()) {
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    collect(formula);
+    if (boundary != nullptr) conditions_.push_back({*boundary, Sign::zero});
+  }
+
+  std::optional<std::vector<Rational>> run() {
+    put_off_late_conditions();
+    bool solving = false;
+    std::vector<std::size_t> open;  // variables that no equation determines once the others are known: chosen last
+    for (const std::size_t v : order_) {
+      if (!simplify()) return std::nullopt;
+      const auto equations = static_cast<std::size_t>(count_equations(conditions_) + count_equations(late_));
+      const auto variables = static_cast<std::size_t>(std::count(chosen_.begin(), chosen_.end(), false));
+      if (!solving && equations + 1 >= variables) {
+        solving = true;
+        catch_up();
+      }
+      if (solving) {
+        if ((open.empty() && equations < variables) || !solve(v)) {
+          open.push_back(v);
+          chosen_[v] = true;
+        }
+      } else if (!solve_if_last(v) && !assign(v)) {
+        return std::nullopt;
+      }
+    }
+    for (const std::size_t v : open) {
+      if (!simplify() || (!solve_if_last(v) && !assign(v))) return std::nullopt;
+    }
+    if (!simplify() || !conditions_.empty()) return std::nullopt;
+    return numbers();
+  }
+
+ private:
+  void collect(const Formula& formula) {
+    switch (formula.kind) {
+      case Formula::Kind::atom:
+        conditions_.push_back({formula.polynomial.front(), formula.sign});
+        break;
+      case Formula::Kind::conjunction:
+        for (const Formula& part : formula.parts) collect(part);
+        break;
+      case Formula::Kind::disjunction:
+        if (formula.parts.empty()) {
+          conditions_.push_back({Polynomial(ring_, 1), Sign::zero});
+        } else if (is_non_zero(formula)) {
+          conditions_.push_back({formula.parts[0].polynomial.front(), Sign::positive, true});
+        } else {
+          collect(formula.parts[random_() % formula.parts.size()]);
+        }
+        break;
+    }
+  }
+
+  static bool is_non_zero(const Formula& formula) {
+    if (formula.parts.size() != 2) return false;
+    for (const Formula& part : formula.parts) {
+      if (part.kind != Formula::Kind::atom || part.sign != Sign::positive) return false;
+    }
+    return formula.parts[0].polynomial.front() == -formula.parts[1].polynomial.front();
+  }
+
+  /// Drops what is true; whether nothing is false.
+  bool simplify() {
+    for (const Condition& c : conditions_) {
+      if (c.p.is_constant() && !c.holds_at(c.p.constant())) return false;
+    }
+    std::erase_if(conditions_, [](const Condition& c) { return c.p.is_constant(); });
+    return true;
+  }
+
+  static std::ptrdiff_t count_equations(const std::vector<Condition>& conditions) {
+    return std::count_if(conditions.begin(), conditions.end(), [](const Condition& c) { return c.is_equation(); });
+  }
+
+  /// Conditions with a variable that will be solved for have nothing to say before that.
+  void put_off_late_conditions() {
+    const auto equations = static_cast<std::size_t>(count_equations(conditions_));
+    std::vector<bool> late(order_.size());
+    for (std::size_t i = 0; i < order_.size(); ++i) late[order_[i]] = i + equations + 1 >= order_.size();
+    const auto begin = std::stable_partition(conditions_.begin(), conditions_.end(), [&](const Condition& c) {
+      const std::vector<std::size_t> variables = c.p.variables();
+      return std::none_of(variables.begin(), variables.end(), [&](std::size_t v) { return late[v]; });
+    });
+    late_.assign(begin, conditions_.end());
+    conditions_.erase(begin, conditions_.end());
+  }
+
+  void catch_up() {
+    for (const std::size_t v : order_) {
+      if (values_[v]) replace(late_, v, *values_[v]);
+    }
+    conditions_.insert(conditions_.end(), late_.begin(), late_.end());
+    late_.clear();
+  }
+
+  void substitute(std::size_t v, const Polynomial& value) {
+    values_[v] = value;
+    chosen_[v] = true;
+    replace(conditions_, v, value);
+  }
+
+  bool assign(std::size_t v) {
+    const auto value = choose(v);
+    if (value) substitute(v, Polynomial(ring_, *value));
+    return value.has_value();
+  }
+
+  void replace(std::vector<Condition>& conditions, std::size_t v, const Polynomial& value) {
+    for (Condition& c : conditions) {
+      const std::size_t degree = c.p.degree(v);
+      if (degree == 0) continue;
+      Polynomial result = c.p.coefficient(v, degree);
+      for (std::size_t k = degree; k-- > 0;) result = result * value + c.p.coefficient(v, k);
+      c.p = std::move(result);
+      budget_.spend(c.p.length() + 20);
+    }
+  }
+
+  /// With an equation that determines v from variables that come later.
+  bool solve(std::size_t v) {
+    for (const Condition& c : conditions_) {
+      if (!c.is_equation() || c.p.degree(v) != 1) continue;
+      const Polynomial pivot = c.p.coefficient(v, 1);
+      if (!pivot.is_constant()) continue;
+      substitute(v, c.p.coefficient(v, 0).scaled(-1 / pivot.constant()));
+      return true;
+    }
+    return false;
+  }
+
+  bool solve_if_last(std::size_t v) {
+    return std::any_of(conditions_.begin(), conditions_.end(),
+                       [&](const Condition& c) {
+                         return c.is_equation() && c.p.variables() == std::vector<std::size_t>{v} && c.p.degree(v) == 1;
+                       }) &&
+           solve(v);
+  }
+
+  Rational simple() { return Rational(1 + static_cast<int>(random_() % 8), 1 + static_cast<int>(random_() % 2)); }
+
+  std::optional<Rational> choose(std::size_t v) {
+    std::optional<End> lower, upper;
+    for (const Condition& c : conditions_) {
+      if (c.is_equation() || c.either_sign || c.p.degree(v) != 1 || c.p.variables().size() != 1) continue;
+      const Rational slope = c.p.coefficient(v, 1).constant();
+      const Rational end = -c.p.coefficient(v, 0).constant() / slope;
+      std::optional<End>& side = slope > 0 ? lower : upper;
+      if (side && side->value == end) {
+        side->included = side->included && c.sign == Sign::non_negative;
+      } else if (!side || (slope > 0 ? end > side->value : end < side->value)) {
+        side = End{end, c.sign == Sign::non_negative};
+      }
+    }
+    if (lower && lower->included && random_() % 4 == 0 && !(upper && upper->value < lower->value)) return lower->value;
+    if (upper && upper->included && random_() % 4 == 0 && !(lower && upper->value < lower->value)) return upper->value;
+    if (lower && upper) {
+      if (lower->value == upper->value && lower->included && upper->included) return lower->value;
+      if (lower->value >= upper->value) return std::nullopt;
+      return lower->value + (upper->value - lower->value) * Rational(1 + static_cast<int>(random_() % 3), 4);
+    }
+    if (lower) return lower->value + simple();
+    if (upper) return upper->value - simple();
+    return random_() % 2 == 0 ? simple() : Rational(-simple());
+  }
+
+  /// The values of variables that were expressed by later ones.
+  std::vector<Rational> numbers() const {
+    std::vector<Rational> result(ring_.size());
+    for (std::size_t v = 0; v < ring_.size(); ++v) {
+      if (values_[v]->is_constant()) result[v] = values_[v]->constant();
+    }
+    for (std::size_t i = ring_.size(); i-- > 0;) {
+      const std::size_t v = order_[i];
+      Polynomial value = *values_[v];
+      for (const std::size_t other : value.variables()) {
+        Polynomial sum(ring_);
+        for (std::size_t k = value.degree(other) + 1; k-- > 0;) {
+          sum = sum.scaled(result[other]) + value.coefficient(other, k);
+        }
+        value = sum;
+      }
+      result[v] = value.constant();
+    }
+    return result;
+  }
+
+  const Ring& ring_;
+  std::mt19937_64& random_;
+  Budget& budget_;
+  std::vector<Condition> conditions_;
+  std::vector<Condition> late_;
+  std::vector<std::optional<Polynomial>> values_;
+  std::vector<bool> chosen_;
+  std::vector<std::size_t> order_;
+};
+
+}  // namespace
+
+std::optional<std::vector<Rational>> find_instance(const Ring& ring, const Formula& formula,
+                                                   const std::vector<Polynomial>& boundaries, int attempts,
+                                                   Budget& budget) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < attempts; ++i) {
+    budget.spend(1);
+    const auto which = static_cast<std::size_t>(i) % (2 * boundaries.size() + 1);
+    const Polynomial* boundary = which < boundaries.size() ? &boundaries[which] : nullptr;
+    if (auto found = Attempt(ring, formula, random, boundary, budget).run()) return found;
+  }
+  return std::nullopt;
+}
+
+}  // namespace slipproof::prove
