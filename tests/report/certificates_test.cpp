@@ -153,7 +153,7 @@ TEST_CASE("the errata name the certificates of a repair, or the number of its sa
   CHECK(certainty("A2.4") == "exact; sampled (" + samples + " samples)");
   find_certificates(paper(), result, kProofs);
   CHECK(certainty("A2.4") == "exact; proved for all parameters (certificate A2.4.repaired.cert)");
-  CHECK(certainty("E4.1.2") == "exact; proved for all parameters");  // an identity of polynomials
+  CHECK(certainty("E4.1.2") == "exact; proved for all parameters (certificate E4.1.2.repaired.cert)");
   CHECK(certainty("R2.3.2").starts_with("proved for all parameters (R2.3.3.cert)"));
   const std::string text = errata_text(paper(), errata(paper(), result));
   CHECK(text.find("repair proved for all parameters (certificate A2.4.repaired.cert)") != std::string::npos);
