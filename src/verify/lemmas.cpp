@@ -83,11 +83,18 @@ std::optional<std::string> at_infinity(const prove::Formula& formula, std::size_
     return p.coefficient(variable, p.degree(variable)).text() + " > 0";
   }
   const bool all = formula.kind == Formula::Kind::conjunction;
+  if (!all && formula.parts.size() == 2 && formula.parts[0].polynomial.size() == 1 &&
+      formula.parts[1].polynomial.size() == 1 && formula.parts[0].polynomial[0] == -formula.parts[1].polynomial[0]) {
+    const prove::Polynomial& p = formula.parts[0].polynomial[0];  // p != 0
+    return p.coefficient(variable, p.degree(variable)).text() + " != 0";
+  }
   std::string text;
   for (const Formula& part : formula.parts) {
-    const auto inner = at_infinity(part, variable);
+    auto inner = at_infinity(part, variable);
     if (!inner && all) return std::nullopt;
-    if (inner) text += (text.empty() ? "{" : all ? " and {" : " or {") + *inner + "}";
+    if (!inner) continue;
+    if (part.kind != Formula::Kind::atom && part.kind != formula.kind) inner = "{" + *inner + "}";
+    text += (text.empty() ? "" : all ? " and " : " or ") + *inner;
   }
   if (!text.empty()) return text;
   return all ? std::optional<std::string>("0 = 0") : std::nullopt;
