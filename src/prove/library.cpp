@@ -5,11 +5,9 @@
 
 namespace slipproof {
 
-ClaimProof find_claim_proof(const ClaimsFile& claims, const Claim& claim, Reading reading,
-                            const std::filesystem::path& folder,
-                            const std::function<std::string(const std::filesystem::path&)>& rejection) {
+ClaimProof find_proof(const std::vector<NamedStatement>& statements, const std::filesystem::path& folder,
+                      const CertificateJudge& rejection) {
   ClaimProof result;
-  const std::vector<NamedStatement> statements = claim_statements(claims, claim, reading);
   for (const NamedStatement& statement : statements) {
     const std::filesystem::path certificate = folder / (statement.name + ".cert");
     result.certificates.push_back(certificate);
@@ -36,6 +34,11 @@ ClaimProof find_claim_proof(const ClaimsFile& claims, const Claim& claim, Readin
   }
   result.proved = !statements.empty() && result.problems.empty();
   return result;
+}
+
+ClaimProof find_claim_proof(const ClaimsFile& claims, const Claim& claim, Reading reading,
+                            const std::filesystem::path& folder, const CertificateJudge& rejection) {
+  return find_proof(claim_statements(claims, claim, reading), folder, rejection);
 }
 
 }  // namespace slipproof

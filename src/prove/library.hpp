@@ -19,11 +19,16 @@ struct ClaimProof {
   std::vector<std::string> rejections;              ///< of these: a certificate that is there and proves nothing
 };
 
-/// Whether certificates in `folder` prove the claim: for each of claim_statements(), NAME.statement there must be the
-/// same bytes and `rejection` of NAME.cert empty: the checker's objection to a certificate
-/// (check::check_file(...).message). So the claims file cannot say one thing and the proof another.
+/// The checker's objection to a certificate, empty if there is none: check::check_file(...).message.
+using CertificateJudge = std::function<std::string(const std::filesystem::path&)>;
+
+/// Whether certificates in `folder` prove all of the statements: NAME.statement there must be the same bytes, and
+/// `rejection` of NAME.cert empty.
+ClaimProof find_proof(const std::vector<NamedStatement>& statements, const std::filesystem::path& folder,
+                      const CertificateJudge& rejection);
+
+/// The same for claim_statements(), so that the claims file cannot say one thing and the proof another.
 ClaimProof find_claim_proof(const ClaimsFile& claims, const Claim& claim, Reading reading,
-                            const std::filesystem::path& folder,
-                            const std::function<std::string(const std::filesystem::path&)>& rejection);
+                            const std::filesystem::path& folder, const CertificateJudge& rejection);
 
 }  // namespace slipproof

@@ -5,26 +5,47 @@
 
 namespace slipproof {
 
+namespace {
+
+std::string rejection(const std::filesystem::path& certificate) {
+  return check::check_file(certificate).message;
+}
+
+/// Takes over what the proof has to say, whatever it proves.
+void add_problems(ClaimResult& claim, const ClaimProof& proof) {
+  claim.rejections.insert(claim.rejections.end(), proof.rejections.begin(), proof.rejections.end());
+  claim.outdated.insert(claim.outdated.end(), proof.outdated.begin(), proof.outdated.end());
+}
+
+void name_certificates(ClaimResult& claim, const ClaimProof& proof) {
+  for (const std::filesystem::path& certificate : proof.certificates) {
+    claim.certificates.push_back(certificate.filename().string());
+  }
+}
+
+}  // namespace
+
 void find_certificates(const ClaimsFile& file, VerifyResult& result, const std::filesystem::path& folder) {
-  const auto rejection = [](const std::filesystem::path& certificate) {
-    return check::check_file(certificate).message;
-  };
   for (ClaimResult& claim : result.claims) {
-    ClaimProof proof = find_claim_proof(file, file.claims[claim.claim], claim.reading, folder, rejection);
-    claim.outdated = std::move(proof.outdated);
-    claim.rejections = std::move(proof.rejections);
+    const Claim& stated = file.claims[claim.claim];
+    const ClaimProof proof = find_claim_proof(file, stated, claim.reading, folder, rejection);
+    const ClaimProof refutation = find_proof(claim_refutation(file, stated, claim.reading), folder, rejection);
+    add_problems(claim, proof);
+    add_problems(claim, refutation);
+    if (refutation.proved && claim.verdict == Verdict::refuted) name_certificates(claim, refutation);
+    if (refutation.proved && claim.held > 0 && claim.verdict == Verdict::holds) {
+      claim.rejections.push_back(stated.id +
+                                 ": holds at every sample, yet the certificate of its refutation is accepted");
+    }
     if (!proof.proved) continue;
     if (claim.refuted > 0) {
-      claim.rejections.push_back(file.claims[claim.claim].id +
-                                 ": refuted by a sample, yet its certificates are accepted");
+      claim.rejections.push_back(stated.id + ": refuted by a sample, yet its certificates are accepted");
       continue;
     }
     if (claim.undecided > 0) continue;  // it has no value somewhere: statements are not about those bicycles
     claim.verdict = Verdict::holds;
     claim.proved = true;
-    for (const std::filesystem::path& certificate : proof.certificates) {
-      claim.certificates.push_back(certificate.filename().string());
-    }
+    name_certificates(claim, proof);
   }
 }
 

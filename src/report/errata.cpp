@@ -140,7 +140,8 @@ class Collection {
     if (finding.wrong.empty()) finding.wrong = claim.why;
     if (repaired != nullptr && repaired->verdict == Verdict::holds) finding.repair = change;
     finding.why = claim.why;
-    if (printed.verdict == Verdict::refuted && !printed.counterexample) {
+    if (printed.verdict == Verdict::refuted) finding.refutations = printed.certificates;
+    if (printed.verdict == Verdict::refuted && !printed.counterexample && finding.refutations.empty()) {
       finding.error = Certainty::sampled;
       finding.tried = result_.samples;
     }
@@ -194,17 +195,23 @@ std::string summary_line(const std::vector<Finding>& findings) {
   return line;
 }
 
+/// `certificates A, B`; empty where there are none.
+std::string listed(const std::vector<std::string>& certificates) {
+  if (certificates.empty()) return {};
+  return (certificates.size() == 1 ? "certificate " : "certificates ") + joined(certificates);
+}
+
 }  // namespace
 
 std::string error_certainty(const Finding& finding) {
   if (!finding.disproofs.empty()) return "proved for all parameters (" + joined(finding.disproofs) + ")";
+  if (finding.error == Certainty::sampled) return "sampled (" + std::to_string(finding.tried) + " samples)";
   // A counterexample, or a missing value, is exact.
-  return finding.error == Certainty::proved ? "exact" : "sampled (" + std::to_string(finding.tried) + " samples)";
+  return "exact" + (finding.refutations.empty() ? "" : " (" + listed(finding.refutations) + ")");
 }
 
 std::string repair_certainty(const Finding& finding) {
-  std::string names = joined(finding.certificates);
-  if (!names.empty()) names = (finding.certificates.size() == 1 ? "certificate " : "certificates ") + names;
+  std::string names = listed(finding.certificates);
   if (finding.mended == Certainty::sampled) {
     names = std::to_string(finding.samples) + " samples" + (names.empty() ? "" : "; in part proved: " + names);
   }

@@ -31,6 +31,7 @@ struct Finding {
   std::uint64_t samples = 0;              ///< at which the rest of it holds: 0 where all is proved
   std::vector<std::string> claims;        ///< all claims that it touches
   std::vector<std::string> disproofs;     ///< certificates of what is true instead
+  std::vector<std::string> refutations;   ///< names of certificates that prove the error
   std::uint64_t tried = 0;                ///< samples at which an error was looked for, where that is all there is
 };
 

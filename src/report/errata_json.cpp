@@ -34,6 +34,7 @@ std::string errata_json(const ClaimsFile& file, const std::vector<Finding>& find
     entry["certificates"] = f.certificates;
     entry["disproofs"] = f.disproofs;
     entry["samples"] = f.samples;
+    entry["refutations"] = f.refutations;
     list.push_back(std::move(entry));
   }
   document["findings"] = std::move(list);

@@ -48,8 +48,8 @@ struct ClaimResult {
   /// It holds for all parameters: an identity of rational functions (wherever both sides have a value and, with a
   /// mode, its equations are regular), the existence of what a sample shows, or `certificates`.
   bool proved = false;
-  /// What report/certificates.hpp finds beside the claims file: names of the certificates that prove the claim; those
-  /// that the checker rejects, and why; statements that are not the claim's.
+  /// What report/certificates.hpp finds beside the claims file: names of the certificates that prove the claim, or its
+  /// refutation; those that the checker rejects, and why; statements that are not the claim's.
   std::vector<std::string> certificates, rejections, outdated;
 
   std::uint64_t samples() const { return held + refuted + undecided; }
