@@ -67,11 +67,11 @@ void add_verify(CLI::App& app, int& exit_code) {
       ->excludes(list)
       ->excludes(sarif);
   sarif->excludes(markdown);
-  command.add_option("--only", options->verify.only,
-                     "Judge only the claims whose id begins with this, such as A or E4.7");
+  auto* only = command.add_option("--only", options->verify.only,
+                                  "Judge only the claims whose id begins with this, such as A or E4.7");
   auto* mutants = command.add_flag("--mutants", options->mutants,
                                    "Change every formula in every small way: is each change noticed?");
-  mutants->excludes(list)->excludes(sarif);
+  mutants->excludes(list)->excludes(sarif)->excludes(only);
   command.add_option("--every", options->mutation.every, "Judge one mutant in so many")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}))
       ->needs(mutants);

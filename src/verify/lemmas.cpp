@@ -1,8 +1,10 @@
 #include "verify/lemmas.hpp"
 
 #include <algorithm>
+#include <sstream>
 #include <utility>
 
+#include "check/theorem.hpp"
 #include "prove/claim_statements.hpp"
 #include "prove/prove.hpp"
 #include "prove/statement.hpp"
@@ -100,6 +102,19 @@ std::optional<std::string> at_infinity(const prove::Formula& formula, std::size_
   return all ? std::optional<std::string>("0 = 0") : std::nullopt;
 }
 
+/// The prover needs no trust: what it writes counts if the checker accepts it.
+bool is_accepted(const std::string& statement, const std::string& certificate) {
+  std::istringstream statement_text(statement), certificate_text(certificate);
+  check::FormulaReader statement_reader(statement_text, "lemma.statement");
+  check::FormulaReader certificate_reader(certificate_text, "lemma.cert");
+  try {
+    check::Proof(check::Statement(statement_reader), certificate_reader);
+    return true;
+  } catch (const check::Rejection&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 std::string LemmaBook::certificate(const std::string& statement) {
@@ -109,6 +124,7 @@ std::string LemmaBook::certificate(const std::string& statement) {
     if (found != known_.end()) return found->second;
   }
   std::string certificate = prove_statement("lemma", statement, limits_).certificate;
+  if (!certificate.empty() && !is_accepted(statement, certificate)) certificate.clear();
   const std::scoped_lock lock(mutex_);
   return known_.emplace(statement, std::move(certificate)).first->second;
 }
@@ -118,6 +134,14 @@ bool Implications::prove(const std::string& statement, Lemmas& lemmas) const {
   if (certificate.empty()) return false;
   lemmas.push_back({statement, std::move(certificate)});
   return true;
+}
+
+bool Implications::proves(std::size_t claim, const ClaimBody& body, Lemmas& lemmas) const {
+  Claim changed = file_->claims[claim];
+  changed.printed = body;
+  const auto statements = claim_statements(*file_, changed, Reading::printed);
+  return !statements.empty() && std::all_of(statements.begin(), statements.end(),
+                                            [&](const NamedStatement& s) { return prove(s.text, lemmas); });
 }
 
 bool Implications::implies(std::vector<Expression> given, const Expression& shown, Lemmas& lemmas,

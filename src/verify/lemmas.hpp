@@ -57,6 +57,8 @@ class Implications {
   /// Under `given`, which must not depend on the parameter, `shown` is true from some value of the parameter on: what
   /// is compared has leading coefficients of the right sign.
   bool eventually(const Expression& given, const Expression& shown, std::string_view parameter, Lemmas& lemmas) const;
+  /// The claim with this body is a theorem: all statements are proved that together say what it says.
+  bool proves(std::size_t claim, const ClaimBody& body, Lemmas& lemmas) const;
 
  private:
   std::vector<Expression> divisors(const Expression& e) const;

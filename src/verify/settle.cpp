@@ -195,6 +195,13 @@ struct Settler::State {
                   std::move(lemmas));
     }
     lemmas.clear();
+    // An assumption about what the equations do not have: both may leave the same of what they have.
+    if (assumed && file.claims[claim].kind == ClaimKind::system && in().proves(claim, before, lemmas) &&
+        in().proves(claim, after, lemmas)) {
+      return made(Kind::equivalent, claim, "before and after are proved to come to the same equations",
+                  std::move(lemmas));
+    }
+    lemmas.clear();
     if (assumed || file.claims[claim].kind != ClaimKind::consequence) return std::nullopt;
     if (is_identity(file, *changed, claim, Reading::printed)) {
       return made(Kind::theorem, claim, "an identity of rational functions", {});
