@@ -35,6 +35,7 @@ Names prune_and_name(Proof& proof) {
   for (std::size_t i = proof.size(); i-- > 0;) {
     Step& step = proof[i];
     if (step.rule == Step::Rule::split || step.rule == Step::Rule::cases) {
+      if (step.rule == Step::Rule::cases && step.branches.empty()) used.insert(step.name);
       for (std::size_t k = 0; k < step.branches.size(); ++k) {
         Names names = prune_and_name(step.branches[k]);
         const std::string hypothesis =
@@ -49,7 +50,6 @@ Names prune_and_name(Proof& proof) {
         used.merge(names);
         if (k + 1 == step.branches.size() && step.rule == Step::Rule::cases) used.insert(step.name);
       }
-      if (step.branches.empty() && i < proof.size() && proof[i].rule == Step::Rule::cases) used.insert(proof[i].name);
     } else if (step.rule == Step::Rule::have && !used.contains(step.name)) {
       proof.erase(proof.begin() + static_cast<std::ptrdiff_t>(i));
     } else {
