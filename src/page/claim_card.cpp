@@ -75,7 +75,7 @@ void add_reading(const Element& parent, const PageInput& input, const Claim& cla
   const Element heading = part.add("h4");
   heading.text(only ? "As printed " : result.reading == Reading::printed ? "As printed " : "As repaired ");
   add_chip(heading, verdict_name(result));
-  add_formal(part, *input.claims, claim, result.reading);
+  add_formal(part, input, claim, result.reading);
   add_definitions(part, *input.claims, claim, result.reading);
   add_evidence(part, claim, result);
   if (result.counterexample) add_counterexample(part, *input.claims, result);

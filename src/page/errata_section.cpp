@@ -34,11 +34,7 @@ void add_errata_section(const Element& main, const PageInput& input) {
     const Element item = list.add("li", "finding");
     const Element heading = item.add("h3");
     heading.text("Line " + std::to_string(finding.line) + ", ");
-    if (input.claims->find(finding.id) != nullptr) {
-      heading.add("a").set("href", "#claim-" + finding.id).text(finding.id);
-    } else {
-      heading.text(finding.id);
-    }
+    add_claim_id(heading, input, finding.id);
     heading.text(" ");
     heading.add("span", "grade " + std::string(name(finding.grade))).text(name(finding.grade));
     const Element facts = item.add("dl");

@@ -19,11 +19,10 @@ void add_modes(const Element& p, const std::vector<ContactMode>& modes) {
   }
 }
 
-void add_claims(const Element& p, const ClaimsFile& file, const std::vector<std::size_t>& claims) {
+void add_claims(const Element& p, const PageInput& input, const std::vector<std::size_t>& claims) {
   for (std::size_t i = 0; i < claims.size(); ++i) {
     if (i > 0) p.text(i + 1 == claims.size() ? " and " : ", ");
-    const std::string& id = file.claims[claims[i]].id;
-    p.add("a").set("href", "#claim-" + id).text(id);
+    add_claim_id(p, input, input.claims->claims[claims[i]].id);
   }
 }
 
@@ -50,7 +49,7 @@ void add_where(const Element& p, const ClaimBody& body, bool forces_too) {
 
 }  // namespace
 
-void add_formal(const Element& parent, const ClaimsFile& file, const Claim& claim, Reading reading) {
+void add_formal(const Element& parent, const PageInput& input, const Claim& claim, Reading reading) {
   const ClaimBody& body = claim.body(reading);
   const Element p = parent.add("p", "formal");
   switch (claim.kind) {
@@ -101,17 +100,17 @@ void add_formal(const Element& parent, const ClaimsFile& file, const Claim& clai
         p.text(" or ");
       }
       p.text("as stated by ");
-      add_claims(p, file, body.claims);
+      add_claims(p, input, body.claims);
       if (!body.except.empty()) {
         p.text(", except where ");
-        add_claims(p, file, body.except);
+        add_claims(p, input, body.except);
         p.text(" stands");
       }
       break;
     case ClaimKind::cover:
       add_where(p, body, false);
       p.text("every bicycle is in the case of one of ");
-      add_claims(p, file, body.claims);
+      add_claims(p, input, body.claims);
       break;
     case ClaimKind::exists:
       add_where(p, body, true);
@@ -124,9 +123,9 @@ void add_formal(const Element& parent, const ClaimsFile& file, const Claim& clai
       if (body.claims.empty() && body.given.empty()) {
         p.text("the model's equations ");
       } else {
-        add_claims(p, file, body.claims);
+        add_claims(p, input, body.claims);
         if (!body.claims.empty() && !body.given.empty()) p.text(" with ");
-        add_claims(p, file, body.given);
+        add_claims(p, input, body.given);
       }
       if (!body.modes.empty()) {
         p.text(" in ");

@@ -82,7 +82,7 @@ std::string findings_detail(const std::vector<Finding>& findings) {
 }
 
 /// False statements first: what the authors would want to know.
-void add_headlines(const Element& section, const std::vector<Finding>& findings) {
+void add_headlines(const Element& section, const PageInput& input, const std::vector<Finding>& findings) {
   const auto wrong = [](const Finding& f) { return f.grade == Grade::wrong; };
   if (std::none_of(findings.begin(), findings.end(), wrong)) return;
   section.add("h2", "sub").text("What is false");
@@ -90,7 +90,7 @@ void add_headlines(const Element& section, const std::vector<Finding>& findings)
   for (const Finding& finding : findings) {
     if (!wrong(finding)) continue;
     const Element item = list.add("li");
-    item.add("a").set("href", "#claim-" + finding.id).text(finding.id);
+    add_claim_id(item, input, finding.id);
     item.text(", line " + std::to_string(finding.line) + ": ");
     add_sentence(item.add("q"), finding.statement);
   }
@@ -136,7 +136,7 @@ void add_overview(const Element& main, const PageInput& input) {
   add_bar(bars, "as printed", counts.printed);
   add_bar(bars, "as repaired", counts.repaired);
   const Element columns = section.add("div", "halves");
-  add_headlines(columns.add("div"), findings);
+  add_headlines(columns.add("div"), input, findings);
   if (input.trade && !input.trade->workloads.empty()) {
     const Element figure = columns.add("figure", "glance");
     figure.add("h2", "sub").add("a").set("href", "#trade").text("Speed and wrong verdicts");

@@ -138,6 +138,17 @@ Element add_chip(const Element& parent, std::string_view verdict) {
   return chip.text(verdict);
 }
 
+void add_claim_id(const Element& parent, const PageInput& input, std::string_view id) {
+  const auto& results = input.result->claims;
+  const bool judged = std::any_of(results.begin(), results.end(),
+                                  [&](const auto& r) { return input.claims->claims[r.claim].id == id; });
+  if (!judged) {
+    parent.text(id);
+    return;
+  }
+  parent.add("a").set("href", "#claim-" + std::string(id)).text(id);
+}
+
 std::string counted(std::size_t count, std::string_view noun) {
   return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
 }

@@ -24,10 +24,12 @@ void add_trade_plot(const Element& parent, const Trade& trade, bool errors, bool
 void add_solvers_section(const Element& main, const PageInput& input);
 void add_reproduce_section(const Element& main, const PageInput& input);
 
+/// The id of a claim: a link to it where it was judged and stands in the page, as it is otherwise.
+void add_claim_id(const Element& parent, const PageInput& input, std::string_view id);
 /// One claim in all of its readings.
 void add_claim_card(const Element& parent, const PageInput& input, std::size_t claim);
 /// What a claim says, in words and formulas.
-void add_formal(const Element& parent, const ClaimsFile& file, const Claim& claim, Reading reading);
+void add_formal(const Element& parent, const PageInput& input, const Claim& claim, Reading reading);
 /// What is wrong, with a picture, and the arithmetic to follow by hand.
 void add_counterexample(const Element& parent, const ClaimsFile& file, const ClaimResult& result);
 

@@ -56,6 +56,30 @@ const std::string& small_page() {
   return html;
 }
 
+/// Every link leads somewhere in the page, every id is there once, nothing comes from elsewhere.
+void check_links(const std::string& html) {
+  const auto tree = read(html);
+  std::set<std::string> ids;
+  for (const auto& found : tree.select_nodes("//*[@id]")) {
+    const std::string id = found.node().attribute("id").value();
+    CAPTURE(id);
+    CHECK(ids.insert(id).second);
+  }
+  for (const auto& found : tree.select_nodes("//a[@href]")) {
+    const std::string href = found.node().attribute("href").value();
+    CAPTURE(href);
+    REQUIRE(href.starts_with("#"));
+    CHECK(ids.contains(href.substr(1)));
+  }
+  for (const auto& found : tree.select_nodes("//*[@fill]")) {
+    const std::string fill = found.node().attribute("fill").value();
+    if (fill.starts_with("url(#")) CHECK(ids.contains(fill.substr(5, fill.size() - 6)));
+  }
+  CHECK(tree.select_nodes("//*[@src]").empty());
+  CHECK(tree.select_nodes("//link[not(starts-with(@href, 'data:'))]").empty());
+  CHECK(html.find("@import") == std::string::npos);
+}
+
 }  // namespace
 
 TEST_CASE("the page is well-formed, small, and the same bytes each time") {
@@ -79,26 +103,24 @@ TEST_CASE("hostile names are text") {
 }
 
 TEST_CASE("every link leads somewhere in the page, every id is there once, nothing comes from elsewhere") {
-  const auto tree = read(small_page());
-  std::set<std::string> ids;
-  for (const auto& found : tree.select_nodes("//*[@id]")) {
-    const std::string id = found.node().attribute("id").value();
-    CAPTURE(id);
-    CHECK(ids.insert(id).second);
+  check_links(small_page());
+}
+
+TEST_CASE("links to claims that were left out are no links") {
+  VerifyOptions options;
+  options.samples = 5;
+  PageInput input = small_input();
+  input.figures.clear();
+  input.scenes.clear();
+  for (const std::string only : {"A5", "E4", "T"}) {
+    CAPTURE(only);
+    options.only = only;
+    const VerifyResult result = verify(test::shipped_paper(), options);
+    input.result = &result;
+    const std::string html = page_html(input);
+    check_links(html);
+    if (only == "A5") CHECK(html.find("A1.1") != html.npos);  // A5.2 speaks of it: as text
   }
-  for (const auto& found : tree.select_nodes("//a[@href]")) {
-    const std::string href = found.node().attribute("href").value();
-    CAPTURE(href);
-    REQUIRE(href.starts_with("#"));
-    CHECK(ids.contains(href.substr(1)));
-  }
-  for (const auto& found : tree.select_nodes("//*[@fill]")) {
-    const std::string fill = found.node().attribute("fill").value();
-    if (fill.starts_with("url(#")) CHECK(ids.contains(fill.substr(5, fill.size() - 6)));
-  }
-  CHECK(tree.select_nodes("//*[@src]").empty());
-  CHECK(tree.select_nodes("//link[not(starts-with(@href, 'data:'))]").empty());
-  CHECK(small_page().find("@import") == std::string::npos);
 }
 
 TEST_CASE("every claim is there with its verdicts, every finding in the errata, every counterexample with a picture") {
