@@ -40,6 +40,14 @@ void write_lemmas(const std::filesystem::path& folder, const MutationResult& res
   }
 }
 
+/// A report is about verdicts: where none are given, none is written, and the user is told instead of left to wonder.
+void refuse_report_without_verdicts(const Options& options) {
+  if (options.report.empty() || (!options.coverage && !options.mutants)) return;
+  const std::string mode = options.coverage ? "--coverage" : "--mutants";
+  throw CLI::ValidationError("--report", "the report shows verdicts, and " + mode + " gives none; leave " + mode +
+                                             " out, or write the report in a call of its own");
+}
+
 int judge_mutants(const ClaimsFile& file, Options& options) {
   options.mutation.seed = options.common.seed;
   options.mutation.threads = options.common.threads;
@@ -82,6 +90,7 @@ void add_verify(CLI::App& app, int& exit_code) {
   command.add_option("--trade", options->trade, "For the report: what slipproof trade --json wrote")->needs(report);
   add_common_options(command, options->common);
   command.callback([options, &exit_code] {
+    refuse_report_without_verdicts(*options);
     const std::filesystem::path path = claims_path(options->claims);
     const ClaimsFile file = read_claims(path);
     if (options->coverage) {

@@ -40,6 +40,18 @@ TEST_CASE("verify writes the report of what it says") {
   CHECK(read_file(file).find("claim-A1.1") != std::string::npos);
 }
 
+TEST_CASE("a report without verdicts is refused, with what to do, and nothing is written") {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "index.html").string();
+  for (const std::string mode : {"--mutants", "--coverage"}) {
+    const auto outcome = run({"verify", mode, "--report", file});
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.err.find("leave " + mode + " out") != std::string::npos);
+    CHECK(!std::filesystem::exists(file));
+  }
+}
+
 TEST_CASE("map draws a scene, as SVG, as PNG where it can, and as exact data") {
   const auto svg = run({"map", scene, "--x", "f", "--y", "F", "--columns", "12"});
   CHECK(svg.exit_code == 0);

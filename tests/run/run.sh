@@ -62,6 +62,17 @@ expect 0 '' 'usage:*'
 call "$project/run" verify --samples 5 'a b'
 expect 1 'cmake --preset release*cmake --build --preset release*slipproof <trade> <--quick> <--json>*slipproof <verify> <--report> <build/report/index.html> <--trade> <build/report/trade.json> <--samples> <5> <a b>' 's REFUTED'
 [[ $(cat "$project/build/report/verify.txt") == 's REFUTED' ]]
+# No report is asked for where there are no verdicts, and no second one where one is asked for.
+for mode in --mutants --coverage --help; do
+  call "$project/run" verify --samples 5 "$mode"
+  expect 1 "*slipproof <verify> <--samples> <5> <$mode>" 's REFUTED'
+  [[ $calls != *'<trade>'* ]]
+done
+call "$project/run" verify --report 'my report.html'
+expect 1 '*slipproof <verify> <--report> <my report.html>' 's REFUTED'
+call "$project/run" verify --trade=mine.json
+expect 1 '*slipproof <verify> <--report> <build/report/index.html> <--trade=mine.json>' 's REFUTED'
+[[ $calls != *'<trade>'* ]]
 call "$project/run" test
 expect 0 'cmake*ctest --preset release*cmake*ctest --preset sanitize*' ''
 [[ $calls != *apt-get* ]]
