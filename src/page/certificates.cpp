@@ -12,11 +12,14 @@ void add_certificates_section(const Element& main, const PageInput& input) {
           "Statements for all parameters, each with a certificate: case splits and polynomial identities that a small "
           "checker, which shares no code with the prover, has just checked. Anyone can check them again with "
           "slipproof-check.");
+  if (input.opinions) add_opinions_table(section, *input.opinions, input.certificates.size());
   const Element list = section.add("div", "certificates");
   for (const PageCertificate& certificate : input.certificates) {
     const Element item = list.add("details", "certificate").set("id", "certificate-" + certificate.theorem);
     const Element summary = item.add("summary");
     summary.add("span", "id").text(certificate.theorem);
+    const std::string also = input.opinions ? agreeing_programs(*input.opinions, certificate.theorem) : "";
+    if (!also.empty()) summary.add("small", "also").text("also " + also);
     const Element chip = summary.add("span", certificate.accepted ? "chip proved" : "chip refuted");
     chip.add("span").set("aria-hidden", "true").text(certificate.accepted ? "✓ " : "✗ ");
     chip.text(certificate.accepted ? "accepted" : "rejected");

@@ -41,7 +41,20 @@ void add_definitions(const Element& parent, const ClaimsFile& file, const Claim&
   }
 }
 
-void add_evidence(const Element& parent, const Claim& claim, const ClaimResult& result) {
+std::vector<std::string> theorems_of(const ClaimResult& result) {
+  std::vector<std::string> theorems;
+  for (const std::string& file : result.certificates) theorems.push_back(file.substr(0, file.rfind('.')));
+  return theorems;
+}
+
+void add_theorem_links(const Element& p, const std::vector<std::string>& theorems) {
+  for (const std::string& theorem : theorems) {
+    if (theorem != theorems.front()) p.text(", ");
+    p.add("a").set("href", "#certificate-" + theorem).text(theorem);
+  }
+}
+
+void add_evidence(const Element& parent, const PageInput& input, const Claim& claim, const ClaimResult& result) {
   const Element p = parent.add("p", "evidence");
   p.add("b").text("Evidence. ");
   const std::string samples = std::to_string(result.samples());
@@ -50,11 +63,7 @@ void add_evidence(const Element& parent, const Claim& claim, const ClaimResult& 
       p.text("Such a motion was found, which proves it. ");
     } else if (!result.certificates.empty()) {
       p.text("Proved for all parameters: ");
-      for (const std::string& file : result.certificates) {
-        const std::string theorem = file.substr(0, file.rfind('.'));
-        if (file != result.certificates.front()) p.text(", ");
-        p.add("a").set("href", "#certificate-" + theorem).text(theorem);
-      }
+      add_theorem_links(p, theorems_of(result));
       p.text(". ");
     } else if (result.proved) {
       p.text("An identity of rational functions, checked as polynomials: it holds for all parameters. ");
@@ -62,10 +71,16 @@ void add_evidence(const Element& parent, const Claim& claim, const ClaimResult& 
     p.text("It held at all " + samples + " sampled bicycles that it speaks of.");
   } else if (result.verdict == Verdict::refuted) {
     p.text("False at " + std::to_string(result.refuted) + " of " + samples + " sampled bicycles that it speaks of.");
+    if (!result.certificates.empty()) {
+      p.text(" That it is false is proved: ");
+      add_theorem_links(p, theorems_of(result));
+      p.text(".");
+    }
   } else {
     p.text("It has no value at " + std::to_string(result.undecided) + " of " + samples +
            " sampled bicycles that it speaks of.");
   }
+  if (input.opinions) add_second_opinions(parent, *input.opinions, theorems_of(result));
   for (const std::string& objection : result.rejections) parent.add("p", "evidence").text("Rejected: " + objection);
 }
 
@@ -77,7 +92,7 @@ void add_reading(const Element& parent, const PageInput& input, const Claim& cla
   add_chip(heading, verdict_name(result));
   add_formal(part, input, claim, result.reading);
   add_definitions(part, *input.claims, claim, result.reading);
-  add_evidence(part, claim, result);
+  add_evidence(part, input, claim, result);
   if (result.counterexample) add_counterexample(part, *input.claims, result);
 }
 

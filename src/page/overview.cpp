@@ -41,6 +41,18 @@ void add_card(const Element& list, const char* css_class, std::size_t number, st
   card.add("span", "detail").text(detail);
 }
 
+void add_opinions_card(const Element& list, const SecondOpinions& opinions) {
+  std::string detail;
+  for (std::size_t i = 0; i < opinion_programs.size(); ++i) {
+    detail += (i == 0 ? "" : ", ") + std::string(opinion_programs[i]) + " " + std::to_string(agreeing(opinions, i));
+  }
+  const auto confirmed = std::count_if(opinions.begin(), opinions.end(), [](const auto& opinion) {
+    return std::find(opinion.second.begin(), opinion.second.end(), Opinion::agrees) != opinion.second.end();
+  });
+  add_card(list, "good", static_cast<std::size_t>(confirmed), "with a second opinion that agrees",
+           "certificates confirmed by a program of someone else: " + detail, "#certificates");
+}
+
 /// One bar cut in proportion to its counts, with its numbers written out below.
 void add_bar(const Element& parent, std::string_view label, const std::array<std::size_t, 4>& counts) {
   std::size_t all = 0;
@@ -132,11 +144,13 @@ void add_overview(const Element& main, const PageInput& input) {
                                                    : std::to_string(input.certificates.size() - accepted) + " rejected",
              "#certificates");
   }
-  const Element bars = section.add("div", "bars");
+  if (input.opinions) add_opinions_card(cards, *input.opinions);
+  const Element columns = section.add("div", "halves");
+  const Element verdicts_half = columns.add("div");
+  const Element bars = verdicts_half.add("div", "bars");
   add_bar(bars, "as printed", counts.printed);
   add_bar(bars, "as repaired", counts.repaired);
-  const Element columns = section.add("div", "halves");
-  add_headlines(columns.add("div"), input, findings);
+  add_headlines(verdicts_half, input, findings);
   if (input.trade && !input.trade->workloads.empty()) {
     const Element figure = columns.add("figure", "glance");
     figure.add("h2", "sub").add("a").set("href", "#trade").text("Speed and wrong verdicts");

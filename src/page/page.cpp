@@ -58,6 +58,14 @@ class Gathering {
     }
   }
 
+  void second_opinions(const std::filesystem::path& file) {
+    if (!std::filesystem::exists(file)) return;
+    std::vector<std::string> statements;
+    for (const PageCertificate& certificate : input_.certificates) statements.push_back(certificate.theorem);
+    input_.opinions = read_second_opinions(file, statements);
+    source(file, "proofs/" + file.filename().string());
+  }
+
  private:
   PageInput& input_;
 };
@@ -104,6 +112,7 @@ PageInput gather(const PageFolders& folders, const ClaimsFile& claims, const Ver
     gathering.source(figures, "figures.toml");
   }
   gathering.certificates(beside);
+  gathering.second_opinions(beside / "second-opinions.csv");
   for (const auto& file : files_in(folders.cases, ".toml")) {
     input.scenes.push_back(read_scene(file));
     gathering.source(file, "cases/" + file.filename().string());

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/scene.hpp"
+#include "page/second_opinions.hpp"
 #include "page/solvers.hpp"
 #include "picture/figures.hpp"
 #include "trade/trade.hpp"
@@ -35,7 +36,8 @@ struct PageInput {
   std::string version;
   std::vector<Figure> figures;
   std::vector<PageCertificate> certificates;
-  std::vector<Scene> scenes;  ///< a plane of f and F is drawn for each
+  std::optional<SecondOpinions> opinions;  ///< about the statements of `certificates`
+  std::vector<Scene> scenes;               ///< a plane of f and F is drawn for each
   std::vector<SolverVerdicts> solvers;
   std::optional<Trade> trade;
   std::vector<PageSource> sources;
@@ -43,8 +45,9 @@ struct PageInput {
 
 /// Where the parts of a report come from; what is not given is left out of it.
 struct PageFolders {
-  std::filesystem::path claims;   ///< the claims file; figures.toml and certificates stand beside it
-  std::filesystem::path cases;    ///< scenes
+  std::filesystem::path
+      claims;                   ///< the claims file; figures.toml, certificates and second-opinions.csv stand beside it
+  std::filesystem::path cases;  ///< scenes
   std::filesystem::path solvers;  ///< recorded outputs of solvers, CSV
   std::filesystem::path trade;    ///< a file that `slipproof trade --json` wrote
 };

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "markup/element.hpp"
 #include "page/page.hpp"
@@ -23,6 +24,16 @@ void add_trade_section(const Element& main, const PageInput& input);
 void add_trade_plot(const Element& parent, const Trade& trade, bool errors, bool small);
 void add_solvers_section(const Element& main, const PageInput& input);
 void add_reproduce_section(const Element& main, const PageInput& input);
+
+/// What other programs say of a claim's certificates; nothing where none was asked of any.
+void add_second_opinions(const Element& parent, const SecondOpinions& opinions,
+                         const std::vector<std::string>& theorems);
+/// What each program says, in numbers.
+void add_opinions_table(const Element& parent, const SecondOpinions& opinions, std::size_t certificates);
+/// With how many statements a program (of `opinion_programs`) agrees.
+std::size_t agreeing(const SecondOpinions& opinions, std::size_t program);
+/// `z3, Coq`: those that agree with a statement.
+std::string agreeing_programs(const SecondOpinions& opinions, std::string_view theorem);
 
 /// The id of a claim: a link to it where it was judged and stands in the page, as it is otherwise.
 void add_claim_id(const Element& parent, const PageInput& input, std::string_view id);
