@@ -1,0 +1,74 @@
+// The small picture of a bicycle: wheels on the road touch it, one that leaves the road is above it.
+#include <doctest/doctest.h>
+
+#include <map>
+#include <pugixml.hpp>
+
+#include "markup/element.hpp"
+#include "model/scene.hpp"
+#include "picture/bicycle_svg.hpp"
+
+using namespace slipproof;
+
+namespace {
+
+struct DrawnBicycle {
+  double road = 0;
+  std::vector<double> lowest;  ///< of each wheel, rear first
+  std::size_t traces = 0;
+  std::string label, text;
+};
+
+DrawnBicycle draw(const Scene& scene, const FoundMotion<Rational>* motion) {
+  const Document document("svg");
+  add_bicycle(document.root(), scene, motion, "A bicycle");
+  pugi::xml_document tree;
+  REQUIRE(tree.load_string(document.xml().c_str()));
+  DrawnBicycle drawn;
+  drawn.road = tree.select_node("//line[@class='frame']").node().attribute("y1").as_double();
+  for (const auto& found : tree.select_nodes("//circle[@class='body']")) {
+    drawn.lowest.push_back(found.node().attribute("cy").as_double() + found.node().attribute("r").as_double());
+  }
+  drawn.traces = tree.select_nodes("//circle[@class='curve']").size();
+  drawn.label = tree.select_node("//svg[@class='bicycle']").node().attribute("aria-label").value();
+  for (const auto& found : tree.select_nodes("//text//text()")) drawn.text += found.node().value();
+  return drawn;
+}
+
+}  // namespace
+
+TEST_CASE("a wheel is raised exactly where a motion takes it off the road") {
+  // Three motions at one force: rolling, slipping, and the front wheel off the road.
+  Scene scene = read_scene(SLIPPROOF_SOURCE_DIR "/cases/ambiguous.toml");
+  std::map<std::string, bool> seen;
+  for (const ForceKind kind : {ForceKind::internal, ForceKind::external}) {
+    scene.force_kind = kind;
+    for (const Rational& F : {Rational(-200), Rational(-3), *scene.F, Rational(200)}) {
+      scene.F = F;
+      for (const auto& motion : motions_at(ModeTable(scene.bicycle, scene.road, kind), F).motions) {
+        const bool rear = motion.values[Quantity::gap2] > 0, front = motion.values[Quantity::gap3] > 0;
+        const DrawnBicycle drawn = draw(scene, &motion);
+        REQUIRE(drawn.lowest.size() == 2);
+        CAPTURE(name(motion.modes.front()));
+        CHECK((drawn.lowest[0] < drawn.road - 8) == rear);
+        CHECK((drawn.lowest[1] < drawn.road - 8) == front);
+        if (!rear) CHECK(drawn.lowest[0] == doctest::Approx(drawn.road));
+        if (!front) CHECK(drawn.lowest[1] == doctest::Approx(drawn.road));
+        CHECK(drawn.traces == std::size_t{rear} + std::size_t{front});
+        CHECK((drawn.label.find("raised") != drawn.label.npos) == (rear || front));
+        CHECK((drawn.text.find("gap") != drawn.text.npos) == (rear || front));
+        seen[std::string(rear ? "rear " : "") + (front ? "front" : "")] = true;
+      }
+    }
+  }
+  CHECK(seen.contains(""));
+  CHECK(seen.contains("front"));
+  CHECK(seen.contains("rear "));
+}
+
+TEST_CASE("without a motion both wheels stand on the road") {
+  const DrawnBicycle drawn = draw(read_scene(SLIPPROOF_SOURCE_DIR "/cases/penny-farthing.toml"), nullptr);
+  REQUIRE(drawn.lowest.size() == 2);
+  for (const double lowest : drawn.lowest) CHECK(lowest == doctest::Approx(drawn.road));
+  CHECK(drawn.label == "A bicycle");
+}
