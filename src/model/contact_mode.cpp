@@ -1,11 +1,20 @@
 #include "model/contact_mode.hpp"
 
+#include <algorithm>
+
 namespace slipproof {
 
 namespace {
 constexpr std::array<std::string_view, 4> state_names{"stick", "slip+", "slip-", "lift"};
 constexpr std::array<std::string_view, quantity_count> quantity_names{
     "a", "a_y", "phi", "eps2", "eps3", "S2", "S3", "N2", "N3", "gap2", "gap3", "slip2", "slip3"};
+
+std::optional<ContactState> parse_state(std::string_view text) {
+  const auto found = std::find(state_names.begin(), state_names.end(), text);
+  if (found == state_names.end()) return std::nullopt;
+  return static_cast<ContactState>(found - state_names.begin());
+}
+
 }  // namespace
 
 std::string_view name(ContactState state) {
@@ -21,10 +30,12 @@ std::string_view name(Quantity quantity) {
 }
 
 std::optional<ContactMode> parse_mode(std::string_view text) {
-  for (const ContactMode mode : all_modes()) {
-    if (name(mode) == text) return mode;
-  }
-  return std::nullopt;
+  const std::size_t slash = std::min(text.find('/'), text.size());
+  const auto rear = parse_state(text.substr(0, slash));
+  if (!rear || slash == text.size()) return std::nullopt;
+  const auto front = parse_state(text.substr(slash + 1));
+  if (!front) return std::nullopt;
+  return ContactMode{*rear, *front};
 }
 
 std::optional<Quantity> parse_quantity(std::string_view text) {
