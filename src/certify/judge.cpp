@@ -5,6 +5,7 @@
 
 #include "certify/exact_judge.hpp"
 #include "filter/bounded_motion.hpp"
+#include "filter/vector_clones.hpp"
 
 namespace slipproof {
 
@@ -40,18 +41,29 @@ double largest_error(const ReducedDynamics<N, N>& dynamics, ContactMode mode, co
   return worst;
 }
 
-/// Certifies, or says nothing. `dynamics` are those of the tier.
+/// The one mode of the scene, and a bound on the answer's error in it; no modes where that is not certain.
+struct Verified {
+  std::uint16_t modes = 0;
+  double error = 0;
+};
+
+/// `dynamics` are those of the tier.
 template <class N>
-bool certify(const ReducedDynamics<N, N>& dynamics, Tier tier, const Record& r, const ForcedScene<double>& s,
-             const JudgeOptions& options, RecordJudgement& result) {
+Verified verify_answer(const ReducedDynamics<N, N>& dynamics, const Record& r, const ForcedScene<double>& s) {
   const ModeSets sets = decide_modes(dynamics, s.bicycle.J.has_value());
-  if (sets.undecided != 0 || std::popcount(sets.consistent) != 1) return false;
+  if (sets.undecided != 0 || std::popcount(sets.consistent) != 1) return {};
   const ContactMode mode = all_modes()[static_cast<std::size_t>(std::countr_zero(sets.consistent))];
-  if (r.mode && *r.mode != mode) return false;
-  const double error = largest_error(dynamics, mode, r, s.bicycle.M * s.road.g);
-  if (!(error <= options.tolerance)) return false;
-  result = {RecordVerdict::certified, tier, sets.consistent, 1, false, error, false, {}, {}};
-  return true;
+  if (r.mode && *r.mode != mode) return {};
+  return {sets.consistent, largest_error(dynamics, mode, r, s.bicycle.M * s.road.g)};
+}
+
+SLIPPROOF_VECTOR_CLONES("avx2")
+SLIPPROOF_FLATTEN Verified verify_by_filter(const Record& r, const ForcedScene<double>& s) {
+  return verify_answer(tracked_dynamics<Tracked>(s), r, s);
+}
+
+Verified verify_by_double_double(const Record& r, const ForcedScene<double>& s) {
+  return verify_answer(tracked_dynamics<TrackedDouble2>(s), r, s);
 }
 
 }  // namespace
@@ -65,13 +77,15 @@ std::string_view name(RecordVerdict verdict) {
 RecordJudgement judge(const Record& record, const JudgeOptions& options) {
   if (const std::string reason = outside_domain(record); !reason.empty()) return invalid_judgement(reason);
   const auto rounded = rounded_scene(record);
-  RecordJudgement result;
   if (rounded && within_input_limit(*rounded)) {
-    if (certify(tracked_dynamics<Tracked>(*rounded), Tier::filter, record, *rounded, options, result)) return result;
-    if (record.is_exact() && !record.has(Field::h0) &&
-        certify(tracked_dynamics<TrackedDouble2>(*rounded), Tier::double_double, record, *rounded, options, result)) {
-      return result;
+    Verified found = verify_by_filter(record, *rounded);
+    Tier tier = Tier::filter;
+    const auto certified = [&] { return found.modes != 0 && found.error <= options.tolerance; };
+    if (!certified() && record.is_exact() && !record.has(Field::h0)) {
+      found = verify_by_double_double(record, *rounded);
+      tier = Tier::double_double;
     }
+    if (certified()) return {RecordVerdict::certified, tier, found.modes, 1, false, found.error, false, {}, {}};
   }
   return judge_exactly(record, options);
 }

@@ -67,7 +67,8 @@ void RecordReader::read_header(std::string_view header) {
     if (column >= 0) all.replace_other_forms(static_cast<Field>(column));
   }
   base_.present = all.present;
-  if (const std::string reason = incomplete(all.present | seen); !reason.empty()) mistakes.add({1, 1}, reason);
+  complete_ = all.present | seen;
+  if (const std::string reason = incomplete(complete_); !reason.empty()) mistakes.add({1, 1}, reason);
   mistakes.refuse_if_any();
 }
 
@@ -153,6 +154,7 @@ Record RecordReader::read_csv(std::string_view line) const {
     if (!last) at += comma + 1;
   }
   // An empty cell leaves what the scene says, and may leave nothing.
+  if (record.present == complete_) return record;
   if (const std::string reason = incomplete(record.present); !reason.empty()) throw BrokenRecord{1, reason};
   return record;
 }

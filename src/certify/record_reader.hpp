@@ -40,6 +40,7 @@ class RecordReader {
   const CertifyOptions& options_;
   bool csv_;
   Record base_;
+  std::uint32_t complete_ = 0;  ///< the fields of a CSV line without empty cells
   std::vector<int> columns_;
 };
 

@@ -1,0 +1,67 @@
+#include "certify/chunk_reader.hpp"
+
+#include "certify/certify.hpp"
+#include "input/diagnostic.hpp"
+
+namespace slipproof {
+
+namespace {
+
+constexpr std::size_t chunk_size = 1U << 18U;
+
+}  // namespace
+
+std::string ChunkReader::header() {
+  std::string line;
+  while (blank(line)) {
+    while (rest_.find('\n') == std::string::npos && fill(rest_)) {
+    }
+    if (rest_.empty()) return {};
+    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+    line = rest_.substr(0, end);
+    rest_.erase(0, std::min(end + 1, rest_.size()));
+    ++line_;
+  }
+  if (!line.empty() && line.back() == '\r') line.pop_back();
+  return line;
+}
+
+bool ChunkReader::next(Chunk& chunk) {
+  std::string& text = chunk.text;
+  text = rest_;
+  rest_.clear();
+  while (text.size() < chunk_size && fill(text)) {
+  }
+  std::size_t cut = text.rfind('\n');
+  while (cut == std::string::npos && fill(text)) cut = text.rfind('\n');
+  if (text.empty()) return false;
+  if (!at_end_) {
+    rest_.assign(text, cut + 1);
+    text.resize(cut + 1);
+  }
+  chunk.first_line = line_;
+  chunk.first_record = record_;
+  each_line(text, [&](std::string_view line) {
+    ++line_;
+    if (!blank(line)) ++record_;
+  });
+  return true;
+}
+
+/// One read more, if there is more.
+bool ChunkReader::fill(std::string& text) {
+  if (at_end_) return false;
+  const std::size_t size = text.size(), newline = text.rfind('\n');
+  if (size - (newline == std::string::npos ? 0 : newline) > max_record_line) {
+    throw InputError({{file_, static_cast<std::size_t>(line_), 0,
+                       "found a line of more than " + std::to_string(max_record_line) + " bytes, expected a record"}});
+  }
+  text.resize(size + chunk_size);
+  input_.read(text.data() + size, static_cast<std::streamsize>(chunk_size));
+  text.resize(size + static_cast<std::size_t>(input_.gcount()));
+  if (input_.bad()) throw InputError({{file_, static_cast<std::size_t>(line_), 0, "cannot be read"}});
+  at_end_ = !input_;
+  return true;
+}
+
+}  // namespace slipproof

@@ -1,0 +1,53 @@
+// A stream of lines in pieces of bounded size.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <istream>
+#include <string>
+#include <string_view>
+
+namespace slipproof {
+
+/// Whole lines, and where they stand.
+struct Chunk {
+  std::string text;
+  std::uint64_t first_line = 0, first_record = 0;
+};
+
+/// Blank lines are no records.
+inline bool blank(std::string_view line) {
+  return line.find_first_not_of(" \t\r") == std::string_view::npos;
+}
+
+/// Calls see(line) for each line of a text.
+template <class See>
+void each_line(std::string_view text, const See& see) {
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    see(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+}
+
+/// Throws InputError for a line beyond max_record_line and for what cannot be read. The stream must outlive it.
+class ChunkReader {
+ public:
+  ChunkReader(std::istream& input, std::string file) : input_(input), file_(std::move(file)) {}
+
+  /// The first line that is not blank, without its end; empty at the end of the input.
+  std::string header();
+
+  /// False at the end of the input. A chunk that is used again keeps its memory.
+  bool next(Chunk& chunk);
+
+ private:
+  bool fill(std::string& text);
+
+  std::istream& input_;
+  std::string file_, rest_;  ///< read, and not yet given
+  std::uint64_t line_ = 1, record_ = 1;
+  bool at_end_ = false;
+};
+
+}  // namespace slipproof
