@@ -117,7 +117,7 @@ void Normalizer::prove_same(const Expression& e) {
     return;
   }
   const std::vector<Link> chain = comparison ? links(e) : std::vector<Link>{};
-  const std::vector<Expression> parts = comparison ? std::vector<Expression>{} : prove::flatten(e, e->operation);
+  const std::vector<Expression> parts = comparison ? std::vector<Expression>{} : prove::parts(e);
   const std::size_t count = chain.size() + parts.size();
   for (std::size_t i = 0; i < count; ++i) {
     if (i + 1 < count) {

@@ -56,21 +56,25 @@ Formula comparison(const Fraction& x, const Fraction& y, Relation relation) {
   return combine(Formula::Kind::conjunction, std::move(parts));
 }
 
-void flatten_into(const Expression& expression, Operation operation, std::vector<Expression>& parts) {
-  if (expression->operation != operation) {
-    parts.push_back(expression);
-    return;
+/// Conjunctions and disjunctions of as many parts as the text joins; braces, read as two negations, keep theirs apart.
+Expression grouped(const Expression& e) {
+  if (e->operation == Operation::logical_not && e->operands[0]->operation == Operation::logical_not) {
+    return grouped(e->operands[0]->operands[0]);
   }
-  flatten_into(expression->operands[0], operation, parts);
-  parts.push_back(expression->operands[1]);
+  if (e->operation != Operation::logical_and && e->operation != Operation::logical_or) return e;
+  std::vector<Expression> parts;
+  for (Expression rest = e; rest; rest = rest->operation == e->operation ? rest->operands[0] : nullptr) {
+    parts.push_back(grouped(rest->operation == e->operation ? rest->operands[1] : rest));
+  }
+  std::reverse(parts.begin(), parts.end());
+  return make(e->operation, std::move(parts), e->column);
 }
 
 }  // namespace
 
-std::vector<Expression> flatten(const Expression& expression, Operation operation) {
-  std::vector<Expression> parts;
-  flatten_into(expression, operation, parts);
-  return parts;
+std::vector<Expression> parts(const Expression& expression) {
+  const bool joined = expression->operation == Operation::logical_and || expression->operation == Operation::logical_or;
+  return joined ? expression->operands : std::vector{expression};
 }
 
 Expression parse_formula(const std::string& text, const std::function<bool(const std::string&)>& names_formula) {
@@ -80,14 +84,14 @@ Expression parse_formula(const std::string& text, const std::function<bool(const
     while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_')) ++end;
     const std::string word = text.substr(i, end - i);
     if (word.empty()) {
-      translated += text[i] == '{' ? '(' : text[i] == '}' ? ')' : text[i];
+      translated += text[i] == '{' ? "(not not (" : text[i] == '}' ? "))" : std::string(1, text[i]);
       ++i;
     } else {
       translated += names_formula(word) ? "(" + word + "=0)" : word;
       i = end;
     }
   }
-  return parse_expression(translated, Sort::truth);
+  return grouped(parse_expression(translated, Sort::truth));
 }
 
 /// Reads the lines of a statement in their order; names mean what the lines before gave them.
@@ -139,7 +143,7 @@ struct Statement::Reader {
     const bool conjunction = e->operation == Operation::logical_and;
     if (conjunction || e->operation == Operation::logical_or) {
       std::vector<Formula> parts;
-      for (const Expression& operand : flatten(e, e->operation)) parts.push_back(formula(operand));
+      for (const Expression& operand : prove::parts(e)) parts.push_back(formula(operand));
       return combine(conjunction ? Formula::Kind::conjunction : Formula::Kind::disjunction, std::move(parts));
     }
     if (e->operation == Operation::truth && !e->truth) return {Formula::Kind::disjunction, {}, Sign::zero, {}};

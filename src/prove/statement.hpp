@@ -22,12 +22,13 @@ struct Fraction {
   std::vector<Polynomial> divisors;
 };
 
-/// A formula of a statement in the grammar of claims: for the name of a formula stands the comparison `NAME = 0`.
-/// Throws ExpressionError.
+/// A formula of a statement in the grammar of claims: for the name of a formula stands the comparison `NAME = 0`, and a
+/// conjunction or disjunction has as many operands as the text joins, each pair of braces a node of its own: on that
+/// rest the names of its parts as hypotheses. Throws ExpressionError.
 Expression parse_formula(const std::string& text, const std::function<bool(const std::string&)>& names_formula);
 
-/// The conjuncts (disjuncts) of nested binary `and`s (`or`s), from left to right; of anything else itself.
-std::vector<Expression> flatten(const Expression& expression, Operation operation);
+/// The parts of such a conjunction or disjunction; of anything else itself.
+std::vector<Expression> parts(const Expression& formula);
 
 class Statement {
  public:
