@@ -14,8 +14,10 @@ constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 /// may have any sign, all others are >= 0; the point of the dictionary has 0 for all variables in columns.
 class Dictionary {
  public:
-  Dictionary(const AffineForm& objective, const std::vector<AffineForm>& constraints)
-      : free_count_(objective.coefficients.size()), objective_(to_row(objective)) {
+  struct GivenUp {};
+
+  Dictionary(const AffineForm& objective, const std::vector<AffineForm>& constraints, std::size_t max_pivots)
+      : max_pivots_(max_pivots), free_count_(objective.coefficients.size()), objective_(to_row(objective)) {
     for (std::size_t i = 0; i < free_count_; ++i) columns_.push_back(i);
     for (const AffineForm& c : constraints) {
       rows_.push_back(to_row(c));
@@ -39,8 +41,15 @@ class Dictionary {
     for (std::size_t i = 0; i < basis_.size(); ++i) {
       if (basis_[i] < free_count_) result.x[basis_[i]] = rows_[i][0];
     }
+    result.multipliers.resize(basis_.size());
+    for (std::size_t j = 0; j < columns_.size(); ++j) {
+      if (columns_[j] >= free_count_) result.multipliers[columns_[j] - free_count_] = objective_[j + 1];
+    }
+    result.pivots = pivots_;
     return result;
   }
+
+  std::size_t pivots() const { return pivots_; }
 
  private:
   static Row to_row(const AffineForm& form) {
@@ -53,10 +62,14 @@ class Dictionary {
   static void substitute(Row& row, std::size_t column, const Row& replacement) {
     const Rational factor = std::exchange(row[column + 1], Rational(0));
     if (factor.is_zero()) return;
-    for (std::size_t j = 0; j < row.size(); ++j) row[j] += factor * replacement[j];
+    for (std::size_t j = 0; j < row.size(); ++j) {
+      if (!replacement[j].is_zero()) row[j] += factor * replacement[j];
+    }
   }
 
   void pivot(std::size_t r, std::size_t column) {
+    if (pivots_ == max_pivots_) throw GivenUp{};
+    ++pivots_;
     Row& row = rows_[r];
     // v = c + ... + a x  =>  x = (v - c - ...) / a
     const Rational inverse = 1 / std::exchange(row[column + 1], Rational(-1));
@@ -149,6 +162,7 @@ class Dictionary {
     return true;
   }
 
+  std::size_t max_pivots_, pivots_ = 0;
   std::size_t free_count_;
   Row objective_, artificial_;
   std::vector<std::size_t> columns_, basis_;
@@ -163,8 +177,17 @@ Rational AffineForm::at(const std::vector<Rational>& x) const {
   return value;
 }
 
-LinearOptimum minimize(const AffineForm& objective, const std::vector<AffineForm>& constraints) {
-  return Dictionary(objective, constraints).solve();
+LinearOptimum minimize(const AffineForm& objective, const std::vector<AffineForm>& constraints,
+                       std::size_t max_pivots) {
+  Dictionary dictionary(objective, constraints, max_pivots);
+  try {
+    return dictionary.solve();
+  } catch (const Dictionary::GivenUp&) {
+    LinearOptimum result;
+    result.kind = LinearOptimum::Kind::given_up;
+    result.pivots = dictionary.pivots();
+    return result;
+  }
 }
 
 }  // namespace slipproof

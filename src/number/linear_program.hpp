@@ -1,6 +1,7 @@
 // Small linear programs, solved exactly.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -17,14 +18,19 @@ struct AffineForm {
 };
 
 struct LinearOptimum {
-  enum class Kind { infeasible, unbounded, attained };
+  enum class Kind { infeasible, unbounded, attained, given_up };
   Kind kind = Kind::infeasible;
   Rational value;           ///< of the objective; attained only
   std::vector<Rational> x;  ///< a point with that value; unbounded: a feasible point
+  /// One >= 0 for each constraint, attained only: objective = value + the sum of multiplier * constraint, for all x.
+  std::vector<Rational> multipliers;
+  std::size_t pivots = 0;
 };
 
 /// The least value of the objective over all x, of any sign, with every constraint >= 0. All forms have as many
-/// coefficients as the objective. The simplex method on dictionaries with Bland's rule: it ends, without a tolerance.
-LinearOptimum minimize(const AffineForm& objective, const std::vector<AffineForm>& constraints);
+/// coefficients as the objective. The simplex method on dictionaries with Bland's rule: it ends, without a tolerance;
+/// or it gives up after so many pivots.
+LinearOptimum minimize(const AffineForm& objective, const std::vector<AffineForm>& constraints,
+                       std::size_t max_pivots = std::numeric_limits<std::size_t>::max());
 
 }  // namespace slipproof

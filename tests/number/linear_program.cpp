@@ -87,9 +87,32 @@ TEST_CASE("the optimum is the best corner of a bounded set, and infeasible sets 
     CHECK(found.value == *expected);
     CHECK(objective.at(found.x) == *expected);
     for (const AffineForm& c : constraints) CHECK(c.at(found.x).sign() >= 0);
+    // The multipliers prove that nothing is lower.
+    REQUIRE(found.multipliers.size() == constraints.size());
+    AffineForm rest = objective;
+    rest.constant -= found.value;
+    for (std::size_t i = 0; i < constraints.size(); ++i) {
+      CHECK(found.multipliers[i].sign() >= 0);
+      rest.constant -= found.multipliers[i] * constraints[i].constant;
+      for (std::size_t k = 0; k < n; ++k) rest.coefficients[k] -= found.multipliers[i] * constraints[i].coefficients[k];
+    }
+    CHECK(rest.constant.is_zero());
+    for (const Rational& coefficient : rest.coefficients) CHECK(coefficient.is_zero());
   }
   CHECK(infeasible > 50);
   CHECK(attained > 50);
+}
+
+TEST_CASE("a limit on pivots ends the search, and is not reached by who needs fewer") {
+  const std::vector<AffineForm> constraints = {{3, {1, 0}}, {3, {-1, 0}}, {3, {0, 1}}, {3, {0, -1}}, {-1, {1, 1}}};
+  const AffineForm objective{0, {2, 3}};
+  const LinearOptimum found = minimize(objective, constraints);
+  REQUIRE(found.kind == Kind::attained);
+  REQUIRE(found.pivots > 0);
+  CHECK(minimize(objective, constraints, found.pivots).value == found.value);
+  const LinearOptimum ended = minimize(objective, constraints, found.pivots - 1);
+  CHECK(ended.kind == Kind::given_up);
+  CHECK(ended.pivots == found.pivots - 1);
 }
 
 TEST_CASE("unbounded and degenerate programs end") {
