@@ -1,6 +1,7 @@
 // The deterministic limit of a search.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -18,6 +19,7 @@ class Budget {
     if (spent_ > limit_) throw Spent{};
   }
   std::uint64_t spent() const { return spent_; }
+  std::size_t left() const { return static_cast<std::size_t>(limit_ - std::min(limit_, spent_)); }
 
  private:
   std::uint64_t limit_;

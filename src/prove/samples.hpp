@@ -3,6 +3,7 @@
 // one, so that binary64 will do.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -21,12 +22,18 @@ class SampleSet {
     for (std::size_t i = 0; i < words_.size(); ++i) words_[i] |= other.words_[i];
     return *this;
   }
+  SampleSet& operator&=(const SampleSet& other) {
+    for (std::size_t i = 0; i < words_.size(); ++i) words_[i] &= other.words_[i];
+    return *this;
+  }
   friend SampleSet operator|(SampleSet x, const SampleSet& y) { return x |= y; }
-  bool full() const {
-    for (const std::uint64_t word : words_) {
-      if (word != ~std::uint64_t{0}) return false;
-    }
-    return true;
+  static SampleSet all() {
+    SampleSet result;
+    result.words_.fill(~std::uint64_t{0});
+    return result;
+  }
+  bool empty() const {
+    return std::all_of(words_.begin(), words_.end(), [](std::uint64_t word) { return word == 0; });
   }
   bool contains(const SampleSet& other) const {
     for (std::size_t i = 0; i < words_.size(); ++i) {

@@ -44,14 +44,14 @@ void Search::keep_leftover(const State& state) {
   }
 }
 
-/// Whether a sample meets all facts, and nothing else is left: then they do not contradict each other.
-bool Search::hopeless(const State& state) const {
-  SampleSet outside;
+/// Whether a sample clearly meets all facts, and nothing else is left: then they do not contradict each other.
+bool Search::hopeless(const State& state) {
+  SampleSet inside = SampleSet::all();
   for (const Fact& fact : state.facts) {
     if (fact.sign == Sign::zero) return false;
-    outside |= fact.fails;
+    inside &= signs_at_samples(fact.p).positive;
   }
-  return state.disjunctions.empty() && !outside.full();
+  return state.disjunctions.empty() && !inside.empty();
 }
 
 /// Closes the state: on success its steps end in a contradiction or a split all of whose branches do.
@@ -88,6 +88,7 @@ bool Search::close(State& state, int depth) {
   if (refute_facts(state, true)) return true;
   candidates.clear();
   if (refute_pairs(state, candidates, true)) return true;
+  if (refute_products(state)) return true;
   if (leftover_.facts.empty() || depth == limits_.split_depth) keep_leftover(state);
   if (depth == 0) return false;
   const std::vector<Polynomial> proposed = split_candidates(state, candidates);
@@ -106,23 +107,34 @@ std::optional<Proof> Search::prove() {
   }
 }
 
+/// Splits once, then as often as the limits allow.
+bool Search::search_deeper(const State& start, State& closed) {
+  const int deepest = limits_.split_depth;
+  bool found = false;
+  for (limits_.split_depth = std::min(deepest, 1);; ++limits_.split_depth) {
+    closed = start;
+    if (statement_.unknowns().empty()) {
+      found = add_formula(closed, "goal", negation(statement_.shown())) || close(closed, limits_.split_depth);
+    } else {
+      found = close_existence(closed, 0);
+    }
+    if (found || limits_.split_depth >= deepest) break;
+  }
+  limits_.split_depth = deepest;
+  return found;
+}
+
 std::optional<Proof> Search::search() {
   State start;
   bool closed = false;
   for (const auto& [name, formula] : statement_.assumptions()) closed = closed || add_formula(start, name, formula);
   closed = closed || eliminate(start);
-  const int deepest = limits_.split_depth;
-  for (limits_.split_depth = std::min(deepest, 1); !closed; ++limits_.split_depth) {
-    State state = start;
-    if (statement_.unknowns().empty()) {
-      closed = add_formula(state, "goal", negation(statement_.shown())) || close(state, limits_.split_depth);
-    } else {
-      closed = close_existence(state, 0);
-    }
+  for (product_degree_ = 1; !closed; ++product_degree_) {
+    if (product_degree_ > (limits_.products > 0 ? 3U : 1U)) return std::nullopt;
+    State state;
+    closed = search_deeper(start, state);
     if (closed) start = std::move(state);
-    if (!closed && limits_.split_depth >= deepest) return std::nullopt;
   }
-  limits_.split_depth = deepest;
   prune(start.steps);
   return std::move(start.steps);
 }

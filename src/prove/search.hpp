@@ -1,6 +1,7 @@
 // The search for proofs: refutes a set of sign conditions by linear elimination (elimination.cpp), factorization and
 // rewriting (rewriting.cpp), positivity after substitution by slack variables (slack.cpp, single.cpp, signs.cpp),
-// Fourier-Motzkin elimination (pairs.cpp), and case splits (splits.cpp); existence.cpp finds witnesses.
+// Fourier-Motzkin elimination (pairs.cpp), case splits (splits.cpp), and, where all that is not enough, linear
+// programming over products of hypotheses (products.cpp); existence.cpp finds witnesses.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +21,9 @@ struct Limits {
   int split_candidates = 6;  ///< tried at each of them
   int slack_depth = 2;       ///< variables replaced at a time
   int slack_attempts = 400;  ///< for one polynomial
-  int instances = 4000;      ///< attempts to find numbers for a statement about some bicycle
+  /// In a linear program over products of hypotheses; 0: none. Products of 2, then of 3, where all else fails.
+  std::size_t products = 400;
+  int instances = 4000;  ///< attempts to find numbers for a statement about some bicycle
   /// For one statement, in terms of polynomials multiplied or evaluated: the same on every machine, as time is not.
   std::uint64_t steps = 20'000'000;
 };
@@ -60,6 +63,7 @@ class Search {
   const KnownSign* sign_of(State& state, const Polynomial& factor, bool thorough = false);
   bool refute_facts(State& state, bool thorough);
   bool refute_pairs(State& state, std::vector<Polynomial>& candidates, bool thorough);
+  bool refute_products(State& state);
   void drop_known_cases(State& state);
   bool close(State& state, int depth);
   bool close_cases(State& state, std::size_t which, const Close& close);
@@ -69,9 +73,10 @@ class Search {
   bool close_by_witness(State& state, const std::vector<std::string>& values);
   bool close_existence(State& state, std::size_t hint);
 
-  bool hopeless(const State& state) const;
+  bool hopeless(const State& state);
   void keep_leftover(const State& state);
   std::optional<Proof> search();
+  bool search_deeper(const State& start, State& closed);
 
   const Statement& statement_;
   Limits limits_;
@@ -79,6 +84,7 @@ class Search {
   std::map<std::string, SignPattern> patterns_;  ///< by the text of a polynomial, as what follows
   std::map<std::string, Factorization> factorizations_;
   Budget budget_;
+  unsigned product_degree_ = 0;
   int counter_ = 0;
   Leftover leftover_;
 };

@@ -1,0 +1,88 @@
+// Small statements of every shape: the prover finds a certificate, and the checker accepts it.
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "check/files.hpp"
+#include "prove/prove.hpp"
+#include "support/run_program.hpp"
+
+namespace {
+
+using namespace slipproof;
+
+std::string statement(const std::string& lines) {
+  return "slipproof-statement 1\ntheorem small\n" + lines;
+}
+
+/// `accepted`, what the checker objects to, or `undecided`.
+std::string checked(const std::string& lines, const prove::Limits& limits = {}) {
+  const ProofOutcome outcome = prove_statement("small", statement(lines), limits);
+  if (!outcome.proved()) return "undecided";
+  const test::TemporaryFolder folder;
+  folder.write("small.statement", statement(lines));
+  const check::FileResult result = check::check_file(folder.write("small.cert", outcome.certificate));
+  return result.verdict == "accepted" ? result.verdict : result.message;
+}
+
+}  // namespace
+
+TEST_CASE("hypotheses in nested conjunctions and disjunctions have the names that the checker gives them") {
+  const std::string positive = "real x y z\nassume a: x > 0 and y > 0 and z > 0\n";
+  for (const std::string& lines :
+       {positive + "show {x > 0 or y < 0} or z < 0\n", positive + "show z < 0 or {y < 0 or x > 0}\n",
+        positive + "show {{y < 0 or x < 0} or z < 0} or {x < 0 or {x < 0 or x*y > 0}}\n",
+        std::string("real x y z\nassume a: {x > 0 and y > 0} and z > 0\nshow x + y*z > 0\n"),
+        std::string("real x y z\nassume a: x > 0 and {y > 0 and z > 0}\nshow x + y*z > 0\n"),
+        std::string("real x y z\nassume a: {x > 0 or y > 1} or z > 0\nassume b: y < 0 and z < 0\nshow x > 0\n"),
+        std::string("real x y\ndefine d: x > 0 or y > 0\nassume a: d or x > 1\nshow {x > 0 or x > 1} or y > 0\n"),
+        std::string("real x\nassume a: {x = 0 or x = 1} or x = 2\nshow {x = 0 or {x = 1 and x > 0}} or {x = 2}\n"),
+        std::string("real x y\nassume a: y > 0\nassume b: x/y > 1\nshow {{x > y or x < 0} and y > 0} or {x = 2 or "
+                    "x/y < 0}\n"),
+        std::string("real x\nassume a: x > 0\nexists z\nshow z = x/2 and {{z < x or z > 2*x} or z < 0}\n")}) {
+    CAPTURE(lines);
+    CHECK(checked(lines) == "accepted");
+  }
+}
+
+TEST_CASE("products of hypotheses prove what no other tactic does") {
+  prove::Limits with, without;
+  with.split_depth = without.split_depth = 0;
+  without.products = 0;
+  const std::string square = "real x y\nassume a: -1 <= x <= 1 and -1 <= y <= 1\n";
+  for (const std::string& lines :
+       {square + "show x*y >= -1\n", square + "show 1 + x + y + x*y >= 0 and x*y <= 1\n",
+        std::string("real x y\nassume a: -1 < x < 1 and -1 < y < 1\nshow (x + y)/(1 + x*y) < 1\n"),
+        // Products of three.
+        std::string("real x y z\nassume a: 0 <= x <= 1 and 0 <= y <= 1 and 0 <= z <= 1\n"
+                    "show x*(1 - y) + y*(1 - z) + z*(1 - x) <= 1\n"),
+        std::string("real x y z\nassume a: -1 <= x <= 1 and -1 <= y <= 1 and -1 <= z <= 1\n"
+                    "show x*y + y*z + z*x >= -1\n"),
+        // Equations with multipliers of any sign.
+        std::string("real x y\nassume a: x >= 0 and y >= 0 and x^2 + y^2 = 1\nshow x + y >= 1\n"),
+        std::string("real x y\nassume a: x >= 0 and y >= 0 and x^3 + y^3 = 1\nshow x + y >= 1\n")}) {
+    CAPTURE(lines);
+    CHECK(checked(lines, with) == "accepted");
+    CHECK(checked(lines, without) == "undecided");
+  }
+  CHECK(checked("real x y\nassume a: x >= 1 and y >= 1\nshow x*y >= x + y - 1\n") == "accepted");
+}
+
+TEST_CASE("products of hypotheses prove nothing that is false, and end") {
+  for (const char* lines : {"real x y\nassume a: -1 <= x <= 1 and -1 <= y <= 1\nshow x*y >= -1/2\n",
+                            "real x y\nassume a: -1 <= x <= 1 and -1 <= y <= 1\nshow x*y > -1\n",
+                            "real x y\nassume a: x >= 0 and y >= 0 and x^2 + y^2 = 1\nshow x + y > 1\n"}) {
+    CAPTURE(lines);
+    CHECK(checked(lines) == "undecided");
+  }
+  prove::Limits limits;
+  limits.split_depth = 0;
+  limits.steps = 1'000;
+  const std::string many =
+      "real x y z\nassume a: 0 <= x <= 1 and 0 <= y <= 1 and 0 <= z <= 1\n"
+      "show x*(1 - y) + y*(1 - z) + z*(1 - x) <= 1\n";
+  const ProofOutcome ended = prove_statement("small", statement(many), limits);
+  REQUIRE(!ended.leftover.empty());
+  CHECK(ended.leftover.front() == "no step left of 1000");
+}
