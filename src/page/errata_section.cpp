@@ -47,7 +47,7 @@ void add_errata_section(const Element& main, const PageInput& input) {
     if (!finding.repair.empty()) sure += ", the repair " + repair_certainty(finding);
     add_item(facts, "how sure", sure, false);
   }
-  const Element copy = section.add("details", "data");
+  const Element copy = section.add("details", "data copy");
   copy.add("summary").text("As Markdown, to copy");
   copy.add("pre").set("tabindex", 0).add("code").text(errata_markdown(*input.claims, findings));
 }

@@ -114,10 +114,10 @@
   window.addEventListener("hashchange", reveal);
   if (location.hash) reveal();
 
-  // Paper does not unfold: claims are printed open, tables and certificates as they are on the screen.
+  // Paper does not unfold: all is printed open.
   const opened = [];
   window.addEventListener("beforeprint", function () {
-    document.querySelectorAll(".claim:not([open])").forEach(function (details) {
+    document.querySelectorAll("details:not([open])").forEach(function (details) {
       details.open = true;
       opened.push(details);
     });
