@@ -18,7 +18,7 @@ before(async () => {
 after(async () => browser?.close());
 
 // A page that has loaded the report, with all that it said and asked for.
-async function open({ width = 1280, colorScheme = 'light', javaScriptEnabled = true } = {}) {
+async function open({ width = 1280, colorScheme = 'light', media = 'screen', javaScriptEnabled = true } = {}) {
   const context = await browser.newContext({ viewport: { width, height: 900 }, colorScheme, javaScriptEnabled });
   const page = await context.newPage();
   page.said = [];
@@ -26,6 +26,7 @@ async function open({ width = 1280, colorScheme = 'light', javaScriptEnabled = t
   page.on('console', message => page.said.push(message.text()));
   page.on('pageerror', error => page.said.push(String(error)));
   page.on('request', request => page.asked.push(request.url()));
+  await page.emulateMedia({ media, colorScheme });
   await page.goto(report);
   return page;
 }
@@ -36,8 +37,14 @@ test('loads from a file without a complaint and without asking for anything', as
   const page = await open();
   assert.deepEqual(page.said, []);
   assert.deepEqual(page.asked.filter(url => url !== report && !url.startsWith('data:')), []);
-  const milliseconds = await page.evaluate(() => performance.getEntriesByType('navigation')[0].domContentLoadedEventEnd);
-  console.log(`DOM ready after ${Math.round(milliseconds)} ms`);
+  const times = await page.evaluate(() => new Promise(resolve => {
+    const loaded = performance.getEntriesByType('navigation')[0].loadEventEnd;
+    new PerformanceObserver(list => {
+      const painted = list.getEntriesByName('first-contentful-paint')[0];
+      if (painted) resolve([painted.startTime, loaded]);
+    }).observe({ type: 'paint', buffered: true });
+  }));
+  console.log(`first contentful paint after ${Math.round(times[0])} ms, loaded after ${Math.round(times[1])} ms`);
 });
 
 test('sections are there, their links lead to them, a link to a claim opens it', async () => {
@@ -156,6 +163,37 @@ for (const width of [360, 768, 1280]) {
     await page.screenshot({ path: `report-${width}.png` });
   });
 }
+
+// What fits between the margins of A4 and of Letter, in CSS pixels.
+for (const [paper, width] of [['A4', 688], ['Letter', 710]]) {
+  test(`on ${paper} nothing is folded, dark, or cut off`, async () => {
+    const page = await open({ width, media: 'print', colorScheme: 'dark', javaScriptEnabled: false });
+    const hanging = 5;  // a blank at the end of a full line
+    const found = await page.evaluate(hanging => ({
+      beyond: [...document.querySelectorAll('main *')]
+        .filter(e => !e.closest('svg') && e.getBoundingClientRect().right > innerWidth + hanging).map(e => e.outerHTML.slice(0, 120)).slice(0, 3),
+      folded: [...document.querySelectorAll('details:not(.copy) > :not(summary)')]
+        .filter(e => !e.checkVisibility({ contentVisibilityAuto: true })).length,
+      ink: getComputedStyle(document.body).color,
+      backgrounds: [...document.querySelectorAll('main *')].map(e => getComputedStyle(e).backgroundColor)
+        .filter(c => !/, 0\)$/.test(c) && /\d+/g.exec(c)[0] < 200).length,
+    }), hanging);
+    assert.deepEqual(found.beyond, []);
+    assert.equal(found.folded, 0);
+    assert.equal(found.ink, 'rgb(29, 39, 51)');
+    assert.equal(found.backgrounds, 0);
+  });
+}
+
+test('a script unfolds what browsers without the style for it would leave folded, and folds it again', async () => {
+  const page = await open();
+  const folded = () => page.locator('details:not([open])').count();
+  const before = await folded();
+  await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+  assert.equal(await folded(), 0);
+  await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+  assert.equal(await folded(), before);
+});
 
 test('everything can be read without a script', async () => {
   const page = await open({ javaScriptEnabled: false });
