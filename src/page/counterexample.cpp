@@ -98,6 +98,26 @@ constexpr std::array<std::string_view, unknown_count> equation_names{
     "along the road", "up and down",  "rotation of all", "sprocket",      "rear wheel",   "front wheel",
     "chain",          "rear contact", "rear contact",    "front contact", "front contact"};
 
+/// `S2 <= f N2`, `gap3 >= 0`, as formulas.
+void add_condition(const Element& parent, const Condition& condition) {
+  const Element row = add_math(parent).add("mrow");
+  const bool friction = condition.kind == ConditionKind::friction_up || condition.kind == ConditionKind::friction_dn;
+  if (!friction) {
+    const std::string text = name(condition);
+    const std::size_t end = text.find(' ');
+    add_symbol(row, text.substr(0, end));
+    add_operator(row, text.find(">=") != text.npos ? "≥" : "≤");
+    row.add("mn").text("0");
+    return;
+  }
+  const std::string wheel = condition.wheel == Wheel::rear ? "2" : "3";
+  if (condition.kind == ConditionKind::friction_dn) add_operator(row, "−");
+  add_symbol(row, "S" + wheel);
+  add_operator(row, "≤");
+  add_symbol(row, "f");
+  add_symbol(row, "N" + wheel);
+}
+
 void add_arithmetic(const Element& parent, const Scene& scene, const FoundMotion<Rational>& found) {
   const Element details = parent.add("details", "data");
   details.add("summary").text("Follow it by hand");
@@ -121,12 +141,7 @@ void add_arithmetic(const Element& parent, const Scene& scene, const FoundMotion
   const Element conditions_body = inequalities.add("tbody");
   for (const Condition& condition : conditions(found.modes.front())) {
     const Element row = conditions_body.add("tr");
-    const bool friction = condition.kind == ConditionKind::friction_up || condition.kind == ConditionKind::friction_dn;
-    const bool up = condition.kind == ConditionKind::friction_up;
-    const std::string wheel = condition.wheel == Wheel::rear ? "2" : "3";
-    row.add("th")
-        .set("scope", "row")
-        .text(friction ? (up ? "S" + wheel + " <= f N" + wheel : "-S" + wheel + " <= f N" + wheel) : name(condition));
+    add_condition(row.add("th").set("scope", "row"), condition);
     add_number(add_math(row.add("td")).add("mrow"), condition_value(condition, v, scene.road.f));
   }
 }

@@ -43,8 +43,8 @@ void add_errata_section(const Element& main, const PageInput& input) {
     add_item(facts, "what is wrong", finding.wrong, false);
     add_item(facts, "repair", finding.repair, true);
     add_item(facts, "why", finding.why, false);
-    std::string sure = "the error " + error_certainty(finding);
-    if (!finding.repair.empty()) sure += ", the repair " + repair_certainty(finding);
+    std::string sure = "error: " + error_certainty(finding);
+    if (!finding.repair.empty()) sure += "; repair: " + repair_certainty(finding);
     add_item(facts, "how sure", sure, false);
   }
   const Element copy = section.add("details", "data copy");

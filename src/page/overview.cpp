@@ -44,13 +44,15 @@ void add_card(const Element& list, const char* css_class, std::size_t number, st
 void add_opinions_card(const Element& list, const SecondOpinions& opinions) {
   std::string detail;
   for (std::size_t i = 0; i < opinion_programs.size(); ++i) {
-    detail += (i == 0 ? "" : ", ") + std::string(opinion_programs[i]) + " " + std::to_string(agreeing(opinions, i));
+    const std::size_t agree = agreeing(opinions, i);
+    if (agree == 0) continue;
+    detail += (detail.empty() ? ": " : ", ") + std::string(opinion_programs[i]) + " " + std::to_string(agree);
   }
   const auto confirmed = std::count_if(opinions.begin(), opinions.end(), [](const auto& opinion) {
     return std::find(opinion.second.begin(), opinion.second.end(), Opinion::agrees) != opinion.second.end();
   });
   add_card(list, "good", static_cast<std::size_t>(confirmed), "with a second opinion that agrees",
-           "certificates confirmed by a program of someone else: " + detail, "#certificates");
+           "statements confirmed by programs of others" + detail, "#certificates");
 }
 
 /// One bar cut in proportion to its counts, with its numbers written out below.

@@ -94,7 +94,19 @@ void add_legend(const Element& parent, const PhaseDiagram& diagram, const PhaseR
   }
 }
 
-/// What the lines mean, as far as they occur.
+/// The claims that are false as printed at some point of the diagram.
+std::string refuted_claims(const PhaseDiagram& diagram, const PhaseRegions& regions) {
+  std::string ids;
+  for (std::size_t k = 0; k < diagram.plane.claims.size(); ++k) {
+    const auto here = [&](const RefutedStrip& strip) { return strip.claim == k; };
+    if (std::any_of(regions.refuted.begin(), regions.refuted.end(), here)) {
+      ids += (ids.empty() ? "" : ", ") + diagram.plane.claims[k];
+    }
+  }
+  return ids;
+}
+
+/// What the lines and the hatching mean, as far as they occur.
 void add_line_legend(const Element& parent, const PhaseDiagram& diagram, const PhaseRegions& regions) {
   if (diagram.plane.curves.empty()) return;
   const Element list = parent.add("ul", "legend lines");
@@ -116,20 +128,19 @@ void add_line_legend(const Element& parent, const PhaseDiagram& diagram, const P
   if (std::any_of(diagram.plane.lines.begin(), diagram.plane.lines.end(), shows_misprint)) {
     entry("misprint", "a value of b as printed, where another one is meant");
   }
+  if (!regions.refuted.empty()) {
+    const Element item = list.add("li", "hatch-key");
+    const Element svg = item.add("svg", "swatch").set("viewBox", "0 0 28 18").set("aria-hidden", "true");
+    svg.add("rect").set("width", 28).set("height", 18).set("fill", "url(#" + diagram.plane.id + "-hatch)");
+    item.add("span").text("a claim is false as printed: " + refuted_claims(diagram, regions));
+  }
 }
 
-void add_hatch_switch(const Element& parent, const PhaseDiagram& diagram, const PhaseRegions& regions) {
+void add_hatch_switch(const Element& parent, const PhaseRegions& regions) {
   if (regions.refuted.empty()) return;
-  std::string ids;
-  for (std::size_t k = 0; k < diagram.plane.claims.size(); ++k) {
-    const auto here = [&](const RefutedStrip& strip) { return strip.claim == k; };
-    if (std::any_of(regions.refuted.begin(), regions.refuted.end(), here)) {
-      ids += (ids.empty() ? "" : ", ") + diagram.plane.claims[k];
-    }
-  }
   const Element label = parent.add("label", "switch");
-  label.add("input").set("type", "checkbox").set("class", "show-hatch");
-  label.text(" Hatch forces at which a claim is false as printed (" + ids + ")");
+  label.add("input").set("type", "checkbox").set("class", "show-hatch").set("checked", "checked");
+  label.text(" Hatch the forces at which a claim is false as printed");
 }
 
 }  // namespace
@@ -140,7 +151,7 @@ void add_phase_figure(const Element& parent, const PhaseFigure& figure) {
   const Element box = parent.add("figure", figure.small ? "phase small" : "phase").set("id", diagram.plane.id);
   const Element heading = box.add(figure.small ? "h4" : "h3").set("id", diagram.plane.id + "-title");
   heading.add("bdi").text(diagram.plane.title);
-  add_hatch_switch(box, diagram, regions);
+  add_hatch_switch(box, regions);
   const Element plot = box.add("div", "plot");
   PhaseSvgOptions options;
   if (figure.small) options.width = 430, options.height = 320;

@@ -64,9 +64,11 @@
       tip.hidden = false;
       const box = svg.getBoundingClientRect(), outer = plot.getBoundingClientRect();
       const scale = box.width / svg.viewBox.baseVal.width;
+      // On a narrow screen a large diagram is wider than its frame, and scrolls in it.
       const px = box.left - outer.left + x * scale, py = box.top - outer.top + y * scale;
       const right = px + 16 + tip.offsetWidth;
-      tip.style.left = Math.max(4, right - outer.width + 4 >= 0 ? px - 16 - tip.offsetWidth : px + 16) + "px";
+      const left = Math.max(4, right - outer.width + 4 >= 0 ? px - 16 - tip.offsetWidth : px + 16);
+      tip.style.left = plot.scrollLeft + Math.min(left, Math.max(4, outer.width - tip.offsetWidth - 4)) + "px";
       tip.style.top = Math.max(4, Math.min(py - 20, outer.height - tip.offsetHeight - 4)) + "px";
     };
     const hide = function () {
@@ -100,6 +102,11 @@
       column = Math.min(Math.max(column + step[0], 0), columns.length - 1);
       row = Math.min(Math.max(row + step[1], 0), rows.length - 1);
       show();
+      const box = dot.getBoundingClientRect(), outer = plot.getBoundingClientRect();
+      if (box.left - outer.left - 20 < 0 || box.right - outer.right + 20 >= 0) {
+        plot.scrollLeft += (box.left + box.right - outer.left - outer.right) / 2;
+        show();
+      }
     });
   });
 

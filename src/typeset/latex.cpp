@@ -155,6 +155,11 @@ class Formula {
     } else if (name == "text" || name == "operatorname" || name == "mathrm") {
       std::string inside(raw_group());
       if (name == "operatorname") inside += "\xE2\x80\x89";  // a thin space before the argument
+      if (name == "text") {                                  // MathML drops blanks at the ends
+        constexpr std::string_view no_break_space = "\xC2\xA0";
+        if (inside.starts_with(' ')) inside.replace(0, 1, no_break_space);
+        if (inside.ends_with(' ')) inside.replace(inside.size() - 1, 1, no_break_space);
+      }
       row.add(name == "text" ? "mtext" : "mi").text(inside);
     } else if (name == "quad") {
       row.add("mspace").set("width", "1em");

@@ -5,6 +5,7 @@
 
 #include <pugixml.hpp>
 
+#include "check/files.hpp"
 #include "input/diagnostic.hpp"
 #include "page/page.hpp"
 #include "report/certificates.hpp"
@@ -81,6 +82,15 @@ TEST_CASE("a table of second opinions is read, also with other ends of lines and
   REQUIRE(opinions.size() == 2);
   CHECK(opinions.at("A1.1a") == Opinions{Opinion::agrees, Opinion::timeout, Opinion::agrees});
   CHECK(opinions.at("A1.1.always") == Opinions{Opinion::unknown, Opinion::not_asked, Opinion::not_asked});
+}
+
+TEST_CASE("the tables of the shipped papers are about their statements") {
+  for (const char* paper : {"rozenblat-yashin", "rear-drive"}) {
+    const std::filesystem::path folder = std::filesystem::path(SLIPPROOF_SOURCE_DIR) / "proofs" / paper;
+    std::vector<std::string> statements;
+    for (const auto& file : check::certificates_in(folder)) statements.push_back(file.stem().string());
+    CHECK(read_second_opinions(folder / "second-opinions.csv", statements).size() == statements.size());
+  }
 }
 
 TEST_CASE("a bad table is refused with all that is wrong, and where") {
