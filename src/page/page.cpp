@@ -60,9 +60,17 @@ class Gathering {
 
   void second_opinions(const std::filesystem::path& file) {
     if (!std::filesystem::exists(file)) return;
+    const auto statement_of = [](const PageCertificate& certificate) {
+      return std::filesystem::path(certificate.file).replace_extension().generic_string();
+    };
     std::vector<std::string> statements;
-    for (const PageCertificate& certificate : input_.certificates) statements.push_back(certificate.theorem);
-    input_.opinions = read_second_opinions(file, statements);
+    for (const PageCertificate& certificate : input_.certificates) statements.push_back(statement_of(certificate));
+    const SecondOpinions opinions = read_second_opinions(file, statements);
+    input_.opinions.emplace();
+    for (const PageCertificate& certificate : input_.certificates) {
+      const auto found = opinions.find(statement_of(certificate));
+      if (found != opinions.end()) input_.opinions->emplace(certificate.theorem, found->second);
+    }
     source(file, "proofs/" + file.filename().string());
   }
 

@@ -36,7 +36,7 @@ struct PageInput {
   std::string version;
   std::vector<Figure> figures;
   std::vector<PageCertificate> certificates;
-  std::optional<SecondOpinions> opinions;  ///< about the statements of `certificates`
+  std::optional<SecondOpinions> opinions;  ///< by the theorems of `certificates`
   std::vector<Scene> scenes;               ///< a plane of f and F is drawn for each
   std::vector<SolverVerdicts> solvers;
   std::optional<Trade> trade;

@@ -24,11 +24,11 @@ enum class Opinion : std::uint8_t {
 inline constexpr std::array<std::string_view, 3> opinion_programs{"z3", "cvc5", "Coq"};
 
 using Opinions = std::array<Opinion, opinion_programs.size()>;
-/// By the name of the statement.
 using SecondOpinions = std::map<std::string, Opinions, std::less<>>;
 
-/// Reads CSV with the header `statement,z3,cvc5,coq`. Each of its statements must be one of `statements`; it need not
-/// have all of them. Throws InputError with all mistakes.
+/// Reads CSV with the header `statement,z3,cvc5,coq`, by statement: the path of its file below the table's folder,
+/// without the ending, as in `theorems/A5.order.1`. Each must be one of `statements`; the table need not have all of
+/// them. Throws InputError with all mistakes.
 SecondOpinions read_second_opinions(const std::filesystem::path& path, const std::vector<std::string>& statements);
 
 }  // namespace slipproof

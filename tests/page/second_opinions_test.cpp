@@ -46,6 +46,10 @@ struct EvidencePage {
         folder.write(name + ending, test::read_file(folder_of_paper + name + ending));
       }
     }
+    std::filesystem::create_directory(folder.path() / "below");
+    for (const char* ending : {".statement", ".cert"}) {
+      folder.write(std::string("below/A1.2a") + ending, test::read_file(folder_of_paper + "A1.2a" + ending));
+    }
     if (!table.empty()) folder.write("second-opinions.csv", table);
     VerifyOptions options;
     options.samples = 5;
@@ -88,7 +92,9 @@ TEST_CASE("the tables of the shipped papers are about their statements") {
   for (const char* paper : {"rozenblat-yashin", "rear-drive"}) {
     const std::filesystem::path folder = std::filesystem::path(SLIPPROOF_SOURCE_DIR) / "proofs" / paper;
     std::vector<std::string> statements;
-    for (const auto& file : check::certificates_in(folder)) statements.push_back(file.stem().string());
+    for (const auto& file : check::certificates_in(folder)) {
+      statements.push_back(file.lexically_relative(folder).replace_extension().generic_string());
+    }
     CHECK(read_second_opinions(folder / "second-opinions.csv", statements).size() == statements.size());
   }
 }
@@ -118,15 +124,17 @@ TEST_CASE("the evidence says who agrees and who timed out, the first screen coun
   const EvidencePage page(
       "statement,z3,cvc5,coq\n"
       "A1.1.always,unsat,timeout,accepted\n"
-      "A1.1.only-then,unsat,unsat,-\n");
+      "A1.1.only-then,unsat,unsat,-\n"
+      "below/A1.2a,unknown,-,accepted\n");
   CHECK(page.text("//details[@id='claim-A1.1']")
             .find("Second opinions. z3 confirms both; cvc5 confirms A1.1.only-then, timed out on A1.1.always; Coq "
                   "accepts A1.1.always, was not asked of A1.1.only-then.") != std::string::npos);
   CHECK(page.text("//details[@id='claim-A1.1a']").find("opinion") == std::string::npos);  // nobody was asked
   const std::string card = page.text("//section[@id='overview']//li[contains(., 'second opinion')]");
-  CHECK(card.starts_with("2"));
-  CHECK(card.find("z3 2, cvc5 1, Coq 1") != std::string::npos);
-  CHECK(page.text("//table[@class='opinions']//tbody/tr[2]") == "cvc51101");
+  CHECK(card.starts_with("3"));
+  CHECK(card.find("z3 2, cvc5 1, Coq 2") != std::string::npos);
+  CHECK(page.text("//table[@class='opinions']//tbody/tr[2]") == "cvc51102");
+  CHECK(page.text("//details[@id='certificate-A1.2a']/summary/small") == "also Coq");
   CHECK(page.text("//details[@id='certificate-A1.1.always']/summary/small") == "also z3, Coq");
 }
 
