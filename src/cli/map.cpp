@@ -50,6 +50,14 @@ std::string axis_or_complaint(const std::string& text) {
   return "no parameter of a scene: " + text + "; expected one of " + all;
 }
 
+/// A name that says neither SVG nor PNG must not get one of them unasked.
+void expect_picture_name(const Options& options) {
+  const bool asked = options.svg || options.png || options.common.json || options.out.empty() || options.out == "-";
+  if (asked || options.out.ends_with(".svg") || options.out.ends_with(".png")) return;
+  throw CLI::ValidationError("--out", "found " + in_quotes(options.out) +
+                                          ", expected a name that ends in .svg or .png; or say --svg or --png");
+}
+
 PhaseDiagram diagram_of(const Options& options) {
   SceneAxes axes;
   axes.x = options.x;
@@ -85,13 +93,15 @@ void add_map(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command.add_option("-o,--out", options->out, "The file to write, .svg or .png; default: standard output");
   auto* svg = command.add_flag("--svg", options->svg, "An SVG picture, whatever the file is called");
-  command.add_flag("--png", options->png, "A PNG picture, whatever the file is called")->excludes(svg);
+  auto* png = command.add_flag("--png", options->png, "A PNG picture, whatever the file is called")->excludes(svg);
   add_common_options(command, options->common);
+  command.get_option("--json")->excludes(svg)->excludes(png);
   command.callback([options, &exit_code] {
+    expect_picture_name(*options);
     const PhaseDiagram diagram = diagram_of(*options);
-    const bool png = options->png || (!options->svg && options->out.ends_with(".png"));
+    const bool as_png = options->png || (!options->svg && options->out.ends_with(".png"));
     const std::string contents = options->common.json ? map_json(diagram)
-                                 : png                ? png_of(phase_svg_file(diagram))
+                                 : as_png             ? png_of(phase_svg_file(diagram))
                                                       : phase_svg_file(diagram);
     exit_code = as_it_should_be;
     if (options->out.empty() || options->out == "-") return print(contents);

@@ -49,7 +49,7 @@ void add_phase_section(const Element& main, const PageInput& input) {
     const Scene& scene = input.scenes[i];
     const PhaseDiagram diagram = phase_diagram(scene_plane(scene, {}, "scene-" + std::to_string(i + 1)), scene_columns);
     std::string caption = scene.force_kind == ForceKind::internal ? "Internal force." : "External force.";
-    if (!scene.bicycle.J) caption += " Without J: motions with a wheel off the road are not modelled.";
+    if (!diagram.plane.note.empty()) caption += " " + diagram.plane.note;
     if (scene.F) caption += " The dot is the scene itself.";
     add_phase_figure(grid, {diagram, caption, true});
   }

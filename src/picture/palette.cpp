@@ -36,7 +36,7 @@ struct Ink {
 };
 
 /// Everything else that has a colour.
-constexpr std::array<Ink, 18> inks{{{"#1d2733", "#e8edf3", ".ink{{fill:{}}}"},
+constexpr std::array<Ink, 19> inks{{{"#1d2733", "#e8edf3", ".ink{{fill:{}}}"},
                                     {"#55606e", "#a9b4c1", ".soft{{fill:{}}}"},
                                     {"#1d2733", "#e8edf3", ".edge{{fill:none;stroke-width:1.6;stroke:{}}}"},
                                     {"#b3125f", "#ff8fc0", ".new{{fill:none;stroke-width:2.4;stroke:{}}}"},
@@ -44,6 +44,7 @@ constexpr std::array<Ink, 18> inks{{{"#1d2733", "#e8edf3", ".ink{{fill:{}}}"},
                                     {"#4c5866", "#b9c4d0", ".line{{fill:none;stroke-dasharray:7 4;stroke:{}}}"},
                                     {"#b3125f", "#ff8fc0", ".misprint{{fill:none;stroke-dasharray:7 4;stroke:{}}}"},
                                     {"#8b95a1", "#7d8896", ".frame{{fill:none;stroke:{}}}"},
+                                    {"#8b95a1", "#7d8896", ".outline{{stroke:{}}}"},
                                     {"#ffffff", "#14191f", ".paper{{fill:{}}}"},
                                     {"#ffffff", "#14191f", ".halo{{paint-order:stroke;stroke-width:3.5;stroke:{}}}"},
                                     {"#4d3a80", "#d9ccff", ".dots{{fill:{}}}"},

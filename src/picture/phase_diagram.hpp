@@ -46,6 +46,7 @@ struct Plane {
     std::string label;
   };
   std::optional<Mark> mark;
+  std::string note;  ///< what a reader must know of the motions; may be empty
   /// Solves a column; nothing where the parameter has no meaning.
   std::function<std::optional<PhaseColumn>(const Rational& x)> solve;
 };

@@ -180,6 +180,13 @@ class Picture {
     }
   }
 
+  /// The same for a small sample in a legend, which needs an outline where it is as white as the paper.
+  void paint_swatch(const Element& rect, std::size_t index) const {
+    rect.set("width", 28).set("height", 18).set("rx", 3);
+    paint(rect, index);
+    if (name(regions_.sets[index]) == name(MotionSet{})) rect.set("class", "paper outline");
+  }
+
  private:
   static bool is_plain(const MotionSet& set) {
     return set.continua.empty() && set.motions.size() <= 1 && !off_road(set);
@@ -245,15 +252,15 @@ Element add_phase_svg(const Element& parent, const PhaseDiagram& diagram, const 
 
 Element add_swatch(const Element& parent, const PhaseDiagram& diagram, const PhaseRegions& regions, std::size_t index) {
   const Element svg = parent.add("svg", "swatch").set("viewBox", "0 0 28 18").set("aria-hidden", "true");
-  const Element rect = svg.add("rect").set("width", 28).set("height", 18).set("rx", 3);
-  Picture(diagram, regions, {}).paint(rect, index);
+  Picture(diagram, regions, {}).paint_swatch(svg.add("rect"), index);
   return svg;
 }
 
 std::string phase_svg_file(const PhaseDiagram& diagram, const PhaseSvgOptions& options) {
   const PhaseRegions regions = phase_regions(diagram);
   const double title = 34, legend = 16 + 24 * static_cast<double>(regions.sets.size());
-  const double height = title + options.height + legend;
+  const std::string& note = diagram.plane.note;
+  const double height = title + options.height + legend + (note.empty() ? 0 : 20);
   const Document document("svg");
   const Element svg = document.root().set("xmlns", "http://www.w3.org/2000/svg");
   svg.set("width", options.width).set("height", height).set("role", "img");
@@ -269,12 +276,14 @@ std::string phase_svg_file(const PhaseDiagram& diagram, const PhaseSvgOptions& o
   for (std::size_t i = 0; i < regions.sets.size(); ++i) {
     const double y = title + options.height + 24 * static_cast<double>(i);
     const Element entry = svg.add("g").set("transform", "translate(60 " + short_number(y) + ")");
-    const Element rect = entry.add("rect").set("width", 28).set("height", 18).set("rx", 3);
-    Picture(diagram, regions, options).paint(rect, i);
+    Picture(diagram, regions, options).paint_swatch(entry.add("rect"), i);
     std::string words = name(regions.sets[i]);
-    if (regions.sets[i].motions.size() == 1) words += ": " + in_words(regions.sets[i].motions[0].front());
+    const auto& motions = regions.sets[i].motions;
+    if (motions.size() == 1) words += ": " + in_words(motions[0].front());
+    if (motions.size() > 1) words += ": ambiguous, " + std::to_string(motions.size()) + " motions";
     entry.add("text", "ink").set("x", 38).set("y", 13).text(words);
   }
+  if (!note.empty()) svg.add("text", "soft").set("x", 60).set("y", height - 16).text(note);
   return document.xml();
 }
 

@@ -100,6 +100,16 @@ std::optional<Scene> with_parameter(const Scene& scene, std::string_view paramet
   return in_domain(changed.bicycle, changed.road) ? std::optional(std::move(changed)) : std::nullopt;
 }
 
+namespace {
+
+void expect_range(const std::string& symbol, const Rational& from, const Rational& to) {
+  if (from < to) return;
+  throw std::invalid_argument("found the range of " + symbol + " from " + exact_text(from) + " to " + exact_text(to) +
+                              ", expected one that begins below its end");
+}
+
+}  // namespace
+
 Plane scene_plane(const Scene& scene, const SceneAxes& wanted, std::string id) {
   SceneAxes axes = wanted;
   const auto value = scene_parameter(scene, axes.x);
@@ -108,14 +118,14 @@ Plane scene_plane(const Scene& scene, const SceneAxes& wanted, std::string id) {
     throw std::invalid_argument(known ? "the scene has no " + axes.x : "a scene has no parameter " + axes.x);
   }
   choose_parameter(scene, axes);
-  if (!(*axes.x_from < *axes.x_to)) throw std::invalid_argument("the range of " + axes.x + " is empty");
+  expect_range(axes.x, *axes.x_from, *axes.x_to);
   if (!axes.y_from || !axes.y_to) {
     const auto middle = with_parameter(scene, axes.x, (*axes.x_from + *axes.x_to) / 2);
     const bool inside = *axes.x_from < *value && *value < *axes.x_to;
     if (!inside && !middle) throw std::invalid_argument("no value of " + axes.x + " in its range makes a scene");
     choose_forces(inside ? scene : *middle, axes);
   }
-  if (!(*axes.y_from < *axes.y_to)) throw std::invalid_argument("the range of F is empty");
+  expect_range("F", *axes.y_from, *axes.y_to);
   const auto scene_at = [scene, x = axes.x](const Rational& at) { return with_parameter(scene, x, at); };
   if (!scene_at((*axes.x_from + *axes.x_to) / 2)) {
     throw std::invalid_argument("the range of " + axes.x + " is not inside its domain");
@@ -125,6 +135,7 @@ Plane scene_plane(const Scene& scene, const SceneAxes& wanted, std::string id) {
   plane.title = scene.name;
   plane.x = {axes.x, *axes.x_from, *axes.x_to};
   plane.y = {"F", *axes.y_from, *axes.y_to};
+  if (!scene.bicycle.J) plane.note = "Without J, motions with a wheel off the road are not modelled.";
   if (scene.F) plane.mark = Plane::Mark{*value, *scene.F, "the scene"};
   plane.solve = [scene_at](const Rational& at) -> std::optional<PhaseColumn> {
     const auto there = scene_at(at);

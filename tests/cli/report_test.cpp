@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "support/run_program.hpp"
@@ -69,7 +70,18 @@ TEST_CASE("map refuses what it cannot draw, in words") {
   CHECK(run({"map", scene, "--x", "frog"}).exit_code == 2);
   CHECK(run({"map", scene, "--y", "f"}).exit_code == 2);
   CHECK(run({"map", scene, "--x-range", "nan", "1"}).exit_code == 2);
-  CHECK(run({"map", scene, "--x-range", "1", "1"}).exit_code == 3);
+  const auto empty = run({"map", scene, "--x-range", "1", "1/2"});
+  CHECK(empty.exit_code == 3);
+  CHECK(empty.err.find("range of f from 1 to 1/2") != std::string::npos);
+  CHECK(run({"map", scene, "--json", "--png"}).exit_code == 2);
+  const TemporaryFolder folder;
+  const std::string photo = (folder.path() / "map.jpg").string();
+  const auto name = run({"map", scene, "--columns", "4", "-o", photo});
+  CHECK(name.exit_code == 2);
+  CHECK(name.err.find("--svg or --png") != std::string::npos);
+  CHECK(!std::filesystem::exists(photo));
+  CHECK(run({"map", scene, "--columns", "4", "--svg", "-o", photo}).exit_code == 0);
+  CHECK(read_file(photo).starts_with("<?xml"));
   CHECK(run({"map", scene, "--x", "R", "--x-range", "-2", "-1"}).exit_code == 3);
   CHECK(run({"map", "nowhere.toml"}).exit_code == 3);
 }
