@@ -10,6 +10,7 @@
 
 #include "filter/lanes.hpp"
 #include "filter/vector_clones.hpp"
+#include "parallel/thread_count.hpp"
 
 namespace slipproof {
 
@@ -80,7 +81,7 @@ void consistent_modes(const ForcedScene<Column>& scenes, std::span<ConsistentMod
     return;
   }
   constexpr std::size_t grain = 1024;
-  tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic : static_cast<int>(threads));
+  tbb::task_arena arena(thread_count(threads));
   const std::size_t blocks = (answers.size() + lane_count - 1) / lane_count;  // a block of lanes is never cut
   const TierCounts found = arena.execute([&] {
     return tbb::parallel_reduce(

@@ -1,6 +1,5 @@
 #include "prove/prove_files.hpp"
 
-#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -8,6 +7,7 @@
 
 #include "input/diagnostic.hpp"
 #include "input/text_file.hpp"
+#include "parallel/thread_count.hpp"
 
 namespace slipproof {
 
@@ -25,8 +25,7 @@ std::vector<std::filesystem::path> statements_in(const std::filesystem::path& fo
 
 std::vector<ProofOutcome> prove_files(const std::vector<std::filesystem::path>& statements, unsigned threads) {
   std::vector<ProofOutcome> outcomes(statements.size());
-  const auto cores = static_cast<unsigned>(tbb::info::default_concurrency());
-  tbb::task_arena arena(static_cast<int>(threads == 0 ? cores : std::min(threads, cores)));
+  tbb::task_arena arena(thread_count(threads));
   arena.execute([&] {
     // One statement a task: they differ by orders of magnitude.
     tbb::parallel_for(

@@ -1,7 +1,6 @@
 #include "verify/verify.hpp"
 
 #include <tbb/blocked_range.h>
-#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -11,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "parallel/thread_count.hpp"
 #include "verify/identity.hpp"
 #include "verify/simplify.hpp"
 
@@ -86,9 +86,7 @@ class Run {
         tallies_(tasks_.size()) {}
 
   VerifyResult result() {
-    const int cores = tbb::info::default_concurrency();  // more threads than that only bring a warning
-    const unsigned threads = options_.threads;
-    tbb::task_arena arena(threads == 0 || threads > static_cast<unsigned>(cores) ? cores : static_cast<int>(threads));
+    tbb::task_arena arena(thread_count(options_.threads));
     VerifyResult result{options_.samples, options_.seed, std::vector<ClaimResult>(tasks_.size())};
     arena.execute([&] {
       for (std::size_t s = 0; s < file_.settings.size(); ++s) sample(s);
