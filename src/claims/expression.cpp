@@ -144,4 +144,32 @@ Expression substitute(const Expression& expression, std::string_view symbol, con
   return changed ? finish(std::move(node)) : expression;
 }
 
+Binding binding(Operation operation) {
+  switch (operation) {
+    case Operation::logical_or:
+      return Binding::disjunction;
+    case Operation::logical_and:
+      return Binding::conjunction;
+    case Operation::logical_not:
+      return Binding::negation;
+    case Operation::compare:
+      return Binding::comparison;
+    case Operation::add:
+    case Operation::subtract:
+      return Binding::sum;
+    case Operation::multiply:
+    case Operation::divide:
+      return Binding::product;
+    case Operation::negate:
+    case Operation::power:
+      return Binding::unary;
+    default:
+      return Binding::primary;
+  }
+}
+
+Binding tighter(Binding binding) {
+  return static_cast<Binding>(static_cast<int>(binding) + 1);
+}
+
 }  // namespace slipproof

@@ -76,6 +76,21 @@ bool same(const Expression& a, const Expression& b);
 /// Text that reads back as the same tree, with no more parentheses than that needs.
 std::string to_string(const Expression& expression);
 
+/// How tightly an operation binds, from loose to tight, as in the grammar of parser.hpp.
+enum class Binding : std::uint8_t {
+  loosest,
+  disjunction,
+  conjunction,
+  negation,
+  comparison,
+  sum,
+  product,
+  unary,
+  primary
+};
+Binding binding(Operation operation);
+Binding tighter(Binding binding);  ///< the next
+
 /// The names of its symbols, each once, in the order of the text.
 std::vector<std::string> symbols(const Expression& expression);
 

@@ -7,33 +7,6 @@ namespace slipproof {
 
 namespace {
 
-// How tightly an operation binds, from loose to tight, as in the grammar of parser.hpp.
-enum Binding { loosest, disjunction, conjunction, negation, comparison, sum, product, unary, primary };
-
-Binding binding(const Node& node) {
-  switch (node.operation) {
-    case Operation::logical_or:
-      return disjunction;
-    case Operation::logical_and:
-      return conjunction;
-    case Operation::logical_not:
-      return negation;
-    case Operation::compare:
-      return comparison;
-    case Operation::add:
-    case Operation::subtract:
-      return sum;
-    case Operation::multiply:
-    case Operation::divide:
-      return product;
-    case Operation::negate:
-    case Operation::power:
-      return unary;
-    default:
-      return primary;
-  }
-}
-
 // A finite decimal reads back as the same literal; other values become a quotient in parentheses.
 std::string literal(const Rational& value) {
   constexpr unsigned longest = 1'000;
@@ -57,7 +30,7 @@ std::string literal(const Rational& value) {
 void print(const Expression& expression, Binding at_least, std::string& text);
 
 void print_infix(const Node& node, std::string_view sign, Binding right, std::string& text) {
-  print(node.operands[0], binding(node), text);
+  print(node.operands[0], binding(node.operation), text);
   text += ' ';
   text += sign;
   text += ' ';
@@ -68,7 +41,7 @@ void print_call(const Node& node, std::string_view function, std::string& text) 
   text += function;
   for (std::size_t i = 0; i < node.operands.size(); ++i) {
     text += i == 0 ? "(" : ", ";
-    print(node.operands[i], loosest, text);
+    print(node.operands[i], Binding::loosest, text);
   }
   text += ')';
 }
@@ -86,22 +59,22 @@ void print_bare(const Node& node, std::string& text) {
       break;
     case Operation::negate:
       text += '-';
-      print(node.operands[0], unary, text);
+      print(node.operands[0], Binding::unary, text);
       break;
     case Operation::add:
-      print_infix(node, "+", product, text);
+      print_infix(node, "+", Binding::product, text);
       break;
     case Operation::subtract:
-      print_infix(node, "-", product, text);
+      print_infix(node, "-", Binding::product, text);
       break;
     case Operation::multiply:
-      print_infix(node, "*", unary, text);
+      print_infix(node, "*", Binding::unary, text);
       break;
     case Operation::divide:
-      print_infix(node, "/", unary, text);
+      print_infix(node, "/", Binding::unary, text);
       break;
     case Operation::power:
-      print(node.operands[0], primary, text);
+      print(node.operands[0], Binding::primary, text);
       text += '^' + std::to_string(node.exponent);
       break;
     case Operation::absolute:
@@ -119,24 +92,24 @@ void print_bare(const Node& node, std::string& text) {
     case Operation::compare:
       for (std::size_t i = 0; i < node.operands.size(); ++i) {
         if (i != 0) text.append(" ").append(spelling(node.relations[i - 1])).append(" ");
-        print(node.operands[i], sum, text);
+        print(node.operands[i], Binding::sum, text);
       }
       break;
     case Operation::logical_not:
       text += "not ";
-      print(node.operands[0], negation, text);
+      print(node.operands[0], Binding::negation, text);
       break;
     case Operation::logical_and:
-      print_infix(node, "and", negation, text);
+      print_infix(node, "and", Binding::negation, text);
       break;
     case Operation::logical_or:
-      print_infix(node, "or", conjunction, text);
+      print_infix(node, "or", Binding::conjunction, text);
       break;
   }
 }
 
 void print(const Expression& expression, Binding at_least, std::string& text) {
-  const bool parentheses = binding(*expression) < at_least;
+  const bool parentheses = binding(expression->operation) < at_least;
   if (parentheses) text += '(';
   print_bare(*expression, text);
   if (parentheses) text += ')';
@@ -146,7 +119,7 @@ void print(const Expression& expression, Binding at_least, std::string& text) {
 
 std::string to_string(const Expression& expression) {
   std::string text;
-  print(expression, loosest, text);
+  print(expression, Binding::loosest, text);
   return text;
 }
 

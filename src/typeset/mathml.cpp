@@ -9,29 +9,9 @@ namespace slipproof {
 
 namespace {
 
-// How tightly an operation binds; a quotient is a fraction and needs no parentheses around its parts.
-enum Binding { loosest, disjunction, conjunction, negation, comparison, sum, product, unary, primary };
-
-Binding binding(const Node& node) {
-  switch (node.operation) {
-    case Operation::logical_or:
-      return disjunction;
-    case Operation::logical_and:
-      return conjunction;
-    case Operation::logical_not:
-      return negation;
-    case Operation::compare:
-      return comparison;
-    case Operation::add:
-    case Operation::subtract:
-      return sum;
-    case Operation::multiply:
-      return product;
-    case Operation::negate:
-      return unary;
-    default:
-      return primary;
-  }
+// A quotient is a fraction, an exponent stands above: neither needs parentheses.
+Binding laid_out(Operation operation) {
+  return operation == Operation::divide || operation == Operation::power ? Binding::primary : binding(operation);
 }
 
 std::string_view sign_of(Relation relation) {
@@ -42,13 +22,13 @@ std::string_view sign_of(Relation relation) {
 void put(const Element& row, const Expression& expression, Binding at_least);
 
 void infix(const Element& row, const Node& node, std::string_view sign, Binding right) {
-  put(row, node.operands[0], binding(node));
+  put(row, node.operands[0], laid_out(node.operation));
   add_operator(row, sign);
   put(row, node.operands[1], right);
 }
 
 void word(const Element& row, const Node& node, std::string_view between, Binding right) {
-  put(row, node.operands[0], binding(node));
+  put(row, node.operands[0], laid_out(node.operation));
   row.add("mtext").text(between);
   put(row, node.operands[1], right);
 }
@@ -60,7 +40,7 @@ void call(const Element& row, const Node& node, std::string_view function) {
   add_operator(inside, "(");
   for (std::size_t i = 0; i < node.operands.size(); ++i) {
     if (i > 0) add_operator(inside, ",");
-    put(inside, node.operands[i], loosest);
+    put(inside, node.operands[i], Binding::loosest);
   }
   add_operator(inside, ")");
 }
@@ -78,22 +58,22 @@ void put_bare(const Element& row, const Node& node) {
       break;
     case Operation::negate:
       add_operator(row, "−");
-      put(row, node.operands[0], product);
+      put(row, node.operands[0], Binding::product);
       break;
     case Operation::add:
-      infix(row, node, "+", product);
+      infix(row, node, "+", Binding::product);
       break;
     case Operation::subtract:
-      infix(row, node, "−", product);
+      infix(row, node, "−", Binding::product);
       break;
     case Operation::multiply:
       // Two numbers side by side would read as one.
-      infix(row, node, node.operands[1]->operation == Operation::number ? "·" : "\xE2\x81\xA2", unary);
+      infix(row, node, node.operands[1]->operation == Operation::number ? "·" : "\xE2\x81\xA2", Binding::unary);
       break;
     case Operation::divide: {
       const Element fraction = row.add("mfrac");
-      put(fraction.add("mrow"), node.operands[0], loosest);
-      put(fraction.add("mrow"), node.operands[1], loosest);
+      put(fraction.add("mrow"), node.operands[0], Binding::loosest);
+      put(fraction.add("mrow"), node.operands[1], Binding::loosest);
       break;
     }
     case Operation::power: {
@@ -101,14 +81,14 @@ void put_bare(const Element& row, const Node& node) {
       const bool fraction = node.operands[0]->operation == Operation::divide;
       const Element base = power.add("mrow");
       if (fraction) add_operator(base, "(");
-      put(base, node.operands[0], primary);
+      put(base, node.operands[0], Binding::primary);
       if (fraction) add_operator(base, ")");
       add_number(power, Rational(node.exponent));
       break;
     }
     case Operation::absolute: {
       add_operator(row, "|");
-      put(row, node.operands[0], loosest);
+      put(row, node.operands[0], Binding::loosest);
       add_operator(row, "|");
       break;
     }
@@ -124,24 +104,24 @@ void put_bare(const Element& row, const Node& node) {
     case Operation::compare:
       for (std::size_t i = 0; i < node.operands.size(); ++i) {
         if (i > 0) add_operator(row, sign_of(node.relations[i - 1]));
-        put(row, node.operands[i], sum);
+        put(row, node.operands[i], Binding::sum);
       }
       break;
     case Operation::logical_not:
       row.add("mtext").text("not ");
-      put(row, node.operands[0], negation);
+      put(row, node.operands[0], Binding::negation);
       break;
     case Operation::logical_and:
-      word(row, node, " and ", negation);
+      word(row, node, " and ", Binding::negation);
       break;
     case Operation::logical_or:
-      word(row, node, " or ", conjunction);
+      word(row, node, " or ", Binding::conjunction);
       break;
   }
 }
 
 void put(const Element& row, const Expression& expression, Binding at_least) {
-  const bool parentheses = binding(*expression) < at_least;
+  const bool parentheses = laid_out(expression->operation) < at_least;
   const Element inside = parentheses ? row.add("mrow") : row;
   if (parentheses) add_operator(inside, "(");
   put_bare(inside, *expression);
@@ -157,10 +137,10 @@ class Pieces {
   void add(const Expression& expression) {
     const Operation operation = expression->operation;
     if (operation == Operation::logical_and || operation == Operation::logical_or) {
-      const Binding own = binding(*expression);
+      const Binding own = laid_out(expression->operation);
       part(expression->operands[0], own);
       parent_.text(operation == Operation::logical_and ? " and " : " or ");
-      part(expression->operands[1], static_cast<Binding>(own + 1));
+      part(expression->operands[1], tighter(own));
     } else if (operation == Operation::compare) {
       for (std::size_t i = 0; i < expression->operands.size(); ++i) {
         sum(i == 0 ? std::string_view() : sign_of(expression->relations[i - 1]), expression->operands[i]);
@@ -172,7 +152,7 @@ class Pieces {
 
  private:
   void part(const Expression& expression, Binding at_least) {
-    if (binding(*expression) >= at_least) return add(expression);
+    if (laid_out(expression->operation) >= at_least) return add(expression);
     piece({}, expression, at_least);
   }
 
@@ -180,7 +160,7 @@ class Pieces {
     const Operation operation = expression->operation;
     if (operation != Operation::add && operation != Operation::subtract) return piece(sign, expression, Binding::sum);
     sum(sign, expression->operands[0]);
-    piece(operation == Operation::add ? "+" : "−", expression->operands[1], product);
+    piece(operation == Operation::add ? "+" : "−", expression->operands[1], Binding::product);
   }
 
   void piece(std::string_view sign, const Expression& expression, Binding at_least) {
