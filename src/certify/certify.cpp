@@ -13,6 +13,7 @@
 #include "certify/exact_judge.hpp"
 #include "certify/problem_reader.hpp"
 #include "certify/record_reader.hpp"
+#include "parallel/thread_count.hpp"
 
 namespace slipproof {
 
@@ -97,7 +98,7 @@ CertifySummary certify(std::istream& input, const LineSink& output, const Certif
     while (chunks.next(chunk)) write(judge_chunk(chunk, reader, options));
     return summary;
   }
-  tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(options.threads));
+  tbb::task_arena arena(thread_count(options.threads));
   const auto in_flight = 3 * static_cast<std::size_t>(arena.max_concurrency());
   arena.execute([&] {
     tbb::parallel_pipeline(

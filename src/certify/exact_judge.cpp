@@ -13,19 +13,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<Quantity, answer_count> quantities{Quantity::a,    Quantity::a_y,  Quantity::phi,
-                                                        Quantity::eps2, Quantity::eps3, Quantity::S2,
-                                                        Quantity::S3,   Quantity::N2,   Quantity::N3};
-
 /// A motion to hold the answer against: a motion of the scene, or the nearest one of a continuum.
 struct Candidate {
   std::vector<ContactMode> modes;
   Motion<Rational> values;
-};
-
-struct Distance {
-  Rational relative;  ///< largest relative error of a component
-  Rational scaled;    ///< the same relative to the largest component of its kind
 };
 
 class Answer {
@@ -40,7 +31,7 @@ class Answer {
   Distance to(const Motion<Rational>& m) const {
     Rational force = weight_, acceleration = g_;
     for (std::size_t i = 0; i < answer_count; ++i) {
-      const Rational size = abs(m[quantities[i]]);
+      const Rational size = abs(m[answer_quantities[i]]);
       if (i >= 5) {
         force = std::max(force, size);
       } else {
@@ -49,7 +40,7 @@ class Answer {
     }
     Distance d{0, 0};
     for (std::size_t i = 0; i < answer_count; ++i) {
-      const Quantity q = quantities[i];
+      const Quantity q = answer_quantities[i];
       if (!has(q)) continue;
       const Rational distance = abs((*this)[q] - m[q]);
       const Rational unit = i >= 5 ? weight_ : i < 2 ? g_ : Rational(g_ / R_);
@@ -73,9 +64,9 @@ class Answer {
 
  private:
   static std::optional<Field> field(Quantity q) {
-    const auto it = std::find(quantities.begin(), quantities.end(), q);
-    if (it == quantities.end()) return std::nullopt;
-    return static_cast<Field>(parameter_count + static_cast<std::size_t>(it - quantities.begin()));
+    const auto it = std::find(answer_quantities.begin(), answer_quantities.end(), q);
+    if (it == answer_quantities.end()) return std::nullopt;
+    return static_cast<Field>(parameter_count + static_cast<std::size_t>(it - answer_quantities.begin()));
   }
 
   const Record& record_;

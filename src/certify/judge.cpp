@@ -11,10 +11,6 @@ namespace slipproof {
 
 namespace {
 
-constexpr std::array<Quantity, answer_count> quantities{Quantity::a,    Quantity::a_y,  Quantity::phi,
-                                                        Quantity::eps2, Quantity::eps3, Quantity::S2,
-                                                        Quantity::S3,   Quantity::N2,   Quantity::N3};
-
 /// Upper bound on the relative error of the answer against the motion of a mode; infinite where that is not known.
 template <class N>
 double largest_error(const ReducedDynamics<N, N>& dynamics, ContactMode mode, const Record& r, double weight) {
@@ -25,7 +21,7 @@ double largest_error(const ReducedDynamics<N, N>& dynamics, ContactMode mode, co
     const auto field = static_cast<Field>(parameter_count + i);
     if (!r.has(field)) continue;
     const double z = r[field];
-    const Bounded x = bounded(motion.quantity(quantities[i]));
+    const Bounded x = bounded(motion.quantity(answer_quantities[i]));
     const double distance = (std::fabs(z - x.value) * up + x.error) * up + 2 * unit_roundoff * std::fabs(z);
     const double size = std::fabs(x.value) - x.error;
     if (size > 0) {

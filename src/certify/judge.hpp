@@ -40,6 +40,12 @@ struct RecordJudgement {
   std::string details;     ///< further JSON members, `,"violated":...`; empty for a certified record
 };
 
+/// How far an answer is from a motion, or from a solution of a contact problem.
+struct Distance {
+  Rational relative;  ///< largest relative error of a component
+  Rational scaled;    ///< the same relative to the largest component of its kind
+};
+
 /// The record is complete (see incomplete()).
 RecordJudgement judge(const Record& record, const JudgeOptions& options);
 

@@ -18,11 +18,6 @@ Rational largest(const std::vector<Rational>& values) {
   return result;
 }
 
-struct Distance {
-  Rational relative;  ///< largest relative error of a component
-  Rational scaled;    ///< the same relative to the largest component of its kind
-};
-
 class Judge {
  public:
   Judge(const ContactProblem& problem, const ProblemAnswer& answer, const JudgeOptions& options)

@@ -12,6 +12,11 @@
 
 namespace slipproof {
 
+/// What the answer's fields say, in their order.
+inline constexpr std::array<Quantity, answer_count> answer_quantities{Quantity::a,    Quantity::a_y,  Quantity::phi,
+                                                                      Quantity::eps2, Quantity::eps3, Quantity::S2,
+                                                                      Quantity::S3,   Quantity::N2,   Quantity::N3};
+
 struct Record {
   std::array<double, field_count> values{};
   std::uint32_t present = 0;                      ///< bit(Field) of those that are given
