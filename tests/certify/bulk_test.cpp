@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "support/certified.hpp"
 #include "support/solver_records.hpp"
 
 using namespace slipproof;
@@ -15,14 +16,6 @@ namespace {
 std::size_t record_count() {
   const char* wanted = std::getenv("SLIPPROOF_CERTIFY_RECORDS");
   return wanted == nullptr ? 4000 : static_cast<std::size_t>(std::atof(wanted));
-}
-
-std::pair<std::string, CertifySummary> run(const std::string& text, CertifyOptions options = {}) {
-  std::istringstream input(text);
-  std::string lines;
-  const auto summary = certify(
-      input, [&](std::string_view out) { lines += out; }, options);
-  return {lines, summary};
 }
 
 double number(const std::string& cell) {
@@ -67,7 +60,7 @@ TEST_CASE("correct outputs are all certified") {
   std::string text = header();
   const std::size_t n = record_count();
   for (std::size_t i = 0; i < n; ++i) text += joined(records.next());
-  const auto [lines, summary] = run(text);
+  const auto [lines, summary] = certified(text);
   CHECK(summary.records == n);
   CHECK(summary.count(RecordVerdict::certified) == n);
   CHECK(summary.all_certified());
@@ -87,7 +80,7 @@ TEST_CASE("outputs corrupted in one field are all reported, none is certified") 
     text += joined(cells);
     ++made;
   }
-  const auto [lines, summary] = run(text);
+  const auto [lines, summary] = certified(text);
   CHECK(summary.records == n);
   CHECK(summary.count(RecordVerdict::certified) == 0);
   CHECK(summary.count(RecordVerdict::ambiguous) == 0);
@@ -108,9 +101,9 @@ TEST_CASE("the same bytes at any number of threads, in the order of the records,
   }
   CertifyOptions options;
   options.threads = 1;
-  const auto [one, summary] = run(text, options);
+  const auto [one, summary] = certified(text, options);
   options.threads = 2;
-  const auto [two, summary_two] = run(text, options);
+  const auto [two, summary_two] = certified(text, options);
   CHECK(one == two);
   std::istringstream lines(one);
   std::string line;
@@ -119,7 +112,7 @@ TEST_CASE("the same bytes at any number of threads, in the order of the records,
     CHECK(nlohmann::json::parse(line).at("record") == i);
   }
   options.first_record = 2001;
-  const auto [rest, summary_rest] = run(text, options);
+  const auto [rest, summary_rest] = certified(text, options);
   CHECK(summary_rest.records == 1000);
   CHECK(one.substr(one.find("{\"record\":2001,")) == rest);
 }
@@ -140,7 +133,7 @@ TEST_CASE("JSON Lines give what CSV gives") {
     json += "}\n";
   }
   CertifyOptions options;
-  const auto from_csv = run(csv, options).first;
+  const auto from_csv = certified(csv, options).text;
   options.format = RecordFormat::json_lines;
-  CHECK(run(json, options).first == from_csv);
+  CHECK(certified(json, options).text == from_csv);
 }

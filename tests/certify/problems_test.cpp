@@ -9,26 +9,21 @@
 #include "certify/problem_reader.hpp"
 #include "certify/record_reader.hpp"
 #include "model/scene.hpp"
+#include "support/certified.hpp"
 
 using namespace slipproof;
+using namespace slipproof::test;
 using Json = nlohmann::json;
 
 namespace {
 
-std::pair<std::vector<Json>, CertifySummary> run(const std::string& text, CertifyOptions options = {}) {
+Certified problems(const std::string& text, CertifyOptions options = {}) {
   options.format = RecordFormat::json_lines;
-  std::istringstream input(text);
-  std::string lines, line;
-  const auto summary = certify(
-      input, [&](std::string_view out) { lines += out; }, options);
-  std::istringstream read(lines);
-  std::vector<Json> result;
-  while (std::getline(read, line)) result.push_back(Json::parse(line));
-  return {result, summary};
+  return certified(text, options);
 }
 
 Json judged(const std::string& line, const CertifyOptions& options = {}) {
-  const auto lines = run(line + "\n", options).first;
+  const auto lines = problems(line + "\n", options).lines();
   REQUIRE(lines.size() == 1);
   return lines.front();
 }
@@ -138,12 +133,13 @@ TEST_CASE("where not every solution can be found, a right answer is undecided un
   std::vector<double> alternating;
   for (int i = 0; i < 14; ++i) alternating.push_back(i % 2);
   record["z"] = alternating;
-  const auto [lines, summary] = run(record.dump() + "\n");
+  const Certified chained = problems(record.dump() + "\n");
+  const auto lines = chained.lines();
   CHECK(lines[0]["verdict"] == "undecided");
   CHECK(lines[0]["modes"] == Json{"wzwzwzwzwzwzwz"});
   CHECK(lines[0]["solutions"].is_null());
-  CHECK(summary.nothing_refuted());
-  CHECK_FALSE(summary.all_certified());
+  CHECK(chained.summary.nothing_refuted());
+  CHECK_FALSE(chained.summary.all_certified());
   line = judged(chain("3", "1"));
   CHECK(line["verdict"] == "undecided");
   CHECK(line["violated"] == "w1 >= 0");
@@ -211,7 +207,7 @@ TEST_CASE("the shipped examples get the verdicts that their table tells, and the
   }
   std::ostringstream text;
   text << file.rdbuf();
-  const auto lines = run(text.str()).first;
+  const auto lines = problems(text.str()).lines();
   REQUIRE(lines.size() == 10);
   REQUIRE(expected.size() == lines.size());
   for (std::size_t i = 0; i < lines.size(); ++i) CHECK(lines[i]["verdict"] == expected[i]);
@@ -275,9 +271,10 @@ TEST_CASE("an answer that is no number is invalid, a line that is no problem is 
       {R"([{"M":[[1]],"q":[1],"z":[0]}])", "found a list, expected an object"}};
   std::string text;
   for (const auto& row : rows) text += row.first + "\n";
-  const auto [lines, summary] = run(text);
+  const Certified found = problems(text);
+  const auto lines = found.lines();
   REQUIRE(lines.size() == rows.size());
-  CHECK(summary.broken == rows.size());
+  CHECK(found.summary.broken == rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     CAPTURE(rows[i].first);
     CHECK(lines[i]["verdict"] == "invalid");

@@ -6,21 +6,16 @@
 
 #include "certify/certify.hpp"
 #include "number/format.hpp"
+#include "support/certified.hpp"
 #include "support/random_scene.hpp"
 
 using namespace slipproof;
+using namespace slipproof::test;
 
 namespace {
 
-std::vector<nlohmann::json> run(const std::string& text, CertifyOptions options = {}) {
-  std::istringstream input(text);
-  std::string lines, line;
-  certify(
-      input, [&](std::string_view out) { lines += out; }, options);
-  std::istringstream read(lines);
-  std::vector<nlohmann::json> result;
-  while (std::getline(read, line)) result.push_back(nlohmann::json::parse(line));
-  return result;
+std::vector<nlohmann::json> judged_lines(const std::string& text, const CertifyOptions& options = {}) {
+  return certified(text, options).lines();
 }
 
 // M = R = h = b = 1, I2 = I3 = 1, I1 = 0, mu = 1, L = 1, g = 10, f = 1.
@@ -43,8 +38,8 @@ std::string answer(const Rational& F, const std::string& mode_text) {
 }  // namespace
 
 TEST_CASE("a right answer is certified, with its mode named or not, in fractions and on a boundary") {
-  const auto lines = run(head + answer(Rational(1), "stick/stick") + "\n" + answer(Rational(1), "") + "\n" +
-                         answer(Rational(0), "stick/stick") + "\n");
+  const auto lines = judged_lines(head + answer(Rational(1), "stick/stick") + "\n" + answer(Rational(1), "") + "\n" +
+                                  answer(Rational(0), "stick/stick") + "\n");
   for (const auto& line : lines) {
     CHECK(line["verdict"] == "certified");
     CHECK(line["motions"] == 1);
@@ -53,7 +48,7 @@ TEST_CASE("a right answer is certified, with its mode named or not, in fractions
 }
 
 TEST_CASE("a wrong mode is wrong, with the violated condition, its exact margin and the motions there are") {
-  const auto lines = run(head + answer(Rational(1), "slip+/stick") + "\n");
+  const auto lines = judged_lines(head + answer(Rational(1), "slip+/stick") + "\n");
   REQUIRE(lines.size() == 1);
   CHECK(lines[0]["verdict"] == "wrong");
   CHECK(lines[0]["claimed"] == "slip+/stick");
@@ -66,12 +61,12 @@ TEST_CASE("a wrong mode is wrong, with the violated condition, its exact margin 
 TEST_CASE("a small error is inaccurate, and certified with a tolerance above it") {
   std::string record = answer(Rational(1), "stick/stick");
   record.replace(record.rfind(','), std::string::npos, ",4.00001");
-  const auto exact = run(head + answer(Rational(1), "") + "\n")[0];
+  const auto exact = judged_lines(head + answer(Rational(1), "") + "\n")[0];
   CertifyOptions loose;
   loose.judge.tolerance = 0.9;
   loose.judge.near = 0.9;
-  CHECK(run(head + record + "\n", loose)[0]["verdict"] == "certified");
-  CHECK(run(head + record + "\n")[0]["verdict"] != "certified");
+  CHECK(judged_lines(head + record + "\n", loose)[0]["verdict"] == "certified");
+  CHECK(judged_lines(head + record + "\n")[0]["verdict"] != "certified");
 }
 
 TEST_CASE("never certified where several motions exist: ambiguous, and all are listed") {
@@ -95,7 +90,7 @@ TEST_CASE("never certified where several motions exist: ambiguous, and all are l
         text += "," + exact_text(found.motions.back().values[q]);
       }
       // A fraction counts as it stands, an integer too: the record is exact.
-      const auto line = run(text + "\n")[0];
+      const auto line = judged_lines(text + "\n")[0];
       CHECK(line["verdict"] == "ambiguous");
       CHECK(line["motions"] == found.motions.size());
       CHECK(line["found"].size() == found.motions.size());
@@ -108,12 +103,12 @@ TEST_CASE("never certified where several motions exist: ambiguous, and all are l
 TEST_CASE("NaN, infinities, numbers outside the domain and broken records are invalid, with the reason") {
   const std::string tail = ",1,stick/stick,0,0,0,5,5\n";
   const auto lines =
-      run(head + "1,1,1,1,0,1,1,1,1,1,10,nan,stick/stick,0,0,0,5,5\n" +
-          "1,1,1,1,0,1,1,1,1,1,10,1,stick/stick,0,0,inf,5,5\n" + "-1,1,1,1,0,1,1,1,1,1,10" + tail +
-          "1,1,-1,1,0,1,1,1,1,1,10" + tail + "1,1,1,1,0,1,1,1,1,-1,10" + tail + "1,1,1,1,0,1,1,1,1,1e999,10" + tail +
-          "1,1,1,1,0,1,1,1,1,1\n" + "1,1,1,1,0,1,1,1,1,1,10,1,stick/glide,0,0,0,5,5\n" + "1,1,1,1,0,1,1,1,1,x,10" +
-          tail + "1,1,1,1,0,1,1,1,1,1,10,1,stick/stick,0,0,0,5,5,6\n" + "1,1,1,1,0,1,1,1,1,1/0,10" + tail +
-          ",1,1,1,0,1,1,1,1,1,10" + tail);
+      judged_lines(head + "1,1,1,1,0,1,1,1,1,1,10,nan,stick/stick,0,0,0,5,5\n" +
+                   "1,1,1,1,0,1,1,1,1,1,10,1,stick/stick,0,0,inf,5,5\n" + "-1,1,1,1,0,1,1,1,1,1,10" + tail +
+                   "1,1,-1,1,0,1,1,1,1,1,10" + tail + "1,1,1,1,0,1,1,1,1,-1,10" + tail + "1,1,1,1,0,1,1,1,1,1e999,10" +
+                   tail + "1,1,1,1,0,1,1,1,1,1\n" + "1,1,1,1,0,1,1,1,1,1,10,1,stick/glide,0,0,0,5,5\n" +
+                   "1,1,1,1,0,1,1,1,1,x,10" + tail + "1,1,1,1,0,1,1,1,1,1,10,1,stick/stick,0,0,0,5,5,6\n" +
+                   "1,1,1,1,0,1,1,1,1,1/0,10" + tail + ",1,1,1,0,1,1,1,1,1,10" + tail);
   REQUIRE(lines.size() == 12);
   const char* reasons[] = {"F: found NaN",
                            "S3: found infinity",
@@ -179,7 +174,7 @@ TEST_CASE("decimals mean the nearest binary64, or exactly what they say") {
   }
   CertifyOptions exact;
   exact.decimal_exact = true;
-  const auto on_boundary = run(text + "\n", exact)[0], inside = run(text + "\n")[0];
+  const auto on_boundary = judged_lines(text + "\n", exact)[0], inside = judged_lines(text + "\n")[0];
   CHECK(on_boundary["verdict"] == "certified");
   CHECK(on_boundary["tier"] == "exact");
   CHECK(on_boundary["modes"].size() == 2);

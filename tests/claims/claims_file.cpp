@@ -9,8 +9,10 @@
 #include "claims/compiled.hpp"
 #include "claims/parser.hpp"
 #include "input/diagnostic.hpp"
+#include "support/formula.hpp"
 
 using namespace slipproof;
+using namespace slipproof::test;
 
 namespace {
 
@@ -102,13 +104,6 @@ std::vector<std::string> mistakes(const std::string& text) {
     return found;
   }
   return {};
-}
-
-Expression number(const std::string& text) {
-  return parse_expression(text, Sort::number);
-}
-Expression truth(const std::string& text) {
-  return parse_expression(text, Sort::truth);
 }
 
 }  // namespace

@@ -7,14 +7,11 @@
 #include <string>
 
 #include "claims/compiled.hpp"
+#include "support/shipped.hpp"
 
 using namespace slipproof;
 
 namespace {
-
-ClaimsFile paper() {
-  return read_claims(SLIPPROOF_SOURCE_DIR "/proofs/rozenblat-yashin/claims.toml");
-}
 
 const Definition& definition(const ClaimsFile& file, const std::string& symbol) {
   const auto& all = file.settings.at(0).definitions;
@@ -24,7 +21,7 @@ const Definition& definition(const ClaimsFile& file, const std::string& symbol) 
 }  // namespace
 
 TEST_CASE("a file can be taken in one reading") {
-  const ClaimsFile file = paper();
+  const ClaimsFile file = test::shipped_paper();
   const ClaimsFile printed = as_read(file, Reading::printed), repaired = as_read(file, Reading::repaired);
   CHECK(to_string(definition(printed, "b1").printed) == "f * h * (2 * M1)");
   CHECK(to_string(definition(repaired, "b1").printed) == "f * h / (2 * M1)");
@@ -35,7 +32,7 @@ TEST_CASE("a file can be taken in one reading") {
 }
 
 TEST_CASE("the paper has thousands of mutants, each valid, each another claims file") {
-  const ClaimsFile file = as_read(paper(), Reading::repaired);
+  const ClaimsFile file = as_read(test::shipped_paper(), Reading::repaired);
   const auto all = mutants(file);
   CHECK(all.size() >= 2000);
   std::map<ClaimsMutant::Part, int> parts;
@@ -78,7 +75,7 @@ TEST_CASE("the paper has thousands of mutants, each valid, each another claims f
 }
 
 TEST_CASE("a mutant knows which claims it may change") {
-  const ClaimsFile file = as_read(paper(), Reading::printed);
+  const ClaimsFile file = as_read(test::shipped_paper(), Reading::printed);
   for (const ClaimsMutant& mutant : mutants(file)) {
     std::vector<std::string> ids;
     for (const std::size_t claim : mutant.claims) ids.push_back(file.claims[claim].id);

@@ -6,27 +6,19 @@
 #include <string>
 #include <vector>
 
-#include "claims/parser.hpp"
 #include "claims/random_expression.hpp"
+#include "support/formula.hpp"
 
 using namespace slipproof;
+using namespace slipproof::test;
 
 namespace {
 
-const std::vector<std::string> names{"a", "b", "c", "zero"};
-
-Program compile(const Expression& expression, const std::vector<std::string>& symbols = names) {
-  return Program(expression, [&](std::string_view name) -> std::optional<std::size_t> {
-    for (std::size_t i = 0; i < symbols.size(); ++i) {
-      if (symbols[i] == name) return i;
-    }
-    return std::nullopt;
-  });
-}
+const std::vector<std::string> abc_zero{"a", "b", "c", "zero"};
 
 Scope plain_scope() {
   Scope scope;
-  for (const auto& name : names) scope.slots.push_back({name, std::nullopt});
+  for (const auto& name : abc_zero) scope.slots.push_back({name, std::nullopt});
   return scope;
 }
 
@@ -37,13 +29,6 @@ Evaluator<Rational> at(const Scope& scope, const Rational& a, const Rational& b,
   evaluator.set(2, c);
   evaluator.set(3, Rational(0));
   return evaluator;
-}
-
-Program number(const std::string& text) {
-  return compile(parse_expression(text, Sort::number));
-}
-Program truth(const std::string& text) {
-  return compile(parse_expression(text, Sort::truth));
 }
 
 // The same meaning, written the plain way, on the tree: numbers with an exception where there is none.
@@ -97,14 +82,14 @@ Rational plain(const Expression& expression, const std::map<std::string, Rationa
 }  // namespace
 
 TEST_CASE("numbers agree with a plain walk over the tree") {
-  testing::RandomExpressions random(2, names);
+  testing::RandomExpressions random(2, abc_zero);
   const Scope scope = plain_scope();
   int undefined = 0;
   for (int i = 0; i < 4000; ++i) {
     const Expression expression = random.number(random.below(5));
     CAPTURE(to_string(expression));
     const Rational a = random.rational(-4, 5, 3), b = random.rational(-4, 5, 1), c = random.rational(1, 2, 5);
-    const Value<Rational> value = at(scope, a, b, c).number(compile(expression));
+    const Value<Rational> value = at(scope, a, b, c).number(compile(expression, abc_zero));
     try {
       const Rational expected = plain(expression, {{"a", a}, {"b", b}, {"c", c}, {"zero", 0}});
       REQUIRE(value.number);
@@ -121,7 +106,7 @@ TEST_CASE("numbers agree with a plain walk over the tree") {
 TEST_CASE("truth is Kleene's") {
   const Scope scope = plain_scope();
   auto evaluator = at(scope, 1, 2, 3);
-  const auto value = [&](const std::string& text) { return evaluator.truth(truth(text)); };
+  const auto value = [&](const std::string& text) { return evaluator.truth(compile(truth(text), abc_zero)); };
   CHECK(value("a < b") == Truth::yes);
   CHECK(value("a < b < c") == Truth::yes);
   CHECK(value("a < c < b") == Truth::no);
@@ -141,23 +126,21 @@ TEST_CASE("truth is Kleene's") {
 TEST_CASE("powers") {
   const Scope scope = plain_scope();
   auto evaluator = at(scope, Rational(2, 3), 2, 3);
-  CHECK(*evaluator.number(number("a^5")).number == Rational(32, 243));
-  CHECK(*evaluator.number(number("a^-3")).number == Rational(27, 8));
-  CHECK(*evaluator.number(number("zero^0")).number == 1);
-  CHECK_FALSE(evaluator.number(number("zero^-1")).number);
+  CHECK(*evaluator.number(compile(number("a^5"), abc_zero)).number == Rational(32, 243));
+  CHECK(*evaluator.number(compile(number("a^-3"), abc_zero)).number == Rational(27, 8));
+  CHECK(*evaluator.number(compile(number("zero^0"), abc_zero)).number == 1);
+  CHECK_FALSE(evaluator.number(compile(number("zero^-1"), abc_zero)).number);
 }
 
 TEST_CASE("definitions are evaluated when used, and once") {
   const std::vector<std::string> symbols{"a", "broken", "twice"};
   Scope scope;
   scope.slots.push_back({"a", std::nullopt});
-  scope.slots.push_back({"broken", compile(parse_expression("1/(a - a)", Sort::number), symbols)});
-  scope.slots.push_back({"twice", compile(parse_expression("2*a", Sort::number), symbols)});
+  scope.slots.push_back({"broken", compile(number("1/(a - a)"), symbols)});
+  scope.slots.push_back({"twice", compile(number("2*a"), symbols)});
   Evaluator<Rational> evaluator(scope);
   evaluator.set(0, Rational(3));
-  const auto truth_of = [&](const std::string& text) {
-    return evaluator.truth(compile(parse_expression(text, Sort::truth), symbols));
-  };
+  const auto truth_of = [&](const std::string& text) { return evaluator.truth(compile(truth(text), symbols)); };
   CHECK(truth_of("twice = 6 or broken > 0") == Truth::yes);
   CHECK(truth_of("broken > 0") == Truth::undefined);
   evaluator.set(0, Rational(4));

@@ -5,30 +5,22 @@
 #include <string>
 #include <vector>
 
-#include "claims/parser.hpp"
 #include "claims/random_expression.hpp"
+#include "support/formula.hpp"
 
 using namespace slipproof;
+using namespace slipproof::test;
 
 namespace {
 
-const std::vector<std::string> names{"F", "a", "b"};
+const std::vector<std::string> force_a_b{"F", "a", "b"};
 
-Program compile(const Expression& expression) {
-  return Program(expression, [&](std::string_view name) -> std::optional<std::size_t> {
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      if (names[i] == name) return i;
-    }
-    return std::nullopt;
-  });
-}
-
-struct Setting {
+struct ForceSetting {
   Scope scope{{{"F", {}}, {"a", {}}, {"b", {}}}};
   Evaluator<RationalFunction> functions{scope};
   Evaluator<Rational> numbers{scope};
 
-  Setting(const Rational& a, const Rational& b) {
+  ForceSetting(const Rational& a, const Rational& b) {
     functions.set(0, RationalFunction::variable());
     functions.set(1, a);
     functions.set(2, b);
@@ -38,7 +30,7 @@ struct Setting {
   std::string cells(const std::string& statement) {
     std::string text;
     constexpr const char* words[] = {"no", "yes", "undefined", "undecided"};
-    for (const TruthCell& cell : truth_over_forces(compile(parse_expression(statement, Sort::truth)), functions)) {
+    for (const TruthCell& cell : truth_over_forces(compile(truth(statement), force_a_b), functions)) {
       text += to_string(cell.forces) + " " + words[static_cast<int>(cell.truth)] + "; ";
     }
     return text;
@@ -48,7 +40,7 @@ struct Setting {
 }  // namespace
 
 TEST_CASE("the line of forces is cut where the truth changes") {
-  Setting at(2, 6);
+  ForceSetting at(2, 6);
   CHECK(at.cells("0 < F*a < b") == "(-oo, 0] no; (0, 3) yes; [3, +oo) no; ");
   CHECK(at.cells("0 <= F*a <= b") == "(-oo, 0) no; [0, 3] yes; (3, +oo) no; ");
   CHECK(at.cells("F = a or F > b") == "(-oo, 2) no; {2} yes; (2, 6] no; (6, +oo) yes; ");
@@ -63,9 +55,9 @@ TEST_CASE("the line of forces is cut where the truth changes") {
 }
 
 TEST_CASE("one interval, or none claimed") {
-  Setting at(2, 6);
+  ForceSetting at(2, 6);
   const auto interval = [&](const std::string& statement, const ForceInterval& within) {
-    const auto found = true_interval(compile(parse_expression(statement, Sort::truth)), at.functions, within);
+    const auto found = true_interval(compile(truth(statement), force_a_b), at.functions, within);
     return found ? to_string(*found) : "-";
   };
   const ForceInterval positive = ForceInterval::between(Rational(0), false, std::nullopt, false);
@@ -78,14 +70,14 @@ TEST_CASE("one interval, or none claimed") {
 }
 
 TEST_CASE("every cell says what evaluation at a force says") {
-  testing::RandomExpressions random(3, names);
+  testing::RandomExpressions random(3, force_a_b);
   int decided = 0;
   for (int i = 0; i < 2000; ++i) {
     const Rational a = random.rational(-3, 4, 1);
-    Setting at(a, random.rational(1, 2, 4));
+    ForceSetting at(a, random.rational(1, 2, 4));
     const Expression statement = random.truth(1 + random.below(3));
     CAPTURE(to_string(statement));
-    const Program program = compile(statement);
+    const Program program = compile(statement, force_a_b);
     for (const TruthCell& cell : truth_over_forces(program, at.functions)) {
       if (cell.truth == Truth::undecided) continue;
       at.numbers.reset();

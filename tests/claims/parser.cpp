@@ -6,19 +6,10 @@
 #include <vector>
 
 #include "claims/random_expression.hpp"
+#include "support/formula.hpp"
 
 using namespace slipproof;
-
-namespace {
-
-Expression number(const std::string& text) {
-  return parse_expression(text, Sort::number);
-}
-Expression truth(const std::string& text) {
-  return parse_expression(text, Sort::truth);
-}
-
-}  // namespace
+using namespace slipproof::test;
 
 TEST_CASE("operators bind as in mathematics") {
   // Left: as written; right: the same with every grouping spelled out.

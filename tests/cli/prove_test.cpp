@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/run_program.hpp"
+#include "support/small_claims.hpp"
 
 using slipproof::test::read_file;
 using slipproof::test::run;
@@ -12,48 +13,19 @@ using Json = nlohmann::json;
 namespace {
 
 /// A paper with one claim.
-const std::string one_claim = R"(schema = "slipproof/claims/1"
-[paper]
-title = "t"
-authors = ["n"]
-source = "t.tex"
-[[setting]]
-id = "s"
-line = 1
-statement = "s"
-motions = "strict"
-[setting.parameters]
-b = { domain = "b > 0", line = 1, meaning = "half the distance of the axles" }
-[setting.force]
-symbol = "F"
-kind = "internal"
-domain = "F > 0"
-line = 1
-[setting.scene]
-M = "1"
-R = "1"
-h = "1"
-b2 = "b"
-b3 = "b"
-I1 = "1"
-I2 = "1"
-I3 = "1"
-r1 = "1"
-r2 = "1"
-L = "1"
-J = "1"
-f = "1"
-g = "1"
-F = "F"
-[[claim]]
+const std::string one_claim =
+    slipproof::test::SmallClaims{
+        .parameters = "b = { domain = \"b > 0\", line = 1, meaning = \"half the distance of the axles\" }\n",
+        .detachment = true,
+        .claims = R"([[claim]]
 id = "ahead"
-setting = "s"
 line = 1
 statement = "it goes ahead"
 kind = "formula"
 mode = "stick/stick"
 holds = "a > 0"
-)";
+)"}
+        .text();
 
 const std::string proofs = SLIPPROOF_SOURCE_DIR "/proofs/rozenblat-yashin/";
 

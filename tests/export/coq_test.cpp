@@ -11,13 +11,13 @@
 #include "input/diagnostic.hpp"
 #include "prove/prove_files.hpp"
 #include "support/run_program.hpp"
+#include "support/shipped.hpp"
 
 using namespace slipproof;
 using test::read_file;
+using test::shipped_folder;
 
 namespace {
-
-const std::filesystem::path kProofs = SLIPPROOF_SOURCE_DIR "/proofs/rozenblat-yashin";
 
 const std::string kStatement =
     "slipproof-statement 1\ntheorem small.one\nreal x end\nassume domain: end > 0\nlet q = x/end\nassume large: q > 1\n"
@@ -46,7 +46,7 @@ std::string message(const std::string& text) {
 
 TEST_CASE("shipped certificates read back as they were written") {
   std::size_t count = 0;
-  for (const std::filesystem::path& file : statements_in(kProofs)) {
+  for (const std::filesystem::path& file : statements_in(shipped_folder)) {
     std::filesystem::path path = file;
     const std::string text = read_file(path.replace_extension(".cert"));
     if (text.empty() || text.size() > 300'000) continue;

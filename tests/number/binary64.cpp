@@ -14,12 +14,14 @@
 #include <string>
 
 #include "number/parse.hpp"
+#include "support/random_binary64.hpp"
 
 using slipproof::enclose;
 using slipproof::Integer;
 using slipproof::nearest_binary64;
 using slipproof::Rational;
 using slipproof::to_rational;
+using slipproof::test::random_finite;
 
 namespace {
 
@@ -52,13 +54,6 @@ void check_against_mpfr(const Rational& x) {
   CHECK(nearest_binary64(x) == mpfr_rounded(x, MPFR_RNDN));
   CHECK(enclose(x).lower == mpfr_rounded(x, MPFR_RNDD));
   CHECK(enclose(x).upper == mpfr_rounded(x, MPFR_RNDU));
-}
-
-double random_finite(std::mt19937_64& random) {
-  for (;;) {
-    const auto x = std::bit_cast<double>(random());
-    if (std::isfinite(x)) return x;
-  }
 }
 
 }  // namespace

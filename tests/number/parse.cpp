@@ -10,24 +10,18 @@
 #include <string>
 
 #include "number/binary64.hpp"
+#include "support/random_binary64.hpp"
 
 using slipproof::Integer;
 using slipproof::NumberError;
 using slipproof::parse_rational;
 using slipproof::Rational;
+using slipproof::test::random_finite;
 
 namespace {
 
 Rational power_of_ten(unsigned n) {
   return Rational(boost::multiprecision::pow(Integer(10), n));
-}
-
-/// Every finite binary64 is as likely as any other.
-double random_finite(std::mt19937_64& random) {
-  for (;;) {
-    const auto x = std::bit_cast<double>(random());
-    if (std::isfinite(x)) return x;
-  }
 }
 
 }  // namespace

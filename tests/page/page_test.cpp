@@ -11,7 +11,7 @@
 #include "page/trade_data.hpp"
 #include "report/trade_report.hpp"
 #include "support/run_program.hpp"
-#include "verify/shipped.hpp"
+#include "support/shipped.hpp"
 
 using namespace slipproof;
 

@@ -16,7 +16,7 @@
 #include "picture/phase_svg.hpp"
 #include "picture/scene_plane.hpp"
 #include "support/random_scene.hpp"
-#include "verify/shipped.hpp"
+#include "support/shipped.hpp"
 #include "verify/solved_sample.hpp"
 
 using namespace slipproof;

@@ -14,12 +14,12 @@
 #include "prove/prove.hpp"
 #include "prove/statement.hpp"
 #include "prove/truth_text.hpp"
+#include "support/shipped.hpp"
 
 namespace {
 
 using namespace slipproof;
-
-const std::filesystem::path kFolder = std::filesystem::path(SLIPPROOF_SOURCE_DIR) / "proofs" / "rozenblat-yashin";
+using test::shipped_folder;
 
 std::string rejection(const std::filesystem::path& certificate) {
   return check::check_file(certificate).message;
@@ -51,23 +51,23 @@ std::string with_numbers(std::string text, const std::map<std::string, Rational>
 }  // namespace
 
 TEST_CASE("Assertions 1 to 4 are proved in the reading in which they are true") {
-  const ClaimsFile claims = read_claims(kFolder / "claims.toml");
+  const ClaimsFile claims = read_claims(shipped_folder / "claims.toml");
   for (const char* id : {"A1.1", "A1.1a", "A1.2",  "A1.2a", "A2.1", "A2.1a", "A2.2", "A2.2a", "A2.3", "A2.3a",
                          "A2.4", "A3.1",  "A3.1a", "A3.2",  "A4.1", "A4.1a", "A4.2", "A4.2a", "A4.3", "A5.1"}) {
     const Claim* claim = claims.find(id);
     REQUIRE_MESSAGE(claim != nullptr, id);
-    const ClaimProof proof = find_claim_proof(claims, *claim, Reading::repaired, kFolder, rejection);
+    const ClaimProof proof = find_claim_proof(claims, *claim, Reading::repaired, shipped_folder, rejection);
     INFO(id, ": ", proof.problems.empty() ? "" : proof.problems.front());
     CHECK(proof.proved);
   }
 }
 
 TEST_CASE("what is false in print has no proof") {
-  const ClaimsFile claims = read_claims(kFolder / "claims.toml");
+  const ClaimsFile claims = read_claims(shipped_folder / "claims.toml");
   for (const char* id : {"A2.1", "A2.cover", "A3.cover", "A4.cover", "A5.1"}) {
     const Claim* claim = claims.find(id);
     REQUIRE_MESSAGE(claim != nullptr, id);
-    const ClaimProof proof = find_claim_proof(claims, *claim, Reading::printed, kFolder, rejection);
+    const ClaimProof proof = find_claim_proof(claims, *claim, Reading::printed, shipped_folder, rejection);
     CHECK(!proof.proved);
     CHECK(!proof.problems.empty());
   }
@@ -75,7 +75,7 @@ TEST_CASE("what is false in print has no proof") {
 
 TEST_CASE("every claim has a proof or a refutation, as far as statements can say it") {
   for (const char* paper : {"rozenblat-yashin", "rear-drive"}) {
-    const std::filesystem::path folder = kFolder.parent_path() / paper;
+    const std::filesystem::path folder = shipped_folder.parent_path() / paper;
     const std::vector<NamedStatement> statements = paper_statements(read_claims(folder / "claims.toml"));
     CHECK(statements.size() > 30);
     for (const NamedStatement& statement : statements) {
@@ -97,7 +97,7 @@ TEST_CASE("truth values find their words") {
 }
 
 TEST_CASE("a false claim is refuted by a theorem, and a true one is not") {
-  const ClaimsFile claims = read_claims(kFolder / "claims.toml");
+  const ClaimsFile claims = read_claims(shipped_folder / "claims.toml");
   for (const char* id : {"A2.1", "A3.cover", "A5.1", "E4.1.2", "T4.7"}) {
     const auto statements = claim_refutation(claims, *claims.find(id), Reading::printed);
     REQUIRE(statements.size() == 1);
@@ -113,19 +113,19 @@ TEST_CASE("a false claim is refuted by a theorem, and a true one is not") {
 }
 
 TEST_CASE("a claim that changes loses its proof") {
-  ClaimsFile claims = read_claims(kFolder / "claims.toml");
+  ClaimsFile claims = read_claims(shipped_folder / "claims.toml");
   const Claim* claim = claims.find("A1.1");
-  REQUIRE(find_claim_proof(claims, *claim, Reading::printed, kFolder, rejection).proved);
+  REQUIRE(find_claim_proof(claims, *claim, Reading::printed, shipped_folder, rejection).proved);
   for (Setting& setting : claims.settings) {
     for (Definition& definition : setting.definitions) {
       if (definition.symbol == "b0") definition.printed = make_symbol("R");
     }
   }
-  CHECK(!find_claim_proof(claims, *claim, Reading::printed, kFolder, rejection).proved);
+  CHECK(!find_claim_proof(claims, *claim, Reading::printed, shipped_folder, rejection).proved);
 }
 
 TEST_CASE("the statements' mechanics accept the motions of the mode solver, and nothing beside them") {
-  const ClaimsFile claims = read_claims(kFolder / "claims.toml");
+  const ClaimsFile claims = read_claims(shipped_folder / "claims.toml");
   struct Sample {
     const char* id;
     Rational b, F;

@@ -4,39 +4,32 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "check/files.hpp"
 #include "input/diagnostic.hpp"
 #include "prove/prove_files.hpp"
+#include "support/run_program.hpp"
+#include "support/shipped.hpp"
 
-namespace {
-
-const std::filesystem::path kFolder = std::filesystem::path(SLIPPROOF_SOURCE_DIR) / "proofs" / "rozenblat-yashin";
-
-std::string content(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-}  // namespace
+using slipproof::test::read_file;
+using slipproof::test::shipped_folder;
 
 TEST_CASE("certificates of Assertions 1 to 4 are found again, byte for byte") {
   for (const char* name : {"A1.1.always", "A1.1.only-then", "A2.1.repaired.always", "A2.2.repaired.only-then",
                            "A3.1.always", "A3.2", "A4.1.always", "A4.3", "A5.1.repaired.3"}) {
-    const auto statement = kFolder / (std::string(name) + ".statement");
-    const slipproof::ProofOutcome outcome = slipproof::prove_statement(statement.string(), content(statement));
+    const auto statement = shipped_folder / (std::string(name) + ".statement");
+    const slipproof::ProofOutcome outcome = slipproof::prove_statement(statement.string(), read_file(statement));
     CHECK(outcome.theorem == name);
     REQUIRE(outcome.proved());
-    CHECK(outcome.certificate == content(kFolder / (std::string(name) + ".cert")));
+    CHECK(outcome.certificate == read_file(shipped_folder / (std::string(name) + ".cert")));
   }
 }
 
 TEST_CASE("a false statement stays undecided, with what was left") {
   // The wrong end of Assertion 1: the motion exists up to xi1, not up to 2 xi1.
-  std::string text = content(kFolder / "A1.1.always.statement");
+  std::string text = read_file(shipped_folder / "A1.1.always.statement");
   const std::string bound = "F * sigma < xi1";
   REQUIRE(text.find(bound) != std::string::npos);
   text.replace(text.find(bound), bound.size(), "F * sigma < 2*xi1");
@@ -48,7 +41,7 @@ TEST_CASE("a false statement stays undecided, with what was left") {
 }
 
 TEST_CASE("the limit on steps ends a search, the same way each time") {
-  const std::string text = content(kFolder / "theorems" / "A5.2.cell.lifts.3.statement");
+  const std::string text = read_file(shipped_folder / "theorems" / "A5.2.cell.lifts.3.statement");
   slipproof::prove::Limits limits;
   limits.steps = 20'000;
   const slipproof::ProofOutcome first = slipproof::prove_statement("limited", text, limits);
@@ -59,7 +52,7 @@ TEST_CASE("the limit on steps ends a search, the same way each time") {
 }
 
 TEST_CASE("the number of threads does not change a byte") {
-  std::vector<std::filesystem::path> statements = slipproof::statements_in(kFolder / "theorems");
+  std::vector<std::filesystem::path> statements = slipproof::statements_in(shipped_folder / "theorems");
   std::erase_if(statements,
                 [](const auto& path) { return path.filename().string().find("cell") != std::string::npos; });
   REQUIRE(statements.size() > 20);
@@ -70,7 +63,7 @@ TEST_CASE("the number of threads does not change a byte") {
     INFO(one[i].theorem);
     CHECK(one[i].proved());
     CHECK(one[i].certificate == several[i].certificate);
-    CHECK(one[i].certificate == content(std::filesystem::path(statements[i]).replace_extension(".cert")));
+    CHECK(one[i].certificate == read_file(std::filesystem::path(statements[i]).replace_extension(".cert")));
   }
 }
 

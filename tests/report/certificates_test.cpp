@@ -8,24 +8,18 @@
 #include "report/errata.hpp"
 #include "report/verify_report.hpp"
 #include "support/run_program.hpp"
+#include "support/shipped.hpp"
 
 using namespace slipproof;
 using test::read_file;
 
 namespace {
 
-const std::filesystem::path kProofs = SLIPPROOF_SOURCE_DIR "/proofs/rozenblat-yashin";
-
-const ClaimsFile& paper() {
-  static const ClaimsFile file = read_claims(kProofs / "claims.toml");
-  return file;
-}
-
 VerifyResult sampled(const std::string& only) {
   VerifyOptions options;
   options.samples = 200;
   options.only = only;
-  return verify(paper(), options);
+  return verify(test::shipped_paper(), options);
 }
 
 /// A folder with the statements and certificates of A1.1.
@@ -37,7 +31,7 @@ class Folder : public test::TemporaryFolder {
     }
   }
   void copy(const std::string& from, const std::string& to, const std::string& kind) const {
-    write(to + kind, read_file(kProofs / (from + kind)));
+    write(to + kind, read_file(test::shipped_folder / (from + kind)));
   }
   void replace(const std::string& file, const std::string& from, const std::string& to) const {
     std::string text = read_file(path() / file);
@@ -48,7 +42,7 @@ class Folder : public test::TemporaryFolder {
   ClaimResult judge() const {
     VerifyResult result = sampled("A1.1");
     REQUIRE(result.claims.size() == 2);  // A1.1 and A1.1a
-    find_certificates(paper(), result, path());
+    find_certificates(test::shipped_paper(), result, path());
     return result.claims.front();
   }
 };
@@ -120,11 +114,11 @@ TEST_CASE("a sample that refutes what certificates prove is a contradiction, and
   VerifyResult result = sampled("A1.1");
   result.claims.front().verdict = Verdict::refuted;
   result.claims.front().refuted = 1;
-  find_certificates(paper(), result, folder.path());
+  find_certificates(test::shipped_paper(), result, folder.path());
   CHECK(result.claims.front().verdict == Verdict::refuted);
   CHECK_FALSE(result.claims.front().proved);
   CHECK(result.claims.front().rejections.size() == 1);
-  CHECK(summary(paper(), result) == Summary::rejected);
+  CHECK(summary(test::shipped_paper(), result) == Summary::rejected);
 }
 
 TEST_CASE("no statement speaks of bicycles at which a claim has no value") {
@@ -132,11 +126,11 @@ TEST_CASE("no statement speaks of bicycles at which a claim has no value") {
   VerifyResult result = sampled("A1.1");
   result.claims.front().verdict = Verdict::undecided;
   result.claims.front().undecided = 1;
-  find_certificates(paper(), result, folder.path());
+  find_certificates(test::shipped_paper(), result, folder.path());
   CHECK(result.claims.front().verdict == Verdict::undecided);
   // Where no sample at all fell into the claim's region, the proof stands alone.
   result.claims.front().held = result.claims.front().undecided = 0;
-  find_certificates(paper(), result, folder.path());
+  find_certificates(test::shipped_paper(), result, folder.path());
   CHECK(result.claims.front().verdict == Verdict::holds);
   CHECK(result.claims.front().proved);
 }
@@ -144,19 +138,19 @@ TEST_CASE("no statement speaks of bicycles at which a claim has no value") {
 TEST_CASE("the errata name the certificates of a repair, or the number of its samples") {
   VerifyResult result = sampled("");
   const auto certainty = [&](const std::string& id) {
-    for (const Finding& finding : errata(paper(), result)) {
+    for (const Finding& finding : errata(test::shipped_paper(), result)) {
       if (finding.id == id) return error_certainty(finding) + "; " + repair_certainty(finding);
     }
     return std::string("no such finding");
   };
   CHECK(certainty("R2.3.2").starts_with("sampled (200 samples)"));
-  const std::string samples = std::to_string(result.find(paper(), "A2.4", Reading::repaired)->samples());
+  const std::string samples = std::to_string(result.find(test::shipped_paper(), "A2.4", Reading::repaired)->samples());
   CHECK(certainty("A2.4") == "exact; sampled (" + samples + " samples)");
-  find_certificates(paper(), result, kProofs);
+  find_certificates(test::shipped_paper(), result, test::shipped_folder);
   CHECK(certainty("A2.4") == "exact; proved for all parameters (certificate A2.4.repaired.cert)");
   CHECK(certainty("E4.1.2") ==
         "exact (certificate E4.1.2.refuted.cert); proved for all parameters (certificate E4.1.2.repaired.cert)");
   CHECK(certainty("R2.3.2").starts_with("exact (certificate R2.3.2.refuted.cert)"));  // that there is none
-  const std::string text = errata_text(paper(), errata(paper(), result));
+  const std::string text = errata_text(test::shipped_paper(), errata(test::shipped_paper(), result));
   CHECK(text.find("repair proved for all parameters (certificate A2.4.repaired.cert)") != std::string::npos);
 }

@@ -6,21 +6,18 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "support/shipped.hpp"
+
 using namespace slipproof;
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 namespace {
-
-const ClaimsFile& paper() {
-  static const ClaimsFile file = read_claims(SLIPPROOF_SOURCE_DIR "/proofs/rozenblat-yashin/claims.toml");
-  return file;
-}
 
 const std::vector<Finding>& findings() {
   static const std::vector<Finding> list = [] {
     VerifyOptions options;
     options.samples = 300;
-    return errata(paper(), verify(paper(), options));
+    return errata(test::shipped_paper(), verify(test::shipped_paper(), options));
   }();
   return list;
 }
@@ -34,10 +31,10 @@ const Finding& finding(const std::string& id) {
 }  // namespace
 
 TEST_CASE("every numbered equation of the paper has a claim, and the table shows it") {
-  CHECK(paper().paper.equations.size() == 31);  // (1.1)-(1.5), (2.1)-(2.8), (3.1), (4.1)-(4.17)
-  CHECK(uncovered_equations(paper()).empty());
-  CHECK(coverage_markdown(paper()).find("| (4.9) | 308 | E4.9.plus, E4.9.minus |") != std::string::npos);
-  ClaimsFile less = paper();
+  CHECK(test::shipped_paper().paper.equations.size() == 31);  // (1.1)-(1.5), (2.1)-(2.8), (3.1), (4.1)-(4.17)
+  CHECK(uncovered_equations(test::shipped_paper()).empty());
+  CHECK(coverage_markdown(test::shipped_paper()).find("| (4.9) | 308 | E4.9.plus, E4.9.minus |") != std::string::npos);
+  ClaimsFile less = test::shipped_paper();
   std::erase_if(less.claims, [](const Claim& claim) { return claim.equation == "4.9"; });
   CHECK(uncovered_equations(less) == std::vector<std::string>{"4.9"});
 }
@@ -70,7 +67,7 @@ TEST_CASE("every finding is listed once, with the claims that it touches") {
   CHECK(finding("A2.4").wrong.find("A2.cover: no line speaks of this bicycle") != std::string::npos);
   CHECK(finding("4.3.F_sigma").claims == std::vector<std::string>{"E4.3.plus", "E4.3.minus"});
   CHECK(finding("4.8.EST").repair == "EST = F * sigma");
-  for (const Claim& claim : paper().claims) {  // every graded claim is there, once or as a part
+  for (const Claim& claim : test::shipped_paper().claims) {  // every graded claim is there, once or as a part
     if (!claim.grade) continue;
     CAPTURE(claim.id);
     const auto touches = [&](const Finding& f) {
@@ -87,27 +84,28 @@ TEST_CASE("what is true instead makes an error certain") {
   VerifyOptions options;
   options.samples = 50;
   options.only = "R2.3";
-  VerifyResult result = verify(paper(), options);
+  VerifyResult result = verify(test::shipped_paper(), options);
   for (ClaimResult& r : result.claims) {
-    if (paper().claims[r.claim].id != "R2.3.3") continue;
+    if (test::shipped_paper().claims[r.claim].id != "R2.3.3") continue;
     r.proved = true;
     r.certificates = {"R2.3.3"};
   }
-  const auto list = errata(paper(), result);
+  const auto list = errata(test::shipped_paper(), result);
   const auto found = std::find_if(list.begin(), list.end(), [](const Finding& f) { return f.id == "R2.3.2"; });
   REQUIRE(found != list.end());
   CHECK(error_certainty(*found) == "proved for all parameters (R2.3.3)");
 }
 
 TEST_CASE("text, Markdown, JSON and SARIF hold the same findings") {
-  const Json json = Json::parse(errata_json(paper(), findings())),
-             sarif = Json::parse(errata_sarif(paper(), findings()));
+  const Json json = Json::parse(errata_json(test::shipped_paper(), findings())),
+             sarif = Json::parse(errata_sarif(test::shipped_paper(), findings()));
   CHECK(json["schema"] == "slipproof/errata/1");
   CHECK(sarif["version"] == "2.1.0");
   const Json& results = sarif["runs"][0]["results"];
   REQUIRE(json["findings"].size() == findings().size());
   REQUIRE(results.size() == findings().size());
-  const std::string text = errata_text(paper(), findings()), markdown = errata_markdown(paper(), findings());
+  const std::string text = errata_text(test::shipped_paper(), findings()),
+                    markdown = errata_markdown(test::shipped_paper(), findings());
   for (std::size_t i = 0; i < findings().size(); ++i) {
     const Finding& f = findings()[i];
     CHECK(json["findings"][i]["id"] == f.id);

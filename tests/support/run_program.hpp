@@ -67,4 +67,8 @@ inline Outcome run(const std::vector<std::string>& arguments, const std::string&
           read_file(folder.path() / "err")};
 }
 
+inline std::string last_line(const std::string& out) {
+  return out.substr(out.rfind('\n', out.size() - 2) + 1);
+}
+
 }  // namespace slipproof::test

@@ -8,9 +8,10 @@
 
 #include "check/files.hpp"
 #include "support/run_program.hpp"
+#include "support/shipped.hpp"
+#include "support/small_claims.hpp"
 #include "verify/mutation.hpp"
 #include "verify/sampler.hpp"
-#include "verify/shipped.hpp"
 
 using namespace slipproof;
 
@@ -80,46 +81,16 @@ std::size_t check_lemmas(const MutationResult& result) {
 }
 
 std::string with_claim(const std::string& holds, const std::string& kind = "formula") {
-  return R"(
-schema = "slipproof/claims/1"
-[paper]
-title = "t"
-authors = ["a"]
-source = "s"
-[[setting]]
-id = "s"
-line = 1
-statement = "s"
-motions = "strict"
-[setting.parameters]
-b = { domain = "b > 0", meaning = "m" }
+  return test::SmallClaims{.parameters = R"(b = { domain = "b > 0", meaning = "m" }
 f = { domain = "f > 0", meaning = "m" }
-[setting.force]
-symbol = "P"
-kind = "internal"
-domain = "P > 0"
-[setting.scene]
-M = "1"
-R = "1"
-h = "1"
-b2 = "b"
-b3 = "b"
-I1 = "1"
-I2 = "1"
-I3 = "1"
-r1 = "1"
-r2 = "1"
-L = "1"
-f = "f"
-g = "1"
-F = "P"
-[[claim]]
+)",
+                           .force = "P",
+                           .claims = R"([[claim]]
 id = "C"
-setting = "s"
 line = 1
 statement = "c"
-kind = ")" +
-         kind + "\"\n" + holds + "\n";
+kind = ")" + kind + "\"\n" + holds + "\n"}
+      .text();
 }
 
 std::map<std::string, MutantEnd> ends(const std::string& claim, const std::string& kind = "formula") {

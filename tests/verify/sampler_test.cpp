@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "verify/shipped.hpp"
+#include "support/shipped.hpp"
 
 using namespace slipproof;
 

@@ -4,57 +4,28 @@
 
 #include <algorithm>
 
-#include "verify/shipped.hpp"
+#include "support/small_claims.hpp"
 
 using namespace slipproof;
 
 namespace {
 
 /// Three parameters, so that a search without any cleverness can go through all of them.
-const char* const small_file = R"(
-schema = "slipproof/claims/1"
-[paper]
-title = "three parameters"
-authors = ["nobody"]
-source = "none.tex"
-[[setting]]
-id = "all"
-line = 1
-statement = "all"
-motions = "strict"
-boundaries = ["b = f*h"]
-[setting.parameters]
-b = { domain = "b > 0", line = 1, meaning = "b" }
+const std::string three_parameters =
+    test::SmallClaims{.parameters = R"(b = { domain = "b > 0", line = 1, meaning = "b" }
 f = { domain = "f > 0", line = 1, meaning = "f" }
 h = { domain = "h > -1", line = 1, meaning = "h" }
-[setting.force]
-symbol = "F"
-kind = "internal"
-domain = "F > 0"
-line = 1
-[setting.scene]
-M = "1"
-R = "1"
-h = "h"
-b2 = "b"
-b3 = "b"
-I1 = "1"
-I2 = "1"
-I3 = "1"
-r1 = "1"
-r2 = "1"
-L = "1"
-f = "f"
-g = "1"
-F = "F"
-[[claim]]
+)",
+                      .in_setting = "boundaries = [\"b = f*h\"]\n",
+                      .claims = R"([[claim]]
 id = "C1"
 line = 1
 statement = "any"
 kind = "interval"
 mode = "stick/stick"
 forces = "0 < F < 1"
-)";
+)"}
+        .text();
 
 using Fails = std::function<bool(const std::vector<Rational>&)>;
 
@@ -83,7 +54,7 @@ std::vector<Rational> by_brute_force(const CompiledSetting& setting, const Fails
 }  // namespace
 
 TEST_CASE("the counterexample found is a simplest one: as simple as brute force finds") {
-  const ClaimsFile file = parse_claims(small_file, "small.toml");
+  const ClaimsFile file = parse_claims(three_parameters, "small.toml");
   const CompiledClaims compiled(file);
   const CompiledSetting& setting = compiled.settings[0];
   const std::vector<std::pair<Fails, std::vector<Rational>>> failures{
@@ -107,7 +78,7 @@ TEST_CASE("the counterexample found is a simplest one: as simple as brute force 
 }
 
 TEST_CASE("a failure of a boundary stays on it") {
-  const ClaimsFile file = parse_claims(small_file, "small.toml");
+  const ClaimsFile file = parse_claims(three_parameters, "small.toml");
   const CompiledClaims compiled(file);
   const Fails on_boundary = [](const auto& v) { return v[0] == v[1] * v[2] && v[2] > 1; };
   const Simplified found =
@@ -116,7 +87,7 @@ TEST_CASE("a failure of a boundary stays on it") {
 }
 
 TEST_CASE("out of budget: still a failing sample, simpler than the first, and not called minimal") {
-  const ClaimsFile file = parse_claims(small_file, "small.toml");
+  const ClaimsFile file = parse_claims(three_parameters, "small.toml");
   const CompiledClaims compiled(file);
   const Fails far = [](const auto& v) { return v[0] > 1000 && v[1] > 900; };
   const std::vector<Rational> start{Rational(1000001, 7), Rational(99999, 11), Rational(3, 7)};

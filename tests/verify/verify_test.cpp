@@ -6,8 +6,8 @@
 #include "claims/parser.hpp"
 #include "model/conditions.hpp"
 #include "report/verify_report.hpp"
+#include "support/shipped.hpp"
 #include "support/unknowns.hpp"
-#include "verify/shipped.hpp"
 
 using namespace slipproof;
 

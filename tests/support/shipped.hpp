@@ -1,12 +1,16 @@
 // The shipped paper, for tests.
 #pragma once
 
+#include <filesystem>
+
 #include "claims/claims_file.hpp"
 
 namespace slipproof::test {
 
+inline const std::filesystem::path shipped_folder = SLIPPROOF_SOURCE_DIR "/proofs/rozenblat-yashin";
+
 inline const ClaimsFile& shipped_paper() {
-  static const ClaimsFile file = read_claims(SLIPPROOF_SOURCE_DIR "/proofs/rozenblat-yashin/claims.toml");
+  static const ClaimsFile file = read_claims(shipped_folder / "claims.toml");
   return file;
 }
 
