@@ -43,9 +43,9 @@ auto& part_of(File& file, const ClaimsMutant& mutant) {
   return part_of(file.claims[mutant.index].printed, mutant.part, mutant.item);
 }
 
-class Enumeration {
+class ClaimsEnumeration {
  public:
-  explicit Enumeration(const ClaimsFile& file) : file_(file) {
+  explicit ClaimsEnumeration(const ClaimsFile& file) : file_(file) {
     for (const Setting& setting : file.settings) names_.emplace_back(setting);
   }
 
@@ -185,7 +185,7 @@ void ClaimsMutant::put(const Expression& expression, CompiledClaims& compiled) c
 }
 
 std::vector<ClaimsMutant> mutants(const ClaimsFile& file) {
-  return Enumeration(file).all();
+  return ClaimsEnumeration(file).all();
 }
 
 }  // namespace slipproof

@@ -31,9 +31,9 @@ std::string_view word(Operation operation) {
 }
 
 // Walks down; `around` puts a changed subtree back into the whole.
-class Enumeration {
+class FormulaEnumeration {
  public:
-  explicit Enumeration(const std::vector<std::string>& symbols) : symbols_(symbols) {}
+  explicit FormulaEnumeration(const std::vector<std::string>& symbols) : symbols_(symbols) {}
   using Around = std::function<Expression(Expression)>;
 
   void visit(const Expression& expression, const Around& around) {
@@ -206,7 +206,7 @@ class Enumeration {
 }  // namespace
 
 std::vector<Mutant> mutants(const Expression& expression, const std::vector<std::string>& symbols) {
-  Enumeration enumeration(symbols);
+  FormulaEnumeration enumeration(symbols);
   enumeration.visit(expression, [](Expression changed) { return changed; });
   std::vector<Mutant> found = enumeration.take();
   std::erase_if(found, [&](const Mutant& mutant) { return same(mutant.expression, expression); });

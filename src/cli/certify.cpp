@@ -15,13 +15,13 @@ namespace slipproof::cli {
 
 namespace {
 
-struct Options {
+struct CertifyArguments {
   CommonOptions common;
   CertifyOptions certify;
   std::string file, scene, decimal = "nearest", broken = "report", format, summary;
 };
 
-RecordFormat format_of(const Options& options) {
+RecordFormat format_of(const CertifyArguments& options) {
   if (options.format == "jsonl") return RecordFormat::json_lines;
   if (options.format == "csv") return RecordFormat::csv;
   const auto ends_with = [&](std::string_view end) { return options.file.ends_with(end); };
@@ -45,7 +45,7 @@ std::string summary_text(const CertifySummary& s) {
 }
 
 /// A line on a terminal's standard error, twice a second at most.
-Progress progress_bar(bool wanted) {
+Progress record_counter(bool wanted) {
   if (!wanted || isatty(STDERR_FILENO) == 0) return {};
   auto last = std::make_shared<std::chrono::steady_clock::time_point>();
   return [last](std::uint64_t records) {
@@ -56,7 +56,7 @@ Progress progress_bar(bool wanted) {
   };
 }
 
-int run(Options& options) {
+int run_certify(CertifyArguments& options) {
   options.certify.format = format_of(options);
   options.certify.file = options.file;
   options.certify.decimal_exact = options.decimal == "exact";
@@ -77,7 +77,7 @@ int run(Options& options) {
     if (!summary_file) throw cannot_write();
   }
   const bool quiet = options.common.quiet;
-  const Progress progress = progress_bar(!quiet);
+  const Progress progress = record_counter(!quiet);
   const LineSink sink = [&](std::string_view lines) {
     if (!quiet) print(lines);
   };
@@ -99,7 +99,7 @@ int run(Options& options) {
 }  // namespace
 
 void add_certify(CLI::App& app, int& exit_code) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CertifyArguments>();
   CLI::App& command = *app.add_subcommand(
       "certify",
       "Certify outputs of floating-point solvers, of scenes or of contact problems:\na line of JSON for each");
@@ -122,7 +122,7 @@ void add_certify(CLI::App& app, int& exit_code) {
   command.add_flag("--ignore-unknown", options->certify.ignore_unknown, "Pass over columns that are no field");
   command.add_option("--summary", options->summary, "Write the counts to this file, as JSON");
   add_common_options(command, options->common);
-  command.callback([options, &exit_code] { exit_code = run(*options); });
+  command.callback([options, &exit_code] { exit_code = run_certify(*options); });
 }
 
 }  // namespace slipproof::cli

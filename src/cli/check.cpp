@@ -10,7 +10,7 @@ namespace slipproof::cli {
 
 namespace {
 
-struct Options {
+struct CheckArguments {
   CommonOptions common;
   std::vector<std::string> certificates;
 };
@@ -18,7 +18,7 @@ struct Options {
 }  // namespace
 
 void add_check(CLI::App& app, int& exit_code) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CheckArguments>();
   CLI::App& command =
       *app.add_subcommand("check", "Certificates against their statements; slipproof-check does the same");
   command.add_option("CERT", options->certificates, "Certificates, or folders of them")->required();

@@ -17,7 +17,7 @@ namespace slipproof::cli {
 
 namespace {
 
-struct Options {
+struct MapArguments {
   CommonOptions common;
   std::string scene, x = "f", y = "F", out;
   std::vector<std::string> x_range, y_range;
@@ -51,14 +51,14 @@ std::string axis_or_complaint(const std::string& text) {
 }
 
 /// A name that says neither SVG nor PNG must not get one of them unasked.
-void expect_picture_name(const Options& options) {
+void expect_picture_name(const MapArguments& options) {
   const bool asked = options.svg || options.png || options.common.json || options.out.empty() || options.out == "-";
   if (asked || options.out.ends_with(".svg") || options.out.ends_with(".png")) return;
   throw CLI::ValidationError("--out", "found " + in_quotes(options.out) +
                                           ", expected a name that ends in .svg or .png; or say --svg or --png");
 }
 
-PhaseDiagram diagram_of(const Options& options) {
+PhaseDiagram diagram_of(const MapArguments& options) {
   SceneAxes axes;
   axes.x = options.x;
   set_range(options.x_range, axes.x_from, axes.x_to);
@@ -74,7 +74,7 @@ PhaseDiagram diagram_of(const Options& options) {
 }  // namespace
 
 void add_map(CLI::App& app, int& exit_code) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MapArguments>();
   CLI::App& command =
       *app.add_subcommand("map", "The phase diagram of a scene: a parameter and the force, exact in every column");
   command.add_option("SCENE", options->scene, "Scene file (TOML)")->required();

@@ -15,7 +15,7 @@ namespace slipproof::cli {
 
 namespace {
 
-struct Options {
+struct ProveArguments {
   CommonOptions common;
   std::string claims;
   std::string out, smtlib, coq;
@@ -117,7 +117,7 @@ Json as_json(const std::vector<ProofOutcome>& outcomes) {
 }  // namespace
 
 void add_prove(CLI::App& app, int& exit_code) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ProveArguments>();
   CLI::App& command = *app.add_subcommand("prove", "The claims for all parameters; writes a certificate for each");
   command.add_option("CLAIMS", options->claims,
                      "Claims file; beside it and below may stand statements of one's own; default: the shipped paper");

@@ -14,7 +14,7 @@ namespace slipproof::cli {
 
 namespace {
 
-struct Options {
+struct ReportArguments {
   CommonOptions common;
   VerifyOptions verify;
   std::string claims, trade, out = "report.html";
@@ -23,7 +23,7 @@ struct Options {
 }  // namespace
 
 void add_report(CLI::App& app, int& exit_code) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReportArguments>();
   CLI::App& command =
       *app.add_subcommand("report", "One self-contained HTML file with everything: verdicts, proofs, pictures");
   command.add_option("CLAIMS", options->claims, "Claims file (TOML); default: the shipped paper");

@@ -9,7 +9,7 @@ namespace slipproof::cli {
 
 namespace {
 
-struct Options {
+struct SolveArguments {
   CommonOptions common;
   SolveReportOptions report;
   std::string scene;
@@ -23,7 +23,7 @@ std::string last_line(const std::string& text) {
 }  // namespace
 
 void add_solve(CLI::App& app, int& exit_code) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SolveArguments>();
   CLI::App& command = *app.add_subcommand("solve", "Every motion of a scene; without a force, for every force at once");
   command.add_option("SCENE", options->scene, "Scene file (TOML)")->required();
   command.add_flag("--chain", options->report.chain, "Also the sprocket's acceleration and the chain tension");

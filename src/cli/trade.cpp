@@ -13,13 +13,13 @@ namespace slipproof::cli {
 
 namespace {
 
-struct Options {
+struct TradeArguments {
   CommonOptions common;
   TradeOptions trade;
   bool quick = false;
 };
 
-int run(Options& options) {
+int run_trade(TradeArguments& options) {
   const bool quiet = options.common.quiet;
   options.trade.seed = options.common.seed;
   if (options.quick) {
@@ -44,7 +44,7 @@ int run(Options& options) {
 }  // namespace
 
 void add_trade(CLI::App& app, int& exit_code) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<TradeArguments>();
   CLI::App& command = *app.add_subcommand("trade", "Measure speed against accuracy over the number types");
   auto* quick = command.add_flag("--quick", options->quick, "25 scenes of each workload, rough timings: seconds");
   command.add_option("--scenes", options->trade.scenes, "Scenes of each workload")
@@ -56,7 +56,7 @@ void add_trade(CLI::App& app, int& exit_code) {
       ->excludes(quick)
       ->capture_default_str();
   add_common_options(command, options->common);
-  command.callback([options, &exit_code] { exit_code = run(*options); });
+  command.callback([options, &exit_code] { exit_code = run_trade(*options); });
 }
 
 }  // namespace slipproof::cli

@@ -15,7 +15,7 @@ namespace slipproof::cli {
 
 namespace {
 
-struct Options {
+struct VerifyArguments {
   CommonOptions common;
   VerifyOptions verify;
   MutationOptions mutation;
@@ -41,14 +41,14 @@ void write_lemmas(const std::filesystem::path& folder, const MutationResult& res
 }
 
 /// A report is about verdicts: where none are given, none is written, and the user is told instead of left to wonder.
-void refuse_report_without_verdicts(const Options& options) {
+void refuse_report_without_verdicts(const VerifyArguments& options) {
   if (options.report.empty() || (!options.coverage && !options.mutants)) return;
   const std::string mode = options.coverage ? "--coverage" : "--mutants";
   throw CLI::ValidationError("--report", "the report shows verdicts, and " + mode + " gives none; leave " + mode +
                                              " out, or write the report in a call of its own");
 }
 
-int judge_mutants(const ClaimsFile& file, Options& options) {
+int judge_mutants(const ClaimsFile& file, VerifyArguments& options) {
   options.mutation.seed = options.common.seed;
   options.mutation.threads = options.common.threads;
   if (!options.common.quiet) options.mutation.progress = progress_bar();
@@ -61,7 +61,7 @@ int judge_mutants(const ClaimsFile& file, Options& options) {
 }  // namespace
 
 void add_verify(CLI::App& app, int& exit_code) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<VerifyArguments>();
   CLI::App& command =
       *app.add_subcommand("verify", "The claims of a paper at sampled rational bicycles, every force at once");
   command.add_option("CLAIMS", options->claims, "Claims file (TOML); default: the shipped paper");

@@ -15,7 +15,6 @@ namespace slipproof {
 
 namespace {
 
-using prove::Formula;
 using prove::Polynomial;
 using prove::Ring;
 
@@ -55,15 +54,15 @@ std::string term(const Polynomial& p) {
   return list("+", sum, "0");
 }
 
-std::string sentence(const Formula& formula) {
-  if (formula.kind == Formula::Kind::atom) {
+std::string sentence(const prove::Formula& formula) {
+  if (formula.kind == prove::Formula::Kind::atom) {
     constexpr std::array<const char*, 3> relations{"=", ">", ">="};
     return fmt::format("({} {} 0)", relations[static_cast<std::size_t>(formula.sign)],
                        term(formula.polynomial.front()));
   }
   std::vector<std::string> parts;
-  for (const Formula& part : formula.parts) parts.push_back(sentence(part));
-  const bool conjunction = formula.kind == Formula::Kind::conjunction;
+  for (const prove::Formula& part : formula.parts) parts.push_back(sentence(part));
+  const bool conjunction = formula.kind == prove::Formula::Kind::conjunction;
   return list(conjunction ? "and" : "or", parts, conjunction ? "true" : "false");
 }
 
@@ -117,11 +116,11 @@ std::string smtlib_witness_text(const std::string& file, const std::string& text
     out += fmt::format(";   {} = {}\n", unknown, value);
     values.push_back(value);
   }
-  std::vector<Formula> failures;
+  std::vector<prove::Formula> failures;
   for (const Polynomial& divisor : statement.divisors(values)) failures.push_back(atom(divisor, prove::Sign::zero));
   failures.push_back(negation(statement.shown(values)));
   return out + beginning(statement, text, statement.ring().size() - statement.unknowns().size(), "QF_NRA") +
-         ending(sentence(combine(Formula::Kind::disjunction, std::move(failures))));
+         ending(sentence(combine(prove::Formula::Kind::disjunction, std::move(failures))));
 }
 
 }  // namespace slipproof

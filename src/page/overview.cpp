@@ -12,7 +12,7 @@ namespace slipproof {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> verdicts{"proved", "holds", "refuted", "undecided"};
+constexpr std::array<std::string_view, 4> claim_verdicts{"proved", "holds", "refuted", "undecided"};
 
 struct Counts {
   std::array<std::size_t, 4> printed{}, repaired{};
@@ -22,7 +22,8 @@ struct Counts {
 Counts count(const PageInput& input) {
   Counts counts;
   for (const ClaimResult& result : input.result->claims) {
-    const auto at = std::find(verdicts.begin(), verdicts.end(), verdict_name(result)) - verdicts.begin();
+    const auto at =
+        std::find(claim_verdicts.begin(), claim_verdicts.end(), verdict_name(result)) - claim_verdicts.begin();
     if (result.reading == Reading::printed) {
       ++counts.claims;
       ++counts.printed[static_cast<std::size_t>(at)];
@@ -68,14 +69,14 @@ void add_bar(const Element& parent, std::string_view label, const std::array<std
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const double width = 600.0 * static_cast<double>(counts[i]) / static_cast<double>(all);
     if (counts[i] == 0) continue;
-    svg.add("rect", "fill-" + std::string(verdicts[i])).set("x", x).set("width", width).set("height", 22);
+    svg.add("rect", "fill-" + std::string(claim_verdicts[i])).set("x", x).set("width", width).set("height", 22);
     x += width;
   }
   const Element text = row.add("span", "bar-text");
   for (std::size_t i = 0; i < counts.size(); ++i) {
     if (counts[i] == 0) continue;
     const Element item = text.add("span", "bar-item");
-    add_chip(item, verdicts[i]);
+    add_chip(item, claim_verdicts[i]);
     item.text(" " + std::to_string(counts[i]));
   }
 }

@@ -35,9 +35,9 @@ struct Raised {
   }
 };
 
-class Drawing {
+class BicycleDrawing {
  public:
-  Drawing(const Element& svg, const Scene& scene, Raised raised) : svg_(svg), scene_(scene), raised_(raised) {
+  BicycleDrawing(const Element& svg, const Scene& scene, Raised raised) : svg_(svg), scene_(scene), raised_(raised) {
     const Bicycle<Rational>& p = scene.bicycle;
     R_ = number(p.R), h0_ = number(p.h) + R_, b2_ = number(p.b2), b3_ = number(p.b3);
     const double left = std::min({-b2_ - R_, 0.0}), right = std::max({b3_ + R_, 0.0});
@@ -198,7 +198,7 @@ Element add_bicycle(const Element& parent, const Scene& scene, const FoundMotion
                                : raised.front              ? "; the front wheel is raised"
                                                            : "";
   svg.set("aria-label", std::string(title) + std::string(off));
-  Drawing drawing(svg, scene, raised);
+  BicycleDrawing drawing(svg, scene, raised);
   drawing.bicycle();
   if (motion != nullptr) drawing.forces(*motion);
   return svg;

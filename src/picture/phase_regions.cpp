@@ -15,9 +15,9 @@ struct Run {
   double left, right;  ///< how far it is drawn
 };
 
-class Drawing {
+class RegionDrawing {
  public:
-  explicit Drawing(const PhaseDiagram& diagram)
+  explicit RegionDrawing(const PhaseDiagram& diagram)
       : diagram_(diagram),
         columns_(diagram.columns),
         low_(value(diagram.plane.y.from)),
@@ -237,7 +237,7 @@ class Drawing {
 }  // namespace
 
 PhaseRegions phase_regions(const PhaseDiagram& diagram) {
-  return diagram.columns.empty() ? PhaseRegions{} : Drawing(diagram).all();
+  return diagram.columns.empty() ? PhaseRegions{} : RegionDrawing(diagram).all();
 }
 
 }  // namespace slipproof

@@ -9,12 +9,12 @@ namespace slipproof::prove {
 namespace {
 
 /// An fmpq that frees itself.
-struct Fraction {
-  Fraction() { fmpq_init(value); }
-  explicit Fraction(const Rational& x) : Fraction() { fmpq_set_mpq(value, x.backend().data()); }
-  ~Fraction() { fmpq_clear(value); }
-  Fraction(const Fraction&) = delete;
-  Fraction& operator=(const Fraction&) = delete;
+struct FlintRational {
+  FlintRational() { fmpq_init(value); }
+  explicit FlintRational(const Rational& x) : FlintRational() { fmpq_set_mpq(value, x.backend().data()); }
+  ~FlintRational() { fmpq_clear(value); }
+  FlintRational(const FlintRational&) = delete;
+  FlintRational& operator=(const FlintRational&) = delete;
   Rational rational() const {
     Rational result;
     fmpq_get_mpq(result.backend().data(), value);
@@ -52,7 +52,7 @@ std::shared_ptr<Polynomial::Value> Polynomial::blank(const Ring& ring) {
 
 Polynomial::Polynomial(const Ring& ring, const Rational& constant) : ring_(&ring) {
   const auto value = blank(ring);
-  fmpq_mpoly_set_fmpq(value->polynomial, Fraction(constant).value, ring.context_);
+  fmpq_mpoly_set_fmpq(value->polynomial, FlintRational(constant).value, ring.context_);
   value_ = value;
 }
 
@@ -78,7 +78,7 @@ bool Polynomial::is_constant() const {
 }
 
 Rational Polynomial::constant() const {
-  Fraction result;
+  FlintRational result;
   fmpq_mpoly_get_fmpq(result.value, value_->polynomial, ring_->context_);
   return result.rational();
 }
@@ -104,7 +104,7 @@ std::vector<std::size_t> Polynomial::variables() const {
 
 std::vector<Term> Polynomial::terms() const {
   std::vector<Term> result;
-  Fraction coefficient;
+  FlintRational coefficient;
   for (std::size_t i = 0; i < length(); ++i) {
     Term term{0, std::vector<unsigned long>(ring_->size())};
     fmpq_mpoly_get_term_coeff_fmpq(coefficient.value, value_->polynomial, static_cast<slong>(i), ring_->context_);
@@ -163,7 +163,7 @@ bool Polynomial::operator==(const Polynomial& other) const {
 
 Polynomial Polynomial::scaled(const Rational& factor) const {
   const auto result = blank(*ring_);
-  fmpq_mpoly_scalar_mul_fmpq(result->polynomial, value_->polynomial, Fraction(factor).value, ring_->context_);
+  fmpq_mpoly_scalar_mul_fmpq(result->polynomial, value_->polynomial, FlintRational(factor).value, ring_->context_);
   return Polynomial(result);
 }
 
@@ -184,7 +184,7 @@ Factorization Polynomial::factors() const {
     throw std::runtime_error("a polynomial could not be factored");
   }
   fmpq_mpoly_factor_make_integral(factorization, ring_->context_);
-  Fraction constant;
+  FlintRational constant;
   fmpq_mpoly_factor_get_constant_fmpq(constant.value, factorization, ring_->context_);
   result.constant = constant.rational();
   for (slong i = 0; i < factorization->num; ++i) {

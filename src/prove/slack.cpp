@@ -36,10 +36,10 @@ Polynomial substitute(const Substitution& s, const Polynomial& p, Product& multi
   return result;
 }
 
-class Search {
+class SlackSearch {
  public:
-  Search(const std::vector<Fact>& facts, const std::vector<Fact>& derived, const SampleSet& negative, int attempts,
-         Budget& budget)
+  SlackSearch(const std::vector<Fact>& facts, const std::vector<Fact>& derived, const SampleSet& negative, int attempts,
+              Budget& budget)
       : facts_(facts), derived_(derived), negative_(negative), attempts_(attempts), budget_(budget) {}
 
   std::optional<SlackForm> run(const Polynomial& p, int depth) {
@@ -170,7 +170,7 @@ class Search {
 std::optional<SlackForm> find_slack_form(const std::vector<Fact>& facts, const std::vector<Fact>& derived,
                                          const Polynomial& p, const SampleSet& negative, int depth, int attempts,
                                          Budget& budget) {
-  return Search(facts, derived, negative, attempts, budget).run(p, depth);
+  return SlackSearch(facts, derived, negative, attempts, budget).run(p, depth);
 }
 
 }  // namespace slipproof::prove

@@ -1,7 +1,6 @@
 #include "verify/mutation.hpp"
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -13,6 +12,7 @@
 #include <numeric>
 #include <utility>
 
+#include "parallel/thread_count.hpp"
 #include "verify/edges.hpp"
 #include "verify/reach.hpp"
 #include "verify/sampler.hpp"
@@ -84,9 +84,9 @@ bool is_costly(ClaimKind kind) {
   return kind == ClaimKind::consequence || kind == ClaimKind::system;
 }
 
-class Run {
+class MutationRun {
  public:
-  Run(const ClaimsFile& file, const MutationOptions& options)
+  MutationRun(const ClaimsFile& file, const MutationOptions& options)
       : file_(as_read(file, Reading::repaired)),
         options_(options),
         compiled_(file_),
@@ -94,9 +94,7 @@ class Run {
         baselines_(file_.claims.size()) {}
 
   MutationResult result() {
-    const int cores = tbb::info::default_concurrency();
-    const unsigned threads = options_.threads;
-    tbb::task_arena arena(threads == 0 || threads > static_cast<unsigned>(cores) ? cores : static_cast<int>(threads));
+    tbb::task_arena arena(thread_count(options_.threads));
     MutationResult result;
     arena.execute([&] { judge_all(result); });
     result.samples = options_.samples;
@@ -314,7 +312,7 @@ class Run {
 }  // namespace
 
 MutationResult judge_mutants(const ClaimsFile& file, const MutationOptions& options) {
-  return Run(file, options).result();
+  return MutationRun(file, options).result();
 }
 
 }  // namespace slipproof

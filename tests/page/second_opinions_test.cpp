@@ -10,7 +10,7 @@
 #include "page/page.hpp"
 #include "report/certificates.hpp"
 #include "support/run_program.hpp"
-#include "verify/shipped.hpp"
+#include "support/shipped.hpp"
 
 using namespace slipproof;
 
