@@ -4,6 +4,7 @@
 
 #include "support/run_program.hpp"
 
+using slipproof::test::last_line;
 using slipproof::test::Outcome;
 using slipproof::test::read_file;
 using slipproof::test::run;
@@ -25,10 +26,6 @@ g = "10"
 [force]
 kind = "internal"
 )";
-
-std::string last_line(const std::string& out) {
-  return out.substr(out.rfind('\n', out.size() - 2) + 1);
-}
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;

@@ -4,6 +4,7 @@
 
 #include "support/run_program.hpp"
 
+using slipproof::test::last_line;
 using slipproof::test::read_file;
 using slipproof::test::run;
 using slipproof::test::TemporaryFolder;
@@ -19,19 +20,15 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text.replace(at, from.size(), to);
 }
 
-std::string last_line(const std::string& out) {
-  return out.substr(out.rfind('\n', out.size() - 2) + 1);
-}
-
 }  // namespace
 
 TEST_CASE("the shipped paper is the default; every verdict as expected exits with 0") {
-  const auto json = run({"verify", "--samples", "300", "--json"});
+  const auto json = run({"verify", "--samples", "120", "--json"});
   CHECK(json.exit_code == 0);
   CHECK(json.err.empty());  // no progress bar where there is no terminal
   const Json document = Json::parse(json.out);
   CHECK(document["schema"] == "slipproof/verify/1");
-  CHECK(document["samples"] == 300);
+  CHECK(document["samples"] == 120);
   CHECK(document["seed"] == 1);
   bool found = false;
   for (const Json& claim : document["claims"]) {
@@ -51,20 +48,20 @@ TEST_CASE("the shipped paper is the default; every verdict as expected exits wit
     CHECK(Json::parse(solved.out)["motions"] == claim["counterexample"]["motions"]);
   }
   CHECK(found);
-  CHECK(run({"verify", "--samples", "300", "--json", "--threads", "1"}).out == json.out);
-  CHECK(run({"verify", "--samples", "300", "--json", "--threads", "64", shipped}).out == json.out);
-  CHECK(last_line(run({"verify", "--samples", "300"}).out).starts_with("s VERIFIED "));
+  CHECK(run({"verify", "--samples", "120", "--json", "--threads", "1"}).out == json.out);
+  CHECK(run({"verify", "--samples", "120", "--json", "--threads", "64", shipped}).out == json.out);
+  CHECK(last_line(run({"verify", "--samples", "120"}).out).starts_with("s VERIFIED "));
 }
 
 TEST_CASE("an unexpected refutation exits with 1, an undecided claim with 4") {
   const TemporaryFolder folder;
   const std::string text = read_file(shipped);
   const auto wrong = folder.write("wrong.toml", replaced(text, "0 < F*sigma < xi1", "0 < F*sigma < 2*xi1"));
-  const auto refuted = run({"verify", "--samples", "300", wrong});
+  const auto refuted = run({"verify", "--samples", "120", wrong});
   CHECK(refuted.exit_code == 1);
   CHECK(last_line(refuted.out).starts_with("s REFUTED "));
   const auto unclear = folder.write("unclear.toml", replaced(text, "0 < F*sigma < xi1", "0 < F*sigma < xi1/(b - b)"));
-  const auto undecided = run({"verify", "--samples", "300", "--quiet", unclear});
+  const auto undecided = run({"verify", "--samples", "120", "--quiet", unclear});
   CHECK(undecided.exit_code == 4);
   CHECK(undecided.out.starts_with("s UNDECIDED "));
 }
