@@ -24,12 +24,9 @@ bool off_road(const MotionSet& set) {
 class Picture {
  public:
   Picture(const PhaseDiagram& diagram, const PhaseRegions& regions, const PhaseSvgOptions& options)
-      : plane_(diagram.plane), regions_(regions), options_(options), frame_{60,
-                                                                            14,
-                                                                            options.width - 60 - 18,
-                                                                            options.height - 14 - 46,
-                                                                            plane_.x,
-                                                                            plane_.y} {}
+      : plane_(diagram.plane),
+        regions_(regions),
+        frame_{60, 14, options.width - 60 - 18, options.height - 14 - 46, plane_.x, plane_.y} {}
 
   /// Patterns for what one colour cannot show, and the clip of the plot.
   void add_definitions(const Element& svg) const {
@@ -226,7 +223,6 @@ class Picture {
 
   const Plane& plane_;
   const PhaseRegions& regions_;
-  const PhaseSvgOptions& options_;
   const Frame frame_;
 };
 

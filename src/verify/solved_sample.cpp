@@ -130,7 +130,7 @@ const LinearRows& SolvedSample::raw_rows(ContactState both) {
 LinearRows SolvedSample::equations(std::optional<ContactMode> mode) {
   const LinearRows& stick = raw_rows(ContactState::stick);
   LinearRows rows(stick.begin(), stick.begin() + 7);
-  for (const std::size_t contact : {7, 9}) {  // a wheel's gap, then its slip or friction
+  for (const std::size_t contact : {7U, 9U}) {  // a wheel's gap, then its slip or friction
     const Wheel wheel = contact == 7 ? Wheel::rear : Wheel::front;
     rows.push_back(stick[contact]);
     if (mode) rows.push_back(raw_rows((*mode)[wheel])[contact + 1]);
