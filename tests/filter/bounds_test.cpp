@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <limits>
+
 #include "error_count.hpp"
 #include "filter/filter.hpp"
 #include "model/conditions.hpp"
@@ -46,6 +48,23 @@ TEST_CASE("the named constants are what the counting number type finds in the re
   CHECK(underflow == counted_underflow_bits);
   CHECK(magnitude < 1000);  // no overflow, neither in the magnitude nor in Veltkamp's splitting
   CHECK(std::ldexp(4.0, counted_underflow_bits - 1075) == underflow_error);
+}
+
+TEST_CASE("the bounds as they are computed cover the counted roundings, second-order terms and their own roundings") {
+  const Rational u = to_rational(std::numeric_limits<double>::epsilon()) / 2, one = 1;
+  CHECK(to_rational(unit_roundoff) == u);
+  const auto power = [](Rational x, int n) {
+    Rational product = 1;
+    for (; n > 0; --n) product *= x;
+    return product;
+  };
+  // The magnitude comes out too small by up to (1 - u)^d, the two operations of the bound by (1 - u)^2.
+  const Rational low = power(one - u, counted_roundings + 2);
+  CHECK(power(one + u, counted_roundings) - 1 <= error_roundings * u * low);
+  CHECK(counted_roundings * u / (one - counted_roundings * u) <= error_roundings * u * low);
+  // Each operation on double-double numbers errs by up to 7 u^2.
+  const Rational errors = power(one + 7 * u * u, counted_roundings) - 1;
+  CHECK(errors <= error_roundings * to_rational(double_double_roundoff) * low);
 }
 
 TEST_CASE("no expression is further from its exact value than its bound, and the bound is no idle one") {

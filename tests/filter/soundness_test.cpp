@@ -179,3 +179,51 @@ TEST_CASE("the lanes of a batch decide for themselves what the first tier decide
     CHECK(sets.undecided[i % lane_count] == one.undecided);
   }
 }
+
+TEST_CASE("a wheel that may have no inertia leaves its slipping modes undecided, one by one and in lanes") {
+  FilterScenes random(67);
+  for (int i = 0; i < 100; ++i) {
+    auto s = nearest_binary64(random.scene(Population::bicycles));
+    const bool rear = i % 3 != 0, front = i % 3 != 1;
+    if (rear) s.bicycle.I1 = s.bicycle.I2 = 0;
+    if (front) s.bicycle.I3 = 0;
+    s.F = random.signed_log(1, 3000);
+    unsigned free = 0;
+    for (const ContactMode mode : all_modes()) {
+      if (!mode.on_road() && !s.bicycle.J) continue;
+      if ((rear && mode.rear != ContactState::stick) || (front && mode.front != ContactState::stick)) {
+        free |= 1U << mode.index();
+      }
+    }
+    CHECK((filter_modes(s).undecided & free) == free);
+    CHECK((double_double_modes(s).undecided & free) == free);
+    const auto lanes = convert<double, TrackedLanes>(s, [](double x) { return TrackedLanes::input(Lanes{} + x); });
+    const auto dynamics =
+        reduce<TrackedLanes, TrackedLanes>(lanes.bicycle, lanes.road, lanes.force_kind, lanes.F, TrackedLanes(1));
+    CHECK((decide_lanes(dynamics, s.bicycle.J.has_value()).undecided[i % lane_count] & free) == free);
+    const ConsistentModes all = consistent_modes(s), exact = exact_modes(to_rational(s));
+    CHECK(all.consistent == exact.consistent);
+    CHECK(all.strict == exact.strict);
+  }
+}
+
+TEST_CASE("a double-double product underflows in several places, and in no more than its bound has room for") {
+  FilterScenes random(68);
+  Rational worst = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const auto draw = [&](int exponent) {
+      const double high = std::ldexp(random.uniform(1, 2), exponent);
+      return DoubleDouble{high, high * random.uniform(-1, 1) * 0x1p-54};
+    };
+    const int exponent = -static_cast<int>(random.next() % 60);
+    const DoubleDouble x = draw(exponent - 480), y = draw(-540 - exponent), p = x * y;
+    const auto value = [](DoubleDouble z) { return Rational(to_rational(z.high) + to_rational(z.low)); };
+    const Rational exact = value(x) * value(y), unit = to_rational(0x1p-1074) / 2;
+    const Rational relative = exact * to_rational(double_double_roundoff);
+    worst = std::max(worst, Rational((abs(value(p) - exact) - relative) / unit));
+  }
+  // A product of binary64 counts as two units.
+  CHECK(worst > 2);
+  CHECK(worst <= to_rational(2 * double_double_underflow_error / underflow_error));
+  MESSAGE("underflow of a double-double product, in units: " << nearest_binary64(worst));
+}
