@@ -32,11 +32,13 @@ void find_certificates(const ClaimsFile& file, VerifyResult& result, const std::
     const ClaimProof refutation = find_proof(claim_refutation(file, stated, claim.reading), folder, rejection);
     add_problems(claim, proof);
     add_problems(claim, refutation);
-    if (refutation.proved && claim.verdict == Verdict::refuted) name_certificates(claim, refutation);
-    if (refutation.proved && claim.held > 0 && claim.verdict == Verdict::holds) {
-      claim.rejections.push_back(stated.id +
-                                 ": holds at every sample, yet the certificate of its refutation is accepted");
+    if (refutation.proved && proof.proved) {
+      claim.rejections.push_back(stated.id + ": certificates of it and of its refutation are accepted");
+      continue;
     }
+    // Samples may all miss what a refutation proves to exist.
+    if (refutation.proved && claim.verdict == Verdict::holds) claim.verdict = Verdict::refuted;
+    if (refutation.proved && claim.verdict == Verdict::refuted) name_certificates(claim, refutation);
     if (!proof.proved) continue;
     if (claim.refuted > 0) {
       claim.rejections.push_back(stated.id + ": refuted by a sample, yet its certificates are accepted");

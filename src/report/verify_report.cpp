@@ -69,7 +69,11 @@ void write_certificates(Out out, const ClaimResult& claim) {
 }  // namespace
 
 std::string explain(const ClaimsFile& file, const ClaimResult& result) {
-  if (!result.counterexample) return result.verdict == Verdict::refuted ? "there is none at any sample" : "";
+  if (!result.counterexample) {
+    if (result.verdict != Verdict::refuted) return "";
+    const bool seeks = file.claims[result.claim].kind == ClaimKind::exists;
+    return seeks ? "there is none at any sample" : "proved to be false; no sample is a counterexample";
+  }
   const Judgement& j = result.counterexample->judgement;
   const std::string& F = file.settings[file.claims[result.claim].setting].force.symbol;
   switch (j.reason) {

@@ -66,6 +66,22 @@ TEST_CASE("a claim is proved by the certificates of all its statements, and by n
   CHECK_FALSE(folder.judge().proved);
 }
 
+TEST_CASE("what a certificate refutes is refuted, also where all samples miss it") {
+  VerifyOptions options;
+  options.samples = 1;
+  options.only = "A2.cover";
+  VerifyResult result = verify(test::shipped_paper(), options);
+  const ClaimResult before = result.claims.front();
+  REQUIRE(before.verdict == Verdict::holds);
+  find_certificates(test::shipped_paper(), result, test::shipped_folder);
+  const ClaimResult& after = result.claims.front();
+  CHECK(after.verdict == Verdict::refuted);
+  CHECK_FALSE(after.proved);
+  CHECK(after.rejections.empty());
+  CHECK(after.certificates == std::vector<std::string>{"A2.cover.refuted.cert"});
+  CHECK(explain(test::shipped_paper(), after) == "proved to be false; no sample is a counterexample");
+}
+
 TEST_CASE("certificates that prove nothing are rejected, whatever is wrong with them") {
   const auto rejected = [](const Folder& folder) {
     const ClaimResult result = folder.judge();
