@@ -126,6 +126,25 @@ TEST_CASE("uniqueness: several motions are refuted although each of them is stat
   CHECK(r.counterexample->motions->motions.size() == 3);
 }
 
+TEST_CASE(
+    "uniqueness at b = b11: one motion alone, on a boundary for a half-line of forces, counts as the motion there is") {
+  const ClaimsFile& file = test::shipped_paper();
+  const std::size_t claim = test::index_of(file, "A5.2");
+  const std::size_t setting = file.claims[claim].setting;
+  const CompiledClaims compiled(file);
+  // b11 = f (h + M1 R) = 3 with R = h = f = M2 = 1. In the order of the parameters: R h b M2 M3 f g sigma J.
+  std::vector<Rational> values;
+  for (const Parameter& parameter : file.settings[setting].parameters)
+    values.emplace_back(parameter.symbol == "b" ? 3 : 1);
+  auto sample = SolvedSample::make(compiled.settings[setting], file.settings[setting].force_kind, values);
+  REQUIRE(sample);
+  const Cell& last = sample->cells().back();
+  REQUIRE(!last.forces.upper());
+  REQUIRE(last.motions.size() == 1);
+  CHECK(!last.motions.front().strict);
+  CHECK(judge(file, compiled, claim, Reading::repaired, *sample).outcome == Outcome::holds);
+}
+
 TEST_CASE("no value in its own region is undecided, never a success") {
   const auto undefined = judged("A1.1", [](ClaimBody& b) { b.forces = truth("0 < F*sigma < 1/(b - b)"); });
   CHECK(undefined.verdict == Verdict::undecided);
