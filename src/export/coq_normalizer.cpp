@@ -18,6 +18,10 @@ void Normalizer::prove_ring() {
   script_ += "ring. ";
 }
 
+bool Normalizer::is_non_zero(const Polynomial& divisor) const {
+  return std::any_of(non_zero_.begin(), non_zero_.end(), [&](const auto& fact) { return fact.first == divisor; });
+}
+
 std::string Normalizer::non_zero(const Polynomial& divisor) const {
   for (const auto& [polynomial, hypothesis] : non_zero_) {
     if (polynomial == divisor) return hypothesis;
@@ -77,21 +81,44 @@ void Normalizer::prove_fraction(const Expression& e) {
   script_ += "all: ring. ";
 }
 
+/// The theorem's guards `x <> 0` against those of the normal form, in order. Values of the unknowns bring guards of
+/// their own to the normal form, and take away what they make constant or equal to another.
+void Normalizer::prove_guards(const Expression& difference, const std::vector<Divisor>& divisors) {
+  auto next = divisors.begin();
+  const auto known = [&] {
+    script_ += fmt::format("apply (Steps.known ({}) {}). ", coq::text(next->polynomial), non_zero(next->polynomial));
+    ++next;
+  };
+  for (const Divisor& guard : theorem_values_.empty() ? divisors : value(difference, true).divisors) {
+    const Value x = value(guard.expression);
+    const bool constant = x.numerator.is_constant();
+    if (!constant) {
+      while (next != divisors.end() && !(next->polynomial == x.numerator) && is_non_zero(next->polynomial)) known();
+    }
+    const bool stays = !constant && next != divisors.end() && next->polynomial == x.numerator;
+    const std::string p = coq::text(x.numerator), d = coq::text(x.denominator);
+    if (stays) {
+      script_ += fmt::format("apply (Steps.guard _ ({}) ({})). {{ ", p, d);
+    } else {
+      script_ += fmt::format(
+          "refine (iff_trans (Steps.guard _ ({0}) ({1}) _ (fun _ => _)) (iff_sym (Steps.known ({0}) {2} (iff_refl "
+          "_)))). {{ ",
+          p, d, constant ? "ltac:(lra)" : non_zero(x.numerator));
+    }
+    prove_fraction(guard.expression);
+    script_ += "} ";
+    if (!stays) continue;
+    script_ += "intros " + add_non_zero(x.numerator) + ". ";
+    ++next;
+  }
+  while (next != divisors.end()) known();
+}
+
 void Normalizer::prove_same(const Link& link) {
   const Expression difference = make(Operation::subtract, {link.left, link.right});
   const Value d = value(difference);
   const std::size_t known = non_zero_.size();
-  for (const Divisor& divisor : d.divisors) {
-    if (!divisor.expression) {
-      script_ +=
-          fmt::format("apply (Steps.known ({}) {}). ", coq::text(divisor.polynomial), non_zero(divisor.polynomial));
-      continue;
-    }
-    script_ += fmt::format("apply (Steps.guard _ ({}) ({})). {{ ", coq::text(divisor.polynomial),
-                           coq::text(divisor.denominator));
-    prove_fraction(divisor.expression);
-    script_ += "} intros " + add_non_zero(divisor.polynomial) + ". ";
-  }
+  prove_guards(difference, d.divisors);
   constexpr std::array<const char*, 6> names{"lt", "le", "gt", "ge", "eq", "ne"};
   const char* name = names[static_cast<std::size_t>(link.relation)];
   if (!d.divides) {
@@ -143,8 +170,7 @@ void Normalizer::state_fraction(const std::string& symbol, const Expression& bod
     std::vector<Polynomial>& needed = premises_[symbol];
     needed.clear();
     for (const Divisor& divisor : v.divisors) {
-      const auto given = [&](const auto& fact) { return fact.first == divisor.polynomial; };
-      if (std::any_of(non_zero_.begin(), non_zero_.end(), given)) continue;
+      if (is_non_zero(divisor.polynomial)) continue;
       needed.push_back(divisor.polynomial);
       premises += coq::text(divisor.polynomial) + " <> 0 -> ";
       introduced += " " + add_non_zero(divisor.polynomial);
@@ -157,6 +183,7 @@ void Normalizer::state_fraction(const std::string& symbol, const Expression& bod
     script_ += "}\n";
     non_zero_.erase(non_zero_.begin() + static_cast<std::ptrdiff_t>(known), non_zero_.end());
   }
+  if (!theorem_values_.empty()) theorem_values_.insert_or_assign(symbol, value(body, true));
   values_.insert_or_assign(symbol, std::move(v));
 }
 
@@ -190,9 +217,11 @@ void Normalizer::introduce(const Line& line, const std::string& pattern) {
 void Normalizer::give_value(const std::string& unknown, const Expression& value_text,
                             const std::vector<std::pair<Polynomial, std::string>>& non_zero) {
   non_zero_ = non_zero;
+  const Value in_theorem = value(make_symbol(unknown));
   script_ += fmt::format("pose ({} := {}).\n", name(unknown), text(value_text));
   state_fraction(unknown, value_text);
   for (Divisor& divisor : values_.at(unknown).divisors) divisor.expression = nullptr;
+  theorem_values_.insert_or_assign(unknown, in_theorem);
 }
 
 }  // namespace slipproof::coq

@@ -74,15 +74,15 @@ void Normalizer::merge(std::vector<Divisor>& divisors, const std::vector<Divisor
   }
 }
 
-Normalizer::Value Normalizer::value(const Expression& e) const {
+Normalizer::Value Normalizer::value(const Expression& e, bool in_theorem) const {
   const prove::Ring& ring = statement_.ring();
-  const auto operand = [&](std::size_t i) { return value(e->operands[i]); };
+  const auto operand = [&](std::size_t i) { return value(e->operands[i], in_theorem); };
   switch (e->operation) {
     case Operation::number:
       if (denominator(e->number) != 1) throw ExpressionError(e->column, "a number that is not an integer");
       return {Polynomial(ring, e->number), Polynomial(ring, 1), {}};
     case Operation::symbol:
-      return values_.at(e->symbol);
+      return (in_theorem && theorem_values_.contains(e->symbol) ? theorem_values_ : values_).at(e->symbol);
     case Operation::negate: {
       Value result = operand(0);
       result.numerator = -result.numerator;

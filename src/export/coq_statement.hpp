@@ -69,19 +69,23 @@ class Normalizer {
 
   static void merge(std::vector<Divisor>& divisors, const std::vector<Divisor>& more);
   static std::vector<Link> links(const Expression& comparison);
-  Value value(const Expression& e) const;
+  /// Where unknowns have been given values, an expression has another value as the theorem reads, before they have.
+  Value value(const Expression& e, bool in_theorem = false) const;
   bool names_formula(const Expression& comparison) const;
   Formula normal(const Link& link) const;
   std::string proposition(const Link& link) const;
   void prove_same(const Link& link);
+  void prove_guards(const Expression& difference, const std::vector<Divisor>& divisors);
   void prove_fraction(const Expression& e);
   void prove_ring();
+  bool is_non_zero(const prove::Polynomial& divisor) const;
   std::string non_zero(const prove::Polynomial& divisor) const;
   std::string add_non_zero(const prove::Polynomial& divisor);
   void state_fraction(const std::string& name, const Expression& body);
 
   const prove::Statement& statement_;
   std::map<std::string, Value> values_;
+  std::map<std::string, Value> theorem_values_;  ///< of the unknowns with values, and what has been abbreviated since
   std::map<std::string, Formula> formulas_;
   std::map<std::string, std::vector<prove::Polynomial>> premises_;  ///< of the fact about a fraction's value
   std::vector<std::string> transparent_;                            ///< abbreviations of polynomials

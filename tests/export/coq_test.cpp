@@ -80,6 +80,34 @@ TEST_CASE("the theorem says what the statement says, and the proof takes the cer
         "Qed.\n");
 }
 
+TEST_CASE("a divisor that values make constant, or equal to another, is shown not to vanish as the theorem says") {
+  const std::string statement =
+      "slipproof-statement 1\ntheorem small.two\nreal z\nassume domain: z > 0\nexists x y\n"
+      "show 1/x > 0 and 1/z = 1/y\n";
+  const std::string proof = "slipproof-certificate 1\ntheorem small.two " +
+                            prove::Statement("small", statement).fingerprint() +
+                            "\nwitness goal\nset x = 2\nset y = z\ncases goal\nbranch 1\n"
+                            "contradiction\nterm 1 goal.1\nterm 2\nqed\n"
+                            "branch 2\ncases goal.2\nbranch 1\n"
+                            "contradiction\nterm 1 domain\nterm 1 goal.2.1.1\nqed\n"
+                            "branch 2\ncases goal.2.2\nbranch 1\ncontradiction\nterm 1 goal.2.2.1\nqed\n"
+                            "branch 2\ncontradiction\nterm 1 goal.2.2.2\nqed\nend\nend\nend\n";
+  const test::TemporaryFolder folder;
+  folder.write("small.statement", statement);
+  CHECK(check::check_file(folder.write("small.cert", proof)).verdict == "accepted");
+  const std::string text = coq_text("small.statement", statement, "small.cert", proof);
+  CHECK(text.find("(x <> 0 /\\ 1 / x > 0) /\\ (z <> 0 /\\ y <> 0 /\\ 1 / z = 1 / y)") != std::string::npos);
+  const auto shown = [&](const std::string& p, const std::string& non_zero) {
+    return text.find("refine (iff_trans (Steps.guard _ (" + p + ") (1) _ (fun _ => _)) (iff_sym (Steps.known (" + p +
+                     ") " + non_zero + " (iff_refl _)))).");
+  };
+  const std::size_t x = shown("2", "ltac:(lra)"), z = text.find("apply (Steps.guard _ (z) (1)). "),
+                    y = shown("z", "_z1");
+  CHECK(x < z);
+  CHECK(z < y);
+  CHECK(y != std::string::npos);
+}
+
 TEST_CASE("what is no certificate of the statement is an input error with its line") {
   CHECK(message(certificate(kProof)).empty());
   CHECK(message("") == "small.cert: the certificate ends before its proof does");
