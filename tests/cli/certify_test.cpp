@@ -188,8 +188,9 @@ TEST_CASE("records that cannot be read are reported with place, found and expect
       {"\"1,,1,1,1,1,1", "line 5, column 1: F: found"},
       {"1,,1,1,1,1,1 2", "N3: found"}};
   const std::string good = bench.answers(3);
-  for (const auto& [row, message] : rows) {
-    CAPTURE(row);
+  for (const auto& broken : rows) {
+    const auto& [row, message] = broken;
+    CAPTURE(broken.first);
     const std::string text = good + row + "\n" + bench.answer("2");
     const auto reported = bench.certify(text);
     CHECK(reported.exit_code == 1);
