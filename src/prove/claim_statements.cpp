@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "prove/claim_writer.hpp"
+#include "prove/truth_text.hpp"
 
 namespace slipproof {
 namespace {
@@ -141,6 +142,102 @@ void exists(ClaimWriter& writer) {
   writer.somewhere("", {body.region, body.forces}, motions);
 }
 
+/// Whether the number is the force, or it times a parameter that is positive by its domain.
+bool is_force(const Setting& setting, const Expression& number) {
+  if (number->operation == Operation::symbol) return number->symbol == setting.force.symbol;
+  if (number->operation != Operation::multiply) return false;
+  const Expression &left = number->operands[0], &right = number->operands[1];
+  if (right->operation != Operation::symbol) return false;
+  return is_force(setting, left) &&
+         std::any_of(setting.parameters.begin(), setting.parameters.end(), [&](const Parameter& parameter) {
+           return parameter.symbol == right->symbol && parameter.domain &&
+                  to_string(parameter.domain) == parameter.symbol + " > 0";
+         });
+}
+
+bool depends_on_force(const Setting& setting, Reading reading, const Expression& number) {
+  const std::vector<std::string> names = symbols(number);
+  return std::any_of(names.begin(), names.end(), [&](const std::string& symbol) {
+    if (symbol == setting.force.symbol) return true;
+    const auto defined = std::find_if(setting.definitions.begin(), setting.definitions.end(),
+                                      [&](const Definition& d) { return d.symbol == symbol; });
+    if (defined == setting.definitions.end()) return false;
+    const bool repaired = reading == Reading::repaired && defined->repaired;
+    return depends_on_force(setting, reading, repaired ? defined->repaired : defined->printed);
+  });
+}
+
+/// The forces of a claim and their ends: no more than one force for each comparison. Gives up where it could be more.
+Expression with_ends(ClaimWriter& writer, const Expression& truth) {
+  switch (truth->operation) {
+    case Operation::truth:
+      return truth;
+    case Operation::logical_not:
+      return with_ends(writer, opposite(truth->operands[0]));
+    case Operation::compare: {
+      std::vector<Relation> relations = truth->relations;
+      for (std::size_t i = 0; i < relations.size(); ++i) {
+        const Expression &left = truth->operands[i], &right = truth->operands[i + 1];
+        const Setting& setting = writer.setting();
+        const bool one_force = (is_force(setting, left) && !depends_on_force(setting, writer.reading(), right)) ||
+                               (is_force(setting, right) && !depends_on_force(setting, writer.reading(), left));
+        if (!one_force) writer.give_up();
+        if (relations[i] == Relation::less) relations[i] = Relation::less_equal;
+        if (relations[i] == Relation::greater) relations[i] = Relation::greater_equal;
+      }
+      return make_comparison(truth->operands, std::move(relations));
+    }
+    default:
+      return make(truth->operation, {with_ends(writer, truth->operands[0]), with_ends(writer, truth->operands[1])});
+  }
+}
+
+/// Cell by cell: where a claim states a motion there is no other; and beyond the claims there is one of the modes
+/// listed, and no other, and no two of these at once.
+void unique(ClaimWriter& writer) {
+  const ClaimBody& body = writer.body();
+  const auto other = [&](std::size_t index) -> const ClaimBody& {
+    return writer.claims().claims[index].body(writer.reading());
+  };
+  const auto beyond = [&](std::size_t index) {
+    return opposite(make(Operation::logical_and, {other(index).region, with_ends(writer, other(index).forces)}));
+  };
+  Assumptions common = {{"region", body.region}, {"force", body.forces}};
+  for (std::size_t i = 0; i < body.except.size(); ++i) {
+    common.emplace_back(fmt::format("not_excepted{}", i + 1), beyond(body.except[i]));
+  }
+  const MotionText motion = writer.any_motion();
+  Assumptions rest = common;
+  std::vector<Expression> regions;
+  for (const std::size_t index : body.claims) {
+    const ClaimBody& stated = other(index);
+    Assumptions assumptions = common;
+    assumptions.emplace_back("stated", make(Operation::logical_and, {stated.region, stated.forces}));
+    const std::string& id = writer.claims().claims[index].id;
+    writer.implied({"." + id, assumptions, motion, true, writer.cells({})}, mode_text(stated.modes.front()), {});
+    rest.emplace_back("beyond_" + id, beyond(index));
+    regions.push_back(stated.region);
+  }
+  std::vector<std::string> modes;
+  for (const ContactMode mode : body.modes) modes.push_back("{" + mode_text(mode) + "}");
+  const std::string listed = fmt::format("{}", fmt::join(modes, " or "));
+  // Where all states of the rear wheel are listed, as in */lift, only the front wheel has something to show.
+  const bool any_rear = std::all_of(body.modes.begin(), body.modes.end(),
+                                    [&](ContactMode mode) { return mode.front == body.modes.front().front; }) &&
+                        body.modes.size() == all_contact_states.size();
+  const std::string cells = writer.cells(regions);
+  writer.implied({".rest", rest, motion, true, cells},
+                 any_rear ? state_name(Wheel::front, body.modes.front().front) : listed, {});
+  writer.exists({".rest.exists", rest, {}, true, cells}, all_unknowns(),
+                {motion.definitions, std::string(dynamics) + " and {" + listed + "}"});
+  for (std::size_t i = 0; i < body.modes.size(); ++i) {
+    for (std::size_t k = i + 1; k < body.modes.size(); ++k) {
+      writer.impossible_together(fmt::format(".rest.one.{}-{}", i + 1, k + 1), common,
+                                 {writer.motion(body.modes[i]), writer.motion(body.modes[k])});
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<NamedStatement> claim_statements(const ClaimsFile& claims, const Claim& claim, Reading reading) {
@@ -174,10 +271,19 @@ std::vector<NamedStatement> claim_statements(const ClaimsFile& claims, const Cla
       exists(writer);
       break;
     case ClaimKind::unique:
+      unique(writer);
+      break;
     case ClaimKind::limit:
       break;
   }
-  return writer.take();
+  std::vector<NamedStatement> result = writer.take();
+  if (claim.kind != ClaimKind::unique || result.empty()) return result;
+  for (const std::size_t stated : writer.body().claims) {  // that the motions exist, of which there are no others
+    for (NamedStatement& statement : claim_statements(claims, claims.claims[stated], reading)) {
+      if (statement.name.ends_with(".always")) result.push_back(std::move(statement));
+    }
+  }
+  return result;
 }
 
 }  // namespace slipproof

@@ -62,8 +62,9 @@ void ClaimWriter::implied(const Implication& implication, const std::string& sho
   }
   result += fmt::format("real {}\nassume domain: {}\n", parameters(), domain(implication.force_domain)) + scene(all);
   if (implication.motion) {
-    result += fmt::format("{}real {}\n{}assume motion: {}\n", assumptions, fmt::join(motion_unknowns, " "),
-                          implication.motion->definitions, implication.motion->formula);
+    result +=
+        fmt::format("{}{}real {}\n{}assume motion: {}\n", assumptions, implication.hints,
+                    fmt::join(motion_unknowns, " "), implication.motion->definitions, implication.motion->formula);
   } else {
     result += assumptions;
   }
@@ -85,9 +86,47 @@ void ClaimWriter::exists(const Implication& implication, const std::vector<std::
   }
   result += fmt::format("real {}\n", parameters());
   if (!known.empty()) result += fmt::format("real {}\n", fmt::join(known, " "));
-  result += fmt::format("assume domain: {}\n", domain(implication.force_domain)) + scene(all) + assumptions;
+  result += fmt::format("assume domain: {}\n", domain(implication.force_domain)) + scene(all) + assumptions +
+            implication.hints;
   result += fmt::format("exists {}\n{}show {}\n", fmt::join(unknowns, " "), shown.definitions, shown.formula);
   statements_.push_back({name_ + implication.suffix, std::move(result)});
+}
+
+void ClaimWriter::impossible_together(const std::string& suffix,
+                                      const std::vector<std::pair<std::string, Expression>>& assumptions,
+                                      const std::vector<MotionText>& motions) {
+  std::string result = opening(suffix);
+  std::vector<Expression> uses;
+  std::string assumed;
+  for (const auto& [label, truth] : assumptions) {
+    if (!is_true(truth)) uses.push_back(truth);
+    assumed += assumption(label, truth);
+  }
+  result += fmt::format("real {}\nassume domain: {}\n", parameters(), domain(true)) + scene(uses) + assumed;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const std::string ending = i == 0 ? "" : fmt::format("_{}", i + 1);
+    const MotionText motion = with_ending(motions[i], ending);
+    result += fmt::format("real {}{}\n{}assume motion{}: {}\n", fmt::join(motion_unknowns, ending + " "), ending,
+                          motion.definitions, ending, motion.formula);
+  }
+  statements_.push_back({name_ + suffix, result + "show false\n"});
+}
+
+std::string ClaimWriter::cells(const std::vector<Expression>& regions) const {
+  const auto bounds_region = [&](const Boundary& boundary) {
+    return boundary.value->operation == Operation::symbol &&
+           std::any_of(regions.begin(), regions.end(), [&](const Expression& region) {
+             const std::vector<std::string> names = symbols(region);
+             return std::find(names.begin(), names.end(), boundary.value->symbol) != names.end();
+           });
+  };
+  std::string result;
+  for (const Boundary& boundary : setting().boundaries) {
+    const std::string difference = fmt::format("{} - ({})", boundary.symbol, to_string(boundary.value));
+    if (bounds_region(boundary)) result += "# cells: " + difference + '\n';
+    if (symbols(boundary.value).empty()) result += "# split: " + difference + '\n';
+  }
+  return result;
 }
 
 void ClaimWriter::somewhere(const std::string& suffix, const std::vector<Expression>& truths,

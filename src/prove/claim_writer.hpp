@@ -24,12 +24,19 @@ class ClaimWriter : public SettingWriter {
     std::vector<std::pair<std::string, Expression>> assumptions;  ///< by name; `true` is left out
     std::optional<MotionText> motion = {};
     bool force_domain = true;  ///< whether the force is where the paper stands
+    std::string hints = {};    ///< lines after the assumptions
   };
   void implied(const Implication& implication, const Expression& shown);
   void implied(const Implication& implication, const std::string& shown, const std::vector<Expression>& uses);
   /// For all parameters with `assumptions`, and all values of the other unknowns, some `unknowns` with `shown`.
   void exists(const Implication& implication, const std::vector<std::string>& unknowns, const MotionText& shown,
               const std::vector<Expression>& uses = {});
+  /// No parameters with `assumptions` have all of `motions` at once.
+  void impossible_together(const std::string& suffix,
+                           const std::vector<std::pair<std::string, Expression>>& assumptions,
+                           const std::vector<MotionText>& motions);
+  /// Hints to the boundaries of the setting that regions compare with, and to those that are numbers.
+  std::string cells(const std::vector<Expression>& regions) const;
   /// Some parameters, force and motion with all of `truths`.
   void somewhere(const std::string& suffix, const std::vector<Expression>& truths,
                  const std::vector<MotionText>& motions, const std::vector<Expression>& more_uses = {});

@@ -4,8 +4,21 @@
 
 namespace slipproof::prove {
 
-/// The unknowns as quotients, from the equations of the conclusion; 0 where these leave one free.
-std::optional<std::vector<std::string>> Search::solve_conclusion(const State& state) {
+namespace {
+
+/// The disjunction that the conclusion has as a part, such as one of contact modes; nullptr if it has none.
+const Formula* alternatives_in(const Formula& shown) {
+  for (const Formula& part : shown.parts) {
+    if (part.kind == Formula::Kind::disjunction && non_zero_polynomial(part) == nullptr) return &part;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+/// The unknowns as quotients, from the equations of the conclusion (where it has alternatives, with those of one); 0
+/// where these leave one free.
+Search::Solution Search::solve_conclusion(const State& state, std::size_t alternative) {
   const Ring& ring = statement_.ring();
   State solving = state.branch();
   solving.disjunctions.clear();
@@ -17,8 +30,22 @@ std::optional<std::vector<std::string>> Search::solve_conclusion(const State& st
       for (const Formula& part : formula.parts) collect(part);
     }
   };
-  collect(statement_.shown());
+  const Formula shown = statement_.shown();
+  collect(shown);
+  if (const Formula* alternatives = alternatives_in(shown)) collect(alternatives->parts.at(alternative));
   eliminate(solving, statement_.unknowns().front());
+  Solution solution;
+  for (const Fact& fact : std::vector<Fact>(solving.facts)) {
+    for (const std::size_t unknown : statement_.unknowns()) {
+      if (fact.sign != Sign::zero || fact.p.degree(unknown) != 1) continue;
+      const Polynomial pivot = fact.p.coefficient(unknown, 1);
+      if (pivot.is_constant() || pivot.variables().back() >= statement_.unknowns().front()) continue;
+      for (const auto& [factor, exponent] : factored(pivot).factors) {
+        const KnownSign* sign = sign_of(solving, factor);
+        if (sign == nullptr || !sign->strict) solution.open_pivot = factor;
+      }
+    }
+  }
   std::vector<std::string> values;
   for (const std::size_t unknown : statement_.unknowns()) {
     // unknown = numerator / denominator: reduce the unknown itself with a mark for its pivots.
@@ -47,34 +74,67 @@ std::optional<std::vector<std::string>> Search::solve_conclusion(const State& st
     }
     for (const std::size_t free : statement_.unknowns()) {
       numerator = numerator.coefficient(free, 0);
-      if (denominator.contains(free)) return std::nullopt;
+      if (denominator.contains(free)) return solution;
     }
     values.push_back(denominator.is_constant() ? numerator.scaled(1 / denominator.constant()).text()
                                                : "(" + numerator.text() + ")/(" + denominator.text() + ")");
   }
-  return values;
+  solution.values = std::move(values);
+  return solution;
 }
 
-/// States the values as a witness, and closes what is left.
-bool Search::close_by_witness(State& state, const std::vector<std::string>& values) {
+/// States the values as a witness. Where the conclusion has alternatives, only that these values fail for one of them
+/// is made use of.
+bool Search::add_witness(State& state, const std::string& name, const std::vector<std::string>& values,
+                         std::size_t alternative) {
   Step step;
   step.rule = Step::Rule::witness;
-  step.name = "goal";
+  step.name = name;
   for (std::size_t i = 0; i < values.size(); ++i) {
     step.values.emplace_back(statement_.ring().name(statement_.unknowns()[i]), values[i]);
   }
   state.steps.push_back(step);
   std::vector<Formula> failures;
   for (const Polynomial& divisor : statement_.divisors(values)) failures.push_back(atom(divisor, Sign::zero));
-  failures.push_back(negation(statement_.shown(values)));
-  return add_formula(state, step.name, combine(Formula::Kind::disjunction, std::move(failures))) ||
-         close(state, limits_.split_depth);
+  Formula failure = negation(statement_.shown(values));
+  for (Formula& part : failure.parts) {
+    if (part.kind != Formula::Kind::conjunction) continue;
+    for (std::size_t i = 0; i < part.parts.size(); ++i) {
+      if (i != alternative) part.parts[i] = {};  // true: no conjunct says nothing
+    }
+  }
+  failures.push_back(std::move(failure));
+  return add_formula(state, step.name, combine(Formula::Kind::disjunction, std::move(failures)));
+}
+
+bool Search::close_by_witness(State& state, const std::vector<std::string>& values) {
+  return add_witness(state, "goal", values, 0) || close(state, limits_.split_depth);
+}
+
+/// Values for each alternative of the conclusion: not all of them fail. Splits, at most so often, on pivots of the
+/// equations whose sign is not known.
+bool Search::close_by_alternatives(State& state, int splits) {
+  const std::size_t count = alternatives_in(statement_.shown())->parts.size();
+  std::vector<Solution> solutions;
+  for (std::size_t i = 0; i < count; ++i) {
+    solutions.push_back(solve_conclusion(state, i));
+    if (!solutions.back().open_pivot || splits == 0) continue;
+    return close_split(state, *solutions.back().open_pivot, [&](State& branch) {
+      return eliminate(branch) || refute_facts(branch, false) || close_by_alternatives(branch, splits - 1);
+    });
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& values = solutions[i].values;
+    if (values && add_witness(state, "goal" + std::to_string(i + 1), *values, i)) return true;
+  }
+  return close(state, limits_.split_depth);
 }
 
 /// Proves existence: by numbers where nothing is given; by the solution of the conclusion's equations; or, where the
 /// signs of its pivots are not known, by cases and by splits on the statement's hints.
 bool Search::close_existence(State& state, std::size_t hint) {
   if (eliminate(state) || refute_facts(state, false)) return true;
+  drop_known_cases(state);
   if (statement_.unknowns().size() == statement_.ring().size()) {
     const auto instance =
         find_instance(statement_.ring(), statement_.shown(), statement_.hints(), limits_.instances, budget_);
@@ -83,7 +143,9 @@ bool Search::close_existence(State& state, std::size_t hint) {
     for (const Rational& value : *instance) values.push_back(value.str());
     return close_by_witness(state, values);
   }
-  if (const auto values = solve_conclusion(state)) {
+  if (alternatives_in(statement_.shown()) != nullptr) {
+    if (state.disjunctions.empty()) return close_by_alternatives(state, 3);
+  } else if (const auto values = solve_conclusion(state).values) {
     State attempt = state;
     if (close_by_witness(attempt, *values)) {
       state = std::move(attempt);

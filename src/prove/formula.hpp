@@ -32,6 +32,16 @@ inline Formula non_zero(const Polynomial& p) {
   return combine(Formula::Kind::disjunction, {atom(p, Sign::positive), atom(-p, Sign::positive)});
 }
 
+/// p of a formula p != 0, p not the constant zero; otherwise nullptr.
+inline const Polynomial* non_zero_polynomial(const Formula& formula) {
+  if (formula.kind != Formula::Kind::disjunction || formula.parts.size() != 2) return nullptr;
+  for (const Formula& part : formula.parts) {
+    if (part.kind != Formula::Kind::atom || part.sign != Sign::positive) return nullptr;
+  }
+  const Polynomial& p = formula.parts[0].polynomial.front();
+  return p == -formula.parts[1].polynomial.front() && !p.is_zero() ? &p : nullptr;
+}
+
 inline Formula negation(const Formula& formula) {
   if (formula.kind == Formula::Kind::atom) {
     const Polynomial& p = formula.polynomial.front();

@@ -74,21 +74,13 @@ class Attempt {
       case Formula::Kind::disjunction:
         if (formula.parts.empty()) {
           conditions_.push_back({Polynomial(ring_, 1), Sign::zero});
-        } else if (is_non_zero(formula)) {
-          conditions_.push_back({formula.parts[0].polynomial.front(), Sign::positive, true});
+        } else if (const Polynomial* p = non_zero_polynomial(formula)) {
+          conditions_.push_back({*p, Sign::positive, true});
         } else {
           collect(formula.parts[random_() % formula.parts.size()]);
         }
         break;
     }
-  }
-
-  static bool is_non_zero(const Formula& formula) {
-    if (formula.parts.size() != 2) return false;
-    for (const Formula& part : formula.parts) {
-      if (part.kind != Formula::Kind::atom || part.sign != Sign::positive) return false;
-    }
-    return formula.parts[0].polynomial.front() == -formula.parts[1].polynomial.front();
   }
 
   /// Drops what is true; whether nothing is false.

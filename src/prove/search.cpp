@@ -54,6 +54,18 @@ bool Search::hopeless(const State& state) {
   return state.disjunctions.empty() && !inside.empty();
 }
 
+/// Whether elimination alone makes a sign condition evidently false.
+bool Search::refuted_by_rules(State& state, const Formula& formula) {
+  if (formula.kind != Formula::Kind::atom) return evident(formula) == false;
+  Fact fact{"", formula.polynomial.front(), formula.sign};
+  State scratch;
+  for (const Rule& rule : state.rules) {
+    budget_.spend(fact.p.length());
+    reduce(scratch, rule, fact);
+  }
+  return evident(atom(fact.p, fact.sign)) == false;
+}
+
 /// Closes the state: on success its steps end in a contradiction or a split all of whose branches do.
 bool Search::close(State& state, int depth) {
   if (eliminate(state)) return true;
@@ -62,6 +74,14 @@ bool Search::close(State& state, int depth) {
   if (!state.disjunctions.empty()) {
     for (std::size_t i = 0; i < state.disjunctions.size(); ++i) {
       if (evident(state.disjunctions[i].second) != false) continue;
+      return close_cases(state, i, [&](State& branch) { return close(branch, 0); });
+    }
+    for (std::size_t i = 0; i < state.disjunctions.size(); ++i) {
+      const auto& parts = state.disjunctions[i].second.parts;
+      if (!std::all_of(parts.begin(), parts.end(),
+                       [&](const Formula& part) { return refuted_by_rules(state, part); })) {
+        continue;
+      }
       return close_cases(state, i, [&](State& branch) { return close(branch, 0); });
     }
     // Alternatives that can be opened one at a time: the shortest first.
@@ -114,9 +134,10 @@ bool Search::search_deeper(const State& start, State& closed) {
   for (limits_.split_depth = std::min(deepest, 1);; ++limits_.split_depth) {
     closed = start;
     if (statement_.unknowns().empty()) {
-      found = add_formula(closed, "goal", negation(statement_.shown())) || close(closed, limits_.split_depth);
+      found = add_formula(closed, "goal", negation(statement_.shown())) ||
+              close_cells(closed, 0, [&](State& branch) { return close(branch, limits_.split_depth); });
     } else {
-      found = close_existence(closed, 0);
+      found = close_cells(closed, 0, [&](State& branch) { return close_existence(branch, 0); });
     }
     if (found || limits_.split_depth >= deepest) break;
   }

@@ -17,7 +17,7 @@
 namespace slipproof::prove {
 
 struct Limits {
-  int split_depth = 2;       ///< nested splits that no hypothesis asks for
+  int split_depth = 3;       ///< nested splits that no hypothesis asks for
   int split_candidates = 6;  ///< tried at each of them
   int slack_depth = 2;       ///< variables replaced at a time
   int slack_attempts = 400;  ///< for one polynomial
@@ -64,15 +64,25 @@ class Search {
   bool refute_facts(State& state, bool thorough);
   bool refute_pairs(State& state, std::vector<Polynomial>& candidates, bool thorough);
   bool refute_products(State& state);
+  bool implied(State& state, const Formula& formula, const SampleSet& excluded);
   void drop_known_cases(State& state);
   bool close(State& state, int depth);
+  bool close_cells(State& state, std::size_t next, const Close& close);
   bool close_cases(State& state, std::size_t which, const Close& close);
   bool close_split(State& state, const Polynomial& p, const Close& close);
   std::vector<Polynomial> split_candidates(State& state, const std::vector<Polynomial>& from_pairs);
-  std::optional<std::vector<std::string>> solve_conclusion(const State& state);
+  struct Solution {
+    std::optional<std::vector<std::string>> values;
+    std::optional<Polynomial> open_pivot;  ///< a factor of unknown sign that stood in the way
+  };
+  Solution solve_conclusion(const State& state, std::size_t alternative = 0);
+  bool add_witness(State& state, const std::string& name, const std::vector<std::string>& values,
+                   std::size_t alternative);
   bool close_by_witness(State& state, const std::vector<std::string>& values);
+  bool close_by_alternatives(State& state, int splits);
   bool close_existence(State& state, std::size_t hint);
 
+  bool refuted_by_rules(State& state, const Formula& formula);
   bool hopeless(const State& state);
   void keep_leftover(const State& state);
   std::optional<Proof> search();

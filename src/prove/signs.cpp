@@ -54,27 +54,43 @@ const Search::KnownSign* Search::sign_of(State& state, const Polynomial& factor,
   return known != state.signs.end() ? &known->second : nullptr;
 }
 
-/// Forgets disjunctions p > 0 or p < 0 where the sign is known: their branches have nothing to say.
-void Search::drop_known_cases(State& state) {
-  for (std::size_t i = 0; i < state.disjunctions.size();) {
-    const Formula& formula = state.disjunctions[i].second;
-    bool useless = false;
-    if (formula.parts.size() == 2 && formula.parts[0].kind == Formula::Kind::atom &&
-        formula.parts[1].kind == Formula::Kind::atom && formula.parts[0].sign == Sign::positive &&
-        formula.parts[1].sign == Sign::positive &&
-        formula.parts[0].polynomial.front() == -formula.parts[1].polynomial.front()) {
-      useless = !formula.parts[0].polynomial.front().is_zero();
-      for (const auto& [factor, exponent] : factored(formula.parts[0].polynomial.front()).factors) {
-        const KnownSign* sign = sign_of(state, factor);
-        if (sign == nullptr || !sign->strict) useless = false;
-      }
-    }
-    if (useless) {
-      state.disjunctions.erase(state.disjunctions.begin() + static_cast<std::ptrdiff_t>(i));
-    } else {
-      ++i;
-    }
+/// Whether the known signs of factors make the formula true; it is not searched for one that is false for a sample
+/// outside of `excluded`.
+bool Search::implied(State& state, const Formula& formula, const SampleSet& excluded) {
+  const auto follows = [&](const Formula& part) { return implied(state, part, excluded); };
+  if (formula.kind == Formula::Kind::conjunction) {
+    return std::all_of(formula.parts.begin(), formula.parts.end(), follows);
   }
+  if (formula.kind == Formula::Kind::disjunction) {
+    if (const Polynomial* p = non_zero_polynomial(formula)) {
+      const auto& factors = factored(*p).factors;
+      return std::all_of(factors.begin(), factors.end(), [&](const auto& factor) {
+        const KnownSign* sign = sign_of(state, factor.first);
+        return sign != nullptr && sign->strict;
+      });
+    }
+    return std::any_of(formula.parts.begin(), formula.parts.end(), follows);
+  }
+  const Polynomial& p = formula.polynomial.front();
+  if (p.is_constant()) return evident(formula) == true;
+  if (formula.sign == Sign::zero || !excluded.contains(signs_at_samples(p).negative)) return false;
+  const Factorization& factors = factored(p);
+  int orientation = factors.constant > 0 ? 1 : -1;
+  for (const auto& [factor, exponent] : factors.factors) {
+    const KnownSign* sign = sign_of(state, factor);
+    if (sign == nullptr || (formula.sign == Sign::positive && !sign->strict)) return false;
+    if (exponent % 2 == 1) orientation *= sign->orientation;
+  }
+  return orientation > 0;
+}
+
+/// Forgets disjunctions that are known to be true: their branches have nothing to say.
+void Search::drop_known_cases(State& state) {
+  SampleSet excluded;
+  for (const Fact& fact : state.facts) {
+    if (fact.sign != Sign::zero) excluded |= fact.fails;
+  }
+  std::erase_if(state.disjunctions, [&](const auto& named) { return implied(state, named.second, excluded); });
 }
 
 }  // namespace slipproof::prove
