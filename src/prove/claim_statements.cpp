@@ -192,8 +192,9 @@ Expression with_ends(ClaimWriter& writer, const Expression& truth) {
   }
 }
 
-/// Cell by cell: where a claim states a motion there is no other; and beyond the claims there is one of the modes
-/// listed, and no other, and no two of these at once.
+/// Where a claim states a motion there is no other; and beyond the claims there is one of the modes listed, and no
+/// other, and no two of these at once. What is beyond all claims is shown cell by cell, between the boundaries in their
+/// regions, and that the cells are all there is.
 void unique(ClaimWriter& writer) {
   const ClaimBody& body = writer.body();
   const auto other = [&](std::size_t index) -> const ClaimBody& {
@@ -207,6 +208,7 @@ void unique(ClaimWriter& writer) {
     common.emplace_back(fmt::format("not_excepted{}", i + 1), beyond(body.except[i]));
   }
   const MotionText motion = writer.any_motion();
+  const std::string hints = writer.hints_to_numbers();
   Assumptions rest = common;
   std::vector<Expression> regions;
   for (const std::size_t index : body.claims) {
@@ -214,7 +216,7 @@ void unique(ClaimWriter& writer) {
     Assumptions assumptions = common;
     assumptions.emplace_back("stated", make(Operation::logical_and, {stated.region, stated.forces}));
     const std::string& id = writer.claims().claims[index].id;
-    writer.implied({"." + id, assumptions, motion, true, writer.cells({})}, mode_text(stated.modes.front()), {});
+    writer.implied({"." + id, assumptions, motion, true, hints}, mode_text(stated.modes.front()), {});
     rest.emplace_back("beyond_" + id, beyond(index));
     regions.push_back(stated.region);
   }
@@ -225,11 +227,18 @@ void unique(ClaimWriter& writer) {
   const bool any_rear = std::all_of(body.modes.begin(), body.modes.end(),
                                     [&](ContactMode mode) { return mode.front == body.modes.front().front; }) &&
                         body.modes.size() == all_contact_states.size();
-  const std::string cells = writer.cells(regions);
-  writer.implied({".rest", rest, motion, true, cells},
-                 any_rear ? state_name(Wheel::front, body.modes.front().front) : listed, {});
-  writer.exists({".rest.exists", rest, {}, true, cells}, all_unknowns(),
-                {motion.definitions, std::string(dynamics) + " and {" + listed + "}"});
+  const std::string shown = any_rear ? state_name(Wheel::front, body.modes.front().front) : listed;
+  const MotionText some_motion{motion.definitions, std::string(dynamics) + " and {" + listed + "}"};
+  const std::vector<Expression> cells = writer.cells(regions);
+  Expression any_cell;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    Assumptions here = rest;
+    here.emplace(here.begin(), "cell", cells[i]);
+    writer.implied({fmt::format(".rest.{}", i + 1), here, motion, true, hints}, shown, {});
+    writer.exists({fmt::format(".rest.exists.{}", i + 1), here, {}, true, hints}, all_unknowns(), some_motion);
+    any_cell = any_cell ? make(Operation::logical_or, {any_cell, cells[i]}) : cells[i];
+  }
+  writer.implied({".rest.cells", {}, {}}, any_cell);
   for (std::size_t i = 0; i < body.modes.size(); ++i) {
     for (std::size_t k = i + 1; k < body.modes.size(); ++k) {
       writer.impossible_together(fmt::format(".rest.one.{}-{}", i + 1, k + 1), common,

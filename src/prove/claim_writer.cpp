@@ -112,19 +112,34 @@ void ClaimWriter::impossible_together(const std::string& suffix,
   statements_.push_back({name_ + suffix, result + "show false\n"});
 }
 
-std::string ClaimWriter::cells(const std::vector<Expression>& regions) const {
-  const auto bounds_region = [&](const Boundary& boundary) {
-    return boundary.value->operation == Operation::symbol &&
-           std::any_of(regions.begin(), regions.end(), [&](const Expression& region) {
-             const std::vector<std::string> names = symbols(region);
-             return std::find(names.begin(), names.end(), boundary.value->symbol) != names.end();
-           });
-  };
+std::vector<Expression> ClaimWriter::cells(const std::vector<Expression>& regions) const {
+  std::vector<Expression> values;
+  std::string symbol;
+  for (const Boundary& boundary : setting().boundaries) {
+    if (boundary.value->operation != Operation::symbol) continue;
+    const bool bounds_region = std::any_of(regions.begin(), regions.end(), [&](const Expression& region) {
+      const std::vector<std::string> names = symbols(region);
+      return std::find(names.begin(), names.end(), boundary.value->symbol) != names.end();
+    });
+    if (!bounds_region || (!symbol.empty() && boundary.symbol != symbol)) continue;
+    symbol = boundary.symbol;
+    values.push_back(boundary.value);
+  }
+  if (values.empty()) return {make_truth(true)};
+  const Expression bounded = make_symbol(symbol);
+  std::vector<Expression> result = {make_comparison({bounded, values.front()}, {Relation::less})};
+  for (std::size_t i = 0; i + 1 < values.size(); ++i) {
+    result.push_back(make_comparison({values[i], bounded, values[i + 1]}, {Relation::less_equal, Relation::less}));
+  }
+  result.push_back(make_comparison({values.back(), bounded}, {Relation::less_equal}));
+  return result;
+}
+
+std::string ClaimWriter::hints_to_numbers() const {
   std::string result;
   for (const Boundary& boundary : setting().boundaries) {
-    const std::string difference = fmt::format("{} - ({})", boundary.symbol, to_string(boundary.value));
-    if (bounds_region(boundary)) result += "# cells: " + difference + '\n';
-    if (symbols(boundary.value).empty()) result += "# split: " + difference + '\n';
+    if (!symbols(boundary.value).empty()) continue;
+    result += fmt::format("# split: {} - ({})\n", boundary.symbol, to_string(boundary.value));
   }
   return result;
 }

@@ -35,8 +35,11 @@ class ClaimWriter : public SettingWriter {
   void impossible_together(const std::string& suffix,
                            const std::vector<std::pair<std::string, Expression>>& assumptions,
                            const std::vector<MotionText>& motions);
-  /// Hints to the boundaries of the setting that regions compare with, and to those that are numbers.
-  std::string cells(const std::vector<Expression>& regions) const;
+  /// Between the boundaries of the setting that `regions` name, all of one parameter, in the order in which the setting
+  /// lists them; a boundary belongs to the cell above it. Whatever their order, every value lies in one.
+  std::vector<Expression> cells(const std::vector<Expression>& regions) const;
+  /// Hints to split at the boundaries that are numbers.
+  std::string hints_to_numbers() const;
   /// Some parameters, force and motion with all of `truths`.
   void somewhere(const std::string& suffix, const std::vector<Expression>& truths,
                  const std::vector<MotionText>& motions, const std::vector<Expression>& more_uses = {});

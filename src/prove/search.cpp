@@ -134,10 +134,9 @@ bool Search::search_deeper(const State& start, State& closed) {
   for (limits_.split_depth = std::min(deepest, 1);; ++limits_.split_depth) {
     closed = start;
     if (statement_.unknowns().empty()) {
-      found = add_formula(closed, "goal", negation(statement_.shown())) ||
-              close_cells(closed, 0, [&](State& branch) { return close(branch, limits_.split_depth); });
+      found = add_formula(closed, "goal", negation(statement_.shown())) || close(closed, limits_.split_depth);
     } else {
-      found = close_cells(closed, 0, [&](State& branch) { return close_existence(branch, 0); });
+      found = close_existence(closed, 0);
     }
     if (found || limits_.split_depth >= deepest) break;
   }

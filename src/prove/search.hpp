@@ -25,7 +25,7 @@ struct Limits {
   std::size_t products = 400;
   int instances = 4000;  ///< attempts to find numbers for a statement about some bicycle
   /// For one statement, in terms of polynomials multiplied or evaluated: the same on every machine, as time is not.
-  std::uint64_t steps = 20'000'000;
+  std::uint64_t steps = 50'000'000;
 };
 
 /// What a failed search was left with, for a person to read.
@@ -67,7 +67,6 @@ class Search {
   bool implied(State& state, const Formula& formula, const SampleSet& excluded);
   void drop_known_cases(State& state);
   bool close(State& state, int depth);
-  bool close_cells(State& state, std::size_t next, const Close& close);
   bool close_cases(State& state, std::size_t which, const Close& close);
   bool close_split(State& state, const Polynomial& p, const Close& close);
   std::vector<Polynomial> split_candidates(State& state, const std::vector<Polynomial>& from_pairs);

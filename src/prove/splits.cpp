@@ -33,35 +33,6 @@ bool Search::close_split(State& state, const Polynomial& p, const Close& close) 
   return true;
 }
 
-/// Splits by the signs of the statement's cells from `next` on, where they are not known.
-bool Search::close_cells(State& state, std::size_t next, const Close& close) {
-  if (next == statement_.cells().size()) return close(state);
-  if (eliminate(state) || refute_facts(state, false) || (next > 0 && refute_facts(state, true))) return true;
-  const Polynomial& cell = statement_.cells()[next];
-  const auto& factors = factored(cell).factors;
-  const bool known = std::all_of(factors.begin(), factors.end(), [&](const auto& factor) {
-    const KnownSign* sign = sign_of(state, factor.first);
-    return sign != nullptr && sign->strict;
-  });
-  if (known) return close_cells(state, next + 1, close);
-  Step step;
-  step.rule = Step::Rule::split;
-  step.name = fresh();
-  step.polynomial = {cell};
-  for (const int sign : {-1, 0, 1}) {
-    State branch = state.branch();
-    Fact fact{step.name, sign < 0 ? -cell : cell, Sign::positive};
-    if (sign == 0) {  // mostly as in the cell beside it; an equation between parameters would only lengthen polynomials
-      fact = {fresh(), cell, Sign::non_negative};
-      branch.steps.push_back(have(fact, {{{{1, {{fact.name, 1}}}}, {{step.name, Polynomial(cell.ring(), 1)}}}}));
-    }
-    if (!add(branch, fact) && !close_cells(branch, next + 1, close)) return false;
-    step.branches.push_back(std::move(branch.steps));
-  }
-  state.steps.push_back(std::move(step));
-  return true;
-}
-
 std::vector<Polynomial> Search::split_candidates(State& state, const std::vector<Polynomial>& from_pairs) {
   std::vector<Polynomial> result;
   std::vector<std::pair<std::size_t, Polynomial>> counted;

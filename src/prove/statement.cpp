@@ -209,8 +209,6 @@ Statement::Statement(const std::string& name, const std::string& text) : file_(n
     try {
       if (line.starts_with("# split:")) {
         hints_.push_back(reader.expression(line.substr(8)).numerator);
-      } else if (line.starts_with("# cells:")) {
-        cells_.push_back(reader.expression(line.substr(8)).numerator);
       } else if (word == "let" || word == "define") {
         reader.abbreviation(word, words);
       } else if (word == "assume") {

@@ -45,8 +45,6 @@ class Statement {
   std::size_t first_unknown() const { return first_unknown_; }
   /// Polynomials named on lines `# split: EXPRESSION`, worth a case split.
   const std::vector<Polynomial>& hints() const { return hints_; }
-  /// Polynomials named on lines `# cells: EXPRESSION`: what is to be proved is split by their signs before all else.
-  const std::vector<Polynomial>& cells() const { return cells_; }
   /// The conclusion with values for the unknowns, or, with none, in the unknowns as variables.
   Formula shown(const std::vector<std::string>& witness = {}) const;
   /// The divisors of the values of a witness, in their order.
@@ -63,7 +61,7 @@ class Statement {
   std::vector<std::pair<std::string, Formula>> assumptions_;
   std::vector<std::size_t> unknowns_;
   std::size_t first_unknown_ = 0;
-  std::vector<Polynomial> hints_, cells_;
+  std::vector<Polynomial> hints_;
 };
 
 }  // namespace slipproof::prove

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,72 @@ TEST_CASE("Assertions 1 to 4 are proved in the reading in which they are true") 
     INFO(id, ": ", proof.problems.empty() ? "" : proof.problems.front());
     CHECK(proof.proved);
   }
+}
+
+TEST_CASE("uniqueness is proved cell by cell, and that the motions exist with it") {
+  const ClaimsFile claims = read_claims(shipped_folder / "claims.toml");
+  const Claim& claim = *claims.find("A5.2");
+  const ClaimProof proof = find_claim_proof(claims, claim, Reading::repaired, shipped_folder, rejection);
+  INFO(proof.problems.empty() ? "" : proof.problems.front());
+  CHECK(proof.proved);
+  std::set<std::string> names;
+  for (const std::filesystem::path& certificate : proof.certificates) names.insert(certificate.stem().string());
+  for (const char* id : {"A1.1", "A1.2", "A2.1", "A2.2", "A2.3", "A3.1", "A4.1", "A4.2"}) {
+    INFO(id);
+    CHECK(names.contains(std::string("A5.2.repaired.") + id));  // no other motion
+    for (const NamedStatement& stated : claim_statements(claims, *claims.find(id), Reading::repaired)) {
+      if (stated.name.ends_with(".always")) CHECK(names.contains(stated.name));
+    }
+  }
+  for (const char* cell : {"1", "2", "3", "4"}) {  // b1, b11, b0 are between them
+    CHECK(names.contains(std::string("A5.2.repaired.rest.") + cell));
+    CHECK(names.contains(std::string("A5.2.repaired.rest.exists.") + cell));
+  }
+  CHECK(names.contains("A5.2.repaired.rest.cells"));
+  for (const char* pair : {"1-2", "1-3", "1-4", "2-3", "2-4", "3-4"}) {
+    CHECK(names.contains(std::string("A5.2.repaired.rest.one.") + pair));
+  }
+  CHECK(names.size() == 31);
+}
+
+TEST_CASE("uniqueness is not proved of other claims than those whose motions it speaks of") {
+  const auto proved = [](const ClaimsFile& claims) {
+    const auto trust = [](const std::filesystem::path&) { return std::string(); };
+    return find_claim_proof(claims, *claims.find("A5.2"), Reading::repaired, shipped_folder, trust).proved;
+  };
+  const ClaimsFile shipped = read_claims(shipped_folder / "claims.toml");
+  REQUIRE(proved(shipped));
+  CHECK(!find_claim_proof(shipped, *shipped.find("A5.2"), Reading::printed, shipped_folder, rejection).proved);
+  const auto tampered = [&](auto change) {
+    ClaimsFile claims = shipped;
+    for (Claim& claim : claims.claims) {
+      if (claim.id == "A5.2") change(*claim.repaired);
+    }
+    return proved(claims);
+  };
+  CHECK(tampered([](ClaimBody&) {}));
+  CHECK(!tampered([](ClaimBody& body) { body.except.clear(); }));
+  CHECK(!tampered([](ClaimBody& body) { body.claims.pop_back(); }));
+  CHECK(!tampered([](ClaimBody& body) { body.modes.pop_back(); }));
+}
+
+TEST_CASE("where a motion is left out of those that are stated, uniqueness is not found") {
+  ClaimsFile claims = read_claims(shipped_folder / "claims.toml");
+  const auto stick_stick = static_cast<std::size_t>(claims.find("A1.1") - claims.claims.data());
+  for (Claim& claim : claims.claims) {
+    if (claim.id == "A5.2") std::erase(claim.repaired->claims, stick_stick);
+  }
+  prove::Limits limits;
+  limits.split_depth = 1;
+  limits.products = 0;
+  limits.steps = 1'000'000;
+  bool found = false;
+  for (const auto& [name, text] : claim_statements(claims, *claims.find("A5.2"), Reading::repaired)) {
+    if (name != "A5.2.repaired.rest.4") continue;
+    found = true;
+    CHECK(!prove_statement(name, text, limits).proved());
+  }
+  CHECK(found);
 }
 
 TEST_CASE("what is false in print has no proof") {
