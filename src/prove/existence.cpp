@@ -6,6 +6,8 @@ namespace slipproof::prove {
 
 namespace {
 
+constexpr auto all_alternatives = static_cast<std::size_t>(-1);
+
 /// The disjunction that the conclusion has as a part, such as one of contact modes; nullptr if it has none.
 const Formula* alternatives_in(const Formula& shown) {
   for (const Formula& part : shown.parts) {
@@ -83,8 +85,8 @@ Search::Solution Search::solve_conclusion(const State& state, std::size_t altern
   return solution;
 }
 
-/// States the values as a witness. Where the conclusion has alternatives, only that these values fail for one of them
-/// is made use of.
+/// States the values as a witness. Of a conclusion with alternatives it is made use of only that these values fail for
+/// one of them, unless it is to be all.
 bool Search::add_witness(State& state, const std::string& name, const std::vector<std::string>& values,
                          std::size_t alternative) {
   Step step;
@@ -98,7 +100,7 @@ bool Search::add_witness(State& state, const std::string& name, const std::vecto
   for (const Polynomial& divisor : statement_.divisors(values)) failures.push_back(atom(divisor, Sign::zero));
   Formula failure = negation(statement_.shown(values));
   for (Formula& part : failure.parts) {
-    if (part.kind != Formula::Kind::conjunction) continue;
+    if (part.kind != Formula::Kind::conjunction || alternative == all_alternatives) continue;
     for (std::size_t i = 0; i < part.parts.size(); ++i) {
       if (i != alternative) part.parts[i] = {};  // true: no conjunct says nothing
     }
@@ -108,7 +110,7 @@ bool Search::add_witness(State& state, const std::string& name, const std::vecto
 }
 
 bool Search::close_by_witness(State& state, const std::vector<std::string>& values) {
-  return add_witness(state, "goal", values, 0) || close(state, limits_.split_depth);
+  return add_witness(state, "goal", values, all_alternatives) || close(state, limits_.split_depth);
 }
 
 /// Values for each alternative of the conclusion: not all of them fail. Splits, at most so often, on pivots of the
