@@ -8,8 +8,8 @@ namespace slipproof::check {
 /// numerator / denominator, defined where no polynomial in `divisors` is zero; the denominator is a product of those.
 struct Fraction {
   Polynomial numerator;
-  Polynomial denominator{1};
-  std::vector<Polynomial> divisors{};  ///< those that are not constant, each once
+  std::optional<Polynomial> denominator{};  ///< none is 1
+  std::vector<Polynomial> divisors{};       ///< those that are not constant, each once
 };
 
 enum class Kind { zero, positive, non_negative, conjunction, disjunction };
@@ -76,7 +76,7 @@ class FormulaReader : public Reader {
   /// An expression without division.
   Polynomial polynomial() {
     Fraction value = expression();
-    require(value.denominator == Polynomial(1), "expected a polynomial with integer coefficients");
+    require(one_or(value.denominator) == Polynomial(1), "expected a polynomial with integer coefficients");
     return std::move(value.numerator);
   }
 
@@ -122,7 +122,8 @@ class FormulaReader : public Reader {
 
   /// x - y = n/d, and where d is not zero, n/d > 0 says n d > 0. The divisors come first, each as a condition.
   static Formula comparison(Fraction x, const std::string& relation, Fraction y) {
-    const auto [n, d, divisors] = sum(std::move(x), negative(std::move(y)));
+    const auto [n, denominator, divisors] = sum(std::move(x), negative(std::move(y)));
+    const Polynomial d = one_or(denominator);
     std::vector<Formula> parts;
     for (const Polynomial& divisor : divisors) parts.push_back(non_zero(divisor));
     if (relation == "!=") parts.push_back(non_zero(n));
@@ -148,9 +149,8 @@ class FormulaReader : public Reader {
     while (accept("-")) minus = !minus;
     Fraction result = base();
     if (accept("^")) {
-      const int n = exponent();
-      result.numerator = result.numerator.power(n);
-      result.denominator = result.denominator.power(n);
+      const Fraction factor = result;
+      for (int n = exponent(); n > 1; --n) result = times(std::move(result), factor);
     }
     return minus ? negative(std::move(result)) : result;
   }
@@ -163,19 +163,21 @@ class FormulaReader : public Reader {
     return named->second;
   }
 
+  static Polynomial one_or(const std::optional<Polynomial>& p) { return p.value_or(Polynomial(1)); }
+
   static Fraction negative(Fraction x) {
     x.numerator = -std::move(x.numerator);
     return x;
   }
 
-  static Fraction sum(Fraction x, const Fraction& y) {
+  static Fraction sum(Fraction x, Fraction y) {
     add_divisors(x, y.divisors);
     if (x.denominator == y.denominator) {
-      x.numerator += y.numerator;
+      x.numerator += std::move(y.numerator);
     } else {
-      x.numerator = x.numerator * y.denominator;
-      x.numerator += y.numerator * x.denominator;
-      x.denominator = x.denominator * y.denominator;
+      x.numerator = x.numerator * one_or(y.denominator);
+      x.numerator += y.numerator * one_or(x.denominator);
+      x.denominator = one_or(x.denominator) * one_or(y.denominator);
     }
     return x;
   }
@@ -183,14 +185,14 @@ class FormulaReader : public Reader {
   static Fraction times(Fraction x, const Fraction& y) {
     add_divisors(x, y.divisors);
     x.numerator = x.numerator * y.numerator;
-    x.denominator = x.denominator * y.denominator;
+    if (y.denominator) x.denominator = one_or(x.denominator) * *y.denominator;
     return x;
   }
 
   static Fraction inverse(Fraction x) {
     require(!x.numerator.is_zero(), "division by zero");
     add_divisors(x, {x.numerator});
-    std::swap(x.numerator, x.denominator);
+    x.denominator = std::exchange(x.numerator, one_or(x.denominator));
     return x;
   }
 

@@ -42,7 +42,8 @@ class Polynomial : Counted {
   mpz_class constant() const { return is_zero() ? mpz_class(0) : terms_.begin()->second; }  ///< of a constant
   bool operator==(const Polynomial& other) const { return terms_ == other.terms_; }
 
-  Polynomial& operator+=(const Polynomial& other) {
+  Polynomial& operator+=(Polynomial other) {
+    terms_.merge(other.terms_);  // what stays behind are the terms that both have
     for (const auto& [exponents, coefficient] : other.terms_) add(exponents, coefficient);
     return *this;
   }
@@ -61,24 +62,20 @@ class Polynomial : Counted {
     return p;
   }
 
-  Polynomial power(int exponent) const {
-    Polynomial result(1);
-    while (exponent-- > 0) result = result * *this;
-    return result;
-  }
-
  private:
   static Exponents sum(const Exponents& x, const Exponents& y) {
     Exponents result{};
+    int too_large = 0;
     for (std::size_t i = 0; i < kMaxVariables; ++i) {
-      require(x[i] + y[i] <= kMaxDegree, "a degree is too large");
+      too_large |= x[i] + y[i] > kMaxDegree;
       result[i] = static_cast<std::uint8_t>(x[i] + y[i]);
     }
+    require(too_large == 0, "a degree is too large");
     return result;
   }
 
   void add(const Exponents& exponents, const mpz_class& coefficient) {
-    const auto term = terms_.try_emplace(exponents).first;
+    const auto term = terms_.try_emplace(terms_.end(), exponents);  // most terms come in order
     mpz_class& sum = term->second;
     sum += coefficient;
     require(mpz_size(sum.get_mpz_t()) <= kMaxCoefficient, "a coefficient is too large");

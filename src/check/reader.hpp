@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <istream>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -106,7 +107,7 @@ class Reader {
     for (std::string_view rest = line_; !rest.empty();) {
       const auto end = std::find_if_not(rest.begin(), rest.end(), is_in_word);
       std::size_t size = std::max<std::size_t>(1, static_cast<std::size_t>(end - rest.begin()));
-      if (rest.starts_with("<=") || rest.starts_with(">=") || rest.starts_with("!=")) size = 2;
+      if (rest.size() > 1 && rest[1] == '=' && std::string_view("<>!").find(rest[0]) < 3) size = 2;
       if (rest.front() != ' ' && rest.front() != '\t') tokens_.push_back(rest.substr(0, size));
       rest.remove_prefix(size);
     }

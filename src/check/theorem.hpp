@@ -219,9 +219,9 @@ class Proof {
     bool strict = false, superfluous = false;
     int lines = 0;
     for (reader_.need_line(); !reader_.accept("qed"); reader_.need_line(), ++lines) {
-      const Polynomial line = reader_.accept("equation") ? equation() : term(strict);
+      Polynomial line = reader_.accept("equation") ? equation() : term(strict);
       superfluous = superfluous || line.is_zero();
-      sum += line;
+      sum += std::move(line);
       reader_.expect_end();
     }
     reader_.expect_end();
@@ -249,7 +249,7 @@ class Proof {
       const Formula& factor = hypothesis();
       require(factor.kind == Kind::positive || factor.kind == Kind::non_negative, "not an inequality");
       all_strict = all_strict && factor.kind == Kind::positive;
-      product = product * factor.polynomial.power(reader_.accept("^") ? reader_.exponent() : 1);
+      for (int n = reader_.accept("^") ? reader_.exponent() : 1; n > 0; --n) product = product * factor.polynomial;
     }
     strict = strict || all_strict;
     return product;

@@ -136,7 +136,8 @@ Point motion(const Point& parameters, const std::vector<std::pair<std::string, s
     reader.names = names;
     reader.need_line();
     const check::Fraction value = reader.expression();
-    point[name] = Rational(value.numerator.constant().get_str()) / Rational(value.denominator.constant().get_str());
+    const mpz_class below = value.denominator.value_or(check::Polynomial(1)).constant();
+    point[name] = Rational(value.numerator.constant().get_str()) / Rational(below.get_str());
   }
   return point;
 }
