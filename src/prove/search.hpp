@@ -61,6 +61,7 @@ class Search {
   const SignPattern& signs_at_samples(const Polynomial& p);
   SampleSet fails(const Fact& fact);
   const KnownSign* sign_of(State& state, const Polynomial& factor, bool thorough = false);
+  bool refute_multiples(State& state);
   bool refute_facts(State& state, bool thorough);
   bool refute_pairs(State& state, std::vector<Polynomial>& candidates, bool thorough);
   bool refute_products(State& state);

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@
 
 using slipproof::test::read_file;
 using slipproof::test::shipped_folder;
+using slipproof::test::TemporaryFolder;
 
 TEST_CASE("certificates of Assertions 1 to 4 are found again, byte for byte") {
   for (const char* name : {"A1.1.always", "A1.1.only-then", "A2.1.repaired.always", "A2.2.repaired.only-then",
@@ -65,6 +67,27 @@ TEST_CASE("the number of threads does not change a byte") {
     CHECK(one[i].certificate == several[i].certificate);
     CHECK(one[i].certificate == read_file(std::filesystem::path(statements[i]).replace_extension(".cert")));
   }
+}
+
+TEST_CASE("an equation is made use of where the signs of all its coefficients are unknown") {
+  const auto proved = [](const char* conclusion) {
+    const std::string text = std::string("slipproof-statement 1\ntheorem t\nreal a b c x y z\n") +
+                             "assume e: a*x + b*y + c*z = 0\nshow " + conclusion + "\n";
+    slipproof::prove::Limits limits;
+    limits.split_depth = 0;
+    limits.products = 0;
+    const slipproof::ProofOutcome outcome = slipproof::prove_statement("t.statement", text, limits);
+    if (!outcome.proved()) return false;
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "t.statement") << text;
+    std::ofstream(folder.path() / "t.cert") << outcome.certificate;
+    CHECK(slipproof::check::check_file(folder.path() / "t.cert").verdict == "accepted");
+    return true;
+  };
+  CHECK(proved("a*x + b*y + c*z = 0"));
+  CHECK(proved("(a + x)*(a*x + b*y + c*z) <= 0"));
+  CHECK(!proved("a*x + b*y - c*z = 0"));
+  CHECK(!proved("a*x + b*y + c*z + 1 <= 0"));
 }
 
 TEST_CASE("a malformed statement is an input error with its line") {
