@@ -22,9 +22,10 @@ struct NamedStatement {
 /// - motions: ID.1, ID.2, ... (there is a motion in each mode) and ID.complete (each motion is in one of the modes);
 /// - equivalence: ID.forwards (where `forces`, there `holds`) and ID.backwards;
 /// - system: ID.forwards (the equations follow) and ID.backwards (what meets them can be completed to the rest);
-/// - exists: ID.
+/// - exists: ID;
+/// - unique: those of unique_statements.hpp, and ID.always of the claims whose motions it speaks of.
 /// The repaired reading adds `.repaired` to ID where it is another one. Empty where statements cannot say what the
-/// claim says: `unique`, `limit`, and `abs` and `sign`. Uniqueness of the motion in a mode is not part of it.
+/// claim says: `limit`, and `abs` and `sign`. Uniqueness of the motion in a mode is not part of it.
 std::vector<NamedStatement> claim_statements(const ClaimsFile& claims, const Claim& claim, Reading reading);
 
 /// For a claim that is false: ID.refuted, that there are a bicycle, a force and (where the claim is about them) a

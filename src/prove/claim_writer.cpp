@@ -92,8 +92,11 @@ void ClaimWriter::exists(const Implication& implication, const std::vector<std::
   statements_.push_back({name_ + implication.suffix, std::move(result)});
 }
 
-void ClaimWriter::impossible_together(const std::string& suffix,
-                                      const std::vector<std::pair<std::string, Expression>>& assumptions,
+void ClaimWriter::exists(const Implication& implication, const MotionText& motion) {
+  exists(implication, std::vector<std::string>(motion_unknowns.begin(), motion_unknowns.end()), motion);
+}
+
+void ClaimWriter::impossible_together(const std::string& suffix, const Assumptions& assumptions,
                                       const std::vector<MotionText>& motions) {
   std::string result = opening(suffix);
   std::vector<Expression> uses;

@@ -18,10 +18,12 @@ class ClaimWriter : public SettingWriter {
   const Claim& claim() const { return claim_; }
   const ClaimBody& body() const { return body_; }
 
+  using Assumptions = std::vector<std::pair<std::string, Expression>>;  ///< by name; `true` is left out
+
   /// For all parameters with `assumptions`, and all motions: `shown`.
   struct Implication {
     std::string suffix;
-    std::vector<std::pair<std::string, Expression>> assumptions;  ///< by name; `true` is left out
+    Assumptions assumptions;
     std::optional<MotionText> motion = {};
     bool force_domain = true;  ///< whether the force is where the paper stands
     std::string hints = {};    ///< lines after the assumptions
@@ -31,9 +33,10 @@ class ClaimWriter : public SettingWriter {
   /// For all parameters with `assumptions`, and all values of the other unknowns, some `unknowns` with `shown`.
   void exists(const Implication& implication, const std::vector<std::string>& unknowns, const MotionText& shown,
               const std::vector<Expression>& uses = {});
+  /// The same of all unknowns of a motion.
+  void exists(const Implication& implication, const MotionText& motion);
   /// No parameters with `assumptions` have all of `motions` at once.
-  void impossible_together(const std::string& suffix,
-                           const std::vector<std::pair<std::string, Expression>>& assumptions,
+  void impossible_together(const std::string& suffix, const Assumptions& assumptions,
                            const std::vector<MotionText>& motions);
   /// Between the boundaries of the setting that `regions` name, all of one parameter, in the order in which the setting
   /// lists them; a boundary belongs to the cell above it. Whatever their order, every value lies in one.
