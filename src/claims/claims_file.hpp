@@ -132,6 +132,8 @@ struct ClaimBody {
   std::vector<Expression> equations;  ///< `=` between what is linear in the unknowns of the model and in the force
   std::vector<Expression> assume;     ///< equations added to those of `given`
   std::string parameter;              ///< limit only
+  Expression from;  ///< limit: where proofs let it begin, over parameters and definitions, independent of `parameter`;
+                    ///< may be null, and no verdict at samples depends on it
   std::vector<ContactMode> modes;
   std::vector<std::size_t> claims;  ///< indices of the claims that it refers to
   std::vector<std::size_t> except;

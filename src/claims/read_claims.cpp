@@ -28,7 +28,7 @@ const Shape& shape(ClaimKind kind) {
       {{"claims"}, {"except", "modes", "region", "forces"}},             // unique
       {{"claims"}, {"region"}},                                          // cover
       {{"forces", "holds"}, {"region"}},                                 // equivalence
-      {{"parameter", "holds"}, {"region"}},                              // limit
+      {{"parameter", "holds"}, {"region", "from"}},                      // limit
       {{"modes"}, {"region", "forces"}},                                 // exists
       {{"equations"}, {"given", "assume", "claims", "mode", "region"}},  // consequence
       {{"equations"}, {"given", "assume", "claims", "mode", "region"}},  // system
@@ -36,8 +36,9 @@ const Shape& shape(ClaimKind kind) {
   return shapes[static_cast<std::size_t>(kind)];
 }
 
-constexpr std::array<std::string_view, 12> body_keys{"mode",   "modes",  "region", "forces",    "holds",  "claims",
-                                                     "except", "expect", "given",  "equations", "assume", "parameter"};
+constexpr std::array<std::string_view, 13> body_keys{"mode",   "modes",     "region", "forces", "holds",
+                                                     "claims", "except",    "expect", "given",  "equations",
+                                                     "assume", "parameter", "from"};
 constexpr std::array<std::string_view, 11> claim_keys{"id",   "equation", "line",     "statement", "kind",   "setting",
                                                       "note", "grade",    "repaired", "why",       "part_of"};
 
@@ -223,6 +224,11 @@ class ClaimsReader {
     if (has("equations")) read_equations(table, "equations", setting, body.equations);
     if (has("assume")) read_equations(table, "assume", setting, body.assume);
     if (has("parameter")) read_parameter(table, setting, body);
+    if (has("from")) {
+      body.from = context_.expression(table, "from", Sort::number, setting, {.definitions = true});
+      auto& uses = context_.uses;
+      if (!uses.empty() && uses.back().expression == body.from) uses.back().independent_of = body.parameter;
+    }
     read_expectation(table, body);
   }
 

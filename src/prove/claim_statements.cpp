@@ -129,6 +129,16 @@ void system(ClaimWriter& writer) {
   }
 }
 
+/// From a value of the parameter on that the others determine; and that it is defined.
+void limit(ClaimWriter& writer) {
+  const ClaimBody& body = writer.body();
+  if (!body.from) return;
+  const Expression beyond = make_comparison({body.from, make_symbol(body.parameter)}, {Relation::less});
+  writer.implied({".eventually", {{"region", body.region}, {"beyond", beyond}}, {}}, body.holds);
+  const Expression defined = make_comparison({body.from, body.from}, {Relation::equal});
+  writer.implied({".from", {{"region", body.region}}, {}}, defined);
+}
+
 void exists(ClaimWriter& writer) {
   const ClaimBody& body = writer.body();
   std::vector<MotionText> motions;
@@ -172,6 +182,7 @@ std::vector<NamedStatement> claim_statements(const ClaimsFile& claims, const Cla
       unique_statements(writer);
       break;
     case ClaimKind::limit:
+      limit(writer);
       break;
   }
   std::vector<NamedStatement> result = writer.take();

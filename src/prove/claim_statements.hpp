@@ -23,9 +23,10 @@ struct NamedStatement {
 /// - equivalence: ID.forwards (where `forces`, there `holds`) and ID.backwards;
 /// - system: ID.forwards (the equations follow) and ID.backwards (what meets them can be completed to the rest);
 /// - exists: ID;
+/// - limit, if it has `from`: ID.eventually (greater values of the parameter have `holds`) and ID.from (it is defined);
 /// - unique: those of unique_statements.hpp, and ID.always of the claims whose motions it speaks of.
 /// The repaired reading adds `.repaired` to ID where it is another one. Empty where statements cannot say what the
-/// claim says: `limit`, and `abs` and `sign`. Uniqueness of the motion in a mode is not part of it.
+/// claim says: `limit` without `from`, and `abs` and `sign`. Uniqueness of the motion in a mode is not part of it.
 std::vector<NamedStatement> claim_statements(const ClaimsFile& claims, const Claim& claim, Reading reading);
 
 /// For a claim that is false: ID.refuted, that there are a bicycle, a force and (where the claim is about them) a

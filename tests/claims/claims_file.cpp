@@ -282,6 +282,23 @@ TEST_CASE("every mistake is told with its place") {
   }
 }
 
+TEST_CASE("where a limit begins is an expression without its parameter") {
+  const auto limit = [](const std::string& parameter, const std::string& from) {
+    return small + "[[claim]]\nid = \"A5\"\nline = 16\nstatement = \"in the limit\"\nkind = \"limit\"\nparameter = \"" +
+           parameter + "\"\nholds = \"b > f\"\nfrom = \"" + from + "\"\n";
+  };
+  const ClaimsFile file = parse_claims(limit("b", "2*f"), "claims.toml");
+  CHECK(same(file.claims[4].printed.from, number("2*f")));
+  CHECK(!file.claims[3].printed.from);
+  CHECK(mistakes(limit("b", "f + xi")) ==
+        std::vector<std::string>{"claims.toml:78:13: from: depends on b itself"});  // xi = b/b1
+  CHECK(mistakes(limit("b", "P")) ==
+        std::vector<std::string>{"claims.toml:78:9: from: depends on the force P, expected the same for all forces"});
+  CHECK(mistakes(limit("b", "f +")).size() == 1);
+  CHECK(mistakes(replaced(small, "holds = \"a = P/2\"", "holds = \"a = P/2\"\nfrom = \"f\"")) ==
+        std::vector<std::string>{"claims.toml:71:8: from: found in [[claim]] of kind formula, which does not have it"});
+}
+
 TEST_CASE("all mistakes of a file are told at once") {
   std::string text = replaced(small, "b/b1", "b/");
   text = replaced(text, "\"b > 0\"", "\"b > c\"");

@@ -1,6 +1,7 @@
 // Claims and their proofs: the statements say what the claims file and the model say, and the certificates prove them.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -10,6 +11,7 @@
 
 #include "check/files.hpp"
 #include "claims/parser.hpp"
+#include "input/diagnostic.hpp"
 #include "modes/motions.hpp"
 #include "prove/library.hpp"
 #include "prove/prove.hpp"
@@ -128,6 +130,28 @@ TEST_CASE("where a motion is left out of those that are stated, uniqueness is no
     CHECK(!prove_statement(name, text, limits).proved());
   }
   CHECK(found);
+}
+
+TEST_CASE("a limit is proved from a value on, and only if that value is defined and large enough") {
+  ClaimsFile claims = read_claims(shipped_folder / "claims.toml");
+  const auto proved = [&](const std::string& from) {
+    Claim claim = *claims.find("R3.3.1");  // as f grows, b < b11 and b < b0
+    claim.printed.from = from.empty() ? nullptr : parse_expression(from, Sort::number);
+    const auto statements = claim_statements(claims, claim, Reading::printed);
+    return !statements.empty() && std::all_of(statements.begin(), statements.end(), [](const NamedStatement& s) {
+      return prove_statement(s.name, s.text, {.split_depth = 1, .products = 0, .steps = 100'000}).proved();
+    });
+  };
+  CHECK(proved("b/(h + R)"));
+  CHECK(proved("2*b/(h + R)"));
+  CHECK(!proved("b/(2*(h + R))"));                           // too small
+  CHECK(!proved("b/(h + R) + 1/h"));                         // not defined for h = 0
+  CHECK_THROWS_AS(proved("b/(h + R - h - R)"), InputError);  // nowhere defined: all beyond it would hold
+  CHECK(!proved(""));
+  for (const auto& [id, reading] : {std::pair("R3.3.1", Reading::printed), std::pair("R3.3.2", Reading::repaired)}) {
+    CHECK(find_claim_proof(claims, *claims.find(id), reading, shipped_folder, rejection).proved);
+  }
+  CHECK(!find_claim_proof(claims, *claims.find("R3.3.2"), Reading::printed, shipped_folder, rejection).proved);
 }
 
 TEST_CASE("what is false in print has no proof") {
