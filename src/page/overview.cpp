@@ -111,6 +111,10 @@ void add_headlines(const Element& section, const PageInput& input, const std::ve
   }
 }
 
+std::string proved_share(std::size_t proved, std::size_t sampled_only) {
+  return proved > 0 && sampled_only == 0 ? "all" : std::to_string(proved) + " of them";
+}
+
 }  // namespace
 
 void add_overview(const Element& main, const PageInput& input) {
@@ -130,13 +134,13 @@ void add_overview(const Element& main, const PageInput& input) {
   add_card(cards, "plain", counts.claims, "claims judged", "each as printed, and as repaired where it was misprinted",
            "#claims");
   add_card(cards, "good", counts.printed[0] + counts.printed[1], "hold as printed",
-           std::to_string(counts.printed[0]) + " of them proved for all parameters", "#claims");
+           proved_share(counts.printed[0], counts.printed[1]) + " proved for all parameters", "#claims");
   add_card(cards, "bad", fail, "refuted as printed",
            open > 0 ? std::to_string(open) + " more have no value as printed" : "with exact counterexamples",
            "#claims");
   add_card(cards, "good", mended, "hold as repaired",
-           std::to_string(counts.repaired[0]) + " proved for all parameters, " + std::to_string(counts.repaired[2]) +
-               " false in every reading",
+           proved_share(counts.repaired[0], counts.repaired[1]) + " proved for all parameters, " +
+               std::to_string(counts.repaired[2]) + " false in every reading",
            "#claims");
   add_card(cards, "bad", findings.size(), "findings", findings_detail(findings), "#errata");
   if (!input.certificates.empty()) {
