@@ -48,9 +48,9 @@ TEST_CASE("the shipped paper is the default; every verdict as expected exits wit
     CHECK(Json::parse(solved.out)["motions"] == claim["counterexample"]["motions"]);
   }
   CHECK(found);
-  CHECK(run({"verify", "--samples", "120", "--json", "--threads", "1"}).out == json.out);
-  CHECK(run({"verify", "--samples", "120", "--json", "--threads", "64", shipped}).out == json.out);
-  CHECK(last_line(run({"verify", "--samples", "120"}).out).starts_with("s VERIFIED "));
+  const auto part = run({"verify", "--samples", "120", "--only", "A5", "--json", "--threads", "1"});
+  CHECK(run({"verify", "--samples", "120", "--only", "A5", "--json", "--threads", "64", shipped}).out == part.out);
+  CHECK(last_line(run({"verify", "--samples", "120", "--only", "A5"}).out).starts_with("s VERIFIED "));
 }
 
 TEST_CASE("an unexpected refutation exits with 1, an undecided claim with 4") {
@@ -148,9 +148,9 @@ TEST_CASE("mutants of a claims file are judged, with lemmas that the checker acc
   const auto checked = run({lemmas}, "slipproof-check");
   CHECK(checked.exit_code == 0);
   CHECK(last_line(checked.out).starts_with("s ACCEPTED"));
-  const Json json = Json::parse(run({"verify", claims, "--mutants", "--every", "29", "--json"}).out);
+  const Json json = Json::parse(run({"verify", claims, "--mutants", "--every", "145", "--json"}).out);
   CHECK(json["schema"] == "slipproof/mutants/1");
-  CHECK(json["mutants"].size() == 70);
+  CHECK(json["mutants"].size() == 14);
   CHECK(json["counts"]["survivor"] == 0);
   for (const Json& mutant : json["mutants"]) CHECK(mutant.contains("claim"));
   CHECK(run({"verify", claims, "--mutants", "--errata"}).exit_code == 2);
