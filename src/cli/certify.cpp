@@ -7,8 +7,10 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "cli/command.hpp"
+#include "cli/output_file.hpp"
 #include "model/scene.hpp"
 
 namespace slipproof::cli {
@@ -70,12 +72,8 @@ int run_certify(CertifyArguments& options) {
     if (!file || (file.peek(), file.bad())) throw InputError({{options.file, 0, 0, "cannot be read"}});
     file.clear();
   }
-  std::ofstream summary_file;  // opened before the work, not after it
-  const auto cannot_write = [&] { return InputError({{options.summary, 0, 0, "cannot be written"}}); };
-  if (!options.summary.empty()) {
-    summary_file.open(options.summary, std::ios::binary);
-    if (!summary_file) throw cannot_write();
-  }
+  std::optional<OutputFile> summary_file;
+  if (!options.summary.empty()) summary_file.emplace(options.summary);
   const bool quiet = options.common.quiet;
   const Progress progress = record_counter(!quiet);
   const LineSink sink = [&](std::string_view lines) {
@@ -83,10 +81,7 @@ int run_certify(CertifyArguments& options) {
   };
   const CertifySummary summary = certify(options.file == "-" ? std::cin : file, sink, options.certify, progress);
   if (progress) std::cerr << "\r\033[K";
-  if (!options.summary.empty()) {
-    summary_file << R"({"schema":"slipproof/certify/1",)" << to_json(summary).substr(1) << '\n';
-    if (!summary_file.flush()) throw cannot_write();
-  }
+  if (summary_file) summary_file->write(R"({"schema":"slipproof/certify/1",)" + to_json(summary).substr(1) + '\n');
   if (!options.common.json) {
     print(summary_text(summary));
   } else if (!quiet) {

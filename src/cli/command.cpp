@@ -44,4 +44,8 @@ std::filesystem::path shipped(const std::filesystem::path& file) {
   return std::filesystem::path(SLIPPROOF_SOURCE_DIRECTORY) / file;
 }
 
+std::filesystem::path claims_path(const std::string& argument) {
+  return argument.empty() ? shipped("proofs/rozenblat-yashin/claims.toml") : std::filesystem::path(argument);
+}
+
 }  // namespace slipproof::cli

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace slipproof::cli {
@@ -37,6 +38,9 @@ void print(std::string_view text);
 /// A file that comes with the program, by its path in the repository: beside the installed program, or in the sources
 /// it was built from.
 std::filesystem::path shipped(const std::filesystem::path& file);
+
+/// The claims file that is asked for, or the shipped paper's.
+std::filesystem::path claims_path(const std::string& argument);
 
 /// Each adds its subcommand; running it sets the exit code.
 void add_solve(CLI::App& app, int& exit_code);

@@ -1,11 +1,12 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "cli/command.hpp"
+#include "cli/output_file.hpp"
 #include "cli/png.hpp"
-#include "cli/verify_run.hpp"
 #include "input/diagnostic.hpp"
 #include "model/scene.hpp"
 #include "number/parse.hpp"
@@ -98,14 +99,16 @@ void add_map(CLI::App& app, int& exit_code) {
   command.get_option("--json")->excludes(svg)->excludes(png);
   command.callback([options, &exit_code] {
     expect_picture_name(*options);
+    std::optional<OutputFile> out;
+    if (!options->out.empty() && options->out != "-") out.emplace(options->out);
     const PhaseDiagram diagram = diagram_of(*options);
     const bool as_png = options->png || (!options->svg && options->out.ends_with(".png"));
     const std::string contents = options->common.json ? map_json(diagram)
                                  : as_png             ? png_of(phase_svg_file(diagram))
                                                       : phase_svg_file(diagram);
     exit_code = as_it_should_be;
-    if (options->out.empty() || options->out == "-") return print(contents);
-    write_report(options->out, contents);
+    if (!out) return print(contents);
+    out->write(contents);
     print(fmt::format("s MAPPED {} columns {} sets {}\n", options->out, diagram.columns.size(),
                       phase_regions(diagram).sets.size()));
   });

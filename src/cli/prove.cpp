@@ -1,9 +1,9 @@
-#include <fstream>
 #include <functional>
 #include <memory>
 #include <string>
 
 #include "cli/command.hpp"
+#include "cli/output_file.hpp"
 #include "export/coq.hpp"
 #include "export/smtlib.hpp"
 #include "input/text_file.hpp"
@@ -23,12 +23,6 @@ struct ProveArguments {
 
 constexpr std::size_t max_certificate_size = std::size_t{1} << 28U;
 
-void write(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << text << std::flush;
-  if (!stream) throw std::runtime_error(file.string() + " cannot be written");
-}
-
 std::filesystem::path certificate_of(std::filesystem::path statement) {
   return statement.replace_extension(".cert");
 }
@@ -42,8 +36,7 @@ void export_statements(const std::filesystem::path& folder, const std::filesyste
     const std::string text = text_of(file);
     if (text.empty()) continue;
     std::filesystem::path target = out / file.lexically_relative(folder);
-    std::filesystem::create_directories(target.parent_path());
-    write(target.replace_extension(extension), text);
+    write_file(target.replace_extension(extension), text);
     ++written;
   }
   print("s EXPORTED " + std::to_string(written) + " *" + extension + " to " + out.string() + '\n');
@@ -82,12 +75,11 @@ void write_statements(const ClaimsFile& claims, const std::filesystem::path& fol
       const std::filesystem::path inside = file.lexically_relative(out);
       if (!inside.empty() && *inside.begin() != "..") continue;  // what an earlier run left in `out`
       const std::filesystem::path copy = out / file.lexically_relative(folder);
-      std::filesystem::create_directories(copy.parent_path());
-      write(copy, read_text_file(file));
+      write_file(copy, read_text_file(file));
     }
   }
   for (const NamedStatement& statement : paper_statements(claims)) {
-    write(out / (statement.name + ".statement"), statement.text);
+    write_file(out / (statement.name + ".statement"), statement.text);
   }
 }
 
@@ -128,8 +120,7 @@ void add_prove(CLI::App& app, int& exit_code) {
                      "Search for nothing, but write each statement with its certificate to this folder as a Coq file");
   add_common_options(command, options->common);
   command.callback([options, &exit_code] {
-    const std::filesystem::path claims = options->claims.empty() ? shipped("proofs/rozenblat-yashin/claims.toml")
-                                                                 : std::filesystem::path(options->claims);
+    const std::filesystem::path claims = claims_path(options->claims);
     const std::filesystem::path folder = claims.parent_path().empty() ? "." : claims.parent_path();
     if (!options->smtlib.empty()) export_smtlib(folder, options->smtlib);
     if (!options->coq.empty()) export_coq(folder, options->coq);
@@ -142,7 +133,7 @@ void add_prove(CLI::App& app, int& exit_code) {
     for (std::size_t i = 0; i < statements.size(); ++i) {
       if (!outcomes[i].proved()) continue;
       ++proved;
-      write(std::filesystem::path(statements[i]).replace_extension(".cert"), outcomes[i].certificate);
+      write_file(std::filesystem::path(statements[i]).replace_extension(".cert"), outcomes[i].certificate);
     }
     const std::size_t undecided_count = statements.size() - proved;
     exit_code = undecided_count > 0 || statements.empty() ? undecided : as_it_should_be;

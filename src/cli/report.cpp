@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
-#include <fstream>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "cli/command.hpp"
+#include "cli/output_file.hpp"
 #include "cli/verify_run.hpp"
-#include "page/page.hpp"
 #include "page/sha256.hpp"
 #include "report/exact_json.hpp"
 
@@ -37,11 +37,15 @@ void add_report(CLI::App& app, int& exit_code) {
   command.callback([options, &exit_code] {
     const std::filesystem::path path = claims_path(options->claims);
     const ClaimsFile file = read_claims(path);
+    std::optional<OutputFile> out;
+    if (options->out != "-") out.emplace(options->out);
+    PageInput input = report_input(path, file, options->verify, options->common, options->trade);
     const VerifyResult result = run_verify(path, file, options->verify, options->common);
-    const std::string html = report_html(path, file, result, options->verify.only, options->trade);
+    input.result = &result;
+    const std::string html = page_html(input);
     exit_code = exit_of(summary(file, result));
-    if (options->out == "-") return print(html);
-    write_report(options->out, html);
+    if (!out) return print(html);
+    out->write(html);
     if (options->common.json) {
       Json document;
       document["schema"] = "slipproof/report/1";

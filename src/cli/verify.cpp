@@ -1,11 +1,11 @@
 #include <filesystem>
-#include <fstream>
 #include <memory>
-#include <stdexcept>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "cli/command.hpp"
+#include "cli/output_file.hpp"
 #include "cli/verify_run.hpp"
 #include "report/errata.hpp"
 #include "report/mutation_report.hpp"
@@ -28,14 +28,11 @@ struct VerifyArguments {
 
 /// The lemmas as files that slipproof-check reads.
 void write_lemmas(const std::filesystem::path& folder, const MutationResult& result) {
-  std::filesystem::create_directories(folder);
   std::size_t number = 0;
   for (const Lemma* lemma : lemmas_of(result)) {
     const std::string name = "lemma-" + std::to_string(++number);
     for (const auto& [extension, text] : {std::pair(".statement", &lemma->statement), {".cert", &lemma->certificate}}) {
-      std::ofstream stream(folder / (name + extension), std::ios::binary);
-      stream << *text << std::flush;
-      if (!stream) throw std::runtime_error((folder / (name + extension)).string() + " cannot be written");
+      write_file(folder / (name + extension), *text);
     }
   }
 }
@@ -52,6 +49,7 @@ int judge_mutants(const ClaimsFile& file, VerifyArguments& options) {
   options.mutation.seed = options.common.seed;
   options.mutation.threads = options.common.threads;
   if (!options.common.quiet) options.mutation.progress = progress_bar();
+  if (!options.lemmas.empty()) std::filesystem::create_directories(options.lemmas);
   const MutationResult result = judge_mutants(file, options.mutation);
   if (!options.lemmas.empty()) write_lemmas(options.lemmas, result);
   print(options.common.json ? mutation_json(result) : mutation_text(result, options.common.quiet));
@@ -102,10 +100,15 @@ void add_verify(CLI::App& app, int& exit_code) {
       exit_code = judge_mutants(file, *options);
       return;
     }
-    const VerifyResult result = run_verify(path, file, options->verify, options->common);
+    std::optional<OutputFile> report;
+    PageInput input;
     if (!options->report.empty()) {
-      write_report(options->report, report_html(path, file, result, options->verify.only, options->trade));
+      report.emplace(options->report);
+      input = report_input(path, file, options->verify, options->common, options->trade);
     }
+    const VerifyResult result = run_verify(path, file, options->verify, options->common);
+    input.result = &result;
+    if (report) report->write(page_html(input));
     if (options->lists_findings()) {
       const std::vector<Finding> findings = errata(file, result);
       print(options->sarif         ? errata_sarif(file, findings)

@@ -2,11 +2,8 @@
 
 #include <unistd.h>
 
-#include <fstream>
 #include <iostream>
 
-#include "input/diagnostic.hpp"
-#include "page/page.hpp"
 #include "report/certificates.hpp"
 
 namespace slipproof::cli {
@@ -20,10 +17,6 @@ std::function<void(std::uint64_t, std::uint64_t)> progress_bar() {
     std::cerr << "\r[" << std::string(percent / 2, '#') << std::string(50 - percent / 2, ' ') << "] " << percent << " %"
               << (done == all ? "\r\033[K" : "") << std::flush;
   };
-}
-
-std::filesystem::path claims_path(const std::string& argument) {
-  return argument.empty() ? shipped("proofs/rozenblat-yashin/claims.toml") : std::filesystem::path(argument);
 }
 
 VerifyResult run_verify(const std::filesystem::path& claims, const ClaimsFile& file, VerifyOptions options,
@@ -53,25 +46,17 @@ Exit exit_of(Summary summary) {
   return as_it_should_be;
 }
 
-std::string report_html(const std::filesystem::path& claims, const ClaimsFile& file, const VerifyResult& result,
-                        const std::string& only, const std::filesystem::path& trade) {
-  PageInput input = gather({claims, shipped("cases"), shipped("cases/solvers"), trade}, file, result);
+PageInput report_input(const std::filesystem::path& claims, const ClaimsFile& file, const VerifyOptions& options,
+                       const CommonOptions& common, const std::filesystem::path& trade) {
+  PageInput input = gather({claims, shipped("cases"), shipped("cases/solvers"), trade}, file);
   std::error_code error;
   const bool is_shipped = std::filesystem::equivalent(claims, claims_path(""), error);
   input.command = "slipproof report" + (is_shipped ? "" : " " + claims.filename().string()) + " --samples " +
-                  std::to_string(result.samples) + " --seed " + std::to_string(result.seed);
-  if (!only.empty()) input.command += " --only " + only;
+                  std::to_string(options.samples) + " --seed " + std::to_string(common.seed);
+  if (!options.only.empty()) input.command += " --only " + options.only;
   if (!trade.empty()) input.command += " --trade " + trade.filename().string();
   input.version = SLIPPROOF_VERSION;
-  return page_html(input);
-}
-
-void write_report(const std::filesystem::path& path, const std::string& contents) {
-  std::error_code error;
-  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
-  std::ofstream out(path, std::ios::binary);
-  out << contents;
-  if (!out.flush()) throw InputError({{path.string(), 0, 0, "cannot be written"}});
+  return input;
 }
 
 }  // namespace slipproof::cli

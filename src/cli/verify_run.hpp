@@ -3,15 +3,12 @@
 
 #include <filesystem>
 #include <functional>
-#include <string>
 
 #include "cli/command.hpp"
+#include "page/page.hpp"
 #include "report/verify_report.hpp"
 
 namespace slipproof::cli {
-
-/// The claims file that is asked for, or the shipped paper's.
-std::filesystem::path claims_path(const std::string& argument);
 
 /// A bar on a terminal, and nowhere else.
 std::function<void(std::uint64_t, std::uint64_t)> progress_bar();
@@ -23,11 +20,9 @@ VerifyResult run_verify(const std::filesystem::path& claims, const ClaimsFile& f
 
 Exit exit_of(Summary summary);
 
-/// The page about a verification, with all that comes with the program, and a measurement of trade if there is one.
-std::string report_html(const std::filesystem::path& claims, const ClaimsFile& file, const VerifyResult& result,
-                        const std::string& only, const std::filesystem::path& trade);
-
-/// Writes a file whole. Throws InputError.
-void write_report(const std::filesystem::path& path, const std::string& contents);
+/// What the page about a verification is made from, all but the result: what comes with the program, and a measurement
+/// of trade if there is one. It is read before the work, so that bad input costs no result. Throws InputError.
+PageInput report_input(const std::filesystem::path& claims, const ClaimsFile& file, const VerifyOptions& options,
+                       const CommonOptions& common, const std::filesystem::path& trade);
 
 }  // namespace slipproof::cli

@@ -107,10 +107,10 @@ void add_header(const Element& body, const PageInput& input) {
 
 }  // namespace
 
-PageInput gather(const PageFolders& folders, const ClaimsFile& claims, const VerifyResult& result) {
+PageInput gather(const PageFolders& folders, const ClaimsFile& claims) {
   PageInput input;
   input.claims = &claims;
-  input.result = &result;
+  if (!folders.trade.empty()) input.trade = read_trade(folders.trade);
   Gathering gathering(input);
   gathering.source(folders.claims, folders.claims.filename().string());
   const std::filesystem::path beside = folders.claims.has_parent_path() ? folders.claims.parent_path() : ".";
@@ -129,10 +129,7 @@ PageInput gather(const PageFolders& folders, const ClaimsFile& claims, const Ver
     input.solvers.push_back(certify_solver(file));
     gathering.source(file, "solvers/" + file.filename().string());
   }
-  if (!folders.trade.empty()) {
-    input.trade = read_trade(folders.trade);
-    gathering.source(folders.trade, folders.trade.filename().string());
-  }
+  if (!folders.trade.empty()) gathering.source(folders.trade, folders.trade.filename().string());
   return input;
 }
 

@@ -31,8 +31,8 @@ struct PageCertificate {
 
 struct PageInput {
   const ClaimsFile* claims = nullptr;
-  const VerifyResult* result = nullptr;
-  std::string command;  ///< what makes the page again
+  const VerifyResult* result = nullptr;  ///< of the verification that the page is about
+  std::string command;                   ///< what makes the page again
   std::string version;
   std::vector<Figure> figures;
   std::vector<PageCertificate> certificates;
@@ -52,9 +52,9 @@ struct PageFolders {
   std::filesystem::path trade;    ///< a file that `slipproof trade --json` wrote
 };
 
-/// Reads all of it, checks the certificates and certifies the solvers' outputs. Names of files are relative to the
-/// folders, so that the page is the same wherever they stand. Throws InputError.
-PageInput gather(const PageFolders& folders, const ClaimsFile& claims, const VerifyResult& result);
+/// All but the result: reads the files, checks the certificates and certifies the solvers' outputs. Names of files are
+/// relative to the folders, so that the page is the same wherever they stand. Throws InputError.
+PageInput gather(const PageFolders& folders, const ClaimsFile& claims);
 
 /// The page, HTML 5. The same input gives the same bytes.
 std::string page_html(const PageInput& input);

@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "support/run_program.hpp"
 
@@ -30,16 +32,40 @@ TEST_CASE("report writes one file, the same at any number of threads") {
   CHECK(html.starts_with("<!DOCTYPE html>"));
   CHECK(html.find("claim-T1.5") != html.npos);
   CHECK(html == report("deep/two.html", "2"));
-  CHECK(run({"report", "--samples", "1", "--only", "A1", "--out", folder.path().string()}).exit_code == 3);
-  CHECK(run({"report", "--trade", scene, "--samples", "1", "--only", "A1", "--out", "-"}).exit_code == 3);
+}
+
+TEST_CASE("a report that cannot be made is refused before the work, and what stood in its place stays") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("old.html", "as it was");
+  const std::string fresh = (folder.path() / "new.html").string();
+  // All these bicycles would take many minutes.
+  const auto refusal = [](const std::vector<std::string>& arguments) {
+    std::vector<std::string> all{arguments[0], "--samples", "100000000", "--only", "A1"};
+    all.insert(all.end(), arguments.begin() + 1, arguments.end());
+    const auto outcome = run(all);
+    CHECK(outcome.exit_code == 3);
+    CHECK(outcome.out.empty());
+    return outcome.err;
+  };
+  CHECK(refusal({"report", "--out", folder.path().string()}).find("cannot be written") != std::string::npos);
+  CHECK(refusal({"verify", "--report", file + "/x.html"}).find("cannot be written") != std::string::npos);
+  for (const std::string& out : {file, fresh}) {
+    CHECK(refusal({"report", "--trade", scene, "--out", out}).find("no output of slipproof trade") !=
+          std::string::npos);
+    CHECK(refusal({"verify", "--trade", scene, "--report", out}).find("no output of slipproof") != std::string::npos);
+  }
+  CHECK(read_file(file) == "as it was");
+  CHECK(!std::filesystem::exists(fresh));
+  CHECK(run({"report", rear_drive, "--samples", "1", "--out", file}).exit_code == 0);
+  CHECK(read_file(file).starts_with("<!DOCTYPE html>"));
 }
 
 TEST_CASE("verify writes the report of what it says") {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "index.html").string();
-  const auto outcome = run({"verify", "--samples", "20", "--only", "A1", "--report", file});
+  const auto outcome = run({"verify", rear_drive, "--samples", "20", "--report", file});
   CHECK(outcome.exit_code == 0);
-  CHECK(read_file(file).find("claim-A1.1") != std::string::npos);
+  CHECK(read_file(file).find("claim-T1.5") != std::string::npos);
 }
 
 TEST_CASE("a report without verdicts is refused, with what to do, and nothing is written") {

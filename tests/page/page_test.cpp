@@ -191,8 +191,7 @@ TEST_CASE("everything that comes with the program is gathered") {
   for (const char* name : {"A1.1a.statement", "A1.1a.cert", "A1.2a.statement"}) {
     folder.write(name, test::read_file(root + "/proofs/rozenblat-yashin/" + name));
   }
-  const PageInput input =
-      gather({claims, root + "/cases", root + "/cases/solvers", {}}, test::shipped_paper(), small_result());
+  const PageInput input = gather({claims, root + "/cases", root + "/cases/solvers", {}}, test::shipped_paper());
   CHECK(input.figures.empty());  // there is no figures.toml beside the claims
   CHECK(input.scenes.size() >= 10);
   CHECK(input.solvers.size() == 12);

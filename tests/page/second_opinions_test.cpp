@@ -56,7 +56,8 @@ struct EvidencePage {
     options.only = "A1.1";
     VerifyResult result = verify(test::shipped_paper(), options);
     find_certificates(test::shipped_paper(), result, folder.path());
-    const PageInput input = gather({claims, {}, {}, {}}, test::shipped_paper(), result);
+    PageInput input = gather({claims, {}, {}, {}}, test::shipped_paper());
+    input.result = &result;
     sources = input.sources.size();
     html = page_html(input);
     tree.load_string(html.c_str(), pugi::parse_default | pugi::parse_doctype | pugi::parse_ws_pcdata);
