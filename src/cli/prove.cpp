@@ -1,11 +1,13 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "cli/command.hpp"
 #include "cli/output_file.hpp"
 #include "export/coq.hpp"
 #include "export/smtlib.hpp"
+#include "input/diagnostic.hpp"
 #include "input/text_file.hpp"
 #include "prove/claim_statements.hpp"
 #include "prove/prove_files.hpp"
@@ -17,25 +19,57 @@ namespace {
 
 struct ProveArguments {
   CommonOptions common;
-  std::string claims;
+  std::vector<std::string> inputs;
   std::string out, smtlib, coq;
 };
 
 constexpr std::size_t max_certificate_size = std::size_t{1} << 28U;
 
+/// A statement, and how it is called in the folder for what is written.
+struct StatementFile {
+  std::filesystem::path file, name;
+};
+
+std::vector<StatementFile> statements_below(const std::filesystem::path& folder) {
+  std::vector<StatementFile> result;
+  for (const std::filesystem::path& file : statements_in(folder)) {
+    result.push_back({file, file.lexically_relative(folder)});
+  }
+  return result;
+}
+
+/// Statements that no claims file is about: files, and folders of them.
+std::vector<StatementFile> own_statements(const std::vector<std::string>& inputs) {
+  std::vector<StatementFile> result;
+  for (const std::filesystem::path input : inputs) {
+    const auto refuse = [&](const char* found) {
+      throw InputError({{input.string(), 0, 0, std::string("found ") + found + ", expected a statement or a folder"}});
+    };
+    if (std::filesystem::is_directory(input)) {
+      const std::vector<StatementFile> below = statements_below(input);
+      if (below.empty()) refuse("a folder without *.statement");
+      result.insert(result.end(), below.begin(), below.end());
+    } else if (input.extension() == ".statement") {
+      result.push_back({input, input.filename()});
+    } else {
+      refuse("another file");
+    }
+  }
+  return result;
+}
+
 std::filesystem::path certificate_of(std::filesystem::path statement) {
   return statement.replace_extension(".cert");
 }
 
-/// Writes what `text_of` makes of each statement beside the claims and in the folders below, under the same names.
-/// Empty texts are not written.
-void export_statements(const std::filesystem::path& folder, const std::filesystem::path& out, const char* extension,
-                       const std::function<std::string(const std::filesystem::path&)>& text_of) {
+/// Writes what `text_of` makes of each statement, under the same names. Empty texts are not written.
+void export_statements(const std::vector<StatementFile>& statements, const std::filesystem::path& out,
+                       const char* extension, const std::function<std::string(const std::filesystem::path&)>& text_of) {
   std::size_t written = 0;
-  for (const std::filesystem::path& file : statements_in(folder)) {
-    const std::string text = text_of(file);
+  for (const StatementFile& statement : statements) {
+    const std::string text = text_of(statement.file);
     if (text.empty()) continue;
-    std::filesystem::path target = out / file.lexically_relative(folder);
+    std::filesystem::path target = out / statement.name;
     write_file(target.replace_extension(extension), text);
     ++written;
   }
@@ -52,31 +86,40 @@ std::string with_certificate(const std::filesystem::path& statement, const Make&
               read_text_file(certificate, max_certificate_size));
 }
 
-void export_smtlib(const std::filesystem::path& folder, const std::filesystem::path& out) {
-  export_statements(folder, out, ".smt2",
+void export_smtlib(const std::vector<StatementFile>& statements, const std::filesystem::path& out) {
+  export_statements(statements, out, ".smt2",
                     [](const std::filesystem::path& file) { return smtlib_text(file.string(), read_text_file(file)); });
-  export_statements(folder, out, ".witness.smt2",
+  export_statements(statements, out, ".witness.smt2",
                     [](const std::filesystem::path& file) { return with_certificate(file, smtlib_witness_text); });
 }
 
-void export_coq(const std::filesystem::path& folder, const std::filesystem::path& out) {
-  export_statements(folder, out, ".v", [](const std::filesystem::path& file) {
+void export_coq(const std::vector<StatementFile>& statements, const std::filesystem::path& out) {
+  export_statements(statements, out, ".v", [](const std::filesystem::path& file) {
     std::string text = with_certificate(file, coq_text);
     if (text.empty()) print("no certificate: " + file.string() + '\n');
     return text;
   });
 }
 
+/// Copies the statements to a folder, where their certificates will stand beside them.
+std::vector<StatementFile> copied(const std::vector<StatementFile>& statements, const std::filesystem::path& out) {
+  std::vector<StatementFile> result;
+  for (const auto& [file, name] : statements) {
+    if (out / name != file) write_file(out / name, read_text_file(file));
+    result.push_back({out / name, name});
+  }
+  return result;
+}
+
 /// Writes the statements of the claims, and copies those of one's own that stand beside them and below.
 void write_statements(const ClaimsFile& claims, const std::filesystem::path& folder, const std::filesystem::path& out) {
-  std::filesystem::create_directories(out);
   if (out != folder) {
-    for (const std::filesystem::path& file : statements_in(folder)) {
-      const std::filesystem::path inside = file.lexically_relative(out);
-      if (!inside.empty() && *inside.begin() != "..") continue;  // what an earlier run left in `out`
-      const std::filesystem::path copy = out / file.lexically_relative(folder);
-      write_file(copy, read_text_file(file));
-    }
+    std::vector<StatementFile> statements = statements_below(folder);
+    std::erase_if(statements, [&](const StatementFile& statement) {
+      const std::filesystem::path inside = statement.file.lexically_relative(out);
+      return !inside.empty() && *inside.begin() != "..";  // what an earlier run left in `out`
+    });
+    copied(statements, out);
   }
   for (const NamedStatement& statement : paper_statements(claims)) {
     write_file(out / (statement.name + ".statement"), statement.text);
@@ -106,42 +149,64 @@ Json as_json(const std::vector<ProofOutcome>& outcomes) {
   return document;
 }
 
+/// Proves the statements where they stand, writes the certificates beside them, and says what came of it.
+Exit prove_all(const std::vector<StatementFile>& statements, const CommonOptions& common) {
+  std::vector<std::filesystem::path> files;
+  for (const StatementFile& statement : statements) files.push_back(statement.file);
+  const std::vector<ProofOutcome> outcomes = prove_files(files, common.threads);
+  std::size_t proved = 0;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (!outcomes[i].proved()) continue;
+    ++proved;
+    write_file(certificate_of(files[i]), outcomes[i].certificate);
+  }
+  const std::size_t left = files.size() - proved;
+  const Exit exit = left > 0 || files.empty() ? undecided : as_it_should_be;
+  if (common.json) {
+    print(dump(as_json(outcomes)));
+  } else {
+    print((common.quiet ? std::string() : as_text(outcomes)) + (exit == undecided ? "s UNDECIDED " : "s PROVED ") +
+          std::to_string(proved) + " proved, " + std::to_string(left) + " undecided\n");
+  }
+  return exit;
+}
+
+Exit run_prove(const ProveArguments& options) {
+  const std::filesystem::path first = options.inputs.empty() ? "" : options.inputs.front();
+  std::error_code error;
+  const bool own =
+      options.inputs.size() > 1 || first.extension() == ".statement" || std::filesystem::is_directory(first, error);
+  const std::filesystem::path claims = own ? std::filesystem::path() : claims_path(first.string());
+  const std::filesystem::path folder = claims.has_parent_path() ? claims.parent_path() : ".";
+  const bool exports = !options.smtlib.empty() || !options.coq.empty();
+  if (own || exports) {
+    const std::vector<StatementFile> statements = own ? own_statements(options.inputs) : statements_below(folder);
+    if (!options.smtlib.empty()) export_smtlib(statements, options.smtlib);
+    if (!options.coq.empty()) export_coq(statements, options.coq);
+    if (exports) return as_it_should_be;
+    return prove_all(options.out.empty() ? statements : copied(statements, options.out), options.common);
+  }
+  const std::filesystem::path out = options.out.empty() ? folder : std::filesystem::path(options.out);
+  write_statements(read_claims(claims), folder, out);
+  return prove_all(statements_below(out), options.common);
+}
+
 }  // namespace
 
 void add_prove(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ProveArguments>();
-  CLI::App& command = *app.add_subcommand("prove", "The claims for all parameters; writes a certificate for each");
-  command.add_option("CLAIMS", options->claims,
-                     "Claims file; beside it and below may stand statements of one's own; default: the shipped paper");
-  command.add_option("--out", options->out, "Folder for statements and certificates; default: that of the claims file");
+  CLI::App& command = *app.add_subcommand(
+      "prove", "The claims of a paper, or statements of one's own, for all parameters;\nwrites a certificate for each");
+  command.add_option("INPUT", options->inputs,
+                     "A claims file, beside which and below may stand statements of one's own; default: the shipped\n"
+                     "paper. Or, without claims: files *.statement and folders of them");
+  command.add_option("--out", options->out, "Folder for statements and certificates; default: where they stand");
   command.add_option("--smtlib", options->smtlib,
                      "Search for nothing, but write the negation of each statement to this folder as SMT-LIB 2");
   command.add_option("--coq", options->coq,
                      "Search for nothing, but write each statement with its certificate to this folder as a Coq file");
   add_common_options(command, options->common);
-  command.callback([options, &exit_code] {
-    const std::filesystem::path claims = claims_path(options->claims);
-    const std::filesystem::path folder = claims.parent_path().empty() ? "." : claims.parent_path();
-    if (!options->smtlib.empty()) export_smtlib(folder, options->smtlib);
-    if (!options->coq.empty()) export_coq(folder, options->coq);
-    if (!options->smtlib.empty() || !options->coq.empty()) return;
-    const std::filesystem::path out = options->out.empty() ? folder : std::filesystem::path(options->out);
-    write_statements(read_claims(claims), folder, out);
-    const auto statements = statements_in(out);
-    const auto outcomes = prove_files(statements, options->common.threads);
-    std::size_t proved = 0;
-    for (std::size_t i = 0; i < statements.size(); ++i) {
-      if (!outcomes[i].proved()) continue;
-      ++proved;
-      write_file(std::filesystem::path(statements[i]).replace_extension(".cert"), outcomes[i].certificate);
-    }
-    const std::size_t undecided_count = statements.size() - proved;
-    exit_code = undecided_count > 0 || statements.empty() ? undecided : as_it_should_be;
-    if (options->common.json) return print(dump(as_json(outcomes)));
-    print((options->common.quiet ? std::string() : as_text(outcomes)) +
-          (exit_code == as_it_should_be ? "s PROVED " : "s UNDECIDED ") + std::to_string(proved) + " proved, " +
-          std::to_string(undecided_count) + " undecided\n");
-  });
+  command.callback([options, &exit_code] { exit_code = run_prove(*options); });
 }
 
 }  // namespace slipproof::cli

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "claims/parser.hpp"
 #include "export/certificate_reader.hpp"
 #include "export/coq_statement.hpp"
 #include "export/integer_terms.hpp"
@@ -13,6 +12,7 @@ namespace slipproof {
 namespace {
 
 using coq::Formula;
+using prove::Directive;
 using prove::Polynomial;
 using prove::Proof;
 using prove::Step;
@@ -30,20 +30,20 @@ struct Hypothesis {
 
 class Writer {
  public:
-  Writer(const prove::Statement& statement, const std::vector<coq::Line>& lines)
-      : statement_(statement), lines_(lines), normalizer_(statement) {}
+  explicit Writer(const prove::Statement& statement)
+      : statement_(statement), lines_(statement.text().directives), normalizer_(statement) {}
 
   std::string write(const Proof& proof) {
     std::size_t i = 0;
-    for (; lines_[i].kind != coq::Line::Kind::exists && lines_[i].kind != coq::Line::Kind::show; ++i) {
-      const coq::Line& line = lines_[i];
+    for (; lines_[i].kind != Directive::Kind::exists && lines_[i].kind != Directive::Kind::show; ++i) {
+      const Directive& line = lines_[i];
       std::string pattern;
-      if (line.kind == coq::Line::Kind::assume) pattern = assume(line.names.front(), normalizer_.normal(line.body));
+      if (line.kind == Directive::Kind::assume) pattern = assume(line.names.front(), normalizer_.normal(line.body));
       normalizer_.introduce(line, pattern);
       out_ += normalizer_.take();
     }
     conclusion_ = i;
-    if (lines_[i].kind == coq::Line::Kind::show) refute_conclusion();
+    if (lines_[i].kind == Directive::Kind::show) refute_conclusion();
     write_steps(proof);
     return std::move(out_);
   }
@@ -194,7 +194,7 @@ class Writer {
     std::vector<std::string> decisions;
     std::vector<Formula> failures;
     for (const auto& [unknown, value] : step.values) {
-      expressions.push_back(parse_expression(value, Sort::number));
+      expressions.push_back(parse_witness_value(statement_.text(), value));
       for (const Polynomial& divisor : normalizer_.divisors(expressions.back())) {
         const std::string polynomial = coq::text(divisor);
         non_zero.emplace_back(divisor, fmt::format("_w{}", non_zero.size() + 1));
@@ -278,7 +278,7 @@ class Writer {
   }
 
   const prove::Statement& statement_;
-  const std::vector<coq::Line>& lines_;
+  const std::vector<prove::Directive>& lines_;
   coq::Normalizer normalizer_;
   std::size_t conclusion_ = 0;  ///< of the lines: `exists` or `show`
   std::map<std::string, Hypothesis> hypotheses_;
@@ -293,11 +293,10 @@ std::string coq_text(const std::string& file, const std::string& statement_text,
   const prove::Statement statement(file, statement_text);
   const Proof proof = read_certificate(statement, certificate_file, certificate);
   try {
-    const std::vector<coq::Line> lines = coq::read_lines(statement_text);
     return "(* The theorem is the statement of the same name, the proof its certificate. *)\n"
            "From Coq Require Import Reals Lra.\nLocal Open Scope R_scope.\nNotation real := Rdefinitions.R.\n\n" +
-           std::string(coq::kSteps) + "\n" + theorem(statement, lines) + "Proof.\n" +
-           Writer(statement, lines).write(proof) + "Qed.\n";
+           std::string(coq::kSteps) + "\n" + coq::theorem(statement) + "Proof.\n" + Writer(statement).write(proof) +
+           "Qed.\n";
   } catch (const NoProof& error) {
     throw InputError({{certificate_file, 0, 0, error.what()}});
   } catch (const ExpressionError& error) {

@@ -21,7 +21,10 @@ std::string name(const std::string& statement_name) {
                                     "in",      "let",   "match", "mod",  "Prop",   "Set",   "real",
                                     "SProp",   "Steps", "then",  "Type", "using",  "where", "with"};
   const bool renamed = std::find(taken.begin(), taken.end(), statement_name) != taken.end();
-  return renamed ? statement_name + "_" : statement_name;
+  if (renamed) return statement_name + "'0";
+  std::string result;
+  for (const char c : statement_name) result += c == '.' ? "'_" : c == '\'' ? "''" : std::string(1, c);
+  return result;
 }
 
 std::string text(const prove::Polynomial& p, const Integer& scale) {

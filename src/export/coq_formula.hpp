@@ -8,7 +8,8 @@
 
 namespace slipproof::coq {
 
-/// A name of a statement that Coq, or the proof, has taken gets a `_` after it.
+/// A name of a statement as one of Coq's: some are taken by it or by the proof, and it has none with dots. Different
+/// names stay different.
 std::string name(const std::string& statement_name);
 
 /// scale * p, which has integer coefficients.

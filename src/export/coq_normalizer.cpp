@@ -10,6 +10,7 @@
 
 namespace slipproof::coq {
 
+using prove::Directive;
 using prove::Polynomial;
 
 /// Closes an equation between polynomials.
@@ -42,7 +43,7 @@ void Normalizer::prove_fraction(const Expression& e) {
     return prove_ring();
   }
   if (e->operation == Operation::symbol) {
-    script_ += "exact (_F_" + e->symbol;
+    script_ += "exact (_F_" + name(e->symbol);
     for (const Polynomial& premise : premises_.at(e->symbol)) script_ += " " + non_zero(premise);
     script_ += "). ";
     return;
@@ -138,11 +139,11 @@ void Normalizer::prove_same(const Expression& e) {
     script_ += "exact (iff_refl False). ";
     return;
   }
-  const bool comparison = e->operation == Operation::compare;
-  if (comparison && names_formula(e)) {
-    script_ += "exact _same_" + e->operands[0]->symbol + ". ";
+  if (e->operation == Operation::symbol) {
+    script_ += "exact _same_" + name(e->symbol) + ". ";
     return;
   }
+  const bool comparison = e->operation == Operation::compare;
   const std::vector<Link> chain = comparison ? links(e) : std::vector<Link>{};
   const std::vector<Expression> parts = comparison ? std::vector<Expression>{} : prove::parts(e);
   const std::size_t count = chain.size() + parts.size();
@@ -175,7 +176,7 @@ void Normalizer::state_fraction(const std::string& symbol, const Expression& bod
       premises += coq::text(divisor.polynomial) + " <> 0 -> ";
       introduced += " " + add_non_zero(divisor.polynomial);
     }
-    script_ += fmt::format("assert (_F_{} : {}Steps.frac {} ({}) ({})). {{ ", symbol, premises, name(symbol),
+    script_ += fmt::format("assert (_F_{0} : {1}Steps.frac {0} ({2}) ({3})). {{ ", name(symbol), premises,
                            coq::text(v.numerator), coq::text(v.denominator));
     if (!introduced.empty()) script_ += "intros" + introduced + ". ";
     script_ += "unfold " + name(symbol) + ". ";
@@ -187,21 +188,21 @@ void Normalizer::state_fraction(const std::string& symbol, const Expression& bod
   values_.insert_or_assign(symbol, std::move(v));
 }
 
-void Normalizer::introduce(const Line& line, const std::string& pattern) {
-  if (line.kind == Line::Kind::real) {
+void Normalizer::introduce(const Directive& line, const std::string& pattern) {
+  if (line.kind == Directive::Kind::real) {
     script_ += "intros";
     for (const std::string& variable : line.names) script_ += " " + name(variable);
     script_ += ".\n";
     return;
   }
   const std::string& label = line.names.front();
-  if (line.kind == Line::Kind::let) {
+  if (line.kind == Directive::Kind::let) {
     script_ += "intros " + name(label) + ".\n";
     return state_fraction(label, line.body);
   }
   const Formula formula = normal(line.body);
-  if (line.kind == Line::Kind::define) {
-    script_ += fmt::format("intros {0}. assert (_same_{1} : {0} <-> {2}). {{ unfold {0}. ", name(label), label,
+  if (line.kind == Directive::Kind::define) {
+    script_ += fmt::format("intros {0}. assert (_same_{0} : {0} <-> {1}). {{ unfold {0}. ", name(label),
                            coq::text(formula, true));
     prove_same(line.body);
     script_ += "}\n";

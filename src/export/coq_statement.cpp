@@ -5,53 +5,27 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
-#include <sstream>
-
-#include "claims/parser.hpp"
+#include <cctype>
 
 namespace slipproof::coq {
 
+using prove::Directive;
 using prove::Polynomial;
 
-std::string text(Expression e) {
-  for (const std::string& symbol : symbols(e)) {
-    if (name(symbol) != symbol) e = substitute(e, symbol, make_symbol(name(symbol)));
-  }
-  return to_string(e);
+namespace {
+
+/// All at once: a new name of one symbol may be the old one of another.
+Expression renamed(const Expression& e) {
+  Node node = *e;
+  for (Expression& operand : node.operands) operand = renamed(operand);
+  if (node.operation == Operation::symbol) node.symbol = name(node.symbol);
+  return std::make_shared<const Node>(std::move(node));
 }
 
-std::vector<Line> read_lines(const std::string& text) {
-  std::vector<Line> result;
-  std::set<std::string> formulas;
-  std::string line;
-  for (std::istringstream lines(text); std::getline(lines, line);) {
-    std::istringstream words(line);
-    std::string directive;
-    words >> directive;
-    constexpr std::array<const char*, 6> directives{"real", "let", "define", "assume", "exists", "show"};
-    const auto found = std::find(directives.begin(), directives.end(), directive);
-    if (found == directives.end()) continue;
-    Line& entry = result.emplace_back();
-    entry.kind = static_cast<Line::Kind>(found - directives.begin());
-    if (entry.kind == Line::Kind::real || entry.kind == Line::Kind::exists) {
-      for (std::string name; words >> name;) entry.names.push_back(name);
-      continue;
-    }
-    if (entry.kind != Line::Kind::show) {
-      std::string name;
-      std::getline(words >> std::ws, name, entry.kind == Line::Kind::let ? '=' : ':');
-      name.erase(name.find_last_not_of(' ') + 1);
-      entry.names.push_back(name);
-    }
-    std::string body;
-    std::getline(words, body);
-    entry.body = entry.kind == Line::Kind::let
-                     ? parse_expression(body, Sort::number)
-                     : prove::parse_formula(body, [&](const std::string& name) { return formulas.contains(name); });
-    if (entry.kind == Line::Kind::define) formulas.insert(entry.names.front());
-  }
-  return result;
+}  // namespace
+
+std::string text(const Expression& e) {
+  return to_string(renamed(e));
 }
 
 Normalizer::Normalizer(const prove::Statement& statement) : statement_(statement) {
@@ -141,11 +115,6 @@ std::vector<Normalizer::Link> Normalizer::links(const Expression& comparison) {
   return result;
 }
 
-bool Normalizer::names_formula(const Expression& comparison) const {
-  const Expression& left = comparison->operands[0];
-  return left->operation == Operation::symbol && formulas_.contains(left->symbol);
-}
-
 Formula Normalizer::normal(const Link& link) const {
   const Value difference = value(make(Operation::subtract, {link.left, link.right}));
   std::vector<Formula> parts;
@@ -165,9 +134,9 @@ Formula Normalizer::normal(const Link& link) const {
 
 Formula Normalizer::normal(const Expression& e) const {
   if (e->operation == Operation::truth) return {Formula::Kind::disjunction, {}, prove::Sign::zero, {}};
+  if (e->operation == Operation::symbol) return formulas_.at(e->symbol);
   std::vector<Formula> parts;
   if (e->operation == Operation::compare) {
-    if (names_formula(e)) return formulas_.at(e->operands[0]->symbol);
     for (const Link& link : links(e)) parts.push_back(normal(link));
     return combine(Formula::Kind::conjunction, std::move(parts));
   }
@@ -193,9 +162,9 @@ std::string Normalizer::proposition(const Link& link) const {
 
 std::string Normalizer::proposition(const Expression& e, bool inner) const {
   if (e->operation == Operation::truth) return "False";
+  if (e->operation == Operation::symbol) return name(e->symbol);
   std::vector<std::string> parts;
   if (e->operation == Operation::compare) {
-    if (names_formula(e)) return name(e->operands[0]->symbol);
     const std::vector<Link> chain = links(e);
     for (const Link& link : chain) {
       const std::string part = proposition(link);
@@ -209,36 +178,38 @@ std::string Normalizer::proposition(const Expression& e, bool inner) const {
   return inner && result.find('/') != std::string::npos ? "(" + result + ")" : result;
 }
 
-std::string theorem(const prove::Statement& statement, const std::vector<Line>& lines) {
+std::string theorem(const prove::Statement& statement) {
   Normalizer normalizer(statement);
   std::string identifier = statement.theorem();
   std::replace_if(
-      identifier.begin(), identifier.end(), [](char c) { return c == '.' || c == '-'; }, '_');
+      identifier.begin(), identifier.end(), [](unsigned char c) { return c >= 0x80 || std::isalnum(c) == 0; }, '_');
+  if (identifier.empty() || std::isalpha(static_cast<unsigned char>(identifier.front())) == 0)
+    identifier = "T" + identifier;
   std::string result = "Theorem " + identifier + " :\n";
-  for (const Line& line : lines) {
+  for (const Directive& line : statement.text().directives) {
     std::vector<std::string> names;
     for (const std::string& symbol : line.names) names.push_back(name(symbol));
     switch (line.kind) {
-      case Line::Kind::real:
+      case Directive::Kind::real:
         result += fmt::format("  forall {} : real,\n", fmt::join(names, " "));
         break;
-      case Line::Kind::exists:
+      case Directive::Kind::exists:
         result += fmt::format("  exists {} : real,\n", fmt::join(names, " "));
         break;
-      case Line::Kind::let:
+      case Directive::Kind::let:
         result += fmt::format("  let {} := {} in\n", names.front(), text(line.body));
         break;
-      case Line::Kind::define:
+      case Directive::Kind::define:
         result += fmt::format("  let {} := {} in\n", names.front(), normalizer.proposition(line.body));
         break;
-      case Line::Kind::assume:
-        result += fmt::format("  (* {} *) {} ->\n", names.front(), normalizer.proposition(line.body, true));
+      case Directive::Kind::assume:
+        result += fmt::format("  (* {} *) {} ->\n", line.names.front(), normalizer.proposition(line.body, true));
         break;
-      case Line::Kind::show:
+      case Directive::Kind::show:
         result += fmt::format("  {}.\n", normalizer.proposition(line.body));
         break;
     }
-    if (line.kind == Line::Kind::let || line.kind == Line::Kind::define) normalizer.introduce(line);
+    if (line.kind == Directive::Kind::let || line.kind == Directive::Kind::define) normalizer.introduce(line);
   }
   return result;
 }

@@ -13,21 +13,10 @@
 namespace slipproof::coq {
 
 /// The expression in the statement's words, which are Coq's too.
-std::string text(Expression e);
-
-/// A line of a statement after `theorem`.
-struct Line {
-  enum class Kind { real, let, define, assume, exists, show };
-  Kind kind = Kind::show;
-  std::vector<std::string> names;  ///< of the variables; of what is abbreviated or assumed: one
-  Expression body;                 ///< an expression of `let`, otherwise a formula, where there is one
-};
-
-/// The lines of a statement that prove::Statement reads without an error.
-std::vector<Line> read_lines(const std::string& text);
+std::string text(const Expression& e);
 
 /// `Theorem NAME : ... .`, line by line what the statement says, with each division guarded.
-std::string theorem(const prove::Statement& statement, const std::vector<Line>& lines);
+std::string theorem(const prove::Statement& statement);
 
 /// Writes tactics that introduce the lines of a statement and prove its formulas equivalent to their normal forms.
 class Normalizer {
@@ -35,7 +24,7 @@ class Normalizer {
   explicit Normalizer(const prove::Statement& statement);
 
   /// Introduces variables, an abbreviation, or an assumption: its normal form, taken apart by an introduction pattern.
-  void introduce(const Line& line, const std::string& pattern = {});
+  void introduce(const prove::Directive& line, const std::string& pattern = {});
   /// Gives an unknown of `exists` its value, an expression in the variables; a divisor of it has been shown not to
   /// vanish by the hypothesis that `non_zero` names for it.
   void give_value(const std::string& unknown, const Expression& value,
@@ -71,7 +60,6 @@ class Normalizer {
   static std::vector<Link> links(const Expression& comparison);
   /// Where unknowns have been given values, an expression has another value as the theorem reads, before they have.
   Value value(const Expression& e, bool in_theorem = false) const;
-  bool names_formula(const Expression& comparison) const;
   Formula normal(const Link& link) const;
   std::string proposition(const Link& link) const;
   void prove_same(const Link& link);

@@ -32,27 +32,15 @@ std::optional<Search::Rule> Search::find_rule(State& state, std::size_t first) {
       Polynomial pivot = fact.p.coefficient(variable, 1);
       const std::pair<std::size_t, std::size_t> cost{pivot.is_constant() ? 0 : pivot.length(), 1000 - variable};
       if (best && best_cost <= cost) continue;
-      int orientation = 1;
-      Product product;
-      const Factorization& factors = factored(pivot);
-      if (factors.constant < 0) orientation = -1;
-      bool known = true;
-      for (const auto& [factor, exponent] : factors.factors) {
-        const KnownSign* sign = sign_of(state, factor);
-        if (sign == nullptr || !sign->strict) {
-          known = false;
-          break;
-        }
-        multiply(product, {{sign->name, 1}}, exponent);
-        if (sign->orientation < 0 && exponent % 2 == 1) orientation = -orientation;
-      }
+      const auto known = as_known_product(state, pivot);
       if (!known) continue;
+      const int orientation = known->coefficient > 0 ? 1 : -1;
       best = Rule{fact,
                   variable,
                   std::nullopt,
                   pivot.scaled(orientation),
-                  absolute(factors.constant),
-                  product,
+                  absolute(known->coefficient),
+                  known->product,
                   fact.p.coefficient(variable, 0).scaled(orientation),
                   orientation};
       best_cost = cost;

@@ -127,7 +127,7 @@ bool Search::close_by_alternatives(State& state, int splits) {
   }
   for (std::size_t i = 0; i < count; ++i) {
     const auto& values = solutions[i].values;
-    if (values && add_witness(state, "goal" + std::to_string(i + 1), *values, i)) return true;
+    if (values && add_witness(state, unused("goal" + std::to_string(i + 1)), *values, i)) return true;
   }
   return close(state, limits_.split_depth);
 }

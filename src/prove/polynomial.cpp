@@ -3,6 +3,7 @@
 #include <flint/flint.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <stdexcept>
 
 namespace slipproof::prove {
@@ -90,6 +91,11 @@ std::size_t Polynomial::length() const {
 std::size_t Polynomial::degree(std::size_t variable) const {
   return static_cast<std::size_t>(
       std::max<slong>(0, fmpq_mpoly_degree_si(value_->polynomial, static_cast<slong>(variable), ring_->context_)));
+}
+
+std::size_t Polynomial::coefficient_bits() const {
+  const slong bits = fmpz_mpoly_max_bits(value_->polynomial->zpoly);  // negative: signed
+  return static_cast<std::size_t>(std::abs(bits)) + fmpz_bits(fmpq_numref(value_->polynomial->content));
 }
 
 std::vector<std::size_t> Polynomial::variables() const {

@@ -52,6 +52,7 @@ class Polynomial {
   Rational constant() const;  ///< of a constant polynomial
   std::size_t length() const;
   std::size_t degree(std::size_t variable) const;
+  std::size_t coefficient_bits() const;  ///< of the largest, where all are integers
   bool contains(std::size_t variable) const { return degree(variable) > 0; }
   std::vector<std::size_t> variables() const;
   std::vector<Term> terms() const;

@@ -34,6 +34,17 @@ Search::Search(const Statement& statement, const Limits& limits)
       samples_(statement.ring(), positive_variables(statement)),
       budget_(limits.steps) {}
 
+std::string Search::unused(const std::string& name) {
+  const auto& assumptions = statement_.assumptions();
+  const bool taken =
+      std::any_of(assumptions.begin(), assumptions.end(), [&](const auto& named) { return named.first == name; });
+  return taken ? fresh() : name;
+}
+
+std::string Search::fresh() {
+  return unused("e" + std::to_string(++counter_));
+}
+
 void Search::keep_leftover(const State& state) {
   leftover_.facts.clear();
   for (const Fact& fact : state.facts) {
@@ -111,11 +122,15 @@ bool Search::close(State& state, int depth) {
   if (refute_products(state)) return true;
   if (leftover_.facts.empty() || depth == limits_.split_depth) keep_leftover(state);
   if (depth == 0) return false;
-  const std::vector<Polynomial> proposed = split_candidates(state, candidates);
-  for (std::size_t i = 0; i < proposed.size() && i < static_cast<std::size_t>(limits_.split_candidates); ++i) {
-    if (close_split(state, proposed[i], [&](State& branch) { return close(branch, depth - 1); })) return true;
-  }
-  return false;
+  const Close shallower = [&](State& branch) { return close(branch, depth - 1); };
+  const auto close_by_any = [&](const std::vector<Polynomial>& proposed) {
+    for (std::size_t i = 0; i < proposed.size() && i < static_cast<std::size_t>(limits_.split_candidates); ++i) {
+      if (close_split(state, proposed[i], shallower)) return true;
+    }
+    return false;
+  };
+  if (close_by_any(split_candidates(state, candidates))) return true;
+  return product_degree_ > 1 && (close_squares(state, shallower) || close_by_any(plain_candidates(state)));
 }
 
 std::optional<Proof> Search::prove() {

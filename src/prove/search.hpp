@@ -1,7 +1,7 @@
 // The search for proofs: refutes a set of sign conditions by linear elimination (elimination.cpp), factorization and
 // rewriting (rewriting.cpp), positivity after substitution by slack variables (slack.cpp, single.cpp, signs.cpp),
 // Fourier-Motzkin elimination (pairs.cpp), case splits (splits.cpp), and, where all that is not enough, linear
-// programming over products of hypotheses (products.cpp); existence.cpp finds witnesses.
+// programming over products of hypotheses (products.cpp) and squares (squares.cpp); existence.cpp finds witnesses.
 #pragma once
 
 #include <cstdint>
@@ -47,8 +47,10 @@ class Search {
   struct KnownSign;
   struct State;
   using Close = std::function<bool(State& branch)>;  ///< closes a branch of a case split
+  using CloseSigned = std::function<bool(State& branch, const Fact& sign)>;
 
-  std::string fresh() { return "e" + std::to_string(++counter_); }
+  std::string fresh();                          ///< a name for a hypothesis
+  std::string unused(const std::string& name);  ///< this one, unless an assumption has it
   bool add_formula(State& state, const std::string& name, const Formula& formula);
   bool add(State& state, Fact fact);
   bool divide_out(State& state, const Polynomial& factor);
@@ -61,6 +63,7 @@ class Search {
   const SignPattern& signs_at_samples(const Polynomial& p);
   SampleSet fails(const Fact& fact);
   const KnownSign* sign_of(State& state, const Polynomial& factor, bool thorough = false);
+  std::optional<WeightedProduct> as_known_product(State& state, const Polynomial& p);
   bool refute_multiples(State& state);
   bool refute_facts(State& state, bool thorough);
   bool refute_pairs(State& state, std::vector<Polynomial>& candidates, bool thorough);
@@ -70,6 +73,11 @@ class Search {
   bool close(State& state, int depth);
   bool close_cases(State& state, std::size_t which, const Close& close);
   bool close_split(State& state, const Polynomial& p, const Close& close);
+  bool close_split(State& state, const Polynomial& p, const CloseSigned& close);
+  bool close_even_factors(State& state, const Fact& fact, const Close& close);
+  bool close_square(State& state, const Fact& fact, std::size_t variable, const Close& close);
+  bool close_squares(State& state, const Close& close);
+  std::vector<Polynomial> plain_candidates(State& state);
   std::vector<Polynomial> split_candidates(State& state, const std::vector<Polynomial>& from_pairs);
   struct Solution {
     std::optional<std::vector<std::string>> values;

@@ -54,6 +54,19 @@ const Search::KnownSign* Search::sign_of(State& state, const Polynomial& factor,
   return known != state.signs.end() ? &known->second : nullptr;
 }
 
+/// p as a number times a product of strict facts, where the signs of all its factors are known.
+std::optional<WeightedProduct> Search::as_known_product(State& state, const Polynomial& p) {
+  const Factorization& factors = factored(p);
+  WeightedProduct result{factors.constant, {}};
+  for (const auto& [factor, exponent] : factors.factors) {
+    const KnownSign* sign = sign_of(state, factor);
+    if (sign == nullptr || !sign->strict) return std::nullopt;
+    multiply(result.product, {{sign->name, 1}}, exponent);
+    if (sign->orientation < 0 && exponent % 2 == 1) result.coefficient = -result.coefficient;
+  }
+  return result;
+}
+
 /// Whether the known signs of factors make the formula true; it is not searched for one that is false for a sample
 /// outside of `excluded`.
 bool Search::implied(State& state, const Formula& formula, const SampleSet& excluded) {

@@ -19,6 +19,10 @@ bool Search::close_cases(State& state, std::size_t which, const Close& close) {
 }
 
 bool Search::close_split(State& state, const Polynomial& p, const Close& close) {
+  return close_split(state, p, [&](State& branch, const Fact&) { return close(branch); });
+}
+
+bool Search::close_split(State& state, const Polynomial& p, const CloseSigned& close) {
   Step step;
   step.rule = Step::Rule::split;
   step.name = fresh();
@@ -26,11 +30,36 @@ bool Search::close_split(State& state, const Polynomial& p, const Close& close) 
   for (const int sign : {-1, 0, 1}) {
     State branch = state.branch();
     const Fact fact{step.name, sign < 0 ? -p : p, sign == 0 ? Sign::zero : Sign::positive};
-    if (!add(branch, fact) && !close(branch)) return false;
+    if (!add(branch, fact) && !close(branch, fact)) return false;
     step.branches.push_back(std::move(branch.steps));
   }
   state.steps.push_back(std::move(step));
   return true;
+}
+
+/// Variables of unknown sign, and differences of variables of equal sign: the order of a, b, c decides much that is
+/// symmetric in them.
+std::vector<Polynomial> Search::plain_candidates(State& state) {
+  const Ring& ring = statement_.ring();
+  std::set<std::size_t> variables;
+  for (const Fact& fact : state.facts) {
+    if (fact.sign == Sign::zero) continue;
+    for (const std::size_t variable : fact.p.variables()) {
+      if (fact.p.degree(variable) > 1) variables.insert(variable);
+    }
+  }
+  std::vector<Polynomial> result;
+  const auto propose = [&](const Polynomial& p) {
+    const KnownSign* sign = sign_of(state, p);
+    if (sign == nullptr || !sign->strict) result.push_back(p);
+  };
+  for (const std::size_t v : variables) propose(Polynomial::variable(ring, v));
+  for (const std::size_t v : variables) {
+    for (const std::size_t w : variables) {
+      if (v < w) propose(Polynomial::variable(ring, v) - Polynomial::variable(ring, w));
+    }
+  }
+  return result;
 }
 
 std::vector<Polynomial> Search::split_candidates(State& state, const std::vector<Polynomial>& from_pairs) {

@@ -2,16 +2,13 @@
 // without harm: the checker reads the file itself.
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <map>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "claims/expression.hpp"
 #include "prove/formula.hpp"
+#include "prove/statement_text.hpp"
 
 namespace slipproof::prove {
 
@@ -22,22 +19,15 @@ struct Fraction {
   std::vector<Polynomial> divisors;
 };
 
-/// A formula of a statement in the grammar of claims: for the name of a formula stands the comparison `NAME = 0`, and a
-/// conjunction or disjunction has as many operands as the text joins, each pair of braces a node of its own: on that
-/// rest the names of its parts as hypotheses. Throws ExpressionError.
-Expression parse_formula(const std::string& text, const std::function<bool(const std::string&)>& names_formula);
-
-/// The parts of such a conjunction or disjunction; of anything else itself.
-std::vector<Expression> parts(const Expression& formula);
-
 class Statement {
  public:
-  /// Throws InputError with the place of the first mistake in `text`, the content of the file `name`.
+  /// Throws InputError with the mistakes in `text`, the content of the file `name`.
   Statement(const std::string& name, const std::string& text);
 
   const Ring& ring() const { return *ring_; }
-  const std::string& theorem() const { return theorem_; }
-  std::string fingerprint() const;
+  const StatementText& text() const { return text_; }
+  const std::string& theorem() const { return text_.theorem; }
+  const std::string& fingerprint() const { return text_.fingerprint; }
   const std::vector<std::pair<std::string, Formula>>& assumptions() const { return assumptions_; }
   /// Variables that the conclusion asks to exist, by index in the ring; the other variables come before them.
   const std::vector<std::size_t>& unknowns() const { return unknowns_; }
@@ -51,13 +41,12 @@ class Statement {
   std::vector<Polynomial> divisors(const std::vector<std::string>& witness) const;
 
  private:
-  struct Reader;
-  Reader variables() const;
+  struct Meaning;
+  Meaning variables() const;
+  Meaning before_unknowns() const;
   std::string file_;
-  std::string text_;
+  StatementText text_;
   std::unique_ptr<Ring> ring_;
-  std::string theorem_;
-  std::uint64_t fingerprint_ = 14695981039346656037U;
   std::vector<std::pair<std::string, Formula>> assumptions_;
   std::vector<std::size_t> unknowns_;
   std::size_t first_unknown_ = 0;

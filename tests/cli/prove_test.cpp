@@ -68,6 +68,34 @@ TEST_CASE("prove --smtlib writes every statement, also those of folders below, a
   CHECK(bad.err.find("bad.statement:3:") != std::string::npos);
 }
 
+TEST_CASE("prove takes statements of one's own, files and folders, without a claims file") {
+  const TemporaryFolder folder;
+  const std::string means = "slipproof-statement 1\ntheorem means\nreal x y\nshow (x + y)^2 >= 4*x*y\n";
+  const auto file = folder.write("means.statement", means);
+  std::filesystem::create_directories(folder.path() / "more" / "deep");
+  folder.write("more/deep/A2.4.statement", read_file(proofs + "A2.4.statement"));
+  folder.write("more/wrong.statement", "slipproof-statement 1\ntheorem wrong\nreal x\nshow x > 0\n");
+  const auto one = run({"prove", file});
+  CHECK(one.exit_code == 0);
+  CHECK(one.out == "proved    means\ns PROVED 1 proved, 0 undecided\n");
+  CHECK(run({folder.path() / "means.cert"}, "slipproof-check").exit_code == 0);
+  const auto both = run({"prove", file, folder.path() / "more", "--out", folder.path() / "out"});
+  CHECK(both.exit_code == 4);
+  CHECK(both.out.ends_with("s UNDECIDED 2 proved, 1 undecided\n"));
+  CHECK(read_file(folder.path() / "out" / "means.statement") == means);
+  CHECK(std::filesystem::exists(folder.path() / "out" / "deep" / "A2.4.cert"));
+  CHECK_FALSE(std::filesystem::exists(folder.path() / "more" / "deep" / "A2.4.cert"));
+  CHECK(run({"check", folder.path() / "out" / "deep"}).exit_code == 0);
+  CHECK(run({"prove", file, "--smtlib", folder.path() / "smt"}).exit_code == 0);
+  CHECK(read_file(folder.path() / "smt" / "means.smt2").find("(check-sat)") != std::string::npos);
+  std::filesystem::create_directory(folder.path() / "empty");
+  CHECK(run({"prove", folder.path() / "empty"}).err.find("a folder without *.statement") != std::string::npos);
+  const auto mixed = run({"prove", file, folder.write("claims.toml", one_claim)});
+  CHECK(mixed.exit_code == 3);
+  CHECK(mixed.err.find("claims.toml: found another file, expected a statement or a folder") != std::string::npos);
+  CHECK(run({"prove", folder.path() / "nothing.statement"}).exit_code == 3);
+}
+
 TEST_CASE("a certificate of another statement is rejected with exit code 5") {
   const TemporaryFolder folder;
   folder.write("A2.4.statement", read_file(proofs + "A2.4.statement"));

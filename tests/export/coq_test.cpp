@@ -66,14 +66,14 @@ TEST_CASE("the theorem says what the statement says, and the proof takes the cer
   const auto theorem = text.find("Theorem ");
   CHECK(text.substr(theorem, text.find("Proof.\n", theorem) - theorem) ==
         "Theorem small_one :\n"
-        "  forall x end_ : real,\n"
-        "  (* domain *) end_ > 0 ->\n"
-        "  let q := x / end_ in\n"
-        "  (* large *) (end_ <> 0 /\\ q > 1) ->\n"
-        "  x > end_ \\/ False.\n");
+        "  forall x end'0 : real,\n"
+        "  (* domain *) end'0 > 0 ->\n"
+        "  let q := x / end'0 in\n"
+        "  (* large *) (end'0 <> 0 /\\ q > 1) ->\n"
+        "  x > end'0 \\/ False.\n");
   CHECK(text.substr(text.find("assert (_above")) ==
-        "assert (_above : 0 < x - end_). {\n"
-        "destruct (Steps.positive_or (x - end_)) as [_above | _above]; [exact _above | exfalso].\n"
+        "assert (_above : 0 < x - end'0). {\n"
+        "destruct (Steps.positive_or (x - end'0)) as [_above | _above]; [exact _above | exfalso].\n"
         "refine (Steps.absurd _ (Steps.add (_large_2) (Steps.mul0 (_above) (Steps.weak (_domain)))) _). ring.\n"
         "}\n"
         "refine (Steps.absurd _ (Steps.add (_above) (_goal_1)) _). ring.\n"
@@ -122,4 +122,22 @@ TEST_CASE("what is no certificate of the statement is an input error with its li
   CHECK(message(certificate("contradiction\nterm 1 goal.1\nqed\n")) == "small.cert: no term of the identity is strict");
   CHECK(message(certificate("split s: x\nbranch positive\n")).starts_with("small.cert:4: expected `branch negative`"));
   CHECK(message(certificate("cases domain\nend\n")) == "small.cert: 'domain' has other alternatives");
+}
+
+TEST_CASE("names that Coq does not have become others, all at once") {
+  const std::string statement =
+      "slipproof-statement 1\ntheorem odd+names\nreal x x' x'' y.1 if\nassume h: x > 0\nlet a.b = x' - x''\n"
+      "define d.: x > 0 or a.b = if\nshow d. or y.1 = 0\n";
+  const prove::Statement read("s", statement);
+  const std::string text = coq_text("s", statement, "c",
+                                    "slipproof-certificate 1\ntheorem odd+names " + read.fingerprint() +
+                                        "\ncontradiction\nterm 1 goal.1.1\nterm 1 h\nqed\n");
+  const auto theorem = text.find("Theorem ");
+  CHECK(text.substr(theorem, text.find("Proof.\n", theorem) - theorem) ==
+        "Theorem odd_names :\n"
+        "  forall x x'' x'''' y'_1 if'0 : real,\n"
+        "  (* h *) x > 0 ->\n"
+        "  let a'_b := x'' - x'''' in\n"
+        "  let d'_ := x > 0 \\/ a'_b = if'0 in\n"
+        "  d'_ \\/ y'_1 = 0.\n");
 }

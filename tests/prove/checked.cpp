@@ -86,3 +86,34 @@ TEST_CASE("products of hypotheses prove nothing that is false, and end") {
   REQUIRE(!ended.leftover.empty());
   CHECK(ended.leftover.front() == "no step left of 1000");
 }
+
+TEST_CASE("squares, and the order of the variables, prove what products of hypotheses do not") {
+  const std::string positive = "real a b c\nassume h: a > 0 and b > 0 and c > 0\n";
+  for (const std::string& lines :
+       {std::string("real x y\nshow (x + y)^2 >= 4*x*y\n"), std::string("real x\nshow x^2 + x + 1 > 0\n"),
+        std::string("real x y z\nshow x^2 + y^2 + z^2 >= x*y + y*z + z*x\n"),
+        std::string("real a b c d\nshow (a^2 + b^2)*(c^2 + d^2) >= (a*c + b*d)^2\n"),
+        std::string("real x y\nshow x^4 + y^4 >= x^3*y + x*y^3\n"), std::string("real x\nshow x^4 - 2*x^2 + 2 > 0\n"),
+        std::string("real x y\nshow x^2*(y^2 + 1) + 2*x*y + 1 > 0\n"),
+        std::string("real a b c x\nassume h: a != 0 and a*x^2 + b*x + c = 0\nshow b^2 >= 4*a*c\n"),
+        positive + "show a/(b + c) + b/(c + a) + c/(a + b) >= 3/2\n", positive + "show (a + b + c)^3 >= 27*a*b*c\n"}) {
+    CAPTURE(lines);
+    CHECK(checked(lines) == "accepted");
+    CHECK(checked(lines, {.products = 0}) == "undecided");
+  }
+  for (const std::string& lines :
+       {std::string("real x y\nshow (x + y)^2 > 4*x*y\n"), std::string("real x\nshow x^2 + 2*x + 1 > 0\n"),
+        std::string("real a b c x\nassume h: a > 0 and b^2 <= 4*a*c\nshow a*x^2 + b*x + c > 0\n"),
+        std::string("real x y\nshow x^4 + y^4 >= 2*x^3*y\n"),
+        positive + "show a/(b + c) + b/(c + a) + c/(a + b) > 3/2\n"}) {
+    CAPTURE(lines);
+    CHECK(checked(lines) == "undecided");
+  }
+}
+
+TEST_CASE("assumptions may be called as the prover calls its own hypotheses") {
+  CHECK(checked("real x y\nassume e1: x >= 1 or x <= -1\nassume e2: y > 1\nassume e4: x*y = 3\n"
+                "show x^2*y > 1/2 and (x + y)^2 >= 4*x*y\n") == "accepted");
+  CHECK(checked("real x y\nassume goal1: x != y\nexists w z\n"
+                "show w = x + 1 and {{z = x and z > y} or {z = y and z > x}}\n") == "accepted");
+}

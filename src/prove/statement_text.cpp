@@ -1,0 +1,200 @@
+#include "prove/statement_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "input/diagnostic.hpp"
+
+namespace slipproof::prove {
+
+namespace {
+
+constexpr std::size_t max_line = 1U << 20U, max_variables = 64;
+constexpr std::array<std::string_view, 6> spellings{"real", "let", "define", "assume", "exists", "show"};
+constexpr std::string_view hint = "# split:";
+
+class TextReader {
+ public:
+  explicit TextReader(const std::string& file) : file_(file) {}
+
+  StatementText read(std::string_view text) {
+    while (!text.empty()) {
+      const std::string_view line = text.substr(0, text.find('\n'));
+      text.remove_prefix(std::min(text.size(), line.size() + 1));
+      ++number_;
+      try {
+        read_line(line);
+      } catch (const ExpressionError& error) {
+        complain(error.column(), error.what());
+      }
+    }
+    ++number_;
+    if (stage_ != Stage::end) complain(0, std::string("the file ends before ") + awaited());
+    if (mistakes_.empty()) check_assumptions();
+    if (!mistakes_.empty()) throw InputError(std::move(mistakes_));
+    result_.fingerprint = fmt::format("{:016x}", fingerprint_);
+    return std::move(result_);
+  }
+
+ private:
+  enum class Stage : std::uint8_t { header, theorem, directives, end };
+
+  void complain(std::size_t column, std::string message) {
+    mistakes_.push_back({file_, number_, column, std::move(message)});
+  }
+
+  const char* awaited() const {
+    return stage_ == Stage::header    ? "its first line, `slipproof-statement 1`"
+           : stage_ == Stage::theorem ? "its line `theorem NAME`"
+                                      : "its last line, `show FORMULA`";
+  }
+
+  void read_line(std::string_view line) {
+    if (line.size() > max_line) throw ExpressionError(1, "the line has more than 2^20 bytes");
+    StatementLine words(line, given_);
+    if (line.starts_with(hint)) return read_hint(words);
+    if (words.at_end() || line[words.column() - 1] == '#') return;
+    for (const char c : std::string(line) + '\n') {
+      fingerprint_ = (fingerprint_ ^ static_cast<unsigned char>(c)) * 1099511628211U;
+    }
+    switch (stage_) {
+      case Stage::header:
+        stage_ = Stage::theorem;
+        if (line != "slipproof-statement 1") words.fail("the first line to be `slipproof-statement 1`");
+        return;
+      case Stage::theorem:
+        stage_ = Stage::directives;
+        words.expect("theorem");
+        while (!words.at_end()) result_.theorem += words.take();
+        return;
+      case Stage::directives:
+        return read_directive(words);
+      case Stage::end:
+        words.fail("nothing after `show`");
+    }
+  }
+
+  void read_directive(StatementLine& words) {
+    const auto found = std::find_if(spellings.begin(), spellings.end(), [&](auto word) { return words.accept(word); });
+    if (found == spellings.end()) words.fail("one of real, let, define, assume, exists, show");
+    Directive directive;
+    directive.kind = static_cast<Directive::Kind>(found - spellings.begin());
+    directive.line = number_;
+    const bool variables = directive.kind == Directive::Kind::real || directive.kind == Directive::Kind::exists;
+    if (directive.kind == Directive::Kind::show) stage_ = Stage::end;
+    if (unknowns_ && (variables || directive.kind == Directive::Kind::assume)) {
+      throw ExpressionError(1, fmt::format("`{}` may not follow `exists`", *found));
+    }
+    if (variables) {
+      read_variables(words, directive);
+      unknowns_ = unknowns_ || (directive.kind == Directive::Kind::exists && !directive.names.empty());
+    } else {
+      read_body(words, directive);
+      words.expect_end();
+    }
+    result_.directives.push_back(std::move(directive));
+  }
+
+  void read_variables(StatementLine& words, Directive& directive) {
+    while (!words.at_end()) {
+      const std::size_t column = words.column();
+      directive.names.push_back(words.name());
+      given_.values.insert(directive.names.back());
+      give(directive.names.back(), column);
+      if (++variables_ > max_variables) throw ExpressionError(column, "more than 64 variables");
+    }
+  }
+
+  void read_body(StatementLine& words, Directive& directive) {
+    if (directive.kind == Directive::Kind::show) {
+      directive.body = words.formula();
+      return;
+    }
+    const std::size_t column = words.column();
+    const std::string name = words.name();
+    directive.names = {name};
+    if (directive.kind == Directive::Kind::assume) assumptions_.insert(name);
+    const bool value = directive.kind == Directive::Kind::let;
+    try {
+      give(name, column);
+      words.expect(value ? "=" : ":");
+      directive.body = value ? words.expression() : words.formula();
+    } catch (const ExpressionError&) {
+      introduce(directive);  // so that the lines below are not blamed for using it
+      throw;
+    }
+    introduce(directive);
+  }
+
+  void introduce(const Directive& directive) {
+    if (directive.kind == Directive::Kind::let) given_.values.insert(directive.names.front());
+    if (directive.kind == Directive::Kind::define) given_.formulas.insert(directive.names.front());
+  }
+
+  void give(const std::string& name, std::size_t column) {
+    if (name == "and" || name == "or" || name == "false") {
+      throw ExpressionError(column, "`" + name + "` is a word of the language, expected another name");
+    }
+    if (!names_.insert(name).second) throw ExpressionError(column, "the name `" + name + "` is given twice");
+  }
+
+  void read_hint(StatementLine& words) {
+    for (const std::string_view word : {"#", "split", ":"}) words.expect(word);
+    result_.hints.push_back({number_, words.expression()});
+    words.expect_end();
+  }
+
+  /// The parts of a hypothesis `a` are `a.1`, `a.1.2`, ..., and `goal` is the negated conclusion: with an assumption of
+  /// such a name no certificate could be right.
+  void check_assumptions() {
+    for (const Directive& line : result_.directives) {
+      if (line.kind != Directive::Kind::assume) continue;
+      const std::string& name = line.names.front();
+      const auto is_part_of = [&](const std::string& whole) {
+        return name.starts_with(whole + ".") && name.find_first_not_of("0123456789.", whole.size()) == name.npos;
+      };
+      number_ = line.line;
+      if (name == "goal" || is_part_of("goal")) {
+        complain(0, "`" + name + "` names the negated conclusion in certificates, expected another name");
+      }
+      for (const std::string& other : assumptions_) {
+        if (is_part_of(other)) complain(0, "`" + name + "` names a part of `" + other + "`, expected another name");
+      }
+    }
+  }
+
+  const std::string& file_;
+  std::size_t number_ = 0;
+  Stage stage_ = Stage::header;
+  bool unknowns_ = false;
+  GivenNames given_;
+  std::size_t variables_ = 0;
+  std::set<std::string> names_, assumptions_;
+  std::uint64_t fingerprint_ = 14695981039346656037U;
+  std::vector<Diagnostic> mistakes_;
+  StatementText result_;
+};
+
+}  // namespace
+
+StatementText read_statement(const std::string& file, std::string_view text) {
+  return TextReader(file).read(text);
+}
+
+Expression parse_witness_value(const StatementText& statement, std::string_view value) {
+  GivenNames given;
+  for (const Directive& directive : statement.directives) {
+    if (directive.kind == Directive::Kind::exists && !directive.names.empty()) break;
+    if (directive.kind == Directive::Kind::real || directive.kind == Directive::Kind::let) {
+      given.values.insert(directive.names.begin(), directive.names.end());
+    }
+  }
+  StatementLine words(value, given);
+  Expression result = words.expression();
+  words.expect_end();
+  return result;
+}
+
+}  // namespace slipproof::prove
