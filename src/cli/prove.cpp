@@ -9,9 +9,9 @@
 #include "export/smtlib.hpp"
 #include "input/diagnostic.hpp"
 #include "input/text_file.hpp"
-#include "prove/claim_statements.hpp"
 #include "prove/prove_files.hpp"
 #include "report/exact_json.hpp"
+#include "statements/claim_statements.hpp"
 
 namespace slipproof::cli {
 

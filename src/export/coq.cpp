@@ -12,7 +12,6 @@ namespace slipproof {
 namespace {
 
 using coq::Formula;
-using prove::Directive;
 using prove::Polynomial;
 using prove::Proof;
 using prove::Step;
@@ -278,7 +277,7 @@ class Writer {
   }
 
   const prove::Statement& statement_;
-  const std::vector<prove::Directive>& lines_;
+  const std::vector<Directive>& lines_;
   coq::Normalizer normalizer_;
   std::size_t conclusion_ = 0;  ///< of the lines: `exists` or `show`
   std::map<std::string, Hypothesis> hypotheses_;

@@ -10,7 +10,6 @@
 
 namespace slipproof::coq {
 
-using prove::Directive;
 using prove::Polynomial;
 
 /// Closes an equation between polynomials.
@@ -145,7 +144,7 @@ void Normalizer::prove_same(const Expression& e) {
   }
   const bool comparison = e->operation == Operation::compare;
   const std::vector<Link> chain = comparison ? links(e) : std::vector<Link>{};
-  const std::vector<Expression> parts = comparison ? std::vector<Expression>{} : prove::parts(e);
+  const std::vector<Expression> parts = comparison ? std::vector<Expression>{} : joined_parts(e);
   const std::size_t count = chain.size() + parts.size();
   for (std::size_t i = 0; i < count; ++i) {
     if (i + 1 < count) {

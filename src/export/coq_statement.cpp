@@ -9,7 +9,6 @@
 
 namespace slipproof::coq {
 
-using prove::Directive;
 using prove::Polynomial;
 
 namespace {
@@ -140,7 +139,7 @@ Formula Normalizer::normal(const Expression& e) const {
     for (const Link& link : links(e)) parts.push_back(normal(link));
     return combine(Formula::Kind::conjunction, std::move(parts));
   }
-  for (const Expression& part : prove::parts(e)) parts.push_back(normal(part));
+  for (const Expression& part : joined_parts(e)) parts.push_back(normal(part));
   return combine(e->operation == Operation::logical_and ? Formula::Kind::conjunction : Formula::Kind::disjunction,
                  std::move(parts));
 }
@@ -171,7 +170,7 @@ std::string Normalizer::proposition(const Expression& e, bool inner) const {
       parts.push_back(chain.size() > 1 && part.find("/\\") != std::string::npos ? "(" + part + ")" : part);
     }
   } else {
-    for (const Expression& part : prove::parts(e)) parts.push_back(proposition(part, true));
+    for (const Expression& part : joined_parts(e)) parts.push_back(proposition(part, true));
   }
   const std::string result =
       fmt::format("{}", fmt::join(parts, e->operation == Operation::logical_or ? " \\/ " : " /\\ "));

@@ -24,7 +24,7 @@ class Normalizer {
   explicit Normalizer(const prove::Statement& statement);
 
   /// Introduces variables, an abbreviation, or an assumption: its normal form, taken apart by an introduction pattern.
-  void introduce(const prove::Directive& line, const std::string& pattern = {});
+  void introduce(const Directive& line, const std::string& pattern = {});
   /// Gives an unknown of `exists` its value, an expression in the variables; a divisor of it has been shown not to
   /// vanish by the hypothesis that `non_zero` names for it.
   void give_value(const std::string& unknown, const Expression& value,

@@ -124,7 +124,7 @@ struct Statement::Meaning {
       }
       return combine(Formula::Kind::conjunction, std::move(parts));
     }
-    for (const Expression& operand : prove::parts(e)) parts.push_back(formula(operand));
+    for (const Expression& operand : joined_parts(e)) parts.push_back(formula(operand));
     const bool conjunction = e->operation == Operation::logical_and;
     return combine(conjunction ? Formula::Kind::conjunction : Formula::Kind::disjunction, std::move(parts));
   }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "prove/formula.hpp"
-#include "prove/statement_text.hpp"
+#include "statements/statement_text.hpp"
 
 namespace slipproof::prove {
 

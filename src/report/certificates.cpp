@@ -1,7 +1,7 @@
 #include "report/certificates.hpp"
 
 #include "check/files.hpp"
-#include "prove/library.hpp"
+#include "statements/library.hpp"
 
 namespace slipproof {
 

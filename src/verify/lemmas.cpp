@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "check/theorem.hpp"
-#include "prove/claim_statements.hpp"
 #include "prove/prove.hpp"
 #include "prove/statement.hpp"
+#include "statements/claim_statements.hpp"
 
 namespace slipproof {
 

@@ -13,10 +13,10 @@
 #include "claims/parser.hpp"
 #include "input/diagnostic.hpp"
 #include "modes/motions.hpp"
-#include "prove/library.hpp"
 #include "prove/prove.hpp"
 #include "prove/statement.hpp"
-#include "prove/truth_text.hpp"
+#include "statements/library.hpp"
+#include "statements/truth_text.hpp"
 #include "support/shipped.hpp"
 
 namespace {

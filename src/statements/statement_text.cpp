@@ -1,4 +1,4 @@
-#include "prove/statement_text.hpp"
+#include "statements/statement_text.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 #include "input/diagnostic.hpp"
 
-namespace slipproof::prove {
+namespace slipproof {
 
 namespace {
 
@@ -197,4 +197,4 @@ Expression parse_witness_value(const StatementText& statement, std::string_view 
   return result;
 }
 
-}  // namespace slipproof::prove
+}  // namespace slipproof

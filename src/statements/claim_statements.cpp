@@ -1,12 +1,12 @@
-#include "prove/claim_statements.hpp"
+#include "statements/claim_statements.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 
-#include "prove/claim_writer.hpp"
-#include "prove/unique_statements.hpp"
+#include "statements/claim_writer.hpp"
+#include "statements/unique_statements.hpp"
 
 namespace slipproof {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "prove/claim_statements.hpp"
-#include "prove/setting_writer.hpp"
+#include "statements/claim_statements.hpp"
+#include "statements/setting_writer.hpp"
 
 namespace slipproof {
 namespace {

@@ -1,4 +1,4 @@
-#include "prove/mechanics_text.hpp"
+#include "statements/mechanics_text.hpp"
 
 #include <fmt/format.h>
 

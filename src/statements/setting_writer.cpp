@@ -1,11 +1,11 @@
-#include "prove/setting_writer.hpp"
+#include "statements/setting_writer.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 
-#include "prove/truth_text.hpp"
+#include "statements/truth_text.hpp"
 
 namespace slipproof {
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "prove/claim_writer.hpp"
-#include "prove/truth_text.hpp"
+#include "statements/claim_writer.hpp"
+#include "statements/truth_text.hpp"
 
 namespace slipproof {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "prove/mechanics_text.hpp"
+#include "statements/mechanics_text.hpp"
 
 namespace slipproof {
 

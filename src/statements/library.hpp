@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "prove/claim_statements.hpp"
+#include "statements/claim_statements.hpp"
 
 namespace slipproof {
 

@@ -1,4 +1,4 @@
-#include "prove/library.hpp"
+#include "statements/library.hpp"
 
 #include <fstream>
 #include <iterator>

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "prove/statement_line.hpp"
+#include "statements/statement_line.hpp"
 
-namespace slipproof::prove {
+namespace slipproof {
 
 /// A line after `theorem`.
 struct Directive {
@@ -38,4 +38,4 @@ StatementText read_statement(const std::string& file, std::string_view text);
 /// A value of an unknown, an expression in the names from before `exists`. Throws ExpressionError.
 Expression parse_witness_value(const StatementText& statement, std::string_view value);
 
-}  // namespace slipproof::prove
+}  // namespace slipproof

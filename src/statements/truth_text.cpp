@@ -1,4 +1,4 @@
-#include "prove/truth_text.hpp"
+#include "statements/truth_text.hpp"
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "prove/statement_line.hpp"
+#include "statements/statement_line.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 
 #include "number/rational.hpp"
 
-namespace slipproof::prove {
+namespace slipproof {
 
 namespace {
 
@@ -189,9 +189,9 @@ int StatementLine::exponent() {
   return value;
 }
 
-std::vector<Expression> parts(const Expression& formula) {
+std::vector<Expression> joined_parts(const Expression& formula) {
   const bool joined = formula->operation == Operation::logical_and || formula->operation == Operation::logical_or;
   return joined ? formula->operands : std::vector{formula};
 }
 
-}  // namespace slipproof::prove
+}  // namespace slipproof

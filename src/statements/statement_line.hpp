@@ -9,7 +9,7 @@
 #include "claims/expression.hpp"
 #include "claims/parser.hpp"
 
-namespace slipproof::prove {
+namespace slipproof {
 
 /// The names that a statement has given so far.
 struct GivenNames {
@@ -62,6 +62,6 @@ class StatementLine {
 };
 
 /// The parts of a conjunction or disjunction; of anything else itself.
-std::vector<Expression> parts(const Expression& formula);
+std::vector<Expression> joined_parts(const Expression& formula);
 
-}  // namespace slipproof::prove
+}  // namespace slipproof

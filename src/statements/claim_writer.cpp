@@ -1,4 +1,4 @@
-#include "prove/claim_writer.hpp"
+#include "statements/claim_writer.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,7 +7,7 @@
 #include <cctype>
 #include <sstream>
 
-#include "prove/truth_text.hpp"
+#include "statements/truth_text.hpp"
 
 namespace slipproof {
 namespace {

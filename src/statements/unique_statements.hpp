@@ -1,7 +1,7 @@
 // What a claim of uniqueness says, as statements.
 #pragma once
 
-#include "prove/claim_writer.hpp"
+#include "statements/claim_writer.hpp"
 
 namespace slipproof {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "prove/claim_statements.hpp"
-#include "prove/setting_writer.hpp"
+#include "statements/claim_statements.hpp"
+#include "statements/setting_writer.hpp"
 
 namespace slipproof {
 
