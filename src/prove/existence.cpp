@@ -18,6 +18,11 @@ const Formula* alternatives_in(const Formula& shown) {
 
 }  // namespace
 
+std::string Quotient::text() const {
+  return denominator.is_constant() ? numerator.scaled(1 / denominator.constant()).text()
+                                   : "(" + numerator.text() + ")/(" + denominator.text() + ")";
+}
+
 /// The unknowns as quotients, from the equations of the conclusion (where it has alternatives, with those of one); 0
 /// where these leave one free.
 Search::Solution Search::solve_conclusion(const State& state, std::size_t alternative) {
@@ -48,7 +53,6 @@ Search::Solution Search::solve_conclusion(const State& state, std::size_t altern
       }
     }
   }
-  std::vector<std::string> values;
   for (const std::size_t unknown : statement_.unknowns()) {
     // unknown = numerator / denominator: reduce the unknown itself with a mark for its pivots.
     Polynomial numerator = Polynomial::variable(ring, unknown);
@@ -74,12 +78,15 @@ Search::Solution Search::solve_conclusion(const State& state, std::size_t altern
         }
       }
     }
+    solution.quotients.push_back({std::move(numerator), std::move(denominator)});
+  }
+  std::vector<std::string> values;
+  for (Quotient value : solution.quotients) {
     for (const std::size_t free : statement_.unknowns()) {
-      numerator = numerator.coefficient(free, 0);
-      if (denominator.contains(free)) return solution;
+      value.numerator = value.numerator.coefficient(free, 0);
+      if (value.denominator.contains(free)) return solution;
     }
-    values.push_back(denominator.is_constant() ? numerator.scaled(1 / denominator.constant()).text()
-                                               : "(" + numerator.text() + ")/(" + denominator.text() + ")");
+    values.push_back(value.text());
   }
   solution.values = std::move(values);
   return solution;
@@ -133,7 +140,7 @@ bool Search::close_by_alternatives(State& state, int splits) {
 }
 
 /// Proves existence: by numbers where nothing is given; by the solution of the conclusion's equations; or, where the
-/// signs of its pivots are not known, by cases and by splits on the statement's hints.
+/// signs of its pivots are not known, by cases and by splits on the statement's hints; or by a value between bounds.
 bool Search::close_existence(State& state, std::size_t hint) {
   if (eliminate(state) || refute_facts(state, false)) return true;
   drop_known_cases(state);
@@ -159,7 +166,8 @@ bool Search::close_existence(State& state, std::size_t hint) {
   }
   if (hint == statement_.hints().size()) {
     std::vector<Polynomial> candidates;
-    return refute_pairs(state, candidates, true) || refute_facts(state, true);
+    return refute_pairs(state, candidates, true) || refute_facts(state, true) ||
+           (alternatives_in(statement_.shown()) == nullptr && close_by_bounds(state, 2));
   }
   return close_split(state, statement_.hints()[hint], [&](State& branch) { return close_existence(branch, hint + 1); });
 }

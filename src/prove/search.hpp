@@ -33,6 +33,13 @@ struct Leftover {
   std::vector<std::string> facts;
 };
 
+/// numerator / denominator, for a value of an unknown.
+struct Quotient {
+  Polynomial numerator, denominator;
+
+  std::string text() const;
+};
+
 class Search {
  public:
   Search(const Statement& statement, const Limits& limits);
@@ -80,14 +87,18 @@ class Search {
   std::vector<Polynomial> plain_candidates(State& state);
   std::vector<Polynomial> split_candidates(State& state, const std::vector<Polynomial>& from_pairs);
   struct Solution {
-    std::optional<std::vector<std::string>> values;
-    std::optional<Polynomial> open_pivot;  ///< a factor of unknown sign that stood in the way
+    std::vector<Quotient> quotients;                 ///< of each unknown, in the unknowns that are left free
+    std::optional<std::vector<std::string>> values;  ///< with 0 for those, where that is defined
+    std::optional<Polynomial> open_pivot;            ///< a factor of unknown sign that stood in the way
   };
   Solution solve_conclusion(const State& state, std::size_t alternative = 0);
   bool add_witness(State& state, const std::string& name, const std::vector<std::string>& values,
                    std::size_t alternative);
   bool close_by_witness(State& state, const std::vector<std::string>& values);
   bool close_by_alternatives(State& state, int splits);
+  struct Bounds;
+  Bounds bounds_of(State& state, std::size_t free, const std::vector<Quotient>& values);
+  bool close_by_bounds(State& state, int splits);
   bool close_existence(State& state, std::size_t hint);
 
   bool refuted_by_rules(State& state, const Formula& formula);

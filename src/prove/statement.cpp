@@ -18,7 +18,7 @@ void add_divisors(std::vector<Polynomial>& divisors, const std::vector<Polynomia
 
 /// The checker refuses a statement beyond these limits: there is nothing to prove then, and no reason to run out of
 /// memory.
-constexpr std::size_t max_products = 200'000, max_degree = 255, max_bits = 8'192;
+constexpr std::size_t max_products = 200'000, max_degree = 255, max_bits = 8'192, max_atoms = 100'000, max_levels = 100;
 
 const Polynomial& bounded(const Polynomial& p, std::size_t column) {
   if (p.coefficient_bits() > max_bits) throw ExpressionError(column, "a coefficient has more than 8192 bits");
@@ -69,6 +69,25 @@ Formula comparison(const Fraction& x, const Fraction& y, Relation relation, std:
     parts.push_back(atom(std::move(p), strict ? Sign::positive : Sign::non_negative));
   }
   return combine(Formula::Kind::conjunction, std::move(parts));
+}
+
+std::size_t atoms(const Formula& formula) {
+  std::size_t result = formula.polynomial.size();
+  for (const Formula& part : formula.parts) result += atoms(part);
+  return result;
+}
+
+std::size_t levels(const Formula& formula) {
+  std::size_t result = 0;
+  for (const Formula& part : formula.parts) result = std::max(result, levels(part) + 1);
+  return result;
+}
+
+Formula combine(Formula::Kind kind, std::vector<Formula> parts, std::size_t column) {
+  Formula result = combine(kind, std::move(parts));
+  if (atoms(result) > max_atoms) throw ExpressionError(column, "a formula of more than 100000 comparisons");
+  if (levels(result) > max_levels) throw ExpressionError(column, "a formula of more than 100 levels");
+  return result;
 }
 
 }  // namespace
@@ -122,11 +141,11 @@ struct Statement::Meaning {
       for (std::size_t i = 0; i < e->relations.size(); ++i) {
         parts.push_back(comparison(number(e->operands[i]), number(e->operands[i + 1]), e->relations[i], e->column));
       }
-      return combine(Formula::Kind::conjunction, std::move(parts));
+      return combine(Formula::Kind::conjunction, std::move(parts), e->column);
     }
     for (const Expression& operand : joined_parts(e)) parts.push_back(formula(operand));
     const bool conjunction = e->operation == Operation::logical_and;
-    return combine(conjunction ? Formula::Kind::conjunction : Formula::Kind::disjunction, std::move(parts));
+    return combine(conjunction ? Formula::Kind::conjunction : Formula::Kind::disjunction, std::move(parts), e->column);
   }
 
   void introduce(const Directive& line) {

@@ -150,6 +150,21 @@ TEST_CASE("mistakes in a statement are reported with line, column, what was foun
   for (const auto& [text, expected] : table) {
     CHECK(mistakes(text) == expected);
   }
+}
+
+TEST_CASE("what would take memory or time without bound is refused") {
+  std::string doubled = header + "define d0: 1 = 0 or 1 = 0\n", chain = header + "define d0: 1 = 0\n";
+  for (int i = 1; i < 200; ++i) {
+    const std::string line = "define d" + std::to_string(i) + ": ", before = "d" + std::to_string(i - 1);
+    doubled += line + before + " and " + before + "\n";
+    chain += line + before + (i % 2 == 0 ? " and" : " or") + " 1 > 0\n";
+  }
+  CHECK(mistakes(doubled + "show false\n") == "s:19:13: a formula of more than 100000 comparisons\n");
+  CHECK(mistakes(chain + "show false\n") == "s:104:14: a formula of more than 100 levels\n");
+  const std::string power = header + "real a b c d e f g h\nshow (a + b + c + d + e + f + g + h)^40 > 0\n";
+  CHECK(mistakes(power) == "s:4:6: a product has more than 200000 terms\n");
+  CHECK(mistakes(header + "show (2^64)^64*(2^64)^64*(2^64)^64 > 0\n") ==
+        "s:3:15: a coefficient has more than 8192 bits\n");
   std::string sum = "1";
   for (int i = 0; i < 100'000; ++i) sum += "+1";
   CHECK(mistakes(header + "show " + sum + " > 0\n").find("more than 1000 levels") != std::string::npos);
