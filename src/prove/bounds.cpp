@@ -111,12 +111,13 @@ bool Search::close_by_bounds(State& state, int splits) {
   }
   if (splits == 0) return false;
   for (const auto* side : {&bounds.lower, &bounds.upper}) {
-    for (std::size_t i = 0; i + 1 < side->size(); ++i) {
-      const Polynomial difference = sum((*side)[i], (*side)[i + 1], -1).numerator;
-      const bool closed = !difference.is_constant() && close_split(state, difference, [&](State& branch) {
-        return close_by_bounds(branch, splits - 1);
-      });
-      if (closed) return true;
+    for (std::size_t i = 0; i < side->size(); ++i) {
+      for (std::size_t k = i + 1; k < side->size(); ++k) {
+        const Polynomial difference = sum((*side)[i], (*side)[k], -1).numerator;
+        if (as_known_product(state, difference)) continue;
+        if (close_split(state, difference, [&](State& branch) { return close_by_bounds(branch, splits - 1); }))
+          return true;
+      }
     }
   }
   return false;

@@ -141,3 +141,18 @@ TEST_CASE("names that Coq does not have become others, all at once") {
         "  let d'_ := x > 0 \\/ a'_b = if'0 in\n"
         "  d'_ \\/ y'_1 = 0.\n");
 }
+
+TEST_CASE("the values of a witness may use what the statement abbreviates") {
+  const std::string statement =
+      "slipproof-statement 1\ntheorem half\nreal x\nassume h: x > 0\nlet m = x/2\nexists z\nshow z < x and z = m\n";
+  const std::string proof = "slipproof-certificate 1\ntheorem half " + prove::Statement("s", statement).fingerprint() +
+                            "\nwitness w\nset z = m\ncases w\nbranch 1\ncontradiction\nterm 1 w.1\nterm 2 h\nqed\n"
+                            "branch 2\ncases w.2\nbranch 1\ncontradiction\nterm 1 w.2.1\nqed\nbranch 2\n"
+                            "contradiction\nterm 1 w.2.2\nqed\nend\nend\n";
+  const test::TemporaryFolder folder;
+  folder.write("half.statement", statement);
+  const auto checked = check::check_file(folder.write("half.cert", proof));
+  CHECK(checked.message == "");
+  const std::string text = coq_text("s", statement, "c", proof);
+  CHECK(text.find("pose (z := m).") != std::string::npos);
+}

@@ -119,13 +119,15 @@ TEST_CASE("assumptions may be called as the prover calls its own hypotheses") {
 }
 
 TEST_CASE("a value between bounds is found, also where it has to be decided which bound is the stronger one") {
-  for (const char* lines : {"real x y\nassume h: x < y\nexists z\nshow x < z < y\n", "real x\nexists z\nshow z > x\n",
-                            "real x y\nexists z\nshow z < x and z < y and z < 0\n",
-                            "real x y u\nassume h: x < u and y < u\nexists z\nshow x < z and y < z and z < u\n",
-                            "real x y m\nassume h: m < 0 and y < x/m\nexists z\nshow m*z > x and z > y\n",
-                            "real x y\nassume h: x < y\nexists z w\nshow x < z < y and w = 2*z and 3*x < w + z\n",
-                            "real f N F M\nassume h: f > 0 and N > 0 and M > 0 and F < f*N*(1 + M)\nexists a S\n"
-                            "show M*a = F - S and S < f*N and S > a\n"}) {
+  for (const char* lines :
+       {"real x y\nassume h: x < y\nexists z\nshow x < z < y\n", "real x\nexists z\nshow z > x\n",
+        "real x y\nexists z\nshow z < x and z < y and z < 0\n",
+        "real x y u\nassume h: x < u and y < u\nexists z\nshow x < z and y < z and z < u\n",
+        "real x y w u\nassume h: x < u and y < u and w < u\nexists z\nshow x < z and y < z and w < z and z < u\n",
+        "real x y m\nassume h: m < 0 and y < x/m\nexists z\nshow m*z > x and z > y\n",
+        "real x y\nassume h: x < y\nexists z w\nshow x < z < y and w = 2*z and 3*x < w + z\n",
+        "real f N F M\nassume h: f > 0 and N > 0 and M > 0 and F < f*N*(1 + M)\nexists a S\n"
+        "show M*a = F - S and S < f*N and S > a\n"}) {
     CAPTURE(std::string(lines));
     CHECK(checked(lines) == "accepted");
   }
