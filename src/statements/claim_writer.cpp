@@ -47,6 +47,15 @@ std::string ClaimWriter::opening(const std::string& suffix) {
   return header(name_ + suffix, fmt::format("{} of {}, {} reading", claim_.id, claims_.paper.source, name(reading())));
 }
 
+std::string ClaimWriter::assumed(const Assumptions& assumptions, std::vector<Expression>& uses) {
+  std::string result;
+  for (const auto& [label, truth] : assumptions) {
+    if (!is_true(truth)) uses.push_back(truth);
+    result += assumption(label, truth);
+  }
+  return result;
+}
+
 void ClaimWriter::implied(const Implication& implication, const Expression& shown) {
   implied(implication, text(shown), {shown});
 }
@@ -55,11 +64,7 @@ void ClaimWriter::implied(const Implication& implication, const std::string& sho
                           const std::vector<Expression>& uses) {
   std::string result = opening(implication.suffix);
   std::vector<Expression> all = uses;
-  std::string assumptions;
-  for (const auto& [label, truth] : implication.assumptions) {
-    if (!is_true(truth)) all.push_back(truth);
-    assumptions += assumption(label, truth);
-  }
+  const std::string assumptions = assumed(implication.assumptions, all);
   result += fmt::format("real {}\nassume domain: {}\n", parameters(), domain(implication.force_domain)) + scene(all);
   if (implication.motion) {
     result +=
@@ -75,11 +80,7 @@ void ClaimWriter::exists(const Implication& implication, const std::vector<std::
                          const MotionText& shown, const std::vector<Expression>& uses) {
   std::string result = opening(implication.suffix);
   std::vector<Expression> all = uses;
-  std::string assumptions;
-  for (const auto& [label, truth] : implication.assumptions) {
-    if (!is_true(truth)) all.push_back(truth);
-    assumptions += assumption(label, truth);
-  }
+  const std::string assumptions = assumed(implication.assumptions, all);
   std::vector<std::string> known;  // unknowns of the motion that are given
   for (const auto& unknown : motion_unknowns) {
     if (std::find(unknowns.begin(), unknowns.end(), unknown) == unknowns.end()) known.emplace_back(unknown);
@@ -100,12 +101,8 @@ void ClaimWriter::impossible_together(const std::string& suffix, const Assumptio
                                       const std::vector<MotionText>& motions) {
   std::string result = opening(suffix);
   std::vector<Expression> uses;
-  std::string assumed;
-  for (const auto& [label, truth] : assumptions) {
-    if (!is_true(truth)) uses.push_back(truth);
-    assumed += assumption(label, truth);
-  }
-  result += fmt::format("real {}\nassume domain: {}\n", parameters(), domain(true)) + scene(uses) + assumed;
+  const std::string assumption_lines = assumed(assumptions, uses);
+  result += fmt::format("real {}\nassume domain: {}\n", parameters(), domain(true)) + scene(uses) + assumption_lines;
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const std::string ending = i == 0 ? "" : fmt::format("_{}", i + 1);
     const MotionText motion = with_ending(motions[i], ending);

@@ -52,6 +52,8 @@ class ClaimWriter : public SettingWriter {
 
  private:
   std::string opening(const std::string& suffix);
+  /// The lines of the assumptions; what the scene has to define for them joins `uses`.
+  std::string assumed(const Assumptions& assumptions, std::vector<Expression>& uses);
 
   const ClaimsFile& claims_;
   const Claim& claim_;
