@@ -7,12 +7,7 @@ namespace {
 
 /// p with a quotient for a variable.
 Quotient substituted(const Polynomial& p, std::size_t variable, const Quotient& value) {
-  const std::size_t degree = p.degree(variable);
-  Polynomial result(p.ring());
-  for (std::size_t k = 0; k <= degree; ++k) {
-    result += p.coefficient(variable, k) * power(value.numerator, k) * power(value.denominator, degree - k);
-  }
-  return {result, power(value.denominator, degree)};
+  return {substitute(p, variable, value.numerator, value.denominator), power(value.denominator, p.degree(variable))};
 }
 
 Quotient operator/(const Quotient& x, const Quotient& y) {
@@ -71,14 +66,7 @@ Search::Bounds Search::bounds_of(State& state, std::size_t free, const std::vect
     Quotient bound{-p.coefficient(free, 0), p.coefficient(free, 1)};
     const auto known = as_known_product(state, bound.denominator);
     if (!known) return;
-    const Factorization factors = factored(bound.denominator);
-    for (const auto& [factor, exponent] : factors.factors) {
-      for (unsigned i = 0; i < exponent; ++i) {
-        const auto shorter = bound.numerator.divided_by(factor);
-        if (!shorter) break;
-        bound = {*shorter, *bound.denominator.divided_by(factor)};
-      }
-    }
+    cancel(bound);
     (known->coefficient > 0 ? result.lower : result.upper).push_back(std::move(bound));
   };
   collect(statement_.shown());

@@ -23,6 +23,18 @@ std::string Quotient::text() const {
                                    : "(" + numerator.text() + ")/(" + denominator.text() + ")";
 }
 
+/// Divides by the factors of the denominator that the numerator has, too.
+void Search::cancel(Quotient& value) {
+  const Factorization factors = factored(value.denominator);
+  for (const auto& [factor, exponent] : factors.factors) {
+    for (unsigned i = 0; i < exponent; ++i) {
+      const auto shorter = value.numerator.divided_by(factor);
+      if (!shorter) break;
+      value = {*shorter, *value.denominator.divided_by(factor)};
+    }
+  }
+}
+
 /// The unknowns as quotients, from the equations of the conclusion (where it has alternatives, with those of one); 0
 /// where these leave one free.
 Search::Solution Search::solve_conclusion(const State& state, std::size_t alternative) {
@@ -55,30 +67,14 @@ Search::Solution Search::solve_conclusion(const State& state, std::size_t altern
   }
   for (const std::size_t unknown : statement_.unknowns()) {
     // unknown = numerator / denominator: reduce the unknown itself with a mark for its pivots.
-    Polynomial numerator = Polynomial::variable(ring, unknown);
-    Polynomial denominator(ring, 1);
+    Quotient value{Polynomial::variable(ring, unknown), Polynomial(ring, 1)};
     for (const Rule& rule : solving.rules) {
-      if (rule.second || !numerator.contains(rule.variable)) continue;
-      const std::size_t degree = numerator.degree(rule.variable);
-      Polynomial reduced = numerator.coefficient(rule.variable, degree);
-      Polynomial pivots(ring, 1);
-      for (std::size_t k = degree; k-- > 0;) {
-        pivots *= rule.pivot;
-        reduced = -(reduced * rule.rest) + numerator.coefficient(rule.variable, k) * pivots;
-      }
-      numerator = std::move(reduced);
-      denominator *= pivots;
-      // Cancel what both have in common.
-      for (const auto& [factor, exponent] : factored(denominator).factors) {
-        for (unsigned i = 0; i < exponent; ++i) {
-          const auto shorter = numerator.divided_by(factor);
-          if (!shorter) break;
-          numerator = *shorter;
-          denominator = *denominator.divided_by(factor);
-        }
-      }
+      if (rule.second || !value.numerator.contains(rule.variable)) continue;
+      value.denominator *= power(rule.pivot, value.numerator.degree(rule.variable));
+      value.numerator = substitute(value.numerator, rule.variable, -rule.rest, rule.pivot);
+      cancel(value);
     }
-    solution.quotients.push_back({std::move(numerator), std::move(denominator)});
+    solution.quotients.push_back(std::move(value));
   }
   std::vector<std::string> values;
   for (Quotient value : solution.quotients) {

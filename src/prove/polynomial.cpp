@@ -217,4 +217,15 @@ Polynomial power(const Polynomial& base, std::size_t exponent) {
   return result;
 }
 
+Polynomial substitute(const Polynomial& p, std::size_t variable, const Polynomial& numerator,
+                      const Polynomial& denominator) {
+  std::size_t k = p.degree(variable);
+  Polynomial result = p.coefficient(variable, k), denominators(p.ring(), 1);
+  while (k-- > 0) {
+    denominators *= denominator;
+    result = result * numerator + p.coefficient(variable, k) * denominators;
+  }
+  return result;
+}
+
 }  // namespace slipproof::prove

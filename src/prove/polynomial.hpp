@@ -92,4 +92,8 @@ struct Factorization {
 
 Polynomial power(const Polynomial& base, std::size_t exponent);
 
+/// denominator^d p, with numerator / denominator for a variable in which p has the degree d.
+Polynomial substitute(const Polynomial& p, std::size_t variable, const Polynomial& numerator,
+                      const Polynomial& denominator);
+
 }  // namespace slipproof::prove

@@ -91,13 +91,8 @@ void Search::reduce(State& state, const Rule& rule, Fact& fact) {
   } else {
     pivots = fact.p.degree(rule.variable);
     if (pivots == 0) return;
-    reduced = fact.p.coefficient(rule.variable, pivots);
-    Polynomial denominators(ring, 1);
-    for (std::size_t k = pivots; k-- > 0;) {
-      denominators *= rule.pivot;
-      reduced = -(reduced * rule.rest) + fact.p.coefficient(rule.variable, k) * denominators;
-    }
-    quotient = *(fact.p * denominators - reduced).divided_by(equation);
+    reduced = substitute(fact.p, rule.variable, -rule.rest, rule.pivot);
+    quotient = *(fact.p * power(rule.pivot, pivots) - reduced).divided_by(equation);
   }
   const Polynomial multiplier = power(rule.pivot, pivots);
   Fact result{fresh(), reduced, fact.sign};

@@ -91,6 +91,7 @@ class Search {
     std::optional<std::vector<std::string>> values;  ///< with 0 for those, where that is defined
     std::optional<Polynomial> open_pivot;            ///< a factor of unknown sign that stood in the way
   };
+  void cancel(Quotient& value);
   Solution solve_conclusion(const State& state, std::size_t alternative = 0);
   bool add_witness(State& state, const std::string& name, const std::vector<std::string>& values,
                    std::size_t alternative);

@@ -26,14 +26,8 @@ struct Coordinates {
 Polynomial substitute(const Substitution& s, const Polynomial& p, Product& multiplier) {
   const std::size_t degree = p.degree(s.variable);
   if (degree == 0) return p;
-  Polynomial result = p.coefficient(s.variable, degree);
-  Polynomial denominators(p.ring(), 1);
-  for (std::size_t k = degree; k-- > 0;) {
-    denominators *= s.denominator;
-    result = result * s.numerator + p.coefficient(s.variable, k) * denominators;
-  }
   multiply(multiplier, s.denominator_product, static_cast<unsigned>(degree));
-  return result;
+  return substitute(p, s.variable, s.numerator, s.denominator);
 }
 
 class SlackSearch {

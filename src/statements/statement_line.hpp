@@ -22,7 +22,7 @@ struct GivenNames {
 /// that rest the names of its parts as hypotheses. All throw ExpressionError with the column of the first mistake.
 class StatementLine {
  public:
-  /// Takes the words of the line, of which the object keeps no more than pieces.
+  /// Both must outlive the object.
   StatementLine(std::string_view line, const GivenNames& given);
 
   bool at_end() const { return next_ == tokens_.size(); }

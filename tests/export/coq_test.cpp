@@ -33,6 +33,11 @@ const std::string kProof =
     "have above: x - end > 0\nterm 1 large.2\nterm 1 domain above\nqed\n"
     "contradiction\nterm 1 above\nterm 1 goal.1\nqed\n";
 
+std::string theorem_in(const std::string& text) {
+  const auto theorem = text.find("Theorem ");
+  return text.substr(theorem, text.find("Proof.\n", theorem) - theorem);
+}
+
 std::string message(const std::string& text) {
   try {
     coq_text("small.statement", kStatement, "small.cert", text);
@@ -63,8 +68,7 @@ TEST_CASE("the theorem says what the statement says, and the proof takes the cer
   folder.write("small.statement", kStatement);
   CHECK(check::check_file(folder.write("small.cert", certificate(kProof))).verdict == "accepted");
   const std::string text = coq_text("small.statement", kStatement, "small.cert", certificate(kProof));
-  const auto theorem = text.find("Theorem ");
-  CHECK(text.substr(theorem, text.find("Proof.\n", theorem) - theorem) ==
+  CHECK(theorem_in(text) ==
         "Theorem small_one :\n"
         "  forall x end'0 : real,\n"
         "  (* domain *) end'0 > 0 ->\n"
@@ -132,8 +136,7 @@ TEST_CASE("names that Coq does not have become others, all at once") {
   const std::string text = coq_text("s", statement, "c",
                                     "slipproof-certificate 1\ntheorem odd+names " + read.fingerprint() +
                                         "\ncontradiction\nterm 1 goal.1.1\nterm 1 h\nqed\n");
-  const auto theorem = text.find("Theorem ");
-  CHECK(text.substr(theorem, text.find("Proof.\n", theorem) - theorem) ==
+  CHECK(theorem_in(text) ==
         "Theorem odd_names :\n"
         "  forall x x'' x'''' y'_1 if'0 : real,\n"
         "  (* h *) x > 0 ->\n"
