@@ -1,4 +1,5 @@
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -56,6 +57,18 @@ std::vector<StatementFile> own_statements(const std::vector<std::string>& inputs
     }
   }
   return result;
+}
+
+/// In one folder they would overwrite each other.
+void refuse_equal_names(const std::vector<StatementFile>& statements) {
+  std::map<std::filesystem::path, std::filesystem::path> files;
+  for (const auto& [file, name] : statements) {
+    const auto [first, is_new] = files.emplace(name, file);
+    if (is_new) continue;
+    throw InputError({{file.string(), 0, 0,
+                       "found a statement of the same name as " + first->second.string() +
+                           ", expected one of each name for one folder"}});
+  }
 }
 
 std::filesystem::path certificate_of(std::filesystem::path statement) {
@@ -181,6 +194,7 @@ Exit run_prove(const ProveArguments& options) {
   const bool exports = !options.smtlib.empty() || !options.coq.empty();
   if (own || exports) {
     const std::vector<StatementFile> statements = own ? own_statements(options.inputs) : statements_below(folder);
+    if (exports || !options.out.empty()) refuse_equal_names(statements);
     if (!options.smtlib.empty()) export_smtlib(statements, options.smtlib);
     if (!options.coq.empty()) export_coq(statements, options.coq);
     if (exports) return as_it_should_be;

@@ -94,6 +94,14 @@ TEST_CASE("prove takes statements of one's own, files and folders, without a cla
   CHECK(mixed.exit_code == 3);
   CHECK(mixed.err.find("claims.toml: found another file, expected a statement or a folder") != std::string::npos);
   CHECK(run({"prove", folder.path() / "nothing.statement"}).exit_code == 3);
+  const auto twin = folder.write("empty/means.statement", means);
+  for (const char* option : {"--out", "--smtlib", "--coq"}) {
+    const auto twins = run({"prove", file, twin, option, folder.path() / "both"});
+    CHECK(twins.exit_code == 3);
+    CHECK(twins.err.find("means.statement: found a statement of the same name as ") != std::string::npos);
+  }
+  CHECK_FALSE(std::filesystem::exists(folder.path() / "both"));
+  CHECK(run({"prove", file, twin}).exit_code == 0);
 }
 
 TEST_CASE("a certificate of another statement is rejected with exit code 5") {
