@@ -13,25 +13,40 @@ std::string_view name(Reading reading) {
   return reading == Reading::printed ? "printed" : "repaired";
 }
 
-std::string_view name(ClaimKind kind) {
-  constexpr std::array<std::string_view, all_claim_kinds.size()> names{
-      "interval",    "impossible", "formula", "motions",     "unique", "cover",
-      "equivalence", "limit",      "exists",  "consequence", "system"};
-  return names[static_cast<std::size_t>(kind)];
-}
-
 std::string_view name(Grade grade) {
   constexpr std::array<std::string_view, 4> names{"misprint", "gap", "boundary", "false"};
   return names[static_cast<std::size_t>(grade)];
 }
 
 std::string_view name(Expectation expectation) {
-  constexpr std::array<std::string_view, 4> names{"none", "holds", "refuted", "undecided"};
+  constexpr std::array<std::string_view, 5> names{"none", "holds", "refuted", "undecided", "vacuous"};
   return names[static_cast<std::size_t>(expectation)];
 }
 
 std::string id(const Definition& definition) {
   return (definition.equation.empty() ? "" : definition.equation + ".") + definition.symbol;
+}
+
+std::vector<Expression> expressions(const ClaimBody& body) {
+  std::vector<Expression> all;
+  for_each_part(body, [&](BodyPart, std::size_t, const Expression& expression) { all.push_back(expression); });
+  return all;
+}
+
+Setting::BicycleConditions Setting::bicycle_conditions() const {
+  const auto value = [&](std::string_view symbol) { return scene.find(symbol)->second; };
+  const auto sum = [&](std::string_view x, std::string_view y) { return make(Operation::add, {value(x), value(y)}); };
+  BicycleConditions result;
+  for (const char* symbol : {"M", "R", "r1", "r2", "g"}) result.positive.push_back(value(symbol));
+  if (scene.contains("J")) result.positive.push_back(value("J"));
+  result.positive.push_back(sum("h", "R"));
+  result.positive.push_back(sum("b2", "b3"));
+  for (const char* symbol : {"I1", "I2", "I3", "f"}) result.not_negative.push_back(value(symbol));
+  for (const char* symbol : {"h", "b2", "b3", "L"}) result.defined.push_back(value(symbol));
+  const Expression& F = value("F");
+  const auto at = [&](int x) { return substitute(F, force.symbol, make_number(x)); };
+  if (is_linear_in(F, force.symbol)) result.slope = make(Operation::subtract, {at(1), at(0)});
+  return result;
 }
 
 std::size_t Setting::parameter_index(std::string_view symbol) const {

@@ -12,9 +12,9 @@
 #include <string_view>
 #include <vector>
 
+#include "claims/claim_kinds.hpp"
 #include "claims/expression.hpp"
 #include "model/bicycle.hpp"
-#include "model/contact_mode.hpp"
 
 namespace slipproof {
 
@@ -93,60 +93,41 @@ struct Setting {
   std::vector<Definition> definitions;                   ///< each uses only symbols that do not lead back to it
   std::vector<Boundary> boundaries;
 
+  /// What makes the scene a bicycle of the model (model/domain.hpp) and the force a polynomial of degree 1 at most, as
+  /// numbers that have to be positive, not negative, and different from 0. The scene must be complete.
+  struct BicycleConditions {
+    std::vector<Expression> positive, not_negative, defined;
+    Expression slope;  ///< of the pedal force in the force variable; null if that is not linear as it stands
+  };
+  BicycleConditions bicycle_conditions() const;
+
   /// Of a symbol that is a parameter.
   std::size_t parameter_index(std::string_view symbol) const;
 };
-
-enum class ClaimKind : std::uint8_t {
-  interval,    ///< in `region`, the mode's forces are exactly `forces`
-  impossible,  ///< in `region`, no force of `forces` gives a motion in `modes`
-  formula,     ///< in `region`, for `forces`, `holds`; with modes, about the quantities of each mode's motion
-  motions,     ///< in `region`, at each of `forces`, the motions are one in each of `modes` and no others
-  unique,      ///< but where a claim of `except` stands, one motion: in a mode of `modes`, or as one of `claims` states
-  cover,       ///< every bicycle is in the region of one of `claims`
-  equivalence,  ///< in `region`, `forces` and `holds` are true of the same forces
-  limit,        ///< in `region`, as `parameter` grows beyond all bounds, `holds` from some value on
-  exists,       ///< somewhere in `region`, one of `forces` gives a motion in each of `modes`
-  consequence,  ///< every equation of `equations` follows from those of `given` and `claims`, or from the model's
-  system        ///< under `given`, `equations` say of their unknowns what `claims` (or the model) say
-};
-inline constexpr std::array<ClaimKind, 11> all_claim_kinds{
-    ClaimKind::interval, ClaimKind::impossible,  ClaimKind::formula,     ClaimKind::motions,
-    ClaimKind::unique,   ClaimKind::cover,       ClaimKind::equivalence, ClaimKind::limit,
-    ClaimKind::exists,   ClaimKind::consequence, ClaimKind::system};
-std::string_view name(ClaimKind kind);
 
 /// How a claim fails, if it does.
 enum class Grade : std::uint8_t { misprint, gap, boundary, wrong };
 std::string_view name(Grade grade);  ///< `wrong` is written `false`
 
 /// What a claim is known to get.
-enum class Expectation : std::uint8_t { none, holds, refuted, undecided };
+enum class Expectation : std::uint8_t { none, holds, refuted, undecided, vacuous };
 std::string_view name(Expectation expectation);
 
 /// What one reading of a claim says.
 struct ClaimBody {
-  Expression region;  ///< bicycles: over parameters and definitions, independent of the force; `true` if not given
-  Expression forces;  ///< over everything but quantities; `true` if not given
-  Expression holds;   ///< formula, equivalence, limit; of a formula with a mode also over quantities
-  std::vector<Expression> equations;  ///< `=` between what is linear in the unknowns of the model and in the force
-  std::vector<Expression> assume;     ///< equations added to those of `given`
-  std::string parameter;              ///< limit only
-  Expression from;  ///< limit: where proofs let it begin, over parameters and definitions, independent of `parameter`;
-                    ///< may be null, and no verdict at samples depends on it
-  std::vector<ContactMode> modes;
-  std::vector<std::size_t> claims;  ///< indices of the claims that it refers to
-  std::vector<std::size_t> except;
-  std::vector<std::size_t> given;
+  Expression region = make_truth(true);  ///< bicycles: over parameters and definitions, independent of the force
+  ClaimKind says;
   Expectation expect = Expectation::none;
 };
+
+/// All conditions and equations of a body.
+std::vector<Expression> expressions(const ClaimBody& body);
 
 struct Claim {
   std::string id;
   std::string equation;  ///< number in the paper, or empty
   std::size_t line = 0;
-  std::string statement;  ///< in words or as printed
-  ClaimKind kind = ClaimKind::formula;
+  std::string statement;    ///< in words or as printed
   std::size_t setting = 0;  ///< index
   ClaimBody printed;
   /// There if the repaired reading is another one: the claim's own repair, or that of a definition that it uses.
@@ -159,6 +140,11 @@ struct Claim {
 
   const ClaimBody& body(Reading reading) const {
     return reading == Reading::repaired && repaired ? *repaired : printed;
+  }
+  /// The same in every reading.
+  template <class Kind>
+  bool is() const {
+    return std::holds_alternative<Kind>(printed.says);
   }
 };
 

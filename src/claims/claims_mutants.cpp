@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "claims/logic.hpp"
 #include "claims/setting_names.hpp"
 
 namespace slipproof {
@@ -26,21 +27,17 @@ ClaimsFile as_read(const ClaimsFile& file, Reading reading) {
 
 namespace {
 
-using Part = ClaimsMutant::Part;
-
-/// Of a ClaimBody or a CompiledBody.
-template <class Body>
-auto& part_of(Body& body, Part part, std::size_t item) {
-  if (part == Part::equation) return body.equations[item];
-  if (part == Part::assumption) return body.assume[item];
-  return part == Part::region ? body.region : part == Part::forces ? body.forces : body.holds;
-}
-
 /// Of a file, const or not.
 template <class File>
 auto& part_of(File& file, const ClaimsMutant& mutant) {
-  if (mutant.part == Part::definition) return file.settings[mutant.setting].definitions[mutant.index].printed;
-  return part_of(file.claims[mutant.index].printed, mutant.part, mutant.item);
+  if (!mutant.part) return file.settings[mutant.setting].definitions[mutant.index].printed;
+  return *parts(file.claims[mutant.index].printed, *mutant.part)[mutant.item];
+}
+
+Program& part_of(CompiledBody& body, BodyPart part, std::size_t item) {
+  if (part == BodyPart::equations) return body.equations[item];
+  if (part == BodyPart::assume) return body.assume[item];
+  return part == BodyPart::region ? body.region : part == BodyPart::forces ? body.forces : body.holds;
 }
 
 class ClaimsEnumeration {
@@ -70,46 +67,31 @@ class ClaimsEnumeration {
       }
     }
     const std::string where = "definition " + definition.symbol + " (line " + std::to_string(definition.line) + ")";
-    add({Part::definition, s, d, 0, {}, where, claims_with(s, definition.symbol)}, definition.printed, symbols);
+    add({std::nullopt, s, d, 0, {}, where, claims_with(s, definition.symbol)}, definition.printed, symbols);
   }
 
   void mutate_claim(std::size_t c) {
     const Claim& claim = file_.claims[c];
-    for (const Part part : {Part::region, Part::forces, Part::holds}) {
-      constexpr const char* words[] = {"", "region", "forces", "holds"};
-      const std::string where =
-          std::string(words[static_cast<int>(part)]) + " of " + claim.id + " (line " + std::to_string(claim.line) + ")";
-      ClaimsMutant mutant{part, claim.setting, c, 0, {}, where, {c}};
-      add_referring(mutant.claims);
-      const ClaimBody& body = claim.printed;
-      const Expression& original = part == Part::region ? body.region : part == Part::forces ? body.forces : body.holds;
+    for_each_part(claim.printed, [&](BodyPart part, std::size_t item, const Expression& original) {
       // Where nothing is stated, there is nothing to change.
-      if (original->operation == Operation::truth) continue;
-      add(std::move(mutant), original, symbols_for(claim, part));
-    }
-    mutate_equations(c, Part::equation, claim.printed.equations);
-    mutate_equations(c, Part::assumption, claim.printed.assume);
-  }
-
-  void mutate_equations(std::size_t c, Part part, const std::vector<Expression>& equations) {
-    const Claim& claim = file_.claims[c];
-    for (std::size_t i = 0; i < equations.size(); ++i) {
-      const std::string where = (part == Part::equation ? "equation " : "assumption ") + std::to_string(i + 1) +
-                                " of " + claim.id + " (line " + std::to_string(claim.line) + ")";
-      ClaimsMutant mutant{part, claim.setting, c, i, {}, where, {c}};
+      if (original->operation == Operation::truth) return;
+      const bool linear = part == BodyPart::equations || part == BodyPart::assume;
+      const std::string where = std::string(name(part)) + (linear ? " " + std::to_string(item + 1) : "") + " of " +
+                                claim.id + " (line " + std::to_string(claim.line) + ")";
+      ClaimsMutant mutant{part, claim.setting, c, item, {}, where, {c}};
       add_referring(mutant.claims);
-      add(std::move(mutant), equations[i], symbols_for(claim, part));
-    }
+      add(std::move(mutant), original, symbols_for(claim, part));
+    });
   }
 
-  std::vector<std::string> symbols_for(const Claim& claim, Part part) const {
+  std::vector<std::string> symbols_for(const Claim& claim, BodyPart part) const {
     std::vector<std::string> symbols;
-    const bool linear = part == Part::equation || part == Part::assumption;
+    const bool linear = part == BodyPart::equations || part == BodyPart::assume;
+    const bool quantities = part == BodyPart::holds && !modes(claim.printed.says).empty();
     for (const auto& [symbol, entry] : names_[claim.setting].all()) {
-      if (linear && entry.kind == SettingNames::Kind::quantity && !unknown_index(symbol)) continue;
-      if (!linear && entry.kind == SettingNames::Kind::quantity && (part != Part::holds || claim.printed.modes.empty()))
-        continue;
-      if (part == Part::region && depends_on_force(claim.setting, make_symbol(symbol))) continue;
+      const bool quantity = entry.kind == SettingNames::Kind::quantity;
+      if (quantity && !(linear ? unknown_index(symbol).has_value() : quantities)) continue;
+      if (part == BodyPart::region && depends_on_force(claim.setting, make_symbol(symbol))) continue;
       symbols.push_back(symbol);
     }
     return symbols;
@@ -122,16 +104,12 @@ class ClaimsEnumeration {
   std::vector<std::size_t> claims_with(std::size_t s, const std::string& symbol) const {
     std::vector<std::size_t> result;
     for (std::size_t c = 0; c < file_.claims.size(); ++c) {
-      const ClaimBody& body = file_.claims[c].printed;
       if (file_.claims[c].setting != s) continue;
-      std::vector<Expression> all{body.region, body.forces, body.holds};
-      all.insert(all.end(), body.equations.begin(), body.equations.end());
-      all.insert(all.end(), body.assume.begin(), body.assume.end());
-      for (const Expression& expression : all) {
-        if (!names_[s].depends(expression, Reading::printed, symbol)) continue;
-        result.push_back(c);
-        break;
-      }
+      bool depends = false;
+      for_each_part(file_.claims[c].printed, [&](BodyPart, std::size_t, const Expression& expression) {
+        depends = depends || names_[s].depends(expression, Reading::printed, symbol);
+      });
+      if (depends) result.push_back(c);
     }
     add_referring(result);
     return result;
@@ -140,11 +118,8 @@ class ClaimsEnumeration {
   void add_referring(std::vector<std::size_t>& claims) const {
     const std::vector<std::size_t> direct = claims;
     for (std::size_t c = 0; c < file_.claims.size(); ++c) {
-      const ClaimBody& body = file_.claims[c].printed;
-      const auto refers = [&](const std::vector<std::size_t>& to) {
-        return std::find_first_of(to.begin(), to.end(), direct.begin(), direct.end()) != to.end();
-      };
-      if (refers(body.claims) || refers(body.except) || refers(body.given)) claims.push_back(c);
+      const References to = references(file_.claims[c].printed.says);
+      if (std::find_first_of(to.begin(), to.end(), direct.begin(), direct.end()) != to.end()) claims.push_back(c);
     }
     std::sort(claims.begin(), claims.end());
     claims.erase(std::unique(claims.begin(), claims.end()), claims.end());
@@ -176,12 +151,13 @@ ClaimsFile ClaimsMutant::apply(const ClaimsFile& file) const {
 }
 
 void ClaimsMutant::put(const Expression& expression, CompiledClaims& compiled) const {
-  if (part == Part::definition) return compiled.settings[setting].redefine(index, expression);
+  if (!part) return compiled.settings[setting].redefine(index, expression);
   const CompiledSetting& scope = compiled.settings[setting];
   CompiledBody& body = compiled.claims[index].printed;
   Program program =
       is_linear() ? scope.compile_equation(expression, Reading::printed) : scope.compile(expression, Reading::printed);
-  part_of(body, part, item) = std::move(program);
+  part_of(body, *part, item) = std::move(program);
+  if (part == BodyPart::forces) body.closure = scope.compile(closure(expression), Reading::printed);
 }
 
 std::vector<ClaimsMutant> mutants(const ClaimsFile& file) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,17 +16,16 @@ namespace slipproof {
 ClaimsFile as_read(const ClaimsFile& file, Reading reading);
 
 struct ClaimsMutant {
-  enum class Part { definition, region, forces, holds, equation, assumption };
-  Part part = Part::definition;
-  std::size_t setting = 0;  ///< of a definition
-  std::size_t index = 0;    ///< of the definition in its setting, or of the claim
-  std::size_t item = 0;     ///< of an equation or assumption in its claim
+  std::optional<BodyPart> part;  ///< of a claim; none: a definition
+  std::size_t setting = 0;       ///< of a definition
+  std::size_t index = 0;         ///< of the definition in its setting, or of the claim
+  std::size_t item = 0;          ///< of an equation or assumption in its claim
   Mutant mutant;
   std::string where;                ///< `definition xi4 (line 195)`, `forces of A2.1 (line 209)`
   std::vector<std::size_t> claims;  ///< the claims whose meaning may change: no others need to be judged again
 
   /// Whether it may use the unknowns of the model: an equation or assumption.
-  bool is_linear() const { return part == Part::equation || part == Part::assumption; }
+  bool is_linear() const { return part == BodyPart::equations || part == BodyPart::assume; }
   /// What stands there in the file, which must be the one that the mutant was made of.
   const Expression& original(const ClaimsFile& file) const;
   /// The file with this change.

@@ -8,37 +8,24 @@ namespace slipproof::claims_reader {
 
 namespace {
 
-/// Which keys a kind of claim has, beyond those that every claim has.
-struct Shape {
-  std::vector<std::string_view> required;
-  std::vector<std::string_view> optional;
-
-  bool has(std::string_view key) const {
-    return std::find(required.begin(), required.end(), key) != required.end() ||
-           std::find(optional.begin(), optional.end(), key) != optional.end();
+/// All keys that some kind of claim has, and those that say something of every kind.
+std::vector<std::string_view> body_keys() {
+  std::vector<std::string_view> keys{"region", "expect"};
+  for (const std::string_view kind : kind_names()) {
+    const ClaimKind one = *parse_kind(kind);
+    for_each_field(one, [&](std::string_view key, const auto&, Need) {
+      if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
+    });
   }
-};
-
-const Shape& shape(ClaimKind kind) {
-  static const std::array<Shape, all_claim_kinds.size()> shapes{{
-      {{"mode", "forces"}, {"region"}},                                  // interval
-      {{"modes"}, {"region", "forces"}},                                 // impossible
-      {{"holds"}, {"mode", "modes", "region", "forces"}},                // formula
-      {{"modes"}, {"region", "forces"}},                                 // motions
-      {{"claims"}, {"except", "modes", "region", "forces"}},             // unique
-      {{"claims"}, {"region"}},                                          // cover
-      {{"forces", "holds"}, {"region"}},                                 // equivalence
-      {{"parameter", "holds"}, {"region", "from"}},                      // limit
-      {{"modes"}, {"region", "forces"}},                                 // exists
-      {{"equations"}, {"given", "assume", "claims", "mode", "region"}},  // consequence
-      {{"equations"}, {"given", "assume", "claims", "mode", "region"}},  // system
-  }};
-  return shapes[static_cast<std::size_t>(kind)];
+  return keys;
 }
 
-constexpr std::array<std::string_view, 13> body_keys{"mode",   "modes",     "region", "forces", "holds",
-                                                     "claims", "except",    "expect", "given",  "equations",
-                                                     "assume", "parameter", "from"};
+bool has_key(const ClaimKind& kind, std::string_view key) {
+  bool found = key == "region" || key == "expect";
+  for_each_field(kind, [&](std::string_view own, const auto&, Need) { found = found || own == key; });
+  return found;
+}
+
 constexpr std::array<std::string_view, 11> claim_keys{"id",   "equation", "line",     "statement", "kind",   "setting",
                                                       "note", "grade",    "repaired", "why",       "part_of"};
 
@@ -53,10 +40,10 @@ std::string expected_value(std::string_view key) {
 }
 
 // `stick/slip+`, or with `*` for any state.
-std::vector<ContactMode> expand(std::string_view pattern) {
+Modes expand(std::string_view pattern) {
   const auto fits = [](std::string_view part, ContactState state) { return part == "*" || part == name(state); };
   const std::size_t slash = pattern.find('/');
-  std::vector<ContactMode> modes;
+  Modes modes;
   if (slash == pattern.npos) return modes;
   for (const ContactMode mode : all_modes()) {
     if (fits(pattern.substr(0, slash), mode.rear) && fits(pattern.substr(slash + 1), mode.front)) modes.push_back(mode);
@@ -65,12 +52,23 @@ std::vector<ContactMode> expand(std::string_view pattern) {
 }
 
 // The references of a body, by their texts: ids are known only when all claims are read.
-struct References {
+struct ReferenceTexts {
   std::size_t claim;
   Reading reading;
   std::string_view key;  ///< `claims`, `except` or `given`
   std::vector<const PlacedText*> ids;
 };
+
+/// The field with this key, which must be one of references.
+References& references_of(ClaimBody& body, std::string_view key) {
+  References* found = nullptr;
+  for_each_field(body.says, [&](std::string_view own, auto& field, Need) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(field)>, References>) {
+      if (own == key) found = &field;
+    }
+  });
+  return *found;
+}
 
 class ClaimsReader {
  public:
@@ -80,7 +78,7 @@ class ClaimsReader {
 
   void read(const TomlValue& value) {
     std::vector<std::string_view> keys(claim_keys.begin(), claim_keys.end());
-    keys.insert(keys.end(), body_keys.begin(), body_keys.end());
+    keys.insert(keys.end(), body_keys_.begin(), body_keys_.end());
     const TableReader table(value, "[[claim]]", keys, context_.mistakes);
     Claim claim;
     read_id(table, claim);
@@ -95,11 +93,11 @@ class ClaimsReader {
       claim.part_of.push_back(id->text());
       parts_.push_back({context_.file.claims.size(), id});
     }
-    const bool known = read_kind(table, claim);
-    if (known) {
-      check_keys(table, claim.kind, "[[claim]]");
-      for (const std::string_view key : shape(claim.kind).required) table.require(key, expected_value(key));
-      claim.printed.region = claim.printed.forces = claim.printed.holds = make_truth(true);
+    if (read_kind(table, claim)) {
+      check_keys(table, claim.printed.says, "[[claim]]");
+      for_each_field(claim.printed.says, [&](std::string_view key, const auto&, Need need) {
+        if (need == Need::required) table.require(key, expected_value(key));
+      });
       read_body(table, claim, Reading::printed, claim.printed);
       read_repaired(table, claim);
     }
@@ -107,16 +105,18 @@ class ClaimsReader {
   }
 
   void resolve_references() {
-    for (const References& references : references_) {
-      Claim& claim = context_.file.claims[references.claim];
-      ClaimBody& body = references.reading == Reading::printed ? claim.printed : *claim.repaired;
-      for (const PlacedText* id : references.ids) resolve(claim, *id, references.key, body);
+    for (const ReferenceTexts& texts : references_) {
+      Claim& claim = context_.file.claims[texts.claim];
+      ClaimBody& body = texts.reading == Reading::printed ? claim.printed : *claim.repaired;
+      for (const PlacedText* id : texts.ids) resolve(claim, *id, texts.key, references_of(body, texts.key));
     }
     for (Claim& claim : context_.file.claims) {  // a repair that names no claims is about those of the print
       if (!claim.repaired) continue;
-      if (claim.repaired->claims.empty()) claim.repaired->claims = claim.printed.claims;
-      if (claim.repaired->except.empty()) claim.repaired->except = claim.printed.except;
-      if (claim.repaired->given.empty()) claim.repaired->given = claim.printed.given;
+      for (const std::string_view key : {"claims", "except", "given"}) {
+        if (!has_key(claim.printed.says, key)) continue;
+        References& named = references_of(*claim.repaired, key);
+        if (named.empty()) named = references_of(claim.printed, key);
+      }
     }
     add_implied_readings();
     for (const auto& [claim, id] : parts_) check_part(context_.file.claims[claim], *id);
@@ -180,19 +180,18 @@ class ClaimsReader {
     if (!table.require("kind", "the kind of the claim")) return false;
     const PlacedText* kind = table.string("kind");
     if (kind == nullptr) return false;
-    std::vector<std::string_view> names;
-    for (const ClaimKind known : all_claim_kinds) {
-      claim.kind = known;
-      if (kind->text() == name(known)) return true;
-      names.push_back(name(known));
+    const auto known = parse_kind(kind->text());
+    if (known) {
+      claim.printed.says = *known;
+    } else {
+      table.refuse("kind", unknown("kind", kind->text(), kind_names()));
     }
-    table.refuse("kind", unknown("kind", kind->text(), names));
-    return false;
+    return known.has_value();
   }
 
-  void check_keys(const TableReader& table, ClaimKind kind, std::string_view where) {
-    for (const std::string_view key : body_keys) {
-      if (key == "expect" || !table.has(key) || shape(kind).has(key)) continue;
+  void check_keys(const TableReader& table, const ClaimKind& kind, std::string_view where) {
+    for (const std::string_view key : body_keys_) {
+      if (!table.has(key) || has_key(kind, key)) continue;
       table.refuse(
           key, "found in " + std::string(where) + " of kind " + std::string(name(kind)) + ", which does not have it");
     }
@@ -200,40 +199,58 @@ class ClaimsReader {
 
   // Reads over what `body` already holds.
   void read_body(const TableReader& table, const Claim& claim, Reading reading, ClaimBody& body) {
-    const std::size_t setting = claim.setting;
-    const auto has = [&](std::string_view key) { return table.has(key) && shape(claim.kind).has(key); };
-    if (has("mode")) read_mode(table, body);
-    if (has_equations(claim.kind) && has("mode") && !body.modes.empty() && !body.modes.front().on_road()) {
-      table.refuse("mode", "expected a mode with both wheels on the road");
+    if (table.has("region")) {
+      body.region = context_.expression(table, "region", Sort::truth, claim.setting, {.definitions = true});
     }
-    if (has("modes")) read_modes(table, body);
-    if (has("region")) {
-      body.region = context_.expression(table, "region", Sort::truth, setting, {.definitions = true});
-    }
-    if (has("forces")) {
-      body.forces = context_.expression(table, "forces", Sort::truth, setting, {.definitions = true, .force = true});
-    }
-    if (has("holds")) {
-      const Allowed allowed{.definitions = true, .force = true, .quantities = !body.modes.empty()};
-      body.holds = context_.expression(table, "holds", Sort::truth, setting, allowed);
-    }
-    const std::size_t index = context_.file.claims.size();
-    for (const std::string_view key : {"claims", "except", "given"}) {
-      if (has(key)) references_.push_back({index, reading, key, table.strings(key)});
-    }
-    if (has("equations")) read_equations(table, "equations", setting, body.equations);
-    if (has("assume")) read_equations(table, "assume", setting, body.assume);
-    if (has("parameter")) read_parameter(table, setting, body);
-    if (has("from")) {
-      body.from = context_.expression(table, "from", Sort::number, setting, {.definitions = true});
-      auto& uses = context_.uses;
-      if (!uses.empty() && uses.back().expression == body.from) uses.back().independent_of = body.parameter;
-    }
+    for_each_field(body.says, [&](std::string_view key, auto& field, Need) {
+      if (!table.has(key)) return;
+      using Field = std::decay_t<decltype(field)>;
+      if constexpr (std::is_same_v<Field, References>) {
+        references_.push_back({context_.file.claims.size(), reading, key, table.strings(key)});
+        if (key == "claims" && claim.is<Cover>()) refuse_empty(table, key, "at least one claim");
+      } else if constexpr (std::is_same_v<Field, Equations>) {
+        read_equations(table, key, claim.setting, field);
+        if (key == "equations") refuse_empty(table, key, "at least one equation");
+      } else if constexpr (std::is_same_v<Field, ContactMode>) {
+        if (const auto mode = read_mode(table)) field = *mode;
+      } else if constexpr (std::is_same_v<Field, std::optional<ContactMode>>) {
+        field = read_mode(table);
+        if (field && !field->on_road()) table.refuse("mode", "expected a mode with both wheels on the road");
+      } else if constexpr (std::is_same_v<Field, Modes>) {
+        read_modes(table, key, field);
+      } else if constexpr (std::is_same_v<Field, std::string>) {
+        field = read_parameter(table, claim.setting);
+      } else {
+        field = read_expression(table, key, claim.setting, body);
+      }
+    });
     read_expectation(table, body);
   }
 
-  void read_equations(const TableReader& table, std::string_view key, std::size_t setting,
-                      std::vector<Expression>& equations) {
+  void refuse_empty(const TableReader& table, std::string_view key, const std::string& expected) {
+    if (table.strings(key).empty()) table.refuse(key, "found an empty array, expected " + expected);
+  }
+
+  Expression read_expression(const TableReader& table, std::string_view key, std::size_t setting,
+                             const ClaimBody& body) {
+    if (key == "forces") {
+      return context_.expression(table, key, Sort::truth, setting, {.definitions = true, .force = true});
+    }
+    if (key == "holds") {
+      const bool quantities = std::holds_alternative<Formula>(body.says) && !modes(body.says).empty();
+      const bool force = !std::holds_alternative<Limit>(body.says);  // it speaks of bicycles
+      return context_.expression(table, key, Sort::truth, setting,
+                                 {.definitions = true, .force = force, .quantities = quantities});
+    }
+    Expression from = context_.expression(table, key, Sort::number, setting, {.definitions = true});
+    auto& uses = context_.uses;
+    if (!uses.empty() && uses.back().expression == from) {
+      uses.back().independent_of = std::get<Limit>(body.says).parameter;
+    }
+    return from;
+  }
+
+  void read_equations(const TableReader& table, std::string_view key, std::size_t setting, Equations& equations) {
     equations.clear();
     const Allowed allowed{.definitions = true, .force = true, .unknowns = true};
     for (const PlacedText* text : table.strings(key)) {
@@ -246,40 +263,44 @@ class ClaimsReader {
     }
   }
 
-  void read_parameter(const TableReader& table, std::size_t setting, ClaimBody& body) {
+  std::string read_parameter(const TableReader& table, std::size_t setting) {
     const PlacedText* text = table.string("parameter");
-    if (text == nullptr || setting >= context_.file.settings.size()) return;
+    if (text == nullptr || setting >= context_.file.settings.size()) return {};
     std::vector<std::string_view> known;
     for (const Parameter& parameter : context_.file.settings[setting].parameters) known.push_back(parameter.symbol);
-    body.parameter = text->text();
-    if (std::find(known.begin(), known.end(), body.parameter) == known.end()) {
-      table.refuse("parameter", unknown("parameter", body.parameter, known));
+    if (std::find(known.begin(), known.end(), text->text()) == known.end()) {
+      table.refuse("parameter", unknown("parameter", text->text(), known));
     }
+    return text->text();
   }
 
-  void read_mode(const TableReader& table, ClaimBody& body) {
+  std::optional<ContactMode> read_mode(const TableReader& table) {
     const PlacedText* text = table.string("mode");
-    if (text == nullptr) return;
-    body.modes.clear();
-    if (const auto mode = parse_mode(text->text())) {
-      body.modes.push_back(*mode);
-    } else {
+    if (text == nullptr) return std::nullopt;
+    const auto mode = parse_mode(text->text());
+    if (!mode) {
       table.refuse("mode",
                    "found " + in_quotes(text->text()) + ", expected REAR/FRONT, each one of stick, slip+, slip-, lift");
     }
+    return mode;
   }
 
-  void read_modes(const TableReader& table, ClaimBody& body) {
-    body.modes.clear();
-    for (const PlacedText* text : table.strings("modes")) {
-      const auto modes = expand(text->text());
+  void read_modes(const TableReader& table, std::string_view key, Modes& found) {
+    found.clear();
+    if (key == "mode") {
+      if (const auto mode = read_mode(table)) found.push_back(*mode);
+      return;
+    }
+    refuse_empty(table, key, "at least one mode");
+    for (const PlacedText* text : table.strings(key)) {
+      const Modes modes = expand(text->text());
       if (modes.empty()) {
-        context_.refuse(*text, 0, "modes",
+        context_.refuse(*text, 0, key,
                         "found " + in_quotes(text->text()) +
                             ", expected REAR/FRONT, each one of stick, slip+, slip-, lift, or * for any");
       }
       for (const ContactMode mode : modes) {
-        if (std::find(body.modes.begin(), body.modes.end(), mode) == body.modes.end()) body.modes.push_back(mode);
+        if (std::find(found.begin(), found.end(), mode) == found.end()) found.push_back(mode);
       }
     }
   }
@@ -289,7 +310,8 @@ class ClaimsReader {
     const PlacedText* expect = table.string("expect");
     if (expect == nullptr) return;
     std::vector<std::string_view> names;
-    for (const Expectation known : {Expectation::holds, Expectation::refuted, Expectation::undecided}) {
+    for (const Expectation known :
+         {Expectation::holds, Expectation::refuted, Expectation::undecided, Expectation::vacuous}) {
       if (expect->text() == name(known)) body.expect = known;
       names.push_back(name(known));
     }
@@ -302,11 +324,11 @@ class ClaimsReader {
       if (!table.has("repaired") && table.has("why")) table.refuse("why", "found a reason without [claim.repaired]");
       return;
     }
-    const TableReader repaired(*value, "[claim.repaired]", body_keys, context_.mistakes);
-    check_keys(repaired, claim.kind, "[claim.repaired]");
+    const TableReader repaired(*value, "[claim.repaired]", body_keys_, context_.mistakes);
+    check_keys(repaired, claim.printed.says, "[claim.repaired]");
     claim.repaired = claim.printed;
     read_body(repaired, claim, Reading::repaired, *claim.repaired);
-    const bool changes = std::any_of(body_keys.begin(), body_keys.end(),
+    const bool changes = std::any_of(body_keys_.begin(), body_keys_.end(),
                                      [&](std::string_view key) { return key != "expect" && repaired.has(key); });
     if (changes) {
       table.require("why", "the reason for the repair");
@@ -315,9 +337,16 @@ class ClaimsReader {
     }
   }
 
-  static bool has_equations(ClaimKind kind) { return kind == ClaimKind::consequence || kind == ClaimKind::system; }
+  // Whether a claim with this key may refer to the other one, and what it has to be.
+  static std::string_view misfit(const Claim& claim, std::string_view key, const Claim& other) {
+    const auto has_equations = [](const Claim& c) { return c.is<Consequence>() || c.is<System>(); };
+    if (has_equations(claim)) return has_equations(other) ? "" : "consequence or system";
+    if (key == "except") return other.is<Motions>() ? "" : "motions";
+    if (claim.is<Unique>()) return other.is<Interval>() ? "" : "interval";
+    return other.is<Interval>() || other.is<Impossible>() ? "" : "interval or impossible";
+  }
 
-  void resolve(const Claim& claim, const PlacedText& id, std::string_view key, ClaimBody& body) {
+  void resolve(const Claim& claim, const PlacedText& id, std::string_view key, References& list) {
     const auto& claims = context_.file.claims;
     const Claim* found = context_.file.find(id.text());
     if (found == nullptr) {
@@ -325,19 +354,13 @@ class ClaimsReader {
       for (const Claim& other : claims) ids.push_back(other.id);
       return context_.refuse(id, 0, key, unknown("claim", id.text(), ids));
     }
-    const bool equations = has_equations(claim.kind), except = key == "except";
-    const bool fits = equations ? has_equations(found->kind)
-                      : except  ? found->kind == ClaimKind::motions
-                                : found->kind == ClaimKind::interval || found->kind == ClaimKind::impossible;
-    if (!fits || found->setting != claim.setting) {
+    std::string_view expected = misfit(claim, key, *found);
+    if (expected.empty() && found->setting != claim.setting) expected = name(found->printed.says);
+    if (!expected.empty()) {
       return context_.refuse(id, 0, key,
-                             "found " + in_quotes(id.text()) + ", expected a claim of kind " +
-                                 (equations ? "consequence or system"
-                                  : except  ? "motions"
-                                            : "interval or impossible") +
+                             "found " + in_quotes(id.text()) + ", expected a claim of kind " + std::string(expected) +
                                  " in the same setting");
     }
-    std::vector<std::size_t>& list = except ? body.except : key == "given" ? body.given : body.claims;
     list.push_back(static_cast<std::size_t>(found - claims.data()));
   }
 
@@ -347,20 +370,13 @@ class ClaimsReader {
     std::vector<SettingNames> names;
     for (const Setting& setting : context_.file.settings) names.emplace_back(setting);
     const auto builds_on_repair = [&](const Claim& claim) {
-      const ClaimBody& body = claim.printed;
-      for (const Expression& expression : {body.region, body.forces, body.holds}) {
-        if (expression && !names.empty() && names[claim.setting].readings_differ(expression)) return true;
-      }
-      for (const Expression& equation : body.equations) {
-        if (!names.empty() && names[claim.setting].readings_differ(equation)) return true;
-      }
-      for (const Expression& equation : body.assume) {
-        if (!names.empty() && names[claim.setting].readings_differ(equation)) return true;
-      }
-      const auto repaired = [&](std::size_t i) { return claims[i].repaired.has_value(); };
-      return std::any_of(body.claims.begin(), body.claims.end(), repaired) ||
-             std::any_of(body.given.begin(), body.given.end(), repaired) ||
-             std::any_of(body.except.begin(), body.except.end(), repaired);
+      bool found = false;
+      for_each_part(claim.printed, [&](BodyPart, std::size_t, const Expression& expression) {
+        found = found || (!names.empty() && names[claim.setting].readings_differ(expression));
+      });
+      const References others = references(claim.printed.says);
+      return found ||
+             std::any_of(others.begin(), others.end(), [&](std::size_t i) { return claims[i].repaired.has_value(); });
     };
     std::vector<bool> implied(claims.size());
     for (bool more = true; more;) {  // along the references, until none gains a reading
@@ -388,7 +404,8 @@ class ClaimsReader {
 
   Context& context_;
   std::vector<std::string_view> settings_;
-  std::vector<References> references_;
+  const std::vector<std::string_view> body_keys_ = body_keys();
+  std::vector<ReferenceTexts> references_;
   std::vector<Expecting> only_expecting_;
   std::vector<std::pair<std::size_t, const PlacedText*>> parts_;  ///< claims, and what they are part of
 };

@@ -15,12 +15,8 @@ namespace {
 void add_definitions(const Element& parent, const ClaimsFile& file, const Claim& claim, Reading reading) {
   const Setting& setting = file.settings[claim.setting];
   const SettingNames names(setting);
-  const ClaimBody& body = claim.body(reading);
-  std::vector<Expression> used{body.region, body.forces, body.holds};
-  used.insert(used.end(), body.equations.begin(), body.equations.end());
   std::vector<std::size_t> indices;
-  for (const Expression& expression : used) {
-    if (!expression) continue;
+  for (const Expression& expression : expressions(claim.body(reading))) {
     for (const std::size_t i : names.needs(expression, reading)) indices.push_back(i);
   }
   std::sort(indices.begin(), indices.end());
@@ -59,7 +55,7 @@ void add_evidence(const Element& parent, const PageInput& input, const Claim& cl
   p.add("b").text("Evidence. ");
   const std::string samples = std::to_string(result.samples());
   if (result.verdict == Verdict::holds) {
-    if (result.proved && claim.kind == ClaimKind::exists) {
+    if (result.proved && claim.is<Exists>()) {
       p.text("Such a motion was found, which proves it. ");
     } else if (!result.certificates.empty()) {
       p.text("Proved for all parameters: ");
@@ -69,6 +65,11 @@ void add_evidence(const Element& parent, const PageInput& input, const Claim& cl
       p.text("An identity of rational functions, checked as polynomials: it holds for all parameters. ");
     }
     p.text("It held at all " + samples + " sampled bicycles that it speaks of.");
+    if (!result.proved && !result.unless_zero.empty()) {
+      std::string divisors;
+      for (const std::string& e : result.unless_zero) divisors += (divisors.empty() ? "" : ", ") + e;
+      p.text(" It is an identity of rational functions wherever these are not 0: " + divisors + ".");
+    }
   } else if (result.verdict == Verdict::refuted) {
     p.text("False at " + std::to_string(result.refuted) + " of " + samples + " sampled bicycles that it speaks of.");
     if (!result.certificates.empty()) {
@@ -76,6 +77,10 @@ void add_evidence(const Element& parent, const PageInput& input, const Claim& cl
       add_theorem_links(p, theorems_of(result));
       p.text(".");
     }
+  } else if (result.verdict == Verdict::vacuous) {
+    p.text("It says something of no bicycle at all, which is proved.");
+  } else if (result.samples() == 0) {
+    p.text("No bicycle was found of which it says something.");
   } else {
     p.text("It has no value at " + std::to_string(result.undecided) + " of " + samples +
            " sampled bicycles that it speaks of.");

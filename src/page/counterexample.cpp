@@ -33,10 +33,8 @@ void add_symbols(const Element& parent, const ClaimsFile& file, const Claim& cla
   const Counterexample& e = *result.counterexample;
   for (std::size_t k = 0; k < e.values.size(); ++k) values.set(CompiledSetting::parameter_slot(k), e.values[k]);
   if (e.force) values.set(CompiledSetting::force_slot(), *e.force);
-  const ClaimBody& body = claim.body(result.reading);
   std::vector<bool> needed(setting.definitions.size());
-  for (const Expression& expression : {body.region, body.forces, body.holds}) {
-    if (!expression) continue;
+  for (const Expression& expression : expressions(claim.body(result.reading))) {
     for (const std::size_t i : names.needs(expression, result.reading)) needed[i] = true;
   }
   const Element p = parent.add("p", "values");

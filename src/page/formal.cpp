@@ -1,5 +1,6 @@
 #include <string>
 
+#include "claims/logic.hpp"
 #include "page/sections.hpp"
 #include "typeset/mathml.hpp"
 #include "typeset/symbol.hpp"
@@ -7,10 +8,6 @@
 namespace slipproof {
 
 namespace {
-
-bool trivial(const Expression& e) {
-  return !e || (e->operation == Operation::truth && e->truth);
-}
 
 void add_modes(const Element& p, const std::vector<ContactMode>& modes) {
   for (std::size_t i = 0; i < modes.size(); ++i) {
@@ -34,111 +31,120 @@ void add_equations(const Element& p, const std::vector<Expression>& equations) {
 }
 
 /// Where: the region, and the forces unless they are the claim itself.
-void add_where(const Element& p, const ClaimBody& body, bool forces_too) {
-  const bool region = !trivial(body.region), forces = forces_too && !trivial(body.forces);
-  if (!region && !forces) {
+void add_where(const Element& p, const Expression& region, const Expression& forces = make_truth(true)) {
+  if (is_true(region) && is_true(forces)) {
     p.text("Always: ");
     return;
   }
   p.text("For ");
-  if (region) add_math(p, body.region);
-  if (region && forces) p.text(" and ");
-  if (forces) add_math(p, body.forces);
+  if (!is_true(region)) add_math(p, region);
+  if (!is_true(region) && !is_true(forces)) p.text(" and ");
+  if (!is_true(forces)) add_math(p, forces);
   p.text(": ");
+}
+
+void add_linear(const Element& p, const PageInput& input, const LinearEquations& claim, const char* relation) {
+  if (claim.from_model()) {
+    p.text("the model's equations ");
+  } else {
+    add_claims(p, input, claim.claims);
+    if (!claim.claims.empty() && !claim.given.empty()) p.text(" with ");
+    add_claims(p, input, claim.given);
+  }
+  if (claim.mode) {
+    p.text(" in ");
+    add_modes(p, {*claim.mode});
+  }
+  if (!claim.assume.empty()) {
+    p.text(" together with ");
+    add_equations(p, claim.assume);
+  }
+  p.text(relation);
+  add_equations(p, claim.equations);
+}
+
+void add_unique(const Element& p, const PageInput& input, const Unique& claim) {
+  p.text("there is one motion, ");
+  if (!claim.modes.empty()) {
+    p.text("in one of ");
+    add_modes(p, claim.modes);
+    p.text(" or ");
+  }
+  p.text("as stated by ");
+  add_claims(p, input, claim.claims);
+  if (claim.except.empty()) return;
+  p.text(", except where ");
+  add_claims(p, input, claim.except);
+  p.text(" stands");
 }
 
 }  // namespace
 
 void add_formal(const Element& parent, const PageInput& input, const Claim& claim, Reading reading) {
-  const ClaimBody& body = claim.body(reading);
+  const Expression& region = claim.body(reading).region;
   const Element p = parent.add("p", "formal");
-  switch (claim.kind) {
-    case ClaimKind::interval:
-      add_where(p, body, false);
-      add_modes(p, body.modes);
-      p.text(" is a motion exactly for ");
-      add_math(p, body.forces);
-      break;
-    case ClaimKind::impossible:
-      add_where(p, body, true);
-      p.text("no motion in ");
-      add_modes(p, body.modes);
-      break;
-    case ClaimKind::formula:
-    case ClaimKind::limit:
-      add_where(p, body, true);
-      if (!body.modes.empty()) {
-        p.text("in ");
-        add_modes(p, body.modes);
-        p.text(", ");
-      }
-      add_math(p, body.holds);
-      if (claim.kind == ClaimKind::limit) {
-        p.text(" from some value of ");
-        add_symbol(add_math(p), body.parameter);
-        p.text(" on");
-      }
-      break;
-    case ClaimKind::equivalence:
-      add_where(p, body, false);
-      add_math(p, body.forces);
-      p.text(" if and only if ");
-      add_math(p, body.holds);
-      break;
-    case ClaimKind::motions:
-      add_where(p, body, true);
-      p.text("there is one motion in each of ");
-      add_modes(p, body.modes);
-      p.text(", and no other");
-      break;
-    case ClaimKind::unique:
-      add_where(p, body, true);
-      p.text("there is one motion, ");
-      if (!body.modes.empty()) {
-        p.text("in one of ");
-        add_modes(p, body.modes);
-        p.text(" or ");
-      }
-      p.text("as stated by ");
-      add_claims(p, input, body.claims);
-      if (!body.except.empty()) {
-        p.text(", except where ");
-        add_claims(p, input, body.except);
-        p.text(" stands");
-      }
-      break;
-    case ClaimKind::cover:
-      add_where(p, body, false);
-      p.text("every bicycle is in the case of one of ");
-      add_claims(p, input, body.claims);
-      break;
-    case ClaimKind::exists:
-      add_where(p, body, true);
-      p.text("somewhere there is a motion in ");
-      add_modes(p, body.modes);
-      break;
-    case ClaimKind::consequence:
-    case ClaimKind::system:
-      add_where(p, body, false);
-      if (body.claims.empty() && body.given.empty()) {
-        p.text("the model's equations ");
-      } else {
-        add_claims(p, input, body.claims);
-        if (!body.claims.empty() && !body.given.empty()) p.text(" with ");
-        add_claims(p, input, body.given);
-      }
-      if (!body.modes.empty()) {
-        p.text(" in ");
-        add_modes(p, body.modes);
-      }
-      if (!body.assume.empty()) {
-        p.text(" together with ");
-        add_equations(p, body.assume);
-      }
-      p.text(claim.kind == ClaimKind::system ? " say the same as " : " imply ");
-      add_equations(p, body.equations);
-      break;
-  }
+  std::visit(Cases{[&](const Interval& c) {
+                     add_where(p, region);
+                     add_modes(p, {c.mode});
+                     p.text(" is a motion exactly for ");
+                     add_math(p, c.forces);
+                   },
+                   [&](const Impossible& c) {
+                     add_where(p, region, c.forces);
+                     p.text("no motion in ");
+                     add_modes(p, c.modes);
+                   },
+                   [&](const Formula& c) {
+                     add_where(p, region, c.forces);
+                     if (!c.modes.empty()) {
+                       p.text("in ");
+                       add_modes(p, c.modes);
+                       p.text(", ");
+                     }
+                     add_math(p, c.holds);
+                   },
+                   [&](const Limit& c) {
+                     add_where(p, region);
+                     add_math(p, c.holds);
+                     p.text(" from some value of ");
+                     add_symbol(add_math(p), c.parameter);
+                     p.text(" on");
+                   },
+                   [&](const Equivalence& c) {
+                     add_where(p, region);
+                     add_math(p, c.forces);
+                     p.text(" if and only if ");
+                     add_math(p, c.holds);
+                   },
+                   [&](const Motions& c) {
+                     add_where(p, region, c.forces);
+                     p.text("there is one motion in each of ");
+                     add_modes(p, c.modes);
+                     p.text(", and no other");
+                   },
+                   [&](const Unique& c) {
+                     add_where(p, region, c.forces);
+                     add_unique(p, input, c);
+                   },
+                   [&](const Cover& c) {
+                     add_where(p, region);
+                     p.text("every bicycle is in the case of one of ");
+                     add_claims(p, input, c.claims);
+                   },
+                   [&](const Exists& c) {
+                     add_where(p, region, c.forces);
+                     p.text("somewhere there is a motion in ");
+                     add_modes(p, c.modes);
+                   },
+                   [&](const Consequence& c) {
+                     add_where(p, region);
+                     add_linear(p, input, c, " imply ");
+                   },
+                   [&](const System& c) {
+                     add_where(p, region);
+                     add_linear(p, input, c, " say the same as ");
+                   }},
+             claim.body(reading).says);
 }
 
 }  // namespace slipproof

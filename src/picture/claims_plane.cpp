@@ -35,9 +35,8 @@ void collect(const Expression& expression, const SettingNames& names, std::vecto
   }
 }
 
-bool states_motions(ClaimKind kind) {
-  return kind == ClaimKind::interval || kind == ClaimKind::impossible || kind == ClaimKind::motions ||
-         kind == ClaimKind::unique;
+bool states_motions(const Claim& claim) {
+  return claim.is<Interval>() || claim.is<Impossible>() || claim.is<Motions>() || claim.is<Unique>();
 }
 
 /// All that solving a column needs.
@@ -54,11 +53,11 @@ class ColumnSolver {
     std::vector<Threshold> lines;
     for (std::size_t i = 0; i < claims.claims.size(); ++i) {
       const Claim& claim = claims.claims[i];
-      if (claim.setting != figure.setting || !states_motions(claim.kind)) continue;
+      if (claim.setting != figure.setting || !states_motions(claim)) continue;
       judged_.push_back(i);
-      if (claim.kind != ClaimKind::interval && claim.kind != ClaimKind::impossible) continue;
+      if (!claim.is<Interval>() && !claim.is<Impossible>()) continue;
       for (const Reading r : all_readings) {
-        collect(claim.body(r).forces, names_, thresholds_);
+        for (const Expression* forces : parts(claim.body(r), BodyPart::forces)) collect(*forces, names_, thresholds_);
         collect(claim.body(r).region, names_, lines);
       }
     }

@@ -21,18 +21,17 @@ std::string changed(const ClaimBody& body, const ClaimBody& other) {
   const auto add = [&](std::string_view key, const std::string& value) {
     text += (text.empty() ? "" : "; ") + std::string(key) + ": " + value;
   };
-  const auto differ = [](const Expression& x, const Expression& y) { return x && y && !same(x, y); };
-  if (differ(body.region, other.region)) add("where", to_string(body.region));
-  if (differ(body.forces, other.forces)) add("forces", to_string(body.forces));
-  if (differ(body.holds, other.holds)) add("claim", to_string(body.holds));
-  for (std::size_t i = 0; i < body.equations.size(); ++i) {
-    if (i < other.equations.size() && same(body.equations[i], other.equations[i])) continue;
-    add("equation", to_string(body.equations[i]));
-  }
-  if (body.modes != other.modes) {
-    std::string modes;
-    for (const ContactMode mode : body.modes) modes += (modes.empty() ? "" : ", ") + name(mode);
-    add("motions", modes);
+  constexpr std::array<std::string_view, 5> keys{"where", "forces", "claim", "equation", ""};
+  for_each_part(body, [&](BodyPart part, std::size_t i, const Expression& expression) {
+    const auto others = parts(other, part);
+    const std::string_view key = keys[static_cast<std::size_t>(part)];
+    const bool differs = i >= others.size() || !same(expression, *others[i]);
+    if (!key.empty() && differs) add(key, to_string(expression));
+  });
+  if (modes(body.says) != modes(other.says)) {
+    std::string names;
+    for (const ContactMode mode : modes(body.says)) names += (names.empty() ? "" : ", ") + name(mode);
+    add("motions", names);
   }
   return text;
 }
@@ -109,9 +108,7 @@ class Collection {
   }
 
   static bool uses(const SettingNames& names, const Claim& claim, std::string_view symbol) {
-    const ClaimBody& body = claim.printed;
-    std::vector<Expression> all{body.region, body.forces, body.holds};
-    all.insert(all.end(), body.equations.begin(), body.equations.end());
+    const std::vector<Expression> all = expressions(claim.printed);
     return std::any_of(all.begin(), all.end(),
                        [&](const Expression& e) { return names.depends(e, Reading::printed, symbol); });
   }
@@ -135,6 +132,7 @@ class Collection {
     finding.statement = claim.statement;
     if (claim.repaired) finding.printed = changed(claim.printed, *claim.repaired);
     if (printed.verdict == Verdict::refuted) finding.wrong = counterexample_text(file_, printed);
+    if (printed.verdict == Verdict::vacuous) finding.wrong = explain(file_, printed);
     if (printed.verdict == Verdict::undecided) finding.wrong = "the claim has no value somewhere in its own region";
     if (!claim.note.empty()) finding.wrong += (finding.wrong.empty() ? "" : ". ") + claim.note;
     if (finding.wrong.empty()) finding.wrong = claim.why;

@@ -131,9 +131,9 @@ TEST_CASE("every claim is there with its verdicts, every finding in the errata, 
     CAPTURE(id);
     const auto card = tree.select_node(("//details[@id='" + id + "']").c_str()).node();
     REQUIRE(card);
-    const ClaimKind kind = small_input().claims->claims[claim.claim].kind;
-    const bool formulas = kind == ClaimKind::interval || kind == ClaimKind::formula || kind == ClaimKind::consequence ||
-                          kind == ClaimKind::system || kind == ClaimKind::equivalence;
+    const Claim& stated = small_input().claims->claims[claim.claim];
+    const bool formulas = stated.is<Interval>() || stated.is<Formula>() || stated.is<Consequence>() ||
+                          stated.is<System>() || stated.is<Equivalence>();
     CHECK((!formulas || !card.select_nodes(".//math").empty()));
     if (!claim.counterexample) continue;
     CHECK(!card.select_nodes(".//*[@class='counterexample']").empty());
