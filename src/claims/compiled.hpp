@@ -49,26 +49,39 @@ class CompiledSetting {
   /// By parameter.
   const std::vector<Program>& domains() const { return domains_; }
   const Program& force_domain() const { return *force_domain_; }
+  /// Whether the values of the parameters are those of a bicycle, as one condition: domains and scene.
+  const Program& is_bicycle() const { return *is_bicycle_; }
   /// In the order of scene_symbols; nothing for J if the setting does not have it.
   const std::vector<std::optional<Program>>& scene() const { return scene_; }
 
  private:
   std::optional<std::size_t> resolve(std::string_view symbol, Reading reading) const;
+  /// Whether it depends on the force or on a quantity.
+  bool varies(const Expression& e, Reading reading) const;
+  /// Conditions, with functions of what varies as cases, so that the truth over all forces can be told; what takes too
+  /// many cases stays, and is undecided.
+  Expression prepared(const Expression& e, Reading reading) const;
+  /// With the definitions written out that have functions of what varies.
+  Expression written_out(const Expression& e, Reading reading) const;
 
   Scope scope_;
   std::size_t first_unknown_ = 0;
   std::map<std::string, std::size_t, std::less<>> slots_;  ///< of what is no definition
   std::map<std::string, std::size_t, std::less<>> definition_indices_;
   std::array<std::vector<std::size_t>, 2> definition_slots_;
+  std::array<std::vector<Expression>, 2> definitions_;  ///< by reading
+  std::string force_;
   std::vector<Boundary> boundaries_;
   std::vector<Program> domains_;
-  std::optional<Program> force_domain_;
+  std::optional<Program> force_domain_, is_bicycle_;
   std::vector<std::optional<Program>> scene_;
 };
 
+/// The expressions of a body; `true` for conditions that its kind does not have.
 struct CompiledBody {
   Program region;
   Program forces;
+  Program closure;  ///< of `forces`, with its ends
   Program holds;
   std::vector<Program> equations, assume;
 };

@@ -150,12 +150,20 @@ class Evaluator {
     if (instruction.operation == Operation::power) return power(*x, instruction.exponent, scratch);
     const auto order = field_.compare(*x, field_.constant(Rational(0)));
     if (!order) return fail(Failure::undecided);
-    if (instruction.operation == Operation::signum) return &scratch.emplace(field_.constant(Rational(*order)));
+    if (instruction.operation == Operation::signum) {
+      return &scratch.emplace(beside(field_.constant(Rational(*order)), T(*x)));
+    }
     return *order < 0 ? &scratch.emplace(-*x) : x;
   }
 
+  /// The value, undefined where the other is, too: for types that keep what they were divided by.
+  static T beside(T value, const T& other) {
+    if constexpr (requires { value.beside(other); }) return value.beside(other);
+    return value;
+  }
+
   const T* power(T base, int exponent, std::optional<T>& scratch) {
-    T result = field_.constant(Rational(1));
+    T result = beside(field_.constant(Rational(1)), base);
     if (exponent < 0) {
       if (field_.is_zero(base)) return fail(Failure::undefined);
       base = result / base;
@@ -186,7 +194,7 @@ class Evaluator {
         const auto order = field_.compare(*x, *y);
         if (!order) return fail(Failure::undecided);
         const bool first = instruction.operation == Operation::minimum ? *order <= 0 : *order >= 0;
-        return &scratch.emplace(first ? *x : *y);
+        return &scratch.emplace(first ? beside(*x, *y) : beside(*y, *x));
       }
     }
   }

@@ -172,4 +172,26 @@ Binding tighter(Binding binding) {
   return static_cast<Binding>(static_cast<int>(binding) + 1);
 }
 
+bool is_linear_in(const Expression& e, const std::string& symbol) {
+  const auto free = [&](const Expression& x) {
+    const auto names = symbols(x);
+    return std::find(names.begin(), names.end(), symbol) == names.end();
+  };
+  if (free(e)) return true;
+  const auto linear = [&](const Expression& x) { return is_linear_in(x, symbol); };
+  switch (e->operation) {
+    case Operation::symbol:
+    case Operation::negate:
+    case Operation::add:
+    case Operation::subtract:
+      return std::all_of(e->operands.begin(), e->operands.end(), linear);
+    case Operation::multiply:
+      return (free(e->operands[0]) && linear(e->operands[1])) || (linear(e->operands[0]) && free(e->operands[1]));
+    case Operation::divide:
+      return linear(e->operands[0]) && free(e->operands[1]);
+    default:
+      return false;
+  }
+}
+
 }  // namespace slipproof

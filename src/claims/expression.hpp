@@ -94,6 +94,9 @@ Binding tighter(Binding binding);  ///< the next
 /// The names of its symbols, each once, in the order of the text.
 std::vector<std::string> symbols(const Expression& expression);
 
+/// Whether a number is a polynomial of degree at most 1 in the symbol as it stands.
+bool is_linear_in(const Expression& number, const std::string& symbol);
+
 /// Every occurrence of a symbol replaced.
 Expression substitute(const Expression& expression, std::string_view symbol, const Expression& by);
 

@@ -3,42 +3,61 @@
 #include <algorithm>
 #include <utility>
 
+#include "number/real_roots.hpp"
+
 namespace slipproof {
 
 namespace {
 
-// A comparison as the sign of numerator(F) / denominator(F), both of degree at most 1; or no such thing.
+/// A comparison as the sign of numerator(F) / denominator(F), where no divisor is 0; or no such thing.
 struct Link {
   bool decided = false;
   Failure failure = Failure::undecided;
-  Affine<Rational> numerator, denominator;
+  Polynomial numerator, denominator;
+  std::vector<Polynomial> divisors;
+  std::vector<Rational> roots;  ///< of all of these, if none is irrational
 };
 
-Affine<Rational> as_affine(const Polynomial& p) {
-  return {p.coefficient(0), p.coefficient(1)};
+/// Adds the real roots; whether all are rational.
+bool add_roots(const Polynomial& p, std::vector<Rational>& roots) {
+  if (p.degree() == 0) return true;
+  if (p.degree() == 1) {
+    roots.push_back(-p.coefficient(0) / p.coefficient(1));
+    return true;
+  }
+  for (const RealRoot& root : real_roots({IntegerPolynomial::proportional_to(p.coefficients())})) {
+    if (!root.is_rational()) return false;
+    roots.push_back(root.lower);
+  }
+  return true;
 }
 
-Link difference(const Program& statement, const Program::Instruction& comparison,
-                Evaluator<RationalFunction>& evaluator) {
-  const Value<RationalFunction> x = evaluator.number(statement, comparison.first);
-  if (!x.number) return {false, x.failure, {}, {}};
-  const Value<RationalFunction> y = evaluator.number(statement, comparison.second);
-  if (!y.number) return {false, y.failure, {}, {}};
-  const RationalFunction d = *x.number - *y.number;
-  if (d.numerator().degree() > 1 || d.denominator().degree() > 1) return {};
-  return {true, {}, as_affine(d.numerator()), as_affine(d.denominator())};
+Link difference(const Program& statement, const Program::Instruction& comparison, Evaluator<ForceFunction>& evaluator) {
+  const Value<ForceFunction> x = evaluator.number(statement, comparison.first);
+  if (!x.number) return {false, x.failure, {}, {}, {}, {}};
+  const Value<ForceFunction> y = evaluator.number(statement, comparison.second);
+  if (!y.number) return {false, y.failure, {}, {}, {}, {}};
+  const ForceFunction d = *x.number - *y.number;
+  Link link;
+  const bool same = d.value().is_zero();  // wherever both have a value
+  link.numerator = same ? Polynomial() : d.value().numerator();
+  link.denominator = same ? Polynomial({Rational(1)}) : d.value().denominator();
+  link.divisors = d.divisors();
+  link.decided = add_roots(link.numerator, link.roots) && add_roots(link.denominator, link.roots) &&
+                 std::all_of(link.divisors.begin(), link.divisors.end(),
+                             [&](const Polynomial& divisor) { return add_roots(divisor, link.roots); });
+  return link;
 }
 
 class OverForces {
  public:
-  OverForces(const Program& statement, Evaluator<RationalFunction>& evaluator)
+  OverForces(const Program& statement, Evaluator<ForceFunction>& evaluator)
       : statement_(statement), links_(statement.code().size()) {
     for (std::size_t i = 0; i < links_.size(); ++i) {
       const Program::Instruction& instruction = statement.code()[i];
       if (instruction.operation != Operation::compare) continue;
       links_[i] = difference(statement, instruction, evaluator);
-      add_root(links_[i].numerator);
-      add_root(links_[i].denominator);
+      if (links_[i].decided) roots_.insert(roots_.end(), links_[i].roots.begin(), links_[i].roots.end());
     }
     std::sort(roots_.begin(), roots_.end());
     roots_.erase(std::unique(roots_.begin(), roots_.end()), roots_.end());
@@ -57,10 +76,6 @@ class OverForces {
   }
 
  private:
-  void add_root(const Affine<Rational>& x) {
-    if (!x.beta.is_zero()) roots_.push_back(-x.alpha / x.beta);
-  }
-
   void append(std::vector<TruthCell>& cells, ForceInterval forces) const {
     const Truth here = truth(statement_.root(), forces.sample());
     if (cells.empty() || cells.back().truth != here) {
@@ -92,6 +107,8 @@ class OverForces {
 
   static Truth compare(const Link& link, Relation relation, const Rational& force) {
     if (!link.decided) return link.failure == Failure::undefined ? Truth::undefined : Truth::undecided;
+    const auto vanishes = [&](const Polynomial& divisor) { return divisor.at(force).is_zero(); };
+    if (std::any_of(link.divisors.begin(), link.divisors.end(), vanishes)) return Truth::undefined;
     const int denominator = sign(link.denominator.at(force));
     if (denominator == 0) return Truth::undefined;
     return holds(relation, sign(link.numerator.at(force)) * denominator) ? Truth::yes : Truth::no;
@@ -104,11 +121,11 @@ class OverForces {
 
 }  // namespace
 
-std::vector<TruthCell> truth_over_forces(const Program& statement, Evaluator<RationalFunction>& evaluator) {
+std::vector<TruthCell> truth_over_forces(const Program& statement, Evaluator<ForceFunction>& evaluator) {
   return OverForces(statement, evaluator).cells();
 }
 
-std::optional<ForceInterval> true_interval(const Program& statement, Evaluator<RationalFunction>& evaluator,
+std::optional<ForceInterval> true_interval(const Program& statement, Evaluator<ForceFunction>& evaluator,
                                            const ForceInterval& within) {
   std::optional<ForceInterval> found;
   for (const TruthCell& cell : truth_over_forces(statement, evaluator)) {

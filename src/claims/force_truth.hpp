@@ -5,18 +5,26 @@
 #include <vector>
 
 #include "claims/evaluate.hpp"
+#include "claims/with_divisors.hpp"
 #include "modes/force_interval.hpp"
 #include "number/rational_function.hpp"
 
 namespace slipproof {
 
+/// What vanishes where a function of F does.
+inline std::optional<Polynomial> divisor_of(const RationalFunction& x) {
+  return x.numerator().degree() == 0 ? std::nullopt : std::optional(x.numerator());
+}
+using ForceFunction = WithDivisors<RationalFunction, Polynomial>;
+
 /// Functions of F are equal or not; which is greater is decided only if they differ by a constant.
 template <>
-struct FieldOf<RationalFunction> {
-  RationalFunction constant(const Rational& value) const { return value; }
-  bool is_zero(const RationalFunction& x) const { return x.is_zero(); }
-  std::optional<int> compare(const RationalFunction& x, const RationalFunction& y) const {
-    const RationalFunction difference = x - y;
+struct FieldOf<ForceFunction> {
+  ForceFunction constant(const Rational& value) const { return RationalFunction(value); }
+  bool is_zero(const ForceFunction& x) const { return x.value().is_zero(); }
+  std::optional<int> compare(const ForceFunction& x, const ForceFunction& y) const {
+    const RationalFunction difference = x.value() - y.value();
+    if (difference.is_zero()) return 0;
     if (!difference.is_constant()) return std::nullopt;
     return sign(difference.numerator().coefficient(0));
   }
@@ -29,14 +37,14 @@ struct TruthCell {
 };
 
 /// The line of forces from -oo to +oo, cut where the truth of `statement` changes; neighbouring cells differ. The
-/// evaluator gives F the value RationalFunction::variable(). Exact for comparisons whose difference is a quotient of
-/// polynomials of degree at most 1 (a zero of its denominator is undefined, also if it could be cancelled); any other
-/// that varies with F is undecided everywhere.
-std::vector<TruthCell> truth_over_forces(const Program& statement, Evaluator<RationalFunction>& evaluator);
+/// evaluator gives F the value RationalFunction::variable(). A zero of a divisor is
+/// undefined, also if it could be cancelled. Exact where all real zeros of the comparisons and their divisors are
+/// rational; a comparison with another one is undecided everywhere.
+std::vector<TruthCell> truth_over_forces(const Program& statement, Evaluator<ForceFunction>& evaluator);
 
 /// The forces in `within` at which the statement is true, if that is one interval and no force of it is undefined or
 /// undecided. Nothing otherwise.
-std::optional<ForceInterval> true_interval(const Program& statement, Evaluator<RationalFunction>& evaluator,
+std::optional<ForceInterval> true_interval(const Program& statement, Evaluator<ForceFunction>& evaluator,
                                            const ForceInterval& within = {});
 
 }  // namespace slipproof
