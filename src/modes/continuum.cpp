@@ -102,7 +102,7 @@ std::optional<Continuum> solve_singular(const Bicycle<Rational>& bicycle, const 
     result.parameters.push_back(quantity_of_unknown[column_order[column]]);
   }
 
-  for (const Condition& condition : conditions(mode)) {
+  for (const Condition& condition : slipproof::conditions(mode)) {
     const Affine<Rational> constant = condition_value(condition, result.base, road.f);
     Inequality row{constant.alpha, constant.beta};
     for (const auto& direction : result.directions) row.push_back(condition_value(condition, direction, road.f));

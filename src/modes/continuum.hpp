@@ -24,13 +24,14 @@ class Continuum {
 
   /// The range of each parameter over the consistent motions at a force; nothing if there are none.
   std::optional<std::vector<ForceInterval>> parameter_ranges(const Rational& force, bool strict_conditions) const;
+  /// The left-hand sides of the mode's conditions as (constant, F, t_1, ..., t_k).
+  const std::vector<std::vector<Rational>>& conditions() const { return conditions_; }
   /// The quantities that are not determined by the force.
   std::vector<Quantity> undetermined() const;
 
  private:
   friend std::optional<Continuum> solve_singular(const Bicycle<Rational>&, const Road<Rational>&, ForceKind,
                                                  ContactMode);
-  /// (constant, F, t_1, ..., t_k) of every condition's left-hand side.
   std::vector<std::vector<Rational>> conditions_;
 };
 

@@ -79,6 +79,20 @@ Rational ForceInterval::sample() const {
   return is_point() ? *lower_ : simplest_between(lower_, upper_);
 }
 
+std::vector<ForceInterval> difference(const std::vector<ForceInterval>& from, const ForceInterval& what) {
+  if (what.empty()) return from;
+  std::vector<ForceInterval> rest;
+  const auto keep = [&](ForceInterval part, const ForceInterval& beside) {
+    part.intersect(beside);
+    if (!part.empty()) rest.push_back(std::move(part));
+  };
+  for (const ForceInterval& part : from) {
+    if (what.lower()) keep(part, ForceInterval::between(std::nullopt, false, what.lower(), !what.lower_closed()));
+    if (what.upper()) keep(part, ForceInterval::between(what.upper(), !what.upper_closed(), std::nullopt, false));
+  }
+  return rest;
+}
+
 std::string to_string(const ForceInterval& interval) {
   if (interval.empty()) return "{}";
   if (interval.is_point()) return "{" + interval.lower()->str() + "}";

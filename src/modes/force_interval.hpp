@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "number/affine.hpp"
 #include "number/rational.hpp"
@@ -45,6 +46,9 @@ class ForceInterval {
   bool lower_closed_ = false, upper_closed_ = false;
   bool empty_ = false;
 };
+
+/// The forces of `from` that are not in `what`: at most two intervals for each of them, those below `what` first.
+std::vector<ForceInterval> difference(const std::vector<ForceInterval>& from, const ForceInterval& what);
 
 /// `[1/2, 3)`, `(-oo, 0]`, `{5}`, `{}`.
 std::string to_string(const ForceInterval& interval);

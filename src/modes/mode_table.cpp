@@ -68,6 +68,11 @@ class Ends {
   bool empty_ = false;
 };
 
+std::vector<ContactMode> every_mode() {
+  constexpr auto modes = all_modes();
+  return {modes.begin(), modes.end()};
+}
+
 }  // namespace
 
 Affine<Rational> ModeSolution::quantity(Quantity quantity) const {
@@ -88,12 +93,17 @@ Motion<Affine<Rational>> ModeSolution::motion() const {
   (std::make_index_sequence<quantity_count>());
 }
 
-ModeTable::ModeTable(const Bicycle<Rational>& bicycle, const Road<Rational>& road, ForceKind kind) {
+ModeTable::ModeTable(const Bicycle<Rational>& bicycle, const Road<Rational>& road, ForceKind kind)
+    : ModeTable(bicycle, road, kind, every_mode()) {}
+
+ModeTable::ModeTable(const Bicycle<Rational>& bicycle, const Road<Rational>& road, ForceKind kind,
+                     const std::vector<ContactMode>& modes)
+    : detachment_(bicycle.J.has_value()) {
   IntegerScene scene = to_integers(bicycle, road);
   const Affine<Integer> F(Integer(0), scene.force_unit());
   auto dynamics = reduce<Integer, Affine<Integer>>(scene.bicycle, scene.road, kind, F, scene.friction_denominator);
   ground_ = std::make_unique<const Ground>(Ground{std::move(scene), std::move(dynamics)});
-  for (const ContactMode mode : all_modes()) {
+  for (const ContactMode mode : modes) {
     if (mode.on_road() || bicycle.J) solutions_.push_back(solve(mode, bicycle, road, kind));
   }
 }

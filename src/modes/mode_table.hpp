@@ -50,9 +50,12 @@ class ModeSolution {
 class ModeTable {
  public:
   ModeTable(const Bicycle<Rational>& bicycle, const Road<Rational>& road, ForceKind kind);
+  /// Only those of some modes that are modelled, for who asks for no others.
+  ModeTable(const Bicycle<Rational>& bicycle, const Road<Rational>& road, ForceKind kind,
+            const std::vector<ContactMode>& modes);
 
-  bool detachment() const { return solutions_.size() == 16; }
-  /// In the order of all_modes().
+  bool detachment() const { return detachment_; }
+  /// In the order of all_modes(), or of those given.
   const std::vector<ModeSolution>& solutions() const { return solutions_; }
   /// nullptr for a mode that is not modelled.
   const ModeSolution* find(ContactMode mode) const;
@@ -65,6 +68,7 @@ class ModeTable {
   ModeSolution solve(ContactMode mode, const Bicycle<Rational>&, const Road<Rational>&, ForceKind) const;
 
   std::unique_ptr<const Ground> ground_;  ///< a stable address: the solutions point into it
+  bool detachment_ = false;
   std::vector<ModeSolution> solutions_;
 };
 

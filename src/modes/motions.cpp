@@ -1,6 +1,7 @@
 #include "modes/motions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "model/conditions.hpp"
@@ -125,6 +126,27 @@ Cell point_cell(const ModeTable& table, const Rational& force) {
   return cell;
 }
 
+/// The same over a cell. The motions at all forces are a polytope, convex: if those at one force inside are one motion,
+/// so are those at every other, and it is affine in the force.
+std::optional<Motion<Affine<Rational>>> only_motion(const Continuum& c, ForceInterval forces) {
+  forces.intersect(c.closed);
+  const Rational x = forces.sample();
+  const Rational y = ForceInterval::between(x, false, forces.upper(), false).sample();
+  std::array<std::optional<Motion<Rational>>, 2> found;
+  for (const std::size_t i : {0U, 1U}) {
+    const Rational& force = i == 0 ? x : y;
+    const auto ranges = c.parameter_ranges(force, false);
+    if (ranges) found[i] = only_motion(c, *ranges, force);
+    if (!found[i]) return std::nullopt;
+  }
+  Motion<Affine<Rational>> result;
+  for (const Quantity q : all_quantities()) {
+    const Rational slope = ((*found[1])[q] - (*found[0])[q]) / (y - x);
+    result[q] = {(*found[0])[q] - slope * x, slope};
+  }
+  return result;
+}
+
 Cell open_cell(const ModeTable& table, const ForceInterval& forces) {
   Cell cell;
   cell.forces = forces;
@@ -132,7 +154,11 @@ Cell open_cell(const ModeTable& table, const ForceInterval& forces) {
   for (const ModeSolution& s : table.solutions()) {
     if (!s.closed().contains(inside)) continue;
     if (s.kind() == Kind::continuum) {
-      cell.continua.push_back(s.mode());
+      if (auto motion = only_motion(s.continuum(), forces)) {
+        add(cell.motions, s.mode(), false, std::move(*motion));
+      } else {
+        cell.continua.push_back(s.mode());
+      }
     } else {
       add(cell.motions, s.mode(), s.strict().contains(inside), s.motion());
     }
