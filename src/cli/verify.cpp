@@ -66,6 +66,10 @@ void add_verify(CLI::App& app, int& exit_code) {
   command.add_option("--samples", options->verify.samples, "Bicycles for each setting of the paper")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}))
       ->capture_default_str();
+  command
+      .add_option("--lines", options->verify.lines,
+                  "Lines of bicycles for each claim, 0 for none; default: one for 200 samples")
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1'000'000}));
   auto* list = command.add_flag("--errata", options->errata, "List what is wrong with the paper");
   auto* markdown = command.add_flag("--markdown", options->markdown, "The errata in Markdown")->needs(list);
   auto* sarif = command.add_flag("--sarif", options->sarif, "The errata as SARIF 2.1.0, for editors and code hosts");

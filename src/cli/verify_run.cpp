@@ -52,7 +52,9 @@ PageInput report_input(const std::filesystem::path& claims, const ClaimsFile& fi
   std::error_code error;
   const bool is_shipped = std::filesystem::equivalent(claims, claims_path(""), error);
   input.command = "slipproof report" + (is_shipped ? "" : " " + claims.filename().string()) + " --samples " +
-                  std::to_string(options.samples) + " --seed " + std::to_string(common.seed);
+                  std::to_string(options.samples) +
+                  (options.lines ? " --lines " + std::to_string(*options.lines) : "") + " --seed " +
+                  std::to_string(common.seed);
   if (!options.only.empty()) input.command += " --only " + options.only;
   if (!trade.empty()) input.command += " --trade " + trade.filename().string();
   input.version = SLIPPROOF_VERSION;

@@ -12,10 +12,11 @@ namespace slipproof {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> claim_verdicts{"proved", "holds", "refuted", "undecided"};
+constexpr std::array<std::string_view, 5> claim_verdicts{"proved", "holds", "refuted", "undecided", "vacuous"};
+using VerdictCounts = std::array<std::size_t, claim_verdicts.size()>;
 
 struct Counts {
-  std::array<std::size_t, 4> printed{}, repaired{};
+  VerdictCounts printed{}, repaired{};
   std::size_t claims = 0;
 };
 
@@ -57,7 +58,7 @@ void add_opinions_card(const Element& list, const SecondOpinions& opinions) {
 }
 
 /// One bar cut in proportion to its counts, with its numbers written out below.
-void add_bar(const Element& parent, std::string_view label, const std::array<std::size_t, 4>& counts) {
+void add_bar(const Element& parent, std::string_view label, const VerdictCounts& counts) {
   std::size_t all = 0;
   for (const std::size_t n : counts) all += n;
   if (all == 0) return;
@@ -168,7 +169,8 @@ void add_overview(const Element& main, const PageInput& input) {
   const Element how = section.add("p", "how");
   how.text(worst == Summary::as_expected ? "Every verdict is the one that the claims file expects. "
                                          : "Some verdicts are not those that the claims file expects. ");
-  how.text("Made from " + std::to_string(input.result->samples) + " rational bicycles for each setting, seed " +
+  how.text("Made from " + std::to_string(input.result->samples) + " rational bicycles for each setting and " +
+           std::to_string(input.result->lines) + " lines of bicycles for each claim, seed " +
            std::to_string(input.result->seed) + ", slipproof " + input.version + ", by ");
   how.add("code").text(input.command);
   how.text("; ").add("a").set("href", "#reproduce").text("inputs and their SHA-256");

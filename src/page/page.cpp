@@ -144,8 +144,8 @@ std::string_view verdict_name(const ClaimResult& result) {
 }
 
 Element add_chip(const Element& parent, std::string_view verdict) {
-  const std::array<std::pair<std::string_view, std::string_view>, 4> signs{
-      {{"proved", "✓✓ "}, {"holds", "✓ "}, {"refuted", "✗ "}, {"undecided", "? "}}};
+  const std::array<std::pair<std::string_view, std::string_view>, 5> signs{
+      {{"proved", "✓✓ "}, {"holds", "✓ "}, {"refuted", "✗ "}, {"undecided", "? "}, {"vacuous", "∅ "}}};
   const auto sign = std::find_if(signs.begin(), signs.end(), [&](const auto& s) { return s.first == verdict; });
   const Element chip = parent.add("span", "chip " + std::string(verdict));
   if (sign != signs.end()) chip.add("span").set("aria-hidden", "true").text(sign->second);

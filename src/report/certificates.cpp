@@ -37,13 +37,15 @@ void find_certificates(const ClaimsFile& file, VerifyResult& result, const std::
       continue;
     }
     // Samples may all miss what a refutation proves to exist.
-    if (refutation.proved && claim.verdict == Verdict::holds) claim.verdict = Verdict::refuted;
+    if (refutation.proved && claim.verdict != Verdict::vacuous) claim.verdict = Verdict::refuted;
     if (refutation.proved && claim.verdict == Verdict::refuted) name_certificates(claim, refutation);
     if (!proof.proved) continue;
     if (claim.refuted > 0) {
       claim.rejections.push_back(stated.id + ": refuted by a sample, yet its certificates are accepted");
       continue;
     }
+    // A proof about nothing proves nothing: the claim has to be right somewhere.
+    if (claim.held == 0 && !stated.is<Exists>()) continue;
     if (claim.undecided > 0) continue;  // it has no value somewhere: statements are not about those bicycles
     claim.verdict = Verdict::holds;
     claim.proved = true;

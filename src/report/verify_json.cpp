@@ -41,6 +41,7 @@ std::string verify_json(const ClaimsFile& file, const VerifyResult& result) {
   document["schema"] = "slipproof/verify/1";
   document["paper"] = file.paper.title;
   document["samples"] = result.samples;
+  document["lines"] = result.lines;
   document["seed"] = result.seed;
   for (const ClaimResult& r : result.claims) {
     const Claim& claim = file.claims[r.claim];
@@ -53,6 +54,8 @@ std::string verify_json(const ClaimsFile& file, const VerifyResult& result) {
     entry["samples"] = r.samples();
     entry["refuted"] = r.refuted;
     entry["undecided"] = r.undecided;
+    entry["lines"] = r.lines;
+    entry["cells"] = r.cells;
     entry["certificates"] = r.certificates;
     if (!r.rejections.empty()) entry["rejected"] = r.rejections;
     if (!r.outdated.empty()) entry["outdated"] = r.outdated;

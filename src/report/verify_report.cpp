@@ -1,6 +1,7 @@
 #include "report/verify_report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -63,6 +64,9 @@ void write_counterexample(Out out, const ClaimsFile& file, const ClaimResult& re
 void write_certificates(Out out, const ClaimResult& claim) {
   for (const std::string& certificate : claim.certificates) fmt::format_to(out, "      by {}\n", certificate);
   for (const std::string& objection : claim.rejections) fmt::format_to(out, "      REJECTED {}\n", objection);
+  if (claim.verdict == Verdict::holds && !claim.proved && !claim.unless_zero.empty()) {
+    fmt::format_to(out, "      an identity, wherever these are not 0: {}\n", fmt::join(claim.unless_zero, ", "));
+  }
   for (const std::string& statement : claim.outdated) fmt::format_to(out, "      outdated {}\n", statement);
 }
 
@@ -70,17 +74,18 @@ void write_certificates(Out out, const ClaimResult& claim) {
 
 std::string explain(const ClaimsFile& file, const ClaimResult& result) {
   if (!result.counterexample) {
+    if (result.verdict == Verdict::vacuous) return "it says something of no bicycle at all";
     if (result.verdict != Verdict::refuted) return "";
-    const bool seeks = file.claims[result.claim].kind == ClaimKind::exists;
-    return seeks ? "there is none at any sample" : "proved to be false; no sample is a counterexample";
+    const bool seeks = file.claims[result.claim].is<Exists>();
+    return seeks ? "proved: there is none" : "proved to be false; no sample is a counterexample";
   }
   const Judgement& j = result.counterexample->judgement;
   const std::string& F = file.settings[file.claims[result.claim].setting].force.symbol;
   switch (j.reason) {
     case Reason::ends:
     case Reason::forces:
-      return fmt::format("{}: claimed {} in {}, real {} in {}", mode_of(j), F, to_string(*j.claimed), F,
-                         to_string(*j.real));
+      return fmt::format("{}: claimed {} in {}, real {} in {}", mode_of(j), F,
+                         j.claimed ? to_string(*j.claimed) : "several intervals", F, to_string(*j.real));
     case Reason::exists:
       return fmt::format("{} exists{}", mode_of(j), forces(j, F));
     case Reason::formula:
@@ -114,7 +119,7 @@ Summary summary(const ClaimsFile& file, const VerifyResult& result) {
   Summary worst = Summary::as_expected;
   for (const ClaimResult& claim : result.claims) {
     if (as_expected(file, claim)) continue;
-    if (claim.verdict != Verdict::undecided) return Summary::refuted;
+    if (claim.verdict != Verdict::undecided && claim.verdict != Verdict::vacuous) return Summary::refuted;
     worst = Summary::undecided;
   }
   return worst;
@@ -126,7 +131,8 @@ std::string verify_text(const ClaimsFile& file, const VerifyResult& result, bool
   std::map<Verdict, int> count;
   int unexpected = 0, proved = 0;
   if (!quiet) {
-    fmt::format_to(out, "{}\n{} bicycles for each setting, seed {}\n\n", file.paper.title, result.samples, result.seed);
+    fmt::format_to(out, "{}\n{} bicycles for each setting and {} lines of them for each claim, seed {}\n\n",
+                   file.paper.title, result.samples, result.lines, result.seed);
     fmt::format_to(out, "  {:<11} {:<9} {:<10} {:>8} {:>8}  line\n", "claim", "reading", "verdict", "samples",
                    "refuted");
   }
@@ -144,9 +150,10 @@ std::string verify_text(const ClaimsFile& file, const VerifyResult& result, bool
   }
   const Summary s = summary(file, result);
   constexpr std::array<const char*, 4> words{"VERIFIED", "REJECTED", "REFUTED", "UNDECIDED"};
-  fmt::format_to(out, "{}s {} holds {} refuted {} undecided {} unexpected {} proved {}\n", quiet ? "" : "\n",
+  fmt::format_to(out, "{}s {} holds {} refuted {} undecided {} unexpected {} proved {}{}\n", quiet ? "" : "\n",
                  words[static_cast<std::size_t>(s)], count[Verdict::holds], count[Verdict::refuted],
-                 count[Verdict::undecided], unexpected, proved);
+                 count[Verdict::undecided], unexpected, proved,
+                 count[Verdict::vacuous] == 0 ? "" : fmt::format(" vacuous {}", count[Verdict::vacuous]));
   return text;
 }
 

@@ -1,5 +1,6 @@
-// How each kind of claim is judged at a sample: claims about one mode, formulas and regions in judge.cpp, claims about
-// all motions at a force in judge_motions.cpp.
+// How each kind of claim is judged at a sample, a function for each row of the table in proofs/MEANING.md: claims about
+// single modes, formulas and regions in judge.cpp, about all motions at a force in judge_motions.cpp, about a continuum
+// in judge_continuum.cpp.
 #pragma once
 
 #include <utility>
@@ -24,7 +25,12 @@ class ClaimJudge {
   Judgement judge();
 
  private:
-  using Known = std::vector<std::pair<ContactMode, ForceInterval>>;
+  using Intervals = std::vector<ForceInterval>;
+  /// Where a claim that uniqueness refers to states forces, and where it is near them: their ends included.
+  struct Stated {
+    ContactMode mode;
+    Intervals forces, near;
+  };
 
   static Judgement made(Outcome outcome, Reason reason) {
     Judgement result;
@@ -40,40 +46,51 @@ class ClaimJudge {
     x.intersect(y);
     return x;
   }
-  /// Some forces that are in one interval and not in the other; the intervals differ.
-  static ForceInterval difference(const ForceInterval& x, const ForceInterval& y);
+  static bool contains(const Intervals& parts, const Rational& force);
 
   const ForceInterval& domain() const { return *sample_.force_domain(); }
   bool strict() const { return file_.settings[claim_.setting].strict; }
   /// The forces of a mode inside the paper's domain.
   ForceInterval forces_of(const ModeSolution& s) const { return sample_.forces_of(s, strict()); }
-  /// Where a claim's `forces` is true, if that is one interval.
-  std::optional<ForceInterval> claimed_by(const CompiledBody& programs);
-  std::optional<LinearRows> rows_of(const std::vector<std::size_t>& claims);
+  const ModeSolution* find(ContactMode mode) { return sample_.table().find(mode); }
+
+  Judgement of(const Interval& claim);
+  Judgement of(const Impossible& claim);
+  Judgement of(const Formula& claim);
+  Judgement of(const Motions& claim);
+  Judgement of(const Unique& claim);
+  Judgement of(const Cover& claim);
+  Judgement of(const Equivalence& claim);
+  Judgement of(const Limit& claim);
+  Judgement of(const Exists& claim);
+  Judgement of(const Consequence& claim);
+  Judgement of(const System& claim);
+
+  Judgement formula_in_modes(const Modes& modes, const Intervals& where);
+  Judgement formula_on(const Intervals& where, const ModeSolution* s);
+  /// Of all motions of a continuum at the forces.
+  Judgement formula_about_all(const ForceInterval& forces, const ModeSolution& s);
+
+  /// The rows of a claim of equations: its hypotheses, what it says, and the whole right side of a system.
+  struct Sides {
+    LinearRows left, equations, right;
+  };
+  std::optional<Sides> sides(const LinearEquations& claim);
+  std::optional<LinearRows> rows_of(const References& claims);
   std::optional<LinearRows> rows_of(const std::vector<Program>& equations);
+  /// The unknowns that the text of a system's right side has.
+  std::vector<bool> occurring(const LinearEquations& claim) const;
 
-  Judgement interval();
-  Judgement impossible();
-  Judgement formula();
-  Judgement formula_on(std::vector<ForceInterval> where, const ModeSolution* s);
-  Judgement equivalence();
-  Judgement exists();
-  Judgement limit();
-  Judgement linear();
-  Judgement cover();
-
-  bool listed(ContactMode mode) const;
-  /// Motions that count: all of an open cell that are strict (all, if the paper's conditions are not strict).
-  bool counts(const FoundMotion<Affine<Rational>>& motion) const { return motion.strict || !strict(); }
-  Judgement motions();
-  /// The forces that another claim states in its region; nothing() outside of it.
-  std::optional<ForceInterval> stated(std::size_t claim);
-  /// Judged on open intervals of forces: at their ends two motions meet, and neither is strict.
-  Judgement unique();
-  /// Open intervals on which neither the motions nor the claims change.
-  std::vector<ForceInterval> pieces(const ForceInterval& where, const std::vector<ForceInterval>& excepted,
-                                    const Known& known);
-  std::optional<Judgement> not_unique(const ForceInterval& piece, const Rational& force, const Known& known);
+  /// The motions of a cell that count: in a strict setting those that are strict.
+  std::vector<const FoundMotion<Affine<Rational>>*> counted(const Cell& cell) const;
+  /// A mode with a continuum of motions that count at the forces of a cell.
+  std::optional<ContactMode> continuum_at(const Cell& cell);
+  std::optional<Judgement> other_motions(const Motions& claim, const Cell& cell);
+  /// Nothing where a condition of it has no value.
+  std::optional<Stated> stated(std::size_t claim);
+  /// Points and open intervals of forces on which neither the motions nor the claims change.
+  Intervals pieces(const std::vector<Intervals>& changes);
+  std::optional<Judgement> not_one_motion(const ForceInterval& piece, const Modes& expected);
 
   const ClaimsFile& file_;
   const CompiledClaims& compiled_;

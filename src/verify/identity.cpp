@@ -1,20 +1,19 @@
 #include "verify/identity.hpp"
 
+#include <algorithm>
 #include <array>
+#include <span>
 
+#include "claims/claims_mutants.hpp"
+#include "claims/logic.hpp"
+#include "claims/parser.hpp"
 #include "model/reduction.hpp"
+#include "statements/plain_signs.hpp"
 #include "verify/polynomials.hpp"
 
 namespace slipproof {
 
 namespace {
-
-using Symbols = Evaluator<Fraction, FractionField>;
-
-/// The force and the parameters stand side by side.
-Symbols symbols_of(const CompiledSetting& setting) {
-  return symbolic(setting.scope(), CompiledSetting::force_slot(), 1 + setting.domains().size());
-}
 
 struct SymbolicScene {
   Bicycle<MultiPolynomial> bicycle;
@@ -23,7 +22,7 @@ struct SymbolicScene {
 };
 
 /// Nothing if the scene is not polynomial in the parameters.
-std::optional<SymbolicScene> scene_of(const CompiledSetting& setting, Symbols& symbols) {
+std::optional<SymbolicScene> scene_of(const CompiledSetting& setting, SymbolicEvaluator& symbols) {
   SymbolicScene scene;
   Bicycle<MultiPolynomial>& p = scene.bicycle;
   p.J = MultiPolynomial(0);
@@ -35,70 +34,177 @@ std::optional<SymbolicScene> scene_of(const CompiledSetting& setting, Symbols& s
       p.J.reset();
       continue;
     }
-    auto value = symbols.number(*setting.scene()[i]).number;
-    if (!value || !value->denominator.is_monic_constant()) return std::nullopt;
-    *targets[i] = std::move(value->numerator);
+    const auto value = symbols.number(*setting.scene()[i]).number;
+    if (!value || !value->value().denominator.is_monic_constant()) return std::nullopt;
+    *targets[i] = value->value().numerator;
   }
   return scene;
 }
 
-/// The unknowns of the model by the quantities of a motion; the sprocket and the chain follow from its equations.
-void set_unknowns(const CompiledSetting& setting, const SymbolicScene& scene, Symbols& symbols) {
-  const Bicycle<MultiPolynomial>& p = scene.bicycle;
-  const auto value = [&](Quantity q) {
-    const auto number = symbols.at(CompiledSetting::quantity_slot(q)).number;
-    return number ? *number : Fraction();
-  };
-  const Fraction phi = value(Quantity::phi);
-  const Fraction eps1 = Fraction(p.r2, p.r1) * (value(Quantity::eps2) - phi) + phi;
-  const Fraction T = (Fraction(p.I1) * eps1 - Fraction(p.L * scene.force)) / Fraction(p.r1);
-  for (std::size_t i = 0; i < unknown_count; ++i) {
-    const auto quantity = parse_quantity(unknown_names[i]);
-    symbols.set(setting.unknown_slot(i), quantity ? value(*quantity) : unknown_names[i] == "T" ? T : eps1);
-  }
-}
+class IdentitySearch {
+ public:
+  IdentitySearch(const ClaimsFile& file, const CompiledClaims& compiled, std::size_t claim, Reading reading)
+      : file_(file),
+        claim_(file.claims[claim]),
+        body_(claim_.body(reading)),
+        setting_(compiled.settings[claim_.setting]),
+        programs_(compiled.claims[claim].body(reading)) {}
 
-}  // namespace
-
-bool is_identity(const ClaimsFile& file, const CompiledClaims& compiled, std::size_t claim, Reading reading) {
-  const Claim& c = file.claims[claim];
-  const ClaimBody& body = c.body(reading);
-  const bool equations = c.kind == ClaimKind::consequence && body.given.empty() && body.claims.empty() &&
-                         body.assume.empty() && !body.modes.empty();
-  if (c.kind != ClaimKind::formula && !equations) return false;
-  const CompiledSetting& setting = compiled.settings[c.setting];
-  const Program& holds = compiled.claims[claim].body(reading).holds;
-  const auto& modes = body.modes;
-  if (modes.empty()) {
-    Symbols symbols = symbols_of(setting);
-    return symbols.truth(holds) == Truth::yes;
+  /// Whether it is one; then divisors() has what it divides by.
+  bool find() {
+    if (const auto* formula = std::get_if<Formula>(&body_.says)) {
+      if (formula->modes.empty()) {
+        SymbolicEvaluator symbols = symbols_of_setting();
+        return is_true(symbols, programs_.holds);
+      }
+      return std::all_of(formula->modes.begin(), formula->modes.end(), [&](ContactMode mode) {
+        return holds_in(mode, {&programs_.holds, 1}, false);
+      });
+    }
+    const auto* consequence = std::get_if<Consequence>(&body_.says);
+    return consequence != nullptr && consequence->from_model() && consequence->assume.empty() && consequence->mode &&
+           holds_in(*consequence->mode, programs_.equations, true);
   }
-  for (const ContactMode mode : modes) {
-    Symbols symbols = symbols_of(setting);
-    const auto scene = scene_of(setting, symbols);
+
+  /// Irreducible, each once.
+  const std::vector<MultiPolynomial>& divisors() const { return divisors_; }
+
+ private:
+  /// The force and the parameters stand side by side.
+  SymbolicEvaluator symbols_of_setting() const {
+    return symbolic(setting_.scope(), CompiledSetting::force_slot(), 1 + setting_.domains().size());
+  }
+
+  void add_divisor(const MultiPolynomial& divisor) {
+    for (MultiPolynomial& factor : divisor.factors()) {
+      if (std::find(divisors_.begin(), divisors_.end(), factor) == divisors_.end()) {
+        divisors_.push_back(std::move(factor));
+      }
+    }
+  }
+
+  bool is_true(SymbolicEvaluator& symbols, const Program& program) {
+    if (symbols.truth(program) != Truth::yes) return false;
+    for (const Program::Instruction& instruction : program.code()) {
+      if (instruction.operation != Operation::compare) continue;
+      for (const std::uint32_t side : {instruction.first, instruction.second}) {
+        const auto value = symbols.number(program, side).number;
+        if (!value) return false;  // a part that does not matter has no value: no identity that this could judge
+        for (const MultiPolynomial& divisor : value->divisors()) add_divisor(divisor);
+      }
+    }
+    return true;
+  }
+
+  bool holds_in(ContactMode mode, std::span<const Program> programs, bool equations) {
+    SymbolicEvaluator symbols = symbols_of_setting();
+    const auto scene = scene_of(setting_, symbols);
     if (!scene || (!mode.on_road() && !scene->bicycle.J)) return false;
-    const auto dynamics = reduce<MultiPolynomial, MultiPolynomial>(
-        scene->bicycle, scene->road, file.settings[c.setting].force_kind, scene->force, MultiPolynomial(1));
+    const ForceKind kind = file_.settings[claim_.setting].force_kind;
+    const auto dynamics =
+        reduce<MultiPolynomial, MultiPolynomial>(scene->bicycle, scene->road, kind, scene->force, MultiPolynomial(1));
     const ReducedMotion<MultiPolynomial, MultiPolynomial> motion(dynamics, mode);
     for (const Quantity q : all_quantities()) {
       auto value = motion.quantity(q);
-      if (value.denominator.is_zero()) {  // singular for all parameters: the quantity has no value
-        if (equations) return false;
-        continue;
-      }
+      if (value.denominator.is_zero()) return false;  // singular for all parameters: the mode has no one motion
+      add_divisor(value.denominator);
       symbols.set(CompiledSetting::quantity_slot(q),
                   Fraction(std::move(value.numerator), std::move(value.denominator)));
     }
-    if (equations) {
-      set_unknowns(setting, *scene, symbols);
-      for (const Program& equation : compiled.claims[claim].body(reading).equations) {
-        if (symbols.truth(equation) != Truth::yes) return false;
-      }
-    } else if (symbols.truth(holds) != Truth::yes) {
-      return false;
+    if (equations) set_unknowns(*scene, symbols);
+    return std::all_of(programs.begin(), programs.end(), [&](const Program& p) { return is_true(symbols, p); });
+  }
+
+  /// The unknowns of the model by the quantities of a motion; the sprocket and the chain follow from its equations.
+  void set_unknowns(const SymbolicScene& scene, SymbolicEvaluator& symbols) const {
+    const Bicycle<MultiPolynomial>& p = scene.bicycle;
+    const auto value = [&](Quantity q) { return symbols.at(CompiledSetting::quantity_slot(q)).number->value(); };
+    const Fraction phi = value(Quantity::phi);
+    const Fraction eps1 = Fraction(p.r2, p.r1) * (value(Quantity::eps2) - phi) + phi;
+    const Fraction T = (Fraction(p.I1) * eps1 - Fraction(p.L * scene.force)) / Fraction(p.r1);
+    for (std::size_t i = 0; i < unknown_count; ++i) {
+      const auto quantity = parse_quantity(unknown_names[i]);
+      symbols.set(setting_.unknown_slot(i), quantity ? value(*quantity) : unknown_names[i] == "T" ? T : eps1);
     }
   }
-  return true;
+
+  const ClaimsFile& file_;
+  const Claim& claim_;
+  const ClaimBody& body_;
+  const CompiledSetting& setting_;
+  const CompiledBody& programs_;
+  std::vector<MultiPolynomial> divisors_;
+};
+
+/// Whether a polynomial in the force and the parameters has no zero in the claim's region.
+class NeverZero {
+ public:
+  NeverZero(const ClaimsFile& file, const Claim& claim, Reading reading, LemmaBook* book)
+      : file_(file),
+        setting_(file.settings[claim.setting]),
+        claim_(claim),
+        reading_(reading),
+        signs_(setting_, reading),
+        book_(book) {
+    names_.push_back(setting_.force.symbol);
+    for (const Parameter& parameter : setting_.parameters) names_.push_back(parameter.symbol);
+  }
+
+  std::string text(const MultiPolynomial& p) const { return p.text(names_); }
+
+  bool shown(const MultiPolynomial& p) {
+    if (p.is_one_signed() && all_positive(p)) return true;
+    const Expression number = parse_expression(text(p), Sort::number);
+    if (signs_.positive(number) || signs_.positive(make(Operation::negate, {number}))) return true;
+    if (book_ == nullptr) return false;
+    if (!read_) read_ = as_read(file_, reading_);
+    const ClaimBody& body = claim_.body(reading_);
+    std::vector<Expression> given = {body.region};
+    for (const Expression* forces : parts(body, BodyPart::forces)) given.push_back(*forces);
+    Lemmas lemmas;
+    return Implications(*read_, claim_.setting, *book_)
+        .implies(given, make_comparison({number, make_number(0)}, {Relation::not_equal}), lemmas);
+  }
+
+ private:
+  /// Of its variables.
+  bool all_positive(const MultiPolynomial& p) const {
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      if (p.has(i) && !signs_.positive(make_symbol(names_[i]))) return false;
+    }
+    return true;
+  }
+
+  const ClaimsFile& file_;
+  const Setting& setting_;
+  const Claim& claim_;
+  Reading reading_;
+  PlainSigns signs_;
+  LemmaBook* book_;
+  std::vector<std::string> names_;
+  std::optional<ClaimsFile> read_;  ///< what lemmas are written from
+};
+
+}  // namespace
+
+std::optional<Identity> find_identity(const ClaimsFile& file, const CompiledClaims& compiled, std::size_t claim,
+                                      Reading reading, LemmaBook* book) {
+  const Claim& c = file.claims[claim];
+  IdentitySearch search(file, compiled, claim, reading);
+  if (!search.find()) return std::nullopt;
+  NeverZero never_zero(file, c, reading, book);
+  Identity identity;
+  for (const MultiPolynomial& divisor : search.divisors()) {
+    if (!never_zero.shown(divisor)) identity.unless_zero.push_back(never_zero.text(divisor));
+  }
+  const PlainSigns signs(file.settings[c.setting], reading);
+  const ClaimBody& body = c.body(reading);
+  for (const BodyPart part : {BodyPart::region, BodyPart::forces}) {
+    for (const Expression* condition : parts(body, part)) {
+      if (!signs.defined(*condition)) identity.unless_zero.push_back("a divisor in " + to_string(*condition));
+    }
+  }
+  return identity;
 }
 
 }  // namespace slipproof

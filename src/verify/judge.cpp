@@ -4,6 +4,7 @@
 #include <array>
 
 #include "verify/claim_judge.hpp"
+#include "verify/critical.hpp"
 
 namespace slipproof {
 
@@ -13,139 +14,123 @@ std::string_view name(Reason reason) {
   return names[static_cast<std::size_t>(reason)];
 }
 
-ForceInterval ClaimJudge::difference(const ForceInterval& x, const ForceInterval& y) {
-  for (const auto& [a, b] : {std::pair(&x, &y), std::pair(&y, &x)}) {
-    if (a->empty()) continue;
-    if (b->empty()) return *a;
-    const ForceInterval below = ForceInterval::between(std::nullopt, false, b->lower(), !b->lower_closed());
-    const ForceInterval above = ForceInterval::between(b->upper(), !b->upper_closed(), std::nullopt, false);
-    if (b->lower()) {
-      if (auto part = common(*a, below); !part.empty()) return part;
-    }
-    if (b->upper()) {
-      if (auto part = common(*a, above); !part.empty()) return part;
-    }
-  }
-  return ForceInterval::nothing();
+bool ClaimJudge::contains(const Intervals& parts, const Rational& force) {
+  return std::any_of(parts.begin(), parts.end(), [&](const ForceInterval& part) { return part.contains(force); });
 }
 
 Judgement ClaimJudge::judge() {
   if (!sample_.force_domain()) return undecided();
-  if (claim_.kind == ClaimKind::cover) return cover();
-  if (claim_.kind == ClaimKind::limit) return limit();
-  const Truth inside = sample_.region(programs_.region);
-  if (no_value(inside)) return undecided();
-  if (inside == Truth::no) return {};
-  switch (claim_.kind) {
-    case ClaimKind::interval:
-      return interval();
-    case ClaimKind::impossible:
-      return impossible();
-    case ClaimKind::formula:
-      return formula();
-    case ClaimKind::motions:
-      return motions();
-    case ClaimKind::unique:
-      return unique();
-    case ClaimKind::equivalence:
-      return equivalence();
-    case ClaimKind::exists:
-      return exists();
-    case ClaimKind::consequence:
-    case ClaimKind::system:
-      return linear();
-    case ClaimKind::cover:
-    case ClaimKind::limit:
-      break;
+  if (!claim_.is<Limit>()) {  // of a limit, the region at the end of the parameter's domain counts
+    const Truth inside = sample_.region(programs_.region);
+    if (no_value(inside)) return undecided();
+    if (inside == Truth::no) return {};
   }
-  return undecided();
+  return std::visit([&](const auto& claim) { return of(claim); }, body_.says);
 }
 
-std::optional<ForceInterval> ClaimJudge::claimed_by(const CompiledBody& programs) {
-  auto parts = sample_.true_at(programs.forces);
-  if (!parts || parts->size() > 1) return std::nullopt;
-  return parts->empty() ? ForceInterval::nothing() : std::move(parts->front());
-}
-
-Judgement ClaimJudge::interval() {
-  const ModeSolution* s = sample_.table().find(body_.modes.front());
+Judgement ClaimJudge::of(const Interval& claim) {
+  const ModeSolution* s = find(claim.mode);
+  const auto claimed = sample_.true_at(programs_.forces);
   if (s == nullptr) return undecided();
-  auto claimed = claimed_by(programs_);
-  if (!claimed) return undecided();
   ForceInterval real = forces_of(*s);
-  if (*claimed == real) return holds();
+  Intervals differ = difference(claimed.parts, real);
+  if (differ.empty()) {
+    differ = {real};
+    for (const Intervals* parts : {&claimed.parts, &claimed.unvalued}) {
+      for (const ForceInterval& part : *parts) differ = difference(differ, part);
+    }
+    std::erase_if(differ, [](const ForceInterval& forces) { return forces.empty(); });
+  }
+  if (differ.empty()) return claimed.valued() ? holds() : undecided();
+  std::optional<ForceInterval> one;
+  if (claimed.parts.size() < 2) one = claimed.parts.empty() ? ForceInterval::nothing() : claimed.parts.front();
   const bool ends =
-      !claimed->empty() && !real.empty() && claimed->interior() == real.interior() && !claimed->interior().empty();
+      one && !one->empty() && !real.empty() && one->interior() == real.interior() && !one->interior().empty();
   Judgement j = refuted(ends                                         ? Reason::ends
                         : s->kind() == ModeSolution::Kind::continuum ? Reason::continuum
                                                                      : Reason::forces);
   j.mode = s->mode();
-  j.witnesses = difference(*claimed, real);
-  j.claimed = std::move(claimed);
+  j.witnesses = std::move(differ.front());
+  j.claimed = std::move(one);
   j.real = std::move(real);
   return j;
 }
 
-Judgement ClaimJudge::impossible() {
-  const auto claimed = claimed_by(programs_);
-  if (!claimed) return undecided();
-  for (const ContactMode mode : body_.modes) {
-    const ModeSolution* s = sample_.table().find(mode);
-    if (s == nullptr) return undecided();
-    ForceInterval real = common(forces_of(*s), *claimed);
-    if (real.empty()) continue;
-    Judgement j = refuted(s->kind() == ModeSolution::Kind::continuum ? Reason::continuum : Reason::exists);
-    j.mode = mode;
-    j.witnesses = real;
-    j.real = std::move(real);
-    return j;
+Judgement ClaimJudge::of(const Impossible& claim) {
+  const auto claimed = sample_.true_at(programs_.forces);
+  if (claimed.parts.empty()) return claimed.valued() ? Judgement{} : undecided();
+  bool modelled = true;
+  for (const ContactMode mode : claim.modes) {
+    const ModeSolution* s = find(mode);
+    modelled = modelled && s != nullptr;
+    if (s == nullptr) continue;
+    for (const ForceInterval& part : claimed.parts) {
+      ForceInterval real = common(forces_of(*s), part);
+      if (real.empty()) continue;
+      Judgement j = refuted(s->kind() == ModeSolution::Kind::continuum ? Reason::continuum : Reason::exists);
+      j.mode = mode;
+      j.witnesses = real;
+      j.real = std::move(real);
+      return j;
+    }
   }
-  return holds();
+  return modelled && claimed.valued() ? holds() : undecided();
 }
 
-Judgement ClaimJudge::formula() {
+Judgement ClaimJudge::of(const Formula& claim) {
   const auto where = sample_.true_at(programs_.forces);
-  if (!where) return undecided();
-  if (body_.modes.empty()) return formula_on(*where, nullptr);
+  Judgement j = where.parts.empty()   ? Judgement{}
+                : claim.modes.empty() ? formula_on(where.parts, nullptr)
+                                      : formula_in_modes(claim.modes, where.parts);
+  return where.valued() || j.outcome == Outcome::refuted ? j : undecided();
+}
+
+Judgement ClaimJudge::formula_in_modes(const Modes& modes, const Intervals& where) {
   Judgement result;
-  for (const ContactMode mode : body_.modes) {
-    const ModeSolution* s = sample_.table().find(mode);
-    Judgement j = s == nullptr ? undecided() : formula_on(*where, s);
+  for (const ContactMode mode : modes) {
+    const ModeSolution* s = find(mode);
+    Judgement j = s == nullptr ? undecided() : formula_on(where, s);
     if (j.outcome == Outcome::refuted) return j;
     if (j.outcome == Outcome::undecided || result.outcome == Outcome::outside) result = std::move(j);
   }
   return result;
 }
 
-Judgement ClaimJudge::formula_on(std::vector<ForceInterval> where, const ModeSolution* s) {
+Judgement ClaimJudge::formula_on(const Intervals& where, const ModeSolution* s) {
+  Intervals here = where;
   if (s != nullptr) {
-    for (ForceInterval& forces : where) forces.intersect(forces_of(*s));
+    for (ForceInterval& forces : here) forces.intersect(forces_of(*s));
+    std::erase_if(here, [](const ForceInterval& forces) { return forces.empty(); });
   }
-  std::erase_if(where, [](const ForceInterval& forces) { return forces.empty(); });
-  if (where.empty()) return {};
-  const auto fail = [&](Reason reason, ForceInterval witnesses) {
-    Judgement j = refuted(reason);
-    if (s != nullptr) j.mode = s->mode();
-    j.witnesses = std::move(witnesses);
-    return j;
-  };
-  if (s != nullptr) {
-    if (s->kind() == ModeSolution::Kind::continuum) return fail(Reason::continuum, where.front());
-    sample_.set_motion(s->motion());
+  if (here.empty()) return {};
+  if (s != nullptr && s->kind() == ModeSolution::Kind::continuum) {
+    Judgement result;
+    for (const ForceInterval& forces : here) {
+      Judgement j = formula_about_all(forces, *s);
+      if (j.outcome == Outcome::refuted) return j;
+      if (j.outcome == Outcome::undecided || result.outcome == Outcome::outside) result = std::move(j);
+    }
+    return result;
   }
+  if (s != nullptr) sample_.set_motion(s->motion());
   bool decided = true;
   for (const TruthCell& cell : sample_.over_forces(programs_.holds)) {
-    for (const ForceInterval& forces : where) {
-      ForceInterval here = common(cell.forces, forces);
-      if (here.empty() || cell.truth == Truth::yes) continue;
-      if (!no_value(cell.truth)) return fail(Reason::formula, std::move(here));
-      decided = false;
+    for (const ForceInterval& forces : here) {
+      ForceInterval both = common(cell.forces, forces);
+      if (both.empty() || cell.truth == Truth::yes) continue;
+      decided = decided && !no_value(cell.truth);
+      if (no_value(cell.truth)) continue;
+      Judgement j = refuted(Reason::formula);
+      if (s != nullptr) j.mode = s->mode();
+      j.witnesses = std::move(both);
+      return j;
     }
   }
   return decided ? holds() : undecided();
 }
 
-Judgement ClaimJudge::equivalence() {
+Judgement ClaimJudge::of(const Equivalence&) {
+  if (domain().empty()) return {};
   bool decided = true;
   for (const TruthCell& x : sample_.over_forces(programs_.forces)) {
     for (const TruthCell& y : sample_.over_forces(programs_.holds)) {
@@ -163,34 +148,47 @@ Judgement ClaimJudge::equivalence() {
   return decided ? holds() : undecided();
 }
 
-Judgement ClaimJudge::exists() {
+Judgement ClaimJudge::of(const Exists& claim) {
   const auto where = sample_.true_at(programs_.forces);
-  if (!where) return undecided();
-  for (ForceInterval forces : *where) {
-    for (const ContactMode mode : body_.modes) {
-      const ModeSolution* s = sample_.table().find(mode);
-      if (s == nullptr) return undecided();
-      forces.intersect(forces_of(*s));
-    }
+  const bool modelled =
+      std::all_of(claim.modes.begin(), claim.modes.end(), [&](ContactMode mode) { return find(mode) != nullptr; });
+  for (ForceInterval forces : where.parts) {
+    if (!modelled) break;
+    for (const ContactMode mode : claim.modes) forces.intersect(forces_of(*find(mode)));
     if (forces.empty()) continue;
     Judgement j = holds();
     j.witnesses = std::move(forces);
     return j;
   }
-  return {};
+  return modelled && where.valued() ? Judgement{} : undecided();
 }
 
-Judgement ClaimJudge::limit() {
-  const std::size_t index = file_.settings[claim_.setting].parameter_index(body_.parameter);
-  const Truth inside = sample_.eventually(programs_.region, index);
-  if (no_value(inside)) return undecided();
-  if (inside == Truth::no) return {};
-  const Truth truth = sample_.eventually(programs_.holds, index);
-  if (no_value(truth)) return undecided();
-  return truth == Truth::yes ? holds() : refuted(Reason::limit);
+Judgement ClaimJudge::of(const Limit& claim) {
+  const std::size_t index = file_.settings[claim_.setting].parameter_index(claim.parameter);
+  const auto judged = [&](const auto& truth) {
+    const Truth inside = truth(programs_.region);
+    if (no_value(inside)) return undecided();
+    if (inside == Truth::no) return Judgement{};
+    const Truth holds = truth(programs_.holds);
+    return no_value(holds) ? undecided() : holds == Truth::yes ? ClaimJudge::holds() : refuted(Reason::limit);
+  };
+  const CompiledSetting& setting = compiled_.settings[claim_.setting];
+  if (sample_.eventually(setting.is_bicycle(), index) == Truth::yes) {
+    return judged([&](const Program& p) { return sample_.eventually(p, index); });
+  }
+  const auto last = last_bicycles(file_.settings[claim_.setting], setting, {&programs_.region, &programs_.holds},
+                                  sample_.values(), index);
+  if (!last) return undecided();
+  Judgement result;
+  for (const auto& bicycle : *last) {
+    Judgement j = judged([&](const Program& p) { return bicycle->region(p); });
+    if (j.outcome == Outcome::refuted) return j;
+    if (j.outcome == Outcome::undecided || result.outcome == Outcome::outside) result = std::move(j);
+  }
+  return result;
 }
 
-std::optional<LinearRows> ClaimJudge::rows_of(const std::vector<std::size_t>& claims) {
+std::optional<LinearRows> ClaimJudge::rows_of(const References& claims) {
   LinearRows rows;
   for (const std::size_t claim : claims) {
     auto more = rows_of(compiled_.claims[claim].body(reading_).equations);
@@ -203,33 +201,60 @@ std::optional<LinearRows> ClaimJudge::rows_of(const std::vector<Program>& equati
   return linear_rows(compiled_.settings[claim_.setting], sample_.values(), equations);
 }
 
-Judgement ClaimJudge::linear() {
-  const auto given = rows_of(body_.given), claims = rows_of(body_.claims), equations = rows_of(programs_.equations);
-  const auto assumed = rows_of(programs_.assume);
-  if (!given || !claims || !equations || !assumed) return undecided();
-  LinearRows left = *given, right = *given;
-  left.insert(left.end(), claims->begin(), claims->end());
-  right.insert(right.end(), equations->begin(), equations->end());
-  if (body_.given.empty() && body_.claims.empty()) {
-    const bool mode = !body_.modes.empty();
-    left = sample_.equations(mode ? std::optional(body_.modes.front()) : std::nullopt);
-  }
-  left.insert(left.end(), assumed->begin(), assumed->end());
-  const bool fine = claim_.kind == ClaimKind::system ? equivalent(left, right) : follows(*equations, left);
-  return fine ? holds() : refuted(Reason::equation);
+std::optional<ClaimJudge::Sides> ClaimJudge::sides(const LinearEquations& claim) {
+  auto given = rows_of(claim.given), claims = rows_of(claim.claims), equations = rows_of(programs_.equations),
+       assumed = rows_of(programs_.assume);
+  if (!given || !claims || !equations || !assumed) return std::nullopt;
+  Sides result{*given, *equations, *given};
+  const auto append = [](LinearRows& rows, const LinearRows& more) {
+    rows.insert(rows.end(), more.begin(), more.end());
+  };
+  append(result.left, claim.from_model() ? sample_.equations(claim.mode) : *claims);
+  append(result.left, *assumed);
+  append(result.right, *equations);
+  return result;
 }
 
-Judgement ClaimJudge::cover() {
-  for (const std::size_t claim : body_.claims) {
-    const Truth inside = sample_.region(compiled_.claims[claim].body(reading_).region);
-    if (no_value(inside)) return undecided();
+std::vector<bool> ClaimJudge::occurring(const LinearEquations& claim) const {
+  const CompiledSetting& setting = compiled_.settings[claim_.setting];
+  std::vector<bool> occurs(unknown_count);
+  const auto look = [&](const std::vector<Program>& equations) {
+    for (const Program& equation : equations) {
+      for (const std::size_t slot : equation.slots()) {
+        for (std::size_t i = 0; i < unknown_count; ++i) occurs[i] = occurs[i] || slot == setting.unknown_slot(i);
+      }
+    }
+  };
+  look(programs_.equations);
+  for (const std::size_t other : claim.given) look(compiled_.claims[other].body(reading_).equations);
+  return occurs;
+}
+
+Judgement ClaimJudge::of(const Consequence& claim) {
+  const auto rows = sides(claim);
+  if (!rows) return undecided();
+  if (!has_solution(rows->left)) return {};
+  return follows(rows->equations, rows->left) ? holds() : refuted(Reason::equation);
+}
+
+Judgement ClaimJudge::of(const System& claim) {
+  const auto rows = sides(claim);
+  if (!rows) return undecided();
+  if (!has_solution(rows->left) && !has_solution(rows->right)) return {};
+  return equivalent(rows->left, rows->right, occurring(claim)) ? holds() : refuted(Reason::equation);
+}
+
+Judgement ClaimJudge::of(const Cover& claim) {
+  bool decided = true;
+  for (const std::size_t other : claim.claims) {
+    const Truth inside = sample_.region(compiled_.claims[other].body(reading_).region);
     if (inside == Truth::yes) return holds();
+    decided = decided && !no_value(inside);
   }
+  if (!decided) return undecided();
   Judgement j = refuted(Reason::uncovered);
-  for (const std::size_t claim : body_.claims) {  // what really happens there, in the mode they are about
-    const auto& modes = file_.claims[claim].body(reading_).modes;
-    if (modes.empty()) continue;
-    const ModeSolution* s = sample_.table().find(modes.front());
+  for (const std::size_t other : claim.claims) {  // what really happens there, in the mode they are about
+    const ModeSolution* s = find(modes(file_.claims[other].body(reading_).says).front());
     if (s == nullptr) continue;
     j.mode = s->mode();
     j.real = forces_of(*s);

@@ -5,76 +5,130 @@
 
 namespace slipproof {
 
-Judgement ClaimJudge::motions() {
-  const auto claimed = claimed_by(programs_);
-  if (!claimed) return undecided();
-  if (claimed->empty()) return {};
+namespace {
+
+using CellMotion = FoundMotion<Affine<Rational>>;
+
+bool names(const Modes& modes, ContactMode mode) {
+  return std::find(modes.begin(), modes.end(), mode) != modes.end();
+}
+
+bool has_one_of(const CellMotion& motion, const Modes& modes) {
+  return std::any_of(motion.modes.begin(), motion.modes.end(), [&](ContactMode mode) { return names(modes, mode); });
+}
+
+}  // namespace
+
+std::vector<const CellMotion*> ClaimJudge::counted(const Cell& cell) const {
+  std::vector<const CellMotion*> found;
+  for (const CellMotion& motion : cell.motions) {
+    if (motion.strict || !strict()) found.push_back(&motion);
+  }
+  return found;
+}
+
+std::optional<ContactMode> ClaimJudge::continuum_at(const Cell& cell) {
+  for (const ContactMode mode : cell.continua) {
+    if (!common(sample_.forces_of(*find(mode), strict()), cell.forces).empty()) return mode;
+  }
+  return std::nullopt;
+}
+
+Judgement ClaimJudge::of(const Motions& claim) {
+  const auto claimed = sample_.true_at(programs_.forces);
+  if (claimed.parts.empty()) return claimed.valued() ? Judgement{} : undecided();
   for (const Cell& cell : sample_.cells()) {
-    ForceInterval here = common(cell.forces, *claimed);
-    if (here.empty()) continue;
-    const auto fail = [&](Reason reason, ContactMode mode) {
-      Judgement j = refuted(reason);
-      j.mode = mode;
-      j.claimed = claimed;
-      j.witnesses = here;
-      return j;
-    };
-    if (!cell.continua.empty()) return fail(Reason::continuum, cell.continua.front());
-    for (const auto& motion : cell.motions) {
-      const bool known =
-          std::any_of(motion.modes.begin(), motion.modes.end(), [&](ContactMode m) { return listed(m); });
-      if (!known && counts(motion)) return fail(Reason::extra, motion.modes.front());
-    }
-    for (const ContactMode mode : body_.modes) {
-      const bool there = std::any_of(cell.motions.begin(), cell.motions.end(), [&](const auto& motion) {
-        return (counts(motion) || cell.forces.is_point()) &&
-               std::find(motion.modes.begin(), motion.modes.end(), mode) != motion.modes.end();
-      });
-      if (!there) return fail(Reason::missing, mode);
+    for (const ForceInterval& part : claimed.parts) {
+      ForceInterval here = common(cell.forces, part);
+      if (here.empty()) continue;
+      auto failure = other_motions(claim, cell);
+      if (!failure) continue;
+      if (claimed.parts.size() == 1) failure->claimed = part;
+      failure->witnesses = std::move(here);
+      return *failure;
     }
   }
-  return holds();
+  return sample_.table().detachment() && claimed.valued() ? holds() : undecided();
 }
 
-bool ClaimJudge::listed(ContactMode mode) const {
-  return std::find(body_.modes.begin(), body_.modes.end(), mode) != body_.modes.end();
+std::optional<Judgement> ClaimJudge::other_motions(const Motions& claim, const Cell& cell) {
+  const auto fail = [](Reason reason, ContactMode mode) {
+    Judgement j = refuted(reason);
+    j.mode = mode;
+    return j;
+  };
+  if (const auto mode = continuum_at(cell)) return fail(Reason::continuum, *mode);
+  const auto motions = counted(cell);
+  for (const CellMotion* motion : motions) {
+    if (!has_one_of(*motion, claim.modes)) return fail(Reason::extra, motion->modes.front());
+  }
+  for (const ContactMode mode : claim.modes) {
+    const auto in_mode = [&](const CellMotion* motion) { return names(motion->modes, mode); };
+    const bool unknown = find(mode) == nullptr;
+    if (!unknown && std::none_of(motions.begin(), motions.end(), in_mode)) return fail(Reason::missing, mode);
+  }
+  return std::nullopt;
 }
 
-std::optional<ForceInterval> ClaimJudge::stated(std::size_t claim) {
+std::optional<ClaimJudge::Stated> ClaimJudge::stated(std::size_t claim) {
   const CompiledBody& programs = compiled_.claims[claim].body(reading_);
+  Stated result{modes(file_.claims[claim].body(reading_).says).front(), {}, {}};
   const Truth inside = sample_.region(programs.region);
   if (no_value(inside)) return std::nullopt;
-  return inside == Truth::yes ? claimed_by(programs) : ForceInterval::nothing();
+  if (inside == Truth::no) return result;
+  auto forces = sample_.true_at(programs.forces), near = sample_.true_at(programs.closure);
+  if (!forces.valued()) return std::nullopt;
+  result.forces = std::move(forces.parts);
+  result.near = std::move(near.parts);
+  return result;
 }
 
-Judgement ClaimJudge::unique() {
-  std::vector<ForceInterval> excepted;
-  Known known;
-  for (const std::size_t claim : body_.except) {
-    auto forces = stated(claim);
+Judgement ClaimJudge::of(const Unique& claim) {
+  Intervals excepted;
+  std::vector<Stated> known;
+  for (const std::size_t other : claim.except) {
+    const auto forces = stated(other);
     if (!forces) return undecided();
-    excepted.push_back(std::move(*forces));
+    excepted.insert(excepted.end(), forces->near.begin(), forces->near.end());
   }
-  for (const std::size_t claim : body_.claims) {
-    auto forces = stated(claim);
+  for (const std::size_t other : claim.claims) {
+    auto forces = stated(other);
     if (!forces) return undecided();
-    const ClaimBody& body = file_.claims[claim].body(reading_);
-    if (!forces->empty()) known.emplace_back(body.modes.front(), std::move(*forces));
+    known.push_back(std::move(*forces));
   }
-  const auto where = claimed_by(programs_);
-  if (!where) return undecided();
+  const auto where = sample_.true_at(programs_.forces);
+  std::vector<Intervals> changes{where.parts, excepted};
+  for (const Stated& one : known) {
+    changes.push_back(one.forces);
+    changes.push_back(one.near);
+  }
   bool judged = false;
-  for (const ForceInterval& piece : pieces(*where, excepted, known)) {
+  for (const ForceInterval& piece : pieces(changes)) {
     const Rational force = piece.sample();
-    if (std::any_of(excepted.begin(), excepted.end(), [&](const auto& e) { return e.contains(force); })) continue;
+    if (!contains(where.parts, force) || contains(excepted, force)) continue;
+    Modes expected;
+    bool beside = false;  // an end of what a claim states
+    for (const Stated& one : known) {
+      if (contains(one.forces, force)) expected.push_back(one.mode);
+      beside = beside || contains(one.near, force);
+    }
+    if (expected.empty() && beside) continue;
     judged = true;
-    if (auto failure = not_unique(piece, force, known)) return *failure;
+    const bool stated_here = !expected.empty();
+    if (!stated_here) {
+      if (auto failure = not_one_motion(piece, claim.modes)) return *failure;
+      continue;
+    }
+    for (const ContactMode mode : expected) {
+      if (auto failure = not_one_motion(piece, {mode})) return *failure;
+    }
   }
-  return judged ? holds() : Judgement{};
+  if (!where.valued()) return undecided();
+  if (!judged) return {};
+  return sample_.table().detachment() ? holds() : undecided();
 }
 
-std::vector<ForceInterval> ClaimJudge::pieces(const ForceInterval& where, const std::vector<ForceInterval>& excepted,
-                                              const Known& known) {
+ClaimJudge::Intervals ClaimJudge::pieces(const std::vector<Intervals>& changes) {
   std::vector<Rational> cuts;
   const auto cut = [&](const ForceInterval& interval) {
     for (const auto& end : {interval.lower(), interval.upper()}) {
@@ -82,49 +136,43 @@ std::vector<ForceInterval> ClaimJudge::pieces(const ForceInterval& where, const 
     }
   };
   for (const Cell& cell : sample_.cells()) cut(cell.forces);
-  for (const ForceInterval& interval : excepted) cut(interval);
-  for (const auto& [mode, interval] : known) cut(interval);
+  for (const Intervals& parts : changes) std::for_each(parts.begin(), parts.end(), cut);
+  cut(domain());
   std::sort(cuts.begin(), cuts.end());
   cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
-  std::vector<ForceInterval> result;
+  Intervals result;
   std::optional<Rational> below;
-  const auto add = [&](std::optional<Rational> upper) {
-    ForceInterval piece = common(ForceInterval::between(below, false, upper, false), where).interior();
-    if (!piece.empty()) result.push_back(std::move(piece));
-    below = std::move(upper);
+  const auto add = [&](const ForceInterval& piece) {
+    if (!common(piece, domain()).empty()) result.push_back(piece);
   };
-  for (const Rational& x : cuts) add(x);
-  add(std::nullopt);
+  for (const Rational& x : cuts) {
+    add(ForceInterval::between(below, false, x, false));
+    add(ForceInterval::point(x));
+    below = x;
+  }
+  add(ForceInterval::between(below, false, std::nullopt, false));
   return result;
 }
 
-std::optional<Judgement> ClaimJudge::not_unique(const ForceInterval& piece, const Rational& force, const Known& known) {
+std::optional<Judgement> ClaimJudge::not_one_motion(const ForceInterval& piece, const Modes& expected) {
   const auto fail = [&](Reason reason, std::optional<ContactMode> mode) {
     Judgement j = refuted(reason);
     j.mode = mode;
     j.witnesses = piece;
     return j;
   };
+  const Rational force = piece.sample();
   const auto& cells = sample_.cells();
   const auto cell = std::find_if(cells.begin(), cells.end(), [&](const Cell& c) { return c.forces.contains(force); });
   if (!cell->continua.empty()) return fail(Reason::continuum, cell->continua.front());
-  std::optional<ContactMode> only;
-  // One motion alone that is on a boundary at all of these forces is a motion, too.
-  const bool alone = cell->motions.size() == 1;
-  for (const auto& motion : cell->motions) {
-    if (!counts(motion) && !alone) continue;
-    for (const ContactMode mode : motion.modes) {
-      const bool expected = listed(mode) || std::any_of(known.begin(), known.end(), [&](const auto& k) {
-                              return k.first == mode && k.second.contains(force);
-                            });
-      if (!expected) return fail(Reason::extra, mode);
-    }
-    if (only) return fail(Reason::extra, motion.modes.front());
-    only = motion.modes.front();
+  for (const CellMotion& motion : cell->motions) {
+    if (!has_one_of(motion, expected)) return fail(Reason::extra, motion.modes.front());
   }
-  if (!only) return fail(Reason::missing, std::nullopt);
-  for (const auto& [mode, forces] : known) {
-    if (mode != *only && forces.contains(force)) return fail(Reason::missing, mode);
+  if (cell->motions.size() > 1) return fail(Reason::extra, cell->motions[1].modes.front());
+  const bool modelled =
+      std::all_of(expected.begin(), expected.end(), [&](ContactMode m) { return find(m) != nullptr; });
+  if (cell->motions.empty() && modelled) {
+    return fail(Reason::missing, expected.size() == 1 ? std::optional(expected.front()) : std::nullopt);
   }
   return std::nullopt;
 }

@@ -5,17 +5,12 @@
 #include <utility>
 
 #include "check/theorem.hpp"
+#include "claims/logic.hpp"
 #include "prove/prove.hpp"
 #include "prove/statement.hpp"
 #include "statements/claim_statements.hpp"
 
 namespace slipproof {
-
-Expression both(const Expression& x, const Expression& y) {
-  if (x->operation == Operation::truth && x->truth) return y;
-  if (y->operation == Operation::truth && y->truth) return x;
-  return make(Operation::logical_and, {x, y});
-}
 
 namespace {
 

@@ -72,7 +72,4 @@ class Implications {
   LemmaBook* book_;
 };
 
-/// `x and y`, where one of them may be `true`.
-Expression both(const Expression& x, const Expression& y);
-
 }  // namespace slipproof

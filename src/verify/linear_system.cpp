@@ -4,74 +4,11 @@
 #include <numeric>
 #include <utility>
 
+#include "verify/linear.hpp"
+
 namespace slipproof {
 
 namespace {
-
-/// A linear form, or the statement that something is none. Most are constants and carry no coefficients.
-struct Linear {
-  Rational constant = 0;
-  std::vector<Rational> coefficients;  ///< of the unknowns and the force; empty: a constant
-  bool linear = true;
-
-  bool is_constant() const { return coefficients.empty(); }
-  static Linear variable(std::size_t i) {
-    Linear form;
-    form.coefficients.resize(linear_columns - 1);
-    form.coefficients[i] = 1;
-    return form;
-  }
-  Linear scaled(const Rational& factor) const {
-    Linear result = *this;
-    result.constant *= factor;
-    for (Rational& c : result.coefficients) {
-      if (!c.is_zero()) c *= factor;
-    }
-    return result;
-  }
-};
-
-Linear operator+(Linear x, const Linear& y) {
-  x.constant += y.constant;
-  if (x.is_constant()) {
-    x.coefficients = y.coefficients;
-  } else {
-    for (std::size_t i = 0; i < y.coefficients.size(); ++i) {
-      if (!y.coefficients[i].is_zero()) x.coefficients[i] += y.coefficients[i];
-    }
-  }
-  x.linear = x.linear && y.linear;
-  return x;
-}
-Linear operator-(const Linear& x) {
-  return x.scaled(-1);
-}
-Linear operator-(const Linear& x, const Linear& y) {
-  return x + -y;
-}
-Linear operator*(const Linear& x, const Linear& y) {
-  Linear result = y.is_constant() ? x.scaled(y.constant) : y.scaled(x.constant);
-  result.linear = x.linear && y.linear && (x.is_constant() || y.is_constant());
-  return result;
-}
-Linear operator/(const Linear& x, const Linear& y) {
-  Linear result = y.is_constant() ? x.scaled(1 / y.constant) : x;
-  result.linear = x.linear && y.linear && y.is_constant();
-  return result;
-}
-
-struct LinearField {
-  Linear constant(const Rational& value) const {
-    Linear form;
-    form.constant = value;
-    return form;
-  }
-  bool is_zero(const Linear& x) const { return x.linear && x.is_constant() && x.constant.is_zero(); }
-  std::optional<int> compare(const Linear& x, const Linear& y) const {
-    const Linear d = x - y;
-    return d.linear && d.is_constant() ? std::optional(sign(d.constant)) : std::nullopt;
-  }
-};
 
 /// row -= factor * pivot row, from `column` on.
 void subtract(std::vector<Rational>& row, const std::vector<Rational>& pivot, std::size_t column) {
@@ -106,8 +43,9 @@ std::optional<LinearRows> linear_rows(const CompiledSetting& setting, const std:
   for (std::size_t k = 0; k < values.size(); ++k) {
     evaluator.set(CompiledSetting::parameter_slot(k), field.constant(values[k]));
   }
-  for (std::size_t i = 0; i < unknown_count; ++i) evaluator.set(setting.unknown_slot(i), Linear::variable(i));
-  evaluator.set(CompiledSetting::force_slot(), Linear::variable(unknown_count));
+  for (std::size_t i = 0; i < unknown_count; ++i)
+    evaluator.set(setting.unknown_slot(i), Linear::variable(i, linear_columns - 1));
+  evaluator.set(CompiledSetting::force_slot(), Linear::variable(unknown_count, linear_columns - 1));
   LinearRows rows;
   for (const Program& equation : equations) {
     const Program::Instruction& root = equation.code()[equation.root()];
@@ -122,6 +60,14 @@ std::optional<LinearRows> linear_rows(const CompiledSetting& setting, const std:
   return rows;
 }
 
+bool has_solution(const LinearRows& rows) {
+  std::vector<std::size_t> columns(linear_columns);
+  std::iota(columns.begin(), columns.end(), std::size_t{0});
+  LinearRows echelon = rows;
+  const auto pivots = eliminate(echelon, columns);
+  return pivots.empty() || pivots.back() != linear_columns - 1;  // the constant alone: 1 = 0
+}
+
 bool follows(const LinearRows& rows, const LinearRows& given) {
   std::vector<std::size_t> columns(linear_columns);
   std::iota(columns.begin(), columns.end(), std::size_t{0});
@@ -133,12 +79,10 @@ bool follows(const LinearRows& rows, const LinearRows& given) {
   });
 }
 
-bool equivalent(const LinearRows& left, const LinearRows& right) {
+bool equivalent(const LinearRows& left, const LinearRows& right, const std::vector<bool>& occurs) {
   std::vector<std::size_t> eliminated;
   for (std::size_t j = 0; j < unknown_count; ++j) {
-    if (std::all_of(right.begin(), right.end(), [&](const auto& row) { return row[j].is_zero(); })) {
-      eliminated.push_back(j);
-    }
+    if (!occurs[j]) eliminated.push_back(j);
   }
   LinearRows rest = left;
   const std::size_t rank = eliminate(rest, eliminated).size();

@@ -12,10 +12,14 @@ namespace slipproof {
 std::optional<LinearRows> linear_rows(const CompiledSetting& setting, const std::vector<Rational>& values,
                                       const std::vector<Program>& equations);
 
-/// Whether every row of `rows` follows from those of `given`.
+/// Whether some values of the unknowns and the force meet all rows.
+bool has_solution(const LinearRows& rows);
+
+/// Whether every row of `rows` follows from those of `given`; from a contradiction everything does.
 bool follows(const LinearRows& rows, const LinearRows& given);
 
-/// Whether `left`, its unknowns that do not occur in `right` eliminated, has the solutions of `right`.
-bool equivalent(const LinearRows& left, const LinearRows& right);
+/// Whether `left`, with the unknowns eliminated that do not occur on the right side, has the solutions of `right`.
+/// `occurs` says it by unknown: a coefficient may vanish at a sample.
+bool equivalent(const LinearRows& left, const LinearRows& right, const std::vector<bool>& occurs);
 
 }  // namespace slipproof

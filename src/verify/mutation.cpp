@@ -56,32 +56,16 @@ struct Workshop {
 /// A force in one of two sets and not in the other.
 std::optional<Rational> some_force(const std::vector<ForceInterval>& x, const std::vector<ForceInterval>& y) {
   for (const auto& [a, b] : {std::pair(&x, &y), std::pair(&y, &x)}) {
-    for (const ForceInterval& part : *a) {
-      std::vector<Rational> candidates{part.sample()};
-      for (const ForceInterval& other : *b) {
-        for (const auto& end : {other.lower(), other.upper()}) {
-          if (!end) continue;
-          candidates.push_back(*end);
-          for (const ForceInterval& beside : {ForceInterval::between(*end, false, std::nullopt, false),
-                                              ForceInterval::between(std::nullopt, false, *end, false)}) {
-            ForceInterval rest = part;
-            rest.intersect(beside);
-            if (!rest.empty()) candidates.push_back(rest.sample());
-          }
-        }
-      }
-      for (const Rational& force : candidates) {
-        if (!part.contains(force)) continue;
-        if (std::none_of(b->begin(), b->end(), [&](const auto& other) { return other.contains(force); })) return force;
-      }
-    }
+    std::vector<ForceInterval> rest = *a;
+    for (const ForceInterval& part : *b) rest = difference(rest, part);
+    if (!rest.empty()) return rest.front().sample();
   }
   return std::nullopt;
 }
 
 /// Claims whose equations have to be solved take longest.
-bool is_costly(ClaimKind kind) {
-  return kind == ClaimKind::consequence || kind == ClaimKind::system;
+bool is_costly(const Claim& claim) {
+  return claim.is<Consequence>() || claim.is<System>();
 }
 
 class MutationRun {
@@ -144,11 +128,11 @@ class MutationRun {
     }
     std::vector<ClaimsMutant> all = mutants(file_);
     std::erase_if(all, [&](const ClaimsMutant& m) {
-      return m.part != ClaimsMutant::Part::definition && std::binary_search(left_out.begin(), left_out.end(), m.index);
+      return m.part && std::binary_search(left_out.begin(), left_out.end(), m.index);
     });
     for (std::size_t i = 0; i < all.size(); i += options_.every) {
       std::stable_partition(all[i].claims.begin(), all[i].claims.end(),
-                            [&](std::size_t c) { return !is_costly(file_.claims[c].kind); });
+                            [&](std::size_t c) { return !is_costly(file_.claims[c]); });
       result.mutants.emplace_back().mutant = std::move(all[i]);
     }
   }
@@ -236,7 +220,7 @@ class MutationRun {
     Samples& own = shop.samples[m.setting];
     if (own.size() < samples_[m.setting].size()) own.resize(samples_[m.setting].size());
     // Definitions are evaluated once for a sample: another definition needs another one.
-    if (m.part == ClaimsMutant::Part::definition || !own[i]) {
+    if (!m.part || !own[i]) {
       own[i] = samples_[m.setting][i]->under(shop.compiled.settings[m.setting]);
     }
     return *own[i];
@@ -244,7 +228,7 @@ class MutationRun {
 
   bool caught(Workshop& shop, MutantResult& m, Order& order) const {
     const bool found = fails(shop, m, order) || reaches_elsewhere(shop, m, order);
-    if (m.mutant.part == ClaimsMutant::Part::definition) {  // its samples remember what is changed back
+    if (!m.mutant.part) {  // its samples remember what is changed back
       for (auto& sample : shop.samples[m.mutant.setting]) sample.reset();
     }
     return found;

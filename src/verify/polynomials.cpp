@@ -1,5 +1,7 @@
 #include "verify/polynomials.hpp"
 
+#include <flint/fmpq_mpoly_factor.h>
+
 #include <utility>
 
 namespace slipproof {
@@ -117,10 +119,54 @@ void cancel(MultiPolynomial& x, MultiPolynomial& y) {
   fmpq_clear(lead);
 }
 
-Evaluator<Fraction, FractionField> symbolic(const Scope& scope, std::size_t first, std::size_t count) {
+bool MultiPolynomial::is_one_signed() const {
+  if (!ring_) return true;
+  fmpq_t coefficient;
+  fmpq_init(coefficient);
+  bool positive = false, negative = false;
+  for (slong i = 0; i < fmpq_mpoly_length(value_, ring_->context()); ++i) {
+    fmpq_mpoly_get_term_coeff_fmpq(coefficient, value_, i, ring_->context());
+    (fmpq_sgn(coefficient) > 0 ? positive : negative) = true;
+  }
+  fmpq_clear(coefficient);
+  return !(positive && negative);
+}
+
+std::string MultiPolynomial::text(const std::vector<std::string>& names) const {
+  if (!ring_) return std::to_string(constant_);
+  std::vector<const char*> variables;
+  for (const std::string& name : names) variables.push_back(name.c_str());
+  char* text = fmpq_mpoly_get_str_pretty(value_, variables.data(), ring_->context());
+  std::string result = text;
+  flint_free(text);
+  return result;
+}
+
+std::vector<MultiPolynomial> MultiPolynomial::factors() const {
+  std::vector<MultiPolynomial> result;
+  if (is_constant()) return result;
+  fmpq_mpoly_factor_t factors;
+  fmpq_mpoly_factor_init(factors, ring_->context());
+  if (fmpq_mpoly_factor(factors, value_, ring_->context()) != 0) {
+    for (slong i = 0; i < fmpq_mpoly_factor_length(factors, ring_->context()); ++i) {
+      MultiPolynomial& factor = result.emplace_back(MultiPolynomial(ring_));
+      fmpq_mpoly_factor_get_base(factor.value_, factors, i, ring_->context());
+    }
+  } else {
+    result.push_back(*this);
+  }
+  fmpq_mpoly_factor_clear(factors, ring_->context());
+  return result;
+}
+
+bool MultiPolynomial::has(std::size_t variable) const {
+  return ring_ && fmpq_mpoly_degree_si(value_, static_cast<slong>(variable), ring_->context()) > 0;
+}
+
+SymbolicEvaluator symbolic(const Scope& scope, std::size_t first, std::size_t count) {
   auto ring = std::make_shared<PolynomialRing>(count);
-  Evaluator<Fraction, FractionField> evaluator(scope, FractionField{ring});
-  for (std::size_t i = 0; i < count; ++i) evaluator.set(first + i, MultiPolynomial::variable(ring, i));
+  SymbolicEvaluator evaluator(scope, FractionField{ring});
+  for (std::size_t i = 0; i < count; ++i) evaluator.set(first + i, Fraction(MultiPolynomial::variable(ring, i)));
   return evaluator;
 }
 

@@ -5,8 +5,11 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "claims/evaluate.hpp"
+#include "claims/with_divisors.hpp"
 
 namespace slipproof {
 
@@ -39,7 +42,16 @@ class MultiPolynomial {
   bool is_zero() const;
   bool is_constant() const;
   bool is_monic_constant() const;  ///< it is 1
+  /// All coefficients are of one sign.
+  bool is_one_signed() const;
+  /// As an expression in these names, by variable.
+  std::string text(const std::vector<std::string>& names) const;
+  /// Its irreducible factors, constants left out.
+  std::vector<MultiPolynomial> factors() const;
+  /// Whether the variable occurs.
+  bool has(std::size_t variable) const;
   MultiPolynomial operator-() const;
+  friend bool operator==(const MultiPolynomial& x, const MultiPolynomial& y) { return (x - y).is_zero(); }
   friend MultiPolynomial operator+(const MultiPolynomial& x, const MultiPolynomial& y);
   friend MultiPolynomial operator-(const MultiPolynomial& x, const MultiPolynomial& y) { return x + -y; }
   friend MultiPolynomial operator*(const MultiPolynomial& x, const MultiPolynomial& y);
@@ -76,17 +88,24 @@ struct Fraction {
   }
 };
 
+/// What vanishes where a fraction does.
+inline std::optional<MultiPolynomial> divisor_of(const Fraction& x) {
+  return x.numerator.is_constant() ? std::nullopt : std::optional(x.numerator);
+}
+using SymbolicValue = WithDivisors<Fraction, MultiPolynomial>;
+
 /// Fractions are equal or not; order is decided for none.
 struct FractionField {
   std::shared_ptr<PolynomialRing> ring;
-  Fraction constant(const Rational& value) const { return MultiPolynomial(ring, value); }
-  bool is_zero(const Fraction& x) const { return x.numerator.is_zero(); }
-  std::optional<int> compare(const Fraction& x, const Fraction& y) const {
-    return (x - y).numerator.is_zero() ? std::optional(0) : std::nullopt;
+  SymbolicValue constant(const Rational& value) const { return Fraction(MultiPolynomial(ring, value)); }
+  bool is_zero(const SymbolicValue& x) const { return x.value().numerator.is_zero(); }
+  std::optional<int> compare(const SymbolicValue& x, const SymbolicValue& y) const {
+    return (x.value() - y.value()).numerator.is_zero() ? std::optional(0) : std::nullopt;
   }
 };
+using SymbolicEvaluator = Evaluator<SymbolicValue, FractionField>;
 
 /// An evaluator whose parameters and force are variables.
-Evaluator<Fraction, FractionField> symbolic(const Scope& scope, std::size_t first, std::size_t count);
+SymbolicEvaluator symbolic(const Scope& scope, std::size_t first, std::size_t count);
 
 }  // namespace slipproof

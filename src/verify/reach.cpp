@@ -19,26 +19,30 @@ std::vector<ForceInterval> reach(const ClaimsFile& file, const CompiledClaims& c
   const CompiledBody& programs = compiled.claims[claim].printed;
   if (!sample.force_domain()) return {};
   Truth inside = Truth::yes;
-  if (c.kind == ClaimKind::limit) {
-    inside = sample.eventually(programs.region, file.settings[c.setting].parameter_index(c.printed.parameter));
-  } else if (c.kind != ClaimKind::cover) {
+  if (const auto* limit = std::get_if<Limit>(&c.printed.says)) {
+    inside = sample.eventually(programs.region, file.settings[c.setting].parameter_index(limit->parameter));
+  } else {
     inside = sample.region(programs.region);
   }
   if (inside != Truth::yes) return {};
-  const bool some_forces = c.kind == ClaimKind::impossible || c.kind == ClaimKind::formula ||
-                           c.kind == ClaimKind::motions || c.kind == ClaimKind::unique || c.kind == ClaimKind::exists;
-  if (!some_forces) return {*sample.force_domain()};
-  auto parts = sample.true_at(programs.forces);
-  if (!parts) return {};
-  const bool strict = file.settings[c.setting].strict;
-  const auto& modes = c.printed.modes;
-  if (c.kind == ClaimKind::exists || (c.kind == ClaimKind::formula && modes.size() == 1)) {
-    for (const ContactMode mode : modes) {
-      if (const ModeSolution* s = sample.table().find(mode)) keep_common(*parts, sample.forces_of(*s, strict));
+  const auto all = [&] { return std::vector{*sample.force_domain()}; };
+  const auto some = [&](const Modes& moving) {
+    auto where = sample.true_at(programs.forces);
+    if (!where.valued()) where.parts.clear();
+    const bool strict = file.settings[c.setting].strict;
+    for (const ContactMode mode : moving) {
+      if (const ModeSolution* s = sample.table().find(mode)) keep_common(where.parts, sample.forces_of(*s, strict));
     }
-  }
-  std::erase_if(*parts, [](const ForceInterval& forces) { return forces.empty(); });
-  return *parts;
+    std::erase_if(where.parts, [](const ForceInterval& forces) { return forces.empty(); });
+    return where.parts;
+  };
+  return std::visit(Cases{[&](const Formula& f) { return some(f.modes.size() == 1 ? f.modes : Modes{}); },
+                          [&](const Exists& e) { return some(e.modes); }, [&](const Impossible&) { return some({}); },
+                          [&](const Motions&) { return some({}); }, [&](const Unique&) { return some({}); },
+                          [&](const Interval&) { return all(); }, [&](const Cover&) { return all(); },
+                          [&](const Equivalence&) { return all(); }, [&](const Limit&) { return all(); },
+                          [&](const Consequence&) { return all(); }, [&](const System&) { return all(); }},
+                    c.printed.says);
 }
 
 }  // namespace slipproof

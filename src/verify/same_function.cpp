@@ -7,12 +7,12 @@ namespace slipproof {
 namespace {
 
 /// Every symbol that is no definition is a variable.
-Evaluator<Fraction, FractionField> all_symbols(const Scope& scope) {
+SymbolicEvaluator all_symbols(const Scope& scope) {
   const auto count = std::count_if(scope.slots.begin(), scope.slots.end(), [](const auto& s) { return !s.definition; });
   auto ring = std::make_shared<PolynomialRing>(static_cast<std::size_t>(count));
-  Evaluator<Fraction, FractionField> evaluator(scope, FractionField{ring});
+  SymbolicEvaluator evaluator(scope, FractionField{ring});
   for (std::size_t i = 0, variable = 0; i < scope.slots.size(); ++i) {
-    if (!scope.slots[i].definition) evaluator.set(i, MultiPolynomial::variable(ring, variable++));
+    if (!scope.slots[i].definition) evaluator.set(i, Fraction(MultiPolynomial::variable(ring, variable++)));
   }
   return evaluator;
 }
@@ -22,9 +22,9 @@ Evaluator<Fraction, FractionField> all_symbols(const Scope& scope) {
 Functions::Functions(const CompiledSetting& setting) : setting_(&setting), symbols_(all_symbols(setting.scope())) {}
 
 std::optional<Fraction> Functions::value(const Expression& e, bool equation) {
-  return symbols_
-      .number(equation ? setting_->compile_equation(e, Reading::printed) : setting_->compile(e, Reading::printed))
-      .number;
+  const auto value = symbols_.number(equation ? setting_->compile_equation(e, Reading::printed)
+                                              : setting_->compile(e, Reading::printed));
+  return value.number ? std::optional(value.number->value()) : std::nullopt;
 }
 
 bool Functions::same(const Expression& x, const Expression& y, bool equation) {

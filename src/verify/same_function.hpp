@@ -19,7 +19,7 @@ class Functions {
   std::optional<Fraction> value(const Expression& e, bool equation);
 
   const CompiledSetting* setting_;
-  Evaluator<Fraction, FractionField> symbols_;
+  SymbolicEvaluator symbols_;
 };
 
 }  // namespace slipproof

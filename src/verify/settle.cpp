@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "claims/logic.hpp"
 #include "verify/identity.hpp"
 #include "verify/same_function.hpp"
 
@@ -26,56 +27,83 @@ struct Settler::State {
 
   // ---- Claims
 
+  static Expression part(const ClaimBody& body, BodyPart which) {
+    const auto found = parts(body, which);
+    return found.empty() ? make_truth(true) : *found.front();
+  }
+
+  /// Also where it may divide by 0: at samples that is no value, which is noticed.
+  bool is_identity(const CompiledClaims& claims, std::size_t claim) const {
+    return find_identity(file, claims, claim, Reading::printed, nullptr).has_value();
+  }
+
   /// The claim itself is proved: as an identity, or by the lemmas that are added.
   bool is_proved(std::size_t claim, const ClaimBody& body, Lemmas& lemmas) {
-    const Claim& c = file.claims[claim];
-    if (is_identity(file, compiled, claim, Reading::printed)) return true;
-    if (c.kind != ClaimKind::formula || body.modes.size() > 1) return false;
-    const auto mode = body.modes.empty() ? std::nullopt : std::optional(body.modes.front());
-    return in().implies({body.region, body.forces}, body.holds, lemmas, mode);
+    if (is_identity(compiled, claim)) return true;
+    const auto* formula = std::get_if<Formula>(&body.says);
+    return formula != nullptr && formula->modes.size() < 2 && follows(body, *formula, lemmas);
+  }
+
+  /// A formula about one mode, or none, for all parameters.
+  bool follows(const ClaimBody& body, const Formula& formula, Lemmas& lemmas) const {
+    const auto mode = formula.modes.empty() ? std::nullopt : std::optional(formula.modes.front());
+    return in().implies({body.region, formula.forces}, formula.holds, lemmas, mode);
   }
 
   Result settle_claim(std::size_t claim, const ClaimBody& before, const ClaimBody& after) {
-    Lemmas lemmas;
-    const ClaimKind kind = file.claims[claim].kind;
-    const bool where = !same(before.region, after.region) || !same(before.forces, after.forces);
-    if (kind == ClaimKind::consequence || kind == ClaimKind::system) return settle_linear(claim, before, after);
-    if (!where && !same(before.holds, after.holds)) return settle_holds(claim, before, after);
-    if (kind == ClaimKind::interval || kind == ClaimKind::equivalence || kind == ClaimKind::limit ||
-        kind == ClaimKind::unique || kind == ClaimKind::cover) {
+    const Claim& c = file.claims[claim];
+    if (const auto* linear = linear_equations(before)) {
+      return settle_linear(claim, before, *linear, after, *linear_equations(after));
+    }
+    const Expression forces = part(before, BodyPart::forces), now = part(after, BodyPart::forces);
+    const bool where = !same(before.region, after.region) || !same(forces, now);
+    const bool holds = !same(part(before, BodyPart::holds), part(after, BodyPart::holds));
+    if (!where && holds) return settle_holds(claim, before, after);
+    if (c.is<Interval>() || c.is<Equivalence>() || c.is<Limit>() || c.is<Unique>() || c.is<Cover>()) {
+      Lemmas lemmas;
       if (!in().equivalent({}, before.region, after.region, lemmas)) return std::nullopt;
-      if (in().equivalent({before.region}, before.forces, after.forces, lemmas) && same(before.holds, after.holds)) {
+      if (in().equivalent({before.region}, forces, now, lemmas) && !holds) {
         return made(Kind::equivalent, claim, "before and after imply each other", std::move(lemmas));
       }
-      lemmas.clear();
-      if (kind == ClaimKind::equivalence && in().equivalent({after.region}, after.forces, after.holds, lemmas)) {
-        return made(Kind::theorem, claim, "the changed inequalities are equivalent, too", std::move(lemmas));
-      }
-      return std::nullopt;
+      return settle_equivalence(claim, after);
     }
-    if (same(before.holds, after.holds)) {
+    if (!holds) {
       if (auto result = settle_reach(claim, before, after)) return result;
     }
     return settle_theorem(claim, after);
   }
 
+  static const LinearEquations* linear_equations(const ClaimBody& body) {
+    const LinearEquations* found = std::get_if<Consequence>(&body.says);
+    return found != nullptr ? found : std::get_if<System>(&body.says);
+  }
+
+  Result settle_equivalence(std::size_t claim, const ClaimBody& after) const {
+    const auto* equivalence = std::get_if<Equivalence>(&after.says);
+    Lemmas lemmas;
+    if (equivalence == nullptr || !in().equivalent({after.region}, equivalence->forces, equivalence->holds, lemmas)) {
+      return std::nullopt;
+    }
+    return made(Kind::theorem, claim, "the changed inequalities are equivalent, too", std::move(lemmas));
+  }
+
   /// Another region, or other forces: of the same motions?
   Result settle_reach(std::size_t claim, const ClaimBody& before, const ClaimBody& after) {
     Lemmas lemmas;
-    const Expression x = both(before.region, before.forces), y = both(after.region, after.forces);
+    const Expression forces = part(before, BodyPart::forces);
+    const Expression x = both(before.region, forces), y = both(after.region, part(after, BodyPart::forces));
     if (in().equivalent({}, x, y, lemmas)) {
       return made(Kind::equivalent, claim, "before and after imply each other", std::move(lemmas));
     }
-    const auto& modes = before.modes;
-    const ClaimKind kind = file.claims[claim].kind;
-    if (modes.size() != 1 || (kind != ClaimKind::formula && kind != ClaimKind::exists)) return std::nullopt;
+    const Claim& c = file.claims[claim];
+    const Modes modes = slipproof::modes(before.says);
+    if (modes.size() != 1 || !(c.is<Formula>() || c.is<Exists>())) return std::nullopt;
     lemmas.clear();
     const auto within = [&](const Expression& e, const Expression& other) {
       if (in().implies({e}, other, lemmas)) return true;
       // What the mode's motions obey in this region anyhow.
       const bool original = same(other, x);
-      if (original && same(before.region, after.region) &&
-          in().implies({before.region}, before.forces, lemmas, modes[0])) {
+      if (original && same(before.region, after.region) && in().implies({before.region}, forces, lemmas, modes[0])) {
         return true;
       }
       return in().implies({e}, other, lemmas, modes[0]);
@@ -85,56 +113,52 @@ struct Settler::State {
                 std::move(lemmas));
   }
 
-  bool is_vacuous(std::size_t claim, const ClaimBody& body, Lemmas& lemmas) const {
-    return file.claims[claim].kind == ClaimKind::formula && !body.modes.empty() && in().implies({}, body.holds, lemmas);
+  bool is_vacuous(const ClaimBody& body, Lemmas& lemmas) const {
+    const auto* formula = std::get_if<Formula>(&body.says);
+    return formula != nullptr && !formula->modes.empty() && in().implies({}, formula->holds, lemmas);
   }
 
   Result settle_holds(std::size_t claim, const ClaimBody& before, const ClaimBody& after) {
-    const ClaimKind kind = file.claims[claim].kind;
     Lemmas lemmas;
-    if (is_vacuous(claim, after, lemmas)) {
+    if (is_vacuous(after, lemmas)) {
       return made(Kind::vacuous, claim, "true of all parameters in their domains, whatever the motion",
                   std::move(lemmas));
     }
-    const std::vector<Expression> given{before.region, kind == ClaimKind::formula ? before.forces : make_truth(true)};
-    if (in().equivalent(given, before.holds, after.holds, lemmas)) {
+    const Expression holds = part(before, BodyPart::holds), now = part(after, BodyPart::holds);
+    const auto* formula = std::get_if<Formula>(&before.says);
+    const std::vector<Expression> given{before.region, formula != nullptr ? formula->forces : make_truth(true)};
+    if (in().equivalent(given, holds, now, lemmas)) {
       return made(Kind::equivalent, claim, "before and after imply each other", std::move(lemmas));
     }
     lemmas.clear();
-    if (kind == ClaimKind::equivalence) {
-      if (!in().equivalent({after.region}, after.forces, after.holds, lemmas)) return std::nullopt;
-      return made(Kind::theorem, claim, "the changed inequalities are equivalent, too", std::move(lemmas));
-    }
-    if (kind == ClaimKind::limit && in().eventually(after.region, after.holds, after.parameter, lemmas)) {
-      return made(Kind::theorem, claim, "true from some value of " + after.parameter + " on, by leading coefficients",
+    if (file.claims[claim].is<Equivalence>()) return settle_equivalence(claim, after);
+    if (const auto* limit = std::get_if<Limit>(&after.says)) {
+      if (!in().eventually(after.region, now, limit->parameter, lemmas)) return std::nullopt;
+      return made(Kind::theorem, claim, "true from some value of " + limit->parameter + " on, by leading coefficients",
                   std::move(lemmas));
     }
-    if (kind != ClaimKind::formula) return std::nullopt;
+    if (formula == nullptr) return std::nullopt;
     std::vector<Expression> weaker = given;
-    weaker.push_back(before.holds);
-    if (in().implies(weaker, after.holds, lemmas) && is_proved(claim, before, lemmas)) {
+    weaker.push_back(holds);
+    if (in().implies(weaker, now, lemmas) && is_proved(claim, before, lemmas)) {
       return made(Kind::theorem, claim, "it follows from the claim, which is proved", std::move(lemmas));
     }
     return settle_theorem(claim, after);
   }
 
   Result settle_theorem(std::size_t claim, const ClaimBody& after) {
-    const ClaimKind kind = file.claims[claim].kind;
     Lemmas lemmas;
-    if (kind == ClaimKind::formula) {
-      if (is_identity(file, *changed, claim, Reading::printed)) {
+    if (const auto* formula = std::get_if<Formula>(&after.says)) {
+      if (is_identity(*changed, claim)) {
         return made(Kind::theorem, claim, "an identity of rational functions", {});
       }
-      if (after.modes.size() < 2) {
-        const auto mode = after.modes.empty() ? std::nullopt : std::optional(after.modes.front());
-        if (in().implies({after.region, after.forces}, after.holds, lemmas, mode)) {
-          return made(Kind::theorem, claim, "proved for all parameters", std::move(lemmas));
-        }
+      if (formula->modes.size() < 2 && follows(after, *formula, lemmas)) {
+        return made(Kind::theorem, claim, "proved for all parameters", std::move(lemmas));
       }
     }
-    if (kind == ClaimKind::impossible) {
-      for (const ContactMode mode : after.modes) {
-        if (!in().implies({after.region, after.forces}, make_truth(false), lemmas, mode)) return std::nullopt;
+    if (const auto* impossible = std::get_if<Impossible>(&after.says)) {
+      for (const ContactMode mode : impossible->modes) {
+        if (!in().implies({after.region, impossible->forces}, make_truth(false), lemmas, mode)) return std::nullopt;
       }
       return made(Kind::theorem, claim, "proved for all parameters", std::move(lemmas));
     }
@@ -143,72 +167,72 @@ struct Settler::State {
 
   // ---- Equations
 
-  std::vector<Expression> equations_of(const std::vector<std::size_t>& claims) const {
-    std::vector<Expression> all;
+  Equations equations_of(const References& claims) const {
+    Equations all;
     for (const std::size_t claim : claims) {
-      const auto& more = file.claims[claim].printed.equations;
+      const Equations& more = linear_equations(file.claims[claim].printed)->equations;
       all.insert(all.end(), more.begin(), more.end());
     }
     return all;
   }
 
-  Result settle_linear(std::size_t claim, const ClaimBody& before, const ClaimBody& after) {
+  Result settle_linear(std::size_t claim, const ClaimBody& before, const LinearEquations& old, const ClaimBody& after,
+                       const LinearEquations& now) {
     Lemmas lemmas;
-    const bool modelled = before.given.empty() && before.claims.empty();
+    const bool modelled = old.from_model();
     if (!same(before.region, after.region)) {
       if (in().equivalent({}, before.region, after.region, lemmas)) {
         return made(Kind::equivalent, claim, "before and after imply each other", std::move(lemmas));
       }
-      if (modelled && is_identity(file, *changed, claim, Reading::printed)) {
+      if (modelled && is_identity(*changed, claim)) {
         return made(Kind::theorem, claim, "an identity of rational functions", {});
       }
     }
-    const auto mode = before.modes.empty() ? std::nullopt : std::optional(before.modes.front());
-    std::vector<Expression> sources = equations_of(before.given);
-    const auto more = equations_of(before.claims);
+    Equations sources = equations_of(old.given);
+    const Equations more = equations_of(old.claims);
     sources.insert(sources.end(), more.begin(), more.end());
 
     // The same solutions, with all that stands beside it.
     std::vector<Expression> beside{before.region};
     Expression x = make_truth(true), y = make_truth(true);
-    const auto compare = [&](const std::vector<Expression>& old, const std::vector<Expression>& now) {
-      for (std::size_t i = 0; i < old.size(); ++i) {
-        if (same(old[i], now[i])) {
-          beside.push_back(old[i]);
+    const auto compare = [&](const Equations& then, const Equations& changed_to) {
+      for (std::size_t i = 0; i < then.size(); ++i) {
+        if (same(then[i], changed_to[i])) {
+          beside.push_back(then[i]);
         } else {
-          x = both(x, old[i]);
-          y = both(y, now[i]);
+          x = both(x, then[i]);
+          y = both(y, changed_to[i]);
         }
       }
     };
-    const bool assumed = !std::equal(before.assume.begin(), before.assume.end(), after.assume.begin(), same);
+    const bool assumed = !std::equal(old.assume.begin(), old.assume.end(), now.assume.begin(), same);
     if (assumed) {
-      compare(before.assume, after.assume);
+      compare(old.assume, now.assume);
       beside.insert(beside.end(), sources.begin(), sources.end());
     } else {
-      compare(before.equations, after.equations);
-      const auto given = equations_of(before.given);
+      compare(old.equations, now.equations);
+      const Equations given = equations_of(old.given);
       beside.insert(beside.end(), given.begin(), given.end());
     }
-    if (in().equivalent(beside, x, y, lemmas, assumed && modelled && !mode)) {
+    if (in().equivalent(beside, x, y, lemmas, assumed && modelled && !old.mode)) {
       return made(Kind::equivalent, claim, "with the equations beside it, before and after have the same solutions",
                   std::move(lemmas));
     }
     lemmas.clear();
+    const Claim& c = file.claims[claim];
     // An assumption about what the equations do not have: both may leave the same of what they have.
-    if (assumed && file.claims[claim].kind == ClaimKind::system && in().proves(claim, before, lemmas) &&
-        in().proves(claim, after, lemmas)) {
+    if (assumed && c.is<System>() && in().proves(claim, before, lemmas) && in().proves(claim, after, lemmas)) {
       return made(Kind::equivalent, claim, "before and after are proved to come to the same equations",
                   std::move(lemmas));
     }
     lemmas.clear();
-    if (assumed || file.claims[claim].kind != ClaimKind::consequence) return std::nullopt;
-    if (is_identity(file, *changed, claim, Reading::printed)) {
+    if (assumed || !c.is<Consequence>()) return std::nullopt;
+    if (is_identity(*changed, claim)) {
       return made(Kind::theorem, claim, "an identity of rational functions", {});
     }
     std::vector<Expression> given{before.region};
     given.insert(given.end(), sources.begin(), sources.end());
-    given.insert(given.end(), before.assume.begin(), before.assume.end());
+    given.insert(given.end(), old.assume.begin(), old.assume.end());
     if (in().implies(given, y, lemmas, std::nullopt, modelled)) {
       return made(Kind::theorem, claim, "it follows for all parameters", std::move(lemmas));
     }
@@ -245,7 +269,7 @@ struct Settler::State {
         return made(Kind::equivalent, m.claims.front(), "the same rational functions as before", std::move(lemmas));
       }
     }
-    if (m.part == ClaimsMutant::Part::definition) return settle_definition(m);
+    if (!m.part) return settle_definition(m);
     const ClaimBody& body = file.claims[m.index].printed;
     ClaimBody after = m.apply(file).claims[m.index].printed;
     return accepted(m, {m.index}, settle_claim(m.index, body, after));
@@ -265,14 +289,11 @@ struct Settler::State {
       const ClaimBody& before = file.claims[claim].printed;
       ClaimBody after = before;
       bool uses = false;
-      const auto rewrite = [&](Expression& e) {
+      for_each_part(after, [&](BodyPart, std::size_t, Expression& e) {
         if (!in().names().depends(e, Reading::printed, definition.symbol)) return;
         uses = true;
         e = rewritten(e, definition.symbol, m.mutant.expression);
-      };
-      for (Expression* e : {&after.region, &after.forces, &after.holds}) rewrite(*e);
-      for (Expression& e : after.equations) rewrite(e);
-      for (Expression& e : after.assume) rewrite(e);
+      });
       if (!uses) continue;
       direct.push_back(claim);
       Result one = settle_claim(claim, before, after);
@@ -299,7 +320,7 @@ Settler::~Settler() = default;
 bool Settler::is_vacuous(std::size_t claim) {
   state_->setting = state_->file.claims[claim].setting;
   Lemmas lemmas;
-  return state_->is_vacuous(claim, state_->file.claims[claim].printed, lemmas);
+  return state_->is_vacuous(state_->file.claims[claim].printed, lemmas);
 }
 
 std::optional<Settlement> Settler::settle(const ClaimsMutant& mutant, const CompiledClaims& changed) {

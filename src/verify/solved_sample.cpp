@@ -12,10 +12,10 @@ namespace slipproof {
 namespace {
 
 /// The order of rational functions of a variable that grows beyond all bounds.
-struct FieldAtInfinity : FieldOf<RationalFunction> {
+struct FieldAtInfinity : FieldOf<ForceFunction> {
   static int sign_of(const Polynomial& p) { return sign(p.coefficient(p.degree())); }
-  std::optional<int> compare(const RationalFunction& x, const RationalFunction& y) const {
-    const RationalFunction d = x - y;
+  std::optional<int> compare(const ForceFunction& x, const ForceFunction& y) const {
+    const RationalFunction d = x.value() - y.value();
     return sign_of(d.numerator()) * sign_of(d.denominator());
   }
 };
@@ -26,7 +26,7 @@ SolvedSample::SolvedSample(const CompiledSetting& setting, std::vector<Rational>
     : setting_(&setting), values_(std::move(values)), constants_(setting.scope()), functions_(setting.scope()) {
   for (std::size_t k = 0; k < values_.size(); ++k) {
     constants_.set(CompiledSetting::parameter_slot(k), values_[k]);
-    functions_.set(CompiledSetting::parameter_slot(k), values_[k]);
+    functions_.set(CompiledSetting::parameter_slot(k), RationalFunction(values_[k]));
   }
   functions_.set(CompiledSetting::force_slot(), RationalFunction::variable());
 }
@@ -47,9 +47,11 @@ bool SolvedSample::read_scene(ForceKind kind) {
   }
   scene_.force_kind = kind;
   if (!in_domain(p, scene_.road)) return false;
-  const auto force = functions_.number(*setting_->scene()[targets.size()]).number;
-  if (!force || force->numerator().degree() > 1 || force->denominator().degree() > 0) return false;
-  force_ = {force->numerator().coefficient(0), force->numerator().coefficient(1)};
+  const auto number = functions_.number(*setting_->scene()[targets.size()]).number;
+  if (!number || !number->divisors().empty()) return false;
+  const RationalFunction& force = number->value();
+  if (force.numerator().degree() > 1 || force.denominator().degree() > 0) return false;
+  force_ = {force.numerator().coefficient(0), force.numerator().coefficient(1)};
   return !force_.beta.is_zero();
 }
 
@@ -73,15 +75,14 @@ ForceInterval SolvedSample::in_variable(const ForceInterval& forces) const {
   return ForceInterval::between(std::move(upper), forces.upper_closed(), std::move(lower), forces.lower_closed());
 }
 
-std::optional<std::vector<ForceInterval>> SolvedSample::true_at(const Program& statement) {
-  std::vector<ForceInterval> parts;
+SolvedSample::TrueForces SolvedSample::true_at(const Program& statement) {
+  TrueForces found;
   for (TruthCell& cell : over_forces(statement)) {
     cell.forces.intersect(*domain_);
     if (cell.forces.empty() || cell.truth == Truth::no) continue;
-    if (cell.truth != Truth::yes) return std::nullopt;
-    parts.push_back(std::move(cell.forces));
+    (cell.truth == Truth::yes ? found.parts : found.unvalued).push_back(std::move(cell.forces));
   }
-  return parts;
+  return found;
 }
 
 ForceInterval SolvedSample::forces_of(const ModeSolution& mode, bool strict) const {
@@ -91,7 +92,10 @@ ForceInterval SolvedSample::forces_of(const ModeSolution& mode, bool strict) con
 }
 
 const ModeTable& SolvedSample::table() {
-  if (!table_) table_ = std::make_shared<const ModeTable>(scene_.bicycle, scene_.road, scene_.force_kind);
+  if (table_) return *table_;
+  const Bicycle<Rational>& p = scene_.bicycle;
+  table_ = only_modes_ ? std::make_shared<const ModeTable>(p, scene_.road, scene_.force_kind, *only_modes_)
+                       : std::make_shared<const ModeTable>(p, scene_.road, scene_.force_kind);
   return *table_;
 }
 
@@ -139,19 +143,17 @@ LinearRows SolvedSample::equations(std::optional<ContactMode> mode) {
 }
 
 Truth SolvedSample::eventually(const Program& statement, std::size_t parameter) const {
-  Evaluator<RationalFunction, FieldAtInfinity> evaluator(setting_->scope());
+  Evaluator<ForceFunction, FieldAtInfinity> evaluator(setting_->scope());
   for (std::size_t k = 0; k < values_.size(); ++k) {
     evaluator.set(CompiledSetting::parameter_slot(k),
-                  k == parameter ? RationalFunction::variable() : RationalFunction(values_[k]));
+                  ForceFunction(k == parameter ? RationalFunction::variable() : RationalFunction(values_[k])));
   }
   return evaluator.truth(statement);
 }
 
 void SolvedSample::set_motion(const Motion<Affine<Rational>>& motion) {
   for (const Quantity q : all_quantities()) {
-    const Affine<Rational>& F = motion[q];
-    functions_.set(CompiledSetting::quantity_slot(q),
-                   Affine<Rational>(F.alpha + F.beta * force_.alpha, F.beta * force_.beta));
+    functions_.set(CompiledSetting::quantity_slot(q), RationalFunction(in_variable(motion[q])));
   }
 }
 

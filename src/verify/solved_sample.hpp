@@ -30,6 +30,8 @@ class SolvedSample {
   const Scene& scene() const { return scene_; }  ///< without a force
   /// All modes; solved when first asked for, since most samples are outside of most regions.
   const ModeTable& table();
+  /// Lets table() have these modes only: for one claim that asks for no others. Before table() is first used.
+  void only_modes(std::vector<ContactMode> modes) { only_modes_ = std::move(modes); }
   /// The same bicycle for another version of its setting, with what is already solved: the versions may differ in
   /// definitions, not in parameters, scene or force.
   std::unique_ptr<SolvedSample> under(const CompiledSetting& other);
@@ -48,13 +50,23 @@ class SolvedSample {
   /// The truth of a statement for all values of a parameter beyond some value, the others as they are.
   Truth eventually(const Program& statement, std::size_t parameter) const;
   Truth region(const Program& region) { return constants_.truth(region); }
+  /// Over all numbers, in the domain or not.
   std::vector<TruthCell> over_forces(const Program& statement) { return truth_over_forces(statement, functions_); }
-  /// The forces in the domain at which a statement is true; nothing where it has no value at one of them.
-  std::optional<std::vector<ForceInterval>> true_at(const Program& statement);
+  /// The forces in the domain at which a statement is true, and those at which it has no value.
+  struct TrueForces {
+    std::vector<ForceInterval> parts, unvalued;  ///< ascending, none empty
+
+    bool valued() const { return unvalued.empty(); }
+  };
+  TrueForces true_at(const Program& statement);
   /// The forces in the domain at which the mode has motions: strict ones, or all.
   ForceInterval forces_of(const ModeSolution& mode, bool strict) const;
   /// Gives the quantities the values of a motion (over pedal forces) as functions of the force variable.
   void set_motion(const Motion<Affine<Rational>>& motion);
+  /// What is affine in the pedal force, in the force variable.
+  Affine<Rational> in_variable(const Affine<Rational>& pedal) const {
+    return {pedal.alpha + pedal.beta * force_.alpha, pedal.beta * force_.beta};
+  }
 
  private:
   SolvedSample(const CompiledSetting& setting, std::vector<Rational> values);
@@ -64,10 +76,11 @@ class SolvedSample {
   const CompiledSetting* setting_;
   std::vector<Rational> values_;
   Evaluator<Rational> constants_;
-  Evaluator<RationalFunction> functions_;
+  Evaluator<ForceFunction> functions_;
   Scene scene_;
   Affine<Rational> force_;
   std::shared_ptr<const ModeTable> table_;
+  std::optional<std::vector<ContactMode>> only_modes_;
   std::optional<ForceInterval> domain_;
   std::shared_ptr<const std::vector<Cell>> cells_;
   std::array<LinearRows, 3> raw_rows_;  ///< of both wheels in one state on the road

@@ -7,26 +7,52 @@
 #include <algorithm>
 #include <array>
 #include <mutex>
+#include <span>
 #include <tuple>
 #include <utility>
 
 #include "parallel/thread_count.hpp"
+#include "verify/critical.hpp"
 #include "verify/identity.hpp"
 #include "verify/simplify.hpp"
+#include "verify/vacuous.hpp"
 
 namespace slipproof {
 
 std::string_view name(Verdict verdict) {
-  constexpr std::array<std::string_view, 3> names{"holds", "refuted", "undecided"};
+  constexpr std::array<std::string_view, 4> names{"holds", "refuted", "undecided", "vacuous"};
   return names[static_cast<std::size_t>(verdict)];
 }
 
 namespace {
 
+/// Lines of a claim are laid through the first so many samples at which it held.
+constexpr std::size_t max_bases = 64;
+
+/// The least numbers of all that were added, in whatever order.
+class FirstSamples {
+ public:
+  void add(std::uint64_t i) {
+    if (numbers_.size() < max_bases || i < numbers_.back()) add({&i, 1});
+  }
+  void add(std::span<const std::uint64_t> others) {
+    numbers_.insert(numbers_.end(), others.begin(), others.end());
+    std::sort(numbers_.begin(), numbers_.end());
+    if (numbers_.size() > max_bases) numbers_.resize(max_bases);
+  }
+  bool full() const { return numbers_.size() == max_bases; }
+  const std::vector<std::uint64_t>& numbers() const { return numbers_; }
+
+ private:
+  std::vector<std::uint64_t> numbers_;
+};
+
 /// What one claim in one reading comes to over some samples; sums do not depend on their order.
 struct Tally {
   std::uint64_t held = 0, refuted = 0, undecided = 0;
-  std::vector<Rational> simplest;  ///< of the failing samples
+  std::uint64_t lines = 0, cells = 0;
+  FirstSamples held_at, speaks_at;  ///< samples at which it held; those of them at which there is a force for it
+  std::vector<Rational> simplest;   ///< of the failing samples
   Complexity its_complexity;
 
   void add(Outcome outcome, const std::vector<Rational>& values) {
@@ -37,6 +63,10 @@ struct Tally {
     keep(values, complexity(values));
   }
   void add(const Tally& other) {
+    lines += other.lines;
+    cells += other.cells;
+    held_at.add(other.held_at.numbers());
+    speaks_at.add(other.speaks_at.numbers());
     held += other.held;
     refuted += other.refuted;
     undecided += other.undecided;
@@ -54,23 +84,33 @@ struct Tally {
 struct Task {
   std::size_t claim;
   Reading reading;
-  bool identity = false;  ///< proved as an identity of rational functions
-  bool rational = false;  ///< true or false of rational functions: where it is false, it is so nearly everywhere
+  std::optional<Identity> identity;
+  /// True or false of rational functions: where it is false, it is so nearly everywhere.
+  bool rational = false;
+};
+
+/// A claim whose lines are to be judged, and what that needs.
+struct LineTask {
+  std::size_t task;
+  ClaimParts parts;
+  std::vector<bool> matters;                 ///< by parameter
+  std::vector<std::vector<Rational>> bases;  ///< bicycles that the lines go through
 };
 
 /// What is rational is judged at one sample in so many; prime to the number of the sampler's kinds of samples.
 constexpr std::uint64_t thinning = 17;
 
-std::vector<Task> tasks_of(const ClaimsFile& file, const CompiledClaims& compiled, const std::string& only) {
+std::vector<Task> tasks_of(const ClaimsFile& file, const CompiledClaims& compiled, const std::string& only,
+                           LemmaBook& book) {
   std::vector<Task> tasks;
   for (std::size_t i = 0; i < file.claims.size(); ++i) {
-    if (!file.claims[i].id.starts_with(only)) continue;
-    const ClaimKind kind = file.claims[i].kind;
+    const Claim& claim = file.claims[i];
+    if (!claim.id.starts_with(only)) continue;
     for (const Reading reading : all_readings) {
-      if (reading == Reading::repaired && !file.claims[i].repaired) continue;
-      const bool identity = is_identity(file, compiled, i, reading);
-      const bool rational = identity || kind == ClaimKind::consequence || kind == ClaimKind::system;
-      tasks.push_back({i, reading, identity, rational});
+      if (reading == Reading::repaired && !claim.repaired) continue;
+      Task task{i, reading, find_identity(file, compiled, i, reading, &book)};
+      task.rational = task.identity || claim.is<Consequence>() || claim.is<System>();
+      tasks.push_back(std::move(task));
     }
   }
   return tasks;
@@ -82,14 +122,16 @@ class Run {
       : file_(file),
         compiled_(file),
         options_(options),
-        tasks_(tasks_of(file, compiled_, options.only)),
+        lines_(options.line_count()),
+        tasks_(tasks_of(file, compiled_, options.only, book_)),
         tallies_(tasks_.size()) {}
 
   VerifyResult result() {
     tbb::task_arena arena(thread_count(options_.threads));
-    VerifyResult result{options_.samples, options_.seed, std::vector<ClaimResult>(tasks_.size())};
+    VerifyResult result{options_.samples, lines_, options_.seed, std::vector<ClaimResult>(tasks_.size())};
     arena.execute([&] {
       for (std::size_t s = 0; s < file_.settings.size(); ++s) sample(s);
+      for (std::size_t s = 0; s < file_.settings.size(); ++s) judge_lines(s);
       tbb::parallel_for(std::size_t{0}, tasks_.size(), [&](std::size_t t) { result.claims[t] = conclude(t); });
     });
     return result;
@@ -105,42 +147,151 @@ class Run {
       for (std::uint64_t i = block.begin(); i != block.end(); ++i) judge_sample(setting, i, sampler.at(i), tallies);
       const std::scoped_lock lock(mutex_);
       for (std::size_t t = 0; t < tasks_.size(); ++t) tallies_[t].add(tallies[t]);
-      done_ += block.size();
-      if (options_.progress) options_.progress(done_, options_.samples * file_.settings.size());
+      tell(block.size());
     });
+  }
+
+  void tell(std::uint64_t done) {
+    done_ += done;
+    if (options_.progress) {
+      options_.progress(done_, options_.samples * file_.settings.size() + lines_ * tasks_.size());
+    }
+  }
+
+  /// What samples refute needs no lines. Identities do: they may lack a value where something vanishes.
+  bool wants_lines(std::size_t t) const {
+    const Claim& claim = file_.claims[tasks_[t].claim];
+    const bool linear = claim.is<Consequence>() || claim.is<System>();
+    return !linear && tallies_[t].refuted == 0 && (!claim.is<Exists>() || tallies_[t].held == 0);
+  }
+
+  /// The first bicycles among the samples of a setting.
+  std::vector<std::vector<Rational>> first_bicycles(std::size_t setting) const {
+    const Sampler sampler(compiled_.settings[setting], options_.seed);
+    std::vector<std::vector<Rational>> found;
+    for (std::uint64_t i = 0; i < options_.samples && found.size() < max_bases; ++i) {
+      auto values = sampler.at(i);
+      if (!values.empty() && solved(setting, values)) found.push_back(std::move(values));
+    }
+    return found;
+  }
+
+  std::vector<LineTask> line_tasks(std::size_t setting) const {
+    const CompiledSetting& compiled = compiled_.settings[setting];
+    const Sampler sampler(compiled, options_.seed);
+    std::vector<LineTask> result;
+    std::vector<std::vector<Rational>> anywhere;
+    for (std::size_t t = 0; t < tasks_.size(); ++t) {
+      if (file_.claims[tasks_[t].claim].setting != setting || !wants_lines(t)) continue;
+      LineTask task{t, parts_of(file_, compiled_, tasks_[t].claim, tasks_[t].reading), {}, {}};
+      std::vector<const Program*> programs = task.parts.conditions;
+      programs.insert(programs.end(), task.parts.of_motions.begin(), task.parts.of_motions.end());
+      task.matters = parameters_of(compiled, programs, !task.parts.modes.empty());
+      if (std::find(task.matters.begin(), task.matters.end(), true) == task.matters.end()) continue;
+      const FirstSamples& first = tallies_[t].speaks_at.numbers().empty() ? tallies_[t].held_at : tallies_[t].speaks_at;
+      for (const std::uint64_t i : first.numbers()) task.bases.push_back(sampler.at(i));
+      if (task.bases.empty()) {
+        if (anywhere.empty()) anywhere = first_bicycles(setting);
+        task.bases = anywhere;
+      }
+      if (!task.bases.empty()) result.push_back(std::move(task));
+    }
+    return result;
+  }
+
+  void judge_lines(std::size_t setting) {
+    if (lines_ == 0) return;
+    const std::vector<LineTask> tasks = line_tasks(setting);
+    std::vector<std::pair<const LineTask*, std::uint64_t>> lines;
+    for (const LineTask& task : tasks) {
+      for (std::uint64_t number = 0; number < lines_for(task); ++number) lines.emplace_back(&task, number);
+    }
+    tbb::parallel_for(std::size_t{0}, lines.size(), [&](std::size_t i) {
+      const auto& [task, number] = lines[i];
+      const Tally tally = judge_line(setting, *task, number);
+      const std::scoped_lock lock(mutex_);
+      tallies_[task->task].add(tally);
+      tell(1);
+    });
+  }
+
+  /// Where no sample was in a claim's region, each parameter that matters runs three times at least: on some line the
+  /// region begins and ends.
+  std::uint64_t lines_for(const LineTask& task) const {
+    if (!tallies_[task.task].held_at.numbers().empty()) return lines_;
+    const auto matter = std::count(task.matters.begin(), task.matters.end(), true);
+    return std::max(lines_, 9 * static_cast<std::uint64_t>(matter));
+  }
+
+  Tally judge_line(std::size_t setting, const LineTask& line_task, std::uint64_t number) const {
+    const Task& task = tasks_[line_task.task];
+    const CompiledSetting& compiled = compiled_.settings[setting];
+    const Line line = line_number(number, options_.seed + line_task.task, line_task.bases, line_task.matters);
+    const LinePoints points = points_on(line, file_.settings[setting], compiled, line_task.parts);
+    Tally tally;
+    tally.lines = 1;
+    tally.cells = points.cells();
+    for (const Rational& t : points.values) {
+      std::vector<Rational> values = line.at(t);
+      if (!in_domain(compiled, values)) continue;
+      const auto sample = solved(setting, std::move(values));
+      if (!sample) continue;
+      if (!line_task.parts.modes.empty()) sample->only_modes(line_task.parts.modes);
+      tally.add(judge(file_, compiled_, task.claim, task.reading, *sample).outcome, sample->values());
+    }
+    return tally;
+  }
+
+  std::unique_ptr<SolvedSample> solved(std::size_t setting, std::vector<Rational> values) const {
+    return SolvedSample::make(compiled_.settings[setting], file_.settings[setting].force_kind, std::move(values));
   }
 
   void judge_sample(std::size_t setting, std::uint64_t i, std::vector<Rational> values,
                     std::vector<Tally>& tallies) const {
     if (values.empty()) return;
-    const auto sample =
-        SolvedSample::make(compiled_.settings[setting], file_.settings[setting].force_kind, std::move(values));
+    const auto sample = solved(setting, std::move(values));
     if (!sample) return;
     for (std::size_t t = 0; t < tasks_.size(); ++t) {
       if (file_.claims[tasks_[t].claim].setting != setting) continue;
       if (tasks_[t].rational && i % thinning != 0) continue;
       const Judgement j = judge(file_, compiled_, tasks_[t].claim, tasks_[t].reading, *sample);
       tallies[t].add(j.outcome, sample->values());
+      if (j.outcome == Outcome::holds && lines_ > 0) remember(i, tasks_[t], *sample, tallies[t]);
     }
   }
 
-  ClaimResult conclude(std::size_t t) const {
+  /// A line through a bicycle at which the claim says something of some force is worth more than one through any other.
+  void remember(std::uint64_t i, const Task& task, SolvedSample& sample, Tally& tally) const {
+    tally.held_at.add(i);
+    if (tally.speaks_at.full()) return;
+    const auto forces = sample.true_at(compiled_.claims[task.claim].body(task.reading).forces);
+    if (!forces.parts.empty()) tally.speaks_at.add(i);
+  }
+
+  ClaimResult conclude(std::size_t t) {
     const Tally& tally = tallies_[t];
+    const Task& task = tasks_[t];
     ClaimResult result;
     result.claim = tasks_[t].claim;
     result.reading = tasks_[t].reading;
     result.held = tally.held;
     result.refuted = tally.refuted;
     result.undecided = tally.undecided;
+    result.lines = tally.lines;
+    result.cells = tally.cells;
+    if (task.identity) result.unless_zero = task.identity->unless_zero;
     if (tally.refuted > 0) {
       result.verdict = Verdict::refuted;
-      result.counterexample = counterexample(tasks_[t], tally.simplest);
-    } else if (file_.claims[result.claim].kind == ClaimKind::exists) {
-      result.verdict = tally.held > 0 ? Verdict::holds : tally.undecided == 0 ? Verdict::refuted : Verdict::undecided;
+      result.counterexample = counterexample(task, tally.simplest);
+    } else if (file_.claims[task.claim].is<Exists>()) {
+      result.verdict = tally.held > 0 ? Verdict::holds : Verdict::undecided;
       result.proved = tally.held > 0;
+      if (tally.held == 0 && is_nowhere(file_, task.claim, task.reading, book_)) result.verdict = Verdict::refuted;
     } else if (tally.undecided == 0 && tally.held > 0) {
       result.verdict = Verdict::holds;
-      result.proved = tasks_[t].identity;
+      result.proved = task.identity && task.identity->proved();
+    } else if (tally.undecided == 0 && is_vacuous(file_, task.claim, task.reading, book_)) {
+      result.verdict = Verdict::vacuous;
     }
     return result;
   }
@@ -183,6 +334,8 @@ class Run {
   const ClaimsFile& file_;
   const CompiledClaims compiled_;
   const VerifyOptions& options_;
+  const std::uint64_t lines_;
+  LemmaBook book_{{.split_depth = 1, .slack_attempts = 100, .products = 0, .steps = 500'000}};
   const std::vector<Task> tasks_;
   std::vector<Tally> tallies_;
   std::uint64_t done_ = 0;
@@ -204,6 +357,8 @@ bool as_expected(const ClaimsFile& file, const ClaimResult& result) {
       return result.verdict == Verdict::refuted;
     case Expectation::undecided:
       return result.verdict == Verdict::undecided;
+    case Expectation::vacuous:
+      return result.verdict == Verdict::vacuous;
     case Expectation::none:
     case Expectation::holds:
       break;

@@ -1,4 +1,4 @@
-// The claims of a paper at sampled rational bicycles, every force at once.
+// The claims of a paper at sampled rational bicycles, and along lines through them, every force at once.
 #pragma once
 
 #include <cstdint>
@@ -16,15 +16,21 @@ namespace slipproof {
 
 struct VerifyOptions {
   std::uint64_t samples = 10'000;  ///< of each setting
+  /// For each claim that no sample refutes, but consequences and systems; by default one for 200 samples, and one at
+  /// least; 0: none.
+  std::optional<std::uint64_t> lines;
   std::uint64_t seed = 1;
   unsigned threads = 0;  ///< 0: all cores
   std::string only;      ///< judge only the claims whose id begins with this
   bool simplify = true;  ///< search for simple counterexamples
-  /// Called now and then, from one thread at a time, with the number of samples done and of all.
+  /// Called now and then, from one thread at a time, with the number of samples and lines done and of all.
   std::function<void(std::uint64_t, std::uint64_t)> progress;
+
+  std::uint64_t line_count() const { return lines ? *lines : samples < 200 ? 1 : samples / 200; }
 };
 
-enum class Verdict : std::uint8_t { holds, refuted, undecided };
+/// proofs/MEANING.md, Verdicts.
+enum class Verdict : std::uint8_t { holds, refuted, undecided, vacuous };
 std::string_view name(Verdict verdict);
 
 /// A sample at which a claim fails, with all that a person needs to check it.
@@ -44,10 +50,14 @@ struct ClaimResult {
   Reading reading = Reading::printed;
   Verdict verdict = Verdict::undecided;
   std::uint64_t held = 0, refuted = 0, undecided = 0;  ///< samples; those outside of its region do not count
+  std::uint64_t lines = 0;                             ///< along which it was judged; their points count as samples
+  std::uint64_t cells = 0;  ///< parts of these lines in which the answer about it is the same throughout
   std::optional<Counterexample> counterexample;
-  /// It holds for all parameters: an identity of rational functions (wherever both sides have a value and, with a
-  /// mode, its equations are regular), the existence of what a sample shows, or `certificates`.
+  /// It is right, or says nothing, at every bicycle: an identity of rational functions that divides by nothing that
+  /// vanishes, the existence of what a sample shows, or `certificates`.
   bool proved = false;
+  /// An identity of rational functions wherever none of these expressions vanishes; that they do not was not shown.
+  std::vector<std::string> unless_zero;
   /// What report/certificates.hpp finds beside the claims file: names of the certificates that prove the claim, or its
   /// refutation; those that the checker rejects, and why; statements that are not the claim's.
   std::vector<std::string> certificates, rejections, outdated;
@@ -57,6 +67,7 @@ struct ClaimResult {
 
 struct VerifyResult {
   std::uint64_t samples = 0;
+  std::uint64_t lines = 0;
   std::uint64_t seed = 0;
   std::vector<ClaimResult> claims;  ///< in the order of the file, printed before repaired
 
