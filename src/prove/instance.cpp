@@ -1,6 +1,7 @@
 #include "prove/instance.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <random>
 
@@ -27,8 +28,16 @@ struct End {
 
 class Attempt {
  public:
-  Attempt(const Ring& ring, const Formula& formula, std::mt19937_64& random, const Polynomial* boundary, Budget& budget)
-      : ring_(ring), random_(random), budget_(budget), values_(ring.size()), chosen_(ring.size()), order_(ring.size()) {
+  /// `late_choices`: of disjunctions without equations no part is chosen; they are looked at when all values are there.
+  Attempt(const Ring& ring, const Formula& formula, std::mt19937_64& random, const Polynomial* boundary, Budget& budget,
+          bool late_choices)
+      : ring_(ring),
+        random_(random),
+        budget_(budget),
+        late_choices_(late_choices),
+        values_(ring.size()),
+        chosen_(ring.size()),
+        order_(ring.size()) {
     std::iota(order_.begin(), order_.end(), std::size_t{0});
     collect(formula);
     if (boundary != nullptr) conditions_.push_back({*boundary, Sign::zero});
@@ -59,7 +68,10 @@ class Attempt {
       if (!simplify() || (!solve_if_last(v) && !assign(v))) return std::nullopt;
     }
     if (!simplify() || !conditions_.empty()) return std::nullopt;
-    return numbers();
+    std::vector<Rational> found = numbers();
+    const auto holds = [&](const Formula* formula) { return holds_at(*formula, found); };
+    if (!std::all_of(unchosen_.begin(), unchosen_.end(), holds)) return std::nullopt;
+    return found;
   }
 
  private:
@@ -76,11 +88,38 @@ class Attempt {
           conditions_.push_back({Polynomial(ring_, 1), Sign::zero});
         } else if (const Polynomial* p = non_zero_polynomial(formula)) {
           conditions_.push_back({*p, Sign::positive, true});
+        } else if (late_choices_ && !has_equation(formula)) {
+          unchosen_.push_back(&formula);
         } else {
           collect(formula.parts[random_() % formula.parts.size()]);
         }
         break;
     }
+  }
+
+  static bool has_equation(const Formula& formula) {
+    if (formula.kind == Formula::Kind::atom) return formula.sign == Sign::zero;
+    return std::any_of(formula.parts.begin(), formula.parts.end(), has_equation);
+  }
+
+  bool holds_at(const Formula& formula, const std::vector<Rational>& values) {
+    if (formula.kind == Formula::Kind::atom) {
+      return Condition{formula.polynomial.front(), formula.sign}.holds_at(at(formula.polynomial.front(), values));
+    }
+    const auto holds = [&](const Formula& part) { return holds_at(part, values); };
+    return formula.kind == Formula::Kind::conjunction ? std::all_of(formula.parts.begin(), formula.parts.end(), holds)
+                                                      : std::any_of(formula.parts.begin(), formula.parts.end(), holds);
+  }
+
+  Rational at(const Polynomial& p, const std::vector<Rational>& values) {
+    budget_.spend(p.length() + 20);
+    Polynomial value = p;
+    for (const std::size_t v : p.variables()) {
+      Polynomial sum(ring_);
+      for (std::size_t k = value.degree(v) + 1; k-- > 0;) sum = sum.scaled(values[v]) + value.coefficient(v, k);
+      value = std::move(sum);
+    }
+    return value.constant();
   }
 
   /// Drops what is true; whether nothing is false.
@@ -188,22 +227,14 @@ class Attempt {
   }
 
   /// The values of variables that were expressed by later ones.
-  std::vector<Rational> numbers() const {
+  std::vector<Rational> numbers() {
     std::vector<Rational> result(ring_.size());
     for (std::size_t v = 0; v < ring_.size(); ++v) {
       if (values_[v]->is_constant()) result[v] = values_[v]->constant();
     }
     for (std::size_t i = ring_.size(); i-- > 0;) {
       const std::size_t v = order_[i];
-      Polynomial value = *values_[v];
-      for (const std::size_t other : value.variables()) {
-        Polynomial sum(ring_);
-        for (std::size_t k = value.degree(other) + 1; k-- > 0;) {
-          sum = sum.scaled(result[other]) + value.coefficient(other, k);
-        }
-        value = sum;
-      }
-      result[v] = value.constant();
+      result[v] = at(*values_[v], result);
     }
     return result;
   }
@@ -211,6 +242,8 @@ class Attempt {
   const Ring& ring_;
   std::mt19937_64& random_;
   Budget& budget_;
+  bool late_choices_;
+  std::vector<const Formula*> unchosen_;
   std::vector<Condition> conditions_;
   std::vector<Condition> late_;
   std::vector<std::optional<Polynomial>> values_;
@@ -223,12 +256,15 @@ class Attempt {
 std::optional<std::vector<Rational>> find_instance(const Ring& ring, const Formula& formula,
                                                    const std::vector<Polynomial>& boundaries, int attempts,
                                                    Budget& budget) {
-  std::mt19937_64 random(1);
+  std::array<std::mt19937_64, 2> random{std::mt19937_64(1), std::mt19937_64(1)};
   for (int i = 0; i < attempts; ++i) {
-    budget.spend(1);
     const auto which = static_cast<std::size_t>(i) % (2 * boundaries.size() + 1);
     const Polynomial* boundary = which < boundaries.size() ? &boundaries[which] : nullptr;
-    if (auto found = Attempt(ring, formula, random, boundary, budget).run()) return found;
+    for (const bool late_choices : {false, true}) {
+      budget.spend(1);
+      auto& engine = random[late_choices ? 1 : 0];
+      if (auto found = Attempt(ring, formula, engine, boundary, budget, late_choices).run()) return found;
+    }
   }
   return std::nullopt;
 }

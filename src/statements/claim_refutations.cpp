@@ -4,19 +4,22 @@
 
 #include <algorithm>
 
+#include "claims/logic.hpp"
 #include "statements/claim_writer.hpp"
-#include "statements/truth_text.hpp"
 
 namespace slipproof {
 namespace {
 
+constexpr const char* suffix = ".refuted";
+
+/// A mode, and what else is to hold, as text; empty: nothing.
+using ModeAndMore = std::pair<ContactMode, std::string>;
+
 /// A motion in one of `modes`, each with what else is to hold of it.
-MotionText one_of(const ClaimWriter& writer, const std::vector<std::pair<ContactMode, std::string>>& modes) {
+MotionText one_of(const ClaimWriter& writer, const std::vector<ModeAndMore>& modes, bool strict) {
   MotionText result{mechanics_text(writer.setting().force_kind), ""};
   for (const Wheel wheel : {Wheel::rear, Wheel::front}) {
-    for (const ContactState state : all_contact_states) {
-      result.definitions += state_definition(wheel, state, writer.setting().strict);
-    }
+    for (const ContactState state : all_contact_states) result.definitions += state_definition(wheel, state, strict);
   }
   std::vector<std::string> parts;
   for (const auto& [mode, more] : modes) parts.push_back("{" + mode_text(mode) + more + "}");
@@ -24,99 +27,166 @@ MotionText one_of(const ClaimWriter& writer, const std::vector<std::pair<Contact
   return result;
 }
 
-Expression both(const Expression& x, const Expression& y) {
-  return make(Operation::logical_and, {x, y});
+bool is_modelled(const ClaimWriter& writer, ContactMode mode) {
+  return mode.on_road() || writer.setting().scene.contains("J");
 }
 
-/// Modes in which a motion would contradict the claim, with the condition under which it would.
-std::vector<std::pair<ContactMode, std::string>> unlisted(ClaimWriter& writer, std::vector<Expression>& uses) {
-  const ClaimBody& body = writer.body();
-  std::vector<std::pair<ContactMode, std::string>> result;
+/// Those of the modes that are modelled. Gives up where there are none.
+std::vector<ModeAndMore> alone(ClaimWriter& writer, const Modes& modes) {
+  std::vector<ModeAndMore> result;
+  for (const ContactMode mode : modes) {
+    if (is_modelled(writer, mode)) result.emplace_back(mode, "");
+  }
+  if (result.empty()) writer.give_up();
+  return result;
+}
+
+Modes modelled(const ClaimWriter& writer) {
+  Modes result;
   for (const ContactMode mode : all_modes()) {
-    if (std::find(body.modes.begin(), body.modes.end(), mode) != body.modes.end()) continue;
-    std::string unless;
-    for (const std::size_t index : body.claims) {
-      const ClaimBody& other = writer.claims().claims[index].body(writer.reading());
-      if (other.modes.front() != mode) continue;
-      const Expression elsewhere = opposite(both(other.region, other.forces));
-      uses.push_back(elsewhere);
-      unless += fmt::format(" and {{{}}}", writer.text(elsewhere));
-    }
-    result.emplace_back(mode, unless);
+    if (is_modelled(writer, mode)) result.push_back(mode);
   }
   return result;
 }
+
+bool lists(const Modes& modes, ContactMode mode) {
+  return std::find(modes.begin(), modes.end(), mode) != modes.end();
+}
+
+void refute(ClaimWriter& writer, const Interval& claim) {
+  writer.somewhere(suffix, {writer.body().region, opposite(claim.forces)}, {writer.motion(claim.mode)});
+}
+
+void refute(ClaimWriter& writer, const Formula& claim) {
+  const std::vector<Expression> truths = {writer.body().region, claim.forces, opposite(claim.holds)};
+  std::vector<MotionText> motions;
+  if (claim.modes.size() == 1) motions = {writer.motion(claim.modes.front())};
+  if (claim.modes.size() > 1) motions = {one_of(writer, alone(writer, claim.modes), writer.setting().strict)};
+  writer.somewhere(suffix, truths, motions);
+}
+
+void refute(ClaimWriter& writer, const Impossible& claim) {
+  writer.somewhere(suffix, {writer.body().region, claim.forces},
+                   {one_of(writer, alone(writer, claim.modes), writer.setting().strict)});
+}
+
+void refute(ClaimWriter& writer, const Cover& claim) {
+  std::vector<Expression> truths = {writer.body().region};
+  for (const std::size_t other : claim.claims) {
+    truths.push_back(opposite(writer.claims().claims[other].body(writer.reading()).region));
+  }
+  writer.somewhere(suffix, truths, {});
+}
+
+/// A motion in none of the modes. Strict motions are in one mode only; a boundary motion may be in one that is listed,
+/// too, so that the conditions of these have to fail.
+void refute(ClaimWriter& writer, const Motions& claim) {
+  const bool strict = writer.setting().strict;
+  std::string in_none;
+  if (!strict) {
+    for (const ContactMode mode : claim.modes) in_none += fmt::format(" and {{{}}}", mode_missed_text(mode));
+  }
+  std::vector<ModeAndMore> others;
+  for (const ContactMode mode : modelled(writer)) {
+    if (!lists(claim.modes, mode)) others.emplace_back(mode, in_none);
+  }
+  writer.somewhere(suffix, {writer.body().region, claim.forces}, {one_of(writer, others, strict)});
+}
+
+/// What a condition compares and may have no value.
+void collect_unvalued(const ClaimWriter& writer, const Expression& e, std::vector<Expression>& found) {
+  const bool number = sort(*e) == Sort::number;
+  if (number && !writer.always_defined(e)) found.push_back(e);
+  if (number) return;
+  for (const Expression& operand : e->operands) collect_unvalued(writer, operand, found);
+}
+
+/// In the region, the forces have a value at every force. Gives up where that may depend on the force.
+Expression valued_at_all(ClaimWriter& writer, const Expression& region, const Expression& forces) {
+  std::vector<Expression> unvalued;
+  collect_unvalued(writer, forces, unvalued);
+  Expression valued = make_truth(true);
+  for (const Expression& e : unvalued) {
+    if (writer.depends_on_force(e)) writer.give_up();
+    valued = both(valued, make_comparison({e, e}, {Relation::less_equal}));
+  }
+  return is_true(region) ? valued : make(Operation::logical_or, {opposite(region), valued});
+}
+
+/// A strict motion, which is in one mode only, where a claim states another mode; or where no claim is near, and its
+/// mode is not listed.
+void refute(ClaimWriter& writer, const Unique& claim) {
+  const auto other = [&](std::size_t index) -> const ClaimBody& {
+    return writer.claims().claims[index].body(writer.reading());
+  };
+  const auto forces = [&](std::size_t index) { return *parts(other(index), BodyPart::forces).front(); };
+  const auto beyond = [&](std::size_t index) { return opposite(both(other(index).region, closure(forces(index)))); };
+  std::vector<Expression> truths = {writer.body().region, claim.forces}, uses;
+  for (const std::size_t index : claim.except) truths.push_back(beyond(index));
+  Expression near_none = make_truth(true);
+  for (const std::size_t index : claim.claims) near_none = both(near_none, beyond(index));
+  std::vector<ModeAndMore> wrong;
+  for (const ContactMode mode : modelled(writer)) {
+    Expression where = lists(claim.modes, mode) ? nullptr : near_none;
+    for (const std::size_t index : claim.claims) {
+      if (modes(other(index).says).front() == mode) continue;
+      const Expression stated = both(other(index).region, forces(index));
+      where = where ? make(Operation::logical_or, {where, stated}) : stated;
+    }
+    if (!where) continue;
+    uses.push_back(where);
+    wrong.emplace_back(mode, is_true(where) ? "" : fmt::format(" and {{{}}}", writer.text(where)));
+  }
+  References named = claim.claims;  // where one of them has no value, even at another force, nothing is claimed
+  named.insert(named.end(), claim.except.begin(), claim.except.end());
+  for (const std::size_t index : named) {
+    if (!writer.always_defined(other(index).region)) writer.give_up();
+    if (!writer.always_defined(forces(index)))
+      truths.push_back(valued_at_all(writer, other(index).region, forces(index)));
+  }
+  writer.somewhere(suffix, truths, {one_of(writer, wrong, true)}, uses);
+}
+
+void refute(ClaimWriter& writer, const Equivalence& claim) {
+  writer.somewhere(suffix,
+                   {writer.body().region, make(Operation::logical_or, {both(claim.forces, opposite(claim.holds)),
+                                                                       both(claim.holds, opposite(claim.forces))})},
+                   {});
+}
+
+/// Also of a system: that one direction fails.
+void refute(ClaimWriter& writer, const LinearEquations& claim) {
+  References sources = claim.given;
+  sources.insert(sources.end(), claim.claims.begin(), claim.claims.end());
+  const Equations assumed = equations_of(writer, sources, claim.assume);
+  std::vector<MotionText> motions = {{"", "0 = 0"}};
+  if (claim.from_model()) motions = {writer.equations(claim.mode)};
+  std::vector<Expression> truths = {writer.body().region, opposite(all_of(claim.equations))};
+  truths.insert(truths.end(), assumed.begin(), assumed.end());
+  writer.somewhere(suffix, truths, motions);
+}
+
+/// There is none anywhere.
+void refute(ClaimWriter& writer, const Exists& claim) {
+  const ClaimWriter::Assumptions assumptions = {{"region", writer.body().region}, {"force", claim.forces}};
+  writer.have_values(std::string(suffix) + ".defined", writer.body().region, claim.forces);
+  if (claim.modes.size() == 1) {
+    writer.implied({suffix, assumptions, writer.motion(claim.modes.front())}, make_truth(false));
+    return;
+  }
+  std::vector<MotionText> motions;
+  for (const ContactMode mode : claim.modes) motions.push_back(writer.motion(mode));
+  writer.impossible_together(suffix, assumptions, motions);
+}
+
+/// That it fails however large the parameter is has no statement.
+void refute(ClaimWriter&, const Limit&) {}
 
 }  // namespace
 
 std::vector<NamedStatement> claim_refutation(const ClaimsFile& claims, const Claim& claim, Reading reading) {
   ClaimWriter writer(claims, claim, reading);
-  const ClaimBody& body = writer.body();
-  const std::string suffix = ".refuted";
-  const std::optional<ContactMode> mode = body.modes.empty() ? std::nullopt : std::optional(body.modes.front());
-  switch (claim.kind) {
-    case ClaimKind::interval:
-      writer.somewhere(suffix, {body.region, opposite(body.forces)}, {writer.motion(*mode)});
-      break;
-    case ClaimKind::formula: {
-      const std::vector<Expression> truths = {body.region, body.forces, opposite(body.holds)};
-      writer.somewhere(suffix, truths, mode ? std::vector{writer.motion(*mode)} : std::vector<MotionText>{});
-      break;
-    }
-    case ClaimKind::impossible: {
-      std::vector<std::pair<ContactMode, std::string>> modes;
-      for (const ContactMode m : body.modes) modes.emplace_back(m, "");
-      writer.somewhere(suffix, {body.region, body.forces}, {one_of(writer, modes)});
-      break;
-    }
-    case ClaimKind::cover: {
-      std::vector<Expression> truths = {body.region};
-      for (const std::size_t other : body.claims) {
-        truths.push_back(opposite(claims.claims[other].body(writer.reading()).region));
-      }
-      writer.somewhere(suffix, truths, {});
-      break;
-    }
-    case ClaimKind::motions:
-    case ClaimKind::unique: {
-      std::vector<Expression> uses;
-      const auto modes = unlisted(writer, uses);
-      std::vector<Expression> truths = {body.region, body.forces};
-      for (const std::size_t other : body.except) {
-        const ClaimBody& excepted = claims.claims[other].body(writer.reading());
-        truths.push_back(opposite(both(excepted.region, excepted.forces)));
-      }
-      writer.somewhere(suffix, truths, {one_of(writer, modes)}, uses);
-      break;
-    }
-    case ClaimKind::equivalence:
-      writer.somewhere(suffix,
-                       {body.region, make(Operation::logical_or, {both(body.forces, opposite(body.holds)),
-                                                                  both(body.holds, opposite(body.forces))})},
-                       {});
-      break;
-    case ClaimKind::consequence:
-    case ClaimKind::system: {
-      std::vector<Expression> assumed = equations_of(writer, body.given, {});
-      const std::vector<Expression> claimed = equations_of(writer, body.claims, body.assume);
-      assumed.insert(assumed.end(), claimed.begin(), claimed.end());
-      std::vector<MotionText> motions = {{"", "0 = 0"}};
-      if (body.given.empty() && body.claims.empty()) motions = {writer.equations(mode)};
-      std::vector<Expression> truths = {body.region, opposite(all_of(body.equations))};
-      truths.insert(truths.end(), assumed.begin(), assumed.end());
-      writer.somewhere(suffix, truths, motions);
-      break;
-    }
-    case ClaimKind::exists:
-      for (std::size_t i = 0; i < body.modes.size(); ++i) {
-        if (body.modes.size() > 1) writer.give_up();
-        writer.implied({suffix, {{"region", body.region}, {"force", body.forces}}, writer.motion(body.modes[i])},
-                       make_truth(false));
-      }
-      break;
-    case ClaimKind::limit:
-      break;
-  }
+  std::visit([&](const auto& kind) { refute(writer, kind); }, writer.body().says);
   return writer.take();
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "claims/logic.hpp"
 #include "statements/claim_writer.hpp"
 #include "statements/unique_statements.hpp"
 
@@ -13,86 +14,115 @@ namespace {
 
 using Assumptions = ClaimWriter::Assumptions;
 
-void interval(ClaimWriter& writer) {
-  const ClaimBody& body = writer.body();
-  const ContactMode mode = body.modes.front();
-  writer.implied({".only-then", {{"region", body.region}}, writer.motion(mode)}, body.forces);
-  writer.exists({".always", {{"region", body.region}, {"force", body.forces}}, {}}, writer.motion(mode));
+// The sentences are those of proofs/MEANING.md, kind by kind.
+
+void write(ClaimWriter& writer, const Interval& claim) {
+  const Expression& region = writer.body().region;
+  writer.implied({".only-then", {{"region", region}}, writer.motion(claim.mode)}, claim.forces);
+  writer.exists({".always", {{"region", region}, {"force", claim.forces}}, {}}, writer.motion(claim.mode));
+  writer.have_values(".defined", region, claim.forces);
 }
 
-void impossible(ClaimWriter& writer) {
-  const ClaimBody& body = writer.body();
-  for (std::size_t i = 0; i < body.modes.size(); ++i) {
-    writer.implied({body.modes.size() == 1 ? "" : fmt::format(".{}", i + 1),
-                    {{"region", body.region}, {"force", body.forces}},
-                    writer.motion(body.modes[i])},
-                   make_truth(false));
+/// Of the motions in each mode.
+void implied_of_each(ClaimWriter& writer, const Modes& modes, const Expression& forces, const Expression& shown) {
+  const Assumptions assumptions = {{"region", writer.body().region}, {"force", forces}};
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    writer.implied({modes.size() == 1 ? "" : fmt::format(".{}", i + 1), assumptions, writer.motion(modes[i])}, shown);
   }
+  if (modes.empty()) writer.implied({"", assumptions, {}}, shown);
+  writer.have_values(".defined", writer.body().region, forces);
 }
 
-void formula(ClaimWriter& writer) {
-  const ClaimBody& body = writer.body();
-  const Assumptions assumptions = {{"region", body.region}, {"force", body.forces}};
-  if (body.modes.empty()) writer.implied({"", assumptions, {}}, body.holds);
-  for (std::size_t i = 0; i < body.modes.size(); ++i) {
-    writer.implied({body.modes.size() == 1 ? "" : fmt::format(".{}", i + 1), assumptions, writer.motion(body.modes[i])},
-                   body.holds);
-  }
+void write(ClaimWriter& writer, const Impossible& claim) {
+  implied_of_each(writer, claim.modes, claim.forces, make_truth(false));
 }
 
-void cover(ClaimWriter& writer) {
+void write(ClaimWriter& writer, const Formula& claim) {
+  implied_of_each(writer, claim.modes, claim.forces, claim.holds);
+}
+
+void write(ClaimWriter& writer, const Cover& claim) {
   Expression regions;
-  for (const std::size_t other : writer.body().claims) {
+  for (const std::size_t other : claim.claims) {
     const Expression& region = writer.claims().claims[other].body(writer.reading()).region;
     regions = regions ? make(Operation::logical_or, {regions, region}) : region;
   }
-  writer.implied({"", {{"region", writer.body().region}}, {}}, regions);
+  writer.implied({"", {{"region", writer.body().region}}, {}, false}, regions);
+  writer.have_values(".defined", writer.body().region, make_truth(true));
 }
 
-void motions(ClaimWriter& writer) {
-  const ClaimBody& body = writer.body();
-  const Assumptions assumptions = {{"region", body.region}, {"force", body.forces}};
+void write(ClaimWriter& writer, const Motions& claim) {
+  const Assumptions assumptions = {{"region", writer.body().region}, {"force", claim.forces}};
+  const bool strict = writer.setting().strict;
   std::vector<std::string> modes;
-  for (std::size_t i = 0; i < body.modes.size(); ++i) {
-    writer.exists({fmt::format(".{}", i + 1), assumptions, {}}, writer.motion(body.modes[i]));
-    modes.push_back("{" + mode_text(body.modes[i]) + "}");
+  for (std::size_t i = 0; i < claim.modes.size(); ++i) {
+    const ContactMode mode = claim.modes[i];
+    writer.exists({fmt::format(".{}", i + 1), assumptions, {}}, writer.motion(mode));
+    writer.one_motion(fmt::format(".{}.one", i + 1), assumptions, mode, mode, strict);
+    modes.push_back("{" + mode_text(mode) + "}");
   }
-  writer.implied({".complete", assumptions, writer.any_motion()}, fmt::format("{}", fmt::join(modes, " or ")), {});
+  writer.implied({".complete", assumptions, writer.any_motion(strict)}, fmt::format("{}", fmt::join(modes, " or ")),
+                 {});
+  writer.have_values(".defined", writer.body().region, claim.forces);
 }
 
-void equivalence(ClaimWriter& writer) {
-  const ClaimBody& body = writer.body();
-  writer.implied({".forwards", {{"region", body.region}, {"force", body.forces}}, {}}, body.holds);
-  writer.implied({".backwards", {{"region", body.region}, {"force", body.holds}}, {}}, body.forces);
+void write(ClaimWriter& writer, const Equivalence& claim) {
+  const Expression& region = writer.body().region;
+  writer.implied({".forwards", {{"region", region}, {"force", claim.forces}}, {}}, claim.holds);
+  writer.implied({".backwards", {{"region", region}, {"force", claim.holds}}, {}}, claim.forces);
+  writer.have_values(".defined", region, claim.forces);
+  writer.has_value(".defined.holds", {{"region", region}}, claim.holds);
 }
 
 std::string conjunction(ClaimWriter& writer, const std::vector<Expression>& equations) {
   std::vector<std::string> texts;
-  for (const Expression& equation : equations) texts.push_back(writer.text(equation));
+  for (const Expression& equation : equations) {
+    texts.push_back(writer.text(equation));
+    if (texts.back().find(" or ") != std::string::npos) texts.back() = "{" + texts.back() + "}";  // functions as cases
+  }
   return fmt::format("{}", fmt::join(texts, " and "));
 }
 
-/// Equations that follow from the model's or from others; as linear equations, in the force too, so that it is any.
-void consequence(ClaimWriter& writer) {
-  const ClaimBody& body = writer.body();
-  const bool from_model = body.given.empty() && body.claims.empty();
-  std::vector<std::size_t> sources = body.given;
-  sources.insert(sources.end(), body.claims.begin(), body.claims.end());
-  const Expression shown = all_of(body.equations);
-  MotionText motion{"", ""};
-  if (from_model) {
-    motion = writer.equations(body.modes.empty() ? std::nullopt : std::optional(body.modes.front()));
-  }
-  const std::vector<Expression> others = equations_of(writer, sources, body.assume);
-  if (!others.empty()) {
-    motion.formula += (motion.formula.empty() ? "" : " and ") + conjunction(writer, others);
-  }
-  std::vector<Expression> uses = others;
-  uses.push_back(shown);
-  writer.implied({"", {{"region", body.region}}, motion, false}, writer.text(shown), uses);
+/// The hypotheses of a claim of equations, with the equations of claims and of `assume` among them as `others`.
+MotionText hypotheses(ClaimWriter& writer, const LinearEquations& claim, const Equations& others) {
+  MotionText result{"", ""};
+  if (claim.from_model()) result = writer.equations(claim.mode);
+  if (!others.empty()) result.formula += (result.formula.empty() ? "" : " and ") + conjunction(writer, others);
+  return result;
 }
 
-bool occurs(std::string_view unknown, const std::vector<Expression>& equations) {
+/// That equations divide by nothing that vanishes, for any numbers in place of the unknowns.
+void equations_have_values(ClaimWriter& writer, const Equations& equations) {
+  Equations divided;
+  for (const Expression& e : equations) {
+    if (!writer.always_defined(e)) divided.push_back(e);
+  }
+  if (divided.empty()) return;
+  const Expression all = all_of(divided);
+  std::string shown;
+  for (const Expression& e : divided) {
+    const Expression valued = make(Operation::logical_or, {e, opposite(e)});
+    shown += (shown.empty() ? "{" : " and {") + writer.text(valued) + "}";
+  }
+  writer.implied({".defined", {{"region", writer.body().region}}, MotionText{"", "0 = 0"}, false}, shown, {all});
+}
+
+/// As linear equations, in the force too, so that it is any.
+void write(ClaimWriter& writer, const Consequence& claim) {
+  References sources = claim.given;
+  sources.insert(sources.end(), claim.claims.begin(), claim.claims.end());
+  const Expression shown = all_of(claim.equations);
+  const Equations others = equations_of(writer, sources, claim.assume);
+  std::vector<Expression> uses = others;
+  uses.push_back(shown);
+  const Expression& region = writer.body().region;
+  writer.implied({"", {{"region", region}}, hypotheses(writer, claim, others), false},
+                 conjunction(writer, claim.equations), uses);
+  writer.has_value(".defined.region", {}, region);
+  equations_have_values(writer, others);
+}
+
+bool occurs(std::string_view unknown, const Equations& equations) {
   return std::any_of(equations.begin(), equations.end(), [&](const Expression& equation) {
     const std::vector<std::string> names = symbols(equation);
     return std::find(names.begin(), names.end(), unknown) != names.end();
@@ -101,98 +131,59 @@ bool occurs(std::string_view unknown, const std::vector<Expression>& equations) 
 
 /// The consequence; and conversely: what meets the equations (and those given) can be completed to what they follow
 /// from.
-void system(ClaimWriter& writer) {
-  const ClaimBody& body = writer.body();
-  const std::vector<Expression> given = equations_of(writer, body.given, {});
-  std::vector<Expression> right = given;
-  right.insert(right.end(), body.equations.begin(), body.equations.end());
-  const std::vector<Expression> claimed = equations_of(writer, body.claims, body.assume);
-  std::vector<Expression> left = given;
+void write(ClaimWriter& writer, const System& claim) {
+  const Expression& region = writer.body().region;
+  const Equations right = equations_of(writer, claim.given, claim.equations);
+  Equations left = equations_of(writer, claim.given, {});
+  const Equations claimed = equations_of(writer, claim.claims, claim.assume);
   left.insert(left.end(), claimed.begin(), claimed.end());
-  MotionText motion{"", ""};
-  if (body.given.empty() && body.claims.empty()) motion = writer.equations(std::nullopt);
-  if (!left.empty()) motion.formula += (motion.formula.empty() ? "" : " and ") + conjunction(writer, left);
+  const MotionText motion = hypotheses(writer, claim, left);
   std::vector<Expression> uses = left;
   uses.insert(uses.end(), right.begin(), right.end());
-  writer.implied({".forwards", {{"region", body.region}}, motion, false}, conjunction(writer, body.equations), uses);
+  writer.implied({".forwards", {{"region", region}}, motion, false}, conjunction(writer, claim.equations), uses);
   std::vector<std::string> others;
   for (const auto& unknown : motion_unknowns) {
     if (!occurs(unknown, right)) others.emplace_back(unknown);
   }
-  const Assumptions assumptions = {{"region", body.region}, {"equations", all_of(right)}};
   if (others.empty()) {
     writer.implied(
-        {".backwards", {{"region", body.region}}, MotionText{motion.definitions, conjunction(writer, right)}, false},
+        {".backwards", {{"region", region}}, MotionText{motion.definitions, conjunction(writer, right)}, false},
         motion.formula, uses);
   } else {
-    writer.exists({".backwards", assumptions, {}, false}, others, motion, left);
+    writer.exists({".backwards", {{"region", region}, {"equations", all_of(right)}}, {}, false}, others, motion, left);
   }
+  writer.has_value(".defined.region", {}, region);
+  equations_have_values(writer, uses);
 }
 
-/// From a value of the parameter on that the others determine; and that it is defined.
-void limit(ClaimWriter& writer) {
-  const ClaimBody& body = writer.body();
-  if (!body.from) return;
-  const Expression beyond = make_comparison({body.from, make_symbol(body.parameter)}, {Relation::less});
-  writer.implied({".eventually", {{"region", body.region}, {"beyond", beyond}}, {}}, body.holds);
-  const Expression defined = make_comparison({body.from, body.from}, {Relation::equal});
-  writer.implied({".from", {{"region", body.region}}, {}}, defined);
+/// From a value of the parameter on that the others determine; that it is defined, and that there is something beyond.
+void write(ClaimWriter& writer, const Limit& claim) {
+  if (!claim.from) return;
+  const Expression& region = writer.body().region;
+  const Expression beyond = make_comparison({claim.from, make_symbol(claim.parameter)}, {Relation::less});
+  writer.implied({".eventually", {{"region", region}, {"beyond", beyond}}, {}, false}, claim.holds);
+  const Expression defined = make_comparison({claim.from, claim.from}, {Relation::equal});
+  writer.implied({".from", {{"region", region}}, {}, false}, defined);
+  writer.goes_beyond(".beyond", claim.parameter, claim.from);
+  writer.has_value(".defined", {{"beyond", beyond}}, region);
 }
 
-void exists(ClaimWriter& writer) {
-  const ClaimBody& body = writer.body();
+void write(ClaimWriter& writer, const Exists& claim) {
   std::vector<MotionText> motions;
-  for (const ContactMode mode : body.modes) motions.push_back(writer.motion(mode));
-  writer.somewhere("", {body.region, body.forces}, motions);
+  for (const ContactMode mode : claim.modes) motions.push_back(writer.motion(mode));
+  writer.somewhere("", {writer.body().region, claim.forces}, motions);
+}
+
+void write(ClaimWriter& writer, const Unique& claim) {
+  unique_statements(writer, claim);
 }
 
 }  // namespace
 
 std::vector<NamedStatement> claim_statements(const ClaimsFile& claims, const Claim& claim, Reading reading) {
   ClaimWriter writer(claims, claim, reading);
-  switch (claim.kind) {
-    case ClaimKind::interval:
-      interval(writer);
-      break;
-    case ClaimKind::impossible:
-      impossible(writer);
-      break;
-    case ClaimKind::formula:
-      formula(writer);
-      break;
-    case ClaimKind::cover:
-      cover(writer);
-      break;
-    case ClaimKind::motions:
-      motions(writer);
-      break;
-    case ClaimKind::equivalence:
-      equivalence(writer);
-      break;
-    case ClaimKind::consequence:
-      consequence(writer);
-      break;
-    case ClaimKind::system:
-      system(writer);
-      break;
-    case ClaimKind::exists:
-      exists(writer);
-      break;
-    case ClaimKind::unique:
-      unique_statements(writer);
-      break;
-    case ClaimKind::limit:
-      limit(writer);
-      break;
-  }
-  std::vector<NamedStatement> result = writer.take();
-  if (claim.kind != ClaimKind::unique || result.empty()) return result;
-  for (const std::size_t stated : writer.body().claims) {  // that the motions exist, of which there are no others
-    for (NamedStatement& statement : claim_statements(claims, claims.claims[stated], reading)) {
-      if (statement.name.ends_with(".always")) result.push_back(std::move(statement));
-    }
-  }
-  return result;
+  std::visit([&](const auto& kind) { write(writer, kind); }, writer.body().says);
+  return writer.take();
 }
 
 }  // namespace slipproof

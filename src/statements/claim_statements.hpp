@@ -19,14 +19,21 @@ struct NamedStatement {
 /// - interval: ID.only-then (a motion of the mode needs a force of `forces`) and ID.always (each such force has one);
 /// - impossible, formula: ID, or ID.1, ID.2, ... where there are several modes;
 /// - cover, consequence: ID;
-/// - motions: ID.1, ID.2, ... (there is a motion in each mode) and ID.complete (each motion is in one of the modes);
+/// - motions: ID.1, ID.2, ... (there is a motion in each mode), ID.1.one, ... (only one) and ID.complete (each motion
+/// is
+///   in one of the modes);
 /// - equivalence: ID.forwards (where `forces`, there `holds`) and ID.backwards;
 /// - system: ID.forwards (the equations follow) and ID.backwards (what meets them can be completed to the rest);
 /// - exists: ID;
-/// - limit, if it has `from`: ID.eventually (greater values of the parameter have `holds`) and ID.from (it is defined);
-/// - unique: those of unique_statements.hpp, and ID.always of the claims whose motions it speaks of.
+/// - limit, if it has `from`: ID.eventually (greater values of the parameter have `holds`), ID.from (it is defined)
+/// and,
+///   where the parameter may be bounded, ID.beyond (there are greater values);
+/// - unique: those of unique_statements.hpp;
+/// - and where what the claim assumes divides by something that is not plainly of one sign: ID.defined..., that it has
+/// a
+///   value.
 /// The repaired reading adds `.repaired` to ID where it is another one. Empty where statements cannot say what the
-/// claim says: `limit` without `from`, and `abs` and `sign`. Uniqueness of the motion in a mode is not part of it.
+/// claim says: `limit` without `from`, modes that are not modelled, and what would take too many cases.
 std::vector<NamedStatement> claim_statements(const ClaimsFile& claims, const Claim& claim, Reading reading);
 
 /// For a claim that is false: ID.refuted, that there are a bicycle, a force and (where the claim is about them) a

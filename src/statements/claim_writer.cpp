@@ -7,6 +7,7 @@
 #include <cctype>
 #include <sstream>
 
+#include "claims/logic.hpp"
 #include "statements/truth_text.hpp"
 
 namespace slipproof {
@@ -41,7 +42,9 @@ ClaimWriter::ClaimWriter(const ClaimsFile& claims, const Claim& claim, Reading r
       claims_(claims),
       claim_(claim),
       body_(claim.body(reading)),
-      name_(claim.id + (reading == Reading::repaired && claim.repaired ? ".repaired" : "")) {}
+      name_(claim.id + (reading == Reading::repaired && claim.repaired ? ".repaired" : "")) {
+  if (!has_interval_of_forces()) give_up();
+}
 
 std::string ClaimWriter::opening(const std::string& suffix) {
   return header(name_ + suffix, fmt::format("{} of {}, {} reading", claim_.id, claims_.paper.source, name(reading())));
@@ -97,19 +100,56 @@ void ClaimWriter::exists(const Implication& implication, const MotionText& motio
   exists(implication, std::vector<std::string>(motion_unknowns.begin(), motion_unknowns.end()), motion);
 }
 
-void ClaimWriter::impossible_together(const std::string& suffix, const Assumptions& assumptions,
-                                      const std::vector<MotionText>& motions) {
+void ClaimWriter::together(const std::string& suffix, const Assumptions& assumptions,
+                           const std::vector<MotionText>& motions, const std::string& hints, const std::string& shown) {
   std::string result = opening(suffix);
   std::vector<Expression> uses;
   const std::string assumption_lines = assumed(assumptions, uses);
-  result += fmt::format("real {}\nassume domain: {}\n", parameters(), domain(true)) + scene(uses) + assumption_lines;
+  result +=
+      fmt::format("real {}\nassume domain: {}\n", parameters(), domain(true)) + scene(uses) + assumption_lines + hints;
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const std::string ending = i == 0 ? "" : fmt::format("_{}", i + 1);
     const MotionText motion = with_ending(motions[i], ending);
     result += fmt::format("real {}{}\n{}assume motion{}: {}\n", fmt::join(motion_unknowns, ending + " "), ending,
                           motion.definitions, ending, motion.formula);
   }
-  statements_.push_back({name_ + suffix, result + "show false\n"});
+  statements_.push_back({name_ + suffix, result + fmt::format("show {}\n", shown)});
+}
+
+void ClaimWriter::one_motion(const std::string& suffix, const Assumptions& assumptions, ContactMode x, ContactMode y,
+                             bool strict, const std::string& hints) {
+  std::vector<std::string> same;
+  for (const auto& unknown : motion_unknowns) same.push_back(fmt::format("{0} = {0}_2", unknown));
+  together(suffix, assumptions, {motion(x, strict), motion(y, strict)}, hints,
+           fmt::format("{}", fmt::join(same, " and ")));
+}
+
+void ClaimWriter::impossible_together(const std::string& suffix, const Assumptions& assumptions,
+                                      const std::vector<MotionText>& motions) {
+  together(suffix, assumptions, motions, "", "false");
+}
+
+void ClaimWriter::has_value(const std::string& suffix, const Assumptions& assumptions, const Expression& truth) {
+  if (always_defined(truth)) return;
+  implied({suffix, assumptions, {}, depends_on_force(truth)}, make(Operation::logical_or, {truth, opposite(truth)}));
+}
+
+void ClaimWriter::have_values(const std::string& suffix, const Expression& region, const Expression& forces) {
+  has_value(suffix + ".region", {}, region);
+  has_value(suffix, {{"region", region}}, forces);
+}
+
+void ClaimWriter::goes_beyond(const std::string& suffix, const std::string& parameter, const Expression& from) {
+  if (!is_bounded(parameter)) return;
+  const std::string greater = parameter + "'";
+  std::vector<Expression> uses = {body_.region, from};
+  std::string result = opening(suffix) + fmt::format("real {}\nassume domain: {}\n", parameters(), domain(false));
+  result += definitions(uses) + assumption("region", body_.region);
+  const auto bound = number_text(from, [this](const Expression& e) { return always_defined(e); });
+  if (!bound) give_up();
+  result += fmt::format("exists {}\nshow {} and {} > {}\n", greater, domain(false, parameter, greater), greater,
+                        bound.value_or("0"));
+  statements_.push_back({name_ + suffix, std::move(result)});
 }
 
 std::vector<Expression> ClaimWriter::cells(const std::vector<Expression>& regions) const {
@@ -171,22 +211,15 @@ void ClaimWriter::somewhere(const std::string& suffix, const std::vector<Express
   statements_.push_back({name_ + suffix, result + '\n' + scene(uses) + hints + definitions + "show " + shown + '\n'});
 }
 
-std::vector<Expression> equations_of(const ClaimWriter& writer, const std::vector<std::size_t>& claims,
-                                     const std::vector<Expression>& others) {
-  std::vector<Expression> result;
+Equations equations_of(const ClaimWriter& writer, const References& claims, const Equations& others) {
+  Equations result;
   for (const std::size_t claim : claims) {
-    const ClaimBody& body = writer.claims().claims[claim].body(writer.reading());
-    result.insert(result.end(), body.equations.begin(), body.equations.end());
+    for (const Expression* equation :
+         parts(writer.claims().claims[claim].body(writer.reading()), BodyPart::equations)) {
+      result.push_back(*equation);
+    }
   }
   result.insert(result.end(), others.begin(), others.end());
-  return result;
-}
-
-Expression all_of(const std::vector<Expression>& truths) {
-  Expression result;
-  for (const Expression& truth : truths) {
-    result = result ? make(Operation::logical_and, {result, truth}) : truth;
-  }
   return result;
 }
 

@@ -35,9 +35,19 @@ class ClaimWriter : public SettingWriter {
               const std::vector<Expression>& uses = {});
   /// The same of all unknowns of a motion.
   void exists(const Implication& implication, const MotionText& motion);
+  /// For all parameters with `assumptions`, and all motions in both modes, boundary motions if not strict: they are
+  /// one.
+  void one_motion(const std::string& suffix, const Assumptions& assumptions, ContactMode x, ContactMode y, bool strict,
+                  const std::string& hints = {});
   /// No parameters with `assumptions` have all of `motions` at once.
   void impossible_together(const std::string& suffix, const Assumptions& assumptions,
                            const std::vector<MotionText>& motions);
+  /// That a condition, assumed by the claim, has a value under `assumptions`; nothing where that is plain.
+  void has_value(const std::string& suffix, const Assumptions& assumptions, const Expression& truth);
+  /// The same of the region, and in the region of the forces at every force.
+  void have_values(const std::string& suffix, const Expression& region, const Expression& forces);
+  /// In the region, there are bicycles with a greater value of the parameter than `from`; nothing where that is plain.
+  void goes_beyond(const std::string& suffix, const std::string& parameter, const Expression& from);
   /// Between the boundaries of the setting that `regions` name, all of one parameter, in the order in which the setting
   /// lists them; a boundary belongs to the cell above it. Whatever their order, every value lies in one.
   std::vector<Expression> cells(const std::vector<Expression>& regions) const;
@@ -51,6 +61,9 @@ class ClaimWriter : public SettingWriter {
   std::vector<NamedStatement> take() { return complete() ? std::move(statements_) : std::vector<NamedStatement>{}; }
 
  private:
+  /// All of `motions` at once, under names of their own from the second on.
+  void together(const std::string& suffix, const Assumptions& assumptions, const std::vector<MotionText>& motions,
+                const std::string& hints, const std::string& shown);
   std::string opening(const std::string& suffix);
   /// The lines of the assumptions; what the scene has to define for them joins `uses`.
   std::string assumed(const Assumptions& assumptions, std::vector<Expression>& uses);
@@ -63,9 +76,6 @@ class ClaimWriter : public SettingWriter {
 };
 
 /// The equations of claims, and others.
-std::vector<Expression> equations_of(const ClaimWriter& writer, const std::vector<std::size_t>& claims,
-                                     const std::vector<Expression>& others);
-/// Joined by `and`.
-Expression all_of(const std::vector<Expression>& truths);
+Equations equations_of(const ClaimWriter& writer, const References& claims, const Equations& others);
 
 }  // namespace slipproof

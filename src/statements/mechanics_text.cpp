@@ -70,6 +70,30 @@ std::string state_definition(Wheel wheel, ContactState state, bool strict) {
   return fmt::format("define {}: {} and {}\n", state_name(wheel, state), contact_equations(wheel, state), conditions);
 }
 
+namespace {
+
+/// One of a state's equations or conditions fails.
+std::string state_missed_text(Wheel wheel, ContactState state) {
+  const int j = wheel == Wheel::rear ? 2 : 3;
+  switch (state) {
+    case ContactState::stick:
+      return fmt::format("gap{0} != 0 or slip{0} != 0 or N{0} < 0 or S{0} < -f*N{0} or S{0} > f*N{0}", j);
+    case ContactState::slip_forward:
+      return fmt::format("gap{0} != 0 or S{0} != -f*N{0} or N{0} < 0 or slip{0} < 0", j);
+    case ContactState::slip_backward:
+      return fmt::format("gap{0} != 0 or S{0} != f*N{0} or N{0} < 0 or slip{0} > 0", j);
+    case ContactState::lift:
+      break;
+  }
+  return fmt::format("N{0} != 0 or S{0} != 0 or gap{0} < 0", j);
+}
+
+}  // namespace
+
+std::string mode_missed_text(ContactMode mode) {
+  return state_missed_text(Wheel::rear, mode.rear) + " or " + state_missed_text(Wheel::front, mode.front);
+}
+
 std::string mode_text(ContactMode mode) {
   return state_name(Wheel::rear, mode.rear) + " and " + state_name(Wheel::front, mode.front);
 }

@@ -27,6 +27,8 @@ std::string state_name(Wheel wheel, ContactState state);
 std::string state_definition(Wheel wheel, ContactState state, bool strict);
 /// `rear_sticks and front_lifts`
 std::string mode_text(ContactMode mode);
+/// That a motion is not in the mode, boundary motions of the mode counted as in it.
+std::string mode_missed_text(ContactMode mode);
 /// The two equations of a contact state alone, without its conditions.
 std::string contact_equations(Wheel wheel, ContactState state);
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "statements/mechanics_text.hpp"
+#include "statements/plain_signs.hpp"
 
 namespace slipproof {
 
@@ -18,7 +19,8 @@ struct MotionText {
 
 class SettingWriter {
  public:
-  SettingWriter(const Setting& setting, Reading reading) : setting_(setting), reading_(reading) {}
+  SettingWriter(const Setting& setting, Reading reading)
+      : setting_(setting), reading_(reading), names_(setting), signs_(setting, reading) {}
 
   const Setting& setting() const { return setting_; }
   Reading reading() const { return reading_; }
@@ -27,18 +29,32 @@ class SettingWriter {
   MotionText motion(ContactMode mode);
   /// The equations of a mode without its conditions; without a mode: both wheels on the road.
   MotionText equations(std::optional<ContactMode> mode) const;
-  /// Motions of all sixteen modes, boundaries included.
-  MotionText any_motion() const;
+  /// The same with boundary motions, or without, whatever the setting says.
+  MotionText motion(ContactMode mode, bool strict);
+  /// Motions of all sixteen modes. Gives up where not all are modelled.
+  MotionText any_motion(bool strict);
 
-  std::string text(const Expression& truth);  ///< gives up where statements have no word for it
+  std::string text(const Expression& truth);  ///< gives up where it would be too long
   void give_up() { complete_ = false; }
+  /// Whether the domain of the force plainly is one interval with a value everywhere; where it is not, no claim of the
+  /// setting has a value.
+  bool has_interval_of_forces() const;
+  /// Directly or by definitions.
+  bool depends_on_force(const Expression& e) const { return names_.depends(e, reading_, setting_.force.symbol); }
+  /// Whether all that it divides by plainly differs from 0 in the domain.
+  bool always_defined(const Expression& e) const { return signs_.defined(e); }
 
  protected:
-  static bool is_true(const Expression& truth);
   /// The first lines, up to the variables.
   std::string header(const std::string& theorem, const std::string& comment);
   std::string parameters() const;
-  std::string domain(bool with_force);
+  /// What a bicycle is, as far as it is not plain (proofs/MEANING.md, The words), and where the paper's force stands.
+  std::string domain(bool with_force) { return domain(with_force, "", ""); }
+  /// The same with another name for one parameter.
+  std::string domain(bool with_force, const std::string& parameter, const std::string& renamed);
+  /// Whether bicycles differ from others by more than the lower ends of their parameters: a parameter may then not be
+  /// as large as one likes.
+  bool is_bounded(const std::string& parameter) const;
   /// `let` lines for every definition that the expressions use, each after those that it uses itself; lines that need
   /// an unknown of the motion do not occur, as definitions are over parameters and the force.
   std::string definitions(const std::vector<Expression>& uses);
@@ -48,11 +64,17 @@ class SettingWriter {
   bool complete() const { return complete_; }
 
  private:
+  /// Conditions on the scene that the domains of the parameters do not plainly imply.
+  std::vector<Expression> physical();
+  /// Definitions that statements cannot abbreviate, having functions, written out.
+  Expression inlined(const Expression& e) const;
   /// Without it, only motions with both wheels on the road are modelled, and there it drops out.
   bool has_pitch_inertia() const { return setting_.scene.contains("J"); }
 
   const Setting& setting_;
   Reading reading_;
+  SettingNames names_;
+  PlainSigns signs_;
   std::set<std::string> defined_;
   bool complete_ = true;
 };

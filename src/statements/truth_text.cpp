@@ -2,108 +2,53 @@
 
 #include <vector>
 
+#include "claims/logic.hpp"
+
 namespace slipproof {
+
 namespace {
 
-Expression link(const Expression& left, Relation relation, const Expression& right) {
-  return make_comparison({left, right}, {relation});
-}
-
-Relation turned(Relation relation) {
-  switch (relation) {
-    case Relation::less:
-      return Relation::greater_equal;
-    case Relation::less_equal:
-      return Relation::greater;
-    case Relation::greater:
-      return Relation::less_equal;
-    case Relation::greater_equal:
-      return Relation::less;
-    case Relation::equal:
-      return Relation::not_equal;
-    case Relation::not_equal:
-      break;
+/// Numbers as statements write them: fractions as quotients, exponents from 1.
+Expression written(const Expression& e, const OfExpression& defined) {
+  if (e->operation == Operation::number && denominator(e->number) != 1) {
+    return make(Operation::divide,
+                {make_number(Rational(numerator(e->number))), make_number(Rational(denominator(e->number)))});
   }
-  return Relation::equal;
-}
-
-bool below(Relation relation) {
-  return relation == Relation::less || relation == Relation::less_equal;
-}
-
-/// A comparison with `max` or `min` on one side as comparisons with what is in it.
-Expression expanded(const Expression& left, Relation relation, const Expression& right) {
-  const bool ordered = relation != Relation::equal && relation != Relation::not_equal;
-  for (const bool on_left : {true, false}) {
-    const Expression& side = on_left ? left : right;
-    if (!ordered || (side->operation != Operation::maximum && side->operation != Operation::minimum)) continue;
-    // Below a maximum, or above a minimum: one of them is enough.
-    const bool side_is_larger = below(relation) != on_left;
-    const bool both = (side->operation == Operation::maximum) != side_is_larger;
-    std::vector<Expression> links;
-    for (const Expression& operand : side->operands) {
-      links.push_back(on_left ? expanded(operand, relation, right) : expanded(left, relation, operand));
-    }
-    return make(both ? Operation::logical_and : Operation::logical_or, links);
+  if (e->operation == Operation::power && e->exponent < 1) {
+    const Expression base = written(e->operands[0], defined), one = make_number(1);
+    if (e->exponent < 0)
+      return make(Operation::divide, {one, e->exponent == -1 ? base : make_power(base, -e->exponent)});
+    if (defined(e->operands[0])) return one;
+    return make(Operation::add, {make(Operation::multiply, {make_number(0), base}), one});  // where it has a value
   }
-  return link(left, relation, right);
+  if (e->operands.empty()) return e;
+  std::vector<Expression> operands;
+  for (const Expression& operand : e->operands) operands.push_back(written(operand, defined));
+  if (e->operation == Operation::power) return make_power(operands[0], e->exponent);
+  if (e->operation == Operation::compare) return make_comparison(std::move(operands), e->relations);
+  return make(e->operation, std::move(operands));
 }
 
-bool has_function(const Expression& e) {
-  for (const Operation function : {Operation::absolute, Operation::signum, Operation::minimum, Operation::maximum}) {
-    if (e->operation == function) return true;
-  }
-  for (const Expression& operand : e->operands) {
-    if (has_function(operand)) return true;
-  }
-  return false;
-}
-
-std::optional<std::string> text(const Expression& e, bool inner) {
+/// Of a condition without functions.
+std::string text(const Expression& e, bool inner, const OfExpression& defined) {
   if (e->operation == Operation::truth) return e->truth ? "0 = 0" : "false";
-  if (e->operation == Operation::logical_not) return text(opposite(e->operands[0]), inner);
-  if (e->operation == Operation::compare) {
-    if (!has_function(e)) return to_string(e);
-    Expression links;
-    for (std::size_t i = 0; i < e->relations.size(); ++i) {
-      const Expression next = expanded(e->operands[i], e->relations[i], e->operands[i + 1]);
-      links = links ? make(Operation::logical_and, {links, next}) : next;
-    }
-    if (links->operation == Operation::compare) return std::nullopt;
-    return text(links, inner);
-  }
+  if (e->operation == Operation::logical_not) return text(opposite(e->operands[0]), inner, defined);
+  if (e->operation == Operation::compare) return to_string(written(e, defined));
   const bool both = e->operation == Operation::logical_and;
-  const auto left = text(e->operands[0], e->operands[0]->operation != e->operation);
-  const auto right = text(e->operands[1], true);
-  if (!left || !right) return std::nullopt;
-  const std::string result = *left + (both ? " and " : " or ") + *right;
+  const std::string result = text(e->operands[0], e->operands[0]->operation != e->operation, defined) +
+                             (both ? " and " : " or ") + text(e->operands[1], true, defined);
   return inner ? "{" + result + "}" : result;
 }
 
 }  // namespace
 
-std::optional<std::string> truth_text(const Expression& truth) {
-  return text(truth, false);
+std::optional<std::string> truth_text(const Expression& truth, const OfExpression& defined) {
+  const Expression plain = by_cases(truth, is_function, defined);
+  return plain ? std::optional(text(plain, false, defined)) : std::nullopt;
 }
 
-Expression opposite(const Expression& e) {
-  switch (e->operation) {
-    case Operation::truth:
-      return make_truth(!e->truth);
-    case Operation::logical_not:
-      return e->operands[0];
-    case Operation::compare: {
-      Expression result;
-      for (std::size_t i = 0; i < e->relations.size(); ++i) {
-        const Expression next = link(e->operands[i], turned(e->relations[i]), e->operands[i + 1]);
-        result = result ? make(Operation::logical_or, {result, next}) : next;
-      }
-      return result;
-    }
-    default:
-      return make(e->operation == Operation::logical_and ? Operation::logical_or : Operation::logical_and,
-                  {opposite(e->operands[0]), opposite(e->operands[1])});
-  }
+std::optional<std::string> number_text(const Expression& number, const OfExpression& defined) {
+  return has_function(number) ? std::nullopt : std::optional(to_string(written(number, defined)));
 }
 
 }  // namespace slipproof

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "statements/truth_text.hpp"
+#include "claims/logic.hpp"
 
 namespace slipproof {
 namespace {
@@ -23,95 +23,119 @@ bool is_force(const Setting& setting, const Expression& number) {
          });
 }
 
-bool depends_on_force(const Setting& setting, Reading reading, const Expression& number) {
-  const std::vector<std::string> names = symbols(number);
-  return std::any_of(names.begin(), names.end(), [&](const std::string& symbol) {
-    if (symbol == setting.force.symbol) return true;
-    const auto defined = std::find_if(setting.definitions.begin(), setting.definitions.end(),
-                                      [&](const Definition& d) { return d.symbol == symbol; });
-    if (defined == setting.definitions.end()) return false;
-    const bool repaired = reading == Reading::repaired && defined->repaired;
-    return depends_on_force(setting, reading, repaired ? defined->repaired : defined->printed);
-  });
+/// Whether each comparison has its sides equal at one force at most, so that the closure adds single forces.
+bool has_single_ends(const ClaimWriter& writer, const Expression& truth) {
+  const auto inner = [&](const Expression& e) { return has_single_ends(writer, e); };
+  if (truth->operation == Operation::truth) return true;
+  if (truth->operation != Operation::compare) {
+    return std::all_of(truth->operands.begin(), truth->operands.end(), inner);
+  }
+  const Setting& setting = writer.setting();
+  for (std::size_t i = 0; i + 1 < truth->operands.size(); ++i) {
+    const Expression &left = truth->operands[i], &right = truth->operands[i + 1];
+    const bool single = (is_force(setting, left) && !writer.depends_on_force(right)) ||
+                        (is_force(setting, right) && !writer.depends_on_force(left));
+    if (!single) return false;
+  }
+  return true;
 }
 
-/// The forces of a claim and their ends: no more than one force for each comparison. Gives up where it could be more.
-Expression with_ends(ClaimWriter& writer, const Expression& truth) {
-  switch (truth->operation) {
-    case Operation::truth:
-      return truth;
-    case Operation::logical_not:
-      return with_ends(writer, opposite(truth->operands[0]));
-    case Operation::compare: {
-      std::vector<Relation> relations = truth->relations;
-      for (std::size_t i = 0; i < relations.size(); ++i) {
-        const Expression &left = truth->operands[i], &right = truth->operands[i + 1];
-        const Setting& setting = writer.setting();
-        const bool one_force = (is_force(setting, left) && !depends_on_force(setting, writer.reading(), right)) ||
-                               (is_force(setting, right) && !depends_on_force(setting, writer.reading(), left));
-        if (!one_force) writer.give_up();
-        if (relations[i] == Relation::less) relations[i] = Relation::less_equal;
-        if (relations[i] == Relation::greater) relations[i] = Relation::greater_equal;
-      }
-      return make_comparison(truth->operands, std::move(relations));
+class UniqueWriter {
+ public:
+  UniqueWriter(ClaimWriter& writer, const Unique& claim) : writer_(writer), claim_(claim) {}
+
+  void write() {
+    common_ = {{"region", writer_.body().region}, {"force", claim_.forces}};
+    for (std::size_t i = 0; i < claim_.except.size(); ++i) {
+      common_.emplace_back(fmt::format("not_excepted{}", i + 1), beyond(claim_.except[i]));
     }
-    default:
-      return make(truth->operation, {with_ends(writer, truth->operands[0]), with_ends(writer, truth->operands[1])});
+    for (const std::size_t other : claim_.claims) write_stated(other);
+    write_rest();
+    write_values();
   }
-}
+
+ private:
+  const ClaimBody& other(std::size_t index) const { return writer_.claims().claims[index].body(writer_.reading()); }
+  const std::string& id(std::size_t index) const { return writer_.claims().claims[index].id; }
+  const Expression& forces(std::size_t index) const { return *parts(other(index), BodyPart::forces).front(); }
+
+  /// Not near the claim.
+  Expression beyond(std::size_t index) {
+    if (!has_single_ends(writer_, forces(index))) writer_.give_up();
+    return opposite(make(Operation::logical_and, {other(index).region, closure(forces(index))}));
+  }
+
+  /// Where a claim states a motion there is no other.
+  void write_stated(std::size_t index) {
+    ClaimWriter::Assumptions assumptions = common_;
+    assumptions.emplace_back("stated", make(Operation::logical_and, {other(index).region, forces(index)}));
+    const ContactMode mode = modes(other(index).says).front();
+    writer_.implied({"." + id(index), assumptions, motion_, true, hints_}, mode_text(mode), {});
+    writer_.one_motion("." + id(index) + ".one", assumptions, mode, mode, false, hints_);
+    writer_.exists({"." + id(index) + ".exists", assumptions, {}, true, hints_}, writer_.motion(mode, false));
+  }
+
+  void write_rest() {
+    ClaimWriter::Assumptions rest = common_;
+    std::vector<Expression> regions;
+    for (const std::size_t index : claim_.claims) {
+      rest.emplace_back("beyond_" + id(index), beyond(index));
+      regions.push_back(other(index).region);
+    }
+    const std::vector<Expression> cells = writer_.cells(regions);
+    Expression any_cell;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      ClaimWriter::Assumptions here = rest;
+      here.emplace(here.begin(), "cell", cells[i]);
+      writer_.implied({fmt::format(".rest.{}", i + 1), here, motion_, true, hints_}, shown(), {});
+      writer_.exists({fmt::format(".rest.exists.{}", i + 1), here, {}, true, hints_},
+                     {motion_.definitions, std::string(dynamics) + " and {" + listed() + "}"});
+      any_cell = any_cell ? make(Operation::logical_or, {any_cell, cells[i]}) : cells[i];
+    }
+    writer_.implied({".rest.cells", {}, {}}, any_cell);
+    for (std::size_t i = 0; i < claim_.modes.size(); ++i) {
+      for (std::size_t k = i; k < claim_.modes.size(); ++k) {
+        writer_.one_motion(fmt::format(".rest.one.{}-{}", i + 1, k + 1), common_, claim_.modes[i], claim_.modes[k],
+                           false);
+      }
+    }
+  }
+
+  void write_values() {
+    writer_.have_values(".defined", writer_.body().region, claim_.forces);
+    References named = claim_.claims;
+    named.insert(named.end(), claim_.except.begin(), claim_.except.end());
+    for (const std::size_t index : named) {
+      writer_.has_value(".defined." + id(index) + ".region", {{"region", writer_.body().region}}, other(index).region);
+      writer_.has_value(".defined." + id(index), {{"region", writer_.body().region}, {"stated", other(index).region}},
+                        forces(index));
+    }
+  }
+
+  std::string listed() const {
+    std::vector<std::string> texts;
+    for (const ContactMode mode : claim_.modes) texts.push_back("{" + mode_text(mode) + "}");
+    return texts.empty() ? "false" : fmt::format("{}", fmt::join(texts, " or "));
+  }
+  /// Where all states of the rear wheel are listed, as in */lift, only the front wheel has something to show.
+  std::string shown() const {
+    const bool any_rear = claim_.modes.size() == all_contact_states.size() &&
+                          std::all_of(claim_.modes.begin(), claim_.modes.end(),
+                                      [&](ContactMode mode) { return mode.front == claim_.modes.front().front; });
+    return any_rear ? state_name(Wheel::front, claim_.modes.front().front) : listed();
+  }
+
+  ClaimWriter& writer_;
+  const Unique& claim_;
+  const MotionText motion_ = writer_.any_motion(false);
+  const std::string hints_ = writer_.hints_to_numbers();
+  ClaimWriter::Assumptions common_;
+};
 
 }  // namespace
 
-void unique_statements(ClaimWriter& writer) {
-  const ClaimBody& body = writer.body();
-  const auto other = [&](std::size_t index) -> const ClaimBody& {
-    return writer.claims().claims[index].body(writer.reading());
-  };
-  const auto beyond = [&](std::size_t index) {
-    return opposite(make(Operation::logical_and, {other(index).region, with_ends(writer, other(index).forces)}));
-  };
-  ClaimWriter::Assumptions common = {{"region", body.region}, {"force", body.forces}};
-  for (std::size_t i = 0; i < body.except.size(); ++i) {
-    common.emplace_back(fmt::format("not_excepted{}", i + 1), beyond(body.except[i]));
-  }
-  const MotionText motion = writer.any_motion();
-  const std::string hints = writer.hints_to_numbers();
-  ClaimWriter::Assumptions rest = common;
-  std::vector<Expression> regions;
-  for (const std::size_t index : body.claims) {
-    const ClaimBody& stated = other(index);
-    ClaimWriter::Assumptions assumptions = common;
-    assumptions.emplace_back("stated", make(Operation::logical_and, {stated.region, stated.forces}));
-    const std::string& id = writer.claims().claims[index].id;
-    writer.implied({"." + id, assumptions, motion, true, hints}, mode_text(stated.modes.front()), {});
-    rest.emplace_back("beyond_" + id, beyond(index));
-    regions.push_back(stated.region);
-  }
-  std::vector<std::string> modes;
-  for (const ContactMode mode : body.modes) modes.push_back("{" + mode_text(mode) + "}");
-  const std::string listed = fmt::format("{}", fmt::join(modes, " or "));
-  // Where all states of the rear wheel are listed, as in */lift, only the front wheel has something to show.
-  const bool any_rear = std::all_of(body.modes.begin(), body.modes.end(),
-                                    [&](ContactMode mode) { return mode.front == body.modes.front().front; }) &&
-                        body.modes.size() == all_contact_states.size();
-  const std::string shown = any_rear ? state_name(Wheel::front, body.modes.front().front) : listed;
-  const MotionText some_motion{motion.definitions, std::string(dynamics) + " and {" + listed + "}"};
-  const std::vector<Expression> cells = writer.cells(regions);
-  Expression any_cell;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    ClaimWriter::Assumptions here = rest;
-    here.emplace(here.begin(), "cell", cells[i]);
-    writer.implied({fmt::format(".rest.{}", i + 1), here, motion, true, hints}, shown, {});
-    writer.exists({fmt::format(".rest.exists.{}", i + 1), here, {}, true, hints}, some_motion);
-    any_cell = any_cell ? make(Operation::logical_or, {any_cell, cells[i]}) : cells[i];
-  }
-  writer.implied({".rest.cells", {}, {}}, any_cell);
-  for (std::size_t i = 0; i < body.modes.size(); ++i) {
-    for (std::size_t k = i + 1; k < body.modes.size(); ++k) {
-      writer.impossible_together(fmt::format(".rest.one.{}-{}", i + 1, k + 1), common,
-                                 {writer.motion(body.modes[i]), writer.motion(body.modes[k])});
-    }
-  }
+void unique_statements(ClaimWriter& writer, const Unique& claim) {
+  UniqueWriter(writer, claim).write();
 }
 
 }  // namespace slipproof
