@@ -70,7 +70,7 @@ TEST_CASE("proved claims name their certificates, and a tampered one exits with 
   const TemporaryFolder folder;
   const std::filesystem::path proofs = std::filesystem::path(shipped).parent_path();
   for (const char* name : {"claims.toml", "A1.1.always.statement", "A1.1.always.cert", "A1.1.only-then.statement",
-                           "A1.1.only-then.cert"}) {
+                           "A1.1.only-then.cert", "A1.1.defined.statement", "A1.1.defined.cert"}) {
     folder.write(name, read_file(proofs / name));
   }
   const auto claims = folder.path() / "claims.toml";
@@ -80,7 +80,7 @@ TEST_CASE("proved claims name their certificates, and a tampered one exits with 
   CHECK(run(text).out.find("by A1.1.always.cert\n") != std::string::npos);
   Json claim = Json::parse(run(json).out)["claims"][0];
   CHECK(claim["verdict"] == "proved");
-  CHECK(claim["certificates"] == Json{"A1.1.only-then.cert", "A1.1.always.cert"});
+  CHECK(claim["certificates"] == Json{"A1.1.only-then.cert", "A1.1.always.cert", "A1.1.defined.cert"});
   CHECK_FALSE(claim.contains("rejected"));
 
   folder.write("A1.1.always.cert", replaced(read_file(proofs / "A1.1.always.cert"), "\nterm 1 ", "\nterm 2 "));

@@ -41,7 +41,9 @@ struct EvidencePage {
   explicit EvidencePage(const std::string& table) {
     const test::TemporaryFolder folder;
     const auto claims = folder.write("claims.toml", test::read_file(folder_of_paper + "claims.toml"));
-    for (const std::string& name : three) {
+    std::vector<std::string> names = three;
+    names.insert(names.end(), {"A1.1.defined", "A1.1a.defined"});
+    for (const std::string& name : names) {
       for (const char* ending : {".statement", ".cert"}) {
         folder.write(name + ending, test::read_file(folder_of_paper + name + ending));
       }
@@ -128,13 +130,14 @@ TEST_CASE("the evidence says who agrees and who timed out, the first screen coun
       "A1.1.only-then,unsat,unsat,-\n"
       "below/A1.2a,unknown,-,accepted\n");
   CHECK(page.text("//details[@id='claim-A1.1']")
-            .find("Second opinions. z3 confirms both; cvc5 confirms A1.1.only-then, timed out on A1.1.always; Coq "
-                  "accepts A1.1.always, was not asked of A1.1.only-then.") != std::string::npos);
+            .find("Second opinions. z3 confirms A1.1.only-then and A1.1.always, was not asked of A1.1.defined; cvc5 "
+                  "confirms A1.1.only-then, timed out on A1.1.always, was not asked of A1.1.defined; Coq accepts "
+                  "A1.1.always, was not asked of A1.1.only-then and A1.1.defined.") != std::string::npos);
   CHECK(page.text("//details[@id='claim-A1.1a']").find("opinion") == std::string::npos);  // nobody was asked
   const std::string card = page.text("//section[@id='overview']//li[contains(., 'second opinion')]");
   CHECK(card.starts_with("3"));
   CHECK(card.find("z3 2, cvc5 1, Coq 2") != std::string::npos);
-  CHECK(page.text("//table[@class='opinions']//tbody/tr[2]") == "cvc51102");
+  CHECK(page.text("//table[@class='opinions']//tbody/tr[2]") == "cvc51104");
   CHECK(page.text("//details[@id='certificate-A1.2a']/summary/small") == "also Coq");
   CHECK(page.text("//details[@id='certificate-A1.1.always']/summary/small") == "also z3, Coq");
 }
@@ -143,7 +146,9 @@ TEST_CASE("without the table, the page says nothing of second opinions") {
   const EvidencePage without(""), with("statement,z3,cvc5,coq\nA1.1a,unknown,-,timeout\n");
   CHECK(without.text("//body").find("econd opinion") == std::string::npos);
   CHECK(with.text("//details[@id='claim-A1.1a']")
-            .find("Second opinions. z3 could not tell of it; Coq timed out on it.") != std::string::npos);
+            .find("Second opinions. z3 could not tell of A1.1a, was not asked of A1.1a.defined; Coq timed out on "
+                  "A1.1a, was "
+                  "not asked of A1.1a.defined.") != std::string::npos);
   CHECK(with.sources == without.sources + 1);
 }
 

@@ -26,7 +26,7 @@ VerifyResult sampled(const std::string& only) {
 class Folder : public test::TemporaryFolder {
  public:
   Folder() {
-    for (const char* theorem : {"A1.1.only-then", "A1.1.always"}) {
+    for (const char* theorem : {"A1.1.only-then", "A1.1.always", "A1.1.defined"}) {
       for (const char* kind : {".statement", ".cert"}) copy(theorem, theorem, kind);
     }
   }
@@ -54,7 +54,8 @@ TEST_CASE("a claim is proved by the certificates of all its statements, and by n
   const ClaimResult proved = folder.judge();
   CHECK(proved.verdict == Verdict::holds);
   CHECK(proved.proved);
-  CHECK(proved.certificates == std::vector<std::string>{"A1.1.only-then.cert", "A1.1.always.cert"});
+  CHECK(proved.certificates ==
+        std::vector<std::string>{"A1.1.only-then.cert", "A1.1.always.cert", "A1.1.defined.cert"});
   CHECK(proved.rejections.empty());
   CHECK(proved.outdated.empty());
   std::filesystem::remove(folder.path() / "A1.1.always.cert");
@@ -144,11 +145,11 @@ TEST_CASE("no statement speaks of bicycles at which a claim has no value") {
   result.claims.front().undecided = 1;
   find_certificates(test::shipped_paper(), result, folder.path());
   CHECK(result.claims.front().verdict == Verdict::undecided);
-  // Where no sample at all fell into the claim's region, the proof stands alone.
+  // Where no bicycle was found of which the claim says something, the proof may be about nothing.
   result.claims.front().held = result.claims.front().undecided = 0;
   find_certificates(test::shipped_paper(), result, folder.path());
-  CHECK(result.claims.front().verdict == Verdict::holds);
-  CHECK(result.claims.front().proved);
+  CHECK(result.claims.front().verdict == Verdict::undecided);
+  CHECK_FALSE(result.claims.front().proved);
 }
 
 TEST_CASE("the errata name the certificates of a repair, or the number of its samples") {

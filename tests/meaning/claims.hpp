@@ -1,0 +1,48 @@
+// A claims file with one setting, as the second judge has it: what it judges is what text() writes.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "meaning/tree.hpp"
+#include "model/contact_mode.hpp"
+
+namespace slipproof::meaning {
+
+struct Parameter {
+  std::string symbol;
+  Tree domain;
+};
+
+struct Setting {
+  bool strict = true;
+  bool external = false;
+  std::vector<Parameter> parameters;
+  std::string force;  ///< the variable
+  Tree force_domain;
+  std::map<std::string, Tree> scene;
+  std::vector<std::pair<std::string, Tree>> definitions;
+  std::vector<std::string> boundaries;
+};
+
+/// Of a kind that has no such key, a member is empty; a condition that is not given is null, and so true.
+struct Claim {
+  std::string id, kind;
+  Tree region, forces, holds;
+  std::vector<ContactMode> modes;
+  std::vector<std::size_t> claims, except, given;
+  std::vector<Tree> equations, assume;  ///< `=` of two numbers
+  std::string parameter;
+  Tree from;
+};
+
+struct File {
+  Setting setting;
+  std::vector<Claim> claims;
+
+  std::string text() const;
+};
+
+}  // namespace slipproof::meaning
