@@ -199,6 +199,7 @@ std::string stated_otherwise(const Pair& pair, meaning::Dice& dice, Stated& stat
 TEST_CASE("random claims are judged as the page on their meaning says") {
   Comparison comparison(judged_otherwise);
   comparison.run(number_from("SLIPPROOF_MEANING_CLAIMS", quick_claims), 1);
+  if (comparison.pairs < 3'000) return;  // too few to see every end of every kind
   for (const std::string& kind : meaning::kinds) {
     for (const Says says : {Says::nothing, Says::no_value, Says::right, Says::wrong}) {
       if (kind == "exists" && says == Says::wrong) continue;  // at one bicycle it never is
