@@ -51,11 +51,12 @@ struct Found {
 };
 
 /// What comes of the last claim.
-Found verdict(const OwnClaims& own, std::uint64_t samples = 600) {
+Found verdict(const OwnClaims& own, std::uint64_t samples = 600, std::optional<std::uint64_t> lines = {}) {
   const ClaimsFile file = own.read();
   VerifyOptions options;
   options.samples = samples;
   options.simplify = false;
+  options.lines = lines;
   const ClaimResult result = verify(file, options).claims.back();
   return {result.verdict, result.proved};
 }
@@ -162,6 +163,9 @@ TEST_CASE("5: what is divided by has to be shown not to vanish") {
   const Found cancelled = verdict({formula("holds = \"(R - 1234567)/(R - 1234567) = 1\"")});
   CHECK_FALSE(cancelled.proved);
   CHECK(cancelled.verdict == Verdict::undecided);  // on a line, R = 1234567 is judged
+  const Found at_samples = verdict({formula("holds = \"(R - 1234567)/(R - 1234567) = 1\"")}, 300, 0);
+  CHECK(at_samples.verdict == Verdict::holds);
+  CHECK_FALSE(at_samples.proved);
   CHECK(verdict({formula("holds = \"(h + R)/(h + R) = 1\"")}).proved);
   CHECK(verdict({formula("forces = \"F < 5\"\nholds = \"1/(1/(F - 3)) = F - 3\"")}).verdict == Verdict::undecided);
   const OwnClaims maximum{formula("holds = \"max(1, 1/(J - 1234567)) > 0\"")};
@@ -239,6 +243,8 @@ TEST_CASE("10: nothing to cover, and nothing to follow, is refused; decimals and
         std::string::npos);
   CHECK(mistakes({claim("kind = \"motions\"\nmodes = []")}).find("expected at least one mode") != std::string::npos);
   CHECK(proved({formula("holds = \"b > 0.5 - b^0\"")}));
+  // What becomes cases stays one condition among others.
+  CHECK(proved({claim("kind = \"consequence\"\nassume = [\"max(f, h) = phi\", \"a = 1\"]\nequations = [\"a = 1\"]")}));
 }
 
 TEST_CASE("11: uniqueness leaves out the ends of the claims that it names, and no other force") {
