@@ -244,7 +244,7 @@ TEST_CASE("10: nothing to cover, and nothing to follow, is refused; decimals and
   CHECK(mistakes({claim("kind = \"motions\"\nmodes = []")}).find("expected at least one mode") != std::string::npos);
   CHECK(proved({formula("holds = \"b > 0.5 - b^0\"")}));
   // What becomes cases stays one condition among others.
-  CHECK(proved({claim("kind = \"consequence\"\nassume = [\"max(f, h) = phi\", \"a = 1\"]\nequations = [\"a = 1\"]")}));
+  CHECK(proved({claim("kind = \"consequence\"\nassume = [\"max(f, h)*N2 = T\", \"a = 1\"]\nequations = [\"a = 1\"]")}));
 }
 
 TEST_CASE("11: uniqueness leaves out the ends of the claims that it names, and no other force") {
