@@ -41,6 +41,17 @@ class ClaimJudge {
   static Judgement refuted(Reason reason) { return made(Outcome::refuted, reason); }
   static Judgement undecided() { return made(Outcome::undecided, Reason::no_value); }
   static Judgement holds() { return made(Outcome::holds, Reason::none); }
+  /// Judgements of several forces, modes or bicycles as one: the first of wrong, no value, right, nothing that occurs.
+  template <class Items, class Judge>
+  static Judgement first_of(const Items& items, const Judge& judge) {
+    Judgement result;
+    for (const auto& item : items) {
+      Judgement j = judge(item);
+      if (j.outcome == Outcome::refuted) return j;
+      if (j.outcome == Outcome::undecided || result.outcome == Outcome::outside) result = std::move(j);
+    }
+    return result;
+  }
   static bool no_value(Truth truth) { return truth == Truth::undefined || truth == Truth::undecided; }
   static ForceInterval common(ForceInterval x, const ForceInterval& y) {
     x.intersect(y);

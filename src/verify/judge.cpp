@@ -86,14 +86,10 @@ Judgement ClaimJudge::of(const Formula& claim) {
 }
 
 Judgement ClaimJudge::formula_in_modes(const Modes& modes, const Intervals& where) {
-  Judgement result;
-  for (const ContactMode mode : modes) {
+  return first_of(modes, [&](ContactMode mode) {
     const ModeSolution* s = find(mode);
-    Judgement j = s == nullptr ? undecided() : formula_on(where, s);
-    if (j.outcome == Outcome::refuted) return j;
-    if (j.outcome == Outcome::undecided || result.outcome == Outcome::outside) result = std::move(j);
-  }
-  return result;
+    return s == nullptr ? undecided() : formula_on(where, s);
+  });
 }
 
 Judgement ClaimJudge::formula_on(const Intervals& where, const ModeSolution* s) {
@@ -104,13 +100,7 @@ Judgement ClaimJudge::formula_on(const Intervals& where, const ModeSolution* s) 
   }
   if (here.empty()) return {};
   if (s != nullptr && s->kind() == ModeSolution::Kind::continuum) {
-    Judgement result;
-    for (const ForceInterval& forces : here) {
-      Judgement j = formula_about_all(forces, *s);
-      if (j.outcome == Outcome::refuted) return j;
-      if (j.outcome == Outcome::undecided || result.outcome == Outcome::outside) result = std::move(j);
-    }
-    return result;
+    return first_of(here, [&](const ForceInterval& forces) { return formula_about_all(forces, *s); });
   }
   if (s != nullptr) sample_.set_motion(s->motion());
   bool decided = true;
@@ -179,13 +169,8 @@ Judgement ClaimJudge::of(const Limit& claim) {
   const auto last = last_bicycles(file_.settings[claim_.setting], setting, {&programs_.region, &programs_.holds},
                                   sample_.values(), index);
   if (!last) return undecided();
-  Judgement result;
-  for (const auto& bicycle : *last) {
-    Judgement j = judged([&](const Program& p) { return bicycle->region(p); });
-    if (j.outcome == Outcome::refuted) return j;
-    if (j.outcome == Outcome::undecided || result.outcome == Outcome::outside) result = std::move(j);
-  }
-  return result;
+  return first_of(*last,
+                  [&](const auto& bicycle) { return judged([&](const Program& p) { return bicycle->region(p); }); });
 }
 
 std::optional<LinearRows> ClaimJudge::rows_of(const References& claims) {

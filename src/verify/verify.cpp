@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <mutex>
 #include <span>
 #include <tuple>
@@ -124,14 +125,15 @@ class Run {
         options_(options),
         lines_(options.line_count()),
         tasks_(tasks_of(file, compiled_, options.only, book_)),
-        tallies_(tasks_.size()) {}
+        tallies_(tasks_.size()),
+        total_(options.samples * file.settings.size() + lines_ * tasks_.size()) {}
 
   VerifyResult result() {
     tbb::task_arena arena(thread_count(options_.threads));
     VerifyResult result{options_.samples, lines_, options_.seed, std::vector<ClaimResult>(tasks_.size())};
     arena.execute([&] {
       for (std::size_t s = 0; s < file_.settings.size(); ++s) sample(s);
-      for (std::size_t s = 0; s < file_.settings.size(); ++s) judge_lines(s);
+      judge_lines();
       tbb::parallel_for(std::size_t{0}, tasks_.size(), [&](std::size_t t) { result.claims[t] = conclude(t); });
     });
     return result;
@@ -153,9 +155,7 @@ class Run {
 
   void tell(std::uint64_t done) {
     done_ += done;
-    if (options_.progress) {
-      options_.progress(done_, options_.samples * file_.settings.size() + lines_ * tasks_.size());
-    }
+    if (options_.progress) options_.progress(done_, total_);
   }
 
   /// What samples refute needs no lines. Identities do: they may lack a value where something vanishes.
@@ -199,16 +199,20 @@ class Run {
     return result;
   }
 
-  void judge_lines(std::size_t setting) {
+  std::size_t setting_of(const Task& task) const { return file_.claims[task.claim].setting; }
+
+  void judge_lines() {
     if (lines_ == 0) return;
-    const std::vector<LineTask> tasks = line_tasks(setting);
+    std::vector<LineTask> tasks;
+    for (std::size_t s = 0; s < file_.settings.size(); ++s) std::ranges::move(line_tasks(s), std::back_inserter(tasks));
     std::vector<std::pair<const LineTask*, std::uint64_t>> lines;
     for (const LineTask& task : tasks) {
       for (std::uint64_t number = 0; number < lines_for(task); ++number) lines.emplace_back(&task, number);
     }
+    total_ = done_ + lines.size();  // exact from here on
     tbb::parallel_for(std::size_t{0}, lines.size(), [&](std::size_t i) {
       const auto& [task, number] = lines[i];
-      const Tally tally = judge_line(setting, *task, number);
+      const Tally tally = judge_line(*task, number);
       const std::scoped_lock lock(mutex_);
       tallies_[task->task].add(tally);
       tell(1);
@@ -223,8 +227,9 @@ class Run {
     return std::max(lines_, 9 * static_cast<std::uint64_t>(matter));
   }
 
-  Tally judge_line(std::size_t setting, const LineTask& line_task, std::uint64_t number) const {
+  Tally judge_line(const LineTask& line_task, std::uint64_t number) const {
     const Task& task = tasks_[line_task.task];
+    const std::size_t setting = setting_of(task);
     const CompiledSetting& compiled = compiled_.settings[setting];
     const Line line = line_number(number, options_.seed + line_task.task, line_task.bases, line_task.matters);
     const LinePoints points = points_on(line, file_.settings[setting], compiled, line_task.parts);
@@ -338,7 +343,7 @@ class Run {
   LemmaBook book_{{.split_depth = 1, .slack_attempts = 100, .products = 0, .steps = 500'000}};
   const std::vector<Task> tasks_;
   std::vector<Tally> tallies_;
-  std::uint64_t done_ = 0;
+  std::uint64_t done_ = 0, total_;
   std::mutex mutex_;
 };
 
