@@ -14,32 +14,6 @@ namespace slipproof {
 
 namespace {
 
-/// min and max beside one relation, in words that statements have.
-Expression without_extrema(const Expression& e) {
-  if (e->operation == Operation::logical_and || e->operation == Operation::logical_or) {
-    return make(e->operation, {without_extrema(e->operands[0]), without_extrema(e->operands[1])});
-  }
-  if (e->operation != Operation::compare || e->relations.size() != 1) return e;
-  const Relation relation = e->relations.front();
-  if (relation == Relation::equal || relation == Relation::not_equal) return e;
-  const bool below = relation == Relation::less || relation == Relation::less_equal;
-  for (const std::size_t side : {0U, 1U}) {
-    const Expression& extremum = e->operands[side];
-    const bool maximum = extremum->operation == Operation::maximum;
-    if (!maximum && extremum->operation != Operation::minimum) continue;
-    // max < x and x > max ask it of both operands, max > x and x < max of one.
-    const bool every = maximum == (below == (side == 0));
-    std::vector<Expression> parts;
-    for (const Expression& operand : extremum->operands) {
-      std::vector<Expression> operands = e->operands;
-      operands[side] = operand;
-      parts.push_back(without_extrema(make_comparison(std::move(operands), e->relations)));
-    }
-    return make(every ? Operation::logical_and : Operation::logical_or, std::move(parts));
-  }
-  return e;
-}
-
 /// The comparisons that a conjunction consists of, and what else it consists of.
 void collect_conjuncts(const Expression& e, std::vector<Expression>& found) {
   if (e->operation == Operation::logical_and) {
@@ -141,9 +115,8 @@ bool Implications::proves(std::size_t claim, const ClaimBody& body, Lemmas& lemm
 
 bool Implications::implies(std::vector<Expression> given, const Expression& shown, Lemmas& lemmas,
                            std::optional<ContactMode> mode, bool on_road) const {
-  const Expression rest = without_extrema(not_given(shown, given));
+  const Expression rest = not_given(shown, given);
   if (rest->operation == Operation::truth && rest->truth) return true;
-  for (Expression& e : given) e = without_extrema(e);
   if (prove(given, rest, lemmas, mode, on_road)) return true;
   // What differs from 0 is above or below: said first, that helps the search with all that comes after it.
   std::vector<Expression> known;
