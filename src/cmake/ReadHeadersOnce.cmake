@@ -1,16 +1,10 @@
-# Two thirds of a build's time go into the same few headers. Without a compiler cache they are precompiled, and the files of
-# a folder are compiled as one; with one, its keys work better on the files themselves. What a file needs it includes all
-# the same: the builds with a cache see to that.
-if(SLIPPROOF_CCACHE)
-  set(read_once OFF)
-else()
-  set(read_once ON)
-endif()
-option(SLIPPROOF_PRECOMPILE "Precompile the headers that most files include" ${read_once})
-option(SLIPPROOF_UNITY "Compile the files of a folder as one" ${read_once})
+# Two thirds of a build's time go into the same few headers. Who builds everything from nothing, as CI does, precompiles
+# them and compiles the files of a folder as one. Who changes a file is better off without, above all with a compiler cache;
+# and those builds see to it that each file includes what it needs.
+option(SLIPPROOF_READ_HEADERS_ONCE "Precompile common headers and compile the files of a folder as one" OFF)
 
 function(slipproof_precompile target)  # slipproof_precompile(TARGET [HEADER...]): those and the common ones
-  if(SLIPPROOF_PRECOMPILE)
+  if(SLIPPROOF_READ_HEADERS_ONCE)
     target_precompile_headers(
       ${target} PRIVATE <boost/multiprecision/gmp.hpp> <algorithm> <array> <filesystem> <fstream> <functional> <map>
       <memory> <optional> <random> <set> <sstream> <string> <string_view> <utility> <vector> ${ARGN})
@@ -18,7 +12,7 @@ function(slipproof_precompile target)  # slipproof_precompile(TARGET [HEADER...]
 endfunction()
 
 function(slipproof_unity target)  # after the target has all its sources
-  if(SLIPPROOF_UNITY)
+  if(SLIPPROOF_READ_HEADERS_ONCE)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
     get_target_property(sources ${target} SOURCES)
     foreach(source IN LISTS sources)

@@ -60,7 +60,7 @@ expect 0 '' 'usage:*'
 
 # Nothing missing: no apt-get. The verdict's exit code comes through, the output is kept.
 call "$project/run" verify --samples 5 'a b'
-expect 1 'cmake --preset release*cmake --build --preset release*slipproof <trade> <--quick> <--json>*slipproof <verify> <--report> <build/report/index.html> <--trade> <build/report/trade.json> <--samples> <5> <a b>' 's REFUTED'
+expect 1 'cmake --preset ci*cmake --build --preset ci*slipproof <trade> <--quick> <--json>*slipproof <verify> <--report> <build/report/index.html> <--trade> <build/report/trade.json> <--samples> <5> <a b>' 's REFUTED'
 [[ $(cat "$project/build/report/verify.txt") == 's REFUTED' ]]
 # No report is asked for where there are no verdicts, and no second one where one is asked for.
 for mode in --mutants --coverage --help; do
