@@ -218,6 +218,7 @@ TEST_CASE("statements are true where the page on the meaning of claims says so")
     return other_bicycles ? std::string() : stated_otherwise(pair, dice, stated);
   });
   comparison.run(number_from("SLIPPROOF_MEANING_STATEMENTS", quick_statements), 3);
+  if (comparison.pairs < 1'500) return;  // too few to see every kind
   for (const std::string_view kind : kind_names()) {
     CAPTURE(kind);
     if (kind == Limit::name) continue;

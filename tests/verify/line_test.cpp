@@ -211,7 +211,7 @@ TEST_CASE("in a cell the judgement is the same throughout: every claim of the sh
       }
     }
   }
-  CHECK(compared * every > 1'500);
+  CHECK(compared * every > 500);  // a line need not meet every claim's region
 }
 
 TEST_CASE("lines: the same bytes at any number of threads, and numbers that are told") {
