@@ -1,4 +1,4 @@
-// Contact states, contact modes, and the quantities of a motion: the vocabulary of model.md.
+// Contact states, contact modes, and the quantities of a motion: the vocabulary of proofs/MODEL.md.
 #pragma once
 
 #include <array>

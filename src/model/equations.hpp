@@ -1,4 +1,4 @@
-// The mechanics: the equations of model.md, once, as residuals that vanish on every motion. Written over the number
+// The mechanics: the equations of proofs/MODEL.md, once, as residuals that vanish on every motion. Written over the number
 // type T of the parameters and the type U of the unknowns: with U = T they judge a motion, with U a linear form they
 // give the matrix of the system.
 #pragma once
@@ -10,7 +10,7 @@
 
 namespace slipproof {
 
-/// The unknowns of model.md: accelerations of C and of the bodies, chain tension, forces on the wheels.
+/// The unknowns of proofs/MODEL.md: accelerations of C and of the bodies, chain tension, forces on the wheels.
 template <class U>
 struct Unknowns {
   U a, a_y, phi, eps1, eps2, eps3, T, S2, S3, N2, N3;

@@ -1,4 +1,4 @@
-// An independent solver: Eigen's full-pivoting LU on the eleven raw equations of model.md.
+// An independent solver: Eigen's full-pivoting LU on the eleven raw equations of proofs/MODEL.md.
 #pragma once
 
 #include <Eigen/Dense>

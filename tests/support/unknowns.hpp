@@ -1,4 +1,4 @@
-// From a motion back to the unknowns of model.md.
+// From a motion back to the unknowns of proofs/MODEL.md.
 #pragma once
 
 #include "model/chain.hpp"
