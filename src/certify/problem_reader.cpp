@@ -112,7 +112,7 @@ class ProblemReader {
       problem.mu = mu->is_list ? numbers(*mu, "mu") : std::vector<Rational>(problem.size() / 2, number(*mu, "mu"));
       if (problem.mu.empty()) throw BrokenRecord{0, "mu: found no contacts, expected two components of q for each"};
     }
-    if (const std::string reason = check(problem); !reason.empty()) throw BrokenRecord{0, reason};
+    if (const std::string reason = mistake_in(problem); !reason.empty()) throw BrokenRecord{0, reason};
 
     answer_ = true;
     record.answer.z = sized(numbers(need("z"), "z"), "z", problem.size());

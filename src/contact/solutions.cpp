@@ -250,7 +250,7 @@ std::vector<Rational> ContactContinuum::at(const std::vector<Rational>& t) const
   return z;
 }
 
-std::string check(const ContactProblem& p) {
+std::string mistake_in(const ContactProblem& p) {
   const std::size_t n = p.size();
   const auto found = [](std::size_t rows, const std::string& what) { return std::to_string(rows) + " " + what; };
   if (n == 0 || n > max_problem_size) {

@@ -51,7 +51,7 @@ struct ContactSolutions {
 /// Problems with more modes than this are not enumerated: 12 components, 6 contacts with friction.
 inline constexpr std::size_t max_enumerated_modes = 4096;
 
-/// Solves the modes of a problem. The problem is checked by check() and must outlive it; immutable once made.
+/// Solves the modes of a problem. The problem is checked by mistake_in() and must outlive it; immutable once made.
 class ContactSolver {
  public:
   explicit ContactSolver(const ContactProblem& problem);
@@ -77,7 +77,7 @@ class ContactSolver {
 bool positive_definite(const RationalMatrix& W);
 
 /// What is wrong with the shape or the domain of a problem; empty if nothing is.
-std::string check(const ContactProblem& problem);
+std::string mistake_in(const ContactProblem& problem);
 inline constexpr std::size_t max_problem_size = 64;
 
 }  // namespace slipproof

@@ -144,7 +144,7 @@ TEST_CASE("the contacts of a bicycle have the solutions that its motions are") {
       const auto found = motions_at(table, F);
       const auto problem = contact_problem(bicycle, road, kind, F);
       REQUIRE(problem);
-      CHECK(check(*problem).empty());
+      CHECK(mistake_in(*problem).empty());
       const auto all = ContactSolver(*problem).all();
       REQUIRE(all);
       CHECK(all->continua.size() == found.continua.size());
@@ -275,7 +275,7 @@ TEST_CASE("names of modes are read back, and nothing else is") {
 }
 
 TEST_CASE("problems of a wrong shape or outside the domain are told") {
-  const auto message = [](const ContactProblem& p) { return check(p); };
+  const auto message = [](const ContactProblem& p) { return mistake_in(p); };
   CHECK(message({{}, {}, {}}) == "found 0 components of q, expected 1 to 64");
   CHECK(message({{{1}}, {1, 2}, {}}) == "found 1 rows of W, expected 2 as in q");
   CHECK(message({{{1, 2}, {1}}, {1, 2}, {}}) == "found 1 entries in row 2 of W, expected 2 as in q");

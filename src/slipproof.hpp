@@ -1,0 +1,27 @@
+// The whole library in one header. Scenes and their motions; filters; contact problems; answers of other solvers; papers,
+// proofs and certificates; pictures and reports. Each header can be included by itself.
+#pragma once
+
+#include "certify/certify.hpp"
+#include "certify/judge.hpp"
+#include "check/files.hpp"
+#include "claims/claims_file.hpp"
+#include "contact/solutions.hpp"
+#include "export/coq.hpp"
+#include "export/smtlib.hpp"
+#include "filter/batch.hpp"
+#include "filter/filter.hpp"
+#include "input/diagnostic.hpp"
+#include "model/scene.hpp"
+#include "modes/motions.hpp"
+#include "page/page.hpp"
+#include "picture/phase_diagram.hpp"
+#include "picture/phase_svg.hpp"
+#include "prove/prove_files.hpp"
+#include "report/errata.hpp"
+#include "report/solve_report.hpp"
+#include "report/verify_report.hpp"
+#include "statements/claim_statements.hpp"
+#include "trade/trade.hpp"
+#include "verify/mutation.hpp"
+#include "verify/verify.hpp"
