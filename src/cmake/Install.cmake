@@ -4,13 +4,18 @@ include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/slipproof)
 
 install(TARGETS slipproof EXPORT slipproof)
-install(
-  DIRECTORY ${PROJECT_SOURCE_DIR}/src/
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/slipproof
-  FILES_MATCHING
-  PATTERN "*.hpp"
-  PATTERN "cli" EXCLUDE
-  PATTERN "check" EXCLUDE)
+# Installed headers include each other as <slipproof/...>, so that they need no folder of their own on the search path.
+file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/src/*.hpp)
+list(FILTER headers EXCLUDE REGEX "^cli/")
+file(CONFIGURE OUTPUT InstallHeaders.cmake @ONLY CONTENT [=[
+foreach(header IN ITEMS @headers@)
+  file(READ "@PROJECT_SOURCE_DIR@/src/${header}" text)
+  string(REGEX REPLACE "#include \"([^\"]+)\"" "#include <slipproof/\\1>" text "${text}")
+  file(WRITE "@PROJECT_BINARY_DIR@/installed-headers/${header}" "${text}")
+endforeach()
+]=])
+install(SCRIPT ${CMAKE_CURRENT_BINARY_DIR}/InstallHeaders.cmake)
+install(DIRECTORY ${PROJECT_BINARY_DIR}/installed-headers/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/slipproof)
 install(EXPORT slipproof NAMESPACE slipproof:: FILE slipproofTargets.cmake DESTINATION ${package_dir})
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/slipproofConfig.cmake.in

@@ -4,7 +4,7 @@ set -eu
 clang_format=$1
 cd "$2"
 shift 2
-find src tests \( -name '*.hpp' -o -name '*.cpp' \) -exec "$clang_format" --style=file "$@" {} + || {
+find src tests cases \( -name '*.hpp' -o -name '*.cpp' \) -exec "$clang_format" --style=file "$@" {} + || {
   echo "Not formatted as .clang-format says: cmake --build build --target format"
   exit 1
 }

@@ -15,6 +15,7 @@ plant() {  # FILE INCLUDE: a good tree with this one line more
   printf '#include "low/a.hpp"\n' >"$tree/src/right/a.cpp"
   printf '#include "apart/b.hpp"\n#include <gmp.h>\n' >"$tree/src/apart/a.cpp"
   printf '#include "apart/a.hpp"\n#include "left/a.hpp"\n#include "right/a.hpp"\n' >"$tree/src/top/a.cpp"
+  printf '#include "left/a.hpp"\n#include "right/a.hpp"\n' >"$tree/src/all.hpp"
   if [ $# -gt 0 ]; then
     mkdir -p "$(dirname "$tree/src/$1")"
     printf '%s\n' "$2" >>"$tree/src/$1"
@@ -46,5 +47,6 @@ refused mid/a.hpp '#include "a.hpp"' 'does not name a folder'
 refused mid/a.hpp '#include "../top/a.hpp"' 'does not name a folder'
 refused mid/a.hpp '#include "low/../top/a.hpp"' 'must not step between folders'
 refused mid/a.hpp '#include "other/a.hpp"' 'does not name a folder'
+refused all.hpp '#include "other/a.hpp"' 'does not name a folder'
 refused new/a.hpp '#include <vector>' 'the folder new has no line'
 echo "$count planted includes refused"

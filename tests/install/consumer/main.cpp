@@ -1,7 +1,5 @@
 #include <iostream>
-
-#include "input/diagnostic.hpp"
-#include "model/bicycle.hpp"
+#include <slipproof/slipproof.hpp>
 
 int main() {
   slipproof::Bicycle<slipproof::Rational> bicycle;
