@@ -11,7 +11,7 @@ cp "$1" "$project/run"
 note='#!/bin/sh
 echo "${0##*/} $*" >>"$CALLS"
 '
-for program in apt-get cmake ctest; do echo "$note" >"$scratch/bin/$program"; done
+for program in apt-get cmake ctest run-clang-tidy-14; do echo "$note" >"$scratch/bin/$program"; done
 echo "$note"'[ "${SUDO_WORKS-}" ] || exit 1
 [ "$1" = -n ] && shift
 exec "$@"' >"$scratch/bin/sudo"
@@ -91,4 +91,4 @@ call "${as_user[@]}" "$project/run" test
 expect 0 'cmake --preset*' ''
 [[ $calls != *apt-get* ]]
 call "${as_user[@]}" "$project/run" test --all
-expect 0 '*install --no-install-recommends coq?cmake --preset*ctest --test-dir build*' '*installing coq*'
+expect 0 '*install --no-install-recommends coq?cmake --preset*ctest --test-dir build*ctest --preset clang*run-clang-tidy-14 *' '*installing coq*'
