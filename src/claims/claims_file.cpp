@@ -1,6 +1,7 @@
 #include "claims/claims_file.hpp"
 
 #include <algorithm>
+#include <charconv>
 
 #include "claims/claims_reader.hpp"
 #include "claims/parser.hpp"
@@ -25,6 +26,26 @@ std::string_view name(Expectation expectation) {
 
 std::string id(const Definition& definition) {
   return (definition.equation.empty() ? "" : definition.equation + ".") + definition.symbol;
+}
+
+std::string Paper::place(std::size_t line) const {
+  std::string section, item;
+  std::size_t begin = 0;  // of what is named so far
+  for (const auto& [at, heading] : headings) {
+    if (at > line) break;
+    const bool is_section = heading.starts_with("section ");
+    if (is_section) section = heading;
+    item = is_section ? "" : heading;
+    begin = at;
+  }
+  const Equation* last = nullptr;
+  for (const Equation& equation : equations) {
+    if (begin <= equation.line && equation.line <= line) last = &equation;
+  }
+  std::string result = section;
+  if (!item.empty()) result += (result.empty() ? "" : ", ") + item;
+  if (last == nullptr || headings.empty()) return result;
+  return result + (result.empty() ? "" : ", ") + (last->line == line ? "(" : "after (") + last->number + ")";
 }
 
 std::vector<Expression> expressions(const ClaimBody& body) {
@@ -110,17 +131,39 @@ std::size_t Context::line(const TableReader& table, std::string_view key, bool r
 
 namespace {
 
+void read_headings(const TomlValue& table, Context& context) {
+  std::vector<std::string_view> numbers;
+  for (const TomlEntry& entry : table.entries) numbers.push_back(entry.key);
+  const TableReader headings(table, "[paper.headings]", numbers, context.mistakes);
+  for (const TomlEntry& entry : table.entries) {
+    const std::string heading = context.text(headings, entry.key, "what begins on the line");
+    std::size_t line = 0;
+    const char* end = entry.key.data() + entry.key.size();
+    const auto [stop, error] = std::from_chars(entry.key.data(), end, line);
+    if (error != std::errc() || stop != end || line == 0) {
+      headings.refuse(entry.key, "expected a line number as the key, an integer from 1");
+    } else {
+      context.file.paper.headings.emplace(line, heading);
+    }
+  }
+}
+
 void read_paper(const TableReader& root, Context& context) {
   if (!root.require("paper", "the table [paper]")) return;
   const TomlValue* table = root.table("paper");
   if (table == nullptr) return;
-  static constexpr std::array<std::string_view, 4> keys{"title", "authors", "source", "equations"};
+  static constexpr std::array<std::string_view, 6> keys{"title",  "authors",   "reference",
+                                                        "source", "equations", "headings"};
   const TableReader paper(*table, "[paper]", keys, context.mistakes);
   context.file.paper.title = context.text(paper, "title", "the title of the paper");
   context.file.paper.source = context.text(paper, "source", "the name of the file that line numbers refer to");
   if (paper.require("authors", "an array of names")) {
     for (const PlacedText* author : paper.strings("authors")) context.file.paper.authors.push_back(author->text());
   }
+  if (paper.has("reference")) {
+    context.file.paper.reference = context.text(paper, "reference", "where the paper is published");
+  }
+  if (const TomlValue* headings = paper.table("headings")) read_headings(*headings, context);
   if (const TomlValue* equations = paper.table("equations")) {
     std::vector<std::string_view> numbers;
     for (const TomlEntry& entry : equations->entries) numbers.push_back(entry.key);

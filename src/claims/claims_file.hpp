@@ -26,12 +26,18 @@ std::string_view name(Reading reading);
 struct Paper {
   std::string title;
   std::vector<std::string> authors;
-  std::string source;  ///< file name of the text that line numbers refer to
+  std::string reference;  ///< where it is published; may be empty
+  std::string source;     ///< file name of the text that line numbers refer to
   struct Equation {
     std::string number;
     std::size_t line = 0;
   };
   std::vector<Equation> equations;  ///< all that the paper numbers, in its order
+  /// `section 3`, `Assertion 5`: what a reader of the printed paper finds, and on which line it begins.
+  std::map<std::size_t, std::string> headings;
+
+  /// Where a line is for who has the paper and not its source: `section 4.2, after (4.3)`; empty without headings.
+  std::string place(std::size_t line) const;
 };
 
 /// A statement that no calculation can judge.
