@@ -85,8 +85,8 @@ class TrackedDouble2 {
   double magnitude_ = 0;
 };
 
-/// value() is within one rounding of the double-double, which error_roundings has room for.
-/// What is certain of the sign of the exact value.
+/// What is certain of the sign of the exact value: value() is within one rounding of the double-double, for which
+/// error_roundings has room.
 inline bool certainly_positive(const TrackedDouble2& x) {
   return x.value() > x.error();
 }

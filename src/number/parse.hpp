@@ -31,10 +31,10 @@ inline constexpr int max_decimal_exponent = 5'000;
 inline constexpr int max_binary_exponent = 20'000;
 
 /// The number that `text`, all of it, denotes, exactly. With an optional sign, + or -, in front, one of
-///   integers              5   007
-///   fractions             3/4            (of two integers: 0.5/3 is refused, as nobody can tell a slip of the pen from
-///   intent) decimals              0.1   .5   5.   1e-3   2.5E+7 hexadecimal           0x1.8p-3   0xFF   (C's
-///   floating-point literals; p is the exponent of 2; optional)
+/// - integers: 5, 007
+/// - fractions: 3/4; of two integers, since of 0.5/3 nobody can tell whether it is a slip of the pen
+/// - decimals: 0.1, .5, 5., 1e-3, 2.5E+7
+/// - hexadecimal: 0x1.8p-3, 0xFF; C's floating-point literals, where p stands before the exponent of 2
 /// No spaces, no separators of digits, no NaN, no infinity. Throws NumberError.
 Rational parse_rational(std::string_view text);
 
