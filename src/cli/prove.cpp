@@ -12,7 +12,7 @@
 #include "input/text_file.hpp"
 #include "prove/prove_files.hpp"
 #include "report/exact_json.hpp"
-#include "statements/claim_statements.hpp"
+#include "statements/library.hpp"
 
 namespace slipproof::cli {
 
@@ -124,8 +124,10 @@ std::vector<StatementFile> copied(const std::vector<StatementFile>& statements, 
   return result;
 }
 
-/// Writes the statements of the claims, and copies those of one's own that stand beside them and below.
-void write_statements(const ClaimsFile& claims, const std::filesystem::path& folder, const std::filesystem::path& out) {
+/// Writes the statements of the claims, and copies those of one's own that stand beside the claims file and below.
+void write_statements(const std::filesystem::path& claims, const std::filesystem::path& folder,
+                      const std::filesystem::path& out) {
+  const std::vector<NamedStatement> generated = paper_statements(read_claims(claims));
   if (out != folder) {
     std::vector<StatementFile> statements = statements_below(folder);
     std::erase_if(statements, [&](const StatementFile& statement) {
@@ -134,8 +136,8 @@ void write_statements(const ClaimsFile& claims, const std::filesystem::path& fol
     });
     copied(statements, out);
   }
-  for (const NamedStatement& statement : paper_statements(claims)) {
-    write_file(out / (statement.name + ".statement"), statement.text);
+  for (const NamedStatement& statement : generated) {
+    write_file(certificates_folder(out / claims.filename()) / (statement.name + ".statement"), statement.text);
   }
 }
 
@@ -201,7 +203,7 @@ Exit run_prove(const ProveArguments& options) {
     return prove_all(options.out.empty() ? statements : copied(statements, options.out), options.common);
   }
   const std::filesystem::path out = options.out.empty() ? folder : std::filesystem::path(options.out);
-  write_statements(read_claims(claims), folder, out);
+  write_statements(claims, folder, out);
   return prove_all(statements_below(out), options.common);
 }
 
@@ -214,7 +216,9 @@ void add_prove(CLI::App& app, int& exit_code) {
   command.add_option("INPUT", options->inputs,
                      "A claims file, beside which and below may stand statements of one's own; default: the shipped\n"
                      "paper. Or, without claims: files *.statement and folders of them");
-  command.add_option("--out", options->out, "Folder for statements and certificates; default: where they stand");
+  command.add_option("--out", options->out,
+                     "Folder for statements and certificates; default: where they stand, those of claims in\n"
+                     "`certificates` beside the claims file");
   command.add_option("--smtlib", options->smtlib,
                      "Search for nothing, but write the negation of each statement to this folder as SMT-LIB 2");
   command.add_option("--coq", options->coq,

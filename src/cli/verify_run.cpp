@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "report/certificates.hpp"
+#include "statements/library.hpp"
 
 namespace slipproof::cli {
 
@@ -25,7 +26,7 @@ VerifyResult run_verify(const std::filesystem::path& claims, const ClaimsFile& f
   options.threads = common.threads;
   if (!common.quiet) options.progress = progress_bar();
   VerifyResult result = verify(file, options);
-  find_certificates(file, result, claims.parent_path());
+  find_certificates(file, result, certificates_folder(claims));
   for (const ClaimResult& claim : result.claims) {
     for (const std::string& objection : claim.rejections) std::cerr << "certificate rejected: " << objection << '\n';
   }

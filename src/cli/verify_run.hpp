@@ -13,8 +13,8 @@ namespace slipproof::cli {
 /// A bar on a terminal, and nowhere else.
 std::function<void(std::uint64_t, std::uint64_t)> progress_bar();
 
-/// Verifies with the common options, and a progress bar on a terminal; looks for certificates beside the claims, and
-/// says on standard error which are rejected.
+/// Verifies with the common options, and a progress bar on a terminal; looks for certificates,
+/// and says on standard error which are rejected.
 VerifyResult run_verify(const std::filesystem::path& claims, const ClaimsFile& file, VerifyOptions options,
                         const CommonOptions& common);
 

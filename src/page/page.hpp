@@ -46,8 +46,8 @@ struct PageInput {
 /// Where the parts of a report come from; what is not given is left out of it.
 struct PageFolders {
   std::filesystem::path
-      claims;                   ///< the claims file; figures.toml, certificates and second-opinions.csv stand beside it
-  std::filesystem::path cases;  ///< scenes
+      claims;  ///< the claims file; figures.toml, certificates/ and second-opinions.csv stand beside it
+  std::filesystem::path cases;    ///< scenes
   std::filesystem::path solvers;  ///< recorded outputs of solvers, CSV
   std::filesystem::path trade;    ///< a file that `slipproof trade --json` wrote
 };

@@ -5,6 +5,10 @@
 
 namespace slipproof {
 
+std::filesystem::path certificates_folder(const std::filesystem::path& claims) {
+  return claims.parent_path() / "certificates";
+}
+
 ClaimProof find_proof(const std::vector<NamedStatement>& statements, const std::filesystem::path& folder,
                       const CertificateJudge& rejection) {
   ClaimProof result;

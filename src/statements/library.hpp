@@ -10,6 +10,9 @@
 
 namespace slipproof {
 
+/// Where the statements and certificates of a claims file stand: in `certificates` beside it.
+std::filesystem::path certificates_folder(const std::filesystem::path& claims);
+
 /// What stands in the folder for a claim in a reading.
 struct ClaimProof {
   bool proved = false;                              ///< all of its statements are, by `certificates`

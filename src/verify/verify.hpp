@@ -58,7 +58,7 @@ struct ClaimResult {
   bool proved = false;
   /// An identity of rational functions wherever none of these expressions vanishes; that they do not was not shown.
   std::vector<std::string> unless_zero;
-  /// What report/certificates.hpp finds beside the claims file: names of the certificates that prove the claim, or its
+  /// What report/certificates.hpp finds for the claims file: names of the certificates that prove the claim, or its
   /// refutation; those that the checker rejects, and why; statements that are not the claim's.
   std::vector<std::string> certificates, rejections, outdated;
 

@@ -27,7 +27,7 @@ holds = "a > 0"
 )"}
         .text();
 
-const std::string proofs = SLIPPROOF_SOURCE_DIR "/proofs/rozenblat-yashin/";
+const std::string proofs = SLIPPROOF_SOURCE_DIR "/proofs/rozenblat-yashin/certificates/";
 
 }  // namespace
 
@@ -35,11 +35,11 @@ TEST_CASE("prove writes the certificates that check accepts, the same bytes at a
   const TemporaryFolder folder;
   const auto claims = folder.write("claims.toml", one_claim);
   for (const char* theorem : {"A2.4.statement", "A3.2.statement"}) folder.write(theorem, read_file(proofs + theorem));
-  const auto out = folder.path() / "certificates";
+  const auto out = folder.path() / "out";
   const auto proved = run({"prove", claims, "--out", out});
   CHECK(proved.exit_code == 0);
   CHECK(proved.out.ends_with("s PROVED 3 proved, 0 undecided\n"));
-  CHECK(read_file(out / "ahead.statement").find("assume motion") != std::string::npos);
+  CHECK(read_file(out / "certificates" / "ahead.statement").find("assume motion") != std::string::npos);
   const std::string certificate = read_file(out / "A2.4.cert");
   CHECK_FALSE(certificate.empty());
   CHECK(run({"prove", claims, "--out", out, "--threads", "1"}).exit_code == 0);

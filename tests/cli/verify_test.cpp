@@ -69,9 +69,11 @@ TEST_CASE("an unexpected refutation exits with 1, an undecided claim with 4") {
 TEST_CASE("proved claims name their certificates, and a tampered one exits with 5") {
   const TemporaryFolder folder;
   const std::filesystem::path proofs = std::filesystem::path(shipped).parent_path();
-  for (const char* name : {"claims.toml", "A1.1.always.statement", "A1.1.always.cert", "A1.1.only-then.statement",
-                           "A1.1.only-then.cert", "A1.1.defined.statement", "A1.1.defined.cert"}) {
-    folder.write(name, read_file(proofs / name));
+  folder.write("claims.toml", read_file(proofs / "claims.toml"));
+  std::filesystem::create_directory(folder.path() / "certificates");
+  for (const std::string name : {"A1.1.always.statement", "A1.1.always.cert", "A1.1.only-then.statement",
+                                 "A1.1.only-then.cert", "A1.1.defined.statement", "A1.1.defined.cert"}) {
+    folder.write("certificates/" + name, read_file(proofs / "certificates" / name));
   }
   const auto claims = folder.path() / "claims.toml";
   const std::vector<std::string> text{"verify", "--samples", "100", "--only", "A1.1", claims};
@@ -83,7 +85,8 @@ TEST_CASE("proved claims name their certificates, and a tampered one exits with 
   CHECK(claim["certificates"] == Json{"A1.1.only-then.cert", "A1.1.always.cert", "A1.1.defined.cert"});
   CHECK_FALSE(claim.contains("rejected"));
 
-  folder.write("A1.1.always.cert", replaced(read_file(proofs / "A1.1.always.cert"), "\nterm 1 ", "\nterm 2 "));
+  folder.write("certificates/A1.1.always.cert",
+               replaced(read_file(proofs / "certificates/A1.1.always.cert"), "\nterm 1 ", "\nterm 2 "));
   for (const std::string more : {"--quiet", "--errata", "--seed=1"}) {
     auto arguments = text;
     arguments.push_back(more);

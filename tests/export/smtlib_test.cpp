@@ -18,7 +18,7 @@
 
 using namespace slipproof;
 using test::read_file;
-using test::shipped_folder;
+using test::shipped_certificates;
 
 namespace {
 
@@ -113,7 +113,7 @@ bool truth(const check::Formula& formula) {
 std::vector<std::pair<std::string, std::string>> witness(const std::string& theorem) {
   std::vector<std::pair<std::string, std::string>> values;
   std::string line;
-  for (std::istringstream lines(read_file(shipped_folder / (theorem + ".cert"))); std::getline(lines, line);) {
+  for (std::istringstream lines(read_file(shipped_certificates / (theorem + ".cert"))); std::getline(lines, line);) {
     if (!line.starts_with("set ")) continue;
     const auto equal = line.find(" = ");
     values.emplace_back(line.substr(4, equal - 4), line.substr(equal + 3));
@@ -194,10 +194,10 @@ TEST_CASE("an exported statement is true where the statement is") {
     const bool interval = !claim.starts_with("A5");
     const std::string theorem = claim + (interval ? ".always" : "");
     const auto values = witness(theorem);
-    std::vector<std::string> texts{read_file(shipped_folder / (theorem + ".statement"))};
-    if (interval) texts.push_back(read_file(shipped_folder / (claim + ".only-then.statement")));
+    std::vector<std::string> texts{read_file(shipped_certificates / (theorem + ".statement"))};
+    if (interval) texts.push_back(read_file(shipped_certificates / (claim + ".only-then.statement")));
     const std::vector<Sexp> with_values = read_script(
-        smtlib_witness_text(theorem, texts.front(), "cert", read_file(shipped_folder / (theorem + ".cert"))));
+        smtlib_witness_text(theorem, texts.front(), "cert", read_file(shipped_certificates / (theorem + ".cert"))));
     for (const std::string& statement : texts) {
       const std::vector<Sexp> script = read_script(smtlib_text(theorem, statement));
       // Points beside motions, and beside others: a motion meets all assumptions, and the conclusion.

@@ -241,12 +241,13 @@ TEST_CASE("z3 contradicts statements that are made false") {
   struct Change {
     const char *theorem, *from, *to;
   };
-  for (const Change& change : std::vector<Change>{{"A1.1.only-then", "F * sigma < xi1", "F * sigma < xi1/2"},
-                                                  {"A2.1.repaired.only-then", "< xi2", "< (xi2 + xi3)/2"},
-                                                  {"A3.2", "b < b0", "b < 2*b0"},
-                                                  {"A4.1.only-then", "< xi6", "< (xi4 + xi6)/2"},
-                                                  {"A1.cover", "b0 < b", "2*b0 < b"},
-                                                  {"theorems/A2.1.printed-refuted", "P < xi3", "P > xi3"}}) {
+  for (const Change& change :
+       std::vector<Change>{{"certificates/A1.1.only-then", "F * sigma < xi1", "F * sigma < xi1/2"},
+                           {"certificates/A2.1.repaired.only-then", "< xi2", "< (xi2 + xi3)/2"},
+                           {"certificates/A3.2", "b < b0", "b < 2*b0"},
+                           {"certificates/A4.1.only-then", "< xi6", "< (xi4 + xi6)/2"},
+                           {"certificates/A1.cover", "b0 < b", "2*b0 < b"},
+                           {"theorems/A2.1.printed-refuted", "P < xi3", "P > xi3"}}) {
     CAPTURE(std::string(change.theorem));
     const TemporaryFolder folder;
     std::string text = read_file(kProofs / (std::string(change.theorem) + ".statement"));
@@ -262,7 +263,7 @@ TEST_CASE("Coq refuses a proof with another number in it, and a theorem that is 
   if (!installed("coqc")) return;
   const TemporaryFolder folder;
   for (const char* kind : {".statement", ".cert"}) {
-    folder.write(std::string("A2.4") + kind, read_file(kProofs / (std::string("A2.4") + kind)));
+    folder.write(std::string("A2.4") + kind, read_file(kProofs / "certificates" / (std::string("A2.4") + kind)));
   }
   REQUIRE(run({"prove", folder.path() / "claims.toml", "--coq", folder.path()}).exit_code == 0);
   const std::string text = read_file(folder.path() / "A2.4.v");

@@ -188,8 +188,9 @@ TEST_CASE("everything that comes with the program is gathered") {
   const std::string root = SLIPPROOF_SOURCE_DIR;
   const test::TemporaryFolder folder;
   const auto claims = folder.write("claims.toml", test::read_file(root + "/proofs/rozenblat-yashin/claims.toml"));
-  for (const char* name : {"A1.1a.statement", "A1.1a.cert", "A1.2a.statement"}) {
-    folder.write(name, test::read_file(root + "/proofs/rozenblat-yashin/" + name));
+  std::filesystem::create_directory(folder.path() / "certificates");
+  for (const std::string name : {"A1.1a.statement", "A1.1a.cert", "A1.2a.statement"}) {
+    folder.write("certificates/" + name, test::read_file(test::shipped_certificates / name));
   }
   const PageInput input = gather({claims, root + "/cases", root + "/cases/solvers", {}}, test::shipped_paper());
   CHECK(input.figures.empty());  // there is no figures.toml beside the claims

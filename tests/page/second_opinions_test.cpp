@@ -9,6 +9,7 @@
 #include "input/diagnostic.hpp"
 #include "page/page.hpp"
 #include "report/certificates.hpp"
+#include "statements/library.hpp"
 #include "support/run_program.hpp"
 #include "support/shipped.hpp"
 
@@ -16,7 +17,6 @@ using namespace slipproof;
 
 namespace {
 
-const std::string folder_of_paper = SLIPPROOF_SOURCE_DIR "/proofs/rozenblat-yashin/";
 const std::vector<std::string> three{"A1.1a", "A1.1.always", "A1.1.only-then"};
 
 /// What a bad table is refused with, without the file's name.
@@ -40,24 +40,23 @@ std::string refusal(const std::string& table) {
 struct EvidencePage {
   explicit EvidencePage(const std::string& table) {
     const test::TemporaryFolder folder;
-    const auto claims = folder.write("claims.toml", test::read_file(folder_of_paper + "claims.toml"));
+    const auto claims = folder.write("claims.toml", test::read_file(test::shipped_folder / "claims.toml"));
     std::vector<std::string> names = three;
     names.insert(names.end(), {"A1.1.defined", "A1.1a.defined"});
-    for (const std::string& name : names) {
-      for (const char* ending : {".statement", ".cert"}) {
-        folder.write(name + ending, test::read_file(folder_of_paper + name + ending));
-      }
-    }
-    std::filesystem::create_directory(folder.path() / "below");
+    for (const char* below : {"certificates", "theorems"}) std::filesystem::create_directory(folder.path() / below);
     for (const char* ending : {".statement", ".cert"}) {
-      folder.write(std::string("below/A1.2a") + ending, test::read_file(folder_of_paper + "A1.2a" + ending));
+      const auto shipped = [&](const std::string& name) {
+        return test::read_file(test::shipped_certificates / (name + ending));
+      };
+      for (const std::string& name : names) folder.write("certificates/" + name + ending, shipped(name));
+      folder.write(std::string("theorems/A1.2a") + ending, shipped("A1.2a"));
     }
     if (!table.empty()) folder.write("second-opinions.csv", table);
     VerifyOptions options;
     options.samples = 5;
     options.only = "A1.1";
     VerifyResult result = verify(test::shipped_paper(), options);
-    find_certificates(test::shipped_paper(), result, folder.path());
+    find_certificates(test::shipped_paper(), result, certificates_folder(claims));
     PageInput input = gather({claims, {}, {}, {}}, test::shipped_paper());
     input.result = &result;
     sources = input.sources.size();
@@ -126,9 +125,9 @@ TEST_CASE("a bad table is refused with all that is wrong, and where") {
 TEST_CASE("the evidence says who agrees and who timed out, the first screen counts, from the table alone") {
   const EvidencePage page(
       "statement,z3,cvc5,coq\n"
-      "A1.1.always,unsat,timeout,accepted\n"
-      "A1.1.only-then,unsat,unsat,-\n"
-      "below/A1.2a,unknown,-,accepted\n");
+      "certificates/A1.1.always,unsat,timeout,accepted\n"
+      "certificates/A1.1.only-then,unsat,unsat,-\n"
+      "theorems/A1.2a,unknown,-,accepted\n");
   CHECK(page.text("//details[@id='claim-A1.1']")
             .find("Second opinions. z3 confirms A1.1.only-then and A1.1.always, was not asked of A1.1.defined; cvc5 "
                   "confirms A1.1.only-then, timed out on A1.1.always, was not asked of A1.1.defined; Coq accepts "
@@ -143,7 +142,7 @@ TEST_CASE("the evidence says who agrees and who timed out, the first screen coun
 }
 
 TEST_CASE("without the table, the page says nothing of second opinions") {
-  const EvidencePage without(""), with("statement,z3,cvc5,coq\nA1.1a,unknown,-,timeout\n");
+  const EvidencePage without(""), with("statement,z3,cvc5,coq\ncertificates/A1.1a,unknown,-,timeout\n");
   CHECK(without.text("//body").find("econd opinion") == std::string::npos);
   CHECK(with.text("//details[@id='claim-A1.1a']")
             .find("Second opinions. z3 could not tell of A1.1a, was not asked of A1.1a.defined; Coq timed out on "

@@ -22,6 +22,7 @@
 namespace {
 
 using namespace slipproof;
+using test::shipped_certificates;
 using test::shipped_folder;
 
 std::string rejection(const std::filesystem::path& certificate) {
@@ -59,7 +60,7 @@ TEST_CASE("Assertions 1 to 4 are proved in the reading in which they are true") 
                          "A2.4", "A3.1",  "A3.1a", "A3.2",  "A4.1", "A4.1a", "A4.2", "A4.2a", "A4.3", "A5.1"}) {
     const Claim* claim = claims.find(id);
     REQUIRE_MESSAGE(claim != nullptr, id);
-    const ClaimProof proof = find_claim_proof(claims, *claim, Reading::repaired, shipped_folder, rejection);
+    const ClaimProof proof = find_claim_proof(claims, *claim, Reading::repaired, shipped_certificates, rejection);
     INFO(id, ": ", proof.problems.empty() ? "" : proof.problems.front());
     CHECK(proof.proved);
   }
@@ -68,7 +69,7 @@ TEST_CASE("Assertions 1 to 4 are proved in the reading in which they are true") 
 TEST_CASE("uniqueness is proved cell by cell, and that the motions exist with it") {
   const ClaimsFile claims = read_claims(shipped_folder / "claims.toml");
   const Claim& claim = *claims.find("A5.2");
-  const ClaimProof proof = find_claim_proof(claims, claim, Reading::repaired, shipped_folder, rejection);
+  const ClaimProof proof = find_claim_proof(claims, claim, Reading::repaired, shipped_certificates, rejection);
   INFO(claim.id, ": ", proof.problems.empty() ? "" : proof.problems.front());
   CHECK(proof.proved);
   std::set<std::string> names;
@@ -93,11 +94,11 @@ TEST_CASE("uniqueness is proved cell by cell, and that the motions exist with it
 TEST_CASE("uniqueness is not proved of other claims than those whose motions it speaks of") {
   const auto proved = [](const ClaimsFile& claims) {
     const auto trust = [](const std::filesystem::path&) { return std::string(); };
-    return find_claim_proof(claims, *claims.find("A5.2"), Reading::repaired, shipped_folder, trust).proved;
+    return find_claim_proof(claims, *claims.find("A5.2"), Reading::repaired, shipped_certificates, trust).proved;
   };
   const ClaimsFile shipped = read_claims(shipped_folder / "claims.toml");
   REQUIRE(proved(shipped));
-  CHECK(!find_claim_proof(shipped, *shipped.find("A5.2"), Reading::printed, shipped_folder, rejection).proved);
+  CHECK(!find_claim_proof(shipped, *shipped.find("A5.2"), Reading::printed, shipped_certificates, rejection).proved);
   const auto tampered = [&](auto change) {
     ClaimsFile claims = shipped;
     for (Claim& claim : claims.claims) {
@@ -147,9 +148,9 @@ TEST_CASE("a limit is proved from a value on, and only if that value is defined 
   CHECK_THROWS_AS(proved("b/(h + R - h - R)"), InputError);  // nowhere defined: all beyond it would hold
   CHECK(!proved(""));
   for (const auto& [id, reading] : {std::pair("R3.3.1", Reading::printed), std::pair("R3.3.2", Reading::repaired)}) {
-    CHECK(find_claim_proof(claims, *claims.find(id), reading, shipped_folder, rejection).proved);
+    CHECK(find_claim_proof(claims, *claims.find(id), reading, shipped_certificates, rejection).proved);
   }
-  CHECK(!find_claim_proof(claims, *claims.find("R3.3.2"), Reading::printed, shipped_folder, rejection).proved);
+  CHECK(!find_claim_proof(claims, *claims.find("R3.3.2"), Reading::printed, shipped_certificates, rejection).proved);
 }
 
 TEST_CASE("what is false in print has no proof") {
@@ -157,7 +158,7 @@ TEST_CASE("what is false in print has no proof") {
   for (const char* id : {"A2.1", "A2.cover", "A3.cover", "A4.cover", "A5.1"}) {
     const Claim* claim = claims.find(id);
     REQUIRE_MESSAGE(claim != nullptr, id);
-    const ClaimProof proof = find_claim_proof(claims, *claim, Reading::printed, shipped_folder, rejection);
+    const ClaimProof proof = find_claim_proof(claims, *claim, Reading::printed, shipped_certificates, rejection);
     CHECK(!proof.proved);
     CHECK(!proof.problems.empty());
   }
@@ -165,14 +166,15 @@ TEST_CASE("what is false in print has no proof") {
 
 TEST_CASE("every claim has a proof or a refutation, as far as statements can say it") {
   for (const char* paper : {"rozenblat-yashin", "rear-drive"}) {
-    const std::filesystem::path folder = shipped_folder.parent_path() / paper;
-    const std::vector<NamedStatement> statements = paper_statements(read_claims(folder / "claims.toml"));
+    const std::filesystem::path claims = shipped_folder.parent_path() / paper / "claims.toml";
+    const std::filesystem::path certificates = certificates_folder(claims);
+    const std::vector<NamedStatement> statements = paper_statements(read_claims(claims));
     CHECK(statements.size() > 30);
     for (const NamedStatement& statement : statements) {
       INFO(statement.name);
-      std::ifstream file(folder / (statement.name + ".statement"), std::ios::binary);
+      std::ifstream file(certificates / (statement.name + ".statement"), std::ios::binary);
       CHECK(std::string{std::istreambuf_iterator<char>(file), {}} == statement.text);
-      CHECK(std::filesystem::exists(folder / (statement.name + ".cert")));
+      CHECK(std::filesystem::exists(certificates / (statement.name + ".cert")));
     }
   }
 }
@@ -209,13 +211,13 @@ TEST_CASE("a false claim is refuted by a theorem, and a true one is not") {
 TEST_CASE("a claim that changes loses its proof") {
   ClaimsFile claims = read_claims(shipped_folder / "claims.toml");
   const Claim* claim = claims.find("A1.1");
-  REQUIRE(find_claim_proof(claims, *claim, Reading::printed, shipped_folder, rejection).proved);
+  REQUIRE(find_claim_proof(claims, *claim, Reading::printed, shipped_certificates, rejection).proved);
   for (Setting& setting : claims.settings) {
     for (Definition& definition : setting.definitions) {
       if (definition.symbol == "b0") definition.printed = make_symbol("R");
     }
   }
-  CHECK(!find_claim_proof(claims, *claim, Reading::printed, shipped_folder, rejection).proved);
+  CHECK(!find_claim_proof(claims, *claim, Reading::printed, shipped_certificates, rejection).proved);
 }
 
 TEST_CASE("the statements' mechanics accept the motions of the mode solver, and nothing beside them") {

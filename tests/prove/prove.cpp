@@ -15,23 +15,24 @@
 #include "support/shipped.hpp"
 
 using slipproof::test::read_file;
+using slipproof::test::shipped_certificates;
 using slipproof::test::shipped_folder;
 using slipproof::test::TemporaryFolder;
 
 TEST_CASE("certificates of Assertions 1 to 4 are found again, byte for byte") {
   for (const char* name : {"A1.1.always", "A1.1.only-then", "A2.1.repaired.always", "A2.2.repaired.only-then",
                            "A3.1.always", "A3.2", "A4.1.always", "A4.3", "A5.1.repaired.3"}) {
-    const auto statement = shipped_folder / (std::string(name) + ".statement");
+    const auto statement = shipped_certificates / (std::string(name) + ".statement");
     const slipproof::ProofOutcome outcome = slipproof::prove_statement(statement.string(), read_file(statement));
     CHECK(outcome.theorem == name);
     REQUIRE(outcome.proved());
-    CHECK(outcome.certificate == read_file(shipped_folder / (std::string(name) + ".cert")));
+    CHECK(outcome.certificate == read_file(shipped_certificates / (std::string(name) + ".cert")));
   }
 }
 
 TEST_CASE("a false statement stays undecided, with what was left") {
   // The wrong end of Assertion 1: the motion exists up to xi1, not up to 2 xi1.
-  std::string text = read_file(shipped_folder / "A1.1.always.statement");
+  std::string text = read_file(shipped_certificates / "A1.1.always.statement");
   const std::string bound = "F * sigma < xi1";
   REQUIRE(text.find(bound) != std::string::npos);
   text.replace(text.find(bound), bound.size(), "F * sigma < 2*xi1");

@@ -31,7 +31,7 @@ class Folder : public test::TemporaryFolder {
     }
   }
   void copy(const std::string& from, const std::string& to, const std::string& kind) const {
-    write(to + kind, read_file(test::shipped_folder / (from + kind)));
+    write(to + kind, read_file(test::shipped_certificates / (from + kind)));
   }
   void replace(const std::string& file, const std::string& from, const std::string& to) const {
     std::string text = read_file(path() / file);
@@ -74,7 +74,7 @@ TEST_CASE("what a certificate refutes is refuted, also where all samples miss it
   VerifyResult result = verify(test::shipped_paper(), options);
   const ClaimResult before = result.claims.front();
   REQUIRE(before.verdict == Verdict::holds);
-  find_certificates(test::shipped_paper(), result, test::shipped_folder);
+  find_certificates(test::shipped_paper(), result, test::shipped_certificates);
   const ClaimResult& after = result.claims.front();
   CHECK(after.verdict == Verdict::refuted);
   CHECK_FALSE(after.proved);
@@ -163,7 +163,7 @@ TEST_CASE("the errata name the certificates of a repair, or the number of its sa
   CHECK(certainty("R2.3.2").starts_with("sampled (200 samples)"));
   const std::string samples = std::to_string(result.find(test::shipped_paper(), "A2.4", Reading::repaired)->samples());
   CHECK(certainty("A2.4") == "exact; sampled (" + samples + " samples)");
-  find_certificates(test::shipped_paper(), result, test::shipped_folder);
+  find_certificates(test::shipped_paper(), result, test::shipped_certificates);
   CHECK(certainty("A2.4") == "exact; proved for all parameters (certificate A2.4.repaired.cert)");
   CHECK(certainty("E4.1.2") ==
         "exact (certificate E4.1.2.refuted.cert); proved for all parameters (certificate E4.1.2.repaired.cert)");
