@@ -1,39 +1,132 @@
 #include "check/files.hpp"
 
+#include <array>
 #include <fstream>
+#include <optional>
+#include <set>
 
-#include "check/theorem.hpp"
+#include "check/judge.hpp"
 
 namespace slipproof::check {
 
-FileResult check_file(const std::filesystem::path& certificate) {
-  FileResult result{certificate, "unreadable", {}, {}};
-  const std::filesystem::path statement_path = std::filesystem::path(certificate).replace_extension(".statement");
-  std::ifstream statement_file(statement_path, std::ios::binary), certificate_file(certificate, std::ios::binary);
-  FormulaReader statement_reader(statement_file, statement_path), certificate_reader(certificate_file, certificate);
-  const Reader* reader = &statement_reader;
-  try {
-    require(statement_file.is_open(), "the file cannot be read");
-    const Statement statement(statement_reader);
-    result.theorem = statement.theorem;
-    reader = &certificate_reader;
-    require(certificate_file.is_open(), "the file cannot be read");
-    result.verdict = "rejected";
-    Proof(statement, certificate_reader);
-    result.verdict = "accepted";
-  } catch (const Rejection& rejection) {
-    result.message = reader->place() + rejection.what();
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 5> kVerdicts{"accepted", "rejected", "missing", "undecided", "unreadable"};
+
+/// A file's name may hold what would change the text around it: control characters, those of direction, lines of
+/// Unicode, and what is no UTF-8 there. These are written as \xHH.
+std::string printable(const fs::path& path) {
+  static const char* const digits = "0123456789abcdef";
+  const std::string text = path.string();
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = [&](std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0; };
+    const bool control = byte(i) < 0x20 || byte(i) == 0x7f || (byte(i) == 0xc2 && byte(i + 1) < 0xa0);
+    const bool direction = byte(i) == 0xe2 && (byte(i + 1) == 0x80 || byte(i + 1) == 0x81);
+    if (control || direction) {
+      result.append("\\x") += digits[byte(i) / 16];
+      result += digits[byte(i) % 16];
+    } else {
+      result += text[i];
+    }
   }
   return result;
 }
 
-std::vector<std::filesystem::path> certificates_in(const std::filesystem::path& argument) {
-  if (!std::filesystem::is_directory(argument)) return {argument};
-  std::set<std::filesystem::path> result;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(argument)) {
-    std::filesystem::path path = entry.path();
-    if (path.extension() == ".statement") result.insert(path.replace_extension(".cert"));
+/// The bytes of a file, or why there are none.
+struct File {
+  std::optional<std::string> text;
+  std::string problem;
+};
+
+/// Of a longer file one byte more than `limit`, which is then refused.
+File load(const fs::path& path, std::size_t limit) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::not_found) return {{}, "there is no such file"};
+  if (error) return {{}, error.message()};
+  if (!fs::is_regular_file(status)) return {{}, "not a regular file"};
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return {{}, "the file cannot be opened"};
+  std::string text;
+  for (std::array<char, 1 << 16> block; text.size() <= limit && file;) {
+    file.read(block.data(), static_cast<std::streamsize>(std::min(block.size(), limit + 1 - text.size())));
+    text.append(block.data(), static_cast<std::size_t>(file.gcount()));
   }
+  if (file.bad()) return {{}, "the file cannot be read"};
+  return {std::move(text), ""};
+}
+
+bool is_below(const fs::path& path, const fs::path& folder) {
+  std::error_code error;
+  const fs::path inside = fs::canonical(path, error).lexically_relative(fs::canonical(folder, error));
+  return !error && !inside.empty() && *inside.begin() != "..";
+}
+
+void find_certificates(const fs::path& folder, const fs::path& root, std::set<fs::path>& found) {
+  std::error_code error, ignored;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    fs::path path = entry->path();
+    if (entry->symlink_status(ignored).type() == fs::file_type::directory) {
+      find_certificates(path, root, found);
+    } else if (path.extension() == ".statement" || path.extension() == ".cert") {
+      found.insert(path.replace_extension(".cert"));
+    } else if (fs::is_directory(path, ignored) && !is_below(path, root)) {
+      found.insert(path);
+    }
+  }
+  if (error) found.insert(folder);
+}
+
+}  // namespace
+
+std::string_view to_string(Verdict verdict) {
+  return kVerdicts.at(static_cast<std::size_t>(verdict));
+}
+
+FileResult check_file(const fs::path& certificate) {
+  FileResult result{certificate, Verdict::unreadable, "", ""};
+  const auto say = [&](Verdict verdict, const fs::path& file, const std::string& message) {
+    result.verdict = verdict;
+    result.message = printable(file) + ":" + message;
+    return result;
+  };
+  if (certificate.extension() != ".cert") {
+    std::error_code ignored;
+    const bool folder = fs::is_directory(certificate, ignored), link = fs::is_symlink(certificate, ignored);
+    return say(Verdict::unreadable, certificate,
+               !folder ? " expected NAME.cert, NAME.statement or a folder"
+               : link  ? " a link to a folder elsewhere, which is not followed"
+                       : " the folder cannot be listed");
+  }
+  const fs::path statement = fs::path(certificate).replace_extension(".statement");
+  const File stated = load(statement, kMaxStatement);
+  if (!stated.text) return say(Verdict::unreadable, statement, " " + stated.problem);
+  std::error_code ignored;
+  const bool is_missing = fs::symlink_status(certificate, ignored).type() == fs::file_type::not_found;
+  File proof = load(certificate, kMaxWork);
+  const Judgement judgement = judge(*stated.text, proof.text.value_or(""));
+  result.theorem = judgement.theorem;
+  if (judgement.verdict == Verdict::unreadable) return say(Verdict::unreadable, statement, judgement.message);
+  if (is_missing) return say(Verdict::missing, certificate, " there is no certificate");
+  if (!proof.text) return say(Verdict::unreadable, certificate, " " + proof.problem);
+  if (judgement.verdict == Verdict::undecided) {
+    return say(Verdict::undecided, certificate, " the search ended without a certificate" + judgement.message);
+  }
+  if (judgement.verdict == Verdict::rejected) return say(judgement.verdict, certificate, judgement.message);
+  result.verdict = Verdict::accepted;
+  return result;
+}
+
+std::vector<fs::path> certificates_in(const fs::path& argument) {
+  std::error_code error;
+  if (!fs::is_directory(argument, error)) {
+    return {argument.extension() == ".statement" ? fs::path(argument).replace_extension(".cert") : argument};
+  }
+  std::set<fs::path> result;
+  find_certificates(argument, argument, result);
   return {result.begin(), result.end()};
 }
 
@@ -41,19 +134,33 @@ Report check_files(const std::vector<std::string>& arguments) {
   Report report;
   for (const std::string& argument : arguments) {
     const auto certificates = certificates_in(argument);
-    if (certificates.empty()) report.results.push_back({argument, "unreadable", {}, argument + ": no statements here"});
+    if (certificates.empty()) {
+      report.results.push_back({argument, Verdict::unreadable, {}, printable(argument) + ": no statements here"});
+    }
     for (const auto& certificate : certificates) report.results.push_back(check_file(certificate));
   }
-  std::map<std::string, int> count;
+  std::array<std::size_t, kVerdicts.size()> count{};
   for (const FileResult& result : report.results) {
-    ++count[result.verdict];
-    report.text += result.verdict + " " + (result.verdict == "accepted" ? result.theorem : result.message) + "\n";
+    ++count.at(static_cast<std::size_t>(result.verdict));
+    report.text.append(to_string(result.verdict)).append(" ");
+    report.text += result.verdict == Verdict::accepted ? result.theorem : result.message;
+    report.text += '\n';
   }
-  const int rejected = count["rejected"], unreadable = count["unreadable"];
-  report.exit_code = rejected > 0 ? 5 : unreadable > 0 ? 3 : 0;
-  const char* verdict = rejected > 0 ? "s REJECTED " : unreadable > 0 ? "s UNREADABLE " : "s ACCEPTED ";
-  report.summary = verdict + std::to_string(count["accepted"]) + " accepted, " + std::to_string(rejected) +
-                   " rejected, " + std::to_string(unreadable) + " unreadable\n";
+  const auto some = [&](Verdict verdict) { return count.at(static_cast<std::size_t>(verdict)) > 0; };
+  report.summary = some(Verdict::rejected)     ? "s REJECTED"
+                   : some(Verdict::unreadable) ? "s UNREADABLE"
+                   : some(Verdict::missing)    ? "s MISSING"
+                   : some(Verdict::undecided)  ? "s UNDECIDED"
+                                               : "s ACCEPTED";
+  for (std::size_t i = 0; i < count.size(); ++i) {
+    report.summary += (i == 0 ? " " : ", ") + std::to_string(count.at(i)) + " ";
+    report.summary += kVerdicts.at(i);
+  }
+  report.summary += '\n';
+  report.exit_code = some(Verdict::rejected)                               ? 5
+                     : some(Verdict::unreadable) || some(Verdict::missing) ? 3
+                     : some(Verdict::undecided)                            ? 4
+                                                                           : 0;
   return report;
 }
 

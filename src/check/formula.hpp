@@ -5,10 +5,13 @@
 
 namespace slipproof::check {
 
+inline constexpr std::size_t kMaxAtoms = 100'000;  ///< of a formula
+inline constexpr int kMaxOperators = 1'000;        ///< of a value in a statement or witness, without the names in it
+
 /// numerator / denominator, defined where no polynomial in `divisors` is zero; the denominator is a product of those.
 struct Fraction {
   Polynomial numerator;
-  std::optional<Polynomial> denominator{};  ///< none is 1
+  std::optional<Polynomial> denominator{};  ///< none is 1, where nothing is divided
   std::vector<Polynomial> divisors{};       ///< those that are not constant, each once
 };
 
@@ -20,15 +23,21 @@ struct Formula {
   Polynomial polynomial{};
   std::vector<Formula> parts{};
   int depth = 0;
+  std::size_t atoms = 1;
 };
 
 /// A conjunction or disjunction; of one part it is that part.
 inline Formula combine(Kind kind, std::vector<Formula> parts) {
   if (parts.size() == 1) return Formula(std::move(parts.front()));
   int depth = 0;
-  for (const Formula& part : parts) depth = std::max(depth, part.depth + 1);
+  std::size_t atoms = 0;
+  for (const Formula& part : parts) {
+    depth = std::max(depth, part.depth + 1);
+    atoms += part.atoms;
+  }
   require(depth <= kMaxNesting, "a formula is nested too deeply");
-  return {kind, {}, std::move(parts), depth};
+  require(atoms <= kMaxAtoms, "a formula has too many comparisons");
+  return {kind, {}, std::move(parts), depth, atoms};
 }
 
 inline Formula non_zero(const Polynomial& p) {
@@ -64,19 +73,17 @@ class FormulaReader : public Reader {
     return combine(Kind::disjunction, std::move(parts));
   }
 
-  Fraction expression() {
-    Fraction result = product();
-    while (true) {
-      const bool minus = accept("-");
-      if (!minus && !accept("+")) return result;
-      result = sum(std::move(result), minus ? negative(product()) : product());
-    }
+  Fraction value() {
+    operators_ = 0;
+    Fraction result = expression();
+    require(operators_ <= kMaxOperators, "an expression has too many operators");
+    return result;
   }
 
-  /// An expression without division.
+  /// An expression without division, in names that stand for such ones.
   Polynomial polynomial() {
     Fraction value = expression();
-    require(one_or(value.denominator) == Polynomial(1), "expected a polynomial with integer coefficients");
+    require(!value.denominator, "expected a polynomial with integer coefficients");
     return std::move(value.numerator);
   }
 
@@ -100,7 +107,7 @@ class FormulaReader : public Reader {
 
   Formula unit() {
     if (accept("{")) return nested("}", [this] { return formula(); });
-    if (accept("false")) return {Kind::disjunction};
+    if (accept("false")) return combine(Kind::disjunction, {});
     const auto named = names.formulas.find(peek());
     if (named == names.formulas.end()) return comparison_chain();
     name();
@@ -109,10 +116,10 @@ class FormulaReader : public Reader {
 
   Formula comparison_chain() {
     std::vector<Formula> parts;
-    Fraction left = expression();
+    Fraction left = value();
     while (peek().find_first_of("<>=") != std::string_view::npos) {
       const std::string relation = take();
-      Fraction right = expression();
+      Fraction right = value();
       parts.push_back(comparison(std::move(left), relation, right));
       left = std::move(right);
     }
@@ -135,11 +142,22 @@ class FormulaReader : public Reader {
     return combine(Kind::conjunction, std::move(parts));
   }
 
+  Fraction expression() {
+    Fraction result = product();
+    while (true) {
+      const bool minus = accept("-");
+      if (!minus && !accept("+")) return result;
+      ++operators_;
+      result = sum(std::move(result), minus ? negative(product()) : product());
+    }
+  }
+
   Fraction product() {
     Fraction result = power();
     while (true) {
       const bool divide = accept("/");
       if (!divide && !accept("*")) return result;
+      ++operators_;
       result = times(std::move(result), divide ? inverse(power()) : power());
     }
   }
@@ -197,13 +215,14 @@ class FormulaReader : public Reader {
   }
 
   static void add_divisors(Fraction& x, const std::vector<Polynomial>& more) {
+    Work::spend(x.divisors.size() * more.size());
     for (const Polynomial& p : more) {
       const bool known = std::find(x.divisors.begin(), x.divisors.end(), p) != x.divisors.end();
       if (!known && !p.is_constant()) x.divisors.push_back(p);
     }
   }
 
-  int nesting_ = 0;
+  int nesting_ = 0, operators_ = 0;
 };
 
 }  // namespace slipproof::check

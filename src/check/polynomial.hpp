@@ -12,13 +12,16 @@ inline constexpr std::size_t kMaxVariables = 64;
 inline constexpr int kMaxDegree = 255;                 ///< in one variable
 inline constexpr std::size_t kMaxProducts = 200'000;   ///< of terms, in a multiplication
 inline constexpr std::size_t kMaxCoefficient = 128;    ///< words of 64 bits
+inline constexpr std::size_t kWordsWork = 512;         ///< products of words that cost as much as a term
 inline constexpr std::size_t kMaxCounted = 1'000'000;  ///< polynomials and terms at a time
 
-/// What is counted while it exists, so that its number, and with it the memory, is bounded whatever is read.
+/// What is counted while it exists, so that its number, and with it the memory, is bounded whatever is read. To make
+/// one is work.
 class Counted {
  public:
   Counted() {
     require(count < kMaxCounted, "too many polynomials and terms");
+    Work::spend(1);
     ++count;
   }
   Counted(const Counted&) : Counted() {}
@@ -52,7 +55,10 @@ class Polynomial : Counted {
     require(x.terms_.size() * y.terms_.size() <= kMaxProducts, "a product has too many terms");
     Polynomial result;
     for (const auto& [left, p] : x.terms_) {
-      for (const auto& [right, q] : y.terms_) result.add(sum(left, right), p * q);
+      for (const auto& [right, q] : y.terms_) {
+        Work::spend(mpz_size(p.get_mpz_t()) * mpz_size(q.get_mpz_t()) / kWordsWork);
+        result.add(sum(left, right), p * q);
+      }
     }
     return result;
   }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <istream>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -15,6 +14,7 @@
 namespace slipproof::check {
 
 inline constexpr std::size_t kMaxLine = 1 << 20, kMaxName = 100;
+inline constexpr std::size_t kMaxWork = 50'000'000;
 inline constexpr int kMaxExponent = 64;
 inline constexpr int kMaxNesting = 100;  ///< of brackets, of formulas, and of branches
 
@@ -27,24 +27,39 @@ inline void require(bool condition, const char* otherwise) {
   if (!condition) throw Rejection(otherwise);
 }
 
+/// What a statement or a proof has cost so far: bytes read, polynomials and terms made, divisors compared. It is
+/// bounded, so that every check ends.
+class Work {
+ public:
+  static void begin() { done = 0; }
+  static void spend(std::size_t amount) { require((done += amount) <= kMaxWork, "checking takes too much work"); }
+
+ private:
+  inline static thread_local std::size_t done = 0;
+};
+
 /// A place in a text: a line, and a token in it.
 class Reader {
  public:
-  explicit Reader(std::istream& input, std::string file = "") : input_(input), file_(std::move(file)) {}
-  std::istream& input() const { return input_; }
+  explicit Reader(std::string text) : text_(std::move(text)) {}
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+  std::size_t size() const { return text_.size(); }  ///< in bytes, of the text
 
   /// Goes to the next line that is neither empty nor a comment; false if there is none.
   bool next_line() {
     do {
-      line_.clear();
       tokens_.clear();
       next_ = 0;
       ++number_;
-      if (input_.peek() == std::istream::traits_type::eof()) return false;
-      for (char c; input_.get(c) && c != '\n'; line_ += c) require(line_.size() < kMaxLine, "the line is too long");
+      const std::size_t end = std::min(text_.find('\n', start_), text_.size());
+      line_ = std::string_view(text_).substr(start_, end - start_);
+      if (start_ == text_.size()) return false;
+      start_ = std::min(end + 1, text_.size());
       find_tokens();
     } while (at_end() || peek() == "#");
-    for (const char c : line_ + '\n') fingerprint_ = (fingerprint_ ^ static_cast<unsigned char>(c)) * 1099511628211U;
+    for (const char c : line_) add_to_fingerprint(c);
+    add_to_fingerprint('\n');
     return true;
   }
 
@@ -56,6 +71,7 @@ class Reader {
     return std::string(16 - digits.size(), '0') + digits;
   }
 
+  std::string_view line() const { return line_; }
   bool at_end() const { return next_ == tokens_.size(); }  ///< of the line
   void expect_end() const { require(at_end(), "expected the end of the line"); }
   std::string_view peek() const { return at_end() ? "" : tokens_[next_]; }
@@ -77,8 +93,21 @@ class Reader {
     if (line_ != text) throw Rejection("expected '" + text + "'");
   }
 
+  /// The line `theorem NAME`. Such a name may begin with a digit, and contain `-`.
+  std::string theorem() {
+    need_line();
+    require(line_.starts_with("theorem "), "expected 'theorem' and a name");
+    const std::string_view name = line_.substr(std::string_view("theorem ").size());
+    const auto allowed = [](char c) { return is_in_word(c) || c == '-'; };
+    require(!name.empty() && (is_letter(name.front()) || is_digit(name.front())) && name.size() <= kMaxName &&
+                std::all_of(name.begin(), name.end(), allowed),
+            "expected 'theorem' and a name");
+    return std::string(name);
+  }
+
   std::string name() {
     require(!at_end() && is_letter(peek().front()) && peek().size() <= kMaxName, "expected a name");
+    require(peek() != "and" && peek() != "or" && peek() != "false", "expected a name, found a reserved word");
     return take();
   }
 
@@ -95,7 +124,12 @@ class Reader {
   }
 
   std::string rule = "header";  ///< what is being read
-  std::string place() const { return file_ + ":" + std::to_string(number_) + ": " + rule + ": "; }
+
+  /// `LINE: RULE: `; where a byte is refused, `LINE:COLUMN: text: `.
+  std::string place() const {
+    const std::string column = column_ > 0 ? ":" + std::to_string(column_) : "";
+    return std::to_string(number_) + column + ": " + (column_ > 0 ? "text" : rule) + ": ";
+  }
 
  private:
   static bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
@@ -104,19 +138,34 @@ class Reader {
 
   /// Tokens are words, of all characters that names and numbers may have, the signs <=, >=, !=, and single characters.
   void find_tokens() {
+    Work::spend(line_.size() + 1);
+    require(line_.size() <= kMaxLine, "the line is too long");
+    refuse_invisible();
     for (std::string_view rest = line_; !rest.empty();) {
       const auto end = std::find_if_not(rest.begin(), rest.end(), is_in_word);
       std::size_t size = std::max<std::size_t>(1, static_cast<std::size_t>(end - rest.begin()));
       if (rest.size() > 1 && rest[1] == '=' && std::string_view("<>!").find(rest[0]) < 3) size = 2;
-      if (rest.front() != ' ' && rest.front() != '\t') tokens_.push_back(rest.substr(0, size));
+      if (rest.front() != ' ') tokens_.push_back(rest.substr(0, size));
       rest.remove_prefix(size);
     }
   }
 
-  std::istream& input_;
-  std::string file_, line_;
+  /// All that is not printable ASCII, also in comments: what an editor shows is what is read.
+  void refuse_invisible() {
+    const auto found = std::find_if(line_.begin(), line_.end(), [](char c) { return c < ' ' || c > '~'; });
+    if (found == line_.end()) return;
+    column_ = static_cast<std::size_t>(found - line_.begin()) + 1;
+    throw Rejection("a byte of value " + std::to_string(static_cast<unsigned char>(*found)) +
+                    ", expected printable ASCII");
+  }
+
+  void add_to_fingerprint(char c) { fingerprint_ = (fingerprint_ ^ static_cast<unsigned char>(c)) * 1099511628211U; }
+
+  const std::string text_;
+  std::size_t start_ = 0;  ///< of the next line, in the text
+  std::string_view line_;
   std::vector<std::string_view> tokens_;
-  std::size_t next_ = 0, number_ = 0;  ///< of the token, of the line
+  std::size_t next_ = 0, number_ = 0, column_ = 0;  ///< of the token, of the line, of a byte that is refused
   std::uint64_t fingerprint_ = 14695981039346656037U;
 };
 

@@ -7,31 +7,52 @@
 
 namespace slipproof::check {
 
+inline constexpr std::size_t kMaxStatement = 1 << 20;  ///< bytes
+
+/// Reads a line `let` or `define` and returns the name that it gives.
+inline std::string abbreviate(FormulaReader& reader) {
+  const bool is_value = reader.rule == "let";
+  require(is_value || reader.rule == "define", "unknown directive, or one that may not follow `exists`");
+  std::string name = reader.name();
+  reader.expect(is_value ? "=" : ":");
+  if (is_value) reader.names.values[name] = reader.value();
+  if (!is_value) reader.names.formulas[name] = reader.formula();
+  return name;
+}
+
 /// For all values of the variables, if the assumptions hold, then the formula shown holds; with unknowns: then there
 /// are values of them for which it holds.
 class Statement {
  public:
-  /// Reads a statement, or with a witness what it says of those values of its unknowns. Throws Rejection.
-  explicit Statement(FormulaReader& reader, const std::vector<Fraction>& witness = {}) : reader_(reader) {
+  /// Throws Rejection.
+  explicit Statement(FormulaReader& reader) : reader_(reader) {
+    Work::begin();
     reader_.expect_line("slipproof-statement 1");
-    reader_.need_line();
-    reader_.expect("theorem");
-    while (!reader_.at_end()) theorem += reader_.take();
+    require(reader_.size() <= kMaxStatement, "the statement is too long");
+    theorem = reader_.theorem();
     do {
       reader_.need_line();
       reader_.rule = reader_.name();
-      read_directive(witness);
+      if (!unknowns.empty()) conclusion_.append(reader_.line()) += '\n';
+      read_directive();
       reader_.expect_end();
     } while (reader_.rule != "show");
+    keep_parts_apart();
     fingerprint = reader_.fingerprint();
     require(!reader_.next_line(), "nothing may follow `show`");
   }
 
-  Formula shown_for(const std::vector<Fraction>& witness) const {
-    reader_.input().clear();
-    reader_.input().seekg(0);
-    FormulaReader again(reader_.input());
-    return Statement(again, witness).shown;
+  /// The formula shown, with these values for the unknowns.
+  Formula shown_for(const std::vector<Fraction>& values) const {
+    FormulaReader again(conclusion_);
+    again.names = names;
+    for (std::size_t i = 0; i < unknowns.size(); ++i) again.names.values[unknowns[i]] = values.at(i);
+    while (true) {
+      again.need_line();
+      again.rule = again.name();
+      if (again.rule == "show") return again.formula();
+      abbreviate(again);
+    }
   }
 
   std::string theorem, fingerprint;
@@ -41,36 +62,45 @@ class Statement {
   Formula shown;
 
  private:
-  void read_directive(const std::vector<Fraction>& witness) {
+  void read_directive() {
     const std::string& directive = reader_.rule;
     const bool universal = unknowns.empty();  // `exists` is still to come, if at all
-    if (directive == "real" && universal) {
-      while (!reader_.at_end()) reader_.names.values[new_name()] = variable();
-    } else if (directive == "exists" && universal) {
-      names = reader_.names;
-      while (!reader_.at_end()) {
-        unknowns.push_back(new_name());
-        reader_.names.values[unknowns.back()] = witness.empty() ? variable() : witness.at(unknowns.size() - 1);
-      }
-    } else if (directive == "let" || directive == "define" || (directive == "assume" && universal)) {
-      const std::string name = new_name();
-      reader_.expect(directive == "let" ? "=" : ":");
-      if (directive == "let") reader_.names.values[name] = reader_.expression();
-      if (directive == "define") reader_.names.formulas[name] = reader_.formula();
-      if (directive == "assume") assumptions.emplace_back(name, reader_.formula());
+    if (universal && (directive == "real" || directive == "exists")) {
+      if (directive == "exists") names = reader_.names;
+      do {
+        const std::string name = reader_.name();
+        give(name);
+        reader_.names.values[name] = variable();
+        if (directive == "exists") unknowns.push_back(name);
+      } while (!reader_.at_end());
+    } else if (universal && directive == "assume") {
+      const std::string name = reader_.name();
+      give(name);
+      reader_.expect(":");
+      assumptions.emplace_back(name, reader_.formula());
     } else if (directive == "show") {
       if (universal) names = reader_.names;
       shown = reader_.formula();
     } else {
-      throw Rejection("unknown directive, or one that may not follow `exists`");
+      give(abbreviate(reader_));
     }
   }
 
-  std::string new_name() {
-    std::string name = reader_.name();
-    require(given_.insert(name).second, "the name is given twice, or reserved");
-    return name;
+  /// The parts of a hypothesis H are H.1, H.2, H.2.1, ..., and `goal` is the negated conclusion: no assumption may have
+  /// a name of these.
+  void keep_parts_apart() const {
+    std::set<std::string> wholes = {"goal"};
+    for (const auto& assumption : assumptions) wholes.insert(assumption.first);
+    require(wholes.size() > assumptions.size(), "an assumption is called `goal`");
+    for (std::string name : wholes) {
+      for (std::size_t dot; name[dot = name.find_last_not_of("0123456789")] == '.';) {
+        name.erase(dot);
+        if (wholes.contains(name)) throw Rejection("an assumption has the name of a part of `" + name + "`");
+      }
+    }
   }
+
+  void give(const std::string& name) { require(given_.insert(name).second, "the name is given twice"); }
 
   Fraction variable() {
     require(variables_ < kMaxVariables, "too many variables");
@@ -80,17 +110,18 @@ class Statement {
   }
 
   FormulaReader& reader_;
-  std::set<std::string> given_ = {"and", "or", "false"};
+  std::set<std::string> given_;
   std::size_t variables_ = 0;
+  std::string conclusion_;  ///< the lines after `exists`
 };
 
 /// A certificate: a proof by contradiction from the assumptions and the negated conclusion.
 class Proof {
  public:
-  /// Returns if the certificate proves the statement, otherwise throws Rejection.
+  /// Reads what follows the first line. Returns if the certificate proves the statement, otherwise throws Rejection.
   Proof(const Statement& statement, FormulaReader& reader) : statement_(statement), reader_(reader) {
+    Work::begin();
     reader_.names = statement.names;
-    reader_.expect_line("slipproof-certificate 1");
     reader_.expect_line("theorem " + statement.theorem + " " + statement.fingerprint);
     for (const auto& [name, formula] : statement.assumptions) assume(name, formula);
     if (statement.unknowns.empty()) assume("goal", negation(statement.shown));
@@ -193,6 +224,7 @@ class Proof {
   /// `witness NAME`, then `set UNKNOWN = EXPRESSION` for each unknown in turn. NAME says that these values fail: one of
   /// their divisors is zero, or the conclusion is false for them.
   void witness() {
+    require(!statement_.unknowns.empty(), "the statement has no `exists`");
     const std::string name = reader_.name();
     reader_.expect_end();
     std::vector<Fraction> values;
@@ -202,7 +234,7 @@ class Proof {
       reader_.expect("set");
       reader_.expect(unknown);
       reader_.expect("=");
-      values.push_back(reader_.expression());
+      values.push_back(reader_.value());
       reader_.expect_end();
       for (const Polynomial& divisor : values.back().divisors) failures.push_back({Kind::zero, divisor});
     }

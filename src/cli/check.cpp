@@ -21,7 +21,7 @@ void add_check(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CheckArguments>();
   CLI::App& command =
       *app.add_subcommand("check", "Certificates against their statements; slipproof-check does the same");
-  command.add_option("CERT", options->certificates, "Certificates, or folders of them")->required();
+  command.add_option("CERT", options->certificates, "Certificates, their statements, or folders of them")->required();
   add_common_options(command, options->common);
   command.callback([options, &exit_code] {
     const check::Report report = check::check_files(options->certificates);
@@ -32,7 +32,7 @@ void add_check(CLI::App& app, int& exit_code) {
       Json entry;
       entry["certificate"] = result.certificate.string();
       entry["theorem"] = result.theorem;
-      entry["verdict"] = result.verdict;
+      entry["verdict"] = check::to_string(result.verdict);
       entry["message"] = result.message;
       results.push_back(std::move(entry));
     }

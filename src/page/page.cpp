@@ -42,17 +42,19 @@ class Gathering {
       PageCertificate certificate;
       certificate.file = file.lexically_relative(folder).generic_string();
       certificate.theorem = checked.theorem.empty() ? certificate.file : checked.theorem;
-      certificate.accepted = checked.verdict == "accepted";
+      certificate.accepted = checked.verdict == check::Verdict::accepted;
       certificate.message = checked.message;
       // The page does not say where it was made.
       const std::string prefix = folder.string() + "/";
       if (certificate.message.starts_with(prefix)) certificate.message.erase(0, prefix.size());
       std::filesystem::path statement = file;
       statement.replace_extension(".statement");
-      certificate.statement = read_text_file(statement, longest_certificate);
+      if (checked.verdict != check::Verdict::unreadable) {
+        certificate.statement = read_text_file(statement, longest_certificate);
+      }
       input_.certificates.push_back(certificate);
       std::error_code error;
-      if (!std::filesystem::exists(file, error)) continue;
+      if (checked.verdict == check::Verdict::unreadable || !std::filesystem::exists(file, error)) continue;
       source(statement, "proofs/" + statement.lexically_relative(folder).generic_string());
       source(file, "proofs/" + certificate.file);
     }

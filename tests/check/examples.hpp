@@ -3,33 +3,23 @@
 
 #include <doctest/doctest.h>
 
-#include <sstream>
 #include <string>
 
-#include "check/theorem.hpp"
+#include "check/judge.hpp"
 
 namespace slipproof::check {
 
 inline std::string header(const std::string& statement) {
-  std::istringstream input(statement);
-  FormulaReader reader(input);
+  FormulaReader reader(statement);
   const Statement read(reader);
   return "slipproof-certificate 1\ntheorem " + read.theorem + " " + read.fingerprint + "\n";
 }
 
-/// "" if accepted, otherwise `FILE:LINE: RULE: message`.
-inline std::string verdict(const std::string& statement_text, const std::string& certificate_text) {
-  std::istringstream statement_input(statement_text), certificate_input(certificate_text);
-  FormulaReader statement_reader(statement_input, "S"), certificate_reader(certificate_input, "C");
-  const Reader* reader = &statement_reader;
-  try {
-    const Statement statement(statement_reader);
-    reader = &certificate_reader;
-    Proof(statement, certificate_reader);
-    return "";
-  } catch (const Rejection& rejection) {
-    return reader->place() + rejection.what();
-  }
+/// "" if accepted, otherwise `S:` or `C:`, of statement or certificate, and `LINE: RULE: message`.
+inline std::string verdict(const std::string& statement, const std::string& certificate) {
+  const Judgement judgement = judge(statement, certificate);
+  if (judgement.verdict == Verdict::accepted) return "";
+  return (judgement.about_certificate ? "C:" : "S:") + judgement.message;
 }
 
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {

@@ -107,7 +107,7 @@ TEST_CASE("false statements have no certificate") {
       {positive, "contradiction\nqed\n", "no term is strict"},
       {positive, "cases a\nend\n", "the hypothesis is not a disjunction"},
       {positive, "cases goal\nend\n", "there is no such hypothesis here"},
-      {positive, "witness w\ncases w\nend\n", "there is no such hypothesis here"},
+      {positive, "witness w\ncases w\nend\n", "the statement has no `exists`"},
       {bounds, "contradiction\nterm 1 a\nterm 1 b\nqed\n", "no term is strict"},
       {bounds, "contradiction\nterm 1 a c\nterm 1 b c\nqed\n", "no term is strict"},
       {bounds, "have k: x > 0\nterm 1 a\nterm 1 k\nqed\ncontradiction\nterm 1 k\nterm 1 b\nqed\n",

@@ -219,7 +219,7 @@ TEST_CASE("all shipped certificates are accepted") {
   for (const auto& certificate : shipped()) {
     const FileResult result = check_file(certificate);
     INFO(result.message);
-    CHECK(result.verdict == "accepted");
+    CHECK(result.verdict == Verdict::accepted);
   }
 }
 

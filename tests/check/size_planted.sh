@@ -1,13 +1,15 @@
 #!/bin/sh
-# size.sh accepts a good checker, and refuses one that is too long or includes what it must not.
+# size.sh accepts a good checker, and refuses one that is too long or includes what it must not. What finds the files may
+# be long.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 tree=$(mktemp -d)
 trap 'rm -rf "$tree"' EXIT
 
-plant() {  # LINE TIMES: a good checker with this line as often
+plant() {  # LINE TIMES: a good checker of three lines, with this line as often
   rm -f "$tree"/*
-  printf '#include <vector>\n#include <gmpxx.h>\n#include "check/b.hpp"\n// #include <boost/a.hpp>\n' >"$tree/a.cpp"
+  yes 'int a_line;' | head -n 900 | tee "$tree/files.cpp" "$tree/files.hpp" >"$tree/main.cpp"
+  printf '#include <vector>\n#include <gmpxx.h>\n#include "check/b.hpp"\n// #include <boost/a.hpp>\n\n' >"$tree/a.cpp"
   yes "$1" | head -n "$2" >"$tree/b.hpp"
 }
 refused() {
@@ -18,10 +20,20 @@ refused() {
   fi
 }
 
-plant '// a line' 796
+plant 'int a_line;  // of code' 797
 sh "$here/size.sh" "$tree"
-refused '// a line' 797
-for include in '"prove/statement.hpp"' '<boost/rational.hpp>' '<flint.h>' '<prove/statement.hpp>' '"b.hpp"' '"../a.hpp"'; do
+plant '  // a comment' 900
+sh "$here/size.sh" "$tree"
+refused 'int a_line;  // of code' 798
+for include in '"prove/statement.hpp"' '<boost/rational.hpp>' '<flint.h>' '<prove/statement.hpp>' '"b.hpp"' '"../a.hpp"' \
+  '"check/files.hpp"' '<filesystem>' '<fstream>'; do
   refused "#include $include" 1
 done
 refused '  #  include <fmt/core.h>' 1
+
+plant 'int a_line;' 790
+yes 'int another;' | head -n 20 >"$tree/more_files.cpp"
+if sh "$here/size.sh" "$tree" >/dev/null; then
+  echo "not noticed: more_files.cpp counts"
+  exit 1
+fi

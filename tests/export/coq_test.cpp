@@ -66,7 +66,7 @@ TEST_CASE("shipped certificates read back as they were written") {
 TEST_CASE("the theorem says what the statement says, and the proof takes the certificate's steps") {
   const test::TemporaryFolder folder;
   folder.write("small.statement", kStatement);
-  CHECK(check::check_file(folder.write("small.cert", certificate(kProof))).verdict == "accepted");
+  CHECK(check::check_file(folder.write("small.cert", certificate(kProof))).verdict == check::Verdict::accepted);
   const std::string text = coq_text("small.statement", kStatement, "small.cert", certificate(kProof));
   CHECK(theorem_in(text) ==
         "Theorem small_one :\n"
@@ -98,7 +98,7 @@ TEST_CASE("a divisor that values make constant, or equal to another, is shown no
                             "branch 2\ncontradiction\nterm 1 goal.2.2.2\nqed\nend\nend\nend\n";
   const test::TemporaryFolder folder;
   folder.write("small.statement", statement);
-  CHECK(check::check_file(folder.write("small.cert", proof)).verdict == "accepted");
+  CHECK(check::check_file(folder.write("small.cert", proof)).verdict == check::Verdict::accepted);
   const std::string text = coq_text("small.statement", statement, "small.cert", proof);
   CHECK(text.find("(x <> 0 /\\ 1 / x > 0) /\\ (z <> 0 /\\ y <> 0 /\\ 1 / z = 1 / y)") != std::string::npos);
   const auto shown = [&](const std::string& p, const std::string& non_zero) {

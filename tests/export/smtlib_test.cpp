@@ -131,11 +131,10 @@ Point motion(const Point& parameters, const std::vector<std::pair<std::string, s
   }
   Point point = parameters;
   for (const auto& [name, text] : values) {
-    std::istringstream line(text);
-    check::FormulaReader reader(line);
+    check::FormulaReader reader(text);
     reader.names = names;
     reader.need_line();
-    const check::Fraction value = reader.expression();
+    const check::Fraction value = reader.value();
     const mpz_class below = value.denominator.value_or(check::Polynomial(1)).constant();
     point[name] = Rational(value.numerator.constant().get_str()) / Rational(below.get_str());
   }
@@ -144,8 +143,7 @@ Point motion(const Point& parameters, const std::vector<std::pair<std::string, s
 
 /// The statement with numbers for its variables and unknowns.
 struct Numbers {
-  explicit Numbers(const std::string& text) : input(text), reader(input), statement(reader) {}
-  std::istringstream input;
+  explicit Numbers(const std::string& text) : reader(text), statement(reader) {}
   check::FormulaReader reader;
   check::Statement statement;
 };

@@ -160,7 +160,7 @@ std::vector<Row> ask_all(const std::filesystem::path& paper) {
     row.name = std::filesystem::path(name).replace_extension().string();
     std::filesystem::path certificate = statements[i];
     certificate.replace_extension(".cert");
-    row.check = timed([&] { return check::check_file(certificate).verdict; });
+    row.check = timed([&] { return std::string(check::to_string(check::check_file(certificate).verdict)); });
     row.prove = timed([&] {
       return std::string(prove_statement(statements[i].string(), read_file(statements[i])).proved() ? "proved" : "?");
     });

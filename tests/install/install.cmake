@@ -19,6 +19,12 @@ if(NOT output STREQUAL "scene.toml:3:7: sigma is 1/4\n")
   message(FATAL_ERROR "the consumer printed: ${output}")
 endif()
 
+# The installed checker accepts the installed proofs.
+run(${SCRATCH}/moved/bin/slipproof-check ${SCRATCH}/moved/share/slipproof/proofs)
+if(NOT output MATCHES "\ns ACCEPTED [1-9][0-9]* accepted, 0 rejected, 0 missing, 0 undecided, 0 unreadable\n$")
+  message(FATAL_ERROR "the installed checker ends with: ${output}")
+endif()
+
 run(${SCRATCH}/moved/bin/slipproof --version)
 if(NOT output STREQUAL "slipproof ${VERSION}\n")
   message(FATAL_ERROR "the installed program printed: ${output}")

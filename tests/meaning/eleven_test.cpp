@@ -5,7 +5,7 @@
 #include <iterator>
 #include <sstream>
 
-#include "check/theorem.hpp"
+#include "check/judge.hpp"
 #include "claims/claims_mutants.hpp"
 #include "input/diagnostic.hpp"
 #include "prove/prove.hpp"
@@ -64,15 +64,7 @@ Found verdict(const OwnClaims& own, std::uint64_t samples = 600, std::optional<s
 bool is_accepted(const NamedStatement& statement) {
   const std::string certificate =
       prove_statement(statement.name, statement.text, {.split_depth = 2, .products = 0, .steps = 300'000}).certificate;
-  if (certificate.empty()) return false;
-  std::istringstream text(statement.text), proof(certificate);
-  check::FormulaReader statement_reader(text, "s"), certificate_reader(proof, "c");
-  try {
-    check::Proof(check::Statement(statement_reader), certificate_reader);
-    return true;
-  } catch (const check::Rejection&) {
-    return false;
-  }
+  return check::judge(statement.text, certificate).verdict == check::Verdict::accepted;
 }
 
 bool all_accepted(const std::vector<NamedStatement>& statements) {

@@ -23,7 +23,7 @@ std::string checked(const std::string& lines, const prove::Limits& limits = {}) 
   const test::TemporaryFolder folder;
   folder.write("small.statement", statement(lines));
   const check::FileResult result = check::check_file(folder.write("small.cert", outcome.certificate));
-  return result.verdict == "accepted" ? result.verdict : result.message;
+  return result.verdict == check::Verdict::accepted ? "accepted" : result.message;
 }
 
 }  // namespace

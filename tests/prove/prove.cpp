@@ -82,7 +82,7 @@ TEST_CASE("an equation is made use of where the signs of all its coefficients ar
     const TemporaryFolder folder;
     std::ofstream(folder.path() / "t.statement") << text;
     std::ofstream(folder.path() / "t.cert") << outcome.certificate;
-    CHECK(slipproof::check::check_file(folder.path() / "t.cert").verdict == "accepted");
+    CHECK(slipproof::check::check_file(folder.path() / "t.cert").verdict == slipproof::check::Verdict::accepted);
     return true;
   };
   CHECK(proved("a*x + b*y + c*z = 0"));

@@ -33,8 +33,7 @@ std::string mistakes(const std::string& text) {
 }
 
 bool checker_reads(const std::string& text) {
-  std::istringstream stream(text);
-  check::FormulaReader reader(stream);
+  check::FormulaReader reader(text);
   try {
     check::Statement statement(reader);
     return true;

@@ -1,0 +1,16 @@
+// What can be said of a certificate.
+#pragma once
+
+#include <cstdint>
+
+namespace slipproof::check {
+
+enum class Verdict : std::uint8_t {
+  accepted,    ///< it proves the statement
+  rejected,    ///< it does not
+  missing,     ///< the statement has none
+  undecided,   ///< in its place stands a record that the search for one ended without
+  unreadable,  ///< the statement is malformed, or a file cannot be read
+};
+
+}  // namespace slipproof::check
