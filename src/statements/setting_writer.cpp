@@ -28,11 +28,21 @@ bool has_no_constant(const Expression& e, const std::string& symbol) {
   }
 }
 
+/// Statements are printable ASCII, whatever the paper's file is called: ? for any other character.
+std::string in_ascii(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    const bool continues = (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+    if (!continues) result += c < ' ' || c > '~' ? '?' : c;
+  }
+  return result;
+}
+
 }  // namespace
 
 std::string SettingWriter::header(const std::string& theorem, const std::string& comment) {
   defined_.clear();
-  return fmt::format("slipproof-statement 1\ntheorem {}\n# {}\n", theorem, comment);
+  return fmt::format("slipproof-statement 1\ntheorem {}\n# {}\n", theorem, in_ascii(comment));
 }
 
 std::string SettingWriter::assumption(const std::string& label, const Expression& truth) {

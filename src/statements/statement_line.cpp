@@ -11,9 +11,9 @@ namespace slipproof {
 
 namespace {
 
-// As in the checker, but for the depth of trees, which it does not build.
-constexpr int max_nesting = 100;
-constexpr std::size_t max_name = 100, max_depth = 1'000, max_digits = 2'500;
+// As in the checker.
+constexpr int max_nesting = 100, max_operators = 1'000;
+constexpr std::size_t max_name = 100, max_digits = 2'500;
 
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -41,7 +41,7 @@ StatementLine::StatementLine(std::string_view line, const GivenNames& given) : g
     std::size_t size = static_cast<std::size_t>(std::find_if_not(first, line.end(), is_in_word) - first);
     if (size == 0)
       size = i + 1 < line.size() && line[i + 1] == '=' && std::string_view("<>!").find(line[i]) < 3 ? 2 : 1;
-    if (line[i] != ' ' && line[i] != '\t') tokens_.push_back({line.substr(i, size), i + 1});
+    if (line[i] != ' ') tokens_.push_back({line.substr(i, size), i + 1});
     i += size;
   }
 }
@@ -53,14 +53,7 @@ std::size_t StatementLine::column() const {
 void StatementLine::fail(const std::string& expected) const {
   constexpr std::size_t shown = 40;
   std::string found(peek().substr(0, shown));
-  const bool plain = std::all_of(found.begin(), found.end(), [](char c) { return c > ' ' && c < '\x7f'; });
-  if (found.empty()) {
-    found = "the end of the line";
-  } else if (plain) {
-    found = "`" + found + (peek().size() > shown ? "...`" : "`");
-  } else {
-    found = "a byte of value " + std::to_string(static_cast<unsigned char>(found.front()));
-  }
+  found = found.empty() ? "the end of the line" : "`" + found + (peek().size() > shown ? "...`" : "`");
   throw ExpressionError(column(), "found " + found + ", expected " + expected);
 }
 
@@ -84,9 +77,8 @@ std::string StatementLine::name() {
   return take();
 }
 
-Expression StatementLine::bounded(Expression tree) const {
-  if (tree->depth > max_depth) throw ExpressionError(column(), "the expression has more than 1000 levels");
-  return tree;
+void StatementLine::count_operator() {
+  if (++operators_ > max_operators) throw ExpressionError(column(), "the expression has more than 1000 operators");
 }
 
 /// What stands in brackets. A failure ends the reading, so the depth need not come down after one.
@@ -100,7 +92,7 @@ Expression StatementLine::nested(const char* closing, Read read) {
 }
 
 Expression StatementLine::joined(Operation operation, std::vector<Expression> parts, std::size_t column) const {
-  return parts.size() == 1 ? std::move(parts.front()) : bounded(make(operation, std::move(parts), column));
+  return parts.size() == 1 ? std::move(parts.front()) : make(operation, std::move(parts), column);
 }
 
 Expression StatementLine::formula() {
@@ -141,12 +133,18 @@ Expression StatementLine::comparison() {
 }
 
 Expression StatementLine::expression() {
+  operators_ = 0;
+  return sum();
+}
+
+Expression StatementLine::sum() {
   Expression result = product();
   while (true) {
     const std::size_t start = column();
     const bool minus = accept("-");
     if (!minus && !accept("+")) return result;
-    result = bounded(make(minus ? Operation::subtract : Operation::add, {std::move(result), product()}, start));
+    count_operator();
+    result = make(minus ? Operation::subtract : Operation::add, {std::move(result), product()}, start);
   }
 }
 
@@ -156,7 +154,8 @@ Expression StatementLine::product() {
     const std::size_t start = column();
     const bool divide = accept("/");
     if (!divide && !accept("*")) return result;
-    result = bounded(make(divide ? Operation::divide : Operation::multiply, {std::move(result), power()}, start));
+    count_operator();
+    result = make(divide ? Operation::divide : Operation::multiply, {std::move(result), power()}, start);
   }
 }
 
@@ -166,12 +165,12 @@ Expression StatementLine::power() {
   while (accept("-")) minus = !minus;
   Expression result = base();
   if (accept("^")) result = make_power(std::move(result), exponent(), start);
-  return bounded(minus ? make(Operation::negate, {std::move(result)}, start) : std::move(result));
+  return minus ? make(Operation::negate, {std::move(result)}, start) : result;
 }
 
 Expression StatementLine::base() {
   const std::size_t start = column();
-  if (accept("(")) return nested(")", [this] { return expression(); });
+  if (accept("(")) return nested(")", [this] { return sum(); });
   if (given_.values.contains(peek())) return make_symbol(take(), start);
   if (!at_end() && std::all_of(peek().begin(), peek().end(), is_digit)) {
     if (peek().size() > 1 && peek().front() == '0') fail("a number that does not begin with zero");

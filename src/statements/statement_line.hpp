@@ -53,12 +53,13 @@ class StatementLine {
   template <class Read>
   Expression nested(const char* closing, Read read);
   Expression joined(Operation operation, std::vector<Expression> parts, std::size_t column) const;
-  Expression bounded(Expression tree) const;
+  Expression sum();
+  void count_operator();
 
   std::vector<Token> tokens_;
   const GivenNames& given_;
   std::size_t next_ = 0, end_ = 1;
-  int nesting_ = 0;
+  int nesting_ = 0, operators_ = 0;
 };
 
 /// The parts of a conjunction or disjunction; of anything else itself.

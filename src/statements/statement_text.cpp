@@ -11,7 +11,7 @@ namespace slipproof {
 
 namespace {
 
-constexpr std::size_t max_line = 1U << 20U, max_variables = 64;
+constexpr std::size_t max_bytes = 1U << 20U, max_variables = 64;
 constexpr std::array<std::string_view, 6> spellings{"real", "let", "define", "assume", "exists", "show"};
 constexpr std::string_view hint = "# split:";
 
@@ -20,6 +20,7 @@ class TextReader {
   explicit TextReader(const std::string& file) : file_(file) {}
 
   StatementText read(std::string_view text) {
+    if (text.size() > max_bytes) throw InputError({{file_, 0, 0, "the statement has more than 2^20 bytes"}});
     while (!text.empty()) {
       const std::string_view line = text.substr(0, text.find('\n'));
       text.remove_prefix(std::min(text.size(), line.size() + 1));
@@ -51,8 +52,17 @@ class TextReader {
                                       : "its last line, `show FORMULA`";
   }
 
+  /// Whatever else is wrong with such a text, it shows something else than it says.
+  void refuse_invisible(std::string_view line) {
+    const auto odd = std::find_if(line.begin(), line.end(), [](char c) { return c < ' ' || c > '~'; });
+    if (odd == line.end()) return;
+    complain(static_cast<std::size_t>(odd - line.begin()) + 1,
+             fmt::format("found a byte of value {}, expected printable ASCII", static_cast<unsigned char>(*odd)));
+    throw InputError(std::move(mistakes_));
+  }
+
   void read_line(std::string_view line) {
-    if (line.size() > max_line) throw ExpressionError(1, "the line has more than 2^20 bytes");
+    refuse_invisible(line);
     StatementLine words(line, given_);
     if (line.starts_with(hint)) return read_hint(words);
     if (words.at_end() || line[words.column() - 1] == '#') return;
@@ -66,13 +76,29 @@ class TextReader {
         return;
       case Stage::theorem:
         stage_ = Stage::directives;
-        words.expect("theorem");
-        while (!words.at_end()) result_.theorem += words.take();
-        return;
+        return read_theorem(line, words);
       case Stage::directives:
         return read_directive(words);
       case Stage::end:
         words.fail("nothing after `show`");
+    }
+  }
+
+  void read_theorem(std::string_view line, StatementLine& words) {
+    constexpr std::string_view word = "theorem ";
+    constexpr std::size_t longest = 100;
+    const auto is_alphanumeric = [](char c) {
+      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    };
+    const auto is_allowed = [&](char c) { return is_alphanumeric(c) || std::string_view("_'.-").find(c) != line.npos; };
+    words.expect("theorem");
+    result_.theorem = line.substr(std::min(word.size(), line.size()));
+    const std::string& name = result_.theorem;
+    if (!line.starts_with(word) || name.empty() || name.size() > longest || !is_alphanumeric(name.front()) ||
+        !std::all_of(name.begin(), name.end(), is_allowed)) {
+      words.fail(
+          "one blank and the theorem's name: a letter or digit, then letters, digits, `_`, `'`, `.` and `-`, at most "
+          "100 in all");
     }
   }
 
@@ -89,7 +115,7 @@ class TextReader {
     }
     if (variables) {
       read_variables(words, directive);
-      unknowns_ = unknowns_ || (directive.kind == Directive::Kind::exists && !directive.names.empty());
+      unknowns_ = unknowns_ || directive.kind == Directive::Kind::exists;
     } else {
       read_body(words, directive);
       words.expect_end();
@@ -98,13 +124,13 @@ class TextReader {
   }
 
   void read_variables(StatementLine& words, Directive& directive) {
-    while (!words.at_end()) {
+    do {
       const std::size_t column = words.column();
       directive.names.push_back(words.name());
       given_.values.insert(directive.names.back());
       give(directive.names.back(), column);
       if (++variables_ > max_variables) throw ExpressionError(column, "more than 64 variables");
-    }
+    } while (!words.at_end());
   }
 
   void read_body(StatementLine& words, Directive& directive) {
@@ -186,7 +212,7 @@ StatementText read_statement(const std::string& file, std::string_view text) {
 Expression parse_witness_value(const StatementText& statement, std::string_view value) {
   GivenNames given;
   for (const Directive& directive : statement.directives) {
-    if (directive.kind == Directive::Kind::exists && !directive.names.empty()) break;
+    if (directive.kind == Directive::Kind::exists) break;
     if (directive.kind == Directive::Kind::real || directive.kind == Directive::Kind::let) {
       given.values.insert(directive.names.begin(), directive.names.end());
     }

@@ -179,6 +179,16 @@ TEST_CASE("every claim has a proof or a refutation, as far as statements can say
   }
 }
 
+TEST_CASE("whatever the paper's file is called, its statements are printable ASCII") {
+  ClaimsFile claims = read_claims(shipped_folder / "claims.toml");
+  claims.paper.source = "\xD0\x9E \xD1\x82\xD1\x80.tex\nshow false\r";
+  const auto statements = claim_statements(claims, *claims.find("A2.4"), Reading::printed);
+  REQUIRE(!statements.empty());
+  const std::string& text = statements.front().text;
+  CHECK(text.find("\n# A2.4 of ? ??.tex?show false?, printed reading\n") != std::string::npos);
+  CHECK_NOTHROW(prove::Statement("s", text));
+}
+
 TEST_CASE("truth values find their words") {
   const auto text = [](const char* source) { return truth_text(parse_expression(source, Sort::truth)); };
   CHECK(text("not 0 < x <= 1") == "0 >= x or x > 1");
