@@ -15,22 +15,32 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 5> kVerdicts{"accepted", "rejected", "missing", "undecided", "unreadable"};
 
-/// A file's name may hold what would change the text around it: control characters, those of direction, lines of
-/// Unicode, and what is no UTF-8 there. These are written as \xHH.
+/// How many bytes at the beginning are one character that can be shown: none for control characters, for those that
+/// turn the direction of the text or end a line in Unicode, and for what is no UTF-8.
+std::size_t shown_character(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
+  const unsigned first = byte(0), second = byte(1);
+  if (first < 0x80) return first >= 0x20 && first != 0x7f ? 1 : 0;
+  const std::size_t size = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+  for (std::size_t i = 1; i < size; ++i) {
+    if (byte(i) < 0x80 || byte(i) >= 0xc0) return 0;
+  }
+  const bool control = first < 0xc2 || (first == 0xc2 && second < 0xa0) || first > 0xf4;
+  const bool direction = first == 0xe2 && (second == 0x80 || second == 0x81);
+  return control || direction ? 0 : size;
+}
+
+/// The name of a file, in which a byte that cannot be shown is \xHH: otherwise it could pass for other lines.
 std::string printable(const fs::path& path) {
-  static const char* const digits = "0123456789abcdef";
+  constexpr std::string_view digits = "0123456789abcdef";
   const std::string text = path.string();
   std::string result;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = [&](std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0; };
-    const bool control = byte(i) < 0x20 || byte(i) == 0x7f || (byte(i) == 0xc2 && byte(i + 1) < 0xa0);
-    const bool direction = byte(i) == 0xe2 && (byte(i + 1) == 0x80 || byte(i + 1) == 0x81);
-    if (control || direction) {
-      result.append("\\x") += digits[byte(i) / 16];
-      result += digits[byte(i) % 16];
-    } else {
-      result += text[i];
-    }
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::size_t size = shown_character(rest);
+    const auto byte = static_cast<unsigned char>(rest.front());
+    if (size == 0) ((result += "\\x") += digits[byte / 16]) += digits[byte % 16];
+    result += rest.substr(0, size);
+    rest.remove_prefix(std::max<std::size_t>(size, 1));
   }
   return result;
 }
@@ -45,7 +55,9 @@ struct File {
 File load(const fs::path& path, std::size_t limit) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  if (status.type() == fs::file_type::not_found) return {{}, "there is no such file"};
+  if (status.type() == fs::file_type::not_found) {
+    return {{}, fs::is_symlink(path, error) ? "a link to nothing" : "there is no such file"};
+  }
   if (error) return {{}, error.message()};
   if (!fs::is_regular_file(status)) return {{}, "not a regular file"};
   std::ifstream file(path, std::ios::binary);
@@ -144,7 +156,8 @@ Report check_files(const std::vector<std::string>& arguments) {
     ++count.at(static_cast<std::size_t>(result.verdict));
     report.text.append(to_string(result.verdict)).append(" ");
     report.text += result.verdict == Verdict::accepted ? result.theorem : result.message;
-    report.text += '\n';
+    const bool is_called_otherwise = result.verdict == Verdict::accepted && result.certificate.stem() != result.theorem;
+    report.text += is_called_otherwise ? " in " + printable(result.certificate) + "\n" : "\n";
   }
   const auto some = [&](Verdict verdict) { return count.at(static_cast<std::size_t>(verdict)) > 0; };
   report.summary = some(Verdict::rejected)     ? "s REJECTED"
