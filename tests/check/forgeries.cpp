@@ -42,6 +42,19 @@ TEST_CASE("every side condition of identities, haves and splits has a forgery th
        {"equation k: 3", "equation k: 3/(4*x)", "contradiction: expected a polynomial with integer coefficients"},
        {"equation k: 3", "equation k: 6/2", "contradiction: expected a polynomial with integer coefficients"},
        {"equation k: 3", "equation k: 3/0", "contradiction: division by zero"},
+       {"equation k: 3", "equation k: (3)/1", "contradiction: expected a polynomial with integer coefficients"},
+       {"equation k: 3", "equation k: 1/(1/3)", "contradiction: expected a polynomial with integer coefficients"},
+       {"equation k: 3", "equation k: 3 + (x - x)/1", "contradiction: expected a polynomial with integer coefficients"},
+       {"equation k: 3", "equation k: 3*x/x", "contradiction: expected a polynomial with integer coefficients"},
+       {"have k: t - x = 0", "have k: (t - x)/1 = 0", "have: expected a polynomial with integer coefficients"},
+       {"split r: x - y", "split r: 1/(1/(x - y))", "split: expected a polynomial with integer coefficients"},
+       {"have k: t - x = 0", "have and: t - x = 0", "have: expected a name, found a reserved word"},
+       {"split r: x - y", "split or: x - y", "split: expected a name, found a reserved word"},
+       {"split r: x - y", "split false: x - y", "split: expected a name, found a reserved word"},
+       {"have k: t - x = 0", "have k : t - x = 0 0", "have: expected the end of the line"},
+       {"branch zero\n", "branch  zero\n", "expected 'branch zero'"},
+       {"branch zero\n", "branch zero \n", "expected 'branch zero'"},
+       {"qed\nend\n", "qed\n end\n", "expected 'end'"},
        {"equation k: 3", "equation s.1: 3", "contradiction: not an equation"},
        {"equation k: 3", "equation nowhere: 3", "contradiction: there is no such hypothesis here"},
        {"equation k: 3", "equation k: 3*v", "contradiction: expected a number or a known name"},
@@ -87,6 +100,8 @@ TEST_CASE("every side condition of witnesses has a forgery that it rejects") {
               {"set u = x/y", "set v = x/y", "witness: expected 'u'"},
               {"set u = x/y", "set u = u", "witness: expected a number or a known name"},
               {"set u = x/y", "set u = x/(y - y)", "witness: division by zero"},
+              {"witness w", "witness and", "witness: expected a name, found a reserved word"},
+              {"set u = x/y", "set u = x/0", "witness: division by zero"},
               {"set u = x/y", "set u = x/(y - 1)", "contradiction: the lines do not add up to zero"},
               {"set u = x/y", "set u = 2*x/y", "contradiction: the lines do not add up to zero"},
               {"branch 1\ncontradiction\nterm 1 a.2\nequation w.1: -1\nqed\n", "", "expected 'branch 1'"}});
@@ -160,6 +175,120 @@ TEST_CASE("false statements have no certificate") {
     INFO(forged.statement, forged.proof, "gave '", found, "'");
     CHECK(found.find(forged.expected) != std::string::npos);
   }
+}
+
+// What names abbreviate is a polynomial for a certificate only if nothing in it is divided, even by 1.
+TEST_CASE("a name that stands for a fraction is none of a polynomial") {
+  const std::string statement =
+      "slipproof-statement 1\ntheorem t\nreal x\nlet p = 2*x\nlet q = 4*x/2\nlet r = 2*x/1\nlet s = 1/(1/(2*x))\nlet i "
+      "= q + "
+      "0\nassume e: x = 0\nassume a: x > 0\nshow false\n";
+  const auto with = [&](const std::string& factor) {
+    return verdict(statement, header(statement) + "have k: x^2 + 1 > 0\nterm 1 k\nequation e: x\nterm 1\nqed\n" +
+                                  "contradiction\nterm 2 a a\nequation e: -" + factor + "\nqed\n");
+  };
+  CHECK(with("2*x") == "");
+  CHECK(with("p") == "");
+  for (const char* name : {"q", "r", "s", "i", "0*q - 2*x"}) {
+    CAPTURE(name);
+    CHECK(with(name) == "C:10: contradiction: expected a polynomial with integer coefficients");
+  }
+}
+
+// What a witness gives: the divisors of its values, those of each value anew, then the negated conclusion.
+TEST_CASE("a witness lists divisors value by value, and the negated conclusion last, as it is") {
+  const std::string statement =
+      "slipproof-statement 1\ntheorem t\nreal x y\nassume a: x > 0 and y > 0\nexists u v\nshow u = v\n";
+  const auto zero = [](const char* branch, const char* positive) {
+    return std::string("branch ") + branch + "\ncontradiction\nterm 1 a." + positive + "\nequation w." + branch +
+           ": -1\nqed\n";
+  };
+  const std::string proof = "witness w\nset u = 1/x + 1/y\nset v = 1/y + 1/x\ncases w\n" + zero("1", "1") +
+                            zero("2", "2") + zero("3", "2") + zero("4", "1") +
+                            "branch 5\ncases w.5\nbranch 1\ncontradiction\nterm 1 a.1\nterm 1 w.5.1.1\nqed\n"
+                            "branch 2\ncontradiction\nterm 1 a.2\nterm 1 w.5.2.1\nqed\n"
+                            "branch 3\ncases w.5.3\nbranch 1\ncontradiction\nterm 1 w.5.3.1\nqed\n"
+                            "branch 2\ncontradiction\nterm 1 w.5.3.2\nqed\nend\nend\nend\n";
+  reject_all(statement, proof,
+             {{zero("3", "2"), zero("3", "1"), "the lines do not add up to zero"},
+              {zero("4", "1"), "", "expected 'branch 4'"},
+              {"cases w.5\nbranch 1\ncontradiction\n", "contradiction\n", "there is no such hypothesis here"},
+              {"set v = 1/y + 1/x", "set v = 1/x + 1/y", "the lines do not add up to zero"}});
+  // Without divisors it is the negated conclusion alone.
+  const std::string either = replaced(statement, "u = v", "u = x or v = 0");
+  const std::string alone =
+      "witness w\nset u = x\nset v = 1\ncases w.1\nbranch 1\ncontradiction\nterm 1 w.1.1\nqed\n"
+      "branch 2\ncontradiction\nterm 1 w.1.2\nqed\nend\n";
+  CHECK(verdict(either, header(either) + alone) == "");
+}
+
+// The normal form of proofs/FORMAT.md: which hypothesis stands for which polynomial.
+TEST_CASE("hypotheses have the names and the polynomials that the format says") {
+  struct Row {
+    std::string formula, before, line, polynomial;
+  };
+  const std::vector<Row> table = {
+      {"-x^2 < 1", "", "term 1 h", "1 + x^2"},
+      {"- -x^2 < 1", "", "term 1 h", "1 - x^2"},
+      {"2^3*x - y^2 > -2^2", "", "term 1 h", "8*x - y^2 + 4"},
+      {"x - y - z >= 0", "", "term 1 h", "x - y - z"},
+      {"x/2 >= y", "", "term 1 h", "2*x - 4*y"},
+      {"x/-2 >= y", "", "term 1 h", "-2*x - 4*y"},
+      {"6/2/3*x = y", "", "equation h: 1", "6*x - 6*y"},
+      {"x < y <= z", "", "term 1 h.1", "y - x"},
+      {"x < y <= z", "", "term 1 h.2", "z - y"},
+      {"x < y <= z and z = 1", "", "term 1 h.1.2", "z - y"},
+      {"x < y <= z and z = 1", "", "equation h.2: 1", "z - 1"},
+      {"{x > 0 and y > 0} and z > 0", "", "term 1 h.1.2", "y"},
+      {"x != 0", "cases h\nbranch 1\n", "term 1 h.1", "x"},
+      {"x > 0 and y > 0 and z > 0", "", "term 1 h.2", "y"},
+      {"{{x > 0}}", "", "term 1 h", "x"},
+      {"x/y > 0", "", "term 1 h.2", "x*y"},
+      {"x/y/z = 1", "cases h.1\nbranch 1\n", "term 1 h.1.1", "y"},
+      {"x/y/z = 1", "cases h.2\nbranch 1\n", "term 1 h.2.1", "z"},
+      {"x/y/z = 1", "", "equation h.3: 1", "x - y*z"},
+      {"1/(x/y) = 1", "cases h.1\nbranch 1\n", "term 1 h.1.1", "y"},
+      {"1/(x/y) = 1", "cases h.2\nbranch 1\n", "term 1 h.2.1", "x"},
+      {"1/(x/y) = 1", "", "equation h.3: 1", "y - x"},
+      {"1/x + 1/(-x) = z", "cases h.2\nbranch 1\n", "term 1 h.2.1", "-x"},
+      {"1/x + 1/x = z", "", "equation h.2: 1", "2 - x*z"},
+      {"1/x + 1/y >= z", "", "term 1 h.3", "(x + y - x*y*z)*x*y"},
+      {"y/(2*x) = z/(2*x)", "", "equation h.2: 1", "y - z"},
+      {"y/(2*x) = z/(4*x)", "", "equation h.3: 1", "4*x*y - 2*x*z"},
+      {"1/(1/x) = 0", "", "equation h.2: 1", "x"},
+      {"x^2/x > 0", "", "term 1 h.2", "x^3"},
+      {"(x/y)^2 = z", "", "equation h.2: 1", "x^2 - y^2*z"},
+  };
+  for (const Row& row : table) {
+    const std::string statement =
+        "slipproof-statement 1\ntheorem t\nreal x y z\nassume h: " + row.formula + "\nshow false\n";
+    const std::string found = verdict(statement, header(statement) + row.before + "have k: " + row.polynomial +
+                                                     " >= 0\nterm 1 k\n" + row.line + "\nqed\n");
+    CAPTURE(row.formula);
+    CAPTURE(row.line);
+    CHECK(found.find("have: the file ends too early") != std::string::npos);  // the identity was right
+  }
+}
+
+TEST_CASE("negations have the shapes that the format says") {
+  const auto proves = [](const std::string& lines, const std::string& proof) {
+    const std::string statement = "slipproof-statement 1\ntheorem t\nreal x y\n" + lines;
+    return verdict(statement, header(statement) + proof);
+  };
+  const std::string two = "contradiction\nterm 1 a\nterm 1 goal";
+  CHECK(proves("assume a: x > 0\nshow x != 0\n", two + ".1\nqed\n") == "");  // not x = 0, but -x >= 0 and x >= 0
+  CHECK(proves("assume a: -x > 0\nshow x != 0\n", two + ".2\nqed\n") == "");
+  CHECK(proves("assume a: x >= 0\nshow x >= 0 and 0 = 0\n",
+               "cases goal\nbranch 1\n" + two +
+                   ".1\nqed\nbranch 2\ncases goal.2\nbranch 1\ncontradiction\nterm 1 "
+                   "goal.2.1\nqed\nbranch 2\ncontradiction\nterm 1 goal.2.2\nqed\nend\nend\n") == "");
+  CHECK(proves("assume a: x > 0\nshow x > 0 or false\n", two + ".1\nqed\n") == "");
+  CHECK(proves("assume a: false\nshow x > 0\n", "cases a\nend\n") == "");
+  CHECK(proves("assume a: x > 0 and -x > 0\nshow false\n", "contradiction\nterm 1 a.1\nterm 1 a.2\nqed\n") == "");
+  CHECK(proves("show false\n", two + "\nqed\n").find("there is no such hypothesis") != std::string::npos);
+  CHECK(proves("assume a: x > 0\nshow x^3 > 0\n", "contradiction\nterm 1 a a a\nterm 1 goal\nqed\n") == "");
+  CHECK(proves("assume a: x > 0\nshow x^3 > 0\n", "contradiction\nterm 1 a a^2\nterm 1 goal\nqed\n") == "");
+  CHECK(proves("show 1 > 0\n", "contradiction\nterm 1\nterm 1 goal\nqed\n") == "");  // the empty product is 1, strict
 }
 
 TEST_CASE("truncated anywhere, a certificate is rejected; so is one that goes on") {

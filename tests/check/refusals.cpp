@@ -52,6 +52,45 @@ TEST_CASE("malformed statements are refused with rule and line") {
   }
 }
 
+TEST_CASE("what is not printable ASCII is refused with line and column, in comments as well") {
+  const std::vector<std::string> bytes{"\t",           "\r",           "\x1B[2K",      std::string(1, '\0'),
+                                       "\x7F",         "\v",           "\xC2\x85",     "\xC3\xA9",
+                                       "\xE2\x80\xAE", "\xE2\x80\x8B", "\xEF\xBB\xBF", "\xFF"};
+  const std::string statement = "slipproof-statement 1\ntheorem t\nreal x\nassume a: x > 0\nshow x > 0\n";
+  const std::string certificate = header(statement) + "contradiction\nterm 1 a\nterm 1 goal\nqed\n";
+  REQUIRE(verdict(statement, certificate) == "");
+  for (const std::string& byte : bytes) {
+    const std::string refused = " text: a byte of value " + std::to_string(static_cast<unsigned char>(byte.front())) +
+                                ", expected printable ASCII";
+    CAPTURE(refused);
+    CHECK(verdict(byte + statement, certificate) == "S:1:1:" + refused);
+    CHECK(verdict(replaced(statement, "m t", "m t" + byte), certificate) == "S:2:10:" + refused);
+    CHECK(verdict(replaced(statement, "real", "# " + byte + "\nreal"), certificate) == "S:3:3:" + refused);
+    CHECK(verdict(replaced(statement, "x > 0\nshow", "x > 0" + byte + "\nshow"), certificate) == "S:4:16:" + refused);
+    CHECK(verdict(statement + byte, certificate) == "S:6:1:" + refused);
+    CHECK(verdict(statement, replaced(certificate, " a\n", " a" + byte + "\n")) == "C:4:9:" + refused);
+    CHECK(verdict(statement, replaced(certificate, "term", "  # a comment " + byte + "\nterm")) == "C:4:15:" + refused);
+    CHECK(verdict(statement, certificate + "#" + byte) == "C:7:2:" + refused);
+  }
+}
+
+TEST_CASE("the name of a theorem is a letter or digit, then letters, digits, _ ' . and -") {
+  const auto found = [](const std::string& line) {
+    return verdict("slipproof-statement 1\n" + line + "\nshow false\n", "slipproof-certificate 1\nx\n");
+  };
+  const std::string longest(100, 'n'), refused = "S:2: header: expected 'theorem' and a name";
+  for (const std::string& name : {std::string("A5.2-b_c'd.1"), std::string("3.1"), longest}) {
+    CHECK(found("theorem " + name).starts_with("C:2: header: expected 'theorem " + name + " "));
+  }
+  for (const char* line :
+       {"theorem", "theorem ", "theorem  t", " theorem t", "theorem t ", "theorem t u", "theorem .t", "theorem -t",
+        "theorem _t", "theorem 't", "theorem t/u", "theorem t:", "theorem t#", "Theorem t"}) {
+    CAPTURE(line);
+    CHECK(found(line) == refused);
+  }
+  CHECK(found("theorem " + longest + "n") == refused);
+}
+
 TEST_CASE("what would take memory without bound is refused") {
   const std::string start = "slipproof-statement 1\ntheorem t\n";
   std::string variables = start + "real";
