@@ -140,12 +140,16 @@ class ClaimsReader {
   void read_id(const TableReader& table, Claim& claim) {
     claim.id = context_.text(table, "id", "the id of the claim, such as \"A1.1\"");
     if (table.string("id") == nullptr) return;
-    const auto allowed = [](char c) {
-      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '_' ||
-             c == '-';
+    // Statements about the claim are theorems of this name and a suffix (proofs/FORMAT.md).
+    constexpr std::size_t longest = 40;
+    const auto alphanumeric = [](char c) {
+      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
     };
-    if (claim.id.empty() || !std::all_of(claim.id.begin(), claim.id.end(), allowed)) {
-      table.refuse("id", "found " + in_quotes(claim.id) + ", expected letters, digits and . _ -");
+    const auto allowed = [&](char c) { return alphanumeric(c) || c == '.' || c == '_' || c == '-'; };
+    if (claim.id.empty() || !alphanumeric(claim.id.front()) || claim.id.size() > longest ||
+        !std::all_of(claim.id.begin(), claim.id.end(), allowed)) {
+      table.refuse("id", "found " + in_quotes(claim.id) +
+                             ", expected letters, digits and . _ -, a letter or digit first, at most 40");
     } else if (context_.file.find(claim.id) != nullptr) {
       table.refuse("id", "found " + in_quotes(claim.id) + " a second time, expected another id");
     }
