@@ -10,8 +10,8 @@
 #include <optional>
 
 #include "cli/command.hpp"
-#include "cli/output_file.hpp"
 #include "model/scene.hpp"
+#include "output/output_file.hpp"
 
 namespace slipproof::cli {
 
@@ -73,7 +73,8 @@ int run_certify(CertifyArguments& options) {
     file.clear();
   }
   std::optional<OutputFile> summary_file;
-  if (!options.summary.empty()) summary_file.emplace(options.summary);
+  if (!options.summary.empty())
+    summary_file.emplace(options.summary, Inputs{options.file == "-" ? "/dev/stdin" : options.file, options.scene});
   const bool quiet = options.common.quiet;
   const Progress progress = record_counter(!quiet);
   const LineSink sink = [&](std::string_view lines) {

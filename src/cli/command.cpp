@@ -1,8 +1,6 @@
 #include "cli/command.hpp"
 
 #include <cmath>
-#include <iostream>
-#include <stdexcept>
 
 namespace slipproof::cli {
 
@@ -27,11 +25,6 @@ CLI::Validator number_in(double low, double high) {
         return range(text);
       },
       description);
-}
-
-void print(std::string_view text) {
-  std::cout.write(text.data(), static_cast<std::streamsize>(text.size())).flush();
-  if (!std::cout) throw std::runtime_error("standard output cannot be written");
 }
 
 std::filesystem::path shipped(const std::filesystem::path& file) {

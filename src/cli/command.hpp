@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "output/standard_output.hpp"
+
 namespace slipproof::cli {
 
 /// Exit codes of the program.
@@ -17,6 +19,7 @@ enum Exit : int {
   bad_input = 3,
   undecided = 4,
   certificate_rejected = 5,
+  not_written = 6,
 };
 
 /// --json, --seed, --threads, --quiet.
@@ -32,8 +35,10 @@ void add_common_options(CLI::App& command, CommonOptions& options);
 /// A number from low to high. CLI::Range alone lets NaN through.
 CLI::Validator number_in(double low, double high);
 
-/// Writes to standard output. Throws std::runtime_error when that fails, so that nothing is lost in silence.
-void print(std::string_view text);
+/// Writes to standard output. Throws OutputError.
+inline void print(std::string_view text) {
+  write_standard_output(text);
+}
 
 /// A file that comes with the program, by its path in the repository: beside the installed program, or in the sources
 /// it was built from.

@@ -5,11 +5,11 @@
 #include <string>
 
 #include "cli/command.hpp"
-#include "cli/output_file.hpp"
 #include "cli/png.hpp"
 #include "input/diagnostic.hpp"
 #include "model/scene.hpp"
 #include "number/parse.hpp"
+#include "output/output_file.hpp"
 #include "picture/phase_points.hpp"
 #include "picture/phase_svg.hpp"
 #include "picture/scene_plane.hpp"
@@ -100,7 +100,7 @@ void add_map(CLI::App& app, int& exit_code) {
   command.callback([options, &exit_code] {
     expect_picture_name(*options);
     std::optional<OutputFile> out;
-    if (!options->out.empty() && options->out != "-") out.emplace(options->out);
+    if (!options->out.empty() && options->out != "-") out.emplace(options->out, Inputs{options->scene});
     const PhaseDiagram diagram = diagram_of(*options);
     const bool as_png = options->png || (!options->svg && options->out.ends_with(".png"));
     const std::string contents = options->common.json ? map_json(diagram)

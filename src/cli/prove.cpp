@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "cli/command.hpp"
-#include "cli/output_file.hpp"
 #include "export/coq.hpp"
 #include "export/smtlib.hpp"
 #include "input/diagnostic.hpp"
 #include "input/text_file.hpp"
+#include "output/output_file.hpp"
 #include "prove/prove_files.hpp"
 #include "report/exact_json.hpp"
 #include "statements/library.hpp"
@@ -78,12 +78,18 @@ std::filesystem::path certificate_of(std::filesystem::path statement) {
 /// Writes what `text_of` makes of each statement, under the same names. Empty texts are not written.
 void export_statements(const std::vector<StatementFile>& statements, const std::filesystem::path& out,
                        const char* extension, const std::function<std::string(const std::filesystem::path&)>& text_of) {
+  Inputs inputs;
+  for (const StatementFile& statement : statements) {
+    inputs.add(statement.file);
+    inputs.add(certificate_of(statement.file));
+  }
+  const OutputFolder folder(out, inputs);
   std::size_t written = 0;
   for (const StatementFile& statement : statements) {
     const std::string text = text_of(statement.file);
     if (text.empty()) continue;
-    std::filesystem::path target = out / statement.name;
-    write_file(target.replace_extension(extension), text);
+    std::filesystem::path name = statement.name;
+    folder.write(name.replace_extension(extension), text);
     ++written;
   }
   print("s EXPORTED " + std::to_string(written) + " *" + extension + " to " + out.string() + '\n');
@@ -116,9 +122,14 @@ void export_coq(const std::vector<StatementFile>& statements, const std::filesys
 
 /// Copies the statements to a folder, where their certificates will stand beside them.
 std::vector<StatementFile> copied(const std::vector<StatementFile>& statements, const std::filesystem::path& out) {
+  Inputs inputs;
+  for (const StatementFile& statement : statements) inputs.add(statement.file);
+  const OutputFolder folder(out, inputs);
+  for (const StatementFile& statement : statements) inputs.refuse(certificate_of(out / statement.name));
   std::vector<StatementFile> result;
+  std::error_code error;
   for (const auto& [file, name] : statements) {
-    if (out / name != file) write_file(out / name, read_text_file(file));
+    if (!std::filesystem::equivalent(out / name, file, error)) folder.write(name, read_text_file(file));
     result.push_back({out / name, name});
   }
   return result;
@@ -128,16 +139,21 @@ std::vector<StatementFile> copied(const std::vector<StatementFile>& statements, 
 void write_statements(const std::filesystem::path& claims, const std::filesystem::path& folder,
                       const std::filesystem::path& out) {
   const std::vector<NamedStatement> generated = paper_statements(read_claims(claims));
+  const std::filesystem::path place = certificates_folder(out / claims.filename());
+  const Inputs inputs{claims};
+  const OutputFolder made(out, inputs);
+  const OutputFolder results(place, inputs);
+  for (const NamedStatement& statement : generated) inputs.refuse(place / (statement.name + ".statement"));
   if (out != folder) {
     std::vector<StatementFile> statements = statements_below(folder);
     std::erase_if(statements, [&](const StatementFile& statement) {
-      const std::filesystem::path inside = statement.file.lexically_relative(out);
+      const std::filesystem::path inside = statement.file.lexically_normal().lexically_relative(out.lexically_normal());
       return !inside.empty() && *inside.begin() != "..";  // what an earlier run left in `out`
     });
     copied(statements, out);
   }
   for (const NamedStatement& statement : generated) {
-    write_file(certificates_folder(out / claims.filename()) / (statement.name + ".statement"), statement.text);
+    results.write(statement.name + ".statement", statement.text);
   }
 }
 
@@ -165,15 +181,20 @@ Json as_json(const std::vector<ProofOutcome>& outcomes) {
 }
 
 /// Proves the statements where they stand, writes the certificates beside them, and says what came of it.
-Exit prove_all(const std::vector<StatementFile>& statements, const CommonOptions& common) {
+Exit prove_all(const std::vector<StatementFile>& statements, const CommonOptions& common,
+               const std::filesystem::path& claims = {}) {
   std::vector<std::filesystem::path> files;
   for (const StatementFile& statement : statements) files.push_back(statement.file);
+  Inputs inputs(files);
+  inputs.add(claims);
+  std::vector<OutputFile> certificates;
+  for (const std::filesystem::path& file : files) certificates.emplace_back(certificate_of(file), inputs);
   const std::vector<ProofOutcome> outcomes = prove_files(files, common.threads);
   std::size_t proved = 0;
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (!outcomes[i].proved()) continue;
     ++proved;
-    write_file(certificate_of(files[i]), outcomes[i].certificate);
+    certificates[i].write(outcomes[i].certificate);
   }
   const std::size_t left = files.size() - proved;
   const Exit exit = left > 0 || files.empty() ? undecided : as_it_should_be;
@@ -204,7 +225,7 @@ Exit run_prove(const ProveArguments& options) {
   }
   const std::filesystem::path out = options.out.empty() ? folder : std::filesystem::path(options.out);
   write_statements(claims, folder, out);
-  return prove_all(statements_below(out), options.common);
+  return prove_all(statements_below(out), options.common, claims);
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "cli/command.hpp"
-#include "cli/output_file.hpp"
 #include "cli/verify_run.hpp"
+#include "output/output_file.hpp"
 #include "page/sha256.hpp"
 #include "report/exact_json.hpp"
 
@@ -42,7 +42,7 @@ void add_report(CLI::App& app, int& exit_code) {
     const std::filesystem::path path = claims_path(options->claims);
     const ClaimsFile file = read_claims(path);
     std::optional<OutputFile> out;
-    if (options->out != "-") out.emplace(options->out);
+    if (options->out != "-") out.emplace(options->out, files_of(page_folders(path, options->trade)));
     PageInput input = report_input(path, file, options->verify, options->common, options->trade);
     const VerifyResult result = run_verify(path, file, options->verify, options->common);
     input.result = &result;

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "cli/command.hpp"
-#include "cli/output_file.hpp"
 #include "cli/verify_run.hpp"
+#include "output/output_file.hpp"
 #include "report/errata.hpp"
 #include "report/mutation_report.hpp"
 #include "report/verify_report.hpp"
@@ -27,12 +27,12 @@ struct VerifyArguments {
 };
 
 /// The lemmas as files that slipproof-check reads.
-void write_lemmas(const std::filesystem::path& folder, const MutationResult& result) {
+void write_lemmas(const OutputFolder& folder, const MutationResult& result) {
   std::size_t number = 0;
   for (const Lemma* lemma : lemmas_of(result)) {
     const std::string name = "lemma-" + std::to_string(++number);
     for (const auto& [extension, text] : {std::pair(".statement", &lemma->statement), {".cert", &lemma->certificate}}) {
-      write_file(folder / (name + extension), *text);
+      folder.write(name + extension, *text);
     }
   }
 }
@@ -45,13 +45,14 @@ void refuse_report_without_verdicts(const VerifyArguments& options) {
                                              " out, or write the report in a call of its own");
 }
 
-int judge_mutants(const ClaimsFile& file, VerifyArguments& options) {
+int judge_mutants(const std::filesystem::path& claims, const ClaimsFile& file, VerifyArguments& options) {
   options.mutation.seed = options.common.seed;
   options.mutation.threads = options.common.threads;
   if (!options.common.quiet) options.mutation.progress = progress_bar();
-  if (!options.lemmas.empty()) std::filesystem::create_directories(options.lemmas);
+  std::optional<OutputFolder> lemmas;
+  if (!options.lemmas.empty()) lemmas.emplace(options.lemmas, Inputs{claims});
   const MutationResult result = judge_mutants(file, options.mutation);
-  if (!options.lemmas.empty()) write_lemmas(options.lemmas, result);
+  if (lemmas) write_lemmas(*lemmas, result);
   print(options.common.json ? mutation_json(result) : mutation_text(result, options.common.quiet));
   return result.count(MutantEnd::survivor) == 0 && result.vacuous.empty() ? as_it_should_be : undecided;
 }
@@ -101,13 +102,13 @@ void add_verify(CLI::App& app, int& exit_code) {
       return;
     }
     if (options->mutants) {
-      exit_code = judge_mutants(file, *options);
+      exit_code = judge_mutants(path, file, *options);
       return;
     }
     std::optional<OutputFile> report;
     PageInput input;
     if (!options->report.empty()) {
-      report.emplace(options->report);
+      report.emplace(options->report, files_of(page_folders(path, options->trade)));
       input = report_input(path, file, options->verify, options->common, options->trade);
     }
     const VerifyResult result = run_verify(path, file, options->verify, options->common);

@@ -47,9 +47,13 @@ Exit exit_of(Summary summary) {
   return as_it_should_be;
 }
 
+PageFolders page_folders(const std::filesystem::path& claims, const std::filesystem::path& trade) {
+  return {claims, shipped("cases"), shipped("cases/solvers"), trade};
+}
+
 PageInput report_input(const std::filesystem::path& claims, const ClaimsFile& file, const VerifyOptions& options,
                        const CommonOptions& common, const std::filesystem::path& trade) {
-  PageInput input = gather({claims, shipped("cases"), shipped("cases/solvers"), trade}, file);
+  PageInput input = gather(page_folders(claims, trade), file);
   std::error_code error;
   const bool is_shipped = std::filesystem::equivalent(claims, claims_path(""), error);
   input.command = "slipproof report" + (is_shipped ? "" : " " + claims.filename().string()) + " --samples " +

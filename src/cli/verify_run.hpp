@@ -20,8 +20,11 @@ VerifyResult run_verify(const std::filesystem::path& claims, const ClaimsFile& f
 
 Exit exit_of(Summary summary);
 
-/// What the page about a verification is made from, all but the result: what comes with the program, and a measurement
-/// of trade if there is one. It is read before the work, so that bad input costs no result. Throws InputError.
+/// Where the parts of the page come from: what comes with the program, and a measurement of trade if there is one.
+PageFolders page_folders(const std::filesystem::path& claims, const std::filesystem::path& trade);
+
+/// What the page about a verification is made from, all but the result. It is read before the work, so that bad input
+/// costs no result. Throws InputError.
 PageInput report_input(const std::filesystem::path& claims, const ClaimsFile& file, const VerifyOptions& options,
                        const CommonOptions& common, const std::filesystem::path& trade);
 

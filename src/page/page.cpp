@@ -28,6 +28,10 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder,
   return files;
 }
 
+std::filesystem::path folder_of_claims(const PageFolders& folders) {
+  return folders.claims.has_parent_path() ? folders.claims.parent_path() : ".";
+}
+
 class Gathering {
  public:
   explicit Gathering(PageInput& input) : input_(input) {}
@@ -109,13 +113,27 @@ void add_header(const Element& body, const PageInput& input) {
 
 }  // namespace
 
+std::vector<std::filesystem::path> files_of(const PageFolders& folders) {
+  const std::filesystem::path beside = folder_of_claims(folders);
+  std::vector<std::filesystem::path> files{folders.claims, beside / "figures.toml", beside / "second-opinions.csv"};
+  if (!folders.trade.empty()) files.push_back(folders.trade);
+  for (std::filesystem::path file : check::certificates_in(beside)) {
+    files.push_back(file);
+    files.push_back(file.replace_extension(".statement"));
+  }
+  for (auto&& some : {files_in(folders.cases, ".toml"), files_in(folders.solvers, ".csv")}) {
+    files.insert(files.end(), some.begin(), some.end());
+  }
+  return files;
+}
+
 PageInput gather(const PageFolders& folders, const ClaimsFile& claims) {
   PageInput input;
   input.claims = &claims;
   if (!folders.trade.empty()) input.trade = read_trade(folders.trade);
   Gathering gathering(input);
   gathering.source(folders.claims, folders.claims.filename().string());
-  const std::filesystem::path beside = folders.claims.has_parent_path() ? folders.claims.parent_path() : ".";
+  const std::filesystem::path beside = folder_of_claims(folders);
   const std::filesystem::path figures = beside / "figures.toml";
   if (std::filesystem::exists(figures)) {
     input.figures = read_figures(figures, claims);

@@ -52,6 +52,9 @@ struct PageFolders {
   std::filesystem::path trade;    ///< a file that `slipproof trade --json` wrote
 };
 
+/// The files that gather() reads.
+std::vector<std::filesystem::path> files_of(const PageFolders& folders);
+
 /// All but the result: reads the files, checks the certificates and certifies the solvers' outputs. Names of files are
 /// relative to the folders, so that the page is the same wherever they stand. Throws InputError.
 PageInput gather(const PageFolders& folders, const ClaimsFile& claims);

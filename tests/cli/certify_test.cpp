@@ -113,7 +113,7 @@ TEST_CASE("--json keeps standard output to the records, --quiet to the result, -
   CHECK(counts["verdicts"]["wrong"] == 1);
   CHECK(counts["broken"] == 0);
   const auto unwritable = bench.certify(text, {"--summary", summary + "/below-a-file.json"});
-  CHECK(unwritable.exit_code == 3);
+  CHECK(unwritable.exit_code == 6);
   CHECK(unwritable.out.empty());
   CHECK(unwritable.err.find("/below-a-file.json: cannot be written") != std::string::npos);
 }

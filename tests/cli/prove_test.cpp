@@ -57,7 +57,7 @@ TEST_CASE("prove --smtlib writes every statement, also those of folders below, a
   std::filesystem::create_directory(folder.path() / "more");
   folder.write("A2.4.statement", read_file(proofs + "A2.4.statement"));
   folder.write("more/A3.2.statement", read_file(proofs + "A3.2.statement"));
-  const auto out = folder.path() / "new" / "smt";
+  const auto out = folder.path() / "smt";
   CHECK(run({"prove", claims, "--smtlib", out}).exit_code == 0);
   CHECK(read_file(out / "A2.4.smt2").find("(check-sat)") != std::string::npos);
   CHECK(read_file(out / "more" / "A3.2.smt2").find("; theorem A3.2\n") != std::string::npos);
