@@ -3,10 +3,13 @@
 
 #include <map>
 #include <pugixml.hpp>
+#include <set>
 
 #include "markup/element.hpp"
 #include "model/scene.hpp"
+#include "picture/bicycle_figure.hpp"
 #include "picture/bicycle_svg.hpp"
+#include "support/run_program.hpp"
 
 using namespace slipproof;
 
@@ -71,4 +74,48 @@ TEST_CASE("without a motion both wheels stand on the road") {
   REQUIRE(drawn.lowest.size() == 2);
   for (const double lowest : drawn.lowest) CHECK(lowest == doctest::Approx(drawn.road));
   CHECK(drawn.label == "A bicycle");
+}
+
+TEST_CASE("the shipped figure is what `slipproof draw cases/city-bicycle.toml` draws") {
+  const std::string cases = SLIPPROOF_SOURCE_DIR "/cases/";
+  CHECK(test::read_file(cases + "bicycle.svg") == bicycle_figure_file(read_scene(cases + "city-bicycle.toml")));
+}
+
+TEST_CASE("the figure names every length, force and acceleration of the model") {
+  pugi::xml_document tree;
+  REQUIRE(tree.load_string(bicycle_figure_file(read_scene(SLIPPROOF_SOURCE_DIR "/cases/city-bicycle.toml")).c_str()));
+  std::multiset<std::string> labels;
+  for (const auto& found : tree.select_nodes("//text")) {
+    std::string label;
+    for (const auto& part : found.node().select_nodes(".//text()")) label += part.node().value();
+    std::erase_if(label, [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
+    labels.insert(label);
+  }
+  for (const char* symbol : {"R",  "h",  "h0", "b2", "b3", "r1", "r2", "L", "F", "N2",    "N3",
+                             "S2", "S3", "a",  "C",  "O1", "O2", "O3", "x", "y", "chain", "pedal"}) {
+    CAPTURE(symbol);
+    CHECK(labels.count(symbol) == 1);
+  }
+}
+
+TEST_CASE("the pedal force starts at the pedal, L below the axles, and points backwards when positive") {
+  Scene scene = read_scene(SLIPPROOF_SOURCE_DIR "/cases/city-bicycle.toml");
+  const auto motion = motions_at(ModeTable(scene.bicycle, scene.road, scene.force_kind), *scene.F).motions.front();
+  const Document document("svg");
+  add_bicycle(document.root(), scene, &motion, "A bicycle");
+  pugi::xml_document tree;
+  REQUIRE(tree.load_string(document.xml().c_str()));
+  const auto wheel = tree.select_node("//circle[@class='body']").node();
+  const double metre = wheel.attribute("r").as_double() / 0.3, axles = wheel.attribute("cy").as_double();
+  bool found = false;
+  for (const auto& arrow : tree.select_nodes("//g[@class='load']/line")) {
+    const auto line = arrow.node();
+    if (line.attribute("y1").as_double() != line.attribute("y2").as_double()) continue;  // the weight
+    found = true;
+    CHECK(line.attribute("y1").as_double() == doctest::Approx(axles + 0.17 * metre).epsilon(0.01));
+    CHECK(line.attribute("x2").as_double() < line.attribute("x1").as_double());
+  }
+  CHECK(found);
+  CHECK(tree.select_nodes("//circle[@class='chain']").size() == 2);  // both sprockets
+  CHECK(tree.select_nodes("//line[@class='chain']").size() == 2);    // both runs
 }
