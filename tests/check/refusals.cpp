@@ -119,3 +119,18 @@ TEST_CASE("what would take memory without bound is refused") {
   for (int i = 0; i < 1'500; ++i) sums += "let s" + std::to_string(i) + " = s\n";
   CHECK(verdict(sums + "show false\n", "").find("too many polynomials and terms") != std::string::npos);
 }
+
+// All work counts alike, so that reading, the quickest, can stand here for most of it.
+TEST_CASE("a check ends where it has cost too much") {
+  const std::string statement =
+      "slipproof-statement 1\ntheorem t\nreal a b c d e\nassume h: (a + b + c + d + e)^6 > 0\nshow false\n";
+  std::string proof = "contradiction\n", idle;
+  for (int i = 0; i < 30; ++i) proof += "term 1 h h\n";
+  for (int i = 0; i < 49; ++i) idle.append("#").append(1'000'000, 'x').append("\n");
+  const auto found = [&](const std::string& before) {
+    return verdict(statement, header(statement) + before + proof + "qed\n");
+  };
+  CHECK(found("").ends_with("contradiction: the lines do not add up to zero"));
+  CHECK(found(idle).ends_with("contradiction: checking takes too much work"));
+  CHECK(found(idle + idle).ends_with("header: checking takes too much work"));
+}
