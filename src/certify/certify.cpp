@@ -21,6 +21,7 @@ namespace {
 
 struct Judged {
   std::string lines;
+  std::vector<std::pair<std::uint64_t, RecordJudgement>> judgements;  ///< with `judged`
   CertifySummary summary;
   std::optional<Diagnostic> broken;  ///< the first one, with stop_at_broken
 };
@@ -65,6 +66,7 @@ Judged judge_chunk(const Chunk& chunk, const RecordReader& reader, const Certify
     }
     count(result.summary, judgement);
     append_line(result.lines, number, judgement);
+    if (options.judged) result.judgements.emplace_back(number, std::move(judgement));
   });
   return result;
 }
@@ -88,6 +90,7 @@ CertifySummary certify(std::istream& input, const LineSink& output, const Certif
   CertifySummary summary;
   const auto write = [&](const Judged& judged) {
     if (!judged.lines.empty()) output(judged.lines);
+    for (const auto& [record, judgement] : judged.judgements) options.judged(record, judgement);
     summary.add(judged.summary);
     if (judged.broken) throw InputError({*judged.broken});
     if (progress) progress(summary.records);

@@ -24,6 +24,8 @@ struct CertifyOptions {
   bool ignore_unknown = false;     ///< columns and keys that are no field
   std::uint64_t first_record = 1;  ///< records before it are skipped: where an earlier run stopped
   unsigned threads = 0;            ///< 0: as many as there are
+  /// Also told of each record that is judged, in order: its number, and what was found.
+  std::function<void(std::uint64_t record, const RecordJudgement& judgement)> judged = {};
 };
 
 /// Counts over the records judged.

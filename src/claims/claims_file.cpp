@@ -24,6 +24,20 @@ std::string_view name(Expectation expectation) {
   return names[static_cast<std::size_t>(expectation)];
 }
 
+bool Parameter::is_positive() const {
+  if (domain->operation != Operation::compare || domain->relations.size() != 1) return false;
+  const bool greater = domain->relations[0] == Relation::greater, less = domain->relations[0] == Relation::less;
+  const Expression &large = domain->operands[greater ? 0 : 1], &small = domain->operands[greater ? 1 : 0];
+  return (greater || less) && large->operation == Operation::symbol && large->symbol == symbol &&
+         small->operation == Operation::number && small->number == 0;
+}
+
+bool Definition::is_nowhere(Reading reading) const {
+  const Expression& e = value(reading);
+  return e->operation == Operation::divide && e->operands[1]->operation == Operation::number &&
+         e->operands[1]->number == 0;
+}
+
 std::string id(const Definition& definition) {
   return (definition.equation.empty() ? "" : definition.equation + ".") + definition.symbol;
 }

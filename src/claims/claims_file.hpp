@@ -54,6 +54,8 @@ struct Parameter {
   Expression domain;  ///< over parameters
   std::string meaning;
   std::size_t line = 0;  ///< of the source; 0 if the paper does not have it
+
+  bool is_positive() const;  ///< its domain says just that, in whatever order
 };
 
 /// The paper's variable for the force, the only one that a sample leaves open.
@@ -77,6 +79,12 @@ struct Definition {
   Expression printed;
   Expression repaired;  ///< null: as printed
   std::string why;      ///< why the print must be a misprint
+
+  const Expression& value(Reading reading) const {
+    return reading == Reading::repaired && repaired ? repaired : printed;
+  }
+  /// The paper uses the symbol and does not say what it is; it stands in the file as a quotient by 0.
+  bool is_nowhere(Reading reading) const;
 };
 
 /// What a definition is called in references and lists: `3.1.b1`, or its symbol where the paper gives it no number.

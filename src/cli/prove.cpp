@@ -5,14 +5,13 @@
 #include <vector>
 
 #include "cli/command.hpp"
+#include "cli/prove_run.hpp"
 #include "export/coq.hpp"
 #include "export/smtlib.hpp"
 #include "input/diagnostic.hpp"
 #include "input/text_file.hpp"
 #include "output/output_file.hpp"
-#include "prove/prove_files.hpp"
-#include "report/exact_json.hpp"
-#include "statements/library.hpp"
+#include "verify/certificates.hpp"
 
 namespace slipproof::cli {
 
@@ -20,6 +19,7 @@ namespace {
 
 struct ProveArguments {
   CommonOptions common;
+  ProveOptions prove;
   std::vector<std::string> inputs;
   std::string out, smtlib, coq;
 };
@@ -69,10 +69,6 @@ void refuse_equal_names(const std::vector<StatementFile>& statements) {
                        "found a statement of the same name as " + first->second.string() +
                            ", expected one of each name for one folder"}});
   }
-}
-
-std::filesystem::path certificate_of(std::filesystem::path statement) {
-  return statement.replace_extension(".cert");
 }
 
 /// Writes what `text_of` makes of each statement, under the same names. Empty texts are not written.
@@ -135,76 +131,21 @@ std::vector<StatementFile> copied(const std::vector<StatementFile>& statements, 
   return result;
 }
 
-/// Writes the statements of the claims, and copies those of one's own that stand beside the claims file and below.
-void write_statements(const std::filesystem::path& claims, const std::filesystem::path& folder,
-                      const std::filesystem::path& out) {
-  const std::vector<NamedStatement> generated = paper_statements(read_claims(claims));
-  const std::filesystem::path place = certificates_folder(out / claims.filename());
-  const Inputs inputs{claims};
-  const OutputFolder made(out, inputs);
-  const OutputFolder results(place, inputs);
-  for (const NamedStatement& statement : generated) inputs.refuse(place / (statement.name + ".statement"));
-  if (out != folder) {
-    std::vector<StatementFile> statements = statements_below(folder);
-    std::erase_if(statements, [&](const StatementFile& statement) {
-      const std::filesystem::path inside = statement.file.lexically_normal().lexically_relative(out.lexically_normal());
-      return !inside.empty() && *inside.begin() != "..";  // what an earlier run left in `out`
-    });
-    copied(statements, out);
-  }
-  for (const NamedStatement& statement : generated) {
-    results.write(statement.name + ".statement", statement.text);
-  }
+/// Copies the statements of one's own that stand beside a claims file and below.
+void copy_statements(const std::filesystem::path& folder, const std::filesystem::path& out) {
+  if (out == folder) return;
+  std::vector<StatementFile> statements = statements_below(folder);
+  std::erase_if(statements, [&](const StatementFile& statement) {
+    const std::filesystem::path inside = statement.file.lexically_relative(out);
+    return !inside.empty() && *inside.begin() != "..";  // what an earlier run left in `out`
+  });
+  copied(statements, out);
 }
 
-std::string as_text(const std::vector<ProofOutcome>& outcomes) {
-  std::string text;
-  for (const ProofOutcome& outcome : outcomes) {
-    text += (outcome.proved() ? "proved    " : "undecided ") + outcome.theorem + '\n';
-    for (const std::string& left : outcome.leftover) text += "          left with " + left + '\n';
-  }
-  return text;
-}
-
-Json as_json(const std::vector<ProofOutcome>& outcomes) {
-  Json document, theorems = Json::array();
-  for (const ProofOutcome& outcome : outcomes) {
-    Json entry;
-    entry["theorem"] = outcome.theorem;
-    entry["verdict"] = outcome.proved() ? "proved" : "undecided";
-    entry["left_with"] = outcome.leftover;
-    theorems.push_back(std::move(entry));
-  }
-  document["schema"] = "slipproof/prove/1";
-  document["theorems"] = std::move(theorems);
-  return document;
-}
-
-/// Proves the statements where they stand, writes the certificates beside them, and says what came of it.
-Exit prove_all(const std::vector<StatementFile>& statements, const CommonOptions& common,
-               const std::filesystem::path& claims = {}) {
+std::vector<std::filesystem::path> files_of(const std::vector<StatementFile>& statements) {
   std::vector<std::filesystem::path> files;
   for (const StatementFile& statement : statements) files.push_back(statement.file);
-  Inputs inputs(files);
-  inputs.add(claims);
-  std::vector<OutputFile> certificates;
-  for (const std::filesystem::path& file : files) certificates.emplace_back(certificate_of(file), inputs);
-  const std::vector<ProofOutcome> outcomes = prove_files(files, common.threads);
-  std::size_t proved = 0;
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    if (!outcomes[i].proved()) continue;
-    ++proved;
-    certificates[i].write(outcomes[i].certificate);
-  }
-  const std::size_t left = files.size() - proved;
-  const Exit exit = left > 0 || files.empty() ? undecided : as_it_should_be;
-  if (common.json) {
-    print(dump(as_json(outcomes)));
-  } else {
-    print((common.quiet ? std::string() : as_text(outcomes)) + (exit == undecided ? "s UNDECIDED " : "s PROVED ") +
-          std::to_string(proved) + " proved, " + std::to_string(left) + " undecided\n");
-  }
-  return exit;
+  return files;
 }
 
 Exit run_prove(const ProveArguments& options) {
@@ -221,11 +162,18 @@ Exit run_prove(const ProveArguments& options) {
     if (!options.smtlib.empty()) export_smtlib(statements, options.smtlib);
     if (!options.coq.empty()) export_coq(statements, options.coq);
     if (exports) return as_it_should_be;
-    return prove_all(options.out.empty() ? statements : copied(statements, options.out), options.common);
+    ProveRun run(options.prove, options.common);
+    run.prove(files_of(options.out.empty() ? statements : copied(statements, options.out)));
+    return run.conclude();
   }
   const std::filesystem::path out = options.out.empty() ? folder : std::filesystem::path(options.out);
-  write_statements(claims, folder, out);
-  return prove_all(statements_below(out), options.common, claims);
+  const ClaimsFile file = read_claims(claims);
+  const std::filesystem::path generated = certificates_folder(out / claims.filename());
+  const OutputFolder made(out, Inputs{claims}), made_inside(generated, Inputs{claims});
+  copy_statements(folder, out);
+  ProveRun run(options.prove, options.common, Inputs{claims});
+  run.prove_claims(file, out, generated);
+  return run.conclude();
 }
 
 }  // namespace
@@ -244,6 +192,12 @@ void add_prove(CLI::App& app, int& exit_code) {
                      "Search for nothing, but write the negation of each statement to this folder as SMT-LIB 2");
   command.add_option("--coq", options->coq,
                      "Search for nothing, but write each statement with its certificate to this folder as a Coq file");
+  command
+      .add_option("--effort", options->prove.limits.steps,
+                  "Steps of polynomial arithmetic for each statement: the same on every machine, unlike time")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}))
+      ->capture_default_str();
+  command.add_flag("--again", options->prove.again, "Search also for what has a certificate that is accepted");
   add_common_options(command, options->common);
   command.callback([options, &exit_code] { exit_code = run_prove(*options); });
 }

@@ -41,10 +41,11 @@ void add_report(CLI::App& app, int& exit_code) {
   command.callback([options, &exit_code] {
     const std::filesystem::path path = claims_path(options->claims);
     const ClaimsFile file = read_claims(path);
+    options->verify.certificates = std::make_shared<Certificates>(path.parent_path());
     std::optional<OutputFile> out;
     if (options->out != "-") out.emplace(options->out, files_of(page_folders(path, options->trade)));
     PageInput input = report_input(path, file, options->verify, options->common, options->trade);
-    const VerifyResult result = run_verify(path, file, options->verify, options->common);
+    const VerifyResult result = run_verify(file, options->verify, options->common);
     input.result = &result;
     const std::string html = page_html(input);
     exit_code = exit_of(summary(file, result));

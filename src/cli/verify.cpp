@@ -105,13 +105,14 @@ void add_verify(CLI::App& app, int& exit_code) {
       exit_code = judge_mutants(path, file, *options);
       return;
     }
+    options->verify.certificates = std::make_shared<Certificates>(path.parent_path());
     std::optional<OutputFile> report;
     PageInput input;
     if (!options->report.empty()) {
       report.emplace(options->report, files_of(page_folders(path, options->trade)));
       input = report_input(path, file, options->verify, options->common, options->trade);
     }
-    const VerifyResult result = run_verify(path, file, options->verify, options->common);
+    const VerifyResult result = run_verify(file, options->verify, options->common);
     input.result = &result;
     if (report) report->write(page_html(input));
     if (options->lists_findings()) {

@@ -4,9 +4,6 @@
 
 #include <iostream>
 
-#include "report/certificates.hpp"
-#include "statements/library.hpp"
-
 namespace slipproof::cli {
 
 std::function<void(std::uint64_t, std::uint64_t)> progress_bar() {
@@ -20,13 +17,11 @@ std::function<void(std::uint64_t, std::uint64_t)> progress_bar() {
   };
 }
 
-VerifyResult run_verify(const std::filesystem::path& claims, const ClaimsFile& file, VerifyOptions options,
-                        const CommonOptions& common) {
+VerifyResult run_verify(const ClaimsFile& file, VerifyOptions options, const CommonOptions& common) {
   options.seed = common.seed;
   options.threads = common.threads;
   if (!common.quiet) options.progress = progress_bar();
-  VerifyResult result = verify(file, options);
-  find_certificates(file, result, certificates_folder(claims));
+  const VerifyResult result = verify(file, options);
   for (const ClaimResult& claim : result.claims) {
     for (const std::string& objection : claim.rejections) std::cerr << "certificate rejected: " << objection << '\n';
   }
@@ -53,7 +48,7 @@ PageFolders page_folders(const std::filesystem::path& claims, const std::filesys
 
 PageInput report_input(const std::filesystem::path& claims, const ClaimsFile& file, const VerifyOptions& options,
                        const CommonOptions& common, const std::filesystem::path& trade) {
-  PageInput input = gather(page_folders(claims, trade), file);
+  PageInput input = gather(page_folders(claims, trade), file, *options.certificates);
   std::error_code error;
   const bool is_shipped = std::filesystem::equivalent(claims, claims_path(""), error);
   input.command = "slipproof report" + (is_shipped ? "" : " " + claims.filename().string()) + " --samples " +

@@ -13,10 +13,9 @@ namespace slipproof::cli {
 /// A bar on a terminal, and nowhere else.
 std::function<void(std::uint64_t, std::uint64_t)> progress_bar();
 
-/// Verifies with the common options, and a progress bar on a terminal; looks for certificates,
-/// and says on standard error which are rejected.
-VerifyResult run_verify(const std::filesystem::path& claims, const ClaimsFile& file, VerifyOptions options,
-                        const CommonOptions& common);
+/// Verifies with the common options, and a progress bar on a terminal; says on standard error which certificates are
+/// rejected.
+VerifyResult run_verify(const ClaimsFile& file, VerifyOptions options, const CommonOptions& common);
 
 Exit exit_of(Summary summary);
 

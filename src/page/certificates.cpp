@@ -1,8 +1,18 @@
-#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
 
 #include "page/sections.hpp"
 
 namespace slipproof {
+
+namespace {
+
+/// Of a CertificateState, in its order: a verdict that looks the same, and a sign.
+constexpr std::array<std::pair<const char*, const char*>, 5> looks{
+    {{"proved", "✓ "}, {"refuted", "✗ "}, {"undecided", "∅ "}, {"undecided", "? "}, {"refuted", "✗ "}}};
+
+}  // namespace
 
 void add_certificates_section(const Element& main, const PageInput& input) {
   if (input.certificates.empty()) return;
@@ -20,9 +30,10 @@ void add_certificates_section(const Element& main, const PageInput& input) {
     summary.add("span", "id").text(certificate.theorem);
     const std::string also = input.opinions ? agreeing_programs(*input.opinions, certificate.theorem) : "";
     if (!also.empty()) summary.add("small", "also").text("also " + also);
-    const Element chip = summary.add("span", certificate.accepted ? "chip proved" : "chip refuted");
-    chip.add("span").set("aria-hidden", "true").text(certificate.accepted ? "✓ " : "✗ ");
-    chip.text(certificate.accepted ? "accepted" : "rejected");
+    const auto& [look, sign] = looks[static_cast<std::size_t>(certificate.state)];
+    const Element chip = summary.add("span", std::string("chip ") + look);
+    chip.add("span").set("aria-hidden", "true").text(sign);
+    chip.text(to_string(certificate.state));
     if (!certificate.message.empty()) item.add("p").text(certificate.message);
     item.add("pre").set("tabindex", 0).add("code").text(certificate.statement);
   }

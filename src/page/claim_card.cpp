@@ -28,7 +28,7 @@ void add_definitions(const Element& parent, const ClaimsFile& file, const Claim&
     if (i != indices.front()) list.text(", ");
     const Expression& definition = names.definition(i, reading);
     const Element item = list.add("span", "definition");
-    if (to_string(definition) == "1 / 0") {  // how a claims file writes a symbol that the paper leaves undefined
+    if (setting.definitions[i].is_nowhere(reading)) {
       add_symbol(add_math(item), setting.definitions[i].symbol);
       item.text(" is defined nowhere");
     } else {
@@ -87,6 +87,11 @@ void add_evidence(const Element& parent, const PageInput& input, const Claim& cl
   }
   if (input.opinions) add_second_opinions(parent, *input.opinions, theorems_of(result));
   for (const std::string& objection : result.rejections) parent.add("p", "evidence").text("Rejected: " + objection);
+  for (const CheckedCertificate& statement : result.unproved) {
+    const Element line = parent.add("p", "evidence").text("No proof of ");
+    line.text(statement.theorem + ": " + std::string(to_string(statement.state)));
+    line.text(statement.message.empty() ? "." : "; " + statement.message);
+  }
 }
 
 void add_reading(const Element& parent, const PageInput& input, const Claim& claim, const ClaimResult& result,

@@ -112,6 +112,22 @@ void add_headlines(const Element& section, const PageInput& input, const std::ve
   }
 }
 
+std::size_t count(const std::vector<PageCertificate>& certificates, CertificateState state) {
+  return static_cast<std::size_t>(
+      std::count_if(certificates.begin(), certificates.end(), [&](const auto& c) { return c.state == state; }));
+}
+
+/// `3 undecided, 1 missing`.
+std::string not_accepted(const std::vector<PageCertificate>& certificates) {
+  using enum CertificateState;
+  std::string text;
+  for (const CertificateState state : {rejected, unreadable, undecided, missing}) {
+    const std::size_t n = count(certificates, state);
+    if (n > 0) text += (text.empty() ? "" : ", ") + std::to_string(n) + " " + std::string(to_string(state));
+  }
+  return text;
+}
+
 std::string proved_share(std::size_t proved, std::size_t sampled_only) {
   return proved > 0 && sampled_only == 0 ? "all" : std::to_string(proved) + " of them";
 }
@@ -145,12 +161,10 @@ void add_overview(const Element& main, const PageInput& input) {
            "#claims");
   add_card(cards, "bad", findings.size(), "findings", findings_detail(findings), "#errata");
   if (!input.certificates.empty()) {
-    const auto accepted = static_cast<std::size_t>(
-        std::count_if(input.certificates.begin(), input.certificates.end(), [](const auto& c) { return c.accepted; }));
-    add_card(cards, accepted == input.certificates.size() ? "good" : "bad", accepted, "certificates checked",
-             accepted == input.certificates.size() ? "all accepted by a checker of its own"
-                                                   : std::to_string(input.certificates.size() - accepted) + " rejected",
-             "#certificates");
+    const std::size_t accepted = count(input.certificates, CertificateState::accepted);
+    const bool all = accepted == input.certificates.size();
+    add_card(cards, all ? "good" : "bad", accepted, "certificates accepted",
+             all ? "all, by a checker of its own" : not_accepted(input.certificates), "#certificates");
   }
   if (input.opinions) add_opinions_card(cards, *input.opinions);
   const Element columns = section.add("div", "halves");

@@ -4,7 +4,6 @@
 #include <array>
 #include <utility>
 
-#include "check/files.hpp"
 #include "input/text_file.hpp"
 #include "page/assets.hpp"
 #include "page/sections.hpp"
@@ -40,27 +39,15 @@ class Gathering {
     input_.sources.push_back({name, sha256(read_text_file(file, longest_certificate))});
   }
 
-  void certificates(const std::filesystem::path& folder) {
-    for (const auto& file : check::certificates_in(folder)) {
-      const auto checked = check::check_file(file);
-      PageCertificate certificate;
-      certificate.file = file.lexically_relative(folder).generic_string();
-      certificate.theorem = checked.theorem.empty() ? certificate.file : checked.theorem;
-      certificate.accepted = checked.verdict == check::Verdict::accepted;
-      certificate.message = checked.message;
-      // The page does not say where it was made.
-      const std::string prefix = folder.string() + "/";
-      if (certificate.message.starts_with(prefix)) certificate.message.erase(0, prefix.size());
-      std::filesystem::path statement = file;
-      statement.replace_extension(".statement");
-      if (checked.verdict != check::Verdict::unreadable) {
-        certificate.statement = read_text_file(statement, longest_certificate);
+  void certificates(Certificates& certificates) {
+    for (const CheckedCertificate& checked : certificates.all()) {
+      const std::string theorem = checked.theorem.empty() ? checked.name : checked.theorem;
+      const std::string statement = certificates.statement(checked.name).value_or("");
+      input_.certificates.push_back({theorem, checked.name + ".cert", statement, checked.state, checked.message});
+      for (const char* ending : {".statement", ".cert"}) {
+        const std::filesystem::path file = certificates.folder() / (checked.name + ending);
+        if (std::filesystem::is_regular_file(file)) source(file, "proofs/" + checked.name + ending);
       }
-      input_.certificates.push_back(certificate);
-      std::error_code error;
-      if (checked.verdict == check::Verdict::unreadable || !std::filesystem::exists(file, error)) continue;
-      source(statement, "proofs/" + statement.lexically_relative(folder).generic_string());
-      source(file, "proofs/" + certificate.file);
     }
   }
 
@@ -127,7 +114,7 @@ std::vector<std::filesystem::path> files_of(const PageFolders& folders) {
   return files;
 }
 
-PageInput gather(const PageFolders& folders, const ClaimsFile& claims) {
+PageInput gather(const PageFolders& folders, const ClaimsFile& claims, Certificates& certificates) {
   PageInput input;
   input.claims = &claims;
   if (!folders.trade.empty()) input.trade = read_trade(folders.trade);
@@ -139,7 +126,7 @@ PageInput gather(const PageFolders& folders, const ClaimsFile& claims) {
     input.figures = read_figures(figures, claims);
     gathering.source(figures, "figures.toml");
   }
-  gathering.certificates(beside);
+  gathering.certificates(certificates);
   gathering.second_opinions(beside / "second-opinions.csv");
   for (const auto& file : files_in(folders.cases, ".toml")) {
     input.scenes.push_back(read_scene(file));

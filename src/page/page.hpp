@@ -21,12 +21,12 @@ struct PageSource {
   std::string sha256;  ///< hexadecimal
 };
 
-/// A certificate and what the checker says of it.
+/// A statement, and what the checker says of its certificate.
 struct PageCertificate {
   std::string theorem, file;
   std::string statement;  ///< its text
-  bool accepted = false;
-  std::string message;  ///< why not
+  CertificateState state = CertificateState::missing;
+  std::string message;  ///< why it is not accepted
 };
 
 struct PageInput {
@@ -55,9 +55,10 @@ struct PageFolders {
 /// The files that gather() reads.
 std::vector<std::filesystem::path> files_of(const PageFolders& folders);
 
-/// All but the result: reads the files, checks the certificates and certifies the solvers' outputs. Names of files are
-/// relative to the folders, so that the page is the same wherever they stand. Throws InputError.
-PageInput gather(const PageFolders& folders, const ClaimsFile& claims);
+/// All but the result: reads the files and certifies the solvers' outputs; `certificates` are those of the claims'
+/// folder. Names of files are relative to the folders, so that the page is the same wherever they stand. Throws
+/// InputError.
+PageInput gather(const PageFolders& folders, const ClaimsFile& claims, Certificates& certificates);
 
 /// The page, HTML 5. The same input gives the same bytes.
 std::string page_html(const PageInput& input);

@@ -20,10 +20,6 @@ std::vector<std::string> cells(const std::string& line) {
   return all;
 }
 
-bool is_unfounded(std::string_view judged) {
-  return judged.find(R"("verdict":"wrong")") != judged.npos || judged.find(R"("verdict":"invalid")") != judged.npos;
-}
-
 }  // namespace
 
 SolverVerdicts certify_solver(const std::filesystem::path& path) {
@@ -32,28 +28,30 @@ SolverVerdicts certify_solver(const std::filesystem::path& path) {
   CertifyOptions options;
   options.ignore_unknown = true;
   options.file = path.string();
+  std::vector<RecordVerdict> verdicts;
+  options.judged = [&](std::uint64_t, const RecordJudgement& judgement) { verdicts.push_back(judgement.verdict); };
   std::istringstream input(text);
-  std::string judged;
   const CertifySummary summary = certify(
-      input, [&](std::string_view lines) { judged += lines; }, options);
+      input, [](std::string_view) {}, options);
 
   SolverVerdicts result;
   result.name = path.stem().string();
   result.records = summary.records;
   result.verdicts = summary.verdicts;
-  std::istringstream records(text), verdicts(judged);
-  std::string record, verdict;
+  std::istringstream records(text);
+  std::string record;
   std::getline(records, record);
   const auto header = cells(record);
   const auto info = std::find(header.begin(), header.end(), "info");
   if (info == header.end()) return result;
   const auto column = static_cast<std::size_t>(info - header.begin());
   result.unfounded = 0;
-  while (std::getline(records, record)) {
+  for (auto verdict = verdicts.begin(); verdict != verdicts.end() && std::getline(records, record);) {
     if (record.find_first_not_of(" \t\r") == record.npos) continue;
-    if (!std::getline(verdicts, verdict)) break;
     const auto values = cells(record);
-    if (column < values.size() && values[column] == "0" && is_unfounded(verdict)) ++*result.unfounded;
+    const bool unfounded = *verdict == RecordVerdict::wrong || *verdict == RecordVerdict::invalid;
+    if (column < values.size() && values[column] == "0" && unfounded) ++*result.unfounded;
+    ++verdict;
   }
   return result;
 }

@@ -141,8 +141,7 @@ bool Search::close_existence(State& state, std::size_t hint) {
   if (eliminate(state) || refute_facts(state, false)) return true;
   drop_known_cases(state);
   if (statement_.unknowns().size() == statement_.ring().size()) {
-    const auto instance =
-        find_instance(statement_.ring(), statement_.shown(), statement_.hints(), limits_.instances, budget_);
+    const auto instance = find_instance(statement_.ring(), statement_.shown(), {statement_.hints(), limits_.instances});
     if (!instance) return false;
     std::vector<std::string> values;
     for (const Rational& value : *instance) values.push_back(value.str());

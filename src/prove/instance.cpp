@@ -4,6 +4,9 @@
 #include <array>
 #include <numeric>
 #include <random>
+#include <set>
+
+#include "number/real_roots.hpp"
 
 namespace slipproof::prove {
 namespace {
@@ -26,15 +29,26 @@ struct End {
   bool included;
 };
 
+Rational value_at(const Polynomial& p, const std::vector<Rational>& values) {
+  p.ring().budget().spend(p.length() + 20);
+  Polynomial value = p;
+  for (const std::size_t v : p.variables()) {
+    Polynomial sum(p.ring());
+    for (std::size_t k = value.degree(v) + 1; k-- > 0;) sum = sum.scaled(values[v]) + value.coefficient(v, k);
+    value = std::move(sum);
+  }
+  return value.constant();
+}
+
 class Attempt {
  public:
   /// `late_choices`: of disjunctions without equations no part is chosen; they are looked at when all values are there.
-  Attempt(const Ring& ring, const Formula& formula, std::mt19937_64& random, const Polynomial* boundary, Budget& budget,
-          bool late_choices)
+  Attempt(const Ring& ring, const Formula& formula, std::mt19937_64& random, const Polynomial* boundary,
+          bool late_choices, bool roots)
       : ring_(ring),
         random_(random),
-        budget_(budget),
         late_choices_(late_choices),
+        roots_(roots),
         values_(ring.size()),
         chosen_(ring.size()),
         order_(ring.size()) {
@@ -69,7 +83,7 @@ class Attempt {
     }
     if (!simplify() || !conditions_.empty()) return std::nullopt;
     std::vector<Rational> found = numbers();
-    const auto holds = [&](const Formula* formula) { return holds_at(*formula, found); };
+    const auto holds = [&](const Formula* formula) { return prove::holds_at(*formula, found); };
     if (!std::all_of(unchosen_.begin(), unchosen_.end(), holds)) return std::nullopt;
     return found;
   }
@@ -100,26 +114,6 @@ class Attempt {
   static bool has_equation(const Formula& formula) {
     if (formula.kind == Formula::Kind::atom) return formula.sign == Sign::zero;
     return std::any_of(formula.parts.begin(), formula.parts.end(), has_equation);
-  }
-
-  bool holds_at(const Formula& formula, const std::vector<Rational>& values) {
-    if (formula.kind == Formula::Kind::atom) {
-      return Condition{formula.polynomial.front(), formula.sign}.holds_at(at(formula.polynomial.front(), values));
-    }
-    const auto holds = [&](const Formula& part) { return holds_at(part, values); };
-    return formula.kind == Formula::Kind::conjunction ? std::all_of(formula.parts.begin(), formula.parts.end(), holds)
-                                                      : std::any_of(formula.parts.begin(), formula.parts.end(), holds);
-  }
-
-  Rational at(const Polynomial& p, const std::vector<Rational>& values) {
-    budget_.spend(p.length() + 20);
-    Polynomial value = p;
-    for (const std::size_t v : p.variables()) {
-      Polynomial sum(ring_);
-      for (std::size_t k = value.degree(v) + 1; k-- > 0;) sum = sum.scaled(values[v]) + value.coefficient(v, k);
-      value = std::move(sum);
-    }
-    return value.constant();
   }
 
   /// Drops what is true; whether nothing is false.
@@ -175,7 +169,7 @@ class Attempt {
       Polynomial result = c.p.coefficient(v, degree);
       for (std::size_t k = degree; k-- > 0;) result = result * value + c.p.coefficient(v, k);
       c.p = std::move(result);
-      budget_.spend(c.p.length() + 20);
+      ring_.budget().spend(c.p.length() + 20);
     }
   }
 
@@ -199,9 +193,66 @@ class Attempt {
            solve(v);
   }
 
+  /// Small and large ones, too, where nothing is known of what is wanted.
+  Rational anything() {
+    const Rational size = simple();
+    const std::uint64_t kind = random_() % 8;
+    const Rational value = kind == 0 ? Rational(0) : kind < 4 ? size : kind < 6 ? Rational(1 / size) : size * size * 4;
+    return random_() % 2 == 0 ? value : Rational(-value);
+  }
   Rational simple() { return Rational(1 + static_cast<int>(random_() % 8), 1 + static_cast<int>(random_() % 2)); }
 
+  /// Anything between the ends, if there are any.
+  Rational between(const std::optional<Rational>& lower, const std::optional<Rational>& upper) {
+    if (lower && upper) {
+      const int parts = 2 << (random_() % 6);
+      const int part = 1 + static_cast<int>(random_() % static_cast<std::uint64_t>(parts - 1));
+      return *lower + (*upper - *lower) * Rational(part, parts);
+    }
+    const Rational size = random_() % 4 == 0 ? Rational(1 / simple()) : simple();
+    return lower ? Rational(*lower + size) : upper ? Rational(*upper - size) : anything();
+  }
+
+  /// One of the values between the roots of conditions in v alone, and at them, at which these hold; as there may be
+  /// none, nothing may come of it.
+  std::optional<Rational> choose_by_roots(std::size_t v, const std::vector<const Condition*>& conditions) {
+    std::set<IntegerPolynomial> polynomials;
+    std::vector<IntegerPolynomial> all;
+    for (const Condition* c : conditions) {
+      std::vector<Rational> coefficients;
+      for (std::size_t k = 0; k <= c->p.degree(v); ++k) coefficients.push_back(c->p.coefficient(v, k).constant());
+      ring_.budget().spend(coefficients.size() * coefficients.size() * 20);
+      all.push_back(IntegerPolynomial::proportional_to(coefficients));
+      polynomials.insert(all.back());
+    }
+    const std::vector<RealRoot> roots = real_roots(polynomials);
+    std::vector<Rational> values = random_() % 2 == 0 ? cell_points(roots) : std::vector<Rational>();
+    for (std::size_t i = 0; i <= roots.size(); ++i) {
+      if (i < roots.size() && roots[i].is_rational()) values.push_back(roots[i].lower);
+      values.push_back(between(i > 0 ? std::optional(roots[i - 1].upper) : std::nullopt,
+                               i < roots.size() ? std::optional(roots[i].lower) : std::nullopt));
+    }
+    std::erase_if(values, [&](const Rational& value) {
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        if (!conditions[i]->holds_at(all[i].sign_at(value))) return true;
+      }
+      return false;
+    });
+    if (values.empty()) return std::nullopt;
+    return values[random_() % values.size()];
+  }
+
   std::optional<Rational> choose(std::size_t v) {
+    if (roots_) {
+      std::vector<const Condition*> alone;
+      bool linear = true;
+      for (const Condition& c : conditions_) {
+        if (c.p.variables() != std::vector<std::size_t>{v}) continue;
+        alone.push_back(&c);
+        linear = linear && c.p.degree(v) == 1;
+      }
+      if (!linear) return choose_by_roots(v, alone);
+    }
     std::optional<End> lower, upper;
     for (const Condition& c : conditions_) {
       if (c.is_equation() || c.either_sign || c.p.degree(v) != 1 || c.p.variables().size() != 1) continue;
@@ -223,6 +274,7 @@ class Attempt {
     }
     if (lower) return lower->value + simple();
     if (upper) return upper->value - simple();
+    if (roots_) return anything();
     return random_() % 2 == 0 ? simple() : Rational(-simple());
   }
 
@@ -234,15 +286,15 @@ class Attempt {
     }
     for (std::size_t i = ring_.size(); i-- > 0;) {
       const std::size_t v = order_[i];
-      result[v] = at(*values_[v], result);
+      result[v] = value_at(*values_[v], result);
     }
     return result;
   }
 
   const Ring& ring_;
   std::mt19937_64& random_;
-  Budget& budget_;
   bool late_choices_;
+  bool roots_;
   std::vector<const Formula*> unchosen_;
   std::vector<Condition> conditions_;
   std::vector<Condition> late_;
@@ -253,17 +305,28 @@ class Attempt {
 
 }  // namespace
 
+bool holds_at(const Formula& formula, const std::vector<Rational>& values) {
+  if (formula.kind == Formula::Kind::atom) {
+    const Polynomial& p = formula.polynomial.front();
+    return Condition{p, formula.sign}.holds_at(value_at(p, values));
+  }
+  const auto holds = [&](const Formula& part) { return holds_at(part, values); };
+  return formula.kind == Formula::Kind::conjunction ? std::all_of(formula.parts.begin(), formula.parts.end(), holds)
+                                                    : std::any_of(formula.parts.begin(), formula.parts.end(), holds);
+}
+
 std::optional<std::vector<Rational>> find_instance(const Ring& ring, const Formula& formula,
-                                                   const std::vector<Polynomial>& boundaries, int attempts,
-                                                   Budget& budget) {
+                                                   const InstanceSearch& search) {
   std::array<std::mt19937_64, 2> random{std::mt19937_64(1), std::mt19937_64(1)};
-  for (int i = 0; i < attempts; ++i) {
+  const std::vector<Polynomial>& boundaries = search.boundaries;
+  for (int i = 0; i < search.attempts; ++i) {
     const auto which = static_cast<std::size_t>(i) % (2 * boundaries.size() + 1);
     const Polynomial* boundary = which < boundaries.size() ? &boundaries[which] : nullptr;
     for (const bool late_choices : {false, true}) {
-      budget.spend(1);
+      ring.budget().spend(1);
       auto& engine = random[late_choices ? 1 : 0];
-      if (auto found = Attempt(ring, formula, engine, boundary, budget, late_choices).run()) return found;
+      auto found = Attempt(ring, formula, engine, boundary, late_choices, search.roots).run();
+      if (found && (!search.accept || search.accept(*found))) return found;
     }
   }
   return std::nullopt;

@@ -9,6 +9,11 @@
 namespace slipproof::prove {
 namespace {
 
+// What arithmetic costs, in steps of about 0.1 microseconds.
+constexpr std::size_t products_a_step = 2, text_steps = 4, factor_steps = 40;
+/// Factoring cannot be stopped; what is longer is taken for irreducible.
+constexpr std::size_t longest_factored = 2'000;
+
 /// An fmpq that frees itself.
 struct FlintRational {
   FlintRational() { fmpq_init(value); }
@@ -130,6 +135,7 @@ Polynomial Polynomial::coefficient(std::size_t variable, std::size_t exponent) c
 }
 
 std::string Polynomial::text() const {
+  ring_->budget().spend(length() * text_steps + 1);
   // The pretty-printer does not change the names, though it takes them as pointers to non-const.
   char* text =
       fmpq_mpoly_get_str_pretty(value_->polynomial, const_cast<const char**>(ring_->pointers_.data()), ring_->context_);
@@ -153,6 +159,7 @@ Polynomial& Polynomial::operator-=(const Polynomial& other) {
 }
 
 Polynomial& Polynomial::operator*=(const Polynomial& other) {
+  ring_->budget().spend(length() * other.length() / products_a_step + 1);
   const auto result = blank(*ring_);
   fmpq_mpoly_mul(result->polynomial, value_->polynomial, other.value_->polynomial, ring_->context_);
   value_ = result;
@@ -174,15 +181,30 @@ Polynomial Polynomial::scaled(const Rational& factor) const {
 }
 
 std::optional<Polynomial> Polynomial::divided_by(const Polynomial& divisor) const {
+  ring_->budget().spend(length() + divisor.length());
   const auto result = blank(*ring_);
   if (fmpq_mpoly_divides(result->polynomial, value_->polynomial, divisor.value_->polynomial, ring_->context_) == 0)
     return std::nullopt;
   return Polynomial(result);
 }
 
+/// As if it were irreducible: its content and its primitive part.
+Factorization Polynomial::unfactored() const {
+  Integer numerators = 0, denominators = 1;
+  for (const Term& term : terms()) {
+    numerators = gcd(numerators, Integer(numerator(term.coefficient)));
+    denominators = lcm(denominators, Integer(denominator(term.coefficient)));
+  }
+  Rational content(numerators, denominators);
+  if (terms().front().coefficient < 0) content = -content;
+  return {content, {{scaled(1 / content), 1}}};
+}
+
 Factorization Polynomial::factors() const {
   Factorization result{0, {}};
   if (is_zero()) return result;
+  if (length() > longest_factored) return unfactored();
+  ring_->budget().spend(length() * (factor_steps + length() / 8));
   fmpq_mpoly_factor_t factorization;
   fmpq_mpoly_factor_init(factorization, ring_->context_);
   if (fmpq_mpoly_factor(factorization, value_->polynomial, ring_->context_) == 0) {

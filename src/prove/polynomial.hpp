@@ -11,10 +11,12 @@
 #include <vector>
 
 #include "number/rational.hpp"
+#include "prove/budget.hpp"
 
 namespace slipproof::prove {
 
-/// The variables of one statement. Polynomials keep a pointer to their ring, which must outlive them.
+/// The variables of one statement, and the work done with them: arithmetic spends the steps of the budget, and throws
+/// Budget::Spent where none are left. Polynomials keep a pointer to their ring, which must outlive them.
 class Ring {
  public:
   explicit Ring(std::vector<std::string> names);
@@ -24,12 +26,14 @@ class Ring {
 
   std::size_t size() const { return names_.size(); }
   const std::string& name(std::size_t variable) const { return names_[variable]; }
+  Budget& budget() const { return budget_; }
 
  private:
   friend class Polynomial;
   std::vector<std::string> names_;
   std::vector<const char*> pointers_;
   fmpq_mpoly_ctx_t context_;
+  mutable Budget budget_;  ///< of whoever works with the polynomials, one thread at a time
 };
 
 struct Term {
@@ -75,6 +79,8 @@ class Polynomial {
   Factorization factors() const;
 
  private:
+  Factorization unfactored() const;
+
   struct Value;
   explicit Polynomial(std::shared_ptr<const Value> value);
   static std::shared_ptr<Value> blank(const Ring& ring);

@@ -32,7 +32,7 @@ Search::Search(const Statement& statement, const Limits& limits)
     : statement_(statement),
       limits_(limits),
       samples_(statement.ring(), positive_variables(statement)),
-      budget_(limits.steps) {}
+      budget_(statement.ring().budget()) {}
 
 std::string Search::unused(const std::string& name) {
   const auto& assumptions = statement_.assumptions();
@@ -134,9 +134,15 @@ bool Search::close(State& state, int depth) {
 }
 
 std::optional<Proof> Search::prove() {
+  budget_.renew(limits_.steps);
+  budget_.watch(limits_.tick);
   try {
-    return search();
+    auto proof = search();
+    budget_.lift();
+    return proof;
   } catch (const Budget::Spent&) {
+    budget_.lift();
+    leftover_.exhausted = true;
     leftover_.facts.insert(leftover_.facts.begin(), fmt::format("no step left of {}", limits_.steps));
     return std::nullopt;
   }

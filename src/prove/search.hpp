@@ -24,13 +24,19 @@ struct Limits {
   /// In a linear program over products of hypotheses; 0: none. Products of 2, then of 3, where all else fails.
   std::size_t products = 400;
   int instances = 4000;  ///< attempts to find numbers for a statement about some bicycle
-  /// For one statement, in terms of polynomials multiplied or evaluated: the same on every machine, as time is not.
+  /// Attempts to find numbers at which a statement is false, before and after the search for a proof; with none of the
+  /// latter it is not asked either whether the assumptions of what is proved contradict each other.
+  int quick_samples = 20, samples = 400;
+  /// For one statement, in steps of polynomial arithmetic: the same on every machine, as time is not.
   std::uint64_t steps = 50'000'000;
+  /// Called every million steps or so with their number; a sign of life.
+  std::function<void(std::uint64_t steps)> tick = {};
 };
 
 /// What a failed search was left with, for a person to read.
 struct Leftover {
   std::vector<std::string> facts;
+  bool exhausted = false;  ///< no step was left
 };
 
 /// numerator / denominator, for a value of an unknown.
@@ -113,7 +119,7 @@ class Search {
   Samples samples_;
   std::map<std::string, SignPattern> patterns_;  ///< by the text of a polynomial, as what follows
   std::map<std::string, Factorization> factorizations_;
-  Budget budget_;
+  Budget& budget_;  ///< of the ring
   unsigned product_degree_ = 0;
   int counter_ = 0;
   Leftover leftover_;

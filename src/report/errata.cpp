@@ -77,8 +77,7 @@ class Collection {
     finding.id = id(definition);
     finding.line = definition.line;
     finding.statement = definition.symbol;
-    // A symbol that the paper uses and defines nowhere stands in the file as a quotient by 0.
-    const bool undefined = to_string(definition.printed) == "1 / 0";
+    const bool undefined = definition.is_nowhere(Reading::printed);
     finding.printed = definition.symbol + (undefined ? "" : " = " + to_string(definition.printed));
     finding.repair = definition.symbol + " = " + to_string(definition.repaired);
     finding.why = definition.why;

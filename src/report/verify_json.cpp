@@ -59,6 +59,10 @@ std::string verify_json(const ClaimsFile& file, const VerifyResult& result) {
     entry["certificates"] = r.certificates;
     if (!r.rejections.empty()) entry["rejected"] = r.rejections;
     if (!r.outdated.empty()) entry["outdated"] = r.outdated;
+    for (const CheckedCertificate& statement : r.unproved) {
+      entry["unproved"].push_back(
+          {{"theorem", statement.theorem}, {"state", to_string(statement.state)}, {"because", statement.message}});
+    }
     entry["line"] = claim.line;
     entry["statement"] = claim.statement;
     entry["grade"] = claim.grade ? Json(name(*claim.grade)) : Json(nullptr);

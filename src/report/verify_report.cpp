@@ -68,6 +68,10 @@ void write_certificates(Out out, const ClaimResult& claim) {
     fmt::format_to(out, "      an identity, wherever these are not 0: {}\n", fmt::join(claim.unless_zero, ", "));
   }
   for (const std::string& statement : claim.outdated) fmt::format_to(out, "      outdated {}\n", statement);
+  for (const CheckedCertificate& statement : claim.unproved) {
+    fmt::format_to(out, "      {} {}{}{}\n", to_string(statement.state), statement.theorem,
+                   statement.message.empty() ? "" : ": ", statement.message);
+  }
 }
 
 }  // namespace
@@ -118,6 +122,8 @@ Summary summary(const ClaimsFile& file, const VerifyResult& result) {
   if (std::any_of(result.claims.begin(), result.claims.end(), rejected)) return Summary::rejected;
   Summary worst = Summary::as_expected;
   for (const ClaimResult& claim : result.claims) {
+    const auto unreadable = [](const CheckedCertificate& c) { return c.state == CertificateState::unreadable; };
+    if (std::any_of(claim.unproved.begin(), claim.unproved.end(), unreadable)) worst = Summary::undecided;
     if (as_expected(file, claim)) continue;
     if (claim.verdict != Verdict::undecided && claim.verdict != Verdict::vacuous) return Summary::refuted;
     worst = Summary::undecided;

@@ -190,15 +190,19 @@ std::vector<NamedStatement> claim_refutation(const ClaimsFile& claims, const Cla
   return writer.take();
 }
 
+std::vector<NamedStatement> expected_statements(const ClaimsFile& claims, const Claim& claim, Reading reading) {
+  const Expectation expect = claim.body(reading).expect;
+  if (expect == Expectation::undecided) return {};
+  return expect == Expectation::refuted ? claim_refutation(claims, claim, reading)
+                                        : claim_statements(claims, claim, reading);
+}
+
 std::vector<NamedStatement> paper_statements(const ClaimsFile& claims) {
   std::vector<NamedStatement> result;
   for (const Claim& claim : claims.claims) {
     for (const Reading reading : all_readings) {
       if (reading == Reading::repaired && !claim.repaired) continue;
-      const Expectation expect = claim.body(reading).expect;
-      if (expect == Expectation::undecided) continue;
-      for (NamedStatement& statement : expect == Expectation::refuted ? claim_refutation(claims, claim, reading)
-                                                                      : claim_statements(claims, claim, reading)) {
+      for (NamedStatement& statement : expected_statements(claims, claim, reading)) {
         result.push_back(std::move(statement));
       }
     }

@@ -18,18 +18,23 @@ using Assumptions = ClaimWriter::Assumptions;
 
 void write(ClaimWriter& writer, const Interval& claim) {
   const Expression& region = writer.body().region;
-  writer.implied({".only-then", {{"region", region}}, writer.motion(claim.mode)}, claim.forces);
-  writer.exists({".always", {{"region", region}, {"force", claim.forces}}, {}}, writer.motion(claim.mode));
+  writer.implied(
+      {".only-then", {{"region", region}}, writer.motion(claim.mode), true, {}, writer.always_defined(claim.forces)},
+      claim.forces);
+  writer.exists({".always", {{"region", region}, {"force", claim.forces}}, {}, true, {}, true},
+                writer.motion(claim.mode));
   writer.have_values(".defined", region, claim.forces);
 }
 
 /// Of the motions in each mode.
 void implied_of_each(ClaimWriter& writer, const Modes& modes, const Expression& forces, const Expression& shown) {
   const Assumptions assumptions = {{"region", writer.body().region}, {"force", forces}};
+  const bool refutes = writer.always_defined(shown);
   for (std::size_t i = 0; i < modes.size(); ++i) {
-    writer.implied({modes.size() == 1 ? "" : fmt::format(".{}", i + 1), assumptions, writer.motion(modes[i])}, shown);
+    const std::string suffix = modes.size() == 1 ? "" : fmt::format(".{}", i + 1);
+    writer.implied({suffix, assumptions, writer.motion(modes[i]), true, {}, refutes}, shown);
   }
-  if (modes.empty()) writer.implied({"", assumptions, {}}, shown);
+  if (modes.empty()) writer.implied({"", assumptions, {}, true, {}, refutes}, shown);
   writer.have_values(".defined", writer.body().region, forces);
 }
 
@@ -57,7 +62,7 @@ void write(ClaimWriter& writer, const Motions& claim) {
   std::vector<std::string> modes;
   for (std::size_t i = 0; i < claim.modes.size(); ++i) {
     const ContactMode mode = claim.modes[i];
-    writer.exists({fmt::format(".{}", i + 1), assumptions, {}}, writer.motion(mode));
+    writer.exists({fmt::format(".{}", i + 1), assumptions, {}, true, {}, true}, writer.motion(mode));
     writer.one_motion(fmt::format(".{}.one", i + 1), assumptions, mode, mode, strict);
     modes.push_back("{" + mode_text(mode) + "}");
   }
@@ -68,8 +73,12 @@ void write(ClaimWriter& writer, const Motions& claim) {
 
 void write(ClaimWriter& writer, const Equivalence& claim) {
   const Expression& region = writer.body().region;
-  writer.implied({".forwards", {{"region", region}, {"force", claim.forces}}, {}}, claim.holds);
-  writer.implied({".backwards", {{"region", region}, {"force", claim.holds}}, {}}, claim.forces);
+  writer.implied(
+      {".forwards", {{"region", region}, {"force", claim.forces}}, {}, true, {}, writer.always_defined(claim.holds)},
+      claim.holds);
+  writer.implied(
+      {".backwards", {{"region", region}, {"force", claim.holds}}, {}, true, {}, writer.always_defined(claim.forces)},
+      claim.forces);
   writer.have_values(".defined", region, claim.forces);
   writer.has_value(".defined.holds", {{"region", region}}, claim.holds);
 }

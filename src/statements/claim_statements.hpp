@@ -13,6 +13,7 @@ namespace slipproof {
 struct NamedStatement {
   std::string name;
   std::string text;
+  bool refutes = false;  ///< at a bicycle where it is false, its claim is wrong (and does not just lack a value)
 };
 
 /// The claim in a reading as statements (proofs/FORMAT.md) about the raw equations of the model:
@@ -44,6 +45,9 @@ std::vector<NamedStatement> claim_refutation(const ClaimsFile& claims, const Cla
 /// Of all claims in all readings: the claim, or, where `expect` says refuted, its refutation; nothing where it says
 /// undecided.
 std::vector<NamedStatement> paper_statements(const ClaimsFile& claims);
+
+/// The same of one claim in a reading.
+std::vector<NamedStatement> expected_statements(const ClaimsFile& claims, const Claim& claim, Reading reading);
 
 /// In the domain of a setting, `given` implies `shown`. Both may use the unknowns of the model and the quantities of a
 /// motion; these are any numbers, unless a motion is asked for.

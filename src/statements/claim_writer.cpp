@@ -76,7 +76,7 @@ void ClaimWriter::implied(const Implication& implication, const std::string& sho
   } else {
     result += assumptions;
   }
-  statements_.push_back({name_ + implication.suffix, result + fmt::format("show {}\n", shown)});
+  statements_.push_back({name_ + implication.suffix, result + fmt::format("show {}\n", shown), implication.refutes});
 }
 
 void ClaimWriter::exists(const Implication& implication, const std::vector<std::string>& unknowns,
@@ -93,7 +93,7 @@ void ClaimWriter::exists(const Implication& implication, const std::vector<std::
   result += fmt::format("assume domain: {}\n", domain(implication.force_domain)) + scene(all) + assumptions +
             implication.hints;
   result += fmt::format("exists {}\n{}show {}\n", fmt::join(unknowns, " "), shown.definitions, shown.formula);
-  statements_.push_back({name_ + implication.suffix, std::move(result)});
+  statements_.push_back({name_ + implication.suffix, std::move(result), implication.refutes});
 }
 
 void ClaimWriter::exists(const Implication& implication, const MotionText& motion) {
@@ -175,11 +175,17 @@ std::vector<Expression> ClaimWriter::cells(const std::vector<Expression>& region
   return result;
 }
 
+/// Nothing where statements cannot write the value.
+std::string ClaimWriter::hint(const Boundary& boundary) const {
+  const auto value = number_text(inlined(boundary.value), [this](const Expression& e) { return always_defined(e); });
+  return value ? fmt::format("# split: {} - ({})\n", boundary.symbol, *value) : std::string();
+}
+
 std::string ClaimWriter::hints_to_numbers() const {
   std::string result;
   for (const Boundary& boundary : setting().boundaries) {
     if (!symbols(boundary.value).empty()) continue;
-    result += fmt::format("# split: {} - ({})\n", boundary.symbol, to_string(boundary.value));
+    result += hint(boundary);
   }
   return result;
 }
@@ -206,7 +212,7 @@ void ClaimWriter::somewhere(const std::string& suffix, const std::vector<Express
   std::string hints;  // where bicycles are special
   for (const Boundary& boundary : setting().boundaries) {
     uses.push_back(boundary.value);
-    hints += fmt::format("# split: {} - ({})\n", boundary.symbol, to_string(boundary.value));
+    hints += hint(boundary);
   }
   statements_.push_back({name_ + suffix, result + '\n' + scene(uses) + hints + definitions + "show " + shown + '\n'});
 }

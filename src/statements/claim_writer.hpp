@@ -27,6 +27,7 @@ class ClaimWriter : public SettingWriter {
     std::optional<MotionText> motion = {};
     bool force_domain = true;  ///< whether the force is where the paper stands
     std::string hints = {};    ///< lines after the assumptions
+    bool refutes = false;      ///< see NamedStatement
   };
   void implied(const Implication& implication, const Expression& shown);
   void implied(const Implication& implication, const std::string& shown, const std::vector<Expression>& uses);
@@ -65,6 +66,8 @@ class ClaimWriter : public SettingWriter {
   void together(const std::string& suffix, const Assumptions& assumptions, const std::vector<MotionText>& motions,
                 const std::string& hints, const std::string& shown);
   std::string opening(const std::string& suffix);
+  /// A line that proposes to split where the parameter has the boundary's value.
+  std::string hint(const Boundary& boundary) const;
   /// The lines of the assumptions; what the scene has to define for them joins `uses`.
   std::string assumed(const Assumptions& assumptions, std::vector<Expression>& uses);
 

@@ -184,7 +184,7 @@ std::string SettingWriter::definitions(const std::vector<Expression>& uses) {
       const auto found = std::find_if(setting_.definitions.begin(), setting_.definitions.end(),
                                       [&](const Definition& d) { return d.symbol == symbol; });
       if (found == setting_.definitions.end() || !defined_.insert(symbol).second) continue;
-      const Expression& value = reading_ == Reading::repaired && found->repaired ? found->repaired : found->printed;
+      const Expression& value = found->value(reading_);
       result += definitions({value});
       if (has_function(inlined(value))) continue;
       result += fmt::format("let {} = {}\n", symbol, *number_text(value, defined));

@@ -62,12 +62,12 @@ class SettingWriter {
   std::string scene(const std::vector<Expression>& uses);
   std::string assumption(const std::string& label, const Expression& truth);
   bool complete() const { return complete_; }
+  /// Definitions that statements cannot abbreviate, having functions, written out.
+  Expression inlined(const Expression& e) const;
 
  private:
   /// Conditions on the scene that the domains of the parameters do not plainly imply.
   std::vector<Expression> physical();
-  /// Definitions that statements cannot abbreviate, having functions, written out.
-  Expression inlined(const Expression& e) const;
   /// Without it, only motions with both wheels on the road are modelled, and there it drops out.
   bool has_pitch_inertia() const { return setting_.scene.contains("J"); }
 

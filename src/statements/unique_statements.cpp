@@ -18,8 +18,7 @@ bool is_force(const Setting& setting, const Expression& number) {
   if (right->operation != Operation::symbol) return false;
   return is_force(setting, left) &&
          std::any_of(setting.parameters.begin(), setting.parameters.end(), [&](const Parameter& parameter) {
-           return parameter.symbol == right->symbol && parameter.domain &&
-                  to_string(parameter.domain) == parameter.symbol + " > 0";
+           return parameter.symbol == right->symbol && parameter.is_positive();
          });
 }
 

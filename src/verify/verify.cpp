@@ -340,7 +340,8 @@ class Run {
   const CompiledClaims compiled_;
   const VerifyOptions& options_;
   const std::uint64_t lines_;
-  LemmaBook book_{{.split_depth = 1, .slack_attempts = 100, .products = 0, .steps = 500'000}};
+  LemmaBook book_{
+      {.split_depth = 1, .slack_attempts = 100, .products = 0, .quick_samples = 0, .samples = 0, .steps = 500'000}};
   const std::vector<Task> tasks_;
   std::vector<Tally> tallies_;
   std::uint64_t done_ = 0, total_;
@@ -372,7 +373,9 @@ bool as_expected(const ClaimsFile& file, const ClaimResult& result) {
 }
 
 VerifyResult verify(const ClaimsFile& file, const VerifyOptions& options) {
-  return Run(file, options).result();
+  VerifyResult result = Run(file, options).result();
+  if (options.certificates) find_certificates(file, result, *options.certificates);
+  return result;
 }
 
 }  // namespace slipproof

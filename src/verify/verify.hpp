@@ -10,6 +10,7 @@
 
 #include "claims/claims_file.hpp"
 #include "modes/motions.hpp"
+#include "verify/certificates.hpp"
 #include "verify/judge.hpp"
 
 namespace slipproof {
@@ -23,6 +24,8 @@ struct VerifyOptions {
   unsigned threads = 0;  ///< 0: all cores
   std::string only;      ///< judge only the claims whose id begins with this
   bool simplify = true;  ///< search for simple counterexamples
+  /// Those of the paper: what they prove enters the verdicts; null: none are looked at.
+  std::shared_ptr<Certificates> certificates;
   /// Called now and then, from one thread at a time, with the number of samples and lines done and of all.
   std::function<void(std::uint64_t, std::uint64_t)> progress;
 
@@ -58,9 +61,11 @@ struct ClaimResult {
   bool proved = false;
   /// An identity of rational functions wherever none of these expressions vanishes; that they do not was not shown.
   std::vector<std::string> unless_zero;
-  /// What report/certificates.hpp finds for the claims file: names of the certificates that prove the claim, or its
-  /// refutation; those that the checker rejects, and why; statements that are not the claim's.
+  /// What find_certificates() finds: names of the certificates that prove the claim, or its refutation; those that the
+  /// checker rejects, and why; statements that are not the claim's.
   std::vector<std::string> certificates, rejections, outdated;
+  /// Its statements whose certificates are undecided, missing or unreadable, if the folder has some of its statements.
+  std::vector<CheckedCertificate> unproved;
 
   std::uint64_t samples() const { return held + refuted + undecided; }
 };

@@ -27,6 +27,20 @@ holds = "a > 0"
 )"}
         .text();
 
+std::string interval(const std::string& id, const std::string& forces, const std::string& more) {
+  return "[[claim]]\nid = \"" + id +
+         "\"\nline = 1\nstatement = \"it rolls\"\nkind = \"interval\"\nmode = \"stick/stick\"\n" +
+         "region = \"b > 5\"\nforces = \"" + forces + "\"\n" + more;
+}
+
+/// The bicycle rolls for 0 < F < 4/(4 - 5/b).
+std::string intervals(const std::string& claims) {
+  return slipproof::test::SmallClaims{
+      .parameters = "b = { domain = \"b > 0\", line = 1, meaning = \"half the distance of the axles\" }\n",
+      .claims = claims}
+      .text();
+}
+
 const std::string proofs = SLIPPROOF_SOURCE_DIR "/proofs/rozenblat-yashin/certificates/";
 
 }  // namespace
@@ -74,12 +88,14 @@ TEST_CASE("prove takes statements of one's own, files and folders, without a cla
   const auto file = folder.write("means.statement", means);
   std::filesystem::create_directories(folder.path() / "more" / "deep");
   folder.write("more/deep/A2.4.statement", read_file(proofs + "A2.4.statement"));
-  folder.write("more/wrong.statement", "slipproof-statement 1\ntheorem wrong\nreal x\nshow x > 0\n");
+  const std::string hard =
+      "slipproof-statement 1\ntheorem hard\nreal x y\nassume a: x^3 + y^3 = 1\nshow x^4 + y^4 > 1/100\n";
+  folder.write("more/hard.statement", hard);
   const auto one = run({"prove", file});
   CHECK(one.exit_code == 0);
   CHECK(one.out == "proved    means\ns PROVED 1 proved, 0 undecided\n");
   CHECK(run({folder.path() / "means.cert"}, "slipproof-check").exit_code == 0);
-  const auto both = run({"prove", file, folder.path() / "more", "--out", folder.path() / "out"});
+  const auto both = run({"prove", file, folder.path() / "more", "--out", folder.path() / "out", "--effort", "20000"});
   CHECK(both.exit_code == 4);
   CHECK(both.out.ends_with("s UNDECIDED 2 proved, 1 undecided\n"));
   CHECK(read_file(folder.path() / "out" / "means.statement") == means);
@@ -127,4 +143,95 @@ TEST_CASE("what is not there, or is no statement, exits with 3") {
   CHECK(outcome.exit_code == 3);
   CHECK(outcome.err.find("bad.statement:") != std::string::npos);
   CHECK(run({"prove", "/nonexistent/claims.toml"}).exit_code == 3);
+}
+
+TEST_CASE("prove says what is false, and where, with exit code 1") {
+  const TemporaryFolder folder;
+  const auto file =
+      folder.write("wrong.statement", "slipproof-statement 1\ntheorem wrong\nreal x\nassume a: x^2 = 4\nshow x > 0\n");
+  const auto wrong = run({"prove", file});
+  CHECK(wrong.exit_code == 1);
+  CHECK(wrong.out == "refuted   wrong at x = -2\ns REFUTED 0 proved, 1 refuted, 0 undecided\n");
+  CHECK(read_file(folder.path() / "wrong.cert") ==
+        "slipproof-undecided 1\ntheorem wrong\nbecause it is false at x = -2\n");
+  const Json json = Json::parse(run({"prove", file, "--json"}).out);
+  CHECK(json["theorems"][0]["verdict"] == "refuted");
+  CHECK(json["theorems"][0]["counterexample"] == Json{{"x", "-2"}});
+  folder.write("wrong.statement", "slipproof-statement 1\ntheorem wrong\nreal x\nassume a: x^2 < x - 1\nshow x > 0\n");
+  CHECK(run({"prove", file}).out.starts_with("proved    wrong, its assumptions contradict each other\n"));
+  CHECK(run({"prove", file}).out.starts_with("kept      wrong, its assumptions contradict each other\n"));
+}
+
+TEST_CASE("prove keeps what is proved, and writes why it has no proof of the rest") {
+  const TemporaryFolder folder;
+  const auto one = folder.write("one.statement", "slipproof-statement 1\ntheorem one\nreal x\nshow x^2 >= 0\n");
+  folder.write("two.statement", "slipproof-statement 1\ntheorem two\nreal x y\nshow x^4 + y^4 >= x^3*y + x*y^3\n");
+  const auto first = run({"prove", folder.path(), "--effort", "3000"});
+  CHECK(first.exit_code == 4);
+  CHECK(first.out.starts_with("proved    one\nundecided two\n"));
+  CHECK(first.out.find("          more steps may help: --effort 30000\n") != std::string::npos);
+  CHECK(read_file(folder.path() / "two.cert")
+            .starts_with("slipproof-undecided 1\ntheorem two\nbecause left with no step left of 3000\n"));
+  const std::string certificate = read_file(folder.path() / "one.cert");
+  // A comment tells the file from one that is written again.
+  folder.write("one.cert", certificate + "# kept\n");
+  const auto again = run({"prove", folder.path()});
+  CHECK(again.exit_code == 0);
+  CHECK(again.out == "kept      one\nproved    two\ns PROVED 2 proved (1 kept), 0 undecided\n");
+  CHECK(read_file(folder.path() / "one.cert") == certificate + "# kept\n");
+  CHECK(run({"prove", "--again", one}).out == "proved    one\ns PROVED 1 proved, 0 undecided\n");
+  CHECK(read_file(folder.path() / "one.cert") == certificate);
+  // What is accepted is not given up for want of steps; another statement has no proof yet.
+  const std::string two = read_file(folder.path() / "two.cert");
+  CHECK(run({"prove", "--again", folder.path() / "two.statement", "--effort", "3000"})
+            .out.starts_with("kept      two\n"));
+  CHECK(read_file(folder.path() / "two.cert") == two);
+  folder.write("one.statement", "slipproof-statement 1\ntheorem one\nreal x\nshow x^2 >= -1\n");
+  CHECK(run({"prove", folder.path()}).out.starts_with("proved    one\nkept      two\n"));
+}
+
+TEST_CASE("all malformed statements are reported, before any search") {
+  const TemporaryFolder folder;
+  folder.write("a.statement", "slipproof-statement 1\ntheorem a\nreal x\nshow x > y\n");
+  folder.write("b.statement", "slipproof-statement 1\ntheorem b\nreal x\nshow x >= x\n");
+  folder.write("c.statement", "slipproof-statement 1\ntheorem c\nshow 1/0 > 0\n");
+  const auto outcome = run({"prove", folder.path()});
+  CHECK(outcome.exit_code == 3);
+  CHECK(outcome.err.find("a.statement:4:") != std::string::npos);
+  CHECK(outcome.err.find("c.statement:3:") != std::string::npos);
+  CHECK_FALSE(std::filesystem::exists(folder.path() / "b.cert"));
+}
+
+TEST_CASE("an interval is refuted both ways, whatever is expected of it") {
+  const TemporaryFolder folder;
+  const std::string expected = "expect = \"refuted\"\n";
+  const auto claims = folder.write("claims.toml", intervals(interval("right", "0 < F < 4/(4 - 5/b)", "") +
+                                                            interval("wide", "0 < F < 8/(4 - 5/b)", expected) +
+                                                            interval("narrow", "0 < F < 1/(4 - 5/b)", expected)));
+  const auto certificates = folder.path() / "certificates";
+  const auto as_expected = run({"prove", claims});
+  CHECK(as_expected.exit_code == 0);
+  CHECK(as_expected.out.find("settled   wide.refuted: the claim is refuted by wide.always.refuted\n") !=
+        std::string::npos);
+  CHECK(as_expected.out.find("proved    narrow.refuted\n") != std::string::npos);
+  CHECK(run({certificates}, "slipproof-check").exit_code == 0);
+  const auto verified = run({"verify", claims, "--samples", "30", "--json"});
+  CHECK(verified.exit_code == 0);
+  const Json json = Json::parse(verified.out);
+  CHECK(json["claims"][0]["verdict"] == "proved");
+  CHECK(json["claims"][1]["certificates"] == Json{"wide.always.refuted.met.cert", "wide.always.refuted.fails.cert"});
+  CHECK(json["claims"][2]["certificates"] == Json{"narrow.refuted.cert"});
+  // The same without being told.
+  folder.write("claims.toml",
+               intervals(interval("wide", "0 < F < 8/(4 - 5/b)", "") + interval("narrow", "0 < F < 1/(4 - 5/b)", "")));
+  const auto not_expected = run({"prove", claims});
+  CHECK(not_expected.exit_code == 1);
+  CHECK(not_expected.out.find("refuted   wide.always at b = ") != std::string::npos);
+  CHECK(not_expected.out.find("refuted   narrow.only-then at b = ") != std::string::npos);
+  CHECK(not_expected.out.find("outdated  right.always: no claim says this, it was left alone\n") != std::string::npos);
+  const Json again = Json::parse(run({"verify", claims, "--samples", "30", "--json"}).out);
+  for (const Json& claim : again["claims"]) {
+    CHECK(claim["verdict"] == "refuted");
+    CHECK(claim["certificates"].size() > 0);
+  }
 }

@@ -186,6 +186,11 @@ std::string stated_otherwise(const Pair& pair, meaning::Dice& dice, Stated& stat
   const auto is_true = [&](const NamedStatement& statement) { return judge.is_true(statement.text); };
   const bool refuted = !refutations.empty() && std::all_of(refutations.begin(), refutations.end(), is_true);
   if (refuted && pair.says != (exists ? Says::nothing : Says::wrong)) return "its refutation is true";
+  for (const NamedStatement& statement : statements) {
+    if (statement.refutes && pair.says != Says::wrong && !is_true(statement)) {
+      return "a statement that refutes it is false:" + statement.name.substr(claim.id.size());
+    }
+  }
   if (statements.empty()) return "";
   const auto untrue = std::find_if_not(statements.begin(), statements.end(), is_true);
   const bool fine = pair.says == Says::right || (!exists && pair.says == Says::nothing);

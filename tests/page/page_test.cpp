@@ -9,6 +9,7 @@
 #include "input/diagnostic.hpp"
 #include "page/sha256.hpp"
 #include "page/trade_data.hpp"
+#include "prove/undecided.hpp"
 #include "report/trade_report.hpp"
 #include "support/run_program.hpp"
 #include "support/shipped.hpp"
@@ -37,7 +38,7 @@ PageInput small_input() {
   input.figures = read_figures(SLIPPROOF_SOURCE_DIR "/proofs/rozenblat-yashin/figures.toml", *input.claims);
   input.scenes.push_back(read_scene(SLIPPROOF_SOURCE_DIR "/cases/wheelie.toml"));
   input.scenes.back().name = hostile;
-  input.certificates.push_back({"T<1>", "T.cert", "a < b & c", false, "line 1: " + hostile});
+  input.certificates.push_back({"T<1>", "T.cert", "a < b & c", CertificateState::rejected, "line 1: " + hostile});
   input.solvers.push_back({hostile, 10, {4, 3, 2, 1, 0, 0}, 1});
   input.sources.push_back({hostile, sha256("")});
   return input;
@@ -192,11 +193,30 @@ TEST_CASE("everything that comes with the program is gathered") {
   for (const std::string name : {"A1.1a.statement", "A1.1a.cert", "A1.2a.statement"}) {
     folder.write("certificates/" + name, test::read_file(test::shipped_certificates / name));
   }
-  const PageInput input = gather({claims, root + "/cases", root + "/cases/solvers", {}}, test::shipped_paper());
+  folder.write("certificates/A1.1.always.statement",
+               test::read_file(test::shipped_certificates / "A1.1.always.statement"));
+  folder.write("certificates/A1.1.always.cert", undecided_text("A1.1.always", {"no step left of 7"}));
+  Certificates certificates(folder.path());
+  PageInput input = gather({claims, root + "/cases", root + "/cases/solvers", {}}, test::shipped_paper(), certificates);
   CHECK(input.figures.empty());  // there is no figures.toml beside the claims
   CHECK(input.scenes.size() >= 10);
   CHECK(input.solvers.size() == 12);
-  REQUIRE(input.certificates.size() == 2);
-  CHECK(input.certificates[0].accepted);
-  CHECK(!input.certificates[1].accepted);  // it is missing
+  REQUIRE(input.certificates.size() == 3);
+  CHECK(input.certificates[0].state == CertificateState::undecided);
+  CHECK(input.certificates[1].state == CertificateState::accepted);
+  CHECK(input.certificates[2].state == CertificateState::missing);
+  // Each is called what it is, and none of them rejected.
+  VerifyOptions options;
+  options.samples = 5;
+  options.only = "A1.1";
+  const VerifyResult result = verify(test::shipped_paper(), options);
+  input.result = &result;
+  const auto page = read(page_html(input));
+  const auto text = [&](const std::string& path) {
+    return std::string(page.select_node(path.c_str()).node().text().get());
+  };
+  CHECK(page.select_nodes("//section[@id='certificates']//span[@class='chip refuted']").empty());
+  const std::string chip = "//details[@id='certificate-A1.1.always']/summary/span[@class='chip undecided']";
+  CHECK(page.select_nodes(chip.c_str()).size() == 1);
+  CHECK(text("//section[@id='overview']//a[@href='#certificates']/span[@class='detail']") == "1 undecided, 1 missing");
 }

@@ -8,8 +8,6 @@
 #include "check/files.hpp"
 #include "input/diagnostic.hpp"
 #include "page/page.hpp"
-#include "report/certificates.hpp"
-#include "statements/library.hpp"
 #include "support/run_program.hpp"
 #include "support/shipped.hpp"
 
@@ -55,9 +53,9 @@ struct EvidencePage {
     VerifyOptions options;
     options.samples = 5;
     options.only = "A1.1";
-    VerifyResult result = verify(test::shipped_paper(), options);
-    find_certificates(test::shipped_paper(), result, certificates_folder(claims));
-    PageInput input = gather({claims, {}, {}, {}}, test::shipped_paper());
+    options.certificates = std::make_shared<Certificates>(folder.path());
+    const VerifyResult result = verify(test::shipped_paper(), options);
+    PageInput input = gather({claims, {}, {}, {}}, test::shipped_paper(), *options.certificates);
     input.result = &result;
     sources = input.sources.size();
     html = page_html(input);

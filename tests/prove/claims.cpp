@@ -15,8 +15,9 @@
 #include "modes/motions.hpp"
 #include "prove/prove.hpp"
 #include "prove/statement.hpp"
-#include "statements/library.hpp"
+#include "statements/claim_statements.hpp"
 #include "statements/truth_text.hpp"
+#include "support/run_program.hpp"
 #include "support/shipped.hpp"
 
 namespace {
@@ -25,8 +26,23 @@ using namespace slipproof;
 using test::shipped_certificates;
 using test::shipped_folder;
 
-std::string rejection(const std::filesystem::path& certificate) {
-  return check::check_file(certificate).message;
+struct ClaimProof {
+  bool proved = false;  ///< all statements, by shipped certificates
+  std::vector<std::string> names, problems;
+};
+
+/// Of the shipped statements and certificates; with `trust`, whatever the certificates say.
+ClaimProof find_claim_proof(const ClaimsFile& claims, const Claim& claim, Reading reading, bool trust = false) {
+  ClaimProof result;
+  for (const NamedStatement& statement : claim_statements(claims, claim, reading)) {
+    const std::string name = (shipped_certificates / statement.name).string();
+    result.names.push_back(statement.name);
+    const std::string objection = trust ? "" : check::check_file(name + ".cert").message;
+    if (!objection.empty()) result.problems.push_back(objection);
+    if (test::read_file(name + ".statement") != statement.text) result.problems.push_back(name + " differs");
+  }
+  result.proved = !result.names.empty() && result.problems.empty();
+  return result;
 }
 
 bool holds(const prove::Formula& formula) {
@@ -60,7 +76,7 @@ TEST_CASE("Assertions 1 to 4 are proved in the reading in which they are true") 
                          "A2.4", "A3.1",  "A3.1a", "A3.2",  "A4.1", "A4.1a", "A4.2", "A4.2a", "A4.3", "A5.1"}) {
     const Claim* claim = claims.find(id);
     REQUIRE_MESSAGE(claim != nullptr, id);
-    const ClaimProof proof = find_claim_proof(claims, *claim, Reading::repaired, shipped_certificates, rejection);
+    const ClaimProof proof = find_claim_proof(claims, *claim, Reading::repaired);
     INFO(id, ": ", proof.problems.empty() ? "" : proof.problems.front());
     CHECK(proof.proved);
   }
@@ -69,11 +85,10 @@ TEST_CASE("Assertions 1 to 4 are proved in the reading in which they are true") 
 TEST_CASE("uniqueness is proved cell by cell, and that the motions exist with it") {
   const ClaimsFile claims = read_claims(shipped_folder / "claims.toml");
   const Claim& claim = *claims.find("A5.2");
-  const ClaimProof proof = find_claim_proof(claims, claim, Reading::repaired, shipped_certificates, rejection);
+  const ClaimProof proof = find_claim_proof(claims, claim, Reading::repaired);
   INFO(claim.id, ": ", proof.problems.empty() ? "" : proof.problems.front());
   CHECK(proof.proved);
-  std::set<std::string> names;
-  for (const std::filesystem::path& certificate : proof.certificates) names.insert(certificate.stem().string());
+  const std::set<std::string> names(proof.names.begin(), proof.names.end());
   for (const char* id : {"A1.1", "A1.2", "A2.1", "A2.2", "A2.3", "A3.1", "A4.1", "A4.2"}) {
     INFO(id);
     for (const char* part : {"", ".one", ".exists"}) {  // no other mode, no other motion in it, and one
@@ -93,12 +108,11 @@ TEST_CASE("uniqueness is proved cell by cell, and that the motions exist with it
 
 TEST_CASE("uniqueness is not proved of other claims than those whose motions it speaks of") {
   const auto proved = [](const ClaimsFile& claims) {
-    const auto trust = [](const std::filesystem::path&) { return std::string(); };
-    return find_claim_proof(claims, *claims.find("A5.2"), Reading::repaired, shipped_certificates, trust).proved;
+    return find_claim_proof(claims, *claims.find("A5.2"), Reading::repaired, true).proved;
   };
   const ClaimsFile shipped = read_claims(shipped_folder / "claims.toml");
   REQUIRE(proved(shipped));
-  CHECK(!find_claim_proof(shipped, *shipped.find("A5.2"), Reading::printed, shipped_certificates, rejection).proved);
+  CHECK(!find_claim_proof(shipped, *shipped.find("A5.2"), Reading::printed).proved);
   const auto tampered = [&](auto change) {
     ClaimsFile claims = shipped;
     for (Claim& claim : claims.claims) {
@@ -123,10 +137,10 @@ TEST_CASE("where a motion is left out of those that are stated, uniqueness is no
   limits.products = 0;
   limits.steps = 1'000'000;
   bool found = false;
-  for (const auto& [name, text] : claim_statements(claims, *claims.find("A5.2"), Reading::repaired)) {
-    if (name != "A5.2.repaired.rest.4") continue;
+  for (const NamedStatement& statement : claim_statements(claims, *claims.find("A5.2"), Reading::repaired)) {
+    if (statement.name != "A5.2.repaired.rest.4") continue;
     found = true;
-    CHECK(!prove_statement(name, text, limits).proved());
+    CHECK(!prove_statement(statement.name, statement.text, limits).proved());
   }
   CHECK(found);
 }
@@ -148,9 +162,9 @@ TEST_CASE("a limit is proved from a value on, and only if that value is defined 
   CHECK_THROWS_AS(proved("b/(h + R - h - R)"), InputError);  // nowhere defined: all beyond it would hold
   CHECK(!proved(""));
   for (const auto& [id, reading] : {std::pair("R3.3.1", Reading::printed), std::pair("R3.3.2", Reading::repaired)}) {
-    CHECK(find_claim_proof(claims, *claims.find(id), reading, shipped_certificates, rejection).proved);
+    CHECK(find_claim_proof(claims, *claims.find(id), reading).proved);
   }
-  CHECK(!find_claim_proof(claims, *claims.find("R3.3.2"), Reading::printed, shipped_certificates, rejection).proved);
+  CHECK(!find_claim_proof(claims, *claims.find("R3.3.2"), Reading::printed).proved);
 }
 
 TEST_CASE("what is false in print has no proof") {
@@ -158,7 +172,7 @@ TEST_CASE("what is false in print has no proof") {
   for (const char* id : {"A2.1", "A2.cover", "A3.cover", "A4.cover", "A5.1"}) {
     const Claim* claim = claims.find(id);
     REQUIRE_MESSAGE(claim != nullptr, id);
-    const ClaimProof proof = find_claim_proof(claims, *claim, Reading::printed, shipped_certificates, rejection);
+    const ClaimProof proof = find_claim_proof(claims, *claim, Reading::printed);
     CHECK(!proof.proved);
     CHECK(!proof.problems.empty());
   }
@@ -166,14 +180,13 @@ TEST_CASE("what is false in print has no proof") {
 
 TEST_CASE("every claim has a proof or a refutation, as far as statements can say it") {
   for (const char* paper : {"rozenblat-yashin", "rear-drive"}) {
-    const std::filesystem::path claims = shipped_folder.parent_path() / paper / "claims.toml";
-    const std::filesystem::path certificates = certificates_folder(claims);
-    const std::vector<NamedStatement> statements = paper_statements(read_claims(claims));
+    const std::filesystem::path file = shipped_folder.parent_path() / paper / "claims.toml";
+    const std::filesystem::path certificates = file.parent_path() / "certificates";
+    const std::vector<NamedStatement> statements = paper_statements(read_claims(file));
     CHECK(statements.size() > 30);
     for (const NamedStatement& statement : statements) {
       INFO(statement.name);
-      std::ifstream file(certificates / (statement.name + ".statement"), std::ios::binary);
-      CHECK(std::string{std::istreambuf_iterator<char>(file), {}} == statement.text);
+      CHECK(test::read_file(certificates / (statement.name + ".statement")) == statement.text);
       CHECK(std::filesystem::exists(certificates / (statement.name + ".cert")));
     }
   }
@@ -221,13 +234,13 @@ TEST_CASE("a false claim is refuted by a theorem, and a true one is not") {
 TEST_CASE("a claim that changes loses its proof") {
   ClaimsFile claims = read_claims(shipped_folder / "claims.toml");
   const Claim* claim = claims.find("A1.1");
-  REQUIRE(find_claim_proof(claims, *claim, Reading::printed, shipped_certificates, rejection).proved);
+  REQUIRE(find_claim_proof(claims, *claim, Reading::printed).proved);
   for (Setting& setting : claims.settings) {
     for (Definition& definition : setting.definitions) {
       if (definition.symbol == "b0") definition.printed = make_symbol("R");
     }
   }
-  CHECK(!find_claim_proof(claims, *claim, Reading::printed, shipped_certificates, rejection).proved);
+  CHECK(!find_claim_proof(claims, *claim, Reading::printed).proved);
 }
 
 TEST_CASE("the statements' mechanics accept the motions of the mode solver, and nothing beside them") {

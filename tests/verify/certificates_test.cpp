@@ -1,10 +1,11 @@
 // Certificates beside a claims file: what they prove is named, and what is wrong with them is told.
-#include "report/certificates.hpp"
+#include "verify/certificates.hpp"
 
 #include <doctest/doctest.h>
 
 #include <filesystem>
 
+#include "prove/undecided.hpp"
 #include "report/errata.hpp"
 #include "report/verify_report.hpp"
 #include "support/run_program.hpp"
@@ -15,34 +16,41 @@ using test::read_file;
 
 namespace {
 
-VerifyResult sampled(const std::string& only) {
+VerifyResult sampled(const std::string& only, std::shared_ptr<Certificates> certificates = nullptr) {
   VerifyOptions options;
+  options.certificates = std::move(certificates);
   options.samples = 200;
   options.only = only;
   return verify(test::shipped_paper(), options);
 }
 
-/// A folder with the statements and certificates of A1.1.
+void find_in(const std::filesystem::path& folder, VerifyResult& result) {
+  Certificates certificates(folder);
+  find_certificates(test::shipped_paper(), result, certificates);
+}
+
+/// The folder of a paper, with the statements and certificates of A1.1.
 class Folder : public test::TemporaryFolder {
  public:
   Folder() {
+    std::filesystem::create_directory(path() / "certificates");
     for (const char* theorem : {"A1.1.only-then", "A1.1.always", "A1.1.defined"}) {
       for (const char* kind : {".statement", ".cert"}) copy(theorem, theorem, kind);
     }
   }
   void copy(const std::string& from, const std::string& to, const std::string& kind) const {
-    write(to + kind, read_file(test::shipped_certificates / (from + kind)));
+    write("certificates/" + to + kind, read_file(test::shipped_certificates / (from + kind)));
   }
   void replace(const std::string& file, const std::string& from, const std::string& to) const {
-    std::string text = read_file(path() / file);
+    std::string text = read_file(certificate(file));
     const auto at = text.find(from);
     REQUIRE(at != std::string::npos);
-    write(file, text.replace(at, from.size(), to));
+    write("certificates/" + file, text.replace(at, from.size(), to));
   }
+  std::filesystem::path certificate(const std::string& file) const { return path() / "certificates" / file; }
   ClaimResult judge() const {
-    VerifyResult result = sampled("A1.1");
+    VerifyResult result = sampled("A1.1", std::make_shared<Certificates>(path()));
     REQUIRE(result.claims.size() == 2);  // A1.1 and A1.1a
-    find_certificates(test::shipped_paper(), result, path());
     return result.claims.front();
   }
 };
@@ -58,12 +66,15 @@ TEST_CASE("a claim is proved by the certificates of all its statements, and by n
         std::vector<std::string>{"A1.1.only-then.cert", "A1.1.always.cert", "A1.1.defined.cert"});
   CHECK(proved.rejections.empty());
   CHECK(proved.outdated.empty());
-  std::filesystem::remove(folder.path() / "A1.1.always.cert");
+  std::filesystem::remove(folder.certificate("A1.1.always.cert"));
   const ClaimResult half = folder.judge();
   CHECK_FALSE(half.proved);
   CHECK(half.certificates.empty());
   CHECK(half.rejections.empty());
-  std::filesystem::remove_all(folder.path() / "A1.1.always.statement");
+  REQUIRE(half.unproved.size() == 1);
+  CHECK(half.unproved.front().theorem == "A1.1.always");
+  CHECK(half.unproved.front().state == CertificateState::missing);
+  std::filesystem::remove_all(folder.certificate("A1.1.always.statement"));
   CHECK_FALSE(folder.judge().proved);
 }
 
@@ -74,7 +85,7 @@ TEST_CASE("what a certificate refutes is refuted, also where all samples miss it
   VerifyResult result = verify(test::shipped_paper(), options);
   const ClaimResult before = result.claims.front();
   REQUIRE(before.verdict == Verdict::holds);
-  find_certificates(test::shipped_paper(), result, test::shipped_certificates);
+  find_in(test::shipped_folder, result);
   const ClaimResult& after = result.claims.front();
   CHECK(after.verdict == Verdict::refuted);
   CHECK_FALSE(after.proved);
@@ -104,15 +115,55 @@ TEST_CASE("certificates that prove nothing are rejected, whatever is wrong with 
   }
   SUBCASE("an empty file") {
     const Folder folder;
-    folder.write("A1.1.always.cert", "");
+    folder.write("certificates/A1.1.always.cert", "");
     rejected(folder);
   }
   SUBCASE("a folder in its place") {
     const Folder folder;
-    std::filesystem::remove(folder.path() / "A1.1.always.cert");
-    std::filesystem::create_directory(folder.path() / "A1.1.always.cert");
+    std::filesystem::remove(folder.certificate("A1.1.always.cert"));
+    std::filesystem::create_directory(folder.certificate("A1.1.always.cert"));
     rejected(folder);
   }
+}
+
+TEST_CASE("undecided, missing, unreadable, rejected and accepted are five things") {
+  const Folder folder;
+  folder.write("certificates/A1.1.always.cert",
+               undecided_text("A1.1.always", {"no step left of 7", "left with x > 0"}));
+  folder.write("certificates/A1.1.only-then.cert", "slipproof-certificate 1\nno proof\n");
+  folder.write("certificates/none.statement", "this is no statement\n");
+  folder.copy("A1.2.always", "A1.2.always", ".statement");
+  Certificates certificates(folder.path());
+  const auto state = [&](const char* name) {
+    return std::string(slipproof::name(certificates.check(std::string("certificates/") + name).state));
+  };
+  CHECK(state("A1.1.always") == "undecided");
+  CHECK(certificates.check("certificates/A1.1.always").message == "no step left of 7; left with x > 0");
+  CHECK(state("A1.1.only-then") == "rejected");
+  CHECK(certificates.check("certificates/A1.1.only-then").message.starts_with("certificates/A1.1.only-then.cert:2: "));
+  CHECK(state("A1.1.defined") == "accepted");
+  CHECK(state("A1.2.always") == "missing");
+  CHECK(state("none") == "unreadable");
+  CHECK(certificates.all().size() == 5);
+  // What was checked is not checked again.
+  std::filesystem::remove(folder.certificate("A1.1.defined.cert"));
+  CHECK(state("A1.1.defined") == "accepted");
+}
+
+TEST_CASE("what prove left undecided is not called rejected") {
+  const Folder folder;
+  folder.write("certificates/A1.1.always.cert", undecided_text("A1.1.always", {"no step left of 7"}));
+  VerifyResult result = sampled("A1.1", std::make_shared<Certificates>(folder.path()));
+  const ClaimResult& claim = result.claims.front();
+  CHECK(claim.verdict == Verdict::holds);
+  CHECK_FALSE(claim.proved);
+  CHECK(claim.rejections.empty());
+  REQUIRE(claim.unproved.size() == 1);
+  CHECK(claim.unproved.front().state == CertificateState::undecided);
+  CHECK(summary(test::shipped_paper(), result) == Summary::as_expected);
+  CHECK(verify_text(test::shipped_paper(), result, false).find("undecided A1.1.always: no step left of 7\n") !=
+        std::string::npos);
+  CHECK(verify_json(test::shipped_paper(), result).find("\"state\": \"undecided\"") != std::string::npos);
 }
 
 TEST_CASE("a statement that is not the claim's proves nothing of it, though its certificate is accepted") {
@@ -131,7 +182,7 @@ TEST_CASE("a sample that refutes what certificates prove is a contradiction, and
   VerifyResult result = sampled("A1.1");
   result.claims.front().verdict = Verdict::refuted;
   result.claims.front().refuted = 1;
-  find_certificates(test::shipped_paper(), result, folder.path());
+  find_in(folder.path(), result);
   CHECK(result.claims.front().verdict == Verdict::refuted);
   CHECK_FALSE(result.claims.front().proved);
   CHECK(result.claims.front().rejections.size() == 1);
@@ -143,11 +194,11 @@ TEST_CASE("no statement speaks of bicycles at which a claim has no value") {
   VerifyResult result = sampled("A1.1");
   result.claims.front().verdict = Verdict::undecided;
   result.claims.front().undecided = 1;
-  find_certificates(test::shipped_paper(), result, folder.path());
+  find_in(folder.path(), result);
   CHECK(result.claims.front().verdict == Verdict::undecided);
   // Where no bicycle was found of which the claim says something, the proof may be about nothing.
   result.claims.front().held = result.claims.front().undecided = 0;
-  find_certificates(test::shipped_paper(), result, folder.path());
+  find_in(folder.path(), result);
   CHECK(result.claims.front().verdict == Verdict::undecided);
   CHECK_FALSE(result.claims.front().proved);
 }
@@ -163,7 +214,7 @@ TEST_CASE("the errata name the certificates of a repair, or the number of its sa
   CHECK(certainty("R2.3.2").starts_with("sampled (200 samples)"));
   const std::string samples = std::to_string(result.find(test::shipped_paper(), "A2.4", Reading::repaired)->samples());
   CHECK(certainty("A2.4") == "exact; sampled (" + samples + " samples)");
-  find_certificates(test::shipped_paper(), result, test::shipped_certificates);
+  find_in(test::shipped_folder, result);
   CHECK(certainty("A2.4") == "exact; proved for all parameters (certificate A2.4.repaired.cert)");
   CHECK(certainty("E4.1.2") ==
         "exact (certificate E4.1.2.refuted.cert); proved for all parameters (certificate E4.1.2.repaired.cert)");

@@ -1,0 +1,50 @@
+// Proving many statements: each result is written and said as it comes.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "claims/claims_file.hpp"
+#include "cli/command.hpp"
+#include "output/inputs.hpp"
+#include "prove/prove_files.hpp"
+#include "report/exact_json.hpp"
+
+namespace slipproof::cli {
+
+class ProveRun {
+ public:
+  /// No result is written over one of `inputs`, or over a statement that is to be proved.
+  ProveRun(const ProveOptions& options, const CommonOptions& common, Inputs inputs = {});
+
+  /// Proves the statements where they stand, and writes the certificates beside them, or why there is none.
+  void prove(const std::vector<std::filesystem::path>& statements);
+  /// Writes the statements of the claims to `generated`, a folder in `out`, and proves them, with all others in `out`
+  /// and below. Where a statement is false, writes and proves that, too; where a claim could not be settled, tries the
+  /// other way.
+  void prove_claims(const ClaimsFile& file, const std::filesystem::path& out, const std::filesystem::path& generated);
+  /// Says what came of all, and gives the exit code.
+  Exit conclude();
+
+ private:
+  struct Stated;
+  std::vector<Stated> stated(const ClaimsFile& file) const;
+  std::vector<NamedStatement> refutations(const ClaimsFile& file, const Stated& stated);
+  const ProofOutcome* outcome(const std::string& theorem) const;
+  void write(const FileOutcome& outcome) const;
+  void say(const FileOutcome& outcome);
+  void tell(const ProveProgress& progress) const;
+  void note(const std::string& line);
+
+  ProveOptions options_;
+  const CommonOptions& common_;
+  Inputs inputs_;
+  bool shows_progress_;
+  std::vector<FileOutcome> outcomes_;
+  std::map<std::string, std::string> settled_;  ///< left undecided, and why that does not matter
+  std::vector<std::string> outdated_;
+};
+
+}  // namespace slipproof::cli

@@ -1,0 +1,147 @@
+#include "verify/certificates.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+#include "check/files.hpp"
+#include "statements/refutation_text.hpp"
+#include "verify/verify.hpp"
+
+namespace slipproof {
+
+namespace {
+
+constexpr std::string_view generated = "certificates";
+
+std::optional<std::string> bytes_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return std::nullopt;
+  return std::string{std::istreambuf_iterator<char>(file), {}};
+}
+
+/// What stands in a folder for statements that together say something.
+struct Found {
+  std::vector<CheckedCertificate> statements;  ///< those of which the folder has something
+  std::vector<std::string> outdated;
+  bool proved = false;  ///< all of them
+};
+
+Found find(const std::vector<NamedStatement>& statements, Certificates& certificates) {
+  Found result;
+  bool any = false;
+  for (const NamedStatement& statement : statements) {
+    const std::string file = std::string(generated) + "/" + statement.name;
+    const auto text = certificates.statement(file);
+    any = any || text;
+    if (text && *text != statement.text) {
+      result.outdated.push_back(statement.name + ": the statement in the folder is not the claim's");
+    } else {
+      result.statements.push_back(certificates.check(file));
+    }
+  }
+  result.proved = any && result.outdated.empty();
+  for (const CheckedCertificate& s : result.statements) {
+    result.proved = result.proved && s.state == CertificateState::accepted;
+  }
+  if (!any) result.statements.clear();
+  return result;
+}
+
+/// What shows, by numbers, that a statement of the claim is false.
+Found find_counterexample(const std::vector<NamedStatement>& statements, Certificates& certificates) {
+  for (const NamedStatement& statement : statements) {
+    if (!statement.refutes) continue;
+    const auto met = certificates.statement(std::string(generated) + "/" + statement.name + ".refuted.met");
+    const auto values = met ? refuting_values(statement, *met) : std::nullopt;
+    if (!values) continue;
+    Found found = find(refutation_at(statement, *values), certificates);
+    if (found.proved) return found;
+  }
+  return {};
+}
+
+/// Takes over what was found, whatever it proves.
+void add_problems(ClaimResult& claim, const Found& found) {
+  claim.outdated.insert(claim.outdated.end(), found.outdated.begin(), found.outdated.end());
+  for (const CheckedCertificate& statement : found.statements) {
+    if (statement.state == CertificateState::accepted) continue;
+    if (statement.state == CertificateState::rejected) claim.rejections.push_back(statement.message);
+    if (statement.state != CertificateState::rejected) claim.unproved.push_back(statement);
+  }
+}
+
+void name_certificates(ClaimResult& claim, const Found& found) {
+  for (const CheckedCertificate& statement : found.statements) {
+    claim.certificates.push_back(std::filesystem::path(statement.name).filename().string() + ".cert");
+  }
+}
+
+void find_certificates(const ClaimsFile& file, ClaimResult& claim, Certificates& certificates) {
+  const Claim& stated = file.claims[claim.claim];
+  const Found proof = find(claim_statements(file, stated, claim.reading), certificates);
+  Found refutation = find(claim_refutation(file, stated, claim.reading), certificates);
+  if (!refutation.proved) {
+    Found counterexample = find_counterexample(claim_statements(file, stated, claim.reading), certificates);
+    if (counterexample.proved) refutation = std::move(counterexample);
+  }
+  add_problems(claim, proof);
+  add_problems(claim, refutation);
+  if (refutation.proved && proof.proved) {
+    claim.rejections.push_back(stated.id + ": certificates of it and of its refutation are accepted");
+    return;
+  }
+  // Samples may all miss what a refutation proves to exist.
+  if (refutation.proved && claim.verdict != Verdict::vacuous) claim.verdict = Verdict::refuted;
+  if (refutation.proved && claim.verdict == Verdict::refuted) name_certificates(claim, refutation);
+  if (!proof.proved) return;
+  if (claim.refuted > 0) {
+    claim.rejections.push_back(stated.id + ": refuted by a sample, yet its certificates are accepted");
+    return;
+  }
+  // A proof about nothing proves nothing: the claim has to be right somewhere.
+  if (claim.held == 0 && !stated.is<Exists>()) return;
+  if (claim.undecided > 0) return;  // it has no value somewhere: statements are not about those bicycles
+  claim.verdict = Verdict::holds;
+  claim.proved = true;
+  name_certificates(claim, proof);
+}
+
+}  // namespace
+
+std::filesystem::path certificates_folder(const std::filesystem::path& claims) {
+  return claims.parent_path() / generated;
+}
+
+std::optional<std::string> Certificates::statement(const std::string& name) const {
+  return bytes_of(folder_ / (name + ".statement"));
+}
+
+const CheckedCertificate& Certificates::check(const std::string& name) {
+  const std::scoped_lock lock(mutex_);
+  const auto known = checked_.find(name);
+  return known != checked_.end() ? known->second : checked_.emplace(name, checked(name)).first->second;
+}
+
+std::vector<CheckedCertificate> Certificates::all() {
+  std::vector<CheckedCertificate> result;
+  for (const std::filesystem::path& file : check::certificates_in(folder_)) {
+    result.push_back(check(file.lexically_relative(folder_).replace_extension().generic_string()));
+  }
+  return result;
+}
+
+CheckedCertificate Certificates::checked(const std::string& name) const {
+  const check::FileResult found = check::check_file(folder_ / (name + ".cert"));
+  CheckedCertificate result{name, found.theorem, found.verdict, found.message};
+  const std::string prefix = folder_.string() + "/";
+  if (result.message.starts_with(prefix)) result.message.erase(0, prefix.size());
+  return result;
+}
+
+void find_certificates(const ClaimsFile& file, VerifyResult& result, Certificates& certificates) {
+  for (ClaimResult& claim : result.claims) find_certificates(file, claim, certificates);
+}
+
+}  // namespace slipproof

@@ -1,0 +1,63 @@
+// The certificates of a paper: each is checked once, and what they prove enters the verdicts.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "check/verdict.hpp"
+#include "claims/claims_file.hpp"
+
+namespace slipproof {
+
+struct VerifyResult;
+
+/// Where the statements and certificates of a claims file stand: in `certificates` beside it.
+std::filesystem::path certificates_folder(const std::filesystem::path& claims);
+
+/// Whether a statement has a proof that the checker accepts.
+using CertificateState = check::Verdict;
+
+/// A statement, and what the checker says of its certificate.
+struct CheckedCertificate {
+  std::string name;     ///< of the file, relative to the folder, without the ending: `certificates/A1.1.always`
+  std::string theorem;  ///< as the statement has it; empty where that cannot be read
+  CertificateState state = CertificateState::missing;
+  std::string message;  ///< why it is not accepted; files are relative to the folder
+};
+
+/// The certificates in the folder of a claims file and below. A certificate is checked when it is first asked for, and
+/// never again. May be used by several threads.
+class Certificates {
+ public:
+  explicit Certificates(std::filesystem::path folder) : folder_(folder.empty() ? "." : std::move(folder)) {}
+
+  /// Of NAME.statement, there or not.
+  const CheckedCertificate& check(const std::string& name);
+  /// Those of all statements, in the order of their names.
+  std::vector<CheckedCertificate> all();
+  /// The bytes of NAME.statement; nothing if there is no such file.
+  std::optional<std::string> statement(const std::string& name) const;
+  const std::filesystem::path& folder() const { return folder_; }
+
+ private:
+  CheckedCertificate checked(const std::string& name) const;
+
+  std::filesystem::path folder_;
+  std::mutex mutex_;
+  std::map<std::string, CheckedCertificate> checked_;
+};
+
+/// Looks for the certificates of every claim of `result`. A claim that holds at every sample and whose statements, the
+/// same bytes as the claims file gives now, all have accepted certificates becomes `proved`, and its certificates are
+/// named; of a refuted claim, that of its refutation; and a claim that holds at every sample is refuted, too, where
+/// that is accepted. What the others of its statements have instead stands in `unproved`, `rejections` and `outdated`;
+/// so does a contradiction of samples and certificates. verify() calls it.
+void find_certificates(const ClaimsFile& file, VerifyResult& result, Certificates& certificates);
+
+}  // namespace slipproof
