@@ -27,11 +27,11 @@ inline void require(bool condition, const char* otherwise) {
   if (!condition) throw Rejection(otherwise);
 }
 
-/// What a statement or a proof has cost so far: bytes read, polynomials and terms made, divisors compared. It is
-/// bounded, so that every check ends.
+/// What a statement or a proof has cost so far: bytes read, polynomials and terms made, divisors compared, and long
+/// multiplications. It is bounded, so that every check ends soon. An object begins anew.
 class Work {
  public:
-  static void begin() { done = 0; }
+  Work() { done = 0; }
   static void spend(std::size_t amount) { require((done += amount) <= kMaxWork, "checking takes too much work"); }
 
  private:

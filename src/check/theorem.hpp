@@ -26,7 +26,6 @@ class Statement {
  public:
   /// Throws Rejection.
   explicit Statement(FormulaReader& reader) : reader_(reader) {
-    Work::begin();
     reader_.expect_line("slipproof-statement 1");
     require(reader_.size() <= kMaxStatement, "the statement is too long");
     theorem = reader_.theorem();
@@ -55,6 +54,7 @@ class Statement {
     }
   }
 
+  Work work;  ///< first, as the members after it cost some
   std::string theorem, fingerprint;
   Names names;  ///< those before `exists`
   std::vector<std::pair<std::string, Formula>> assumptions;
@@ -120,7 +120,6 @@ class Proof {
  public:
   /// Reads what follows the first line. Returns if the certificate proves the statement, otherwise throws Rejection.
   Proof(const Statement& statement, FormulaReader& reader) : statement_(statement), reader_(reader) {
-    Work::begin();
     reader_.names = statement.names;
     reader_.expect_line("theorem " + statement.theorem + " " + statement.fingerprint);
     for (const auto& [name, formula] : statement.assumptions) assume(name, formula);
@@ -287,6 +286,7 @@ class Proof {
     return product;
   }
 
+  Work work_;
   const Statement& statement_;
   FormulaReader& reader_;
   std::map<std::string, Formula> hypotheses_;                    ///< those in force
