@@ -164,12 +164,12 @@ namespace {
 
 /// A statement that stays read while many certificates are held against it.
 struct Read {
-  explicit Read(const std::string& text) : input(text), reader(input), statement(reader) {}
+  explicit Read(const std::string& text) : reader(text), statement(reader) {}
 
   bool accepts(const std::string& certificate) const {
-    std::istringstream certificate_input(certificate);
-    FormulaReader certificate_reader(certificate_input);
+    FormulaReader certificate_reader(certificate);
     try {
+      certificate_reader.expect_line("slipproof-certificate 1");
       Proof(statement, certificate_reader);
       return true;
     } catch (const Rejection&) {
@@ -177,7 +177,6 @@ struct Read {
     }
   }
 
-  std::istringstream input;
   FormulaReader reader;
   Statement statement;
 };
