@@ -34,9 +34,22 @@ std::optional<Rejection> first_violation(const ModeSolution& s, const Rational& 
   for (const Condition& condition : conditions(s.mode())) {
     Rational value = s.condition_value(condition).at(force);
     if (sign(value) >= 0) continue;
-    return Rejection{s.mode(), condition, std::move(value)};
+    return Rejection{s.mode(), condition, std::move(value), true};
   }
   return std::nullopt;
+}
+
+/// Of a singular mode without a motion at the force: a condition may be the same for all solutions, and violated.
+Rejection singular_rejection(const ModeSolution& s, const Rational& force) {
+  if (s.kind() == Kind::none || !s.continuum().solvable.contains(force)) return {s.mode(), std::nullopt, 0, false};
+  const std::vector<Condition> all = conditions(s.mode());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::vector<Rational>& row = s.continuum().conditions()[i];  // constant, F, parameters
+    const bool varies = std::any_of(row.begin() + 2, row.end(), [](const Rational& x) { return sign(x) != 0; });
+    Rational value = row[0] + row[1] * force;
+    if (!varies && sign(value) < 0) return {s.mode(), all[i], std::move(value), true};
+  }
+  return {s.mode(), std::nullopt, 0, true};
 }
 
 /// A continuum whose consistent motions at the force shrink to one, gives that one.
@@ -104,7 +117,7 @@ void visit(const ModeSolution& s, const Rational& force, MotionsAtForce& result,
   }
   auto ranges = consistent ? s.continuum().parameter_ranges(force, false) : std::nullopt;
   if (!ranges) {
-    if (rejected) result.rejected.push_back({s.mode(), std::nullopt, 0});
+    if (rejected) result.rejected.push_back(singular_rejection(s, force));
   } else if (auto motion = only_motion(s.continuum(), *ranges, force)) {
     add(result.motions, s.mode(), false, std::move(*motion));
   } else {
@@ -172,6 +185,11 @@ MotionsAtForce motions_at(const ModeTable& table, const Rational& force) {
   MotionsAtForce result;
   for (const ModeSolution& s : table.solutions()) visit(s, force, result, true);
   return result;
+}
+
+std::string reason(const Rejection& r) {
+  if (r.violated) return name(*r.violated) + " is violated";
+  return r.solvable ? "no solution of its equations meets all conditions" : "its equations have no solution";
 }
 
 std::size_t Cell::strict_count() const {

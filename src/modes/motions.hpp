@@ -27,9 +27,13 @@ struct FoundContinuum {
 /// Why a mode has no motion at a force.
 struct Rejection {
   ContactMode mode;
-  std::optional<Condition> violated;  ///< absent: the mode's equations have no solution
-  Rational margin;                    ///< the left-hand side of the condition, negative
+  std::optional<Condition> violated;  ///< the first, by every solution of the mode's equations alike
+  Rational margin;                    ///< the left-hand side of that condition, negative
+  bool solvable = true;               ///< the equations have solutions; none of them meets all conditions
 };
+
+/// Why, in words: "N3 >= 0 is violated", "its equations have no solution", ...
+std::string reason(const Rejection& rejection);
 
 struct MotionsAtForce {
   std::vector<FoundMotion<Rational>> motions;

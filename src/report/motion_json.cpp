@@ -22,7 +22,7 @@ Json continuum_at_force(const FoundContinuum& found, const Rational& force) {
 Json rejection_json(const Rejection& r) {
   Json entry;
   entry["mode"] = name(r.mode);
-  entry["violated"] = r.violated ? name(*r.violated) : "equations";
+  entry["violated"] = r.violated ? name(*r.violated) : r.solvable ? "conditions" : "equations";
   entry["margin"] = r.violated ? to_json(r.margin) : Json(nullptr);
   return entry;
 }

@@ -88,7 +88,7 @@ void write_at_force(Out out, const SolvedScene& solved, const SolveReportOptions
     if (r.violated) {
       fmt::format_to(out, "    {:<12} {:<14} {}\n", name(r.mode), name(*r.violated), number(r.margin, options.digits));
     } else {
-      fmt::format_to(out, "    {:<12} its equations have no solution\n", name(r.mode));
+      fmt::format_to(out, "    {:<12} {}\n", name(r.mode), reason(r));
     }
   }
 }
