@@ -1,30 +1,50 @@
 #include "cli/command.hpp"
 
-#include <cmath>
+#include <fast_float/fast_float.h>
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "input/diagnostic.hpp"
 
 namespace slipproof::cli {
 
 void add_common_options(CLI::App& command, CommonOptions& options) {
   command.add_flag("--json", options.json, "JSON on standard output");
   command.add_option("--seed", options.seed, "Seed of everything random")
-      ->check(CLI::NonNegativeNumber)
+      ->check(whole_number(0))
       ->capture_default_str();
   command.add_option("--threads", options.threads, "Number of threads; 0: all cores")
-      ->check(CLI::Range(0, 4096))
+      ->check(whole_number(0, 4096))
       ->capture_default_str();
   command.add_flag("--quiet", options.quiet, "The result only: no progress, no details");
 }
 
-CLI::Validator number_in(double low, double high) {
-  CLI::Validator range = CLI::Range(low, high);
-  const std::string description = range.get_description();
+CLI::Validator whole_number(std::uint64_t low, std::uint64_t high) {
+  const std::string range = "from " + std::to_string(low) + " to " + std::to_string(high);
   return CLI::Validator(
-      [range, description](std::string& text) {
-        double value = 0;
-        if (CLI::detail::lexical_cast(text, value) && std::isnan(value)) return "Value NaN not in range " + description;
-        return range(text);
+      [low, high, range](std::string& text) -> std::string {
+        std::uint64_t value = 0;
+        const char* const end = text.data() + text.size();
+        const auto [stop, error] = std::from_chars(text.data(), end, value);
+        const bool octal = text.size() > 1 && text[0] == '0';  // to what reads it next
+        if (error == std::errc() && stop == end && !octal && value >= low && value <= high) return {};
+        return "found " + in_quotes(text) + ", expected a whole number " + range;
       },
-      description);
+      "INTEGER " + range);
+}
+
+CLI::Validator number_in(double low, double high) {
+  const std::string range = fmt::format("from {} to {}", low, high);
+  return CLI::Validator(
+      [low, high, range](std::string& text) -> std::string {
+        double value = 0;
+        const char* const end = text.data() + text.size();
+        const auto [stop, error] = fast_float::from_chars(text.data(), end, value);
+        if (error == std::errc() && stop == end && value >= low && value <= high) return {};
+        return "found " + in_quotes(text) + ", expected a number " + range;
+      },
+      "FLOAT " + range);
 }
 
 std::filesystem::path shipped(const std::filesystem::path& file) {

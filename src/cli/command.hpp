@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -32,7 +33,10 @@ struct CommonOptions {
 
 void add_common_options(CLI::App& command, CommonOptions& options);
 
-/// A number from low to high. CLI::Range alone lets NaN through.
+/// A whole number from low to high in decimal digits and nothing else: no sign, blank, octal or hexadecimal.
+CLI::Validator whole_number(std::uint64_t low, std::uint64_t high = std::numeric_limits<std::uint64_t>::max());
+
+/// A decimal number from low to high and nothing else: no NaN, no blank, no hexadecimal.
 CLI::Validator number_in(double low, double high);
 
 /// Writes to standard output. Throws OutputError.

@@ -82,15 +82,14 @@ void add_map(CLI::App& app, int& exit_code) {
   command.add_option("--x", options->x, "The parameter across: f, b, h, R, ...")
       ->check(axis_or_complaint)
       ->capture_default_str();
-  command.add_option("--y", options->y, "What goes up: the force F")
-      ->check(CLI::IsMember({"F"}))
-      ->capture_default_str();
+  // What goes up is the force, and nothing else as yet: commands may say so.
+  command.add_option("--y", options->y)->check(CLI::IsMember({"F"}))->group("");
   command.add_option("--x-range", options->x_range, "FROM TO of the parameter")
       ->expected(2)
       ->check(number_or_complaint);
   command.add_option("--y-range", options->y_range, "FROM TO of the force, N")->expected(2)->check(number_or_complaint);
   command.add_option("--columns", options->columns, "Evenly spaced values of the parameter")
-      ->check(CLI::Range(2, 10'000))
+      ->check(whole_number(2, 10'000))
       ->capture_default_str();
   command.add_option("-o,--out", options->out, "The file to write, .svg or .png; default: standard output");
   auto* svg = command.add_flag("--svg", options->svg, "An SVG picture, whatever the file is called");

@@ -29,12 +29,12 @@ void add_report(CLI::App& app, int& exit_code) {
   command.add_option("CLAIMS", options->claims, "Claims file (TOML); default: the shipped paper");
   command.add_option("--out", options->out, "The file to write; - for standard output")->capture_default_str();
   command.add_option("--samples", options->verify.samples, "Bicycles for each setting of the paper")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}))
+      ->check(whole_number(1, 1'000'000'000))
       ->capture_default_str();
   command
       .add_option("--lines", options->verify.lines,
                   "Lines of bicycles for each claim, 0 for none; default: one for 200 samples")
-      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1'000'000}));
+      ->check(whole_number(0, 1'000'000));
   command.add_option("--only", options->verify.only, "Only the claims whose id begins with this, such as A or E4.7");
   command.add_option("--trade", options->trade, "What slipproof trade --json wrote, for speed against accuracy");
   add_common_options(command, options->common);

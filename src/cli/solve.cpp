@@ -28,7 +28,7 @@ void add_solve(CLI::App& app, int& exit_code) {
   command.add_option("SCENE", options->scene, "Scene file (TOML)")->required();
   command.add_flag("--chain", options->report.chain, "Also the sprocket's acceleration and the chain tension");
   command.add_option("--digits", options->report.digits, "Significant digits of decimals")
-      ->check(CLI::Range(1, 1000))
+      ->check(whole_number(1, 1000))
       ->capture_default_str();
   add_common_options(command, options->common);
   command.callback([options, &exit_code] {

@@ -48,7 +48,7 @@ void add_trade(CLI::App& app, int& exit_code) {
   CLI::App& command = *app.add_subcommand("trade", "Measure speed against accuracy over the number types");
   auto* quick = command.add_flag("--quick", options->quick, "25 scenes of each workload, rough timings: seconds");
   command.add_option("--scenes", options->trade.scenes, "Scenes of each workload")
-      ->check(CLI::Range(1, 1'000'000))
+      ->check(whole_number(1, 1'000'000))
       ->excludes(quick)
       ->capture_default_str();
   command.add_option("--seconds", options->trade.seconds, "CPU time for each measurement of speed, at least")

@@ -65,12 +65,12 @@ void add_verify(CLI::App& app, int& exit_code) {
       *app.add_subcommand("verify", "The claims of a paper at sampled rational bicycles, every force at once");
   command.add_option("CLAIMS", options->claims, "Claims file (TOML); default: the shipped paper");
   command.add_option("--samples", options->verify.samples, "Bicycles for each setting of the paper")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}))
+      ->check(whole_number(1, 1'000'000'000))
       ->capture_default_str();
   command
       .add_option("--lines", options->verify.lines,
                   "Lines of bicycles for each claim, 0 for none; default: one for 200 samples")
-      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1'000'000}));
+      ->check(whole_number(0, 1'000'000));
   auto* list = command.add_flag("--errata", options->errata, "List what is wrong with the paper");
   auto* markdown = command.add_flag("--markdown", options->markdown, "The errata in Markdown")->needs(list);
   auto* sarif = command.add_flag("--sarif", options->sarif, "The errata as SARIF 2.1.0, for editors and code hosts");
@@ -84,7 +84,7 @@ void add_verify(CLI::App& app, int& exit_code) {
                                    "Change every formula in every small way: is each change noticed?");
   mutants->excludes(list)->excludes(sarif)->excludes(only);
   command.add_option("--every", options->mutation.every, "Judge one mutant in so many")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}))
+      ->check(whole_number(1, 1'000'000'000))
       ->needs(mutants);
   command.add_option("--lemmas", options->lemmas, "Folder for what the arguments rest on, with certificates")
       ->needs(mutants);
