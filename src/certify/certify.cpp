@@ -35,11 +35,18 @@ void count(CertifySummary& summary, const RecordJudgement& j) {
   summary.worst_error = std::max(summary.worst_error, j.max_error);
 }
 
-RecordJudgement judge_line(std::string_view line, const RecordReader& reader, const CertifyOptions& options) {
-  if (options.format != RecordFormat::json_lines || !is_problem(line)) return judge(reader.read(line), options.judge);
+RecordJudgement judge_line(std::string_view line, std::uint64_t at, const RecordReader& reader,
+                           const CertifyOptions& options) {
+  const auto not_finite = [at](const NotFinite& found) {
+    return invalid_judgement(place_text(at, found.column) + found.reason);
+  };
+  if (options.format != RecordFormat::json_lines || !is_problem(line)) {
+    const Record record = reader.read(line);
+    return record.not_finite ? not_finite(*record.not_finite) : judge(record, options.judge);
+  }
   const ProblemRecord record = read_problem(line, options.decimal_exact, options.ignore_unknown);
-  if (!record.not_finite.empty()) return invalid_judgement(record.not_finite);
-  return judge_problem(record.problem, record.answer, options.judge);
+  return record.not_finite ? not_finite(*record.not_finite)
+                           : judge_problem(record.problem, record.answer, options.judge);
 }
 
 Judged judge_chunk(const Chunk& chunk, const RecordReader& reader, const CertifyOptions& options) {
@@ -53,15 +60,13 @@ Judged judge_chunk(const Chunk& chunk, const RecordReader& reader, const Certify
     if (number < options.first_record || result.broken) return;
     RecordJudgement judgement;
     try {
-      judgement = judge_line(line, reader, options);
+      judgement = judge_line(line, at, reader, options);
     } catch (const BrokenRecord& broken) {
       if (options.stop_at_broken) {
         result.broken = {options.file, static_cast<std::size_t>(at), broken.column, broken.message};
         return;
       }
-      judgement = invalid_judgement("line " + std::to_string(at) +
-                                    (broken.column == 0 ? "" : ", column " + std::to_string(broken.column)) + ": " +
-                                    broken.message);
+      judgement = invalid_judgement(place_text(at, broken.column) + broken.message);
       ++result.summary.broken;
     }
     count(result.summary, judgement);
@@ -82,9 +87,13 @@ void CertifySummary::add(const CertifySummary& other) {
   worst_error = std::max(worst_error, other.worst_error);
 }
 
-CertifySummary certify(std::istream& input, const LineSink& output, const CertifyOptions& options,
+CertifySummary certify(const ByteSource& input, const LineSink& output, const CertifyOptions& given,
                        const Progress& progress) {
-  ChunkReader chunks(input, options.file);
+  ChunkReader chunks(input, given.file);
+  CertifyOptions options = given;
+  if (options.format == RecordFormat::by_first_byte) {
+    options.format = chunks.first() == '{' ? RecordFormat::json_lines : RecordFormat::csv;
+  }
   const std::string header = options.format == RecordFormat::csv ? chunks.header() : std::string();
   const RecordReader reader(options, header);
   CertifySummary summary;
@@ -121,6 +130,11 @@ CertifySummary certify(std::istream& input, const LineSink& output, const Certif
                 tbb::filter_mode::serial_in_order, [&](const std::shared_ptr<Judged>& judged) { write(*judged); }));
   });
   return summary;
+}
+
+CertifySummary certify(std::istream& input, const LineSink& output, const CertifyOptions& options,
+                       const Progress& progress) {
+  return certify(bytes_of(input, options.file), output, options, progress);
 }
 
 std::string to_json(const CertifySummary& s) {

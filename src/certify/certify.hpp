@@ -8,15 +8,20 @@
 #include <string_view>
 
 #include "certify/judge.hpp"
+#include "input/byte_source.hpp"
 #include "input/diagnostic.hpp"
 
 namespace slipproof {
 
-enum class RecordFormat { csv, json_lines };
+enum class RecordFormat {
+  by_first_byte,  ///< JSON Lines begin with a brace, CSV does not
+  csv,
+  json_lines
+};
 
 struct CertifyOptions {
   JudgeOptions judge;
-  RecordFormat format = RecordFormat::csv;
+  RecordFormat format = RecordFormat::by_first_byte;
   std::string file = "-";          ///< how messages call the input
   std::optional<Scene> scene;      ///< parameters that are the same for all records
   bool decimal_exact = false;      ///< decimals mean what they say, not the nearest binary64
@@ -51,8 +56,13 @@ using LineSink = std::function<void(std::string_view)>;
 using Progress = std::function<void(std::uint64_t)>;
 
 /// Reads records to the end of the input and writes a line for each, in memory that does not grow with their number.
-/// Records count from 1; blank lines do not count. Throws InputError for a header that cannot be used, a line beyond
-/// max_record_line, and with stop_at_broken for a record that cannot be read; what was judged before is written.
+/// The records that are there are answered before more are waited for. Records count from 1; blank lines do not count.
+/// Throws InputError for a header that cannot be used, a line beyond max_record_line, and with stop_at_broken for a
+/// record that cannot be read; what was judged before is written.
+CertifySummary certify(const ByteSource& input, const LineSink& output, const CertifyOptions& options,
+                       const Progress& progress = {});
+
+/// The same from a stream, which is read in blocks.
 CertifySummary certify(std::istream& input, const LineSink& output, const CertifyOptions& options,
                        const Progress& progress = {});
 

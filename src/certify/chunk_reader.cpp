@@ -11,6 +11,14 @@ constexpr std::size_t chunk_size = 1U << 18U;
 
 }  // namespace
 
+char ChunkReader::first() {
+  constexpr std::string_view blanks = "\xEF\xBB\xBF \t\r\n";  // the mark of UTF-8, too
+  while (rest_.find_first_not_of(blanks) == std::string::npos && fill(rest_)) {
+  }
+  const std::size_t at = rest_.find_first_not_of(blanks);
+  return at == std::string::npos ? '\0' : rest_[at];
+}
+
 std::string ChunkReader::header() {
   std::string line;
   while (blank(line)) {
@@ -30,8 +38,6 @@ bool ChunkReader::next(Chunk& chunk) {
   std::string& text = chunk.text;
   text = rest_;
   rest_.clear();
-  while (text.size() < chunk_size && fill(text)) {
-  }
   std::size_t cut = text.rfind('\n');
   while (cut == std::string::npos && fill(text)) cut = text.rfind('\n');
   if (text.empty()) return false;
@@ -48,7 +54,7 @@ bool ChunkReader::next(Chunk& chunk) {
   return true;
 }
 
-/// One read more, if there is more.
+/// What is there next, if there is more.
 bool ChunkReader::fill(std::string& text) {
   if (at_end_) return false;
   const std::size_t size = text.size(), newline = text.rfind('\n');
@@ -57,11 +63,10 @@ bool ChunkReader::fill(std::string& text) {
                        "found a line of more than " + std::to_string(max_record_line) + " bytes, expected a record"}});
   }
   text.resize(size + chunk_size);
-  input_.read(text.data() + size, static_cast<std::streamsize>(chunk_size));
-  text.resize(size + static_cast<std::size_t>(input_.gcount()));
-  if (input_.bad()) throw InputError({{file_, static_cast<std::size_t>(line_), 0, "cannot be read"}});
-  at_end_ = !input_;
-  return true;
+  const std::size_t count = source_(text.data() + size, chunk_size);
+  text.resize(size + count);
+  at_end_ = count == 0;
+  return !at_end_;
 }
 
 }  // namespace slipproof

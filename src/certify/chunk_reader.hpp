@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <istream>
 #include <string>
 #include <string_view>
+#include <utility>
+
+#include "input/byte_source.hpp"
 
 namespace slipproof {
 
@@ -30,10 +32,14 @@ void each_line(std::string_view text, const See& see) {
   }
 }
 
-/// Throws InputError for a line beyond max_record_line and for what cannot be read. The stream must outlive it.
+/// A piece ends where no more of the source is there yet: whoever waits for an answer before the next line gets it.
+/// Throws InputError for a line beyond max_record_line and for what cannot be read.
 class ChunkReader {
  public:
-  ChunkReader(std::istream& input, std::string file) : input_(input), file_(std::move(file)) {}
+  ChunkReader(ByteSource source, std::string file) : source_(std::move(source)), file_(std::move(file)) {}
+
+  /// The first byte that is not blank, and stays to be read; 0 at the end of the input.
+  char first();
 
   /// The first line that is not blank, without its end; empty at the end of the input.
   std::string header();
@@ -44,7 +50,7 @@ class ChunkReader {
  private:
   bool fill(std::string& text);
 
-  std::istream& input_;
+  ByteSource source_;
   std::string file_, rest_;  ///< read, and not yet given
   std::uint64_t line_ = 1, record_ = 1;
   bool at_end_ = false;

@@ -116,25 +116,50 @@ std::string members(const Json& object) {
   return object.empty() ? "" : "," + text.substr(1, text.size() - 2);
 }
 
-/// What speaks against the mode that the answer claims, or looks like.
-void explain(Json& details, const MotionsAtForce& found, ContactMode mode, bool claimed) {
-  details[claimed ? "claimed" : "looks_like"] = name(mode);
-  for (const Rejection& r : found.rejected) {
-    if (r.mode != mode) continue;
-    details["violated"] = r.violated ? Json(name(*r.violated)) : Json(nullptr);
-    if (r.violated) {
-      details["margin"] = exact_text(r.margin);
-    } else {
-      details["reason"] = "the equations of the mode have no solution";
-    }
-    return;
-  }
-  const bool consistent = std::any_of(found.motions.begin(), found.motions.end(), [&](const auto& m) {
+/// Why an answer in a mode that has not been rejected is wrong.
+const char* reason(const MotionsAtForce& found, const ModeTable& table, ContactMode mode) {
+  if (table.find(mode) == nullptr) return "the mode is not modelled: without J no wheel leaves the road";
+  const bool one = std::any_of(found.motions.begin(), found.motions.end(), [&](const auto& m) {
     return std::find(m.modes.begin(), m.modes.end(), mode) != m.modes.end();
   });
+  return one ? "the mode is right, its numbers are not"
+             : "the mode has a continuum of motions, and none of them is near";
+}
+
+/// What speaks against the mode that the answer claims, or looks like.
+void explain(Json& details, const MotionsAtForce& found, const ModeTable& table, ContactMode mode, bool claimed) {
+  details[claimed ? "claimed" : "looks_like"] = name(mode);
   details["violated"] = nullptr;
-  details["reason"] = consistent ? "the mode is right, its numbers are not"
-                                 : "the mode is not modelled: without J no wheel leaves the road";
+  const auto rejected =
+      std::find_if(found.rejected.begin(), found.rejected.end(), [&](const Rejection& r) { return r.mode == mode; });
+  if (rejected == found.rejected.end()) {
+    details["reason"] = reason(found, table, mode);
+  } else if (rejected->violated) {
+    details["violated"] = name(*rejected->violated);
+    details["margin"] = exact_text(rejected->margin);
+  } else {
+    details["reason"] = reason(*rejected);
+  }
+}
+
+/// Of all modes at once. The numbers of a motion are quotients of polynomials in those of the scene, and have as many
+/// digits as all these together, times their degree.
+Work work_of(const Record& record) {
+  constexpr Work products = 400;
+  constexpr std::size_t degree = 4;
+  std::size_t bits = 0;
+  for (std::size_t i = 0; i < field_count; ++i) {
+    const auto field = static_cast<Field>(i);
+    if (record.has(field)) bits += bit_count(record.exactly(field));
+  }
+  return times(products, product_work(degree * bits));
+}
+
+RecordJudgement undecided_judgement(Work needed, Work effort) {
+  RecordJudgement result;
+  result.verdict = RecordVerdict::undecided;
+  result.details = members({{"reason", too_much_work(needed, effort)}});
+  return result;
 }
 
 }  // namespace
@@ -145,7 +170,14 @@ RecordJudgement invalid_judgement(const std::string& reason) {
   return result;
 }
 
+std::string too_much_work(Work needed, Work effort) {
+  return "too much work: " +
+         (needed == endless ? "more" : "about " + std::to_string(needed) + " operations on words, more") +
+         " than the effort of " + std::to_string(effort) + " allows";
+}
+
 RecordJudgement judge_exactly(const Record& record, const JudgeOptions& options) {
+  if (const Work needed = work_of(record); needed > options.effort) return undecided_judgement(needed, options.effort);
   const ForcedScene<Rational> s = exact_scene(record);
   const ModeTable table(s.bicycle, s.road, s.force_kind);
   const MotionsAtForce found = motions_at(table, s.F);
@@ -173,7 +205,7 @@ RecordJudgement judge_exactly(const Record& record, const JudgeOptions& options)
   Json details = Json::object();
   if (best == nullptr || distance.scaled > to_rational(options.near)) {
     result.verdict = RecordVerdict::wrong;
-    explain(details, found, record.mode ? *record.mode : answer.mode(s.road.f), record.mode.has_value());
+    explain(details, found, table, record.mode ? *record.mode : answer.mode(s.road.f), record.mode.has_value());
   } else {
     result.modes = mode_bits(best->modes);
     result.max_error = enclose(distance.relative).upper;

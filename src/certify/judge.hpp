@@ -4,6 +4,7 @@
 #include <string>
 
 #include "certify/record.hpp"
+#include "contact/solutions.hpp"
 
 namespace slipproof {
 
@@ -13,7 +14,7 @@ enum class RecordVerdict : std::uint8_t {
   inaccurate,  ///< the right motion, with an error above the tolerance
   wrong,       ///< no motion is near
   invalid,     ///< NaN, infinity, outside the domain, or no record at all
-  undecided    ///< contact problems too large to find every solution
+  undecided    ///< it would take more work than the effort allows
 };
 inline constexpr std::size_t record_verdict_count = 6;
 std::string_view name(RecordVerdict verdict);
@@ -25,6 +26,8 @@ struct JudgeOptions {
   /// An answer of which each component is within this of a motion's, relative to the largest component of its kind (M g
   /// and g included), is that motion, computed badly; beyond it the answer is wrong.
   double near = 1e-2;
+  /// What one record may take; beyond it the verdict is undecided.
+  Work effort = ContactSolver::usual_effort;
 };
 
 /// What was found, and what the reader needs to see of it.

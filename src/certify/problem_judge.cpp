@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "certify/exact_judge.hpp"
 #include "number/binary64.hpp"
 #include "number/format.hpp"
 
@@ -21,7 +22,7 @@ Rational largest(const std::vector<Rational>& values) {
 class Judge {
  public:
   Judge(const ContactProblem& problem, const ProblemAnswer& answer, const JudgeOptions& options)
-      : problem_(problem), answer_(answer), options_(options), solver_(problem) {
+      : problem_(problem), answer_(answer), options_(options), solver_(problem), effort_(options.effort) {
     for (std::size_t i = 0; i < problem.size(); ++i) {
       if (!problem.W[i][i].is_zero()) force_ = std::max(force_, Rational(abs(problem.q[i] / problem.W[i][i])));
     }
@@ -30,17 +31,18 @@ class Judge {
 
   RecordJudgement judge() {
     looks_like_ = answer_.mode ? *answer_.mode : mode_of_answer();
-    result_.contact_problem = true;
-    if (const auto all = solver_.all()) {
-      judge_among(*all);
-    } else if (auto only = solver_.only(looks_like_)) {
-      ContactSolutions one;
-      one.solutions.push_back(std::move(*only));
-      details_["unique_by"] = "positive definite";
-      judge_among(one);
-    } else {
-      judge_alone();
+    try {
+      if (const auto all = solutions()) {
+        judge_among(*all);
+      } else {
+        judge_alone();
+      }
+    } catch (const TooMuchWork&) {
+      result_ = RecordJudgement();
+      result_.verdict = RecordVerdict::undecided;
+      details_ = Json{{"reason", too_much_work(endless, options_.effort)}};
     }
+    result_.contact_problem = true;
     const std::string text = details_.dump(-1, ' ', false, Json::error_handler_t::replace);
     if (!details_.empty()) result_.details = "," + text.substr(1, text.size() - 2);
     return std::move(result_);
@@ -68,8 +70,24 @@ class Judge {
     return d;
   }
 
+  /// Every solution, if that is not too much work. Trying a few modes is faster than finding out that the matrix is
+  /// definite.
+  std::optional<ContactSolutions> solutions() {
+    constexpr Work few_modes = 4096;
+    std::optional<ContactSolutions> all;
+    if (solver_.modes() <= few_modes) all = solver_.all(effort_);
+    if (all) return all;
+    if (auto only = solver_.only(looks_like_, effort_)) {
+      details_["unique_by"] = "positive definite";
+      all.emplace();
+      all->solutions.push_back(std::move(*only));
+      return all;
+    }
+    return solver_.modes() > few_modes ? solver_.all(effort_) : std::nullopt;
+  }
+
   /// The solution of a continuum that is nearest to the answer's z, its largest distance of a component counting.
-  std::vector<Rational> nearest_member(const ContactContinuum& c) const {
+  std::vector<Rational> nearest_member(const ContactContinuum& c) {
     // Least s with |base + sum of t_k directions[k] - z| <= s in each component: variables t, then s.
     std::vector<AffineForm> constraints = c.conditions;
     for (AffineForm& form : constraints) form.coefficients.emplace_back(0);
@@ -83,7 +101,7 @@ class Judge {
     }
     AffineForm objective{0, std::vector<Rational>(c.directions.size() + 1)};
     objective.coefficients.back() = 1;
-    return c.at(minimize(objective, constraints).x);
+    return c.at(minimize(objective, constraints, effort_).x);
   }
 
   /// What the answer looks like, where the solver names no mode.
@@ -126,7 +144,7 @@ class Judge {
             {"w", exact_json(s.w)}};
   }
 
-  Json to_json(const ContactContinuum& c) const {
+  Json to_json(const ContactContinuum& c) {
     return {{"mode", name(problem_, c.mode)},
             {"parameters", c.directions.size()},
             {"nearest_z", exact_json(nearest_member(c))}};
@@ -134,7 +152,8 @@ class Judge {
 
   /// What speaks against the mode that the answer claims, or looks like.
   void explain() {
-    const ModeOutcome outcome = solver_.solve(looks_like_);
+    Effort again(options_.effort);
+    const ModeOutcome outcome = solver_.solve(looks_like_, again);
     details_[answer_.mode ? "claimed" : "looks_like"] = name(problem_, looks_like_);
     details_["violated"] = nullptr;
     switch (outcome.kind) {
@@ -193,7 +212,7 @@ class Judge {
 
   /// One mode alone is solved: the answer's.
   void judge_alone() {
-    ModeOutcome outcome = solver_.solve(looks_like_);
+    ModeOutcome outcome = solver_.solve(looks_like_, effort_);
     result_.verdict = answer_.mode ? RecordVerdict::wrong : RecordVerdict::undecided;
     if (outcome.kind == ModeOutcome::Kind::continuum) outcome.z = nearest_member(*outcome.continuum);
     if (outcome.kind == ModeOutcome::Kind::solution || outcome.kind == ModeOutcome::Kind::continuum) {
@@ -203,18 +222,26 @@ class Judge {
         accept({looks_like_}, distance, outcome.continuum ? RecordVerdict::ambiguous : RecordVerdict::undecided);
         result_.motions = outcome.continuum ? 0 : 1;
         result_.continuum = outcome.continuum.has_value();
-        details_["reason"] = "a solution; too many modes to examine whether it is the only one";
+        details_["reason"] =
+            outcome.continuum ? "in a mode with a continuum of solutions" : "near the solution of its mode";
+        details_["unexamined"] = others_unexamined();
         return;
       }
     }
     explain();
-    if (result_.verdict == RecordVerdict::undecided) details_["unexamined"] = "too many modes to try the others";
+    if (result_.verdict == RecordVerdict::undecided) details_["unexamined"] = others_unexamined();
+  }
+
+  std::string others_unexamined() const {
+    const Work needed = solver_.work_of_all();  // continua take more
+    return "the other modes: " + too_much_work(needed > options_.effort ? needed : endless, options_.effort);
   }
 
   const ContactProblem& problem_;
   const ProblemAnswer& answer_;
   const JudgeOptions& options_;
   const ContactSolver solver_;
+  Effort effort_;
   Rational force_ = 0;
   ProblemMode looks_like_;
   RecordJudgement result_;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "certify/json_words.hpp"
 #include "certify/record_reader.hpp"
 #include "number/binary64.hpp"
 #include "number/parse.hpp"
@@ -14,6 +15,7 @@ namespace {
 /// A number as written, or a list.
 struct Value {
   std::string text;
+  std::size_t column = 0;  ///< of a word that is no JSON
   std::vector<Value> list;
   bool is_list = false, is_text = false;
 };
@@ -21,7 +23,7 @@ struct Value {
 /// nlohmann's SAX interface: numbers as they were written.
 class ProblemJson {
  public:
-  explicit ProblemJson(bool ignore_unknown) : ignore_unknown_(ignore_unknown) {}
+  ProblemJson(const JsonLine& line, bool ignore_unknown) : texts_(line.texts), ignore_unknown_(ignore_unknown) {}
 
   /// Nothing where the key is not there.
   const Value* find(std::string_view key) const {
@@ -36,7 +38,10 @@ class ProblemJson {
   bool number_integer(std::int64_t x) { return put(std::to_string(x)); }
   bool number_unsigned(std::uint64_t x) { return put(std::to_string(x)); }
   bool number_float(double, const std::string& text) { return put(text); }
-  bool string(std::string& text) { return put(text, true); }
+  bool string(std::string& text) {
+    const JsonWord& word = texts_[next_text_++];
+    return word.column == 0 ? put(text, true) : put(std::string(word.text), false, word.column);
+  }
   bool binary(std::vector<std::uint8_t>&) { return refuse("binary data"); }
   bool start_object(std::size_t) {
     if (!begun_) return begun_ = true;
@@ -56,6 +61,8 @@ class ProblemJson {
     return true;
   }
   bool key(std::string& name) {
+    const JsonWord& word = texts_[next_text_++];
+    if (word.column != 0) throw BrokenRecord{word.column, "found " + std::string(word.text) + ", expected a key"};
     if (find(name) != nullptr) throw BrokenRecord{0, "found " + in_quotes(name) + " twice, expected it once"};
     constexpr std::array<std::string_view, 7> known{"W", "M", "q", "mu", "z", "w", "mode"};
     if (!ignore_unknown_ && std::find(known.begin(), known.end(), name) == known.end()) {
@@ -74,11 +81,12 @@ class ProblemJson {
     if (open_.empty()) return values_.back().second;
     return open_.back()->list.emplace_back();
   }
-  bool put(std::string text, bool is_text = false) {
+  bool put(std::string text, bool is_text = false, std::size_t column = 0) {
     if (!begun_) return refuse("a bare value");
     Value& value = next();
     value.text = std::move(text);
     value.is_text = is_text;
+    value.column = column;
     return true;
   }
   bool refuse(const std::string& found) const {
@@ -86,6 +94,8 @@ class ProblemJson {
     throw BrokenRecord{0, where + "found " + found + ", expected " + (begun_ ? "numbers" : "an object")};
   }
 
+  const std::vector<JsonWord>& texts_;
+  std::size_t next_text_ = 0;
   bool ignore_unknown_, begun_ = false;
   std::vector<std::pair<std::string, Value>> values_;
   std::vector<Value*> open_;
@@ -166,15 +176,15 @@ class ProblemReader {
       for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
       if (lower.starts_with('-') || lower.starts_with('+')) lower.erase(0, 1);
       const bool special = lower == "nan" || lower == "inf" || lower == "infinity";
-      if (!answer_ || !special) throw BrokenRecord{0, where + ": " + error.what()};
+      if (!answer_ || !special) throw BrokenRecord{value.column, where + ": " + error.what()};
     }
-    if (not_finite_.empty()) not_finite_ = where + ": found " + value.text + ", expected a finite number";
+    if (!not_finite_) not_finite_ = {value.column, where + ": found " + value.text + ", expected a finite number"};
     return 0;
   }
 
   const ProblemJson& json_;
   bool decimal_exact_, answer_ = false;
-  std::string not_finite_;
+  std::optional<NotFinite> not_finite_;
 };
 
 }  // namespace
@@ -191,8 +201,9 @@ bool is_problem(std::string_view line) {
 }
 
 ProblemRecord read_problem(std::string_view line, bool decimal_exact, bool ignore_unknown) {
-  ProblemJson json(ignore_unknown);
-  nlohmann::json::sax_parse(line.begin(), line.end(), &json);
+  const JsonLine plain = without_words(line);
+  ProblemJson json(plain, ignore_unknown);
+  nlohmann::json::sax_parse(plain.text, &json);
   return ProblemReader(json, decimal_exact).read();
 }
 

@@ -10,7 +10,7 @@ namespace slipproof {
 struct ProblemRecord {
   ContactProblem problem;
   ProblemAnswer answer;
-  std::string not_finite;  ///< the first number of the answer that is NaN or infinite; empty if there is none
+  std::optional<NotFinite> not_finite;  ///< the first number of the answer that is NaN or infinite
 };
 
 /// Whether a line is meant as a contact problem: it has a list under the key q, which no scene has.

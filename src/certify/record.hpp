@@ -17,6 +17,12 @@ inline constexpr std::array<Quantity, answer_count> answer_quantities{Quantity::
                                                                       Quantity::eps2, Quantity::eps3, Quantity::S2,
                                                                       Quantity::S3,   Quantity::N2,   Quantity::N3};
 
+/// A value that is no finite number: where it stands in its line (byte, from 1; 0: no place), what was found, expected.
+struct NotFinite {
+  std::size_t column;
+  std::string reason;
+};
+
 struct Record {
   std::array<double, field_count> values{};
   std::uint32_t present = 0;                      ///< bit(Field) of those that are given
@@ -25,6 +31,7 @@ struct Record {
   std::uint32_t own = 0;                          ///< bit(Field) of those set here
   std::optional<ContactMode> mode;                ///< claimed by the solver
   ForceKind force_kind = ForceKind::internal;
+  std::optional<NotFinite> not_finite;  ///< the first in the line
 
   bool has(Field f) const { return (present & bit(f)) != 0; }
   double operator[](Field f) const { return values[index(f)]; }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "certify/json_words.hpp"
 #include "number/binary64.hpp"
 #include "number/parse.hpp"
 
@@ -21,12 +22,16 @@ std::string_view trimmed(std::string_view text) {
 
 }  // namespace
 
+std::string place_text(std::uint64_t line, std::size_t column) {
+  return "line " + std::to_string(line) + (column == 0 ? "" : ", column " + std::to_string(column)) + ": ";
+}
+
 bool is_decimal(std::string_view text) {
   return text.find_first_of("/xXpP") == std::string_view::npos;
 }
 
 RecordReader::RecordReader(const CertifyOptions& options, std::string_view header)
-    : options_(options), csv_(options.format == RecordFormat::csv) {
+    : options_(options), csv_(options.format != RecordFormat::json_lines) {
   if (options.scene) base_ = to_record(*options.scene);
   if (csv_) read_header(header);
 }
@@ -88,6 +93,15 @@ void RecordReader::put(Record& record, int column, std::string_view text, std::s
     return;
   }
   const auto field = static_cast<Field>(column);
+  put_number(record, field, text, place);
+  const double value = record[field];
+  if (std::isfinite(value) || record.not_finite) return;
+  record.not_finite = {place, std::string(field_names[index(field)]) + ": found " +
+                                  (std::isnan(value) ? "NaN" : "infinity or a number beyond the largest binary64") +
+                                  ", expected a finite number"};
+}
+
+void RecordReader::put_number(Record& record, Field field, std::string_view text, std::size_t place) const {
   if (!options_.decimal_exact || !is_decimal(text)) {
     double value = 0;
     const char* begin = text.data() + (text.size() > 1 && text.front() == '+' ? 1 : 0);
@@ -108,7 +122,8 @@ void RecordReader::put(Record& record, int column, std::string_view text, std::s
     double value = 0;  // NaN and infinities are values of a solver, though no numbers
     const auto [end, code] = fast_float::from_chars(text.data(), text.data() + text.size(), value);
     if (end != text.data() + text.size() || std::isfinite(value)) {
-      throw BrokenRecord{place + error.position(), std::string(field_names[index(field)]) + ": " + error.what()};
+      throw BrokenRecord{place == 0 ? 0 : place + error.position(),
+                         std::string(field_names[index(field)]) + ": " + error.what()};
     }
     record.set(field, value);
   }
@@ -134,7 +149,7 @@ Record RecordReader::read_csv(std::string_view line) const {
     if (column >= 0 && !options_.decimal_exact) {  // the usual cell: a decimal, then a comma or the end
       double value = 0;
       const auto [stop, error] = fast_float::from_chars(at, end, value);
-      if (error == std::errc() && (last ? stop == end : stop != end && *stop == ',')) {
+      if (error == std::errc() && std::isfinite(value) && (last ? stop == end : stop != end && *stop == ',')) {
         record.set(static_cast<Field>(column), value);
         at = last ? end : stop + 1;
         continue;
@@ -162,7 +177,8 @@ Record RecordReader::read_csv(std::string_view line) const {
 /// nlohmann's SAX interface: numbers as they were written.
 class JsonRecord {
  public:
-  explicit JsonRecord(const RecordReader& reader) : reader_(reader), record_(reader.fresh()) {}
+  JsonRecord(const RecordReader& reader, const JsonLine& line)
+      : reader_(reader), texts_(line.texts), record_(reader.fresh()) {}
   Record take() { return std::move(record_); }
 
   bool null() { return skip(); }
@@ -170,7 +186,10 @@ class JsonRecord {
   bool number_integer(std::int64_t x) { return put(std::to_string(x)); }
   bool number_unsigned(std::uint64_t x) { return put(std::to_string(x)); }
   bool number_float(double, const std::string& text) { return put(text); }
-  bool string(std::string& text) { return put(text); }
+  bool string(std::string& text) {
+    const JsonWord& word = texts_[next_text_++];
+    return word.column == 0 ? put(text) : put(word.text, word.column);
+  }
   bool binary(std::vector<std::uint8_t>&) { return refuse("binary data"); }
   bool start_object(std::size_t) {
     if (depth_++ == 0) return true;
@@ -180,6 +199,8 @@ class JsonRecord {
   bool start_array(std::size_t) { return refuse("a list"); }
   bool end_array() { return true; }
   bool key(std::string& name) {
+    const JsonWord& word = texts_[next_text_++];
+    if (word.column != 0) throw BrokenRecord{word.column, "found " + std::string(word.text) + ", expected a key"};
     name_ = name;
     column_ = RecordReader::ignored_column;
     if (const auto field = parse_field(name)) {
@@ -213,13 +234,15 @@ class JsonRecord {
     }
     throw BrokenRecord{0, "found " + found + ", expected an object of numbers"};
   }
-  bool put(std::string_view text) {
+  bool put(std::string_view text, std::size_t place = 0) {
     if (depth_ == 0) return refuse("a bare value");
-    if (column_ != RecordReader::ignored_column) reader_.put(record_, column_, text, 0);
+    if (column_ != RecordReader::ignored_column) reader_.put(record_, column_, text, place);
     return true;
   }
 
   const RecordReader& reader_;
+  const std::vector<JsonWord>& texts_;
+  std::size_t next_text_ = 0;
   Record record_;
   int depth_ = 0, column_ = RecordReader::ignored_column;
   std::uint32_t seen_ = 0;
@@ -227,8 +250,9 @@ class JsonRecord {
 };
 
 Record RecordReader::read_json(std::string_view line) const {
-  JsonRecord json(*this);
-  nlohmann::json::sax_parse(line.begin(), line.end(), &json);
+  const JsonLine plain = without_words(line);
+  JsonRecord json(*this, plain);
+  nlohmann::json::sax_parse(plain.text, &json);
   Record record = json.take();
   if (const std::string reason = incomplete(record.present); !reason.empty()) throw BrokenRecord{0, reason};
   return record;

@@ -15,6 +15,9 @@ struct BrokenRecord {
   std::string message;
 };
 
+/// "line 3, column 25: ", or without a column if it is 0.
+std::string place_text(std::uint64_t line, std::size_t column);
+
 /// Neither a fraction nor hexadecimal: what `--decimal` is about.
 bool is_decimal(std::string_view text);
 
@@ -36,6 +39,7 @@ class RecordReader {
   Record read_csv(std::string_view line) const;
   Record read_json(std::string_view line) const;
   void put(Record& record, int column, std::string_view text, std::size_t place) const;
+  void put_number(Record& record, Field field, std::string_view text, std::size_t place) const;
 
   const CertifyOptions& options_;
   bool csv_;

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -27,8 +26,8 @@ RecordFormat format_of(const CertifyArguments& options) {
   if (options.format == "jsonl") return RecordFormat::json_lines;
   if (options.format == "csv") return RecordFormat::csv;
   const auto ends_with = [&](std::string_view end) { return options.file.ends_with(end); };
-  return ends_with(".jsonl") || ends_with(".ndjson") || ends_with(".json") ? RecordFormat::json_lines
-                                                                           : RecordFormat::csv;
+  if (ends_with(".jsonl") || ends_with(".ndjson") || ends_with(".json")) return RecordFormat::json_lines;
+  return ends_with(".csv") ? RecordFormat::csv : RecordFormat::by_first_byte;
 }
 
 std::string summary_text(const CertifySummary& s) {
@@ -65,13 +64,7 @@ int run_certify(CertifyArguments& options) {
   options.certify.stop_at_broken = options.broken == "stop";
   options.certify.threads = options.common.threads;
   if (!options.scene.empty()) options.certify.scene = read_scene(options.scene);
-  std::ifstream file;
-  if (options.file != "-") {
-    file.open(options.file, std::ios::binary);
-    // A directory opens, and cannot be read.
-    if (!file || (file.peek(), file.bad())) throw InputError({{options.file, 0, 0, "cannot be read"}});
-    file.clear();
-  }
+  const ByteSource input = open_bytes(options.file);
   std::optional<OutputFile> summary_file;
   if (!options.summary.empty())
     summary_file.emplace(options.summary, Inputs{options.file == "-" ? "/dev/stdin" : options.file, options.scene});
@@ -80,7 +73,7 @@ int run_certify(CertifyArguments& options) {
   const LineSink sink = [&](std::string_view lines) {
     if (!quiet) print(lines);
   };
-  const CertifySummary summary = certify(options.file == "-" ? std::cin : file, sink, options.certify, progress);
+  const CertifySummary summary = certify(input, sink, options.certify, progress);
   if (progress) std::cerr << "\r\033[K";
   if (summary_file) summary_file->write(R"({"schema":"slipproof/certify/1",)" + to_json(summary).substr(1) + '\n');
   if (!options.common.json) {
@@ -107,13 +100,16 @@ void add_certify(CLI::App& app, int& exit_code) {
   command.add_option("--decimal", options->decimal, "What a decimal means: the nearest binary64, or exactly itself")
       ->check(CLI::IsMember({"nearest", "exact"}))
       ->capture_default_str();
-  command.add_option("--format", options->format, "csv or jsonl; default: by the file's name, csv for -")
+  command.add_option("--format", options->format, "csv or jsonl; default: by the file's name, or by the first byte")
       ->check(CLI::IsMember({"csv", "jsonl"}));
   command.add_option("--broken", options->broken, "Records that cannot be read: report them as invalid, or stop")
       ->check(CLI::IsMember({"report", "stop"}))
       ->capture_default_str();
   command.add_option("--from", options->certify.first_record, "Record to begin with, to go on where a run stopped")
-      ->check(CLI::PositiveNumber)
+      ->check(whole_number(1))
+      ->capture_default_str();
+  command.add_option("--effort", options->certify.judge.effort, "What one record may take, in operations on words")
+      ->check(whole_number(1))
       ->capture_default_str();
   command.add_flag("--ignore-unknown", options->certify.ignore_unknown, "Pass over columns that are no field");
   command.add_option("--summary", options->summary, "Write the counts to this file, as JSON");

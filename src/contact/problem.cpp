@@ -141,4 +141,27 @@ std::optional<ContactProblem> contact_problem(const Bicycle<Rational>& bicycle, 
   return problem;
 }
 
+std::string mistake_in(const ContactProblem& p) {
+  const std::size_t n = p.size();
+  const auto found = [](std::size_t rows, const std::string& what) { return std::to_string(rows) + " " + what; };
+  if (n == 0 || n > max_problem_size) {
+    return "found " + found(n, "components of q") + ", expected 1 to " + std::to_string(max_problem_size);
+  }
+  if (p.W.size() != n)
+    return "found " + found(p.W.size(), "rows of W") + ", expected " + std::to_string(n) + " as in q";
+  for (std::size_t i = 0; i < n; ++i) {
+    if (p.W[i].size() == n) continue;
+    return "found " + found(p.W[i].size(), "entries in row ") + std::to_string(i + 1) + " of W, expected " +
+           std::to_string(n) + " as in q";
+  }
+  if (p.frictional() && 2 * p.mu.size() != n) {
+    return "found " + found(p.mu.size(), "coefficients mu") + " for " + std::to_string(n) +
+           " components of q, expected one for each pair of them";
+  }
+  for (std::size_t i = 0; i < p.mu.size(); ++i) {
+    if (p.mu[i].sign() < 0) return "found mu" + std::to_string(i + 1) + " = " + p.mu[i].str() + ", expected >= 0";
+  }
+  return {};
+}
+
 }  // namespace slipproof

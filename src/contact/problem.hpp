@@ -29,6 +29,10 @@ struct ContactProblem {
   std::size_t contacts() const { return frictional() ? mu.size() : q.size(); }
 };
 
+/// What is wrong with the shape or the domain of a problem; empty if nothing is.
+std::string mistake_in(const ContactProblem& problem);
+inline constexpr std::size_t max_problem_size = 64;
+
 /// A state for each contact. A component of an LCP is a contact without friction: `stick` stands for w_i = 0 <= z_i,
 /// `lift` for z_i = 0 <= w_i.
 using ProblemMode = std::vector<ContactState>;

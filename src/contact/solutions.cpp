@@ -8,17 +8,6 @@ namespace slipproof {
 
 namespace {
 
-/// Steps of principal pivoting; on problems that occur a few times the size suffices.
-constexpr int max_pivots = 2000;
-/// Bits of integers by rows, beyond which exact elimination takes more than a moment.
-constexpr std::size_t max_enumerated_bits = 1U << 13U;
-constexpr std::size_t max_pivoted_bits = 1U << 14U;
-constexpr std::size_t max_bits = 1U << 17U;
-
-std::size_t bit_count(const Integer& x) {
-  return x.is_zero() ? 0 : static_cast<std::size_t>(msb(abs(x))) + 1;
-}
-
 ProblemMode next_mode(ProblemMode mode, bool frictional, bool& done) {
   for (ContactState& state : mode) {
     if (state == ContactState::lift) {
@@ -32,21 +21,63 @@ ProblemMode next_mode(ProblemMode mode, bool frictional, bool& done) {
   return mode;
 }
 
+/// A fraction that nobody has brought to lowest terms yet: most conditions are asked for their sign alone.
+struct Fraction {
+  Integer numerator, denominator;
+  int sign() const { return numerator.sign() * denominator.sign(); }
+};
+
 }  // namespace
 
 /// The problem in integers. Rows of W and q are multiplied by something positive: neither solutions nor signs change.
 struct ContactSolver::Scaled {
   std::vector<std::vector<Integer>> rows;  ///< W, then q
+  std::vector<Integer> factor;             ///< what each row was multiplied by
   std::vector<Integer> friction, unit;     ///< mu = friction / unit of each contact
-  std::size_t bits = 0;                    ///< of the longest number, times the size: of determinants, about
-  std::size_t modes = 1;                   ///< their number, or more than max_enumerated_modes
+  std::size_t bits = 0;                    ///< of the longest number
+
+  /// The left-hand side of a condition for z / pivot.
+  Fraction condition_value(const ProblemCondition& condition, const std::vector<Integer>& z,
+                           const Integer& pivot) const;
+  /// A component of w, times its factor and the pivot.
+  Integer acceleration(std::size_t row, const std::vector<Integer>& z, const Integer& pivot) const;
 };
+
+Integer ContactSolver::Scaled::acceleration(std::size_t row, const std::vector<Integer>& z,
+                                            const Integer& pivot) const {
+  Integer w = rows[row].back() * pivot;
+  for (std::size_t j = 0; j < z.size(); ++j) {
+    if (!z[j].is_zero()) w += rows[row][j] * z[j];
+  }
+  return w;
+}
+
+Fraction ContactSolver::Scaled::condition_value(const ProblemCondition& condition, const std::vector<Integer>& z,
+                                                const Integer& pivot) const {
+  const std::size_t i = condition.contact, normal = friction.empty() ? i : 2 * i;
+  switch (condition.kind) {
+    case ConditionKind::normal:
+      return {z[normal], pivot};
+    case ConditionKind::friction_up:
+      return {friction[i] * z[normal] - unit[i] * z[normal + 1], unit[i] * pivot};
+    case ConditionKind::friction_dn:
+      return {friction[i] * z[normal] + unit[i] * z[normal + 1], unit[i] * pivot};
+    case ConditionKind::slip: {
+      const Integer w = acceleration(normal + 1, z, pivot);
+      return {condition.state == ContactState::slip_forward ? w : Integer(-w), factor[normal + 1] * pivot};
+    }
+    case ConditionKind::gap:
+      return {acceleration(normal, z, pivot), factor[normal] * pivot};
+  }
+  return {};
+}
 
 ContactSolver::ContactSolver(const ContactProblem& problem) : problem_(problem) {
   Scaled s;
   for (std::size_t i = 0; i < problem.size(); ++i) {
     std::vector<Rational> row = problem.W[i];
     row.push_back(problem.q[i]);
+    s.factor.push_back(common_denominator(row));
     s.rows.push_back(clear_denominators(row));
     for (const Integer& x : s.rows.back()) s.bits = std::max(s.bits, bit_count(x));
   }
@@ -55,20 +86,37 @@ ContactSolver::ContactSolver(const ContactProblem& problem) : problem_(problem) 
     s.unit.push_back(denominator(mu));
     s.bits = std::max(s.bits, bit_count(s.friction.back()) + bit_count(s.unit.back()));
   }
-  s.bits *= problem.size();
-  for (std::size_t i = 0; i < problem.contacts() && s.modes <= max_enumerated_modes; ++i) {
-    s.modes *= problem.frictional() ? 4 : 2;
-  }
   scaled_ = std::make_unique<const Scaled>(std::move(s));
 }
 
 ContactSolver::~ContactSolver() = default;
 
-bool ContactSolver::too_long() const {
-  return scaled_->bits > max_bits;
+Work ContactSolver::modes() const {
+  return problem_.size() < 63 ? Work{1} << problem_.size() : endless;  // 4 for two components with friction, 2 for one
 }
 
-ModeOutcome ContactSolver::solve(const ProblemMode& mode) const {
+/// Of a mode that leaves so many components of z open: elimination, in which the numbers grow, then the conditions.
+Work ContactSolver::work_of(std::size_t unknowns) const {
+  Work work = times(problem_.size() * unknowns, product_work(scaled_->bits * (unknowns + 1)));
+  for (std::size_t step = 1; step <= unknowns; ++step) {
+    work = plus(work, times(3 * unknowns * (unknowns + 1), product_work(scaled_->bits * step)));
+  }
+  return work;
+}
+
+Work ContactSolver::work_of_all() const {
+  const std::size_t n = problem_.size();
+  if (modes() == endless) return endless;
+  Work work = 0, chosen = 1;  // k of n components: so many modes leave k open, with friction as without
+  for (std::size_t k = 0; k <= n; ++k) {
+    work = plus(work, times(chosen, work_of(k)));
+    if (chosen > endless / 64) return endless;
+    chosen = chosen * (n - k) / (k + 1);
+  }
+  return work;
+}
+
+ModeOutcome ContactSolver::solve(const ProblemMode& mode, Effort& effort) const {
   // z = sum of y_k columns[k]: the forces that the mode leaves open, each with the components it drives.
   using Column = std::vector<std::pair<std::size_t, Integer>>;
   std::vector<Column> columns;
@@ -90,6 +138,7 @@ ModeOutcome ContactSolver::solve(const ProblemMode& mode) const {
     }
   }
   const std::size_t size = problem_.size(), unknowns = columns.size();
+  effort.spend(work_of(unknowns));
   IntegerMatrix matrix;
   for (const std::size_t row : equations) {
     std::vector<Integer> entries;
@@ -121,24 +170,27 @@ ModeOutcome ContactSolver::solve(const ProblemMode& mode) const {
     if (homogeneous) add(right, 1);
     return z;
   };
-  outcome.z = to_z(unknowns, false);
   if (echelon.rank() == unknowns) {
-    const auto w = accelerations(problem_, outcome.z);
+    std::vector<Integer> z(size);  // times the pivot
+    for (std::size_t i = 0; i < unknowns; ++i) {
+      for (const auto& [j, factor] : columns[i]) z[j] = echelon.rows[i][unknowns] * factor;
+    }
     outcome.kind = ModeOutcome::Kind::solution;
     outcome.strict = true;
     for (const ProblemCondition& condition : conditions(problem_, mode)) {
-      Rational value = condition_value(problem_, condition, outcome.z, w);
+      const Fraction value = scaled_->condition_value(condition, z, echelon.pivot);
       if (value.sign() < 0) {
         outcome.kind = ModeOutcome::Kind::violated;
         outcome.condition = condition;
-        outcome.margin = std::move(value);
+        outcome.margin = Rational(value.numerator, value.denominator);
         return outcome;
       }
       outcome.strict = outcome.strict && value.sign() > 0;
     }
+    outcome.z = to_z(unknowns, false);
     return outcome;
   }
-
+  outcome.z = to_z(unknowns, false);
   ContactContinuum continuum{mode, outcome.z, {}, {}};
   std::vector<std::vector<Rational>> changes;  // of w, by each direction
   for (std::size_t k = 0; k < unknowns; ++k) {
@@ -164,10 +216,10 @@ ModeOutcome ContactSolver::solve(const ProblemMode& mode) const {
   LinearOptimum lowest;
   for (std::size_t k = 0; k < changes.size() && point; ++k) {
     parameter.coefficients[k] = 1;
-    lowest = minimize(parameter, continuum.conditions);
+    lowest = minimize(parameter, continuum.conditions, effort);
     if (lowest.kind == LinearOptimum::Kind::infeasible) return outcome;
     parameter.coefficients[k] = -1;
-    const LinearOptimum highest = minimize(parameter, continuum.conditions);
+    const LinearOptimum highest = minimize(parameter, continuum.conditions, effort);
     parameter.coefficients[k] = 0;
     point = lowest.kind == LinearOptimum::Kind::attained && highest.kind == LinearOptimum::Kind::attained &&
             lowest.value == -highest.value;
@@ -182,12 +234,25 @@ ModeOutcome ContactSolver::solve(const ProblemMode& mode) const {
   return outcome;
 }
 
+std::optional<ContactSolutions> ContactSolver::all(Effort& effort) const {
+  if (!effort.allows(work_of_all())) return std::nullopt;
+  try {
+    return try_all(effort);
+  } catch (const TooMuchWork&) {
+    return std::nullopt;
+  }
+}
+
 std::optional<ContactSolutions> ContactSolver::all() const {
-  if (scaled_->modes > max_enumerated_modes || scaled_->bits > max_enumerated_bits) return std::nullopt;
+  Effort effort(usual_effort);
+  return all(effort);
+}
+
+ContactSolutions ContactSolver::try_all(Effort& effort) const {
   ContactSolutions found;
   ProblemMode mode(problem_.contacts(), ContactState::stick);
   for (bool done = false; !done; mode = next_mode(std::move(mode), problem_.frictional(), done)) {
-    ModeOutcome outcome = solve(mode);
+    ModeOutcome outcome = solve(mode, effort);
     if (outcome.kind == ModeOutcome::Kind::continuum) found.continua.push_back(std::move(*outcome.continuum));
     if (outcome.kind != ModeOutcome::Kind::solution) continue;
     const auto same = std::find_if(found.solutions.begin(), found.solutions.end(),
@@ -207,18 +272,28 @@ std::optional<ContactSolutions> ContactSolver::all() const {
   return found;
 }
 
-std::optional<ContactSolution> ContactSolver::only(ProblemMode mode) const {
-  if (problem_.frictional() || scaled_->bits > max_pivoted_bits || !positive_definite(problem_.W)) return std::nullopt;
-  for (int step = 0; step < max_pivots; ++step) {
-    ModeOutcome outcome = solve(mode);
-    if (outcome.kind == ModeOutcome::Kind::solution) {
-      auto w = accelerations(problem_, outcome.z);
-      return ContactSolution{{mode}, outcome.strict, std::move(outcome.z), std::move(w)};
+std::optional<ContactSolution> ContactSolver::only(ProblemMode mode, Effort& effort) const {
+  // As integers with one denominator the entries may be longer than those of a row.
+  const Work definite = times(work_of(problem_.size()), 4);
+  if (problem_.frictional() || !effort.allows(definite) || !positive_definite(problem_.W)) return std::nullopt;
+  try {
+    while (true) {
+      ModeOutcome outcome = solve(mode, effort);
+      if (outcome.kind == ModeOutcome::Kind::solution) {
+        auto w = accelerations(problem_, outcome.z);
+        return ContactSolution{{mode}, outcome.strict, std::move(outcome.z), std::move(w)};
+      }
+      ContactState& state = mode[outcome.condition->contact];
+      state = state == ContactState::lift ? ContactState::stick : ContactState::lift;
     }
-    ContactState& state = mode[outcome.condition->contact];
-    state = state == ContactState::lift ? ContactState::stick : ContactState::lift;
+  } catch (const TooMuchWork&) {
+    return std::nullopt;
   }
-  return std::nullopt;
+}
+
+std::optional<ContactSolution> ContactSolver::only(ProblemMode start) const {
+  Effort effort(usual_effort);
+  return only(std::move(start), effort);
 }
 
 bool positive_definite(const RationalMatrix& W) {
@@ -248,31 +323,6 @@ std::vector<Rational> ContactContinuum::at(const std::vector<Rational>& t) const
     for (std::size_t i = 0; i < z.size(); ++i) z[i] += t[k] * directions[k][i];
   }
   return z;
-}
-
-std::string mistake_in(const ContactProblem& p) {
-  const std::size_t n = p.size();
-  const auto found = [](std::size_t rows, const std::string& what) { return std::to_string(rows) + " " + what; };
-  if (n == 0 || n > max_problem_size) {
-    return "found " + found(n, "components of q") + ", expected 1 to " + std::to_string(max_problem_size);
-  }
-  if (p.W.size() != n)
-    return "found " + found(p.W.size(), "rows of W") + ", expected " + std::to_string(n) + " as in q";
-  for (std::size_t i = 0; i < n; ++i) {
-    if (p.W[i].size() == n) continue;
-    return "found " + found(p.W[i].size(), "entries in row ") + std::to_string(i + 1) + " of W, expected " +
-           std::to_string(n) + " as in q";
-  }
-  if (p.frictional() && 2 * p.mu.size() != n) {
-    return "found " + found(p.mu.size(), "coefficients mu") + " for " + std::to_string(n) +
-           " components of q, expected one for each pair of them";
-  }
-  for (std::size_t i = 0; i < p.mu.size(); ++i) {
-    if (p.mu[i].sign() < 0) return "found mu" + std::to_string(i + 1) + " = " + p.mu[i].str() + ", expected >= 0";
-  }
-  if (ContactSolver(p).too_long())
-    return "found numbers of too many digits, expected fewer: exact elimination would not end soon";
-  return {};
 }
 
 }  // namespace slipproof

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "contact/problem.hpp"
+#include "number/effort.hpp"
 #include "number/linear_program.hpp"
 
 namespace slipproof {
@@ -34,7 +35,7 @@ struct ModeOutcome {
     continuum
   };
   Kind kind = Kind::inconsistent;
-  std::vector<Rational> z;                    ///< solution, violated
+  std::vector<Rational> z;                    ///< solution
   bool strict = false;                        ///< solution
   std::optional<ProblemCondition> condition;  ///< violated: the first one
   Rational margin;                            ///< violated: its left-hand side, negative
@@ -48,36 +49,39 @@ struct ContactSolutions {
   bool one() const { return solutions.size() == 1 && continua.empty(); }
 };
 
-/// Problems with more modes than this are not enumerated: 12 components, 6 contacts with friction.
-inline constexpr std::size_t max_enumerated_modes = 4096;
-
 /// Solves the modes of a problem. The problem is checked by mistake_in() and must outlive it; immutable once made.
 class ContactSolver {
  public:
+  /// What is done unless more is asked for: a second or two.
+  static constexpr Work usual_effort = 1'500'000'000;
+
   explicit ContactSolver(const ContactProblem& problem);
   ~ContactSolver();
 
-  /// Solves the equations of a mode by fraction-free elimination.
-  ModeOutcome solve(const ProblemMode& mode) const;
-  /// All solutions, by trying each mode; nothing if there are too many modes, or their numbers too long.
+  /// Solves the equations of a mode by fraction-free elimination. Throws TooMuchWork.
+  ModeOutcome solve(const ProblemMode& mode, Effort& effort) const;
+  /// All solutions, by trying each mode; nothing where that is beyond the effort.
+  std::optional<ContactSolutions> all(Effort& effort) const;
   std::optional<ContactSolutions> all() const;
   /// The one solution of an LCP whose matrix is positive definite (its symmetric part, as W need not be symmetric),
-  /// by least-index principal pivoting from a mode. Nothing if it is not, or it takes too many steps.
+  /// by least-index principal pivoting from a mode. Nothing if it is not, or beyond the effort.
+  std::optional<ContactSolution> only(ProblemMode start, Effort& effort) const;
   std::optional<ContactSolution> only(ProblemMode start) const;
-  /// The numbers have so many digits that even one mode takes more than a moment.
-  bool too_long() const;
+
+  /// The number of modes; endless if it is more than that.
+  Work modes() const;
+  /// What all() takes, where few modes are singular.
+  Work work_of_all() const;
 
  private:
   struct Scaled;
+  ContactSolutions try_all(Effort& effort) const;
+  Work work_of(std::size_t unknowns) const;
   const ContactProblem& problem_;
   std::unique_ptr<const Scaled> scaled_;
 };
 
 /// Whether x . W x > 0 for all x but 0. An LCP with such a matrix has one solution for every q.
 bool positive_definite(const RationalMatrix& W);
-
-/// What is wrong with the shape or the domain of a problem; empty if nothing is.
-std::string mistake_in(const ContactProblem& problem);
-inline constexpr std::size_t max_problem_size = 64;
 
 }  // namespace slipproof

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "number/effort.hpp"
 #include "number/rational.hpp"
 
 namespace slipproof {
@@ -32,5 +33,8 @@ struct LinearOptimum {
 /// or it gives up after so many pivots.
 LinearOptimum minimize(const AffineForm& objective, const std::vector<AffineForm>& constraints,
                        std::size_t max_pivots = std::numeric_limits<std::size_t>::max());
+
+/// The same within an effort; throws TooMuchWork beyond it.
+LinearOptimum minimize(const AffineForm& objective, const std::vector<AffineForm>& constraints, Effort& effort);
 
 }  // namespace slipproof

@@ -11,9 +11,9 @@
 #include <system_error>
 #include <utility>
 
-#include "output/descriptor.hpp"
 #include "output/output_error.hpp"
 #include "output/temporary_file.hpp"
+#include "system/descriptor.hpp"
 
 namespace slipproof {
 

@@ -2,8 +2,8 @@
 
 #include <unistd.h>
 
-#include "output/descriptor.hpp"
 #include "output/output_error.hpp"
+#include "system/descriptor.hpp"
 
 namespace slipproof {
 

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "output/descriptor.hpp"
+#include "system/descriptor.hpp"
 
 namespace slipproof {
 

@@ -103,21 +103,21 @@ TEST_CASE("each verdict on frictional contact") {
 }
 
 TEST_CASE("where not every solution can be found, a right answer is undecided unless it is the only one by theory") {
-  // 14 components, each z_i + c z_(i+1) >= 1: definite for c = 1/2, not for c = 3.
+  // 20 components, each z_i + c z_(i+1) >= 1: definite for c = 1/2, not for c = 3.
   const auto chain = [](const std::string& c, const std::string& z, const std::string& more = "") {
     std::string M, q, zs;
-    for (int i = 0; i < 14; ++i) {
+    for (int i = 0; i < 20; ++i) {
       M += i == 0 ? "[" : ",[";
-      for (int j = 0; j < 14; ++j) M += (j == 0 ? "" : ",") + (i == j ? "1" : j == i + 1 ? c : "0");
+      for (int j = 0; j < 20; ++j) M += (j == 0 ? "" : ",") + (i == j ? "1" : j == i + 1 ? c : "0");
       M += "]";
       q += i == 0 ? "-1" : ",-1";
       zs += (i == 0 ? "" : ",") + z;
     }
     return R"({"M":[)" + M + R"(],"q":[)" + q + R"(],"z":[)" + zs + "]" + more + "}";
   };
-  // z_14 = 1, z_i = 1 - z_(i+1) / 2 from there on.
-  std::vector<double> z(14, 1);
-  for (std::size_t i = 13; i-- > 0;) z[i] = 1 - z[i + 1] / 2;
+  // z_20 = 1, z_i = 1 - z_(i+1) / 2 from there on.
+  std::vector<double> z(20, 1);
+  for (std::size_t i = 19; i-- > 0;) z[i] = 1 - z[i + 1] / 2;
   Json record = Json::parse(chain("0.5", "0"));
   record["z"] = z;
   Json line = judged(record.dump());
@@ -131,19 +131,19 @@ TEST_CASE("where not every solution can be found, a right answer is undecided un
   // With c = 3: z = (..., 0, 1, 0, 1) from the end is a solution.
   record = Json::parse(chain("3", "0"));
   std::vector<double> alternating;
-  for (int i = 0; i < 14; ++i) alternating.push_back(i % 2);
+  for (int i = 0; i < 20; ++i) alternating.push_back(i % 2);
   record["z"] = alternating;
   const Certified chained = problems(record.dump() + "\n");
   const auto lines = chained.lines();
   CHECK(lines[0]["verdict"] == "undecided");
-  CHECK(lines[0]["modes"] == Json{"wzwzwzwzwzwzwz"});
+  CHECK(lines[0]["modes"] == Json{"wzwzwzwzwzwzwzwzwzwz"});
   CHECK(lines[0]["solutions"].is_null());
   CHECK(chained.summary.nothing_refuted());
   CHECK_FALSE(chained.summary.all_certified());
   line = judged(chain("3", "1"));
   CHECK(line["verdict"] == "undecided");
   CHECK(line["violated"] == "w1 >= 0");
-  line = judged(chain("3", "1", R"(,"mode":"zzzzzzzzzzzzzz")"));
+  line = judged(chain("3", "1", R"(,"mode":"zzzzzzzzzzzzzzzzzzzz")"));
   CHECK(line["verdict"] == "wrong");
   CHECK(line["margin"].get<std::string>().starts_with("-"));
 }

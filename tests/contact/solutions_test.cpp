@@ -283,5 +283,5 @@ TEST_CASE("problems of a wrong shape or outside the domain are told") {
   CHECK(message({{{1, 0}, {0, 1}}, {1, 2}, {-1}}) == "found mu1 = -1, expected >= 0");
   CHECK(message({{{1, 0}, {0, 1}}, {1, 2}, {0}}).empty());
   const Rational tiny(1, Integer(1) << 100000U);
-  CHECK(message({{{1, tiny}, {0, 1}}, {1, 2}, {}}).starts_with("found numbers of too many digits"));
+  CHECK(message({{{1, tiny}, {0, 1}}, {1, 2}, {}}).empty());  // how many digits are too many, an effort says
 }

@@ -1,4 +1,4 @@
-#include "output/descriptor.hpp"
+#include "system/descriptor.hpp"
 
 #include <unistd.h>
 

@@ -1,0 +1,72 @@
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "support/run_program.hpp"
+
+using slipproof::test::run;
+using slipproof::test::TemporaryFolder;
+
+namespace {
+
+const std::string scene = SLIPPROOF_SOURCE_DIR "/cases/city-bicycle.toml";
+
+struct Numeric {
+  std::vector<std::string> command;
+  std::string option, range;
+};
+
+}  // namespace
+
+TEST_CASE("numeric options take numbers in their range, and nothing that merely begins like one") {
+  const std::string up_to_64_bits = "18446744073709551615";
+  const std::vector<Numeric> options{
+      {{"solve", scene}, "--seed", "from 0 to " + up_to_64_bits},
+      {{"solve", scene}, "--threads", "from 0 to 4096"},
+      {{"solve", scene}, "--digits", "from 1 to 1000"},
+      {{"map", scene}, "--columns", "from 2 to 10000"},
+      {{"certify", "-"}, "--from", "from 1 to " + up_to_64_bits},
+      {{"certify", "-"}, "--effort", "from 1 to " + up_to_64_bits},
+      {{"certify", "-"}, "--tolerance", "from 0 to 1"},
+      {{"verify"}, "--samples", "from 1 to 1000000000"},
+      {{"verify"}, "--lines", "from 0 to 1000000"},
+      {{"verify", "--mutants"}, "--every", "from 1 to 1000000000"},
+      {{"report", "--out", "/dev/null"}, "--samples", "from 1 to 1000000000"},
+      {{"report", "--out", "/dev/null"}, "--lines", "from 0 to 1000000"},
+      {{"trade"}, "--scenes", "from 1 to 1000000"},
+      {{"trade"}, "--seconds", "from 0 to 60"},
+      {{"check", "x.cert"}, "--seed", "from 0 to " + up_to_64_bits},
+      {{"prove", "x.statement"}, "--threads", "from 0 to 4096"},
+  };
+  for (const auto& [command, option, range] : options) {
+    for (const std::string value :
+         {"-1", "18446744073709551616", "99999999999999999999", "nan", "1e400", "", "0x10", " 5", "5 ", "five"}) {
+      std::vector<std::string> arguments = command;
+      arguments.push_back(option + "=" + value);
+      CAPTURE(arguments);
+      const auto outcome = run(arguments);
+      CHECK(outcome.exit_code == 2);
+      CHECK(outcome.out.empty());
+      CHECK(outcome.err.size() < 400);
+      if (!value.empty()) CHECK(outcome.err.find("expected a") != std::string::npos);
+      if (!value.empty()) CHECK(outcome.err.find(range) != std::string::npos);
+    }
+  }
+  CHECK(run({"certify", "--from", "0", "-"}).err.find("found '0', expected a whole number from 1 to") !=
+        std::string::npos);
+  CHECK(run({"solve", scene, "--seed", up_to_64_bits}).exit_code == 0);
+  CHECK(run({"solve", scene, "--digits", "010"}).exit_code == 2);  // eight or ten?
+}
+
+TEST_CASE("ranges of a map take exact numbers, and nothing that merely begins like one") {
+  for (const std::string value : {"nan", "1e99999", "", " 5", "5x", "inf", "1/0"}) {
+    CAPTURE(value);
+    const auto outcome = run({"map", scene, "--columns", "2", "--x-range", "0", value});
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.err.find("expected") != std::string::npos);
+  }
+  CHECK(run({"map", scene, "--columns", "2", "--x-range", "1/3", "0x10"}).exit_code == 0);
+  CHECK(run({"map", scene, "--columns", "2", "--y", "F"}).exit_code == 0);
+  CHECK(run({"map", "--help"}).out.find("--y ") == std::string::npos);  // it chooses nothing
+}
