@@ -4,14 +4,11 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "check/verdict.hpp"
 
 namespace slipproof::check {
-
-std::string_view to_string(Verdict verdict);
 
 struct FileResult {
   std::filesystem::path certificate;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 namespace slipproof::check {
 
@@ -12,5 +13,6 @@ enum class Verdict : std::uint8_t {
   undecided,   ///< in its place stands a record that the search for one ended without
   unreadable,  ///< the statement is malformed, or a file cannot be read
 };
+std::string_view to_string(Verdict verdict);
 
 }  // namespace slipproof::check
