@@ -10,7 +10,7 @@ namespace slipproof::prove {
 namespace {
 
 // What arithmetic costs, in steps of about 0.1 microseconds.
-constexpr std::size_t products_a_step = 2, text_steps = 4, factor_steps = 40;
+constexpr std::size_t products_a_step = 2, text_steps = 5, factor_steps = 40;
 /// Factoring cannot be stopped; what is longer is taken for irreducible.
 constexpr std::size_t longest_factored = 2'000;
 

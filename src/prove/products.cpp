@@ -142,7 +142,8 @@ class ProductProgram {
     AffineForm objective{0, std::vector<Rational>(t + 1)}, bound{1, std::vector<Rational>(t + 1)};
     objective.coefficients[t] = bound.coefficients[t] = -1;
     constraints.push_back(bound);
-    const std::size_t pivot_steps = constraints.size() * (t + 2);
+    constexpr std::size_t steps_an_entry = 4;  // fractions, with a greatest common divisor each
+    const std::size_t pivot_steps = constraints.size() * (t + 2) * steps_an_entry;
     const LinearOptimum optimum = minimize(objective, constraints, budget_.left() / pivot_steps);
     budget_.spend(optimum.pivots * pivot_steps);
     if (optimum.kind != LinearOptimum::Kind::attained || !optimum.value.is_zero()) return std::nullopt;

@@ -1,5 +1,6 @@
 #include "prove/prove.hpp"
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <sstream>
@@ -38,13 +39,13 @@ class Prover {
 
   ProofOutcome run() {
     outcome_.theorem = statement_.theorem();
-    if (refute(limits_.quick_samples)) return std::move(outcome_);
+    if (refute(limits_.quick_samples, at_least(limits_.steps / 1000, 100'000))) return std::move(outcome_);
     prove::Search search(statement_, limits_);
     const auto proof = search.prove();
     outcome_.steps = search.steps();
     if (proof) {
       accept(certificate_text(statement_, *proof));
-    } else if (!refute(limits_.samples)) {
+    } else if (!refute(limits_.samples, at_least(limits_.steps / 20, 200'000))) {
       outcome_.leftover = search.leftover().facts;
       outcome_.exhausted = search.leftover().exhausted;
     }
@@ -54,6 +55,10 @@ class Prover {
  private:
   using Accept = std::function<bool(const std::vector<Rational>& values)>;
 
+  /// For what is done beside the search: a part of its steps, or what it takes, if there is so much.
+  std::uint64_t at_least(std::uint64_t part, std::uint64_t needed) const {
+    return std::min(limits_.steps, std::max(part, needed));
+  }
   bool asks_for_values() const { return !statement_.unknowns().empty(); }
 
   void accept(std::string certificate) {
@@ -62,7 +67,7 @@ class Prover {
     if (limits_.samples == 0 || evident(statement_.shown()) == false) return;
     if (uses_assumptions_only(outcome_.certificate)) {
       outcome_.vacuous = true;
-    } else if (!instance(assumptions(), limits_.samples)) {
+    } else if (!instance(assumptions(), limits_.samples, at_least(limits_.steps / 100, 200'000))) {
       // A proof that happens to use the conclusion may not have to.
       const Statement contradiction(file_, contradiction_text(statement_, text_));
       prove::Search search(contradiction, limits_);
@@ -79,10 +84,10 @@ class Prover {
     return all;
   }
 
-  /// With a budget of its own, a tenth of the search's.
-  std::optional<std::vector<Rational>> instance(const Formula& formula, int attempts, const Accept& accept = {}) const {
+  std::optional<std::vector<Rational>> instance(const Formula& formula, int attempts, std::uint64_t steps,
+                                                const Accept& accept = {}) const {
     const prove::Ring& ring = statement_.ring();
-    ring.budget().renew(limits_.steps / 10);
+    ring.budget().renew(steps);
     try {
       return find_instance(ring, formula, {statement_.hints(), attempts, true, [&](const auto& values) {
                                              return holds_at(formula, values) && (!accept || accept(values));
@@ -93,13 +98,13 @@ class Prover {
   }
 
   /// Whether numbers were found at which it is false.
-  bool refute(int attempts) {
+  bool refute(int attempts, std::uint64_t steps) {
     if (attempts == 0 || statement_.unknowns().size() == statement_.ring().size()) return false;
     Formula formula = assumptions();
     if (!asks_for_values()) formula.parts.push_back(negation(statement_.shown()));
     int tries = attempts / 8;  // each of them is a search of its own
     bool found = false;
-    const auto values = instance(formula, attempts, [&](const std::vector<Rational>& values) {
+    const auto values = instance(formula, attempts, steps, [&](const std::vector<Rational>& values) {
       found = !asks_for_values() || fails_at(named(values));
       return found || --tries < 0;
     });

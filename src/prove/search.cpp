@@ -48,7 +48,10 @@ std::string Search::fresh() {
 void Search::keep_leftover(const State& state) {
   leftover_.facts.clear();
   for (const Fact& fact : state.facts) {
-    leftover_.facts.push_back(fact.name + ": " + fact.p.text() +
+    constexpr std::size_t shown = 300;
+    std::string p = fact.p.text();
+    if (p.size() > shown) p.replace(shown, p.npos, "...");
+    leftover_.facts.push_back(fact.name + ": " + p +
                               (fact.sign == Sign::zero       ? " = 0"
                                : fact.sign == Sign::positive ? " > 0"
                                                              : " >= 0"));

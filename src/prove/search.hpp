@@ -26,9 +26,9 @@ struct Limits {
   int instances = 4000;  ///< attempts to find numbers for a statement about some bicycle
   /// Attempts to find numbers at which a statement is false, before and after the search for a proof; with none of the
   /// latter it is not asked either whether the assumptions of what is proved contradict each other.
-  int quick_samples = 20, samples = 400;
+  int quick_samples = 16, samples = 400;
   /// For one statement, in steps of polynomial arithmetic: the same on every machine, as time is not.
-  std::uint64_t steps = 50'000'000;
+  std::uint64_t steps = 100'000'000;
   /// Called every million steps or so with their number; a sign of life.
   std::function<void(std::uint64_t steps)> tick = {};
 };

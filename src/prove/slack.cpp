@@ -110,6 +110,7 @@ class SlackSearch {
     budget_.spend(p.length() + 1);
     if (depth == 0) return read_off(at, p, multiplier);
     for (const Fact& fact : facts_) {
+      budget_.spend(1);
       if (fact.sign == Sign::zero || fact.p.length() > 60) continue;
       const SampleSet next_outside = outside | fact.fails;
       if (depth == 1 ? !next_outside.contains(negative_) : !possible(next_outside)) continue;

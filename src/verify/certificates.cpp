@@ -16,8 +16,9 @@ namespace {
 constexpr std::string_view generated = "certificates";
 
 std::optional<std::string> bytes_of(const std::filesystem::path& path) {
+  std::error_code error;
   std::ifstream file(path, std::ios::binary);
-  if (!file) return std::nullopt;
+  if (!std::filesystem::is_regular_file(path, error) || !file) return std::nullopt;
   return std::string{std::istreambuf_iterator<char>(file), {}};
 }
 

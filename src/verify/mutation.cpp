@@ -288,8 +288,8 @@ class MutationRun {
   std::vector<Samples> samples_;                  ///< by setting; null: no bicycle
   std::vector<std::vector<Baseline>> baselines_;  ///< by claim and sample
   LemmaBook quick_{
-      {.split_depth = 1, .slack_attempts = 100, .products = 0, .quick_samples = 0, .samples = 0, .steps = 500'000}},
-      thorough_{{.split_depth = 2, .products = 0, .steps = 20'000'000}};
+      {.split_depth = 1, .slack_attempts = 100, .products = 0, .quick_samples = 0, .samples = 0, .steps = 2'000'000}},
+      thorough_{{.split_depth = 2, .products = 0, .quick_samples = 0, .samples = 0, .steps = 40'000'000}};
   tbb::enumerable_thread_specific<std::unique_ptr<Workshop>> workshops_;
   std::mutex mutex_;
 };

@@ -341,7 +341,7 @@ class Run {
   const VerifyOptions& options_;
   const std::uint64_t lines_;
   LemmaBook book_{
-      {.split_depth = 1, .slack_attempts = 100, .products = 0, .quick_samples = 0, .samples = 0, .steps = 500'000}};
+      {.split_depth = 1, .slack_attempts = 100, .products = 0, .quick_samples = 0, .samples = 0, .steps = 2'000'000}};
   const std::vector<Task> tasks_;
   std::vector<Tally> tallies_;
   std::uint64_t done_ = 0, total_;

@@ -95,7 +95,7 @@ TEST_CASE("prove takes statements of one's own, files and folders, without a cla
   CHECK(one.exit_code == 0);
   CHECK(one.out == "proved    means\ns PROVED 1 proved, 0 undecided\n");
   CHECK(run({folder.path() / "means.cert"}, "slipproof-check").exit_code == 0);
-  const auto both = run({"prove", file, folder.path() / "more", "--out", folder.path() / "out", "--effort", "20000"});
+  const auto both = run({"prove", file, folder.path() / "more", "--out", folder.path() / "out", "--effort", "500000"});
   CHECK(both.exit_code == 4);
   CHECK(both.out.ends_with("s UNDECIDED 2 proved, 1 undecided\n"));
   CHECK(read_file(folder.path() / "out" / "means.statement") == means);
