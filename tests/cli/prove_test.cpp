@@ -235,3 +235,34 @@ TEST_CASE("an interval is refuted both ways, whatever is expected of it") {
     CHECK(claim["certificates"].size() > 0);
   }
 }
+
+TEST_CASE("decimals stand for what they are, in boundaries and definitions, too") {
+  const TemporaryFolder folder;
+  const auto claims = folder.write(
+      "claims.toml",
+      slipproof::test::SmallClaims{
+          .parameters = "b = { domain = \"b > 0.25\", line = 1, meaning = \"half the distance of the axles\" }\n",
+          .in_setting = "boundaries = [\"b = 0.5\", \"b = max(1.5, k)\"]\n"
+                        "definition = [{ symbol = \"k\", line = 1, printed = \"max(0.5, 1e-1)\" }]\n",
+          .claims = interval("decimal", "0.0 < F < 0.5", "expect = \"refuted\"\n")}
+          .text());
+  CHECK(run({"prove", claims}).exit_code == 0);
+  const std::string statement = read_file(folder.path() / "certificates" / "decimal.refuted.statement");
+  CHECK(statement.find("# split: b - (1 / 2)\n") != std::string::npos);
+  CHECK(statement.find("max") == std::string::npos);
+}
+
+TEST_CASE("a mistake in a statement that was made of a claim names the claim") {
+  const TemporaryFolder folder;
+  const auto claims = folder.write(
+      "claims.toml",
+      slipproof::test::SmallClaims{
+          .parameters = "b = { domain = \"b > 0\", line = 1, meaning = \"b\" }\n",
+          .claims = "[[claim]]\nid = \"large\"\nline = 12\nstatement = \"large\"\nkind = \"formula\"\nmode = "
+                    "\"stick/stick\"\nholds = \"(a + a_y + phi + eps2 + eps3 + S2 + S3 + N2)^20 > 0\"\n"}
+          .text());
+  const auto outcome = run({"prove", claims});
+  CHECK(outcome.exit_code == 3);
+  CHECK(outcome.err.find("large.statement:") != std::string::npos);
+  CHECK(outcome.err.find(": claim large (line 12): a product has more than 200000 terms") != std::string::npos);
+}
