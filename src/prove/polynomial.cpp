@@ -3,7 +3,6 @@
 #include <flint/flint.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <stdexcept>
 
 namespace slipproof::prove {
@@ -99,8 +98,19 @@ std::size_t Polynomial::degree(std::size_t variable) const {
 }
 
 std::size_t Polynomial::coefficient_bits() const {
-  const slong bits = fmpz_mpoly_max_bits(value_->polynomial->zpoly);  // negative: signed
-  return static_cast<std::size_t>(std::abs(bits)) + fmpz_bits(fmpq_numref(value_->polynomial->content));
+  const auto& [content, primitive] = *value_->polynomial;
+  const fmpz* largest = nullptr;
+  for (slong i = 0; i < primitive->length; ++i) {
+    const fmpz* coefficient = primitive->coeffs + i;
+    if (largest == nullptr || fmpz_cmpabs(coefficient, largest) > 0) largest = coefficient;
+  }
+  if (largest == nullptr) return 0;
+  fmpz_t product;
+  fmpz_init(product);
+  fmpz_mul(product, largest, fmpq_numref(content));
+  const std::size_t bits = fmpz_bits(product);
+  fmpz_clear(product);
+  return bits;
 }
 
 std::vector<std::size_t> Polynomial::variables() const {
