@@ -178,15 +178,19 @@ class TextReader {
     for (const Directive& line : result_.directives) {
       if (line.kind != Directive::Kind::assume) continue;
       const std::string& name = line.names.front();
-      const auto is_part_of = [&](const std::string& whole) {
-        return name.starts_with(whole + ".") && name.find_first_not_of("0123456789.", whole.size()) == name.npos;
-      };
+      std::vector<std::string> wholes;
+      std::string whole = name;
+      for (std::size_t dot; whole[dot = whole.find_last_not_of("0123456789")] == '.';) {
+        whole.erase(dot);
+        wholes.push_back(whole);
+      }
       number_ = line.line;
-      if (name == "goal" || is_part_of("goal")) {
+      if (name == "goal" || std::find(wholes.begin(), wholes.end(), "goal") != wholes.end()) {
         complain(0, "`" + name + "` names the negated conclusion in certificates, expected another name");
       }
-      for (const std::string& other : assumptions_) {
-        if (is_part_of(other)) complain(0, "`" + name + "` names a part of `" + other + "`, expected another name");
+      for (const std::string& other : wholes) {
+        if (!assumptions_.contains(other)) continue;
+        complain(0, "`" + name + "` names a part of `" + other + "`, expected another name");
       }
     }
   }

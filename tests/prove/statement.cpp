@@ -197,6 +197,8 @@ TEST_CASE("the prover and the checker read the same texts, and refuse the same")
     const std::string before = "d" + std::to_string(i - 1);
     doubled += "define d" + std::to_string(i) + ": " + before + " and " + before + "\n";
   }
+  std::string assumptions;  // to compare each with each would take minutes
+  for (int i = 0; i < 10'000; ++i) assumptions += "assume a" + std::to_string(i) + ".1: x > 0\n";
   const std::string show = "show x > 0\n", real = "real x\n", all = real + show;
   const std::string first = "slipproof-statement 1\n", start = first + "theorem t\n";
   const std::vector<std::string> good{
@@ -225,6 +227,7 @@ TEST_CASE("the prover and the checker read the same texts, and refuse the same")
       start + real + "show " + std::string(100, '(') + "x" + std::string(100, ')') + " > 0\n",
       start + real + "show " + std::string(100'000, '-') + "x > 0\n",
       start + doubled + "show d15\n",
+      start + real + assumptions + show,
       start + "#" + std::string(1'000'000, '=') + "\nshow false\n",
   };
   const std::vector<std::string> bad{
