@@ -130,11 +130,11 @@ TEST_CASE("what is no certificate of the statement is an input error with its li
 
 TEST_CASE("names that Coq does not have become others, all at once") {
   const std::string statement =
-      "slipproof-statement 1\ntheorem odd+names\nreal x x' x'' y.1 if\nassume h: x > 0\nlet a.b = x' - x''\n"
+      "slipproof-statement 1\ntheorem odd-names\nreal x x' x'' y.1 if\nassume h: x > 0\nlet a.b = x' - x''\n"
       "define d.: x > 0 or a.b = if\nshow d. or y.1 = 0\n";
   const prove::Statement read("s", statement);
   const std::string text = coq_text("s", statement, "c",
-                                    "slipproof-certificate 1\ntheorem odd+names " + read.fingerprint() +
+                                    "slipproof-certificate 1\ntheorem odd-names " + read.fingerprint() +
                                         "\ncontradiction\nterm 1 goal.1.1\nterm 1 h\nqed\n");
   CHECK(theorem_in(text) ==
         "Theorem odd_names :\n"
