@@ -10,7 +10,10 @@
 using namespace slipproof::check;
 
 TEST_CASE("malformed statements are refused with rule and line") {
+  std::string sum = "1";
+  for (int i = 0; i <= 1'000; ++i) sum += "+1";
   const std::vector<std::pair<std::string, std::string>> table = {
+      {"slipproof-statement 1\ntheorem t\nshow " + sum + " > 0\n", "show: an expression has too many operators"},
       {"", "header: the file ends too early"},
       {"slipproof-statement 2\n", "header: expected 'slipproof-statement 1'"},
       {"slipproof-statement 1\nshow false\n", "header: expected 'theorem'"},

@@ -120,6 +120,23 @@ TEST_CASE("prove takes statements of one's own, files and folders, without a cla
   CHECK(run({"prove", file, twin}).exit_code == 0);
 }
 
+TEST_CASE("an undecided search leaves no certificate to export") {
+  const TemporaryFolder folder;
+  const auto file = folder.write("t.statement", "slipproof-statement 1\ntheorem t\nreal x\nshow x^2 >= 0\n");
+  folder.write("t.cert", "slipproof-undecided 1\ntheorem t\nbecause the budget is spent\n");
+  const auto exported = run({"prove", file, "--coq", folder.path() / "coq"});
+  CHECK(exported.exit_code == 0);
+  CHECK(exported.out.starts_with("no certificate: "));
+  for (const char* program : {"slipproof", "slipproof-check"}) {
+    std::vector<std::string> arguments{folder.path()};
+    if (std::string(program) == "slipproof") arguments.insert(arguments.begin(), "check");
+    const auto checked = run(arguments, program);
+    CHECK(checked.exit_code == 4);
+    CHECK(checked.out.ends_with("s UNDECIDED 0 accepted, 0 rejected, 0 missing, 1 undecided, 0 unreadable\n"));
+  }
+  CHECK(run({"check", "--json", folder.path()}).out.find("\"verdict\": \"undecided\"") != std::string::npos);
+}
+
 TEST_CASE("a certificate of another statement is rejected with exit code 5") {
   const TemporaryFolder folder;
   folder.write("A2.4.statement", read_file(proofs + "A2.4.statement"));
