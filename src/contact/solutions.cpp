@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "number/bareiss.hpp"
+#include "contact/mode_system.hpp"
 
 namespace slipproof {
 
@@ -21,73 +21,10 @@ ProblemMode next_mode(ProblemMode mode, bool frictional, bool& done) {
   return mode;
 }
 
-/// A fraction that nobody has brought to lowest terms yet: most conditions are asked for their sign alone.
-struct Fraction {
-  Integer numerator, denominator;
-  int sign() const { return numerator.sign() * denominator.sign(); }
-};
-
 }  // namespace
 
-/// The problem in integers. Rows of W and q are multiplied by something positive: neither solutions nor signs change.
-struct ContactSolver::Scaled {
-  std::vector<std::vector<Integer>> rows;  ///< W, then q
-  std::vector<Integer> factor;             ///< what each row was multiplied by
-  std::vector<Integer> friction, unit;     ///< mu = friction / unit of each contact
-  std::size_t bits = 0;                    ///< of the longest number
-
-  /// The left-hand side of a condition for z / pivot.
-  Fraction condition_value(const ProblemCondition& condition, const std::vector<Integer>& z,
-                           const Integer& pivot) const;
-  /// A component of w, times its factor and the pivot.
-  Integer acceleration(std::size_t row, const std::vector<Integer>& z, const Integer& pivot) const;
-};
-
-Integer ContactSolver::Scaled::acceleration(std::size_t row, const std::vector<Integer>& z,
-                                            const Integer& pivot) const {
-  Integer w = rows[row].back() * pivot;
-  for (std::size_t j = 0; j < z.size(); ++j) {
-    if (!z[j].is_zero()) w += rows[row][j] * z[j];
-  }
-  return w;
-}
-
-Fraction ContactSolver::Scaled::condition_value(const ProblemCondition& condition, const std::vector<Integer>& z,
-                                                const Integer& pivot) const {
-  const std::size_t i = condition.contact, normal = friction.empty() ? i : 2 * i;
-  switch (condition.kind) {
-    case ConditionKind::normal:
-      return {z[normal], pivot};
-    case ConditionKind::friction_up:
-      return {friction[i] * z[normal] - unit[i] * z[normal + 1], unit[i] * pivot};
-    case ConditionKind::friction_dn:
-      return {friction[i] * z[normal] + unit[i] * z[normal + 1], unit[i] * pivot};
-    case ConditionKind::slip: {
-      const Integer w = acceleration(normal + 1, z, pivot);
-      return {condition.state == ContactState::slip_forward ? w : Integer(-w), factor[normal + 1] * pivot};
-    }
-    case ConditionKind::gap:
-      return {acceleration(normal, z, pivot), factor[normal] * pivot};
-  }
-  return {};
-}
-
-ContactSolver::ContactSolver(const ContactProblem& problem) : problem_(problem) {
-  Scaled s;
-  for (std::size_t i = 0; i < problem.size(); ++i) {
-    std::vector<Rational> row = problem.W[i];
-    row.push_back(problem.q[i]);
-    s.factor.push_back(common_denominator(row));
-    s.rows.push_back(clear_denominators(row));
-    for (const Integer& x : s.rows.back()) s.bits = std::max(s.bits, bit_count(x));
-  }
-  for (const Rational& mu : problem.mu) {
-    s.friction.push_back(numerator(mu));
-    s.unit.push_back(denominator(mu));
-    s.bits = std::max(s.bits, bit_count(s.friction.back()) + bit_count(s.unit.back()));
-  }
-  scaled_ = std::make_unique<const Scaled>(std::move(s));
-}
+ContactSolver::ContactSolver(const ContactProblem& problem)
+    : problem_(problem), scaled_(std::make_unique<const ScaledProblem>(problem)) {}
 
 ContactSolver::~ContactSolver() = default;
 
@@ -117,89 +54,42 @@ Work ContactSolver::work_of_all() const {
 }
 
 ModeOutcome ContactSolver::solve(const ProblemMode& mode, Effort& effort) const {
-  // z = sum of y_k columns[k]: the forces that the mode leaves open, each with the components it drives.
-  using Column = std::vector<std::pair<std::size_t, Integer>>;
-  std::vector<Column> columns;
-  std::vector<std::size_t> equations;
-  for (std::size_t i = 0; i < mode.size(); ++i) {
-    const std::size_t normal = problem_.frictional() ? 2 * i : i;
-    if (mode[i] == ContactState::lift) continue;
-    equations.push_back(normal);
-    if (!problem_.frictional() || mode[i] == ContactState::stick) {
-      columns.push_back({{normal, 1}});
-    } else {
-      const Integer& friction = scaled_->friction[i];
-      columns.push_back(
-          {{normal, scaled_->unit[i]}, {normal + 1, slip_direction(mode[i]) > 0 ? Integer(-friction) : friction}});
-    }
-    if (problem_.frictional() && mode[i] == ContactState::stick) {
-      equations.push_back(normal + 1);
-      columns.push_back({{normal + 1, 1}});
-    }
-  }
-  const std::size_t size = problem_.size(), unknowns = columns.size();
-  effort.spend(work_of(unknowns));
-  IntegerMatrix matrix;
-  for (const std::size_t row : equations) {
-    std::vector<Integer> entries;
-    for (const Column& column : columns) {
-      Integer sum = 0;
-      for (const auto& [j, factor] : column) sum += scaled_->rows[row][j] * factor;
-      entries.push_back(std::move(sum));
-    }
-    entries.push_back(-scaled_->rows[row][size]);
-    matrix.push_back(std::move(entries));
-  }
-  const Echelon echelon = eliminate(std::move(matrix), unknowns);
+  effort.spend(work_of(unknown_count(problem_, mode)));
+  const ModeSystem system(*scaled_, mode);
+  if (!system.solvable()) return {};
+  return system.unique() ? solution_of(system, mode) : narrowed(continuum_of(system, mode, effort), effort);
+}
+
+/// The one solution of a mode's equations, if it keeps the conditions.
+ModeOutcome ContactSolver::solution_of(const ModeSystem& system, const ProblemMode& mode) const {
   ModeOutcome outcome;
-  for (std::size_t i = echelon.rank(); i < echelon.rows.size(); ++i) {
-    if (!echelon.rows[i][unknowns].is_zero()) return outcome;
+  outcome.kind = ModeOutcome::Kind::solution;
+  outcome.strict = true;
+  const std::vector<Integer> z = system.scaled_solution();
+  for (const ProblemCondition& condition : conditions(problem_, mode)) {
+    const RawFraction value = scaled_->condition_value(condition, z, system.pivot());
+    if (value.sign() < 0) {
+      outcome.kind = ModeOutcome::Kind::violated;
+      outcome.condition = condition;
+      outcome.margin = Rational(value.numerator, value.denominator);
+      return outcome;
+    }
+    outcome.strict = outcome.strict && value.sign() > 0;
   }
-  // A column of the echelon form, as z: the right-hand side, or what one of the free unknowns adds.
-  const auto to_z = [&](std::size_t right, bool homogeneous) {
-    std::vector<Rational> z(size);
-    const auto add = [&](std::size_t k, const Rational& y) {
-      for (const auto& [j, factor] : columns[k]) z[j] += y * Rational(factor);
-    };
-    for (std::size_t i = 0; i < echelon.rank(); ++i) {
-      const Integer& value = echelon.rows[i][right];
-      if (!value.is_zero()) {
-        add(echelon.pivot_columns[i], Rational(homogeneous ? Integer(-value) : value, echelon.pivot));
-      }
-    }
-    if (homogeneous) add(right, 1);
-    return z;
-  };
-  if (echelon.rank() == unknowns) {
-    std::vector<Integer> z(size);  // times the pivot
-    for (std::size_t i = 0; i < unknowns; ++i) {
-      for (const auto& [j, factor] : columns[i]) z[j] = echelon.rows[i][unknowns] * factor;
-    }
-    outcome.kind = ModeOutcome::Kind::solution;
-    outcome.strict = true;
-    for (const ProblemCondition& condition : conditions(problem_, mode)) {
-      const Fraction value = scaled_->condition_value(condition, z, echelon.pivot);
-      if (value.sign() < 0) {
-        outcome.kind = ModeOutcome::Kind::violated;
-        outcome.condition = condition;
-        outcome.margin = Rational(value.numerator, value.denominator);
-        return outcome;
-      }
-      outcome.strict = outcome.strict && value.sign() > 0;
-    }
-    outcome.z = to_z(unknowns, false);
-    return outcome;
-  }
-  outcome.z = to_z(unknowns, false);
-  ContactContinuum continuum{mode, outcome.z, {}, {}};
+  outcome.z = system.solution();
+  return outcome;
+}
+
+ContactContinuum ContactSolver::continuum_of(const ModeSystem& system, const ProblemMode& mode, Effort& effort) const {
+  // A component of w for each direction; a sum of fractions takes some products.
+  constexpr Work products_of_a_sum = 3;
+  effort.spend(times(products_of_a_sum * problem_.size() * problem_.size() * (system.free_count() + 1),
+                     product_work(scaled_->bits * (system.rank() + 1))));
+  ContactContinuum continuum{mode, system.solution(), system.directions(), {}};
   std::vector<std::vector<Rational>> changes;  // of w, by each direction
-  for (std::size_t k = 0; k < unknowns; ++k) {
-    if (std::find(echelon.pivot_columns.begin(), echelon.pivot_columns.end(), k) != echelon.pivot_columns.end()) {
-      continue;
-    }
-    continuum.directions.push_back(to_z(k, true));
-    auto change = accelerations(problem_, continuum.directions.back());
-    for (std::size_t i = 0; i < size; ++i) change[i] -= problem_.q[i];
+  for (const auto& direction : continuum.directions) {
+    auto change = accelerations(problem_, direction);
+    for (std::size_t i = 0; i < change.size(); ++i) change[i] -= problem_.q[i];
     changes.push_back(std::move(change));
   }
   const auto w = accelerations(problem_, continuum.base);
@@ -210,11 +100,16 @@ ModeOutcome ContactSolver::solve(const ProblemMode& mode, Effort& effort) const 
     }
     continuum.conditions.push_back(std::move(form));
   }
-  // One point, or more?
-  AffineForm parameter{0, std::vector<Rational>(changes.size())};
+  return continuum;
+}
+
+/// What the conditions leave of the solutions: none, a point, or more.
+ModeOutcome ContactSolver::narrowed(ContactContinuum continuum, Effort& effort) const {
+  ModeOutcome outcome;
+  AffineForm parameter{0, std::vector<Rational>(continuum.directions.size())};
   bool point = true;
   LinearOptimum lowest;
-  for (std::size_t k = 0; k < changes.size() && point; ++k) {
+  for (std::size_t k = 0; k < continuum.directions.size() && point; ++k) {
     parameter.coefficients[k] = 1;
     lowest = minimize(parameter, continuum.conditions, effort);
     if (lowest.kind == LinearOptimum::Kind::infeasible) return outcome;

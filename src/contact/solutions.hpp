@@ -9,6 +9,9 @@
 
 namespace slipproof {
 
+struct ScaledProblem;
+class ModeSystem;
+
 /// One solution, with every mode that gives it.
 struct ContactSolution {
   std::vector<ProblemMode> modes;
@@ -74,11 +77,14 @@ class ContactSolver {
   Work work_of_all() const;
 
  private:
-  struct Scaled;
+  ModeOutcome solution_of(const ModeSystem& system, const ProblemMode& mode) const;
+  ContactContinuum continuum_of(const ModeSystem& system, const ProblemMode& mode, Effort& effort) const;
+  ModeOutcome narrowed(ContactContinuum continuum, Effort& effort) const;
   ContactSolutions try_all(Effort& effort) const;
   Work work_of(std::size_t unknowns) const;
+
   const ContactProblem& problem_;
-  std::unique_ptr<const Scaled> scaled_;
+  std::unique_ptr<const ScaledProblem> scaled_;
 };
 
 /// Whether x . W x > 0 for all x but 0. An LCP with such a matrix has one solution for every q.
