@@ -86,4 +86,12 @@ RecordJudgement judge(const Record& record, const JudgeOptions& options) {
   return judge_exactly(record, options);
 }
 
+RecordJudgement judge(const ForcedScene<double>& scene, const SolverOutput& output, const JudgeOptions& options) {
+  return judge(to_record(scene, output), options);
+}
+
+RecordJudgement judge(const ForcedScene<Rational>& scene, const SolverOutput& output, const JudgeOptions& options) {
+  return judge(to_record(scene, output), options);
+}
+
 }  // namespace slipproof

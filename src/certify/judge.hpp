@@ -50,6 +50,10 @@ struct Distance {
 };
 
 /// The record is complete (see incomplete()).
-RecordJudgement judge(const Record& record, const JudgeOptions& options);
+RecordJudgement judge(const Record& record, const JudgeOptions& options = {});
+
+/// The same for who calls the library: `judge(scene, {.a = 2, .S2 = 2, .S3 = 0, .N2 = 7, .N3 = 3}).verdict`.
+RecordJudgement judge(const ForcedScene<double>& scene, const SolverOutput& output, const JudgeOptions& options = {});
+RecordJudgement judge(const ForcedScene<Rational>& scene, const SolverOutput& output, const JudgeOptions& options = {});
 
 }  // namespace slipproof

@@ -64,19 +64,53 @@ void Record::replace_other_forms(Field f) {
   if ((reduced & bit(f)) != 0) present &= ~(bit(Field::r1) | bit(Field::r2) | bit(Field::mu) | bit(Field::M));
 }
 
-Record to_record(const Scene& scene) {
+namespace {
+
+/// What a scene says, F where it is known.
+template <class T>
+Record record_of(const Bicycle<T>& p, const Road<T>& road, ForceKind kind, const T* F) {
   Record r;
-  r.force_kind = scene.force_kind;
-  const Bicycle<Rational>& p = scene.bicycle;
-  const std::array<const Rational*, direct_count> values{&p.M,          &p.R,          &p.h,
-                                                         &p.b2,         &p.b3,         &p.I1,
-                                                         &p.I2,         &p.I3,         &p.r1,
-                                                         &p.r2,         &p.L,          p.J ? &*p.J : nullptr,
-                                                         &scene.road.f, &scene.road.g, scene.F ? &*scene.F : nullptr};
+  r.force_kind = kind;
+  const std::array<const T*, direct_count> values{&p.M,    &p.R,    &p.h,  &p.b2, &p.b3, &p.I1,
+                                                  &p.I2,   &p.I3,   &p.r1, &p.r2, &p.L,  p.J ? &*p.J : nullptr,
+                                                  &road.f, &road.g, F};
   for (std::size_t i = 0; i < direct_count; ++i) {
     if (values[i] != nullptr) r.set(static_cast<Field>(i), *values[i]);
   }
   return r;
+}
+
+template <class T>
+Record record_of(const ForcedScene<T>& scene, const SolverOutput& output) {
+  Record r = record_of(scene.bicycle, scene.road, scene.force_kind, &scene.F);
+  r.mode = output.mode;
+  for (const auto& [field, value] :
+       std::initializer_list<std::pair<Field, std::optional<double>>>{{Field::a, output.a},
+                                                                      {Field::a_y, output.a_y},
+                                                                      {Field::phi, output.phi},
+                                                                      {Field::eps2, output.eps2},
+                                                                      {Field::eps3, output.eps3},
+                                                                      {Field::S2, output.S2},
+                                                                      {Field::S3, output.S3},
+                                                                      {Field::N2, output.N2},
+                                                                      {Field::N3, output.N3}}) {
+    if (value) r.set(field, *value);
+  }
+  return r;
+}
+
+}  // namespace
+
+Record to_record(const Scene& scene) {
+  return record_of(scene.bicycle, scene.road, scene.force_kind, scene.F ? &*scene.F : nullptr);
+}
+
+Record to_record(const ForcedScene<double>& scene, const SolverOutput& output) {
+  return record_of(scene, output);
+}
+
+Record to_record(const ForcedScene<Rational>& scene, const SolverOutput& output) {
+  return record_of(scene, output);
 }
 
 std::string incomplete(std::uint32_t present) {

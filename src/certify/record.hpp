@@ -53,6 +53,18 @@ struct Record {
 /// The parameters of a scene as a record without an answer.
 Record to_record(const Scene& scene);
 
+/// What a floating-point solver says of a scene, for who calls the library: all forces and the acceleration of the
+/// frame, and what else the solver has.
+struct SolverOutput {
+  std::optional<ContactMode> mode = std::nullopt;  ///< if it names one
+  double a{}, S2{}, S3{}, N2{}, N3{};
+  std::optional<double> a_y = std::nullopt, phi = std::nullopt, eps2 = std::nullopt, eps3 = std::nullopt;
+};
+
+/// The numbers of the scene exactly as they are.
+Record to_record(const ForcedScene<double>& scene, const SolverOutput& output);
+Record to_record(const ForcedScene<Rational>& scene, const SolverOutput& output);
+
 /// What is missing from a set of fields for a complete record, or given twice; empty if nothing is.
 std::string incomplete(std::uint32_t present);
 

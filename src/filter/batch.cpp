@@ -39,7 +39,7 @@ SLIPPROOF_FLATTEN void decide_block(const ForcedScene<Column>& scenes, std::size
 }
 
 ForcedScene<double> scene_at(const ForcedScene<Column>& scenes, std::size_t i) {
-  return convert<Column, double>(scenes, [i](const Column& c) { return c.size() == 1 ? c[0] : c[i]; });
+  return convert<Column, double>(scenes, [i](const Column& c) { return c[i]; });
 }
 
 TierCounts decide_range(const ForcedScene<Column>& scenes, std::span<ConsistentModes> answers, std::size_t begin,
@@ -92,6 +92,17 @@ void consistent_modes(const ForcedScene<Column>& scenes, std::span<ConsistentMod
         sum);
   });
   counts = sum(counts, found);
+}
+
+BatchAnswers consistent_modes(const ForcedScene<Column>& scenes, unsigned threads) {
+  std::size_t count = 0;
+  convert<Column, Column>(scenes, [&count](const Column& c) {
+    count = std::max(count, c.size());
+    return c;
+  });
+  BatchAnswers answers{std::vector<ConsistentModes>(count), {}};
+  consistent_modes(scenes, answers.modes, answers.tiers, threads);
+  return answers;
 }
 
 }  // namespace slipproof

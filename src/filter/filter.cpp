@@ -33,10 +33,6 @@ ForcedScene<double> nearest_binary64(const ForcedScene<Rational>& scene) {
   return convert<Rational, double>(scene, [](const Rational& x) { return nearest_binary64(x); });
 }
 
-ForcedScene<Rational> to_rational(const ForcedScene<double>& scene) {
-  return convert<double, Rational>(scene, [](double x) { return to_rational(x); });
-}
-
 SLIPPROOF_VECTOR_CLONES("avx2")
 SLIPPROOF_FLATTEN ModeSets filter_modes(const ForcedScene<double>& scene) {
   if (!within_input_limit(scene)) return all_undecided;

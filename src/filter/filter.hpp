@@ -5,24 +5,14 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 
 #include "filter/double_double.hpp"
 #include "filter/mode_status.hpp"
 #include "filter/tracked.hpp"
-#include "model/bicycle.hpp"
+#include "model/forced_scene.hpp"
 #include "modes/motions.hpp"
 
 namespace slipproof {
-
-/// A scene at one force in numbers of one type, SI units.
-template <class T>
-struct ForcedScene {
-  Bicycle<T> bicycle;
-  Road<T> road;
-  ForceKind force_kind = ForceKind::internal;
-  T F{};
-};
 
 /// What decided, fastest first. Each tier gives the same answer as the exact one, or passes on.
 enum class Tier : std::uint8_t { filter, double_double, exact };
@@ -40,31 +30,8 @@ struct ConsistentModes {
   bool operator==(const ConsistentModes&) const = default;
 };
 
-template <class T, class U, class Convert>
-ForcedScene<U> convert(const ForcedScene<T>& s, const Convert& to) {
-  const Bicycle<T>& p = s.bicycle;
-  ForcedScene<U> r{.bicycle = {.M = to(p.M),
-                               .R = to(p.R),
-                               .h = to(p.h),
-                               .b2 = to(p.b2),
-                               .b3 = to(p.b3),
-                               .I1 = to(p.I1),
-                               .I2 = to(p.I2),
-                               .I3 = to(p.I3),
-                               .r1 = to(p.r1),
-                               .r2 = to(p.r2),
-                               .L = to(p.L),
-                               .J = std::nullopt},
-                   .road = {to(s.road.f), to(s.road.g)},
-                   .force_kind = s.force_kind,
-                   .F = to(s.F)};
-  if (p.J) r.bicycle.J.emplace(to(*p.J));
-  return r;
-}
-
 /// Each number rounded to the nearest binary64; the filter's bounds include that rounding.
 ForcedScene<double> nearest_binary64(const ForcedScene<Rational>& scene);
-ForcedScene<Rational> to_rational(const ForcedScene<double>& scene);
 
 /// The dynamics in a number type with error bounds. It must be a copy of the inputs: N::input(T) says what a T means.
 template <class N, class T>

@@ -23,7 +23,7 @@ struct Bicycle {
   T r1;                ///< radius of the pedal sprocket, m, > 0
   T r2;                ///< radius of the rear sprocket, m, > 0; mu = r2 / r1
   T L;                 ///< arm of the pedal below the line O1 O2, m, any
-  std::optional<T> J;  ///< pitch inertia of the frame about C, kg m^2, > 0; absent: no motion with a wheel off the road
+  std::optional<T> J = std::nullopt;  ///< pitch inertia of the frame about C, kg m^2, > 0; absent: no motion with a wheel off the road
 };
 
 template <class T>

@@ -35,6 +35,7 @@ class ModeSolution {
   Motion<Affine<Rational>> motion() const;
   /// Of a continuum only.
   const Continuum& continuum() const { return *continuum_; }
+  const std::shared_ptr<const Continuum>& shared_continuum() const { return continuum_; }
 
  private:
   friend class ModeTable;

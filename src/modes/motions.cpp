@@ -121,7 +121,7 @@ void visit(const ModeSolution& s, const Rational& force, MotionsAtForce& result,
   } else if (auto motion = only_motion(s.continuum(), *ranges, force)) {
     add(result.motions, s.mode(), false, std::move(*motion));
   } else {
-    result.continua.push_back({&s.continuum(), std::move(*ranges), s.strict().contains(force)});
+    result.continua.push_back({s.shared_continuum(), std::move(*ranges), s.strict().contains(force)});
   }
 }
 
@@ -185,6 +185,14 @@ MotionsAtForce motions_at(const ModeTable& table, const Rational& force) {
   MotionsAtForce result;
   for (const ModeSolution& s : table.solutions()) visit(s, force, result, true);
   return result;
+}
+
+MotionsAtForce motions_at(const ForcedScene<Rational>& s) {
+  return motions_at(ModeTable(s.bicycle, s.road, s.force_kind), s.F);
+}
+
+MotionsAtForce motions_at(const ForcedScene<double>& scene) {
+  return motions_at(to_rational(scene));
 }
 
 std::string reason(const Rejection& r) {

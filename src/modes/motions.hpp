@@ -1,10 +1,12 @@
 // The motions of a scene: at one force, and over the whole line of forces.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "model/forced_scene.hpp"
 #include "modes/mode_table.hpp"
 
 namespace slipproof {
@@ -19,7 +21,7 @@ struct FoundMotion {
 
 /// A mode with more than one consistent motion at a force.
 struct FoundContinuum {
-  const Continuum* continuum = nullptr;
+  std::shared_ptr<const Continuum> continuum;
   std::vector<ForceInterval> parameters;  ///< the range of each free parameter
   bool strict = false;
 };
@@ -43,6 +45,11 @@ struct MotionsAtForce {
 
 /// Every motion at a force. A motion found through several modes is one motion.
 MotionsAtForce motions_at(const ModeTable& table, const Rational& force);
+
+/// Every motion of a scene in the domain (bicycle.hpp). A double is taken exactly; throws NumberError for a NaN or an
+/// infinity.
+MotionsAtForce motions_at(const ForcedScene<Rational>& scene);
+MotionsAtForce motions_at(const ForcedScene<double>& scene);
 
 /// A force, or an open interval of forces, with the same motions throughout.
 struct Cell {

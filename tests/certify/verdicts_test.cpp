@@ -24,7 +24,8 @@ const std::string scene = "1,1,1,1,0,1,1,1,1,1,10,";
 
 /// The answer of the exact solver to the scene above, as a record.
 std::string answer(const Rational& F, const std::string& mode_text) {
-  const Bicycle<Rational> p{1, 1, 1, 1, 1, 0, 1, 1, 1, 1, 1, std::nullopt};
+  const Bicycle<Rational> p{
+      .M = 1, .R = 1, .h = 1, .b2 = 1, .b3 = 1, .I1 = 0, .I2 = 1, .I3 = 1, .r1 = 1, .r2 = 1, .L = 1};
   const ModeTable table(p, {1, 10}, ForceKind::internal);
   const auto found = motions_at(table, F);
   REQUIRE(found.motions.size() == 1);
@@ -163,7 +164,8 @@ TEST_CASE("a header that cannot be used, and with stop_at_broken a record, is re
 
 TEST_CASE("decimals mean the nearest binary64, or exactly what they say") {
   // f N = S exactly in decimals; the nearest binary64 of 0.1 is a little above one tenth.
-  const Bicycle<Rational> p{1, 1, 1, 1, 1, 0, 1, 1, 1, 1, 1, std::nullopt};
+  const Bicycle<Rational> p{
+      .M = 1, .R = 1, .h = 1, .b2 = 1, .b3 = 1, .I1 = 0, .I2 = 1, .I3 = 1, .r1 = 1, .r2 = 1, .L = 1};
   const ModeTable table(p, {Rational(1, 10), 10}, ForceKind::internal);
   const ModeSolution& sticking = *table.find({ContactState::stick, ContactState::stick});
   REQUIRE(sticking.closed().upper());

@@ -53,7 +53,7 @@ TEST_CASE("the first two tiers allocate nothing, one by one and in a batch; the 
   CHECK(allocations == before);
   CHECK(seen != 0);
 
-  ForcedScene<Column> columns = convert<double, Column>(scenes[0], [](const double& x) { return Column(&x, 1); });
+  ForcedScene<Column> columns = convert<double, Column>(scenes[0], [](double x) { return Column(x); });
   std::vector<double> F(1000);
   for (double& x : F) x = random.uniform(-300, 3000);
   columns.F = F;

@@ -99,13 +99,14 @@ TEST_CASE(
     consistent_modes(batch, one, counts);
     consistent_modes(batch, many, counts_many, 2);
     CHECK(one == many);
+    CHECK(consistent_modes(batch).modes == one);
     CHECK(counts == counts_many);
     CHECK(counts[0] + counts[1] + counts[2] == count);
     for (std::size_t k = 0; k < count; ++k) CHECK(one[k] == consistent_modes(scenes[k]));
 
     ForcedScene<Column> shared = batch;  // one bicycle, many forces
     Bicycle<Column>& p = shared.bicycle;
-    for (Column* c : {&p.M, &p.R, &p.h, &p.b2, &p.b3, &p.I1, &p.I2, &p.I3, &p.r1, &p.r2, &p.L}) *c = c->first(1);
+    for (Column* c : {&p.M, &p.R, &p.h, &p.b2, &p.b3, &p.I1, &p.I2, &p.I3, &p.r1, &p.r2, &p.L}) *c = (*c)[0];
     p.J.reset();
     consistent_modes(shared, many, counts_many);
     for (std::size_t k = 0; k < count; ++k) {

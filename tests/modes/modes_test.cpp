@@ -133,7 +133,17 @@ TEST_CASE("the number of strict motions of a generic scene with J is odd") {
 
 TEST_CASE("without J the number of motions may be even: the one that lifts the front wheel is not modelled") {
   // The ambiguous region of Assertion 5: R = h = g = M2 = M3 = 1, f = 4, b = 1/2 < b1 = 1, xi3 = 1/3 < F < xi2 = 6/17.
-  Bicycle<Rational> p{1, 1, 1, Rational(1, 2), Rational(1, 2), 0, 1, 1, 1, 1, 1, std::nullopt};
+  Bicycle<Rational> p{.M = 1,
+                      .R = 1,
+                      .h = 1,
+                      .b2 = Rational(1, 2),
+                      .b3 = Rational(1, 2),
+                      .I1 = 0,
+                      .I2 = 1,
+                      .I3 = 1,
+                      .r1 = 1,
+                      .r2 = 1,
+                      .L = 1};
   const Road<Rational> road{4, 1};
   const Rational F(7, 20);
   CHECK(motions_at(ModeTable(p, road, ForceKind::internal), F).motions.size() == 2);
@@ -145,4 +155,29 @@ TEST_CASE("without J the number of motions may be even: the one that lifts the f
     CHECK(names(found.motions[1].modes) == std::vector<std::string>{"stick/slip+"});
     CHECK(names(found.motions[2].modes) == std::vector<std::string>{"stick/lift"});
   }
+}
+
+TEST_CASE("why a singular mode has no motion: no solution of its equations, or none that meets the conditions") {
+  // Wheels without inertia: hanging in the air they may spin as they like, and the rear one takes no moment.
+  const Bicycle<Rational> p{
+      .M = 1, .R = 1, .h = 1, .b2 = 1, .b3 = 1, .I1 = 0, .I2 = 0, .I3 = 0, .r1 = 1, .r2 = 1, .L = 1, .J = 1};
+  const ModeTable table(p, {1, 10}, ForceKind::internal);
+  const auto rejection = [&](const char* mode, const Rational& F) {
+    for (const Rejection& r : motions_at(table, F).rejected) {
+      if (r.mode == *parse_mode(mode)) return r;
+    }
+    FAIL("not rejected");
+    return Rejection();
+  };
+  const Rejection gap = rejection("stick/lift", 2);
+  REQUIRE(gap.violated);
+  CHECK(name(*gap.violated) == "gap3 >= 0");
+  CHECK(gap.margin < 0);
+  CHECK(gap.solvable);
+  CHECK(reason(gap) == "gap3 >= 0 is violated");
+  const Rejection unsolvable = rejection("lift/stick", 2);
+  CHECK_FALSE(unsolvable.solvable);
+  CHECK_FALSE(unsolvable.violated);
+  CHECK(reason(unsolvable) == "its equations have no solution");
+  CHECK(rejection("lift/stick", 0).solvable);
 }
