@@ -171,9 +171,10 @@ RecordJudgement invalid_judgement(const std::string& reason) {
 }
 
 std::string too_much_work(Work needed, Work effort) {
-  return "too much work: " +
-         (needed == endless ? "more" : "about " + std::to_string(needed) + " operations on words, more") +
-         " than the effort of " + std::to_string(effort) + " allows";
+  const std::string allowed = "more than the effort of " + std::to_string(effort) + " allows; ";
+  if (needed == endless) return "too much work: " + allowed + "a larger --effort may do";
+  const std::string work = std::to_string(needed);
+  return "too much work: about " + work + " operations on words, " + allowed + "--effort " + work + " would do";
 }
 
 RecordJudgement judge_exactly(const Record& record, const JudgeOptions& options) {

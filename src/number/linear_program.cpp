@@ -198,9 +198,8 @@ LinearOptimum minimize(const AffineForm& objective, const std::vector<AffineForm
     for (const Rational& x : form.coefficients) bits = std::max(bits, bit_count(x));
   }
   const std::size_t columns = objective.coefficients.size() + 1, rows = constraints.size() + 1;
-  // Entries of a dictionary are quotients of minors; a sum of fractions takes some products and a gcd.
-  constexpr Work products_of_a_sum = 3;
-  const Work pivot = times(products_of_a_sum * rows * columns, product_work(bits * std::min(rows, columns)));
+  // Entries of a dictionary are quotients of minors; a sum of fractions takes some products, and many entries are 0.
+  const Work pivot = times(rows * columns, product_work(bits * std::min(rows, columns)));
   const LinearOptimum result =
       minimize(objective, constraints, static_cast<std::size_t>(std::min<Work>(effort.left() / pivot, 1U << 30U)));
   effort.spend(result.kind == LinearOptimum::Kind::given_up ? endless : times(pivot, result.pivots));
