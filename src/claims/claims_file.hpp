@@ -71,6 +71,12 @@ struct Boundary {
   Expression value;  ///< over parameters and definitions, independent of the symbol and of the force
 };
 
+/// Something that one could build has to meet.
+struct Realisable {
+  std::string name;
+  Expression condition;  ///< over parameters and definitions, these as repaired; independent of the force
+};
+
 /// A symbol defined by the paper.
 struct Definition {
   std::string symbol;
@@ -106,6 +112,7 @@ struct Setting {
   std::map<std::string, Expression, std::less<>> scene;  ///< by scene symbol; all but J must be there
   std::vector<Definition> definitions;                   ///< each uses only symbols that do not lead back to it
   std::vector<Boundary> boundaries;
+  std::vector<Realisable> realisable;  ///< none: nothing is said about what can be built
 
   /// What makes the scene a bicycle of the model (model/domain.hpp) and the force a polynomial of degree 1 at most, as
   /// numbers that have to be positive, not negative, and different from 0. The scene must be complete.

@@ -57,6 +57,8 @@ class ClaimsEnumeration {
  private:
   void mutate_definition(std::size_t s, std::size_t d) {
     const Definition& definition = file_.settings[s].definitions[d];
+    const auto claims = claims_with(s, definition.symbol);
+    if (claims.empty()) return;  // inherited, and used by nobody here: nothing could notice
     const bool force = depends_on_force(s, definition.printed);
     std::vector<std::string> symbols;
     for (const auto& [symbol, entry] : names_[s].all()) {
@@ -67,7 +69,7 @@ class ClaimsEnumeration {
       }
     }
     const std::string where = "definition " + definition.symbol + " (line " + std::to_string(definition.line) + ")";
-    add({std::nullopt, s, d, 0, {}, where, claims_with(s, definition.symbol)}, definition.printed, symbols);
+    add({std::nullopt, s, d, 0, {}, where, claims}, definition.printed, symbols);
   }
 
   void mutate_claim(std::size_t c) {

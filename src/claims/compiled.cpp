@@ -71,6 +71,7 @@ CompiledSetting::CompiledSetting(const Setting& setting) {
   }
 
   for (const Parameter& parameter : setting.parameters) domains_.push_back(compile(parameter.domain, Reading::printed));
+  for (const Realisable& one : setting.realisable) realisable_.push_back(compile(one.condition, Reading::repaired));
   force_domain_ = compile(setting.force.domain, Reading::printed);
   is_bicycle_ = compile(bicycle_condition(setting), Reading::printed);
   for (const std::string_view symbol : scene_symbols) {

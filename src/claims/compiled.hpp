@@ -46,6 +46,8 @@ class CompiledSetting {
   };
   /// The values at which parameters are on a boundary, those of both readings where they differ.
   const std::vector<Boundary>& boundaries() const { return boundaries_; }
+  /// What a bicycle that can be built has to meet, in the order of Setting::realisable.
+  const std::vector<Program>& realisable() const { return realisable_; }
   /// By parameter.
   const std::vector<Program>& domains() const { return domains_; }
   const Program& force_domain() const { return *force_domain_; }
@@ -72,6 +74,7 @@ class CompiledSetting {
   std::array<std::vector<Expression>, 2> definitions_;  ///< by reading
   std::string force_;
   std::vector<Boundary> boundaries_;
+  std::vector<Program> realisable_;
   std::vector<Program> domains_;
   std::optional<Program> force_domain_, is_bicycle_;
   std::vector<std::optional<Program>> scene_;

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "claims/claims_reader.hpp"
+#include "claims/inherit.hpp"
 #include "claims/parser.hpp"
 
 namespace slipproof::claims_reader {
@@ -16,6 +17,7 @@ class SettingReader {
 
   void read() {
     setting_.id = context_.text(table_, "id", "a name of the setting");
+    context_.optional_text(table_, "inherits");  // followed by written_out(), reported here if it is no text
     setting_.statement = context_.optional_text(table_, "statement");
     setting_.line = context_.line(table_, "line", false);
     const auto& others = context_.file.settings;
@@ -28,6 +30,7 @@ class SettingReader {
     read_definitions();
     read_scene();
     for (const PlacedText* boundary : table_.strings("boundaries")) read_boundary(*boundary);
+    read_realisable();
     context_.file.settings.push_back(std::move(setting_));
   }
 
@@ -143,6 +146,18 @@ class SettingReader {
     }
   }
 
+  void read_realisable() {
+    const TomlValue* realisable = table_.table("realisable");
+    if (realisable == nullptr) return;
+    std::vector<std::string_view> names;
+    for (const TomlEntry& entry : realisable->entries) names.push_back(entry.key);
+    const TableReader table(*realisable, "[setting.realisable]", names, context_.mistakes);
+    for (const TomlEntry& entry : realisable->entries) {
+      setting_.realisable.push_back(
+          {entry.key, context_.expression(table, entry.key, Sort::truth, index_, {.definitions = true})});
+    }
+  }
+
   void read_boundary(const PlacedText& text) {
     Expression boundary = make_truth(true);
     try {
@@ -176,11 +191,12 @@ class SettingReader {
 }  // namespace
 
 void read_settings(const TableReader& root, Context& context) {
-  static constexpr std::array<std::string_view, 9> keys{"id",    "statement",  "line",  "motions",   "parameters",
-                                                        "force", "definition", "scene", "boundaries"};
+  static constexpr std::array<std::string_view, 11> keys{"id",      "inherits",   "statement", "line",
+                                                         "motions", "parameters", "force",     "definition",
+                                                         "scene",   "boundaries", "realisable"};
   if (!root.require("setting", "at least one table [[setting]]")) return;
-  for (const TomlValue* value : root.tables("setting")) {
-    const TableReader table(*value, "[[setting]]", keys, context.mistakes);
+  for (const TomlValue& value : written_out(root.tables("setting"), context.mistakes)) {
+    const TableReader table(value, "[[setting]]", keys, context.mistakes);
     SettingReader(table, context).read();
   }
 }

@@ -40,6 +40,11 @@ void Mistakes::refuse_if_any() const {
   if (diagnostics_.empty()) return;
   auto sorted = diagnostics_;
   std::ranges::stable_sort(sorted, {}, [](const Diagnostic& d) { return std::tuple(d.line, d.column); });
+  // What is read twice, as settings that others inherit from are, is wrong once.
+  const auto same = [](const Diagnostic& x, const Diagnostic& y) {
+    return x.line == y.line && x.column == y.column && x.message == y.message;
+  };
+  sorted.erase(std::unique(sorted.begin(), sorted.end(), same), sorted.end());
   throw InputError(std::move(sorted));
 }
 
