@@ -219,7 +219,14 @@ Judgement ClaimJudge::of(const Consequence& claim) {
   const auto rows = sides(claim);
   if (!rows) return undecided();
   if (!has_solution(rows->left)) return {};
-  return follows(rows->equations, rows->left) ? holds() : refuted(Reason::equation);
+  if (follows(rows->equations, rows->left)) return holds();
+  for (std::size_t i = 0; i < rows->equations.size(); ++i) {
+    if (follows({rows->equations[i]}, rows->left)) continue;
+    Judgement j = refuted(Reason::equation);
+    j.equation = i;
+    return j;
+  }
+  return refuted(Reason::equation);
 }
 
 Judgement ClaimJudge::of(const System& claim) {

@@ -41,6 +41,7 @@ struct Judgement {
   std::optional<ForceInterval> claimed;    ///< interval: what the claim says
   std::optional<ForceInterval> real;       ///< interval, impossible: the forces that the mode has
   std::optional<ForceInterval> witnesses;  ///< forces at which claim and truth differ
+  std::optional<std::size_t> equation;     ///< consequence: which of the equations does not follow
 };
 
 /// Judges a claim, given by its index, in a reading. `compiled` is made from `file`, the sample from the claim's

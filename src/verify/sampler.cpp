@@ -62,6 +62,23 @@ std::vector<Rational> draw_all(const CompiledSetting& setting, Dice& dice, Kind 
   return {};
 }
 
+/// Draws single parameters anew, as long as no further condition breaks, until what the values are of can be built;
+/// false if that does not come about.
+bool make_realisable(const CompiledSetting& setting, Dice& dice, Kind kind, std::vector<Rational>& values) {
+  const auto last = static_cast<int>(values.size()) - 1;
+  std::size_t unmet = unrealisable(setting, values).size();
+  for (int attempt = 0; attempt < 400 && unmet > 0; ++attempt) {
+    std::vector<Rational> changed = values;
+    changed[static_cast<std::size_t>(dice.number(0, last))] = draw(dice, kind);
+    if (!in_domain(setting, changed)) continue;
+    const std::size_t still = unrealisable(setting, changed).size();
+    if (still > unmet) continue;
+    values = std::move(changed);
+    unmet = still;
+  }
+  return unmet == 0;
+}
+
 /// The boundaries of one parameter, ascending.
 std::vector<Rational> boundaries_of(const CompiledSetting& setting, std::size_t parameter,
                                     const std::vector<Rational>& values) {
@@ -99,6 +116,15 @@ bool in_domain(const CompiledSetting& setting, const std::vector<Rational>& valu
                      [&](const Program& domain) { return evaluator.truth(domain) == Truth::yes; });
 }
 
+std::vector<std::size_t> unrealisable(const CompiledSetting& setting, const std::vector<Rational>& values) {
+  auto evaluator = evaluator_at(setting, values);
+  std::vector<std::size_t> unmet;
+  for (std::size_t i = 0; i < setting.realisable().size(); ++i) {
+    if (evaluator.truth(setting.realisable()[i]) != Truth::yes) unmet.push_back(i);
+  }
+  return unmet;
+}
+
 std::optional<Rational> boundary_value(const CompiledSetting& setting, const CompiledSetting::Boundary& boundary,
                                        const std::vector<Rational>& values) {
   return evaluator_at(setting, values).number(boundary.value).number;
@@ -106,8 +132,11 @@ std::optional<Rational> boundary_value(const CompiledSetting& setting, const Com
 
 std::vector<Rational> Sampler::at(std::uint64_t i) const {
   Dice dice(seed_, i);
-  const Kind kind = kinds[i % kinds.size()];
+  Kind kind = kinds[i % kinds.size()];
+  // What can be built has fractions: wheels are smaller than the vehicle.
+  if (among_ == Among::realisable && kind == Kind::integers) kind = Kind::fractions;
   std::vector<Rational> values = draw_all(*setting_, dice, kind);
+  if (!values.empty() && among_ == Among::realisable && !make_realisable(*setting_, dice, kind, values)) return {};
   if (values.empty() || kind == Kind::integers || kind == Kind::fractions || setting_->boundaries().empty())
     return values;
   if (kind == Kind::extreme && dice.chance(2)) return values;
@@ -127,7 +156,8 @@ std::vector<Rational> Sampler::at(std::uint64_t i) const {
     if (boundaries.empty()) continue;
     std::vector<Rational> moved = values;
     moved[bounded[k]] = placed(boundaries, dice, kind == Kind::extreme ? Kind::on_boundary : kind);
-    if (in_domain(*setting_, moved)) values = std::move(moved);
+    if (!in_domain(*setting_, moved)) continue;
+    if (among_ == Among::all || unrealisable(*setting_, moved).empty()) values = std::move(moved);
   }
   return values;
 }

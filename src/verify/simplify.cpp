@@ -23,6 +23,10 @@ Complexity complexity(const std::vector<Rational>& values) {
   return c;
 }
 
+bool much_simpler(const std::vector<Rational>& values, const std::vector<Rational>& others) {
+  return 2 * complexity(values).height <= complexity(others).height;
+}
+
 namespace {
 
 /// A parameter that is not free: its value follows from the others by a boundary.
@@ -43,9 +47,9 @@ bool complete(const CompiledSetting& setting, const std::vector<Tie>& ties, std:
 
 class Search {
  public:
-  Search(const CompiledSetting& setting, const std::function<bool(const std::vector<Rational>&)>& fails,
+  Search(const CompiledSetting& setting, const std::function<bool(const std::vector<Rational>&)>& fails, Among among,
          std::size_t budget, std::vector<Tie> ties)
-      : setting_(setting), fails_(fails), budget_(budget), ties_(std::move(ties)) {
+      : setting_(setting), fails_(fails), among_(among), budget_(budget), ties_(std::move(ties)) {
     for (std::size_t k = 0; k < setting.domains().size(); ++k) {
       if (std::none_of(ties_.begin(), ties_.end(), [&](const Tie& tie) { return tie.parameter == k; }))
         free_.push_back(k);
@@ -69,11 +73,12 @@ class Search {
     for (bool improved = true; improved;) {
       improved = false;
       for (const std::size_t k : free_) {
+        const Complexity here = complexity(values);
         for (const Rational& candidate : simpler(values[k])) {
           std::vector<Rational> tried = values;
           tried[k] = candidate;
-          if (!complete(setting_, ties_, tried) || !(complexity(tried) < complexity(values)) || !fails_(tried))
-            continue;
+          if (ties_.empty() && !(complexity(tried) < here)) continue;
+          if (!completed(tried) || !(complexity(tried) < here) || !fails_(tried)) continue;
           values = std::move(tried);
           improved = true;
           break;
@@ -81,6 +86,11 @@ class Search {
       }
     }
     return values;
+  }
+
+  /// Gives the tied values; whether the sample is one of those that are asked for.
+  bool completed(std::vector<Rational>& values) const {
+    return complete(setting_, ties_, values) && (among_ == Among::all || unrealisable(setting_, values).empty());
   }
 
  private:
@@ -117,8 +127,14 @@ class Search {
     return result;
   }
 
+  /// Small numbers, and the simplest ones near by.
   static std::vector<Rational> simpler(const Rational& value) {
-    std::vector<Rational> result{1, 0, 2, Rational(1, 2), -1, Rational(-1, 2), 3, 4, Rational(1, 3)};
+    static const std::vector<Rational> small = [] {
+      std::vector<Rational> all = numbers(6);
+      all.insert(all.begin(), 1);
+      return all;
+    }();
+    std::vector<Rational> result = small;
     const Rational step(Integer(1), 4 * denominator(value));
     for (const Rational& radius : {abs(value) / 2, abs(value) / 4, abs(value) / 16, step}) {
       if (!radius.is_zero()) result.push_back(simplest_between(Rational(value - radius), Rational(value + radius)));
@@ -133,7 +149,7 @@ class Search {
       if (budget_ == 0) return false;
       --budget_;
       std::vector<Rational> tried = values;
-      if (complete(setting_, ties_, tried) && (!found || complexity(tried) < complexity(*found)) && fails_(tried))
+      if (completed(tried) && (!found || complexity(tried) < complexity(*found)) && fails_(tried))
         found = std::move(tried);
       return true;
     }
@@ -149,6 +165,7 @@ class Search {
 
   const CompiledSetting& setting_;
   const std::function<bool(const std::vector<Rational>&)>& fails_;
+  Among among_;
   std::size_t budget_;
   std::vector<Tie> ties_;
   std::vector<std::size_t> free_;
@@ -186,15 +203,17 @@ std::vector<Tie> ties_of(const CompiledSetting& setting, const std::vector<Ratio
 
 }  // namespace
 
-Simplified simplify(const CompiledSetting& setting, const std::vector<Rational>& failing,
-                    const std::function<bool(const std::vector<Rational>&)>& fails, std::size_t budget) {
-  Search search(setting, fails, budget, ties_of(setting, failing, fails));
+std::optional<Simplified> simplify(const CompiledSetting& setting, const std::vector<Rational>& failing,
+                                   const std::function<bool(const std::vector<Rational>&)>& fails, Among among,
+                                   std::size_t budget) {
+  Search search(setting, fails, among, budget, ties_of(setting, failing, fails));
   std::optional<std::vector<Rational>> found;
-  for (int height = 1; !found && height <= 6; ++height) {
-    if (!search.exhaust(height, found)) return {search.descend(found ? std::move(*found) : failing), false};
-  }
-  if (!found) return {search.descend(failing), false};
-  return {std::move(*found), true};
+  bool exhausted = true;
+  for (int height = 1; exhausted && !found && height <= 6; ++height) exhausted = search.exhaust(height, found);
+  if (found && exhausted) return Simplified{std::move(*found), true};
+  std::vector<Rational> start = found ? std::move(*found) : failing;
+  if (!search.completed(start)) return std::nullopt;
+  return Simplified{search.descend(std::move(start)), false};
 }
 
 }  // namespace slipproof

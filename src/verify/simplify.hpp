@@ -20,16 +20,21 @@ struct Complexity {
 };
 Complexity complexity(const std::vector<Rational>& values);
 
+/// Whether somebody who checks by hand would rather take the first: its largest height is at most half of the other's.
+bool much_simpler(const std::vector<Rational>& values, const std::vector<Rational>& others);
+
 struct Simplified {
   std::vector<Rational> values;
-  /// No simpler sample of the setting fails, among all with parameters tied to boundaries as here.
+  /// No simpler sample of these fails, among all with parameters tied to boundaries as here.
   bool minimal = false;
 };
 
 /// A simplest sample that `fails`, starting from one that does. If the failure is one of a boundary of the setting (it
 /// is gone on both sides), the parameter stays tied to that boundary. All samples of height 1, 2, ... are tried in the
-/// order of Complexity, at most `budget` of them; past that, single values are made simpler as long as it goes.
-Simplified simplify(const CompiledSetting& setting, const std::vector<Rational>& failing,
-                    const std::function<bool(const std::vector<Rational>&)>& fails, std::size_t budget = 50'000);
+/// order of Complexity, at most `budget` of them; past that, single values are made simpler as long as it goes. Among
+/// those that can be built, nothing is found if `failing` is not one and none of those tried is.
+std::optional<Simplified> simplify(const CompiledSetting& setting, const std::vector<Rational>& failing,
+                                   const std::function<bool(const std::vector<Rational>&)>& fails,
+                                   Among among = Among::all, std::size_t budget = 50'000);
 
 }  // namespace slipproof

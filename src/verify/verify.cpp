@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "parallel/thread_count.hpp"
+#include "verify/counterexample.hpp"
 #include "verify/critical.hpp"
 #include "verify/identity.hpp"
 #include "verify/simplify.hpp"
@@ -48,22 +49,40 @@ class FirstSamples {
   std::vector<std::uint64_t> numbers_;
 };
 
-/// What one claim in one reading comes to over some samples; sums do not depend on their order.
-struct Tally {
-  std::uint64_t held = 0, refuted = 0, undecided = 0;
-  std::uint64_t lines = 0, cells = 0;
-  FirstSamples held_at, speaks_at;  ///< samples at which it held; those of them at which there is a force for it
-  std::vector<Rational> simplest;   ///< of the failing samples
+/// The simplest of some samples.
+struct Simplest {
+  std::vector<Rational> values;  ///< empty: there is none yet
   Complexity its_complexity;
 
-  void add(Outcome outcome, const std::vector<Rational>& values) {
+  void keep(const std::vector<Rational>& other, const Complexity& c) {
+    if (!values.empty() && !(std::tie(c, other) < std::tie(its_complexity, values))) return;
+    values = other;
+    its_complexity = c;
+  }
+  void keep(const Simplest& other) {
+    if (!other.values.empty()) keep(other.values, other.its_complexity);
+  }
+};
+
+/// What one claim in one reading comes to over some samples; sums do not depend on their order.
+struct Tally {
+  std::uint64_t tried = 0, held = 0, refuted = 0, undecided = 0;
+  std::uint64_t lines = 0, cells = 0;
+  FirstSamples held_at, speaks_at;  ///< samples at which it held; those of them at which there is a force for it
+  Simplest simplest, realisable;    ///< of the failing samples, and of those of them that can be built
+
+  void add(Outcome outcome, const CompiledSetting& setting, const std::vector<Rational>& values) {
+    ++tried;
     if (outcome == Outcome::holds) ++held;
     if (outcome == Outcome::undecided) ++undecided;
     if (outcome != Outcome::refuted) return;
     ++refuted;
-    keep(values, complexity(values));
+    const Complexity c = complexity(values);
+    simplest.keep(values, c);
+    if (unrealisable(setting, values).empty()) realisable.keep(values, c);
   }
   void add(const Tally& other) {
+    tried += other.tried;
     lines += other.lines;
     cells += other.cells;
     held_at.add(other.held_at.numbers());
@@ -71,14 +90,8 @@ struct Tally {
     held += other.held;
     refuted += other.refuted;
     undecided += other.undecided;
-    if (!other.simplest.empty()) keep(other.simplest, other.its_complexity);
-  }
-
- private:
-  void keep(const std::vector<Rational>& values, const Complexity& c) {
-    if (!simplest.empty() && !(std::tie(c, values) < std::tie(its_complexity, simplest))) return;
-    simplest = values;
-    its_complexity = c;
+    simplest.keep(other.simplest);
+    realisable.keep(other.realisable);
   }
 };
 
@@ -97,9 +110,6 @@ struct LineTask {
   std::vector<bool> matters;                 ///< by parameter
   std::vector<std::vector<Rational>> bases;  ///< bicycles that the lines go through
 };
-
-/// What is rational is judged at one sample in so many; prime to the number of the sampler's kinds of samples.
-constexpr std::uint64_t thinning = 17;
 
 std::vector<Task> tasks_of(const ClaimsFile& file, const CompiledClaims& compiled, const std::string& only,
                            LemmaBook& book) {
@@ -242,7 +252,7 @@ class Run {
       const auto sample = solved(setting, std::move(values));
       if (!sample) continue;
       if (!line_task.parts.modes.empty()) sample->only_modes(line_task.parts.modes);
-      tally.add(judge(file_, compiled_, task.claim, task.reading, *sample).outcome, sample->values());
+      tally.add(judge(file_, compiled_, task.claim, task.reading, *sample).outcome, compiled, sample->values());
     }
     return tally;
   }
@@ -258,9 +268,9 @@ class Run {
     if (!sample) return;
     for (std::size_t t = 0; t < tasks_.size(); ++t) {
       if (file_.claims[tasks_[t].claim].setting != setting) continue;
-      if (tasks_[t].rational && i % thinning != 0) continue;
+      if (tasks_[t].rational && i % thinned_to != 0) continue;
       const Judgement j = judge(file_, compiled_, tasks_[t].claim, tasks_[t].reading, *sample);
-      tallies[t].add(j.outcome, sample->values());
+      tallies[t].add(j.outcome, compiled_.settings[setting], sample->values());
       if (j.outcome == Outcome::holds && lines_ > 0) remember(i, tasks_[t], *sample, tallies[t]);
     }
   }
@@ -279,6 +289,7 @@ class Run {
     ClaimResult result;
     result.claim = tasks_[t].claim;
     result.reading = tasks_[t].reading;
+    result.tried = tally.tried;
     result.held = tally.held;
     result.refuted = tally.refuted;
     result.undecided = tally.undecided;
@@ -287,7 +298,10 @@ class Run {
     if (task.identity) result.unless_zero = task.identity->unless_zero;
     if (tally.refuted > 0) {
       result.verdict = Verdict::refuted;
-      result.counterexample = counterexample(task, tally.simplest);
+      auto found = counterexamples(file_, compiled_, task.claim, task.reading,
+                                   {tally.simplest.values, tally.realisable.values}, options_.simplify, options_.seed);
+      result.counterexample = std::move(found.shown);
+      result.simplest = std::move(found.simpler);
     } else if (file_.claims[task.claim].is<Exists>()) {
       result.verdict = tally.held > 0 ? Verdict::holds : Verdict::undecided;
       result.proved = tally.held > 0;
@@ -299,41 +313,6 @@ class Run {
       result.verdict = Verdict::vacuous;
     }
     return result;
-  }
-
-  Counterexample counterexample(const Task& task, std::vector<Rational> values) const {
-    const std::size_t setting = file_.claims[task.claim].setting;
-    const CompiledSetting& compiled = compiled_.settings[setting];
-    const ForceKind kind = file_.settings[setting].force_kind;
-    const auto judged = [&](const std::vector<Rational>& at) {
-      const auto sample = SolvedSample::make(compiled, kind, at);
-      return sample ? judge(file_, compiled_, task.claim, task.reading, *sample) : Judgement{};
-    };
-    bool minimal = false;
-    if (options_.simplify) {
-      const Judgement original = judged(values);
-      const auto fails = [&](const std::vector<Rational>& at) {
-        const Judgement j = judged(at);
-        return j.outcome == Outcome::refuted && j.reason == original.reason && j.mode == original.mode;
-      };
-      auto simplified = simplify(compiled, values, fails);
-      values = std::move(simplified.values);
-      minimal = simplified.minimal;
-    }
-    auto sample = SolvedSample::make(compiled, kind, values);
-    Counterexample example;
-    example.judgement = judge(file_, compiled_, task.claim, task.reading, *sample);
-    example.scene = sample->scene();
-    example.scene.name = "counterexample to " + file_.claims[task.claim].id + ", " + std::string(name(task.reading));
-    example.minimal = minimal;
-    example.table = std::make_shared<const ModeTable>(example.scene.bicycle, example.scene.road, kind);
-    if (const auto& witnesses = example.judgement.witnesses; witnesses && !witnesses->empty()) {
-      example.force = witnesses->sample();
-      example.scene.F = sample->pedal_force(*example.force);
-      example.motions = motions_at(*example.table, *example.scene.F);
-    }
-    example.values = std::move(values);
-    return example;
   }
 
   const ClaimsFile& file_;

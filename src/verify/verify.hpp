@@ -32,9 +32,20 @@ struct VerifyOptions {
   std::uint64_t line_count() const { return lines ? *lines : samples < 200 ? 1 : samples / 200; }
 };
 
+/// Claims of equations, and identities of rational functions, are judged at one sample in so many: where one is false,
+/// it is so nearly everywhere. Prime to the number of the sampler's kinds of samples.
+inline constexpr std::uint64_t thinned_to = 17;
+
 /// proofs/MEANING.md, Verdicts.
 enum class Verdict : std::uint8_t { holds, refuted, undecided, vacuous };
 std::string_view name(Verdict verdict);
+
+/// A comparison that the claim makes and that is false at a counterexample, with its two sides.
+struct BrokenComparison {
+  Expression left, right;
+  Relation relation;
+  Rational left_value, right_value;
+};
 
 /// A sample at which a claim fails, with all that a person needs to check it.
 struct Counterexample {
@@ -45,6 +56,10 @@ struct Counterexample {
   std::shared_ptr<const ModeTable> table;  ///< what `motions` points into
   std::optional<MotionsAtForce> motions;   ///< what is really there at the force
   bool minimal = false;                    ///< no simpler one exists: see simplify()
+  /// Which conditions of Setting::realisable it does not meet: with none of them, it can be built.
+  std::vector<std::string> unrealisable;
+  /// What `holds` compares, and is false there. Empty where no single comparison is to blame.
+  std::vector<BrokenComparison> broken;
 };
 
 /// One claim in one reading.
@@ -55,7 +70,12 @@ struct ClaimResult {
   std::uint64_t held = 0, refuted = 0, undecided = 0;  ///< samples; those outside of its region do not count
   std::uint64_t lines = 0;                             ///< along which it was judged; their points count as samples
   std::uint64_t cells = 0;  ///< parts of these lines in which the answer about it is the same throughout
+  /// Bicycles at which it was judged, those included of which it says nothing.
+  std::uint64_t tried = 0;
+  /// The simplest that can be built; where none such was found, the simplest.
   std::optional<Counterexample> counterexample;
+  /// The simplest of all, if it cannot be built and is much simpler: see much_simpler().
+  std::optional<Counterexample> simplest;
   /// It is right, or says nothing, at every bicycle: an identity of rational functions that divides by nothing that
   /// vanishes, the existence of what a sample shows, or `certificates`.
   bool proved = false;

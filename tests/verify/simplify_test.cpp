@@ -67,7 +67,7 @@ TEST_CASE("the counterexample found is a simplest one: as simple as brute force 
   };
   for (const auto& failure : failures) {
     REQUIRE(failure.first(failure.second));
-    const Simplified found = simplify(setting, failure.second, failure.first);
+    const Simplified found = *simplify(setting, failure.second, failure.first);
     CHECK(found.minimal);
     CHECK(failure.first(found.values));
     CHECK(in_domain(setting, found.values));
@@ -82,7 +82,7 @@ TEST_CASE("a failure of a boundary stays on it") {
   const CompiledClaims compiled(file);
   const Fails on_boundary = [](const auto& v) { return v[0] == v[1] * v[2] && v[2] > 1; };
   const Simplified found =
-      simplify(compiled.settings[0], {Rational(55, 21), Rational(5, 7), Rational(11, 3)}, on_boundary);
+      *simplify(compiled.settings[0], {Rational(55, 21), Rational(5, 7), Rational(11, 3)}, on_boundary);
   CHECK(found.values == std::vector<Rational>{2, 1, 2});
 }
 
@@ -91,7 +91,7 @@ TEST_CASE("out of budget: still a failing sample, simpler than the first, and no
   const CompiledClaims compiled(file);
   const Fails far = [](const auto& v) { return v[0] > 1000 && v[1] > 900; };
   const std::vector<Rational> start{Rational(1000001, 7), Rational(99999, 11), Rational(3, 7)};
-  const Simplified found = simplify(compiled.settings[0], start, far, 500);
+  const Simplified found = *simplify(compiled.settings[0], start, far, Among::all, 500);
   CHECK(far(found.values));
   CHECK_FALSE(found.minimal);
   CHECK(complexity(found.values) < complexity(start));

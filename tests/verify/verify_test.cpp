@@ -8,6 +8,7 @@
 #include "report/verify_report.hpp"
 #include "support/shipped.hpp"
 #include "support/unknowns.hpp"
+#include "verify/simplify.hpp"
 
 using namespace slipproof;
 
@@ -88,12 +89,33 @@ TEST_CASE("A2.1 as printed: the counterexample that a person can check") {
   const VerifyResult result = verify(file, assertion);
   const ClaimResult& r = *result.find(file, "A2.1", Reading::printed);
   REQUIRE(r.counterexample);
-  const Counterexample& e = *r.counterexample;
+  REQUIRE(r.simplest);  // its wheels of radius 1 overlap: one that can be built stands before it
+  const Counterexample& e = *r.simplest;
   CHECK(e.minimal);
   for (const Rational& value : e.values) CHECK(value == 1);
   CHECK(e.judgement.claimed->empty());
   CHECK(*e.judgement.real == ForceInterval::between(Rational(1, 2), false, Rational(2, 3), false));
   CHECK(e.motions->motions.size() == 1);
+}
+
+TEST_CASE("every counterexample to the shipped paper can be built: its wheels do not overlap, and are not too heavy") {
+  const ClaimsFile& file = test::shipped_paper();
+  std::size_t shown = 0;
+  for (const ClaimResult& claim : verify(file, options(400 / sampled_less)).claims) {
+    if (!claim.counterexample) continue;
+    CAPTURE(file.claims[claim.claim].id);
+    CHECK(claim.counterexample->unrealisable.empty());
+    const Bicycle<Rational>& p = claim.counterexample->scene.bicycle;
+    CHECK(p.b2 + p.b3 > 2 * p.R);
+    CHECK(p.I2 + p.I3 <= p.M * p.R * p.R);
+    CHECK(p.L < p.R);
+    CHECK(p.h + p.R > 0);
+    if (!claim.simplest) continue;
+    ++shown;
+    CHECK_FALSE(claim.simplest->unrealisable.empty());
+    CHECK(2 * complexity(claim.simplest->values).height <= complexity(claim.counterexample->values).height);
+  }
+  CHECK(shown > 0);
 }
 
 TEST_CASE("motions of a counterexample satisfy the raw equations and their conditions") {

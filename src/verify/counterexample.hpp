@@ -1,0 +1,29 @@
+// From a sample at which a claim fails to counterexamples that people can check: one that can be built, and the
+// simplest.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "verify/verify.hpp"
+
+namespace slipproof {
+
+/// Samples at which a claim fails.
+struct FailingSamples {
+  std::vector<Rational> simplest;
+  std::vector<Rational> realisable;  ///< the simplest of those that can be built; empty if there is none
+};
+
+/// What ClaimResult shows of them; `simpler` only where there is something to choose.
+struct Counterexamples {
+  Counterexample shown;
+  std::optional<Counterexample> simpler;
+};
+
+/// As ClaimResult has them. `simplified`: look for simpler samples than those that are given, and among bicycles that
+/// can be built, drawn from the seed, where none of those given can.
+Counterexamples counterexamples(const ClaimsFile& file, const CompiledClaims& compiled, std::size_t claim,
+                                Reading reading, const FailingSamples& failing, bool simplified, std::uint64_t seed);
+
+}  // namespace slipproof
