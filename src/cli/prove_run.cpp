@@ -10,6 +10,7 @@
 #include "input/diagnostic.hpp"
 #include "output/output_file.hpp"
 #include "prove/undecided.hpp"
+#include "report/explain.hpp"
 #include "statements/claim_statements.hpp"
 
 namespace slipproof::cli {
@@ -214,6 +215,8 @@ void ProveRun::prove_claims(const ClaimsFile& file, const std::filesystem::path&
     for (const std::filesystem::path& path : old) {
       if (!written.contains(path)) outdated_.push_back(path.stem().string());
     }
+    unstated_ = unstated_claims(file);
+    for (const UnstatedClaim& claim : unstated_) note("no statement of " + claim.id + ": " + claim.why);
     for (const std::string& name : outdated_) note("outdated  " + name + ": no claim says this, it was left alone");
   } catch (const InputError& error) {
     throw naming_claims(error, claims);
@@ -242,13 +245,16 @@ Exit ProveRun::conclude() {
     document["effort"] = options_.limits.steps;
     document["theorems"] = std::move(theorems);
     if (!outdated_.empty()) document["outdated"] = outdated_;
+    for (const UnstatedClaim& claim : unstated_) {
+      document["unstated"].push_back(Json{{"claim", claim.id}, {"why", claim.why}});
+    }
     print(dump(document));
     return exit;
   }
   const char* word = refuted > 0 ? "s REFUTED " : exit == undecided ? "s UNDECIDED " : "s PROVED ";
   print(word + std::to_string(proved) + " proved" + (kept > 0 ? " (" + std::to_string(kept) + " kept)" : "") +
-        (refuted > 0 ? ", " + std::to_string(refuted) + " refuted" : "") + ", " + std::to_string(left) +
-        " undecided\n");
+        (refuted > 0 ? ", " + std::to_string(refuted) + " refuted" : "") + ", " + std::to_string(left) + " undecided" +
+        (unstated_.empty() ? "" : ", " + counted(unstated_.size(), "claim") + " without a statement") + "\n");
   return exit;
 }
 

@@ -11,6 +11,7 @@
 #include "output/inputs.hpp"
 #include "prove/prove_files.hpp"
 #include "report/exact_json.hpp"
+#include "statements/unstated.hpp"
 
 namespace slipproof::cli {
 
@@ -45,6 +46,7 @@ class ProveRun {
   std::vector<FileOutcome> outcomes_;
   std::map<std::string, std::string> settled_;  ///< left undecided, and why that does not matter
   std::vector<std::string> outdated_;
+  std::vector<UnstatedClaim> unstated_;
 };
 
 }  // namespace slipproof::cli

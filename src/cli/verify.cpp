@@ -116,7 +116,7 @@ void add_verify(CLI::App& app, int& exit_code) {
     input.result = &result;
     if (report) report->write(page_html(input));
     if (options->lists_findings()) {
-      const std::vector<Finding> findings = errata(file, result);
+      const Errata findings = errata(file, result);
       print(options->sarif         ? errata_sarif(file, findings)
             : options->common.json ? errata_json(file, findings)
             : options->markdown    ? errata_markdown(file, findings)

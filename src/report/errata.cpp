@@ -5,7 +5,7 @@
 
 #include "claims/setting_names.hpp"
 #include "number/format.hpp"
-#include "report/verify_report.hpp"
+#include "report/explain.hpp"
 
 namespace slipproof {
 
@@ -15,73 +15,99 @@ std::string_view name(Certainty certainty) {
 
 namespace {
 
-/// What changes from one body to the other, as text: `region: ...; holds: ...`.
-std::string changed(const ClaimBody& body, const ClaimBody& other) {
-  std::string text;
-  const auto add = [&](std::string_view key, const std::string& value) {
-    text += (text.empty() ? "" : "; ") + std::string(key) + ": " + value;
-  };
+/// A condition as a part of a finding: `true` is said in words.
+FindingPart part(std::string_view key, BodyPart what, const Expression& expression) {
+  const bool always = expression->operation == Operation::truth && expression->truth;
+  const char* words = what == BodyPart::region ? "everywhere" : what == BodyPart::forces ? "at every force" : "true";
+  return {std::string(key), always ? nullptr : expression, always ? words : to_string(expression), false};
+}
+
+/// What of a body differs from the other.
+FindingParts changed(const ClaimBody& body, const ClaimBody& other) {
+  FindingParts result;
   constexpr std::array<std::string_view, 5> keys{"where", "forces", "claim", "equation", ""};
-  for_each_part(body, [&](BodyPart part, std::size_t i, const Expression& expression) {
-    const auto others = parts(other, part);
-    const std::string_view key = keys[static_cast<std::size_t>(part)];
+  for_each_part(body, [&](BodyPart what, std::size_t i, const Expression& expression) {
+    const auto others = parts(other, what);
+    const std::string_view key = keys[static_cast<std::size_t>(what)];
     const bool differs = i >= others.size() || !same(expression, *others[i]);
-    if (!key.empty() && differs) add(key, to_string(expression));
+    if (!key.empty() && differs) result.push_back(part(key, what, expression));
   });
   if (modes(body.says) != modes(other.says)) {
     std::string names;
     for (const ContactMode mode : modes(body.says)) names += (names.empty() ? "" : ", ") + name(mode);
-    add("motions", names);
+    result.push_back({"motions", nullptr, names, false});
   }
-  return text;
+  return result;
 }
 
 std::string counterexample_text(const ClaimsFile& file, const ClaimResult& result) {
   std::string text = explain(file, result);
   if (!result.counterexample) return text;
-  const Counterexample& e = *result.counterexample;
-  const Setting& setting = file.settings[file.claims[result.claim].setting];
-  text += "; for example at";
-  for (std::size_t k = 0; k < e.values.size(); ++k) {
-    text += (k == 0 ? " " : ", ") + setting.parameters[k].symbol + " = " + exact_text(e.values[k]);
+  text += ", for example at";
+  const auto place = place_of(file, result, *result.counterexample);
+  for (const auto& [symbol, value] : place) {
+    text += (&symbol == &place.front().first ? " " : ", ") + symbol + " = " + exact_text(value);
   }
-  if (e.force) text += ", " + setting.force.symbol + " = " + exact_text(*e.force);
-  return text;
+  const std::string built = realisability(file, result);
+  return text + (built.empty() ? "" : "; " + built);
 }
 
 class Collection {
  public:
   Collection(const ClaimsFile& file, const VerifyResult& result) : file_(file), result_(result) {}
 
-  std::vector<Finding> all() {
+  Errata all() {
     for (std::size_t s = 0; s < file_.settings.size(); ++s) {
       for (const Definition& definition : file_.settings[s].definitions) {
         if (definition.repaired) add_definition(s, definition);
       }
     }
     for (const ClaimResult& r : result_.claims) {
-      if (r.reading == Reading::printed && file_.claims[r.claim].grade && file_.claims[r.claim].part_of.empty()) {
-        add_claim(r);
-      }
+      const Claim& claim = file_.claims[r.claim];
+      const bool finding = claim.grade || r.verdict == Verdict::refuted;
+      if (r.reading == Reading::printed && finding && claim.part_of.empty()) add_claim(r);
     }
     for (const ClaimResult& r : result_.claims) {
       if (r.reading == Reading::printed) add_part(r);
     }
     std::stable_sort(found_.begin(), found_.end(), [](const auto& x, const auto& y) { return x.line < y.line; });
-    return std::move(found_);
+    Errata errata{std::move(found_), {}};
+    errata.standing = standing(errata.findings);
+    return errata;
   }
 
  private:
+  Standing standing(const std::vector<Finding>& findings) const {
+    Standing s;
+    const auto is_definition = [&](const Finding& f) { return file_.find(f.id) == nullptr; };
+    s.definitions = static_cast<std::size_t>(std::count_if(findings.begin(), findings.end(), is_definition));
+    std::size_t own = 0;  // refuted claims with a finding of their own
+    for (const ClaimResult& r : result_.claims) {
+      if (r.reading != Reading::printed) continue;
+      const std::string& id = file_.claims[r.claim].id;
+      ++s.judged;
+      if (r.verdict == Verdict::holds) ++(r.proved ? s.proved : s.held);
+      if (r.verdict == Verdict::undecided) s.undecided.push_back(id);
+      if (r.verdict == Verdict::vacuous) s.vacuous.push_back(id);
+      if (r.verdict != Verdict::refuted) continue;
+      ++s.refuted;
+      own += std::any_of(findings.begin(), findings.end(), [&](const Finding& f) { return f.id == id; });
+    }
+    s.shared = s.refuted - own;
+    s.others = findings.size() - s.definitions - own;
+    return s;
+  }
+
   void add_definition(std::size_t setting, const Definition& definition) {
     Finding finding;
     finding.id = id(definition);
     finding.line = definition.line;
     finding.statement = definition.symbol;
     const bool undefined = definition.is_nowhere(Reading::printed);
-    finding.printed = definition.symbol + (undefined ? "" : " = " + to_string(definition.printed));
-    finding.repair = definition.symbol + " = " + to_string(definition.repaired);
+    if (!undefined) finding.printed = {{definition.symbol, definition.printed, to_string(definition.printed), true}};
+    finding.repair = {{definition.symbol, definition.repaired, to_string(definition.repaired), true}};
     finding.why = definition.why;
-    finding.wrong = undefined ? "the symbol is defined nowhere" : "what uses it fails";
+    finding.wrong = undefined ? "the symbol is used and defined nowhere" : "claims that use it fail";
     std::size_t failing = 0, mended = 0;
     const SettingNames names(file_.settings[setting]);
     bool proved = true;
@@ -100,8 +126,9 @@ class Collection {
         add_support(finding, r);
       }
     }
-    finding.wrong +=
-        " (" + std::to_string(failing) + " claims fail in print, " + std::to_string(mended) + " hold with the repair)";
+    finding.wrong += " (" + counted(failing, "claim") + (failing == 1 ? " that uses it does" : " that use it do") +
+                     " not hold as printed; " + std::to_string(mended) + (mended == 1 ? " holds" : " hold") +
+                     " with the repair)";
     finding.mended = proved && mended > 0 ? Certainty::proved : Certainty::sampled;
     found_.push_back(std::move(finding));
   }
@@ -120,22 +147,26 @@ class Collection {
   void add_claim(const ClaimResult& printed) {
     const Claim& claim = file_.claims[printed.claim];
     const ClaimResult* repaired = result_.find(file_, claim.id, Reading::repaired);
-    const std::string change = claim.repaired ? changed(*claim.repaired, claim.printed) : std::string();
+    const FindingParts change = claim.repaired ? changed(*claim.repaired, claim.printed) : FindingParts();
     // What fails through a definition alone is the definition's finding.
-    if (claim.repaired && change.empty() && *claim.grade == Grade::misprint) return;
+    const bool mends = repaired != nullptr && repaired->verdict == Verdict::holds;
+    const bool by_definition = claim.repaired && change.empty();
+    if (by_definition && (claim.grade ? *claim.grade == Grade::misprint : mends)) return;
     Finding finding;
     finding.id = claim.id;
     finding.claims = {claim.id};
     finding.line = claim.line;
-    finding.grade = *claim.grade;
+    finding.grade = claim.grade.value_or(Grade::wrong);
+    finding.graded = claim.grade.has_value();
     finding.statement = claim.statement;
     if (claim.repaired) finding.printed = changed(claim.printed, *claim.repaired);
     if (printed.verdict == Verdict::refuted) finding.wrong = counterexample_text(file_, printed);
-    if (printed.verdict == Verdict::vacuous) finding.wrong = explain(file_, printed);
-    if (printed.verdict == Verdict::undecided) finding.wrong = "the claim has no value somewhere in its own region";
+    if (printed.verdict == Verdict::vacuous || printed.verdict == Verdict::undecided) {
+      finding.wrong = explain(file_, printed);
+    }
     if (!claim.note.empty()) finding.wrong += (finding.wrong.empty() ? "" : ". ") + claim.note;
     if (finding.wrong.empty()) finding.wrong = claim.why;
-    if (repaired != nullptr && repaired->verdict == Verdict::holds) finding.repair = change;
+    if (mends) finding.repair = change;
     finding.why = claim.why;
     if (printed.verdict == Verdict::refuted) finding.refutations = printed.certificates;
     if (printed.verdict == Verdict::refuted && !printed.counterexample && finding.refutations.empty()) {
@@ -147,9 +178,17 @@ class Collection {
     found_.push_back(std::move(finding));
   }
 
-  /// A claim that shows findings of others once more: the first of them lends it its place.
+  /// A claim that shows findings of others once more: the first of them lends it its place. Where none of them is in
+  /// the list, as when those claims were not judged, a refuted one is a finding itself.
   void add_part(const ClaimResult& printed) {
     const Claim& claim = file_.claims[printed.claim];
+    const auto listed = [&](const std::string& whole) {
+      return std::any_of(found_.begin(), found_.end(), [&](const Finding& f) { return f.id == whole; });
+    };
+    if (!claim.part_of.empty() && printed.verdict == Verdict::refuted &&
+        std::none_of(claim.part_of.begin(), claim.part_of.end(), listed)) {
+      return add_claim(printed);
+    }
     for (const std::string& whole : claim.part_of) {
       const auto found = std::find_if(found_.begin(), found_.end(), [&](const Finding& f) { return f.id == whole; });
       if (found == found_.end()) continue;
@@ -175,114 +214,10 @@ class Collection {
   std::vector<Finding> found_;
 };
 
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
-std::string summary_line(const std::vector<Finding>& findings) {
-  std::array<int, 4> counts{};
-  for (const Finding& f : findings) ++counts[static_cast<std::size_t>(f.grade)];
-  std::string line = std::to_string(findings.size()) + " findings:";
-  for (const Grade grade : {Grade::misprint, Grade::gap, Grade::boundary, Grade::wrong}) {
-    line += (grade == Grade::misprint ? " " : ", ") + std::to_string(counts[static_cast<std::size_t>(grade)]) + " " +
-            std::string(name(grade));
-  }
-  return line;
-}
-
-/// `certificates A, B`; empty where there are none.
-std::string listed(const std::vector<std::string>& certificates) {
-  if (certificates.empty()) return {};
-  return (certificates.size() == 1 ? "certificate " : "certificates ") + joined(certificates);
-}
-
 }  // namespace
 
-std::string error_certainty(const Finding& finding) {
-  if (!finding.disproofs.empty()) return "proved for all parameters (" + joined(finding.disproofs) + ")";
-  if (finding.error == Certainty::sampled) return "sampled (" + std::to_string(finding.tried) + " samples)";
-  // A counterexample, or a missing value, is exact.
-  return "exact" + (finding.refutations.empty() ? "" : " (" + listed(finding.refutations) + ")");
-}
-
-std::string repair_certainty(const Finding& finding) {
-  std::string names = listed(finding.certificates);
-  if (finding.mended == Certainty::sampled) {
-    names = std::to_string(finding.samples) + " samples" + (names.empty() ? "" : "; in part proved: " + names);
-  }
-  return std::string(name(finding.mended)) + (names.empty() ? "" : " (" + names + ")");
-}
-
-std::vector<Finding> errata(const ClaimsFile& file, const VerifyResult& result) {
+Errata errata(const ClaimsFile& file, const VerifyResult& result) {
   return Collection(file, result).all();
-}
-
-std::string errata_text(const ClaimsFile& file, const std::vector<Finding>& findings) {
-  std::string text = file.paper.title + "\n" + summary_line(findings) + "\n";
-  const auto line = [&](std::string_view label, const std::string& value) {
-    if (!value.empty()) text += "  " + std::string(label) + ": " + value + "\n";
-  };
-  for (const Finding& f : findings) {
-    text += "\n" + file.paper.source + ":" + std::to_string(f.line) + ": " + std::string(name(f.grade)) + " [" + f.id +
-            "]\n";
-    line("statement", f.statement);
-    line("printed", f.printed);
-    line("wrong", f.wrong);
-    line("repair", f.repair);
-    line("why", f.why);
-    line("claims", joined(f.claims));
-    line("certainty", "error " + error_certainty(f) + (f.repair.empty() ? "" : ", repair " + repair_certainty(f)));
-  }
-  return text;
-}
-
-std::string errata_markdown(const ClaimsFile& file, const std::vector<Finding>& findings) {
-  std::string text = "# Errata: " + file.paper.title + "\n\n" + summary_line(findings) + ". Lines are those of `" +
-                     file.paper.source + "`.\n";
-  const auto item = [&](std::string_view label, const std::string& value, bool code) {
-    if (value.empty()) return;
-    text += "- **" + std::string(label) + "**: " + (code ? "`" + value + "`" : value) + "\n";
-  };
-  for (const Finding& f : findings) {
-    text += "\n## Line " + std::to_string(f.line) + ", " + f.id + " (" + std::string(name(f.grade)) + ")\n\n";
-    item("Statement", f.statement, false);
-    item("Printed", f.printed, true);
-    item("What is wrong", f.wrong, false);
-    item("Repair", f.repair, true);
-    item("Why", f.why, false);
-    item("Claims", joined(f.claims), false);
-    item("How sure",
-         "the error " + error_certainty(f) + (f.repair.empty() ? "" : ", the repair " + repair_certainty(f)), false);
-  }
-  return text;
-}
-
-std::vector<std::string> uncovered_equations(const ClaimsFile& file) {
-  std::vector<std::string> missing;
-  for (const auto& equation : file.paper.equations) {
-    if (std::none_of(file.claims.begin(), file.claims.end(),
-                     [&](const Claim& claim) { return claim.equation == equation.number; })) {
-      missing.push_back(equation.number);
-    }
-  }
-  return missing;
-}
-
-std::string coverage_markdown(const ClaimsFile& file) {
-  std::string text = "| equation | line | claims |\n|---|---|---|\n";
-  for (const auto& equation : file.paper.equations) {
-    std::string ids;
-    for (const Claim& claim : file.claims) {
-      if (claim.equation == equation.number) ids += (ids.empty() ? "" : ", ") + claim.id;
-    }
-    text += "| (" + equation.number + ") | " + std::to_string(equation.line) + " | " + ids + " |\n";
-  }
-  for (const Unchecked& u : file.unchecked) {
-    text += "| " + u.id + " | " + std::to_string(u.line) + " | not judged: " + u.why + " |\n";
-  }
-  return text;
 }
 
 }  // namespace slipproof

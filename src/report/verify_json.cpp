@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "model/scene.hpp"
+#include "report/explain.hpp"
 #include "report/motion_json.hpp"
 #include "report/verify_report.hpp"
 
@@ -15,14 +16,29 @@ Json interval_json(const ForceInterval& interval) {
   return object;
 }
 
-Json counterexample_json(const ClaimsFile& file, const ClaimResult& result) {
-  const Counterexample& e = *result.counterexample;
+Json broken_json(const Counterexample& e) {
+  Json list = Json::array();
+  for (const BrokenComparison& broken : e.broken) {
+    Json entry;
+    entry["left"] = to_string(broken.left);
+    entry["relation"] = spelling(broken.relation);
+    entry["right"] = to_string(broken.right);
+    entry["values"] = Json::array({to_json(broken.left_value), to_json(broken.right_value)});
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+Json counterexample_json(const ClaimsFile& file, const ClaimResult& result, const Counterexample& e) {
   const Setting& setting = file.settings[file.claims[result.claim].setting];
   Json object, parameters = Json::object();
   for (std::size_t k = 0; k < e.values.size(); ++k) parameters[setting.parameters[k].symbol] = to_json(e.values[k]);
   object["reason"] = name(e.judgement.reason);
-  object["explanation"] = explain(file, result);
+  object["explanation"] = explain(file, result, e);
   object["minimal"] = e.minimal;
+  object["realisable"] = setting.realisable.empty() ? Json(nullptr) : Json(e.unrealisable.empty());
+  object["unrealisable"] = e.unrealisable;
+  object["broken"] = broken_json(e);
   object["parameters"] = std::move(parameters);
   object["scene"] = to_toml(e.scene);
   object["mode"] = e.judgement.mode ? Json(name(*e.judgement.mode)) : Json(nullptr);
@@ -52,6 +68,7 @@ std::string verify_json(const ClaimsFile& file, const VerifyResult& result) {
     const Expectation expect = claim.body(r.reading).expect;
     entry["expected"] = expect == Expectation::none ? "holds" : std::string(name(expect));
     entry["samples"] = r.samples();
+    entry["tried"] = r.tried;
     entry["refuted"] = r.refuted;
     entry["undecided"] = r.undecided;
     entry["lines"] = r.lines;
@@ -66,7 +83,9 @@ std::string verify_json(const ClaimsFile& file, const VerifyResult& result) {
     entry["line"] = claim.line;
     entry["statement"] = claim.statement;
     entry["grade"] = claim.grade ? Json(name(*claim.grade)) : Json(nullptr);
-    entry["counterexample"] = r.counterexample ? counterexample_json(file, r) : Json(nullptr);
+    entry["counterexample"] = r.counterexample ? counterexample_json(file, r, *r.counterexample) : Json(nullptr);
+    entry["simplest"] = r.simplest ? counterexample_json(file, r, *r.simplest) : Json(nullptr);
+    entry["explanation"] = explain(file, r);
     claims.push_back(std::move(entry));
   }
   document["claims"] = std::move(claims);

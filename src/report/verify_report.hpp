@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "report/explain.hpp"
 #include "verify/verify.hpp"
 
 namespace slipproof {
@@ -14,11 +15,9 @@ std::string verify_json(const ClaimsFile& file, const VerifyResult& result);
 /// that hold include the proved ones. `quiet`: it alone.
 std::string verify_text(const ClaimsFile& file, const VerifyResult& result, bool quiet = false);
 
-/// All verdicts as expected; or the first of: a certificate rejected, something else refuted, something else undecided.
+/// All verdicts as expected; or the first of: a certificate rejected, something else refuted, something else undecided,
+/// which it also is where no claim was judged.
 enum class Summary { as_expected, rejected, refuted, undecided };
 Summary summary(const ClaimsFile& file, const VerifyResult& result);
-
-/// What went wrong, in one sentence.
-std::string explain(const ClaimsFile& file, const ClaimResult& result);
 
 }  // namespace slipproof

@@ -283,3 +283,30 @@ TEST_CASE("a mistake in a statement that was made of a claim names the claim") {
   CHECK(outcome.err.find("large.statement:") != std::string::npos);
   CHECK(outcome.err.find(": claim large (line 12): a product has more than 200000 terms") != std::string::npos);
 }
+
+TEST_CASE("claims of which no statement is made are named, with the reason") {
+  const TemporaryFolder folder;
+  const std::string claims = folder.write("claims.toml", R"(schema = "slipproof/claims/1"
+paper = { title = "small", authors = [], source = "none" }
+[[setting]]
+id = "s"
+motions = "strict"
+force = { symbol = "P", kind = "internal", domain = "P > 0" }
+scene = { M = "1", R = "1", h = "1", b2 = "1", b3 = "1", I1 = "0", I2 = "1", I3 = "1", r1 = "1", r2 = "1", L = "1", f = "f", g = "1", F = "P" }
+parameters = { f = { domain = "f > 0", meaning = "friction" } }
+[[claim]]
+id = "X1"
+line = 1
+statement = "in the end"
+kind = "limit"
+parameter = "f"
+holds = "f > 7"
+)");
+  const auto text = run({"prove", claims});
+  CHECK(text.exit_code == 4);
+  CHECK(text.out.find("no statement of X1: a limit needs `from`: a value of f from which on it can be shown") !=
+        std::string::npos);
+  CHECK(text.out.find("0 proved, 0 undecided, 1 claim without a statement") != std::string::npos);
+  const auto json = run({"prove", "--json", claims});
+  CHECK(json.out.find("\"unstated\"") != std::string::npos);
+}

@@ -31,6 +31,10 @@ TEST_CASE("report writes one file, the same at any number of threads") {
   const std::string html = report("one.html", "1");
   CHECK(html.starts_with("<!DOCTYPE html>"));
   CHECK(html.find("claim-T1.5") != html.npos);
+  // Our scenes, and what solvers made of them, have no place in a report on somebody else's paper.
+  CHECK(html.find("class=\"labelled\"") != html.npos);
+  CHECK(html.find("penny-farthing") == html.npos);
+  CHECK(html.find("Certified solvers") == html.npos);
   CHECK(html == report("two.html", "2"));
 }
 
@@ -112,4 +116,15 @@ TEST_CASE("map refuses what it cannot draw, in words") {
   CHECK(read_file(photo).starts_with("<?xml"));
   CHECK(run({"map", scene, "--x", "R", "--x-range", "-2", "-1"}).exit_code == 3);
   CHECK(run({"map", "nowhere.toml"}).exit_code == 3);
+}
+
+TEST_CASE("draw writes the labelled figure of a scene, the shipped one of the city bicycle") {
+  const auto figure = run({"draw", scene});
+  CHECK(figure.exit_code == 0);
+  CHECK(figure.out == read_file(SLIPPROOF_SOURCE_DIR "/cases/bicycle.svg"));
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "figure.svg").string();
+  CHECK(run({"draw", scene, "-o", file}).out == "s DRAWN " + file + "\n");
+  CHECK(read_file(file) == figure.out);
+  CHECK(run({"draw", "/nonexistent.toml"}).exit_code == 3);
 }

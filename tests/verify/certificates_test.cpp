@@ -206,7 +206,8 @@ TEST_CASE("no statement speaks of bicycles at which a claim has no value") {
 TEST_CASE("the errata name the certificates of a repair, or the number of its samples") {
   VerifyResult result = sampled("");
   const auto certainty = [&](const std::string& id) {
-    for (const Finding& finding : errata(test::shipped_paper(), result)) {
+    const Errata all = errata(test::shipped_paper(), result);
+    for (const Finding& finding : all.findings) {
       if (finding.id == id) return error_certainty(finding) + "; " + repair_certainty(finding);
     }
     return std::string("no such finding");
