@@ -42,16 +42,26 @@ Exit exit_of(Summary summary) {
   return as_it_should_be;
 }
 
+namespace {
+
+bool is_shipped(const std::filesystem::path& claims) {
+  std::error_code error;
+  return std::filesystem::equivalent(claims, claims_path(""), error);
+}
+
+}  // namespace
+
 PageFolders page_folders(const std::filesystem::path& claims, const std::filesystem::path& trade) {
-  return {claims, shipped("cases"), shipped("cases/solvers"), trade};
+  PageFolders folders{claims, shipped("cases/city-bicycle.toml"), {}, {}, trade};
+  // Our scenes and what solvers made of them have no place in a report on somebody else's paper.
+  if (is_shipped(claims)) folders.cases = shipped("cases"), folders.solvers = shipped("cases/solvers");
+  return folders;
 }
 
 PageInput report_input(const std::filesystem::path& claims, const ClaimsFile& file, const VerifyOptions& options,
                        const CommonOptions& common, const std::filesystem::path& trade) {
   PageInput input = gather(page_folders(claims, trade), file, *options.certificates);
-  std::error_code error;
-  const bool is_shipped = std::filesystem::equivalent(claims, claims_path(""), error);
-  input.command = "slipproof report" + (is_shipped ? "" : " " + claims.filename().string()) + " --samples " +
+  input.command = "slipproof report" + (is_shipped(claims) ? "" : " " + claims.filename().string()) + " --samples " +
                   std::to_string(options.samples) +
                   (options.lines ? " --lines " + std::to_string(*options.lines) : "") + " --seed " +
                   std::to_string(common.seed);

@@ -64,26 +64,23 @@ void add_evidence(const Element& parent, const PageInput& input, const Claim& cl
     } else if (result.proved) {
       p.text("An identity of rational functions, checked as polynomials: it holds for all parameters. ");
     }
-    p.text("It held at all " + samples + " sampled bicycles that it speaks of.");
+    p.text("Of " + counted(result.tried, "bicycle") + " that were tried, it says something of " + samples +
+           ", and is right at " + (result.samples() == 1 ? "it." : "each of them."));
     if (!result.proved && !result.unless_zero.empty()) {
       std::string divisors;
       for (const std::string& e : result.unless_zero) divisors += (divisors.empty() ? "" : ", ") + e;
       p.text(" It is an identity of rational functions wherever these are not 0: " + divisors + ".");
     }
   } else if (result.verdict == Verdict::refuted) {
-    p.text("False at " + std::to_string(result.refuted) + " of " + samples + " sampled bicycles that it speaks of.");
+    p.text("Of " + counted(result.tried, "bicycle") + " that were tried, it says something of " + samples +
+           ", and is wrong at " + std::to_string(result.refuted) + " of them.");
     if (!result.certificates.empty()) {
       p.text(" That it is false is proved: ");
       add_theorem_links(p, theorems_of(result));
       p.text(".");
     }
-  } else if (result.verdict == Verdict::vacuous) {
-    p.text("It says something of no bicycle at all, which is proved.");
-  } else if (result.samples() == 0) {
-    p.text("No bicycle was found of which it says something.");
   } else {
-    p.text("It has no value at " + std::to_string(result.undecided) + " of " + samples +
-           " sampled bicycles that it speaks of.");
+    add_prose(p, input, sentence(explain(*input.claims, result)));
   }
   if (input.opinions) add_second_opinions(parent, *input.opinions, theorems_of(result));
   for (const std::string& objection : result.rejections) parent.add("p", "evidence").text("Rejected: " + objection);
@@ -103,7 +100,7 @@ void add_reading(const Element& parent, const PageInput& input, const Claim& cla
   add_formal(part, input, claim, result.reading);
   add_definitions(part, *input.claims, claim, result.reading);
   add_evidence(part, input, claim, result);
-  if (result.counterexample) add_counterexample(part, *input.claims, result);
+  if (result.counterexample) add_counterexample(part, input, result);
 }
 
 }  // namespace

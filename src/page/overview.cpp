@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "page/sections.hpp"
+#include "picture/bicycle_figure.hpp"
 #include "report/errata.hpp"
 #include "report/verify_report.hpp"
 #include "typeset/latex.hpp"
@@ -82,33 +83,79 @@ void add_bar(const Element& parent, std::string_view label, const VerdictCounts&
   }
 }
 
+/// What the page is about, for somebody who knows neither the paper nor the model.
+void add_problem(const Element& section, const PageInput& input) {
+  const Element columns = section.add("div", "halves");
+  const Element text = columns.add("div", "problem");
+  text.add("h2", "sub").text("The problem");
+  text.add("p").text(
+      "A vehicle with two wheels, seen from the side, stands on a road with dry friction, and a force acts on its "
+      "pedal. What does each wheel do: roll, slip, or leave the road? The paper answers with formulas.");
+  text.add("p").text(
+      "For a given vehicle and force, each combination of these states is a system of linear equations with "
+      "conditions that its solution has to meet. Here all of them are solved in exact arithmetic, and what the paper "
+      "says is compared with the solutions: at sampled vehicles, for every force at once, and, where there is a "
+      "proof, for all parameters.");
+  if (!input.model) return;
+  const Element figure = columns.add("figure", "model");
+  add_bicycle_figure(figure, *input.model);
+  figure.add("figcaption")
+      .text("Arrows point where a quantity counts as positive: the pedal force F pulls the lower pedal backwards.");
+}
+
+/// Grades in the order of how much they matter, and what their findings are called.
+struct GradeWords {
+  Grade grade;
+  std::string_view noun, heading;
+};
+constexpr std::array<GradeWords, 4> grade_words{{{Grade::wrong, "false statement", "What is false"},
+                                                 {Grade::gap, "gap", "What is left out"},
+                                                 {Grade::boundary, "boundary case", "Ends that are not right"},
+                                                 {Grade::misprint, "misprint", "What is misprinted"}}};
+
 std::string findings_detail(const std::vector<Finding>& findings) {
-  std::array<std::size_t, 4> grades{};
-  for (const Finding& finding : findings) ++grades[static_cast<std::size_t>(finding.grade)];
   std::string text;
-  const std::array<std::pair<Grade, std::string_view>, 4> names{{{Grade::wrong, "false statement"},
-                                                                 {Grade::misprint, "misprint"},
-                                                                 {Grade::gap, "gap"},
-                                                                 {Grade::boundary, "boundary case"}}};
-  for (const auto& [grade, noun] : names) {
-    const std::size_t n = grades[static_cast<std::size_t>(grade)];
-    if (n > 0) text += (text.empty() ? "" : ", ") + counted(n, noun);
+  for (const GradeWords& words : grade_words) {
+    const auto n =
+        std::count_if(findings.begin(), findings.end(), [&](const Finding& f) { return f.grade == words.grade; });
+    if (n > 0) text += (text.empty() ? "" : ", ") + counted(static_cast<std::size_t>(n), words.noun);
   }
   return text;
 }
 
-/// False statements first: what the authors would want to know.
-void add_headlines(const Element& section, const PageInput& input, const std::vector<Finding>& findings) {
-  const auto wrong = [](const Finding& f) { return f.grade == Grade::wrong; };
-  if (std::none_of(findings.begin(), findings.end(), wrong)) return;
-  section.add("h2", "sub").text("What is false");
-  const Element list = section.add("ul", "headlines");
-  for (const Finding& finding : findings) {
-    if (!wrong(finding)) continue;
-    const Element item = list.add("li");
-    add_claim_id(item, input, finding.id);
-    item.text(", line " + std::to_string(finding.line) + ": ");
-    add_sentence(item.add("q"), finding.statement);
+/// A false statement in full: what the authors would want to know first.
+void add_false(const Element& list, const PageInput& input, const Finding& finding) {
+  const Element item = list.add("li");
+  add_claim_id(item, input, finding.id);
+  item.text(", line " + std::to_string(finding.line) + (finding.graded ? "" : ", no grade is given") + ": ");
+  add_sentence(item.add("q"), finding.statement);
+  item.add("br");
+  add_prose(item.add("span", "because"), input, sentence(finding.wrong));
+}
+
+/// What was found, in words, and how the numbers come together.
+void add_findings(const Element& section, const PageInput& input, const Errata& errata) {
+  section.add("h2", "sub").text("What was found");
+  section.add("p").text(standing_text(errata) + " " + sum_text(errata));
+  for (const GradeWords& words : grade_words) {
+    std::vector<const Finding*> here;
+    for (const Finding& f : errata.findings) {
+      if (f.grade == words.grade) here.push_back(&f);
+    }
+    if (here.empty()) continue;
+    if (words.grade == Grade::wrong) {
+      section.add("h3", "sub").text(words.heading);
+      const Element list = section.add("ul", "headlines");
+      for (const Finding* finding : here) add_false(list, input, *finding);
+      continue;
+    }
+    const Element p = section.add("p");
+    p.add("b").text(std::string(words.heading) + " (" + counted(here.size(), words.noun) + "): ");
+    for (const Finding* finding : here) {
+      if (finding != here.front()) p.text(", ");
+      p.add("a").set("href", "#finding-" + finding->id).text(finding->id);
+    }
+    p.text(".");
   }
 }
 
@@ -132,21 +179,9 @@ std::string proved_share(std::size_t proved, std::size_t sampled_only) {
   return proved > 0 && sampled_only == 0 ? "all" : std::to_string(proved) + " of them";
 }
 
-}  // namespace
-
-void add_overview(const Element& main, const PageInput& input) {
-  const Element section = main.add("section", "overview").set("id", "overview").set("aria-labelledby", "title");
-  const ClaimsFile& file = *input.claims;
-  section.add("p", "kicker").text("Every claim of one paper, held against exact mechanics");
-  section.add("h1").set("id", "title").text(file.paper.title);
-  std::string authors;
-  for (const std::string& author : file.paper.authors) authors += (authors.empty() ? "" : ", ") + author;
-  if (!authors.empty()) section.add("p", "authors").text(authors);
-
-  const Counts counts = count(input);
+void add_cards(const Element& section, const PageInput& input, const Errata& errata, const Counts& counts) {
   const std::size_t fail = counts.printed[2], open = counts.printed[3];
   const std::size_t mended = counts.repaired[0] + counts.repaired[1];
-  const std::vector<Finding> findings = errata(file, *input.result);
   const Element cards = section.add("ul", "cards");
   add_card(cards, "plain", counts.claims, "claims judged", "each as printed, and as repaired where it was misprinted",
            "#claims");
@@ -159,7 +194,7 @@ void add_overview(const Element& main, const PageInput& input) {
            proved_share(counts.repaired[0], counts.repaired[1]) + " proved for all parameters, " +
                std::to_string(counts.repaired[2]) + " false in every reading",
            "#claims");
-  add_card(cards, "bad", findings.size(), "findings", findings_detail(findings), "#errata");
+  add_card(cards, "bad", errata.findings.size(), "findings", findings_detail(errata.findings), "#errata");
   if (!input.certificates.empty()) {
     const std::size_t accepted = count(input.certificates, CertificateState::accepted);
     const bool all = accepted == input.certificates.size();
@@ -167,28 +202,48 @@ void add_overview(const Element& main, const PageInput& input) {
              all ? "all, by a checker of its own" : not_accepted(input.certificates), "#certificates");
   }
   if (input.opinions) add_opinions_card(cards, *input.opinions);
+}
+
+void add_how(const Element& section, const PageInput& input) {
+  const Summary worst = summary(*input.claims, *input.result);
+  const Element how = section.add("p", "how");
+  how.text(input.result->claims.empty()    ? "No claim was judged. "
+           : worst == Summary::as_expected ? "Every verdict is the one that the claims file expects. "
+                                           : "Some verdicts are not those that the claims file expects. ");
+  how.text("Made from " + counted(input.result->samples, "rational bicycle") + " for each setting and " +
+           counted(input.result->lines, "line") + " of bicycles for each claim, seed " +
+           std::to_string(input.result->seed) + ", by slipproof " + input.version + ": ");
+  how.add("code").text(input.command);
+  how.text(". ").add("a").set("href", "#reproduce").text("The inputs and their SHA-256");
+  how.text(".");
+}
+
+}  // namespace
+
+void add_overview(const Element& main, const PageInput& input) {
+  const Element section = main.add("section", "overview").set("id", "overview").set("aria-labelledby", "title");
+  const ClaimsFile& file = *input.claims;
+  section.add("p", "kicker").text("Every claim of one paper, compared with exact mechanics");
+  section.add("h1").set("id", "title").text(file.paper.title);
+  std::string authors;
+  for (const std::string& author : file.paper.authors) authors += (authors.empty() ? "" : ", ") + author;
+  if (!authors.empty()) section.add("p", "authors").text(authors);
+
+  add_problem(section, input);
+  const Errata errata = slipproof::errata(file, *input.result);
+  add_findings(section, input, errata);
+  const Counts counts = count(input);
+  add_cards(section, input, errata, counts);
   const Element columns = section.add("div", "halves");
-  const Element verdicts_half = columns.add("div");
-  const Element bars = verdicts_half.add("div", "bars");
+  const Element bars = columns.add("div", "bars");
   add_bar(bars, "as printed", counts.printed);
   add_bar(bars, "as repaired", counts.repaired);
-  add_headlines(verdicts_half, input, findings);
   if (input.trade && !input.trade->workloads.empty()) {
     const Element figure = columns.add("figure", "glance");
     figure.add("h2", "sub").add("a").set("href", "#trade").text("Speed and wrong verdicts");
     add_trade_plot(figure, *input.trade, false, true);
   }
-
-  const Summary worst = summary(file, *input.result);
-  const Element how = section.add("p", "how");
-  how.text(worst == Summary::as_expected ? "Every verdict is the one that the claims file expects. "
-                                         : "Some verdicts are not those that the claims file expects. ");
-  how.text("Made from " + std::to_string(input.result->samples) + " rational bicycles for each setting and " +
-           std::to_string(input.result->lines) + " lines of bicycles for each claim, seed " +
-           std::to_string(input.result->seed) + ", slipproof " + input.version + ", by ");
-  how.add("code").text(input.command);
-  how.text("; ").add("a").set("href", "#reproduce").text("inputs and their SHA-256");
-  how.text(".");
+  add_how(section, input);
 }
 
 }  // namespace slipproof

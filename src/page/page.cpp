@@ -92,8 +92,9 @@ void add_header(const Element& body, const PageInput& input) {
   if (!input.figures.empty() || !input.scenes.empty()) links.emplace_back("#phase", "Phase diagrams");
   links.insert(links.end(), {{"#claims", "Claims"}, {"#errata", "Errata"}});
   if (!input.certificates.empty()) links.emplace_back("#certificates", "Certificates");
-  links.emplace_back("#trade", "Speed");
+  if (input.trade) links.emplace_back("#trade", "Speed");
   if (!input.solvers.empty()) links.emplace_back("#solvers", "Solvers");
+  links.emplace_back("#notation", "Notation");
   links.emplace_back("#reproduce", "Reproduce");
   for (const auto& [target, text] : links) list.add("li").add("a").set("href", target).text(text);
 }
@@ -103,7 +104,9 @@ void add_header(const Element& body, const PageInput& input) {
 std::vector<std::filesystem::path> files_of(const PageFolders& folders) {
   const std::filesystem::path beside = folder_of_claims(folders);
   std::vector<std::filesystem::path> files{folders.claims, beside / "figures.toml", beside / "second-opinions.csv"};
-  if (!folders.trade.empty()) files.push_back(folders.trade);
+  for (const auto& file : {folders.trade, folders.model}) {
+    if (!file.empty()) files.push_back(file);
+  }
   for (std::filesystem::path file : check::certificates_in(beside)) {
     files.push_back(file);
     files.push_back(file.replace_extension(".statement"));
@@ -128,6 +131,7 @@ PageInput gather(const PageFolders& folders, const ClaimsFile& claims, Certifica
   }
   gathering.certificates(certificates);
   gathering.second_opinions(beside / "second-opinions.csv");
+  if (!folders.model.empty()) input.model = read_scene(folders.model);
   for (const auto& file : files_in(folders.cases, ".toml")) {
     input.scenes.push_back(read_scene(file));
     gathering.source(file, "cases/" + file.filename().string());
@@ -170,10 +174,6 @@ void add_claim_id(const Element& parent, const PageInput& input, std::string_vie
   parent.add("a").set("href", "#claim-" + std::string(id)).text(id);
 }
 
-std::string counted(std::size_t count, std::string_view noun) {
-  return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
-}
-
 std::string page_html(const PageInput& input) {
   const Document document("html");
   const Element html = document.root().set("lang", "en");
@@ -188,6 +188,7 @@ std::string page_html(const PageInput& input) {
   add_certificates_section(main, input);
   add_trade_section(main, input);
   add_solvers_section(main, input);
+  add_notation_section(main, input);
   add_reproduce_section(main, input);
   body.add("footer").add("p").text("Made by slipproof " + input.version +
                                    ". Every number that is not marked as rounded is exact.");

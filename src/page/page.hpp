@@ -37,6 +37,7 @@ struct PageInput {
   std::vector<Figure> figures;
   std::vector<PageCertificate> certificates;
   std::optional<SecondOpinions> opinions;  ///< by the theorems of `certificates`
+  std::optional<Scene> model;              ///< the bicycle of the labelled figure
   std::vector<Scene> scenes;               ///< a plane of f and F is drawn for each
   std::vector<SolverVerdicts> solvers;
   std::optional<Trade> trade;
@@ -47,6 +48,7 @@ struct PageInput {
 struct PageFolders {
   std::filesystem::path
       claims;  ///< the claims file; figures.toml, certificates/ and second-opinions.csv stand beside it
+  std::filesystem::path model;    ///< the scene of the labelled figure
   std::filesystem::path cases;    ///< scenes
   std::filesystem::path solvers;  ///< recorded outputs of solvers, CSV
   std::filesystem::path trade;    ///< a file that `slipproof trade --json` wrote

@@ -8,6 +8,7 @@
 #include "markup/element.hpp"
 #include "page/page.hpp"
 #include "picture/phase_diagram.hpp"
+#include "report/explain.hpp"
 
 namespace slipproof {
 
@@ -23,6 +24,8 @@ void add_trade_section(const Element& main, const PageInput& input);
 /// One picture: speed against errors, or against wrong verdicts.
 void add_trade_plot(const Element& parent, const Trade& trade, bool errors, bool small);
 void add_solvers_section(const Element& main, const PageInput& input);
+/// What each symbol means: those of the model, and those of the paper's settings.
+void add_notation_section(const Element& main, const PageInput& input);
 void add_reproduce_section(const Element& main, const PageInput& input);
 
 /// What other programs say of a claim's certificates; nothing where none was asked of any.
@@ -35,6 +38,8 @@ std::size_t agreeing(const SecondOpinions& opinions, std::size_t program);
 /// `z3, Coq`: those that agree with a statement.
 std::string agreeing_programs(const SecondOpinions& opinions, std::string_view theorem);
 
+/// A text with formulas as claims files write them, `xi1 = F0`: their symbols are typeset.
+void add_prose(const Element& parent, const PageInput& input, const std::string& text);
 /// The id of a claim: a link to it where it was judged and stands in the page, as it is otherwise.
 void add_claim_id(const Element& parent, const PageInput& input, std::string_view id);
 /// One claim in all of its readings.
@@ -42,7 +47,7 @@ void add_claim_card(const Element& parent, const PageInput& input, std::size_t c
 /// What a claim says, in words and formulas.
 void add_formal(const Element& parent, const PageInput& input, const Claim& claim, Reading reading);
 /// What is wrong, with a picture, and the arithmetic to follow by hand.
-void add_counterexample(const Element& parent, const ClaimsFile& file, const ClaimResult& result);
+void add_counterexample(const Element& parent, const PageInput& input, const ClaimResult& result);
 
 /// A diagram with its legend, its sample points for the script, and the table behind it.
 struct PhaseFigure {
@@ -56,8 +61,5 @@ void add_phase_figure(const Element& parent, const PhaseFigure& figure);
 std::string_view verdict_name(const ClaimResult& result);
 /// A verdict as a small label that does not rely on its colour.
 Element add_chip(const Element& parent, std::string_view verdict);
-
-/// `5 claims`, `1 claim`.
-std::string counted(std::size_t count, std::string_view noun);
 
 }  // namespace slipproof

@@ -59,6 +59,23 @@ void add_matrix(const Element& parent, const Trade& trade) {
   }
 }
 
+/// Why a type with more digits may have more wrong verdicts than one with fewer.
+void add_ties(const Element& parent, const Trade& trade) {
+  for (std::size_t t = 0; t + 1 < trade.types.size(); ++t) {
+    const TradeType &less = trade.types[t], &more = trade.types[t + 1];
+    const std::size_t few = total(trade, less.name).wrong, many = total(trade, more.name).wrong;
+    if (ours(more.name) || more.bits <= less.bits || many <= few) continue;
+    parent.add("p", "evidence")
+        .text(
+            fmt::format("{} has more wrong verdicts ({}) than {} ({}), and that is no error of measurement. What is "
+                        "left are ties: forces exactly on a threshold, where a condition holds with equality. Rounding "
+                        "makes of that equality a small number of either sign, by chance; more digits make it smaller, "
+                        "not zero. Only exact arithmetic can tell that there is a tie.",
+                        more.name, many, less.name, few));
+    return;
+  }
+}
+
 void add_details(const Element& parent, const Trade& trade) {
   const Element details = parent.add("details", "data");
   details.add("summary").text("All measurements");
@@ -101,16 +118,8 @@ void add_trade_plot(const Element& parent, const Trade& trade, bool errors, bool
 }
 
 void add_trade_section(const Element& main, const PageInput& input) {
+  if (!input.trade || input.trade->workloads.empty()) return;
   const Element section = add_section(main, "trade", "Speed and accuracy");
-  if (!input.trade || input.trade->workloads.empty()) {
-    const Element p = section.add("p", "lead");
-    p.text("Not measured for this page. ");
-    p.add("code").text("slipproof trade --json > trade.json");
-    p.text(" measures it, and ");
-    p.add("code").text("slipproof report --trade trade.json");
-    p.text(" puts it here.");
-    return;
-  }
   const Trade& trade = *input.trade;
   section.add("p", "lead")
       .text(
@@ -127,6 +136,7 @@ void add_trade_section(const Element& main, const PageInput& input) {
                            trade.workloads.front().name + ". To the right is faster, down is better."
                      : "Wrong sets of contact modes over all workloads. To the right is faster, down is better.");
   }
+  add_ties(section, trade);
   add_matrix(section, trade);
   add_details(section, trade);
   section.add("p", "how")

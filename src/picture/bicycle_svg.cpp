@@ -64,12 +64,17 @@ class MotionDrawing {
 
  private:
   static double number(const Rational& x) { return nearest_binary64(x); }
-  void label(double at_x, double at_y, std::string_view symbol, const Rational& value, const char* anchor,
-             const char* css_class) const {
-    const Element text = svg_.add("text", css_class).set("x", at_x).set("y", at_y).set("text-anchor", anchor);
-    text.set("class", std::string(css_class) + " halo").set("font-size", 13);
+  /// Beside a point; long values are moved into the picture.
+  void label(double at_x, double at_y, std::string_view symbol, const Rational& value, std::string_view anchor,
+             std::string_view css_class) const {
+    const std::string number = " = " + label_value(value);
+    const double length = 7.0 * static_cast<double>(number.size() + symbol.size()), edge = 4;
+    if (anchor == "start" && at_x + length > width - edge) at_x = width - edge, anchor = "end";
+    if (anchor == "end" && at_x - length < edge && at_x < width / 2) at_x = edge, anchor = "start";
+    const Element text = svg_.add("text", std::string(css_class) + " halo").set("x", at_x).set("y", at_y);
+    text.set("text-anchor", anchor).set("font-size", 13);
     svg_symbol(text, symbol);
-    text.add("tspan").text(" = " + label_value(value));
+    text.add("tspan").text(number);
   }
 
   /// The reaction pushes up from below the road; its label stands beside it, away from the other wheel.

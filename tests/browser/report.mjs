@@ -164,6 +164,20 @@ for (const width of [360, 768, 1280]) {
   });
 }
 
+for (const width of [400, 1400]) {
+  test(`the arithmetic of a counterexample is not cut off at a width of ${width}`, async () => {
+    const page = await open({ width });
+    const [shown, beyond] = await page.evaluate(() => {
+      document.querySelectorAll('details').forEach(d => { d.open = true; });
+      const parts = [...document.querySelectorAll('.by-hand *')];
+      const sticksOut = e => e.getBoundingClientRect().right > e.closest('.counterexample').getBoundingClientRect().right;
+      return [parts.length, parts.filter(sticksOut).map(e => e.outerHTML.slice(0, 120)).slice(0, 3)];
+    });
+    assert.ok(shown > 100);
+    assert.deepEqual(beyond, []);
+  });
+}
+
 // What fits between the margins of A4 and of Letter, in CSS pixels.
 for (const [paper, width] of [['A4', 688], ['Letter', 710]]) {
   test(`on ${paper} nothing is folded, dark, or cut off`, async () => {

@@ -10,9 +10,11 @@
 #include "page/sha256.hpp"
 #include "page/trade_data.hpp"
 #include "prove/undecided.hpp"
+#include "report/explain.hpp"
 #include "report/trade_report.hpp"
 #include "support/run_program.hpp"
 #include "support/shipped.hpp"
+#include "support/small_claims.hpp"
 
 using namespace slipproof;
 
@@ -69,6 +71,10 @@ void check_links(const std::string& html) {
   for (const auto& found : tree.select_nodes("//a[@href]")) {
     const std::string href = found.node().attribute("href").value();
     CAPTURE(href);
+    if (found.node().attribute("download")) {  // a file inside of the page
+      CHECK(href.starts_with("data:text/plain"));
+      continue;
+    }
     REQUIRE(href.starts_with("#"));
     CHECK(ids.contains(href.substr(1)));
   }
@@ -138,7 +144,8 @@ TEST_CASE("every claim is there with its verdicts, every finding in the errata, 
     CHECK((!formulas || !card.select_nodes(".//math").empty()));
     if (!claim.counterexample) continue;
     CHECK(!card.select_nodes(".//*[@class='counterexample']").empty());
-    const bool moves = claim.counterexample->motions && !claim.counterexample->motions->motions.empty();
+    const bool moves =
+        is_about_motions(stated) && claim.counterexample->motions && !claim.counterexample->motions->motions.empty();
     if (moves) CHECK(!card.select_nodes(".//svg[@class='bicycle']").empty());
   }
   CHECK(tree.select_nodes("//section[@id='errata']//li").size() > 20);
@@ -146,9 +153,77 @@ TEST_CASE("every claim is there with its verdicts, every finding in the errata, 
 
 TEST_CASE("the arithmetic beside a counterexample comes to nothing wrong: each row ends in = 0, 11 rows a motion") {
   const auto tree = read(small_page());
-  const auto tables = tree.select_nodes("//div[@class='motion']//table[1]");
+  const auto tables = tree.select_nodes("//details[@class='data by-hand']/table[1]");
   CHECK(tables.size() > 5);
   for (const auto& table : tables) CHECK(table.node().select_nodes(".//tr").size() == 11);
+}
+
+TEST_CASE("the first page has the problem, the figure, the findings in words and the counts, in this order") {
+  const std::string& html = small_page();
+  std::size_t last = 0;
+  PageInput input = small_input();
+  input.model = read_scene(SLIPPROOF_SOURCE_DIR "/cases/city-bicycle.toml");
+  const std::string page = page_html(input);
+  for (const char* part : {"The problem", "class=\"labelled\"", "What was found", "claims are refuted, and there are",
+                           "What is false", "class=\"cards\"", "id=\"phase\""}) {
+    CAPTURE(part);
+    const std::size_t at = page.find(part);
+    REQUIRE(at != page.npos);
+    CHECK(at > last);
+    last = at;
+  }
+  CHECK(html.find("id=\"notation\"") != html.npos);
+  CHECK(html.find("How to cite") != html.npos);
+}
+
+TEST_CASE("formulas of the errata are typeset, and what is always true is said in words") {
+  const auto tree = read(small_page());
+  std::size_t parts = 0;
+  for (const auto& part : tree.select_nodes("//section[@id='errata']//div[@class='part']")) {
+    ++parts;
+    const std::string text = part.node().text().get();
+    CHECK(text.find("true") == std::string::npos);
+  }
+  CHECK(parts > 20);
+  CHECK(tree.select_nodes("//section[@id='errata']//dd//math").size() > 40);
+  CHECK(tree.select_nodes("//section[@id='errata']//dd/code").empty());
+}
+
+TEST_CASE("each counterexample can be saved as a scene that solve reads") {
+  const auto tree = read(small_page());
+  const auto links = tree.select_nodes("//a[@download]");
+  CHECK(links.size() >= 15);
+  const std::string href = links.first().node().attribute("href").value(), head = "data:text/plain;charset=utf-8,";
+  REQUIRE(href.starts_with(head));
+  std::string text;
+  for (std::size_t i = head.size(); i < href.size(); ++i) {
+    if (href[i] != '%') {
+      text += href[i];
+    } else {
+      text += static_cast<char>(std::stoi(href.substr(i + 1, 2), nullptr, 16));
+      i += 2;
+    }
+  }
+  const test::TemporaryFolder folder;
+  CHECK(read_scene(folder.write("scene.toml", text)).name.starts_with("counterexample to "));
+}
+
+TEST_CASE("the page of a paper with open claims and no finding is no all-clear") {
+  test::SmallClaims small;
+  small.parameters = "b = { domain = \"b > 0\", meaning = \"b\" }\n";
+  small.claims = "[[claim]]\nid = \"X\"\nline = 7\nstatement = \"s\"\nkind = \"formula\"\nholds = \"1/(b - b) = 1\"\n";
+  const ClaimsFile file = parse_claims(small.text(), "small.toml");
+  VerifyOptions options;
+  options.samples = 20;
+  const VerifyResult result = verify(file, options);
+  PageInput input;
+  input.claims = &file;
+  input.result = &result;
+  const std::string html = page_html(input);
+  CHECK(html.find("no all-clear") != html.npos);
+  CHECK(html.find("Nothing was found to be wrong") == html.npos);
+  CHECK(html.find("Certified solvers") == html.npos);
+  CHECK(html.find("Speed and accuracy") == html.npos);
 }
 
 TEST_CASE("fingerprints are SHA-256") {
@@ -197,7 +272,8 @@ TEST_CASE("everything that comes with the program is gathered") {
                test::read_file(test::shipped_certificates / "A1.1.always.statement"));
   folder.write("certificates/A1.1.always.cert", undecided_text("A1.1.always", {"no step left of 7"}));
   Certificates certificates(folder.path());
-  PageInput input = gather({claims, root + "/cases", root + "/cases/solvers", {}}, test::shipped_paper(), certificates);
+  PageInput input = gather({claims, root + "/cases/city-bicycle.toml", root + "/cases", root + "/cases/solvers", {}},
+                           test::shipped_paper(), certificates);
   CHECK(input.figures.empty());  // there is no figures.toml beside the claims
   CHECK(input.scenes.size() >= 10);
   CHECK(input.solvers.size() == 12);

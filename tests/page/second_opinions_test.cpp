@@ -55,7 +55,7 @@ struct EvidencePage {
     options.only = "A1.1";
     options.certificates = std::make_shared<Certificates>(folder.path());
     const VerifyResult result = verify(test::shipped_paper(), options);
-    PageInput input = gather({claims, {}, {}, {}}, test::shipped_paper(), *options.certificates);
+    PageInput input = gather({claims, {}, {}, {}, {}}, test::shipped_paper(), *options.certificates);
     input.result = &result;
     sources = input.sources.size();
     html = page_html(input);
