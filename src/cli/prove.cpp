@@ -137,7 +137,7 @@ void copy_statements(const std::filesystem::path& folder, const std::filesystem:
   if (out == folder) return;
   std::vector<StatementFile> statements = statements_below(folder);
   std::erase_if(statements, [&](const StatementFile& statement) {
-    const std::filesystem::path inside = statement.file.lexically_relative(out);
+    const std::filesystem::path inside = statement.file.lexically_normal().lexically_relative(out.lexically_normal());
     return !inside.empty() && *inside.begin() != "..";  // what an earlier run left in `out`
   });
   copied(statements, out);

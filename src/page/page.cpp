@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "check/files.hpp"
 #include "input/text_file.hpp"
 #include "page/assets.hpp"
 #include "page/sections.hpp"

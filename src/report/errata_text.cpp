@@ -32,7 +32,7 @@ std::string summary_line(const Errata& errata) {
   }
   const auto ungraded = static_cast<std::size_t>(
       std::count_if(errata.findings.begin(), errata.findings.end(), [](const Finding& f) { return !f.graded; }));
-  return line + (ungraded == 0 ? "" : fmt::format(" (of {} no grade is given)", ungraded));
+  return line + (ungraded == 0 ? "" : fmt::format("; no grade is given for {} of them", ungraded));
 }
 
 const char* is(std::size_t n) {
@@ -78,7 +78,7 @@ std::string standing_text(const Errata& errata) {
 std::string sum_text(const Errata& errata) {
   const Standing& s = errata.standing;
   const std::size_t own = s.refuted - s.shared, all = errata.findings.size();
-  if (s.refuted == 0 || all == 0) return "";
+  if (s.refuted == 0 || (own == s.refuted && all == own)) return "";  // nothing to explain
   std::string text = fmt::format("{} {} refuted, and there {} {}. ", counted(s.refuted, "claim"), is(s.refuted),
                                  is(all), counted(all, "finding"));
   text += fmt::format("Of the refuted claims, {} {} of {} own", own, own == 1 ? "is a finding" : "are findings",

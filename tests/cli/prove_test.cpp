@@ -307,6 +307,7 @@ holds = "f > 7"
   CHECK(text.out.find("no statement of X1: a limit needs `from`: a value of f from which on it can be shown") !=
         std::string::npos);
   CHECK(text.out.find("0 proved, 0 undecided, 1 claim without a statement") != std::string::npos);
+  CHECK(run({"prove", claims, "--out", folder.path() / "new"}).exit_code == 4);
   const auto json = run({"prove", "--json", claims});
   CHECK(json.out.find("\"unstated\"") != std::string::npos);
 }
