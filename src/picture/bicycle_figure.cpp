@@ -13,7 +13,7 @@ namespace slipproof {
 
 namespace {
 
-constexpr double width = 760, height = 520, road = 398, margin = 96, top = 34;
+constexpr double figure_width = 760, figure_height = 520, figure_road = 398, margin = 96, figure_top = 34;
 
 constexpr std::string_view description =
     "The bicycle from the side. The x axis points forward, the y axis down; a turn is positive clockwise, from x "
@@ -26,7 +26,8 @@ constexpr std::string_view description =
 
 class LabelledFigure {
  public:
-  LabelledFigure(const Element& svg, const Scene& scene) : svg_(svg), sketch_(svg, scene, {width, margin, top, road}) {}
+  LabelledFigure(const Element& svg, const Scene& scene)
+      : svg_(svg), sketch_(svg, scene, {figure_width, margin, figure_top, figure_road}) {}
 
   void draw() const {
     axle_line();
@@ -39,7 +40,7 @@ class LabelledFigure {
     reactions("N3", "S3", sketch_.b3());
     centre();
     turns();
-    axes({width - 128, 46});
+    axes({figure_width - 128, 46});
   }
 
  private:
@@ -93,13 +94,14 @@ class LabelledFigure {
     sketch_.line({x - 62, centre}, {sketch_.x(0) - 8, centre}, "curve");
     measure({x - 14, axles}, {x - 14, centre});
     symbol({x - 22, (axles + centre) / 2 + 5}, "h", "end");
-    measure({x - 52, road}, {x - 52, centre});
-    symbol({x - 60, (road + centre) / 2 + 5}, "h0", "end");
+    measure({x - 52, figure_road}, {x - 52, centre});
+    symbol({x - 60, (figure_road + centre) / 2 + 5}, "h0", "end");
   }
 
   void distances() const {
-    const double level = road + 88, rear = sketch_.x(-sketch_.b2()), front = sketch_.x(sketch_.b3()), c = sketch_.x(0);
-    for (const double x : {rear, front}) sketch_.line({x, road + 64}, {x, level + 8}, "curve");
+    const double level = figure_road + 88, rear = sketch_.x(-sketch_.b2()), front = sketch_.x(sketch_.b3()),
+                 c = sketch_.x(0);
+    for (const double x : {rear, front}) sketch_.line({x, figure_road + 64}, {x, level + 8}, "curve");
     sketch_.line({c, sketch_.y(sketch_.h0()) + 70}, {c, level + 8}, "curve");
     measure({rear, level}, {c, level});
     measure({c, level}, {front, level});
@@ -140,10 +142,10 @@ class LabelledFigure {
 
   void reactions(std::string_view N, std::string_view S, double wheel) const {
     const double x = sketch_.x(wheel);
-    sketch_.arrow({x, road + 62}, 0, -58, "normal");
-    symbol({x - 8, road + 52}, N, "end");
-    sketch_.arrow({x, road}, 60, 0, "friction");
-    symbol({x + 58, road + 22}, S);
+    sketch_.arrow({x, figure_road + 62}, 0, -58, "normal");
+    symbol({x - 8, figure_road + 52}, N, "end");
+    sketch_.arrow({x, figure_road}, 60, 0, "friction");
+    symbol({x + 58, figure_road + 22}, S);
   }
 
   void centre() const {
@@ -189,7 +191,7 @@ class LabelledFigure {
 };
 
 void draw_figure(const Element& svg, const Scene& scene) {
-  svg.set("role", "img").set("viewBox", fmt::format("0 0 {} {}", width, height));
+  svg.set("role", "img").set("viewBox", fmt::format("0 0 {} {}", figure_width, figure_height));
   svg.add("title").text("The bicycle of the model with its axes, signs and symbols");
   svg.add("desc").text(description);
   LabelledFigure(svg, scene).draw();
@@ -206,10 +208,10 @@ Element add_bicycle_figure(const Element& parent, const Scene& scene) {
 std::string bicycle_figure_file(const Scene& scene) {
   const Document document("svg");
   const Element svg = document.root().set("xmlns", "http://www.w3.org/2000/svg");
-  svg.set("width", width).set("height", height);
+  svg.set("width", figure_width).set("height", figure_height);
   svg.set("font-family", "system-ui, 'DejaVu Sans', sans-serif");
   svg.add("style").code(picture_style());
-  svg.add("rect", "paper").set("width", width).set("height", height).set("rx", 10);
+  svg.add("rect", "paper").set("width", figure_width).set("height", figure_height).set("rx", 10);
   draw_figure(svg, scene);
   return document.xml();
 }

@@ -16,7 +16,7 @@ Json number(double x) {
   return std::isfinite(x) ? Json(x) : Json(nullptr);
 }
 
-Json to_json(const TradeRow& r) {
+Json row_json(const TradeRow& r) {
   Json row{{"workload", r.workload}, {"type", r.type},
            {"scenes", r.scenes},     {"scenes_per_second", number(std::round(r.scenes_per_second))},
            {"wrong", r.wrong},       {"undecided", r.undecided}};
@@ -81,7 +81,7 @@ std::string trade_json(const Trade& trade) {
   for (const TradeType& t : trade.types) {
     document["types"].push_back({{"name", t.name}, {"bits", t.bits == 0 ? Json(nullptr) : Json(t.bits)}});
   }
-  for (const TradeRow& r : trade.rows) document["rows"].push_back(to_json(r));
+  for (const TradeRow& r : trade.rows) document["rows"].push_back(row_json(r));
   for (const Cancellation& c : trade.cancellations) {
     document["cancellation"].push_back({{"type", c.type},
                                         {"condition_decade", c.decade},

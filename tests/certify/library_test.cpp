@@ -12,29 +12,29 @@ using namespace slipproof;
 
 namespace {
 
-const ForcedScene<double> scene{.bicycle = {.M = 94,
-                                            .R = 0.3,
-                                            .h = 0.56,
-                                            .b2 = 0.34,
-                                            .b3 = 0.68,
-                                            .I1 = 0.01,
-                                            .I2 = 0.12,
-                                            .I3 = 0.2,
-                                            .r1 = 0.09,
-                                            .r2 = 0.036,
-                                            .L = 0.17,
-                                            .J = 15.7},
-                                .road = {.f = 0.8, .g = 9.81},
-                                .F = 300};
+const ForcedScene<double> typical{.bicycle = {.M = 94,
+                                              .R = 0.3,
+                                              .h = 0.56,
+                                              .b2 = 0.34,
+                                              .b3 = 0.68,
+                                              .I1 = 0.01,
+                                              .I2 = 0.12,
+                                              .I3 = 0.2,
+                                              .r1 = 0.09,
+                                              .r2 = 0.036,
+                                              .L = 0.17,
+                                              .J = 15.7},
+                                  .road = {.f = 0.8, .g = 9.81},
+                                  .F = 300};
 
 }  // namespace
 
 TEST_CASE("a scene of doubles is solved exactly, and its answer certified") {
-  const MotionsAtForce found = motions_at(scene);
+  const MotionsAtForce found = motions_at(typical);
   REQUIRE(found.motions.size() == 1);
   CHECK(found.motions[0].modes == std::vector{*parse_mode("stick/stick")});
   const Motion<Rational>& motion = found.motions[0].values;
-  CHECK(motions_at(to_rational(scene)).motions[0].values == motion);
+  CHECK(motions_at(to_rational(typical)).motions[0].values == motion);
   const auto value = [&](Quantity q) { return motion[q].convert_to<double>(); };
   const SolverOutput right{.mode = parse_mode("stick/stick"),
                            .a = value(Quantity::a),
@@ -43,23 +43,23 @@ TEST_CASE("a scene of doubles is solved exactly, and its answer certified") {
                            .N2 = value(Quantity::N2),
                            .N3 = value(Quantity::N3),
                            .eps3 = value(Quantity::eps3)};
-  CHECK(judge(scene, right).verdict == RecordVerdict::certified);
-  CHECK(judge(scene, right).tier == Tier::filter);
-  CHECK(judge(to_rational(scene), right).verdict == RecordVerdict::certified);
+  CHECK(judge(typical, right).verdict == RecordVerdict::certified);
+  CHECK(judge(typical, right).tier == Tier::filter);
+  CHECK(judge(to_rational(typical), right).verdict == RecordVerdict::certified);
   SolverOutput off = right;
   off.eps3 = *off.eps3 * 1.001;
-  CHECK(judge(scene, off).verdict == RecordVerdict::inaccurate);
-  CHECK(judge(scene, off, {.tolerance = 1e-2}).verdict == RecordVerdict::certified);
+  CHECK(judge(typical, off).verdict == RecordVerdict::inaccurate);
+  CHECK(judge(typical, off, {.tolerance = 1e-2}).verdict == RecordVerdict::certified);
   off.mode = parse_mode("slip+/stick");
-  CHECK(judge(scene, off).verdict == RecordVerdict::wrong);
-  ForcedScene<double> broken = scene;
+  CHECK(judge(typical, off).verdict == RecordVerdict::wrong);
+  ForcedScene<double> broken = typical;
   broken.road.f = std::numeric_limits<double>::quiet_NaN();
   CHECK(judge(broken, right).verdict == RecordVerdict::invalid);
   CHECK_THROWS_AS(motions_at(broken), NumberError);
 }
 
 TEST_CASE("a continuum outlives the table that found it") {
-  ForcedScene<double> massless = scene;
+  ForcedScene<double> massless = typical;
   massless.bicycle.I3 = 0;
   massless.F = 3000;
   const MotionsAtForce found = motions_at(massless);
@@ -93,7 +93,7 @@ TEST_CASE("a batch is written down by names, numbers that are the same for all a
   CHECK(answers.tiers[0] + answers.tiers[1] + answers.tiers[2] == forces.size());
   std::uint16_t seen = 0;
   for (std::size_t i = 0; i < forces.size(); ++i) {
-    ForcedScene<double> one = scene;
+    ForcedScene<double> one = typical;
     one.bicycle.h = heights[i];
     one.F = forces[i];
     CHECK(answers.modes[i] == consistent_modes(one));

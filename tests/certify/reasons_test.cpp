@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-Json judged(const Json& record, const CertifyOptions& options = {}) {
+Json judged_record(const Json& record, const CertifyOptions& options = {}) {
   return certified(record.dump() + "\n", options).lines().at(0);
 }
 
@@ -24,14 +24,14 @@ Json massless(double F, const std::string& mode) {
 }  // namespace
 
 TEST_CASE("a mode with a continuum of motions is modelled, and none of them may be near") {
-  const Json line = judged(massless(20, "stick/lift"));
+  const Json line = judged_record(massless(20, "stick/lift"));
   CHECK(line["verdict"] == "wrong");
   CHECK(line["continua"] == Json{"stick/lift"});
   CHECK(line["reason"] == "the mode has a continuum of motions, and none of them is near");
 }
 
 TEST_CASE("a mode whose equations have many solutions is rejected by the condition that all of them break") {
-  const Json line = judged(massless(2, "stick/lift"));
+  const Json line = judged_record(massless(2, "stick/lift"));
   CHECK(line["verdict"] == "wrong");
   CHECK(line["violated"] == "gap3 >= 0");
   CHECK(line["margin"].get<std::string>().starts_with("-"));
@@ -40,7 +40,7 @@ TEST_CASE("a mode whose equations have many solutions is rejected by the conditi
 
 TEST_CASE("the equations have no solution where they have none") {
   // A massless rear wheel in the air takes no moment from the chain.
-  const Json line = judged(massless(20, "lift/stick"));
+  const Json line = judged_record(massless(20, "lift/stick"));
   CHECK(line["violated"].is_null());
   CHECK(line["reason"] == "its equations have no solution");
 }
@@ -48,16 +48,16 @@ TEST_CASE("the equations have no solution where they have none") {
 TEST_CASE("without J, and only then, a mode with a wheel off the road is not modelled") {
   Json record = massless(2, "stick/lift");
   record["I2"] = record["I3"] = 1;
-  CHECK_FALSE(judged(record).contains("reason"));
+  CHECK_FALSE(judged_record(record).contains("reason"));
   record.erase("J");
-  CHECK(judged(record)["reason"] == "the mode is not modelled: without J no wheel leaves the road");
+  CHECK(judged_record(record)["reason"] == "the mode is not modelled: without J no wheel leaves the road");
   record["mode"] = "stick/stick";
-  CHECK(judged(record)["reason"] == "the mode is right, its numbers are not");
+  CHECK(judged_record(record)["reason"] == "the mode is right, its numbers are not");
 }
 
 TEST_CASE("beyond the effort a scene is undecided, and the reason says how much it takes") {
   Json record = massless(2, "stick/stick");
-  const Json decided = judged(record);
+  const Json decided = judged_record(record);
   CHECK(decided["verdict"] == "wrong");
   CertifyOptions little;
   little.judge.effort = 1000;
@@ -70,9 +70,9 @@ TEST_CASE("beyond the effort a scene is undecided, and the reason says how much 
   CHECK(reason.find(" operations on words, more than the effort of 1000 allows; --effort ") != std::string::npos);
   CHECK(found.summary.nothing_refuted());
   little.judge.effort = std::stoull(reason.substr(reason.find("about ") + 6));
-  CHECK(judged(record, little) == decided);
+  CHECK(judged_record(record, little) == decided);
   --little.judge.effort;
-  CHECK(judged(record, little)["verdict"] == "undecided");
+  CHECK(judged_record(record, little)["verdict"] == "undecided");
 }
 
 TEST_CASE("numbers of many digits are too much work for a contact problem, at any number of threads") {
@@ -91,30 +91,30 @@ TEST_CASE("numbers of many digits are too much work for a contact problem, at an
     q.push_back("-" + fraction());
   }
   const Json record{{"W", W}, {"q", q}, {"z", q}, {"mode", std::string(64, 'z')}};
-  const Json line = judged(record);
+  const Json line = judged_record(record);
   CHECK(line["verdict"] == "undecided");
   CHECK(line["reason"].get<std::string>().starts_with("too much work: more than the effort of "));
   CertifyOptions one;
   one.threads = 1;
-  CHECK(judged(record, one) == line);
+  CHECK(judged_record(record, one) == line);
 }
 
 TEST_CASE("a right answer of which no other was tried says what trying them takes") {
   const Json record{{"M", {{1, 3}, {0, 1}}}, {"q", {-1, -1}}, {"z", {0, 1}}};
-  CHECK(judged(record)["verdict"] == "certified");
+  CHECK(judged_record(record)["verdict"] == "certified");
   CertifyOptions little;
-  for (little.judge.effort = 1; judged(record, little)["modes"] == Json::array(); little.judge.effort += 50) {
-    CHECK(judged(record, little)["verdict"] == "undecided");
+  for (little.judge.effort = 1; judged_record(record, little)["modes"] == Json::array(); little.judge.effort += 50) {
+    CHECK(judged_record(record, little)["verdict"] == "undecided");
   }
-  Json line = judged(record, little);
+  Json line = judged_record(record, little);
   CHECK(line["verdict"] == "undecided");
   CHECK(line["reason"] == "near the solution of its mode");
   CHECK(line["unexamined"].get<std::string>().starts_with("the other modes: too much work: about "));
   // Two contacts carry one load, in one mode of many.
   const Json shared{{"M", {{1, 1}, {1, 1}}}, {"q", {-1, -1}}, {"z", {0.5, 0.5}}};
-  for (little.judge.effort = 1; judged(shared, little)["modes"] == Json::array(); little.judge.effort += 50) {
+  for (little.judge.effort = 1; judged_record(shared, little)["modes"] == Json::array(); little.judge.effort += 50) {
     REQUIRE(little.judge.effort < 1'000'000);
   }
-  line = judged(shared, little);
+  line = judged_record(shared, little);
   CHECK(line["verdict"] == "ambiguous");
 }

@@ -14,7 +14,7 @@ using namespace slipproof::test;
 
 namespace {
 
-const std::string answer = R"({"M":[[2]],"q":[-1],"z":["1/2"]})";
+const std::string half_answer = R"({"M":[[2]],"q":[-1],"z":["1/2"]})";
 
 CertifyOptions json_lines() {
   CertifyOptions options;
@@ -23,7 +23,7 @@ CertifyOptions json_lines() {
 }
 
 /// What certify says of one contact problem.
-nlohmann::json judged(const std::string& line) {
+nlohmann::json judged_line(const std::string& line) {
   return certified(line + "\n", json_lines()).lines().at(0);
 }
 
@@ -48,7 +48,7 @@ TEST_CASE("each line of a source that is kept open is answered before the next o
     });
     for (int record = 1; record <= 5; ++record) {
       // A line may come in two pieces.
-      const std::string line = answer + "\n";
+      const std::string line = half_answer + "\n";
       REQUIRE(::write(questions[1], line.data(), 7) == 7);
       REQUIRE(::write(questions[1], line.data() + 7, line.size() - 7) == static_cast<ssize_t>(line.size() - 7));
       std::array<char, 4096> buffer{};
@@ -65,8 +65,8 @@ TEST_CASE("each line of a source that is kept open is answered before the next o
 }
 
 TEST_CASE("the first byte tells JSON Lines from CSV") {
-  CHECK(certified(answer).lines().at(0)["verdict"] == "certified");
-  CHECK(certified("\n \n\xEF\xBB\xBF" + answer + "\n" + answer).summary.records == 2);
+  CHECK(certified(half_answer).lines().at(0)["verdict"] == "certified");
+  CHECK(certified("\n \n\xEF\xBB\xBF" + half_answer + "\n" + half_answer).summary.records == 2);
   CHECK_THROWS_AS(certified(""), InputError);
   CHECK_THROWS_AS(certified("M,q,z\n"), InputError);
 }
@@ -81,7 +81,7 @@ TEST_CASE("NaN and infinities as Python writes them are invalid answers, with li
            {R"({"M":[[2]],"q":[-1],"z":[ -Infinity ]})", "-Infinity"},
            {R"({"M":[[2]],"q":[-1],"z":[0],"w":[Infinity]})", "Infinity"}}) {
     CAPTURE(line);
-    const Certified found = certified("\n" + answer + "\n" + line + "\n", json_lines());
+    const Certified found = certified("\n" + half_answer + "\n" + line + "\n", json_lines());
     CHECK(found.summary.broken == 0);
     CHECK(found.summary.count(RecordVerdict::invalid) == 1);
     const auto judgement = found.lines().at(1);
@@ -103,9 +103,9 @@ TEST_CASE("the words are words only outside of texts, and no keys; what is no JS
   lenient.ignore_unknown = true;
   const std::string noted = R"({"M":[[2]],"q":[-1],"z":["1/2"],"note":"NaN \" -Infinity"})";
   CHECK(certified(noted + "\n", lenient).lines().at(0)["verdict"] == "certified");
-  CHECK(judged(R"({"M":[[2]],"q":[-1],"z":[NaN)")["reason"].get<std::string>().starts_with("line 1, column 29: "));
-  CHECK(judged(R"({"q":[-1],NaN:1})")["reason"] == "line 1, column 11: found NaN, expected a key");
-  CHECK(judged(R"({"M":[[NaN]],"q":[-1],"z":[0]})")["reason"] ==
+  CHECK(judged_line(R"({"M":[[2]],"q":[-1],"z":[NaN)")["reason"].get<std::string>().starts_with("line 1, column 29: "));
+  CHECK(judged_line(R"({"q":[-1],NaN:1})")["reason"] == "line 1, column 11: found NaN, expected a key");
+  CHECK(judged_line(R"({"M":[[NaN]],"q":[-1],"z":[0]})")["reason"] ==
         "line 1, column 8: M[1][1]: found NaN, expected a finite number");
-  CHECK(judged(R"({"M":[[1]],"q":[-1],"z":[nan]})")["verdict"] == "invalid");
+  CHECK(judged_line(R"({"M":[[1]],"q":[-1],"z":[nan]})")["verdict"] == "invalid");
 }

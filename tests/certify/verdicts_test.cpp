@@ -20,16 +20,16 @@ std::vector<nlohmann::json> judged_lines(const std::string& text, const CertifyO
 
 // M = R = h = b = 1, I2 = I3 = 1, I1 = 0, mu = 1, L = 1, g = 10, f = 1.
 const std::string head = "M,R,h,b,I1,I2,I3,mu,L,f,g,F,mode,a,S2,S3,N2,N3\n";
-const std::string scene = "1,1,1,1,0,1,1,1,1,1,10,";
+const std::string parameters = "1,1,1,1,0,1,1,1,1,1,10,";
 
-/// The answer of the exact solver to the scene above, as a record.
+/// The answer of the exact solver to the parameters above, as a record.
 std::string answer(const Rational& F, const std::string& mode_text) {
   const Bicycle<Rational> p{
       .M = 1, .R = 1, .h = 1, .b2 = 1, .b3 = 1, .I1 = 0, .I2 = 1, .I3 = 1, .r1 = 1, .r2 = 1, .L = 1};
   const ModeTable table(p, {1, 10}, ForceKind::internal);
   const auto found = motions_at(table, F);
   REQUIRE(found.motions.size() == 1);
-  std::string line = scene + F.str() + "," + mode_text;
+  std::string line = parameters + F.str() + "," + mode_text;
   for (const Quantity q : {Quantity::a, Quantity::S2, Quantity::S3, Quantity::N2, Quantity::N3}) {
     line += "," + found.motions.front().values[q].str();
   }

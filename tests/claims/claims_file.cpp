@@ -10,6 +10,7 @@
 #include "claims/parser.hpp"
 #include "input/diagnostic.hpp"
 #include "support/formula.hpp"
+#include "support/shipped.hpp"
 
 using namespace slipproof;
 using namespace slipproof::test;
@@ -385,7 +386,7 @@ TEST_CASE("the shipped paper") {
 }
 
 TEST_CASE("lines of a paper's source are told as places in the paper") {
-  const Paper& paper = shipped_paper().paper;
+  const Paper& paper = test::shipped_paper().paper;
   const std::vector<std::pair<std::size_t, std::string>> expected{
       {1, ""},
       {37, "section 1"},

@@ -70,7 +70,7 @@ ClaimsFile read(const std::string& settings) {
   return parse_claims(base + settings + claims, "small.toml");
 }
 
-std::string mistakes(const std::string& settings) {
+std::string refused_with(const std::string& settings) {
   try {
     read(settings);
   } catch (const InputError& error) {
@@ -137,16 +137,17 @@ TEST_CASE("settings inherit what others inherited; boundaries are replaced") {
 }
 
 TEST_CASE("unknown ids, settings that stand later and circles are mistakes with their places") {
-  CHECK(mistakes(setting("id = \"second\"\ninherits = \"frist\"\n"))
+  CHECK(refused_with(setting("id = \"second\"\ninherits = \"frist\"\n"))
             .find("small.toml:46:13: inherits: unknown setting 'frist', did you mean 'first'?") != std::string::npos);
-  CHECK(mistakes(setting("id = \"second\"\ninherits = \"third\"\n") + setting("id = \"third\"\ninherits = \"first\"\n"))
+  CHECK(refused_with(setting("id = \"second\"\ninherits = \"third\"\n") +
+                     setting("id = \"third\"\ninherits = \"first\"\n"))
             .find("found 'third', which stands later, expected a setting before this one") != std::string::npos);
-  const std::string circle =
-      mistakes(setting("id = \"second\"\ninherits = \"third\"\n") + setting("id = \"third\"\ninherits = \"second\"\n"));
+  const std::string circle = refused_with(setting("id = \"second\"\ninherits = \"third\"\n") +
+                                          setting("id = \"third\"\ninherits = \"second\"\n"));
   CHECK(circle.find("found a circle: 'second' inherits 'third' inherits 'second'") != std::string::npos);
-  CHECK(mistakes(setting("id = \"second\"\ninherits = \"second\"\n"))
+  CHECK(refused_with(setting("id = \"second\"\ninherits = \"second\"\n"))
             .find("found a circle: 'second' inherits 'second'") != std::string::npos);
-  CHECK(mistakes(setting("id = \"second\"\ninherits = 3\n")).find("inherits") != std::string::npos);
+  CHECK(refused_with(setting("id = \"second\"\ninherits = 3\n")).find("inherits") != std::string::npos);
 }
 
 TEST_CASE("a mistake in what is inherited is told once") {
@@ -162,9 +163,9 @@ TEST_CASE("a mistake in what is inherited is told once") {
 }
 
 TEST_CASE("what can be built is a condition over parameters and definitions") {
-  CHECK(mistakes(setting("id = \"second\"\ninherits = \"first\"\nrealisable = { x = \"P > 0\" }\n")).find("P") !=
+  CHECK(refused_with(setting("id = \"second\"\ninherits = \"first\"\nrealisable = { x = \"P > 0\" }\n")).find("P") !=
         std::string::npos);
-  CHECK(mistakes(setting("id = \"second\"\ninherits = \"first\"\nrealisable = { x = \"b + 1\" }\n")).find("x") !=
+  CHECK(refused_with(setting("id = \"second\"\ninherits = \"first\"\nrealisable = { x = \"b + 1\" }\n")).find("x") !=
         std::string::npos);
-  CHECK(mistakes(setting("id = \"second\"\ninherits = \"first\"\nrealisable = { x = \"v > 0\" }\n")).empty());
+  CHECK(refused_with(setting("id = \"second\"\ninherits = \"first\"\nrealisable = { x = \"v > 0\" }\n")).empty());
 }

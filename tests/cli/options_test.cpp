@@ -5,12 +5,11 @@
 
 #include "support/run_program.hpp"
 
+using slipproof::test::city_bicycle;
 using slipproof::test::run;
 using slipproof::test::TemporaryFolder;
 
 namespace {
-
-const std::string scene = SLIPPROOF_SOURCE_DIR "/cases/city-bicycle.toml";
 
 struct Numeric {
   std::vector<std::string> command;
@@ -22,10 +21,10 @@ struct Numeric {
 TEST_CASE("numeric options take numbers in their range, and nothing that merely begins like one") {
   const std::string up_to_64_bits = "18446744073709551615";
   const std::vector<Numeric> options{
-      {{"solve", scene}, "--seed", "from 0 to " + up_to_64_bits},
-      {{"solve", scene}, "--threads", "from 0 to 4096"},
-      {{"solve", scene}, "--digits", "from 1 to 1000"},
-      {{"map", scene}, "--columns", "from 2 to 10000"},
+      {{"solve", city_bicycle}, "--seed", "from 0 to " + up_to_64_bits},
+      {{"solve", city_bicycle}, "--threads", "from 0 to 4096"},
+      {{"solve", city_bicycle}, "--digits", "from 1 to 1000"},
+      {{"map", city_bicycle}, "--columns", "from 2 to 10000"},
       {{"certify", "-"}, "--from", "from 1 to " + up_to_64_bits},
       {{"certify", "-"}, "--effort", "from 1 to " + up_to_64_bits},
       {{"certify", "-"}, "--tolerance", "from 0 to 1"},
@@ -55,18 +54,18 @@ TEST_CASE("numeric options take numbers in their range, and nothing that merely 
   }
   CHECK(run({"certify", "--from", "0", "-"}).err.find("found '0', expected a whole number from 1 to") !=
         std::string::npos);
-  CHECK(run({"solve", scene, "--seed", up_to_64_bits}).exit_code == 0);
-  CHECK(run({"solve", scene, "--digits", "010"}).exit_code == 2);  // eight or ten?
+  CHECK(run({"solve", city_bicycle, "--seed", up_to_64_bits}).exit_code == 0);
+  CHECK(run({"solve", city_bicycle, "--digits", "010"}).exit_code == 2);  // eight or ten?
 }
 
 TEST_CASE("ranges of a map take exact numbers, and nothing that merely begins like one") {
   for (const std::string value : {"nan", "1e99999", "", " 5", "5x", "inf", "1/0"}) {
     CAPTURE(value);
-    const auto outcome = run({"map", scene, "--columns", "2", "--x-range", "0", value});
+    const auto outcome = run({"map", city_bicycle, "--columns", "2", "--x-range", "0", value});
     CHECK(outcome.exit_code == 2);
     CHECK(outcome.err.find("expected") != std::string::npos);
   }
-  CHECK(run({"map", scene, "--columns", "2", "--x-range", "1/3", "0x10"}).exit_code == 0);
-  CHECK(run({"map", scene, "--columns", "2", "--y", "F"}).exit_code == 0);
+  CHECK(run({"map", city_bicycle, "--columns", "2", "--x-range", "1/3", "0x10"}).exit_code == 0);
+  CHECK(run({"map", city_bicycle, "--columns", "2", "--y", "F"}).exit_code == 0);
   CHECK(run({"map", "--help"}).out.find("--y ") == std::string::npos);  // it chooses nothing
 }

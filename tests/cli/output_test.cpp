@@ -6,16 +6,16 @@
 
 #include "support/run_program.hpp"
 
+using slipproof::test::city_bicycle;
 using slipproof::test::quoted;
 using slipproof::test::read_file;
+using slipproof::test::rear_drive;
 using slipproof::test::run;
 using slipproof::test::TemporaryFolder;
 
 namespace {
 
 const std::string sources = SLIPPROOF_SOURCE_DIR;
-const std::string scene = sources + "/cases/city-bicycle.toml";
-const std::string rear_drive = sources + "/proofs/rear-drive/claims.toml";
 const std::string answers = "F,a,S2,S3,N2,N3\n300,0,0,0,0,0\n";
 
 struct Shelled {
@@ -44,11 +44,11 @@ TEST_CASE("a result that cannot be written to standard output has an exit code o
   const TemporaryFolder folder;
   folder.write("answers.csv", answers);
   folder.write("x.statement", "slipproof-statement 1\ntheorem x\nreal x\nshow x^2 >= 0\n");
-  const std::vector<std::string> commands{"solve " + scene,
-                                          "map " + scene + " --columns 4",
+  const std::vector<std::string> commands{"solve " + city_bicycle,
+                                          "map " + city_bicycle + " --columns 4",
                                           "verify " + rear_drive + " --samples 3 --lines 0",
                                           "verify " + rear_drive + " --coverage",
-                                          "certify answers.csv --scene " + scene,
+                                          "certify answers.csv --scene " + city_bicycle,
                                           "prove x.statement",
                                           "check x.cert",
                                           "--help",
@@ -59,14 +59,14 @@ TEST_CASE("a result that cannot be written to standard output has an exit code o
     CHECK(full.exit_code == 6);
     CHECK(full.err.find("standard output: cannot be written: No space left on device") != std::string::npos);
   }
-  const auto closed = shell(folder.path(), "$slipproof solve " + scene + " >&-");
+  const auto closed = shell(folder.path(), "$slipproof solve " + city_bicycle + " >&-");
   CHECK(closed.exit_code == 6);
   CHECK(closed.err.find("standard output: cannot be written: Bad file descriptor") != std::string::npos);
 }
 
 TEST_CASE("where standard output is closed, no file that is written gets what was meant for it") {
   const TemporaryFolder folder;
-  CHECK(shell(folder.path(), "$slipproof map " + scene + " --columns 4 -o map.svg >&-").exit_code == 6);
+  CHECK(shell(folder.path(), "$slipproof map " + city_bicycle + " --columns 4 -o map.svg >&-").exit_code == 6);
   CHECK(read_file(folder.path() / "map.svg").ends_with("</svg>\n"));
 }
 
@@ -75,8 +75,8 @@ TEST_CASE("a disk that is full leaves the older file, and exits with 6") {
   folder.write("answers.csv", answers);
   folder.write("x.statement", "slipproof-statement 1\ntheorem x\nreal x\nshow x^2 >= 0\n");
   const std::vector<std::pair<std::string, std::string>> commands{
-      {"map.svg", "map " + scene + " --columns 4 -o map.svg"},
-      {"summary", "certify answers.csv --quiet --summary summary --scene " + scene},
+      {"map.svg", "map " + city_bicycle + " --columns 4 -o map.svg"},
+      {"summary", "certify answers.csv --quiet --summary summary --scene " + city_bicycle},
       {"x.cert", "prove x.statement"},
       {"out/x.cert", "prove x.statement --out out"},
       {"smt/x.smt2", "prove x.statement --smtlib smt"},
@@ -90,7 +90,7 @@ TEST_CASE("a disk that is full leaves the older file, and exits with 6") {
     CHECK(full.exit_code == 6);
     CHECK(read_file(folder.path() / file) == "older");
   }
-  const auto device = shell(folder.path(), "$slipproof map " + scene + " --columns 4 --svg -o /dev/full");
+  const auto device = shell(folder.path(), "$slipproof map " + city_bicycle + " --columns 4 --svg -o /dev/full");
   CHECK(device.exit_code == 6);
   CHECK(device.err == "/dev/full: cannot be written: No space left on device\n");
 }
@@ -101,10 +101,11 @@ TEST_CASE("a folder that is not there is told before the work, and not made") {
   folder.write("x.statement", "slipproof-statement 1\ntheorem x\nreal x\nshow x^2 >= 0\n");
   const std::string long_work = " --samples 100000000 ";
   for (const std::string& command : std::vector<std::string>{
-           "map " + scene + " -o nowhere/map.svg", "report" + long_work + "--out nowhere/report.html",
+           "map " + city_bicycle + " -o nowhere/map.svg", "report" + long_work + "--out nowhere/report.html",
            "verify" + long_work + "--report nowhere/report.html", "verify --mutants --lemmas nowhere/lemmas",
-           "certify answers.csv --summary nowhere/summary --scene " + scene, "prove x.statement --out nowhere/out",
-           "prove x.statement --smtlib nowhere/smt", "prove x.statement --coq nowhere/coq"}) {
+           "certify answers.csv --summary nowhere/summary --scene " + city_bicycle,
+           "prove x.statement --out nowhere/out", "prove x.statement --smtlib nowhere/smt",
+           "prove x.statement --coq nowhere/coq"}) {
     CAPTURE(command);
     const auto outcome = shell(folder.path(), "$slipproof " + command + " >out");
     CHECK(outcome.exit_code == 6);
@@ -118,7 +119,7 @@ TEST_CASE("no command writes over what it reads, by whatever name, and says so b
   const TemporaryFolder folder;
   const std::string claims = own_paper(folder);
   folder.write("answers.csv", answers);
-  folder.write("scene.toml", read_file(scene));
+  folder.write("scene.toml", read_file(city_bicycle));
   const std::string statement = "slipproof-statement 1\ntheorem x\nreal x\nshow x^2 >= 0\n";
   folder.write("x.statement", statement);
   for (const char* name : {"x.cert", "figures.toml", "trade.json"})

@@ -7,17 +7,12 @@
 
 #include "support/run_program.hpp"
 
+using slipproof::test::city_bicycle;
 using slipproof::test::read_file;
+using slipproof::test::rear_drive;
 using slipproof::test::run;
 using slipproof::test::TemporaryFolder;
 using Json = nlohmann::json;
-
-namespace {
-
-const std::string rear_drive = SLIPPROOF_SOURCE_DIR "/proofs/rear-drive/claims.toml";
-const std::string scene = SLIPPROOF_SOURCE_DIR "/cases/city-bicycle.toml";
-
-}  // namespace
 
 TEST_CASE("report writes one file, the same at any number of threads") {
   const TemporaryFolder folder;
@@ -54,9 +49,9 @@ TEST_CASE("a report that cannot be made is refused before the work, and what sto
   CHECK(refusal(6, {"report", "--out", folder.path().string()}).find("cannot be written") != std::string::npos);
   CHECK(refusal(6, {"verify", "--report", file + "/x.html"}).find("cannot be written") != std::string::npos);
   for (const std::string& out : {file, fresh}) {
-    CHECK(refusal(3, {"report", "--trade", scene, "--out", out}).find("no output of slipproof trade") !=
+    CHECK(refusal(3, {"report", "--trade", city_bicycle, "--out", out}).find("no output of slipproof trade") !=
           std::string::npos);
-    CHECK(refusal(3, {"verify", "--trade", scene, "--report", out}).find("no output of slipproof") !=
+    CHECK(refusal(3, {"verify", "--trade", city_bicycle, "--report", out}).find("no output of slipproof") !=
           std::string::npos);
   }
   CHECK(read_file(file) == "as it was");
@@ -86,12 +81,12 @@ TEST_CASE("a report without verdicts is refused, with what to do, and nothing is
 }
 
 TEST_CASE("map draws a scene, as SVG, as PNG where it can, and as exact data") {
-  const auto svg = run({"map", scene, "--x", "f", "--y", "F", "--columns", "12"});
+  const auto svg = run({"map", city_bicycle, "--x", "f", "--y", "F", "--columns", "12"});
   CHECK(svg.exit_code == 0);
   CHECK(svg.out.starts_with("<?xml"));
-  const auto png = run({"map", scene, "--columns", "12", "--png"});
+  const auto png = run({"map", city_bicycle, "--columns", "12", "--png"});
   CHECK((png.out.starts_with("\x89PNG") || (png.exit_code == 1 && png.err.find("librsvg") != std::string::npos)));
-  const auto json = run({"map", scene, "--x", "h0", "--x-range", "0.5", "3/2", "--columns", "4", "--json"});
+  const auto json = run({"map", city_bicycle, "--x", "h0", "--x-range", "0.5", "3/2", "--columns", "4", "--json"});
   const Json document = Json::parse(json.out);
   CHECK(document["schema"] == "slipproof/map/1");
   CHECK(document["x_range"] == Json({"1/2", "3/2"}));
@@ -99,32 +94,32 @@ TEST_CASE("map draws a scene, as SVG, as PNG where it can, and as exact data") {
 }
 
 TEST_CASE("map refuses what it cannot draw, in words") {
-  CHECK(run({"map", scene, "--x", "frog"}).exit_code == 2);
-  CHECK(run({"map", scene, "--y", "f"}).exit_code == 2);
-  CHECK(run({"map", scene, "--x-range", "nan", "1"}).exit_code == 2);
-  const auto empty = run({"map", scene, "--x-range", "1", "1/2"});
+  CHECK(run({"map", city_bicycle, "--x", "frog"}).exit_code == 2);
+  CHECK(run({"map", city_bicycle, "--y", "f"}).exit_code == 2);
+  CHECK(run({"map", city_bicycle, "--x-range", "nan", "1"}).exit_code == 2);
+  const auto empty = run({"map", city_bicycle, "--x-range", "1", "1/2"});
   CHECK(empty.exit_code == 3);
   CHECK(empty.err.find("range of f from 1 to 1/2") != std::string::npos);
-  CHECK(run({"map", scene, "--json", "--png"}).exit_code == 2);
+  CHECK(run({"map", city_bicycle, "--json", "--png"}).exit_code == 2);
   const TemporaryFolder folder;
   const std::string photo = (folder.path() / "map.jpg").string();
-  const auto name = run({"map", scene, "--columns", "4", "-o", photo});
+  const auto name = run({"map", city_bicycle, "--columns", "4", "-o", photo});
   CHECK(name.exit_code == 2);
   CHECK(name.err.find("--svg or --png") != std::string::npos);
   CHECK(!std::filesystem::exists(photo));
-  CHECK(run({"map", scene, "--columns", "4", "--svg", "-o", photo}).exit_code == 0);
+  CHECK(run({"map", city_bicycle, "--columns", "4", "--svg", "-o", photo}).exit_code == 0);
   CHECK(read_file(photo).starts_with("<?xml"));
-  CHECK(run({"map", scene, "--x", "R", "--x-range", "-2", "-1"}).exit_code == 3);
+  CHECK(run({"map", city_bicycle, "--x", "R", "--x-range", "-2", "-1"}).exit_code == 3);
   CHECK(run({"map", "nowhere.toml"}).exit_code == 3);
 }
 
 TEST_CASE("draw writes the labelled figure of a scene, the shipped one of the city bicycle") {
-  const auto figure = run({"draw", scene});
+  const auto figure = run({"draw", city_bicycle});
   CHECK(figure.exit_code == 0);
   CHECK(figure.out == read_file(SLIPPROOF_SOURCE_DIR "/cases/bicycle.svg"));
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "figure.svg").string();
-  CHECK(run({"draw", scene, "-o", file}).out == "s DRAWN " + file + "\n");
+  CHECK(run({"draw", city_bicycle, "-o", file}).out == "s DRAWN " + file + "\n");
   CHECK(read_file(file) == figure.out);
   CHECK(run({"draw", "/nonexistent.toml"}).exit_code == 3);
 }

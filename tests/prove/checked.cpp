@@ -6,15 +6,13 @@
 
 #include "check/files.hpp"
 #include "prove/prove.hpp"
+#include "prove/small_statement.hpp"
 #include "support/run_program.hpp"
 
 namespace {
 
 using namespace slipproof;
-
-std::string statement(const std::string& lines) {
-  return "slipproof-statement 1\ntheorem small\n" + lines;
-}
+using test::statement;
 
 /// `accepted`, what the checker objects to, or `undecided`.
 std::string checked(const std::string& lines, const prove::Limits& limits = {}) {

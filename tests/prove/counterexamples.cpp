@@ -7,16 +7,14 @@
 #include "check/files.hpp"
 #include "prove/instance.hpp"
 #include "prove/prove.hpp"
+#include "prove/small_statement.hpp"
 #include "support/run_program.hpp"
 
 namespace {
 
 using namespace slipproof;
+using test::statement;
 using Verdict = ProofOutcome::Verdict;
-
-std::string statement(const std::string& lines) {
-  return "slipproof-statement 1\ntheorem small\n" + lines;
-}
 
 ProofOutcome outcome(const std::string& lines) {
   return prove_statement("small", statement(lines));
@@ -29,7 +27,8 @@ bool is_false_at(const std::string& lines, const NamedValues& values) {
     const ProofOutcome proof = prove_statement(part.name, part.text);
     if (!proof.proved()) return false;
     folder.write(part.name + ".statement", part.text);
-    if (check::check_file(folder.write(part.name + ".cert", proof.certificate)).verdict != check::Verdict::accepted) return false;
+    if (check::check_file(folder.write(part.name + ".cert", proof.certificate)).verdict != check::Verdict::accepted)
+      return false;
   }
   return true;
 }

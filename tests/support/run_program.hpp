@@ -13,6 +13,9 @@
 
 namespace slipproof::test {
 
+inline const std::string city_bicycle = SLIPPROOF_SOURCE_DIR "/cases/city-bicycle.toml";
+inline const std::string rear_drive = SLIPPROOF_SOURCE_DIR "/proofs/rear-drive/claims.toml";
+
 struct Outcome {
   int exit_code = -1;  ///< -1: ended by a signal
   std::string out, err;

@@ -135,7 +135,7 @@ TEST_CASE("undecided, missing, unreadable, rejected and accepted are five things
   folder.copy("A1.2.always", "A1.2.always", ".statement");
   Certificates certificates(folder.path());
   const auto state = [&](const char* name) {
-    return std::string(slipproof::name(certificates.check(std::string("certificates/") + name).state));
+    return std::string(to_string(certificates.check(std::string("certificates/") + name).state));
   };
   CHECK(state("A1.1.always") == "undecided");
   CHECK(certificates.check("certificates/A1.1.always").message == "no step left of 7; left with x > 0");
