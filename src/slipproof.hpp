@@ -1,5 +1,5 @@
-// The whole library in one header. Scenes and their motions; filters; contact problems; answers of other solvers; papers,
-// proofs and certificates; pictures and reports. Each header can be included by itself.
+// The whole library in one header. Scenes and their motions; filters; contact problems; answers of other solvers;
+// papers, proofs and certificates; pictures and reports. Each header can be included by itself.
 #pragma once
 
 #include "certify/certify.hpp"

@@ -1,6 +1,6 @@
-// The mechanics: the equations of proofs/MODEL.md, once, as residuals that vanish on every motion. Written over the number
-// type T of the parameters and the type U of the unknowns: with U = T they judge a motion, with U a linear form they
-// give the matrix of the system.
+// The mechanics: the equations of proofs/MODEL.md, once, as residuals that vanish on every motion. Written over the
+// number type T of the parameters and the type U of the unknowns: with U = T they judge a motion, with U a linear form
+// they give the matrix of the system.
 #pragma once
 
 #include <array>

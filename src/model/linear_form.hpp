@@ -40,7 +40,8 @@ LinearForm<T> operator-(const LinearForm<T>& x, const LinearForm<T>& y) {
   return x + T(-1) * y;
 }
 
-/// The eleven equations of a mode: sum of row.coefficients[i] x_i + row.constant = 0, the raw system of proofs/MODEL.md.
+/// The eleven equations of a mode: sum of row.coefficients[i] x_i + row.constant = 0, the raw system of
+/// proofs/MODEL.md.
 template <class T>
 std::array<LinearForm<T>, unknown_count> raw_system(const Bicycle<T>& p, const Road<T>& road, ForceKind kind,
                                                     ContactMode mode) {

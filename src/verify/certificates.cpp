@@ -138,6 +138,10 @@ CheckedCertificate Certificates::checked(const std::string& name) const {
   CheckedCertificate result{name, found.theorem, found.verdict, found.message};
   const std::string prefix = folder_.string() + "/";
   if (result.message.starts_with(prefix)) result.message.erase(0, prefix.size());
+  const std::string file = name + ".cert: ";  // which search it was is said already
+  if (result.state == CertificateState::undecided && result.message.starts_with(file)) {
+    result.message.erase(0, file.size());
+  }
   return result;
 }
 

@@ -160,7 +160,7 @@ TEST_CASE("prove writes neither over the claims nor over a statement") {
   own_paper(folder);
   const std::string statement = "slipproof-statement 1\ntheorem x\nreal x\nshow x^2 >= 0\n";
   folder.write("x.statement", statement);
-  std::filesystem::create_directory(folder.path() / "out");
+  std::filesystem::create_directories(folder.path() / "out" / "certificates");
   const auto refused = [&](const std::string& link, const std::string& to, const std::string& command) {
     CAPTURE(command);
     std::filesystem::create_symlink(to, folder.path() / link);
@@ -174,5 +174,5 @@ TEST_CASE("prove writes neither over the claims nor over a statement") {
   refused("x.cert", "x.statement", "prove x.statement");
   refused("out/x.cert", "../x.statement", "prove x.statement --out out");
   refused("out/x.smt2", "../x.statement", "prove x.statement --smtlib out");
-  refused("out/T1.2.statement", "../claims.toml", "prove claims.toml --out out");
+  refused("out/certificates/T1.2.statement", "../../claims.toml", "prove claims.toml --out out");
 }

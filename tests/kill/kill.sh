@@ -59,7 +59,7 @@ attack() {
   echo "$name: $kills kills within $length microseconds"
 }
 
-scene=$sources/cases/city-bicycle.toml proofs=$sources/proofs/rozenblat-yashin
+scene=$sources/cases/city-bicycle.toml proofs=$sources/proofs/rozenblat-yashin/certificates
 {
   echo 'F,a,S2,S3,N2,N3'
   for ((i = 1; i <= 3000; ++i)); do echo "$((i % 7)),0.1,0.2,0.3,400,433"; done

@@ -122,7 +122,10 @@ TEST_CASE("certificates that prove nothing are rejected, whatever is wrong with 
     const Folder folder;
     std::filesystem::remove(folder.certificate("A1.1.always.cert"));
     std::filesystem::create_directory(folder.certificate("A1.1.always.cert"));
-    rejected(folder);
+    const ClaimResult result = folder.judge();
+    CHECK_FALSE(result.proved);
+    REQUIRE(result.unproved.size() == 1);
+    CHECK(result.unproved.front().state == CertificateState::unreadable);
   }
 }
 
@@ -138,7 +141,8 @@ TEST_CASE("undecided, missing, unreadable, rejected and accepted are five things
     return std::string(to_string(certificates.check(std::string("certificates/") + name).state));
   };
   CHECK(state("A1.1.always") == "undecided");
-  CHECK(certificates.check("certificates/A1.1.always").message == "no step left of 7; left with x > 0");
+  CHECK(certificates.check("certificates/A1.1.always").message ==
+        "the search ended without a certificate: no step left of 7; left with x > 0");
   CHECK(state("A1.1.only-then") == "rejected");
   CHECK(certificates.check("certificates/A1.1.only-then").message.starts_with("certificates/A1.1.only-then.cert:2: "));
   CHECK(state("A1.1.defined") == "accepted");
@@ -161,7 +165,8 @@ TEST_CASE("what prove left undecided is not called rejected") {
   REQUIRE(claim.unproved.size() == 1);
   CHECK(claim.unproved.front().state == CertificateState::undecided);
   CHECK(summary(test::shipped_paper(), result) == Summary::as_expected);
-  CHECK(verify_text(test::shipped_paper(), result, false).find("undecided A1.1.always: no step left of 7\n") !=
+  CHECK(verify_text(test::shipped_paper(), result, false)
+            .find("undecided A1.1.always: the search ended without a certificate: no step left of 7\n") !=
         std::string::npos);
   CHECK(verify_json(test::shipped_paper(), result).find("\"state\": \"undecided\"") != std::string::npos);
 }
