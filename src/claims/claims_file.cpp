@@ -47,7 +47,7 @@ std::string Paper::place(std::size_t line) const {
   std::size_t begin = 0;  // of what is named so far
   for (const auto& [at, heading] : headings) {
     if (at > line) break;
-    const bool is_section = heading.starts_with("section ");
+    const bool is_section = heading.starts_with("Section ");
     if (is_section) section = heading;
     item = is_section ? "" : heading;
     begin = at;
@@ -60,6 +60,11 @@ std::string Paper::place(std::size_t line) const {
   if (!item.empty()) result += (result.empty() ? "" : ", ") + item;
   if (last == nullptr || headings.empty()) return result;
   return result + (result.empty() ? "" : ", ") + (last->line == line ? "(" : "after (") + last->number + ")";
+}
+
+std::string Paper::where(std::size_t line) const {
+  const std::string named = place(line), numbered = std::to_string(line);
+  return named.empty() ? "Line " + numbered : named + " (line " + numbered + ")";
 }
 
 std::vector<Expression> expressions(const ClaimBody& body) {

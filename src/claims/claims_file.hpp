@@ -33,11 +33,13 @@ struct Paper {
     std::size_t line = 0;
   };
   std::vector<Equation> equations;  ///< all that the paper numbers, in its order
-  /// `section 3`, `Assertion 5`: what a reader of the printed paper finds, and on which line it begins.
+  /// `Section 3`, `Assertion 5`: what a reader of the printed paper finds, and on which line it begins.
   std::map<std::size_t, std::string> headings;
 
-  /// Where a line is for who has the paper and not its source: `section 4.2, after (4.3)`; empty without headings.
+  /// Where a line is for who has the paper and not its source: `Section 4.2, after (4.3)`; empty without headings.
   std::string place(std::size_t line) const;
+  /// The same with the line: `Section 4.2, (4.3) (line 265)`; `Line 265` without headings.
+  std::string where(std::size_t line) const;
 };
 
 /// A statement that no calculation can judge.

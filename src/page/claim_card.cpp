@@ -130,7 +130,7 @@ void add_claim_card(const Element& parent, const PageInput& input, std::size_t i
   }
 
   const Element body = card.add("div", "body");
-  std::string place = "Line " + std::to_string(claim.line) + " of " + input.claims->paper.source;
+  std::string place = input.claims->paper.where(claim.line) + " of " + input.claims->paper.source;
   if (!claim.equation.empty()) place += ", equation (" + claim.equation + ")";
   body.add("p", "place").text(place + ".");
   for (const ClaimResult* result : readings) add_reading(body, input, claim, *result, readings.size() == 1);

@@ -55,7 +55,7 @@ void add_errata_section(const Element& main, const PageInput& input) {
   for (const Finding& finding : errata.findings) {
     const Element item = list.add("li", "finding").set("id", "finding-" + finding.id);
     const Element heading = item.add("h3");
-    heading.text("Line " + std::to_string(finding.line) + ", ");
+    heading.text(input.claims->paper.where(finding.line) + ", ");
     add_claim_id(heading, input, finding.id);
     heading.text(" ");
     heading.add("span", "grade " + std::string(name(finding.grade))).text(grade_text(finding));

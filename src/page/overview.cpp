@@ -127,7 +127,7 @@ std::string findings_detail(const std::vector<Finding>& findings) {
 void add_false(const Element& list, const PageInput& input, const Finding& finding) {
   const Element item = list.add("li");
   add_claim_id(item, input, finding.id);
-  item.text(", line " + std::to_string(finding.line) + (finding.graded ? "" : ", no grade is given") + ": ");
+  item.text(", " + input.claims->paper.where(finding.line) + (finding.graded ? "" : ", no grade is given") + ": ");
   add_sentence(item.add("q"), finding.statement);
   item.add("br");
   add_prose(item.add("span", "because"), input, sentence(finding.wrong));
@@ -227,6 +227,7 @@ void add_overview(const Element& main, const PageInput& input) {
   section.add("h1").set("id", "title").text(file.paper.title);
   std::string authors;
   for (const std::string& author : file.paper.authors) authors += (authors.empty() ? "" : ", ") + author;
+  if (!file.paper.reference.empty()) authors += (authors.empty() ? "" : ", ") + file.paper.reference;
   if (!authors.empty()) section.add("p", "authors").text(authors);
 
   add_problem(section, input);

@@ -12,7 +12,8 @@ void add_citation(const Element& section, const PageInput& input) {
   section.add("h3").text("How to cite");
   const Element p = section.add("p");
   p.text("The paper: " + authors + (authors.empty() ? "" : ", ")).add("i").text(paper.title);
-  p.text(". Line numbers are those of its source text, " + paper.source + ".");
+  p.text((paper.reference.empty() ? "" : ", " + paper.reference) + ". Line numbers are those of its source text, " +
+         paper.source + ".");
   section.add("p").text("This report: “slipproof " + input.version + ", report on ‘" + paper.title + "’, seed " +
                         std::to_string(input.result->seed) + ", " + std::to_string(input.result->samples) +
                         " samples”, together with the SHA-256 of the claims file below.");

@@ -22,6 +22,7 @@ std::string errata_json(const ClaimsFile& file, const Errata& errata) {
     Json entry;
     entry["id"] = f.id;
     entry["line"] = f.line;
+    entry["place"] = file.paper.place(f.line);
     entry["grade"] = name(f.grade);
     entry["graded"] = f.graded;
     entry["statement"] = f.statement;

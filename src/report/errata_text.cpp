@@ -119,6 +119,7 @@ std::string errata_text(const ClaimsFile& file, const Errata& errata) {
   };
   for (const Finding& f : errata.findings) {
     text += "\n" + file.paper.source + ":" + std::to_string(f.line) + ": " + grade_text(f) + " [" + f.id + "]\n";
+    line("place", file.paper.place(f.line));
     line("statement", f.statement);
     line("printed", to_string(f.printed));
     line("wrong", f.wrong);
@@ -139,7 +140,7 @@ std::string errata_markdown(const ClaimsFile& file, const Errata& errata) {
     text += "- **" + std::string(label) + "**: " + (code ? "`" + value + "`" : value) + "\n";
   };
   for (const Finding& f : errata.findings) {
-    text += "\n## Line " + std::to_string(f.line) + ", " + f.id + " (" + grade_text(f) + ")\n\n";
+    text += "\n## " + file.paper.where(f.line) + ", " + f.id + " (" + grade_text(f) + ")\n\n";
     item("Statement", f.statement, false);
     item("Printed", to_string(f.printed), true);
     item("What is wrong", f.wrong, false);

@@ -81,6 +81,7 @@ std::string verify_json(const ClaimsFile& file, const VerifyResult& result) {
           {{"theorem", statement.theorem}, {"state", to_string(statement.state)}, {"because", statement.message}});
     }
     entry["line"] = claim.line;
+    entry["place"] = file.paper.place(claim.line);
     entry["statement"] = claim.statement;
     entry["grade"] = claim.grade ? Json(name(*claim.grade)) : Json(nullptr);
     entry["counterexample"] = r.counterexample ? counterexample_json(file, r, *r.counterexample) : Json(nullptr);

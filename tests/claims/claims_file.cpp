@@ -389,21 +389,23 @@ TEST_CASE("lines of a paper's source are told as places in the paper") {
   const Paper& paper = test::shipped_paper().paper;
   const std::vector<std::pair<std::size_t, std::string>> expected{
       {1, ""},
-      {37, "section 1"},
-      {53, "section 1, Problem 1"},
-      {72, "section 1.1, (1.3)"},
-      {73, "section 1.1, after (1.3)"},
-      {192, "section 3, (3.1)"},
-      {193, "section 3, after (3.1)"},
-      {201, "section 3, Assertion 1"},
-      {233, "section 3, Assertion 5"},
-      {243, "section 4"},
-      {265, "section 4.2, (4.3)"},
+      {37, "Section 1"},
+      {53, "Section 1, Problem 1"},
+      {72, "Section 1.1, (1.3)"},
+      {73, "Section 1.1, after (1.3)"},
+      {192, "Section 3, (3.1)"},
+      {193, "Section 3, after (3.1)"},
+      {201, "Section 3, Assertion 1"},
+      {233, "Section 3, Assertion 5"},
+      {243, "Section 4"},
+      {265, "Section 4.2, (4.3)"},
   };
   for (const auto& [line, place] : expected) CHECK(paper.place(line) == place);
   Paper plain;
   plain.equations = {{"1", 3}};
   CHECK(plain.place(3).empty());
+  CHECK(plain.where(3) == "Line 3");
+  CHECK(paper.where(233) == "Section 3, Assertion 5 (line 233)");
 }
 
 TEST_CASE("headings of a paper stand at lines") {
@@ -412,10 +414,10 @@ TEST_CASE("headings of a paper stand at lines") {
     std::string text = small;
     return text.insert(text.find(from) + from.size(), headings);
   };
-  CHECK(parse_claims(with("[paper.headings]\n7 = \"section 1\"\n"), "small.toml").paper.place(8) == "section 1");
+  CHECK(parse_claims(with("[paper.headings]\n7 = \"Section 1\"\n"), "small.toml").paper.place(8) == "Section 1");
   for (const char* line : {"seven", "0", "-1", "7a", "99999999999999999999999"}) {
     CAPTURE(line);
-    const std::string heading = "[paper.headings]\n" + std::string(line) + " = \"section 1\"\n";
+    const std::string heading = "[paper.headings]\n" + std::string(line) + " = \"Section 1\"\n";
     CHECK_THROWS_WITH_AS(parse_claims(with(heading), "small.toml"), doctest::Contains("small.toml:7:"), InputError);
   }
 }
