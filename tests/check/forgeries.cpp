@@ -220,6 +220,11 @@ TEST_CASE("a witness lists divisors value by value, and the negated conclusion l
       "witness w\nset u = x\nset v = 1\ncases w.1\nbranch 1\ncontradiction\nterm 1 w.1.1\nqed\n"
       "branch 2\ncontradiction\nterm 1 w.1.2\nqed\nend\n";
   CHECK(verdict(either, header(either) + alone) == "");
+  // Each unknown has its own value.
+  reject_all(replaced(statement, "u = v", "u < v"),
+             "witness w\nset u = 0\nset v = 1\ncontradiction\nterm 1 w\nterm 1\nqed\n",
+             {{"set u = 0\nset v = 1", "set u = 1\nset v = 0", "the lines do not add up to zero"},
+              {"set v = 1", "set v = 0", "the lines do not add up to zero"}});
 }
 
 // The normal form of proofs/FORMAT.md: which hypothesis stands for which polynomial.
