@@ -147,7 +147,7 @@ TEST_CASE("text, Markdown, JSON and SARIF hold the same findings") {
     CHECK(results[i]["locations"][0]["physicalLocation"]["region"]["startLine"] == f.line);
     CHECK(results[i]["message"]["text"].get<std::string>().find(f.wrong) != std::string::npos);
     CHECK(text.find("[" + f.id + "]") != std::string::npos);
-    CHECK(markdown.find("## Line " + std::to_string(f.line) + ", " + f.id) != std::string::npos);
+    CHECK(markdown.find("## " + test::shipped_paper().paper.where(f.line) + ", " + f.id) != std::string::npos);
   }
 }
 
