@@ -21,6 +21,7 @@ VerifyResult sampled(const std::string& only, std::shared_ptr<Certificates> cert
   options.certificates = std::move(certificates);
   options.samples = 200;
   options.only = only;
+  options.lines = 0;
   return verify(test::shipped_paper(), options);
 }
 

@@ -78,7 +78,9 @@ TEST_CASE("the shipped paper: every verdict is the expected one") {
 TEST_CASE("the same bytes at any number of threads; another seed, other samples") {
   const ClaimsFile& file = test::shipped_paper();
   const auto bytes = [&](unsigned threads, std::uint64_t seed) {
-    return verify_json(file, verify(file, options(120 / sampled_less, seed, threads)));
+    VerifyOptions o = options(120 / sampled_less, seed, threads);
+    o.lines = 0;  // theirs is a test of their own
+    return verify_json(file, verify(file, o));
   };
   const std::string one = bytes(1, 1);
   CHECK(bytes(3, 1) == one);
