@@ -4,7 +4,7 @@
 
 #include "check/files.hpp"
 #include "cli/command.hpp"
-#include "report/exact_json.hpp"
+#include "wording/exact_json.hpp"
 
 namespace slipproof::cli {
 

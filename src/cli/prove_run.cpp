@@ -10,8 +10,8 @@
 #include "input/diagnostic.hpp"
 #include "output/output_file.hpp"
 #include "prove/undecided.hpp"
-#include "report/explain.hpp"
 #include "statements/claim_statements.hpp"
+#include "wording/explain.hpp"
 
 namespace slipproof::cli {
 

@@ -10,8 +10,8 @@
 #include "cli/command.hpp"
 #include "output/inputs.hpp"
 #include "prove/prove_files.hpp"
-#include "report/exact_json.hpp"
 #include "statements/unstated.hpp"
+#include "wording/exact_json.hpp"
 
 namespace slipproof::cli {
 

@@ -6,9 +6,9 @@
 
 #include "cli/command.hpp"
 #include "cli/verify_run.hpp"
+#include "html/sha256.hpp"
 #include "output/output_file.hpp"
-#include "page/sha256.hpp"
-#include "report/exact_json.hpp"
+#include "wording/exact_json.hpp"
 
 namespace slipproof::cli {
 

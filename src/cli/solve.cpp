@@ -3,7 +3,7 @@
 
 #include "cli/command.hpp"
 #include "model/scene.hpp"
-#include "report/solve_report.hpp"
+#include "wording/solve_report.hpp"
 
 namespace slipproof::cli {
 

@@ -1,4 +1,4 @@
-#include "trade/trade.hpp"
+#include "precision/trade.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "cli/command.hpp"
-#include "report/trade_report.hpp"
+#include "wording/trade_report.hpp"
 
 namespace slipproof::cli {
 

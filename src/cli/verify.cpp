@@ -7,9 +7,9 @@
 #include "cli/command.hpp"
 #include "cli/verify_run.hpp"
 #include "output/output_file.hpp"
-#include "report/errata.hpp"
-#include "report/mutation_report.hpp"
-#include "report/verify_report.hpp"
+#include "wording/errata.hpp"
+#include "wording/mutation_report.hpp"
+#include "wording/verify_report.hpp"
 
 namespace slipproof::cli {
 

@@ -5,8 +5,8 @@
 #include <functional>
 
 #include "cli/command.hpp"
-#include "page/page.hpp"
-#include "report/verify_report.hpp"
+#include "html/page.hpp"
+#include "wording/verify_report.hpp"
 
 namespace slipproof::cli {
 

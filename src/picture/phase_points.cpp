@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "number/binary64.hpp"
-#include "report/motion_json.hpp"
+#include "wording/motion_json.hpp"
 
 namespace slipproof {
 

@@ -6,10 +6,10 @@
 #include <filesystem>
 
 #include "prove/undecided.hpp"
-#include "report/errata.hpp"
-#include "report/verify_report.hpp"
 #include "support/run_program.hpp"
 #include "support/shipped.hpp"
+#include "wording/errata.hpp"
+#include "wording/verify_report.hpp"
 
 using namespace slipproof;
 using test::read_file;

@@ -7,11 +7,11 @@
 
 #include "claims/claims_mutants.hpp"
 #include "claims/parser.hpp"
-#include "report/verify_report.hpp"
 #include "support/shipped.hpp"
 #include "verify/critical.hpp"
 #include "verify/sampler.hpp"
 #include "verify/verify.hpp"
+#include "wording/verify_report.hpp"
 
 using namespace slipproof;
 

@@ -5,10 +5,10 @@
 #include "claims/claims_mutants.hpp"
 #include "claims/parser.hpp"
 #include "model/conditions.hpp"
-#include "report/verify_report.hpp"
 #include "support/shipped.hpp"
 #include "support/unknowns.hpp"
 #include "verify/simplify.hpp"
+#include "wording/verify_report.hpp"
 
 using namespace slipproof;
 

@@ -1,0 +1,267 @@
+#include <fmt/format.h>
+
+#include <cctype>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "claims/compiled.hpp"
+#include "claims/setting_names.hpp"
+#include "html/sections.hpp"
+#include "model/chain.hpp"
+#include "model/conditions.hpp"
+#include "model/linear_form.hpp"
+#include "number/format.hpp"
+#include "picture/bicycle_svg.hpp"
+#include "typeset/mathml.hpp"
+#include "wording/explain.hpp"
+
+namespace slipproof {
+
+namespace {
+
+void add_value(const Element& parent, std::string_view symbol, const Rational& value) {
+  const Element row = add_math(parent).add("mrow");
+  add_symbol(row, symbol);
+  add_operator(row, "=");
+  add_number(row, value);
+}
+
+/// The values of the definitions that the claim uses, at the counterexample.
+void add_symbols(const Element& parent, const ClaimsFile& file, const Claim& claim, Reading reading,
+                 const Counterexample& e) {
+  const Setting& setting = file.settings[claim.setting];
+  const CompiledSetting compiled(setting);
+  const SettingNames names(setting);
+  Evaluator<Rational> values(compiled.scope());
+  for (std::size_t k = 0; k < e.values.size(); ++k) values.set(CompiledSetting::parameter_slot(k), e.values[k]);
+  if (e.force) values.set(CompiledSetting::force_slot(), *e.force);
+  std::vector<bool> needed(setting.definitions.size());
+  for (const Expression& expression : expressions(claim.body(reading))) {
+    for (const std::size_t i : names.needs(expression, reading)) needed[i] = true;
+  }
+  std::vector<std::pair<std::string, Rational>> known;
+  for (std::size_t i = 0; i < needed.size(); ++i) {
+    if (!needed[i]) continue;
+    const auto value = values.at(compiled.definition_slot(i, reading)).number;
+    if (value) known.emplace_back(setting.definitions[i].symbol, *value);
+  }
+  if (known.empty()) return;  // the claim uses parameters alone, and these are told
+  const Element p = parent.add("p", "values");
+  p.text("There ");
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    if (i > 0) p.text(i + 1 == known.size() ? " and " : ", ");
+    add_value(p.add("span", "definition"), known[i].first, known[i].second);
+  }
+  p.text(".");
+}
+
+/// One side of an equation, a formula for each term, so that lines can break between them.
+class Terms {
+ public:
+  explicit Terms(const Element& cell) : cell_(cell) {}
+
+  /// A new term: `+ 3`, `− 1/2`; without a number where it is 1 and a symbol or value follows.
+  Element start(const Rational& coefficient, bool number) {
+    const Element row = add_math(cell_).add("mrow");
+    cell_.text(" ");
+    // A formula of its own: unasked, the sign would stand close to its term, as that of a number.
+    const char* sign = coefficient < 0 ? "−" : "+";
+    if (!first_) row.add("mo").set("form", "infix").text(sign);
+    if (first_ && coefficient < 0) add_operator(row, sign);
+    first_ = false;
+    if (number) add_number(row, Rational(abs(coefficient)));
+    return row;
+  }
+  void end() {
+    const Element row = add_math(cell_).add("mrow");
+    if (first_) row.add("mn").text("0");
+    add_operator(row, "=");
+    row.add("mn").text("0");
+  }
+
+ private:
+  Element cell_;
+  bool first_ = true;
+};
+
+/// a x + b y = 0 with the numbers in it: what each equation of the model comes to.
+void add_equation_row(const Element& body, std::string_view what, const LinearForm<Rational>& form,
+                      const std::vector<std::pair<std::string_view, Rational>>& unknowns) {
+  const Element row = body.add("tr");
+  row.add("th").set("scope", "row").text(what);
+  Terms symbols(row.add("td")), numbers(row.add("td"));
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    const Rational& coefficient = form.coefficients[i];
+    if (coefficient.is_zero()) continue;
+    const auto& [symbol, value] = unknowns[i];
+    const bool one = abs(coefficient) == 1;
+    const Element left = symbols.start(coefficient, !one), right = numbers.start(coefficient, !one);
+    if (!one) {
+      add_operator(left, "\xE2\x81\xA2");
+      add_operator(right, "·");
+    }
+    add_symbol(left, symbol);
+    if (value < 0) add_operator(right, "(");
+    add_number(right, value);
+    if (value < 0) add_operator(right, ")");
+  }
+  if (!form.constant.is_zero()) {
+    symbols.start(form.constant, true);
+    numbers.start(form.constant, true);
+  }
+  symbols.end();
+  numbers.end();
+}
+
+constexpr std::array<std::string_view, unknown_count> equation_names{
+    "along the road", "up and down",  "rotation of all", "sprocket",      "rear wheel",   "front wheel",
+    "chain",          "rear contact", "rear contact",    "front contact", "front contact"};
+
+/// `S2 <= f N2`, `gap3 >= 0`, as formulas.
+void add_condition(const Element& parent, const Condition& condition) {
+  const Element row = add_math(parent).add("mrow");
+  const bool friction = condition.kind == ConditionKind::friction_up || condition.kind == ConditionKind::friction_dn;
+  if (!friction) {
+    const std::string text = name(condition);
+    const std::size_t end = text.find(' ');
+    add_symbol(row, text.substr(0, end));
+    add_operator(row, text.find(">=") != text.npos ? "≥" : "≤");
+    row.add("mn").text("0");
+    return;
+  }
+  const std::string wheel = condition.wheel == Wheel::rear ? "2" : "3";
+  if (condition.kind == ConditionKind::friction_dn) add_operator(row, "−");
+  add_symbol(row, "S" + wheel);
+  add_operator(row, "≤");
+  add_symbol(row, "f");
+  add_symbol(row, "N" + wheel);
+}
+
+/// All equations and conditions of one motion with their numbers: as wide as the page, and lines break where they must.
+void add_arithmetic(const Element& parent, const Scene& scene, const FoundMotion<Rational>& found) {
+  const Element details = parent.add("details", "data by-hand");
+  const std::string mode = name(found.modes.front());
+  details.add("summary").text("Follow " + mode + " by hand");
+  const Element table = details.add("table", "arithmetic");
+  table.add("caption").text("The equations of the model in " + mode + ", and the same with the numbers put in");
+  const Element body = table.add("tbody");
+  const Rational F = scene.F.value_or(Rational(0));
+  const auto chain = chain_of(scene.bicycle, found.values, F);
+  using enum Quantity;
+  const auto& v = found.values;
+  const std::vector<std::pair<std::string_view, Rational>> unknowns{
+      {"a", v[a]},    {"a_y", v[a_y]}, {"phi", v[phi]}, {"eps1", chain.eps1}, {"eps2", v[eps2]}, {"eps3", v[eps3]},
+      {"T", chain.T}, {"S2", v[S2]},   {"S3", v[S3]},   {"N2", v[N2]},        {"N3", v[N3]},     {"F", F}};
+  const auto rows = raw_system(scene.bicycle, scene.road, scene.force_kind, found.modes.front());
+  for (std::size_t i = 0; i < rows.size(); ++i) add_equation_row(body, equation_names[i], rows[i], unknowns);
+
+  const Element inequalities = details.add("table", "arithmetic conditions");
+  inequalities.add("caption").text("The conditions of the mode, and by how much each of them holds");
+  const Element conditions_body = inequalities.add("tbody");
+  for (const Condition& condition : conditions(found.modes.front())) {
+    const Element row = conditions_body.add("tr");
+    add_condition(row.add("th").set("scope", "row"), condition);
+    add_number(add_math(row.add("td")).add("mrow"), condition_value(condition, v, scene.road.f));
+  }
+}
+
+void add_motion(const Element& parent, const Scene& scene, const FoundMotion<Rational>& found) {
+  const Element box = parent.add("div", "motion");
+  std::string modes;
+  for (const ContactMode mode : found.modes) modes += (modes.empty() ? "" : " = ") + name(mode);
+  const Element heading = box.add("p", "motion-name");
+  heading.add("b").text(modes);
+  if (!found.strict) heading.text(" (boundary)");
+  add_bicycle(box, scene, &found, "The bicycle with the forces of the motion " + modes);
+}
+
+/// The scene as a file to save, and as text to read.
+void add_scene(const Element& parent, const Scene& scene, const std::string& file_name) {
+  const std::string text = to_toml(scene);
+  std::string encoded;
+  for (const unsigned char c : text) {
+    const bool plain =
+        std::isalnum(c) != 0 || std::string_view("-_.~").find(static_cast<char>(c)) != std::string_view::npos;
+    encoded += plain ? std::string(1, static_cast<char>(c)) : fmt::format("%{:02X}", c);
+  }
+  const Element p = parent.add("p", "download");
+  p.add("a")
+      .set("download", file_name)
+      .set("href", "data:text/plain;charset=utf-8," + encoded)
+      .text("Download the scene");
+  p.text(" for ");
+  p.add("code").text("slipproof solve " + file_name);
+  const Element details = parent.add("details", "data");
+  details.add("summary").text("Read the scene");
+  details.add("pre").set("tabindex", 0).add("code").text(text);
+}
+
+/// `at R = 1, h = 2, F = 2/9`.
+void add_place(const Element& p, const ClaimsFile& file, const ClaimResult& result, const Counterexample& e) {
+  p.text("at ");
+  const auto place = place_of(file, result, e);
+  for (const auto& [symbol, value] : place) {
+    if (&symbol != &place.front().first) p.text(", ");
+    add_value(p.add("span", "definition"), symbol, value);
+  }
+}
+
+/// What there is at the force, drawn, and with the arithmetic.
+void add_motions(const Element& box, const Counterexample& e) {
+  if (!e.motions) return;
+  const auto& motions = e.motions->motions;
+  for (const auto& continuum : e.motions->continua) {
+    box.add("p").text("In " + name(continuum.continuum->mode) + " there is a continuum of motions.");
+  }
+  if (motions.empty()) {
+    if (!e.motions->continua.empty()) return;
+    box.add("p").text(sentence(no_motions(e)));
+    return;
+  }
+  box.add("p").text(motions.size() == 1
+                        ? "There is one motion:"
+                        : "There are " + std::to_string(motions.size()) + " motions, with these forces:");
+  const Element grid = box.add("div", "motions");
+  for (const auto& found : motions) add_motion(grid, e.scene, found);
+  for (const auto& found : motions) add_arithmetic(box, e.scene, found);
+}
+
+}  // namespace
+
+void add_counterexample(const Element& parent, const PageInput& input, const ClaimResult& result) {
+  const ClaimsFile& file = *input.claims;
+  const Counterexample& e = *result.counterexample;
+  const Claim& claim = file.claims[result.claim];
+  const Setting& setting = file.settings[claim.setting];
+  const std::string file_name = claim.id + "-" + std::string(name(result.reading));
+  const Element box = parent.add("div", "counterexample");
+  const Element what = box.add("p");
+  what.add("b").text("Counterexample. ");
+  const std::string said = sentence(explain(file, result));
+  add_prose(what, input, said.substr(0, said.size() - 1) + ", ");
+  add_place(what, file, result, e);
+  what.text(".");
+  std::string sure = sentence(realisability(file, result));
+  if (e.minimal) {
+    const bool built = !setting.realisable.empty() && e.unrealisable.empty();
+    sure +=
+        std::string(sure.empty() ? "" : " ") + (built ? "No simpler one can be built." : "There is no simpler one.");
+  }
+  if (!sure.empty()) add_prose(box.add("p", "built"), input, sure);
+  add_symbols(box, file, claim, result.reading, e);
+  if (is_about_motions(claim)) add_motions(box, e);
+  add_scene(box, e.scene, file_name + ".toml");
+  if (!result.simplest) return;
+  const Element simplest = box.add("details", "data");
+  simplest.add("summary").text("A simpler one, which cannot be built");
+  const Element where = simplest.add("p");
+  where.text("The same fails ");
+  add_place(where, file, result, *result.simplest);
+  add_prose(where, input,
+            ". This bicycle cannot be built: it breaks " + broken_conditions(setting, *result.simplest) + ".");
+  if (is_about_motions(claim)) add_motions(simplest, *result.simplest);
+  add_scene(simplest, result.simplest->scene, file_name + "-simplest.toml");
+}
+
+}  // namespace slipproof

@@ -1,0 +1,150 @@
+#include <string>
+
+#include "claims/logic.hpp"
+#include "html/sections.hpp"
+#include "typeset/mathml.hpp"
+#include "typeset/symbol.hpp"
+
+namespace slipproof {
+
+namespace {
+
+void add_modes(const Element& p, const std::vector<ContactMode>& modes) {
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    if (i > 0) p.text(i + 1 == modes.size() ? " and " : ", ");
+    p.add("span", "mode").text(name(modes[i]));
+  }
+}
+
+void add_claims(const Element& p, const PageInput& input, const std::vector<std::size_t>& claims) {
+  for (std::size_t i = 0; i < claims.size(); ++i) {
+    if (i > 0) p.text(i + 1 == claims.size() ? " and " : ", ");
+    add_claim_id(p, input, input.claims->claims[claims[i]].id);
+  }
+}
+
+void add_equations(const Element& p, const std::vector<Expression>& equations) {
+  for (const Expression& equation : equations) {
+    add_math(p.add("span", "equation"), equation);
+    p.text(" ");
+  }
+}
+
+/// Where: the region, and the forces unless they are the claim itself.
+void add_where(const Element& p, const Expression& region, const Expression& forces = make_truth(true)) {
+  if (is_true(region) && is_true(forces)) {
+    p.text("Always: ");
+    return;
+  }
+  p.text("For ");
+  if (!is_true(region)) add_math(p, region);
+  if (!is_true(region) && !is_true(forces)) p.text(" and ");
+  if (!is_true(forces)) add_math(p, forces);
+  p.text(": ");
+}
+
+void add_linear(const Element& p, const PageInput& input, const LinearEquations& claim, const char* relation) {
+  if (claim.from_model()) {
+    p.text("the model's equations ");
+  } else {
+    add_claims(p, input, claim.claims);
+    if (!claim.claims.empty() && !claim.given.empty()) p.text(" with ");
+    add_claims(p, input, claim.given);
+  }
+  if (claim.mode) {
+    p.text(" in ");
+    add_modes(p, {*claim.mode});
+  }
+  if (!claim.assume.empty()) {
+    p.text(" together with ");
+    add_equations(p, claim.assume);
+  }
+  p.text(relation);
+  add_equations(p, claim.equations);
+}
+
+void add_unique(const Element& p, const PageInput& input, const Unique& claim) {
+  p.text("there is one motion, ");
+  if (!claim.modes.empty()) {
+    p.text("in one of ");
+    add_modes(p, claim.modes);
+    p.text(" or ");
+  }
+  p.text("as stated by ");
+  add_claims(p, input, claim.claims);
+  if (claim.except.empty()) return;
+  p.text(", except where ");
+  add_claims(p, input, claim.except);
+  p.text(" stands");
+}
+
+}  // namespace
+
+void add_formal(const Element& parent, const PageInput& input, const Claim& claim, Reading reading) {
+  const Expression& region = claim.body(reading).region;
+  const Element p = parent.add("p", "formal");
+  std::visit(Cases{[&](const Interval& c) {
+                     add_where(p, region);
+                     add_modes(p, {c.mode});
+                     p.text(" is a motion exactly for ");
+                     add_math(p, c.forces);
+                   },
+                   [&](const Impossible& c) {
+                     add_where(p, region, c.forces);
+                     p.text("no motion in ");
+                     add_modes(p, c.modes);
+                   },
+                   [&](const Formula& c) {
+                     add_where(p, region, c.forces);
+                     if (!c.modes.empty()) {
+                       p.text("in ");
+                       add_modes(p, c.modes);
+                       p.text(", ");
+                     }
+                     add_math(p, c.holds);
+                   },
+                   [&](const Limit& c) {
+                     add_where(p, region);
+                     add_math(p, c.holds);
+                     p.text(" from some value of ");
+                     add_symbol(add_math(p), c.parameter);
+                     p.text(" on");
+                   },
+                   [&](const Equivalence& c) {
+                     add_where(p, region);
+                     add_math(p, c.forces);
+                     p.text(" if and only if ");
+                     add_math(p, c.holds);
+                   },
+                   [&](const Motions& c) {
+                     add_where(p, region, c.forces);
+                     p.text("there is one motion in each of ");
+                     add_modes(p, c.modes);
+                     p.text(", and no other");
+                   },
+                   [&](const Unique& c) {
+                     add_where(p, region, c.forces);
+                     add_unique(p, input, c);
+                   },
+                   [&](const Cover& c) {
+                     add_where(p, region);
+                     p.text("every bicycle is in the case of one of ");
+                     add_claims(p, input, c.claims);
+                   },
+                   [&](const Exists& c) {
+                     add_where(p, region, c.forces);
+                     p.text("somewhere there is a motion in ");
+                     add_modes(p, c.modes);
+                   },
+                   [&](const Consequence& c) {
+                     add_where(p, region);
+                     add_linear(p, input, c, " imply ");
+                   },
+                   [&](const System& c) {
+                     add_where(p, region);
+                     add_linear(p, input, c, " say the same as ");
+                   }},
+             claim.body(reading).says);
+}
+
+}  // namespace slipproof

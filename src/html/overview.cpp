@@ -1,0 +1,250 @@
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "html/sections.hpp"
+#include "picture/bicycle_figure.hpp"
+#include "typeset/latex.hpp"
+#include "wording/errata.hpp"
+#include "wording/verify_report.hpp"
+
+namespace slipproof {
+
+namespace {
+
+constexpr std::array<std::string_view, 5> claim_verdicts{"proved", "holds", "refuted", "undecided", "vacuous"};
+using VerdictCounts = std::array<std::size_t, claim_verdicts.size()>;
+
+struct Counts {
+  VerdictCounts printed{}, repaired{};
+  std::size_t claims = 0;
+};
+
+Counts count(const PageInput& input) {
+  Counts counts;
+  for (const ClaimResult& result : input.result->claims) {
+    const auto at =
+        std::find(claim_verdicts.begin(), claim_verdicts.end(), verdict_name(result)) - claim_verdicts.begin();
+    if (result.reading == Reading::printed) {
+      ++counts.claims;
+      ++counts.printed[static_cast<std::size_t>(at)];
+    } else {
+      ++counts.repaired[static_cast<std::size_t>(at)];
+    }
+  }
+  return counts;
+}
+
+void add_card(const Element& list, const char* css_class, std::size_t number, std::string_view what,
+              const std::string& detail, const char* target) {
+  const Element card = list.add("li", "card").add("a", css_class).set("href", target);
+  card.add("span", "number").text(std::to_string(number));
+  card.add("span", "what").text(what);
+  card.add("span", "detail").text(detail);
+}
+
+void add_opinions_card(const Element& list, const SecondOpinions& opinions) {
+  std::string detail;
+  for (std::size_t i = 0; i < opinion_programs.size(); ++i) {
+    const std::size_t agree = agreeing(opinions, i);
+    if (agree == 0) continue;
+    detail += (detail.empty() ? ": " : ", ") + std::string(opinion_programs[i]) + " " + std::to_string(agree);
+  }
+  const auto confirmed = std::count_if(opinions.begin(), opinions.end(), [](const auto& opinion) {
+    return std::find(opinion.second.begin(), opinion.second.end(), Opinion::agrees) != opinion.second.end();
+  });
+  add_card(list, "good", static_cast<std::size_t>(confirmed), "with a second opinion that agrees",
+           "statements confirmed by programs of others" + detail, "#certificates");
+}
+
+/// One bar cut in proportion to its counts, with its numbers written out below.
+void add_bar(const Element& parent, std::string_view label, const VerdictCounts& counts) {
+  std::size_t all = 0;
+  for (const std::size_t n : counts) all += n;
+  if (all == 0) return;
+  const Element row = parent.add("div", "bar-row");
+  row.add("span", "bar-label").text(label);
+  const Element svg = row.add("svg", "bar").set("viewBox", "0 0 600 22").set("preserveAspectRatio", "none");
+  svg.set("aria-hidden", "true");
+  double x = 0;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const double width = 600.0 * static_cast<double>(counts[i]) / static_cast<double>(all);
+    if (counts[i] == 0) continue;
+    svg.add("rect", "fill-" + std::string(claim_verdicts[i])).set("x", x).set("width", width).set("height", 22);
+    x += width;
+  }
+  const Element text = row.add("span", "bar-text");
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (counts[i] == 0) continue;
+    const Element item = text.add("span", "bar-item");
+    add_chip(item, claim_verdicts[i]);
+    item.text(" " + std::to_string(counts[i]));
+  }
+}
+
+/// What the page is about, for somebody who knows neither the paper nor the model.
+void add_problem(const Element& section, const PageInput& input) {
+  const Element columns = section.add("div", "halves");
+  const Element text = columns.add("div", "problem");
+  text.add("h2", "sub").text("The problem");
+  text.add("p").text(
+      "A vehicle with two wheels, seen from the side, stands on a road with dry friction, and a force acts on its "
+      "pedal. What does each wheel do: roll, slip, or leave the road? The paper answers with formulas.");
+  text.add("p").text(
+      "For a given vehicle and force, each combination of these states is a system of linear equations with "
+      "conditions that its solution has to meet. Here all of them are solved in exact arithmetic, and what the paper "
+      "says is compared with the solutions: at sampled vehicles, for every force at once, and, where there is a "
+      "proof, for all parameters.");
+  if (!input.model) return;
+  const Element figure = columns.add("figure", "model");
+  add_bicycle_figure(figure, *input.model);
+  figure.add("figcaption")
+      .text("Arrows point where a quantity counts as positive: the pedal force F pulls the lower pedal backwards.");
+}
+
+/// Grades in the order of how much they matter, and what their findings are called.
+struct GradeWords {
+  Grade grade;
+  std::string_view noun, heading;
+};
+constexpr std::array<GradeWords, 4> grade_words{{{Grade::wrong, "false statement", "What is false"},
+                                                 {Grade::gap, "gap", "What is left out"},
+                                                 {Grade::boundary, "boundary case", "Ends that are not right"},
+                                                 {Grade::misprint, "misprint", "What is misprinted"}}};
+
+std::string findings_detail(const std::vector<Finding>& findings) {
+  std::string text;
+  for (const GradeWords& words : grade_words) {
+    const auto n =
+        std::count_if(findings.begin(), findings.end(), [&](const Finding& f) { return f.grade == words.grade; });
+    if (n > 0) text += (text.empty() ? "" : ", ") + counted(static_cast<std::size_t>(n), words.noun);
+  }
+  return text;
+}
+
+/// A false statement in full: what the authors would want to know first.
+void add_false(const Element& list, const PageInput& input, const Finding& finding) {
+  const Element item = list.add("li");
+  add_claim_id(item, input, finding.id);
+  item.text(", " + input.claims->paper.where(finding.line) + (finding.graded ? "" : ", no grade is given") + ": ");
+  add_sentence(item.add("q"), finding.statement);
+  item.add("br");
+  add_prose(item.add("span", "because"), input, sentence(finding.wrong));
+}
+
+/// What was found, in words, and how the numbers come together.
+void add_findings(const Element& section, const PageInput& input, const Errata& errata) {
+  section.add("h2", "sub").text("What was found");
+  section.add("p").text(standing_text(errata) + " " + sum_text(errata));
+  for (const GradeWords& words : grade_words) {
+    std::vector<const Finding*> here;
+    for (const Finding& f : errata.findings) {
+      if (f.grade == words.grade) here.push_back(&f);
+    }
+    if (here.empty()) continue;
+    if (words.grade == Grade::wrong) {
+      section.add("h3", "sub").text(words.heading);
+      const Element list = section.add("ul", "headlines");
+      for (const Finding* finding : here) add_false(list, input, *finding);
+      continue;
+    }
+    const Element p = section.add("p");
+    p.add("b").text(std::string(words.heading) + " (" + counted(here.size(), words.noun) + "): ");
+    for (const Finding* finding : here) {
+      if (finding != here.front()) p.text(", ");
+      p.add("a").set("href", "#finding-" + finding->id).text(finding->id);
+    }
+    p.text(".");
+  }
+}
+
+std::size_t count(const std::vector<PageCertificate>& certificates, CertificateState state) {
+  return static_cast<std::size_t>(
+      std::count_if(certificates.begin(), certificates.end(), [&](const auto& c) { return c.state == state; }));
+}
+
+/// `3 undecided, 1 missing`.
+std::string not_accepted(const std::vector<PageCertificate>& certificates) {
+  using enum CertificateState;
+  std::string text;
+  for (const CertificateState state : {rejected, unreadable, undecided, missing}) {
+    const std::size_t n = count(certificates, state);
+    if (n > 0) text += (text.empty() ? "" : ", ") + std::to_string(n) + " " + std::string(to_string(state));
+  }
+  return text;
+}
+
+std::string proved_share(std::size_t proved, std::size_t sampled_only) {
+  return proved > 0 && sampled_only == 0 ? "all" : std::to_string(proved) + " of them";
+}
+
+void add_cards(const Element& section, const PageInput& input, const Errata& errata, const Counts& counts) {
+  const std::size_t fail = counts.printed[2], open = counts.printed[3];
+  const std::size_t mended = counts.repaired[0] + counts.repaired[1];
+  const Element cards = section.add("ul", "cards");
+  add_card(cards, "plain", counts.claims, "claims judged", "each as printed, and as repaired where it was misprinted",
+           "#claims");
+  add_card(cards, "good", counts.printed[0] + counts.printed[1], "hold as printed",
+           proved_share(counts.printed[0], counts.printed[1]) + " proved for all parameters", "#claims");
+  add_card(cards, "bad", fail, "refuted as printed",
+           open > 0 ? std::to_string(open) + " more have no value as printed" : "with exact counterexamples",
+           "#claims");
+  add_card(cards, "good", mended, "hold as repaired",
+           proved_share(counts.repaired[0], counts.repaired[1]) + " proved for all parameters, " +
+               std::to_string(counts.repaired[2]) + " false in every reading",
+           "#claims");
+  add_card(cards, "bad", errata.findings.size(), "findings", findings_detail(errata.findings), "#errata");
+  if (!input.certificates.empty()) {
+    const std::size_t accepted = count(input.certificates, CertificateState::accepted);
+    const bool all = accepted == input.certificates.size();
+    add_card(cards, all ? "good" : "bad", accepted, "certificates accepted",
+             all ? "all, by a checker of its own" : not_accepted(input.certificates), "#certificates");
+  }
+  if (input.opinions) add_opinions_card(cards, *input.opinions);
+}
+
+void add_how(const Element& section, const PageInput& input) {
+  const Summary worst = summary(*input.claims, *input.result);
+  const Element how = section.add("p", "how");
+  how.text(input.result->claims.empty()    ? "No claim was judged. "
+           : worst == Summary::as_expected ? "Every verdict is the one that the claims file expects. "
+                                           : "Some verdicts are not those that the claims file expects. ");
+  how.text("Made from " + counted(input.result->samples, "rational bicycle") + " for each setting and " +
+           counted(input.result->lines, "line") + " of bicycles for each claim, seed " +
+           std::to_string(input.result->seed) + ", by slipproof " + input.version + ": ");
+  how.add("code").text(input.command);
+  how.text(". ").add("a").set("href", "#reproduce").text("The inputs and their SHA-256");
+  how.text(".");
+}
+
+}  // namespace
+
+void add_overview(const Element& main, const PageInput& input) {
+  const Element section = main.add("section", "overview").set("id", "overview").set("aria-labelledby", "title");
+  const ClaimsFile& file = *input.claims;
+  section.add("p", "kicker").text("Every claim of one paper, compared with exact mechanics");
+  section.add("h1").set("id", "title").text(file.paper.title);
+  std::string authors;
+  for (const std::string& author : file.paper.authors) authors += (authors.empty() ? "" : ", ") + author;
+  if (!file.paper.reference.empty()) authors += (authors.empty() ? "" : ", ") + file.paper.reference;
+  if (!authors.empty()) section.add("p", "authors").text(authors);
+
+  add_problem(section, input);
+  const Errata errata = slipproof::errata(file, *input.result);
+  add_findings(section, input, errata);
+  const Counts counts = count(input);
+  add_cards(section, input, errata, counts);
+  const Element columns = section.add("div", "halves");
+  const Element bars = columns.add("div", "bars");
+  add_bar(bars, "as printed", counts.printed);
+  add_bar(bars, "as repaired", counts.repaired);
+  if (input.trade && !input.trade->workloads.empty()) {
+    const Element figure = columns.add("figure", "glance");
+    figure.add("h2", "sub").add("a").set("href", "#trade").text("Speed and wrong verdicts");
+    add_trade_plot(figure, *input.trade, false, true);
+  }
+  add_how(section, input);
+}
+
+}  // namespace slipproof

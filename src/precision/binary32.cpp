@@ -1,0 +1,30 @@
+#include "filter/vector_clones.hpp"
+#include "precision/mpfr_value.hpp"
+#include "precision/plain.hpp"
+
+namespace slipproof {
+
+namespace {
+
+struct Conversion {
+  static float rounded(const Rational& x) { return mpfr_get_flt(MpfrValue(x, 24).get(), MPFR_RNDN); }
+  static std::optional<Rational> exactly(float x) {
+    MpfrValue value(24);
+    mpfr_set_flt(value.get(), x, MPFR_RNDN);
+    return exact_rational(value.get());
+  }
+};
+
+/// Inlined and compiled as the filter is, so that the two differ in nothing but what is believed.
+SLIPPROOF_VECTOR_CLONES("avx2")
+SLIPPROOF_FLATTEN [[gnu::noinline]] ModeSets modes(const ForcedScene<float>& s) {
+  return unrolled_modes(s);
+}
+
+}  // namespace
+
+std::unique_ptr<Arithmetic> binary32_arithmetic() {
+  return std::make_unique<PlainArithmetic<float, Conversion, modes>>(TradeType{"binary32", 24});
+}
+
+}  // namespace slipproof

@@ -1,0 +1,241 @@
+#include "wording/explain.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "claims/setting_names.hpp"
+#include "number/format.hpp"
+
+namespace slipproof {
+
+namespace {
+
+std::string for_forces(const std::string& F, const ForceInterval& forces) {
+  if (forces.empty()) return "for no " + F;
+  if (forces.is_point()) return fmt::format("for {} = {}", F, exact_text(*forces.lower()));
+  return fmt::format("for {} in {}", F, to_string(forces));
+}
+
+/// Whether anything that the claim says, or the mode that its counterexample is about, depends on the force.
+bool depends_on_force(const Setting& setting, const Claim& claim, Reading reading, const Counterexample& example) {
+  const SettingNames names(setting);
+  const std::vector<Expression> all = expressions(claim.body(reading));
+  return example.judgement.mode || is_about_motions(claim) ||
+         std::any_of(all.begin(), all.end(),
+                     [&](const Expression& e) { return names.depends(e, reading, setting.force.symbol); });
+}
+
+class Explanation {
+ public:
+  Explanation(const ClaimsFile& file, const ClaimResult& result, const Counterexample& example)
+      : claim_(file.claims[result.claim]),
+        body_(claim_.body(result.reading)),
+        setting_(file.settings[claim_.setting]),
+        reading_(result.reading),
+        example_(example),
+        j_(example.judgement),
+        F_(setting_.force.symbol) {}
+
+  std::string text() const {
+    switch (j_.reason) {
+      case Reason::ends:
+        return interval() + "; only the ends differ";
+      case Reason::forces:
+        return interval();
+      case Reason::exists:
+        return fmt::format("there is a motion in {}{}, and the claim says that there is none", mode(), forces());
+      case Reason::formula:
+        return formula();
+      case Reason::continuum:
+        return fmt::format("in {} there is a continuum of motions{}, and the claim knows of one", mode(), forces());
+      case Reason::extra:
+        return fmt::format("there is also a motion in {}{}, which the claim rules out", mode(), forces());
+      case Reason::missing:
+        return missing();
+      case Reason::uncovered:
+        return uncovered();
+      case Reason::limit:
+        return fmt::format("it stays false, however large {} becomes", std::get<Limit>(body_.says).parameter);
+      case Reason::equation:
+        return equation();
+      case Reason::none:
+      case Reason::no_value:
+        break;
+    }
+    return "the claim has no value";
+  }
+
+ private:
+  std::string mode() const { return j_.mode ? name(*j_.mode) : std::string("no mode"); }
+  /// ` for F in (0, 1)`.
+  std::string forces() const {
+    return j_.witnesses && !j_.witnesses->empty() ? " " + for_forces(F_, *j_.witnesses) : std::string();
+  }
+
+  std::string interval() const {
+    const std::string claimed = j_.claimed ? for_forces(F_, *j_.claimed) : "for " + F_ + " in several intervals";
+    return fmt::format("the claim has motions in {} {}; in fact there are such motions {}", mode(), claimed,
+                       for_forces(F_, *j_.real));
+  }
+
+  std::string missing() const {
+    const std::string text =
+        fmt::format("the claim has a motion{}{}, and there is none", j_.mode ? " in " + mode() : "", forces());
+    if (!setting_.strict || !example_.motions) return text;
+    for (const auto& motion : example_.motions->motions) {
+      const bool here = j_.mode && std::find(motion.modes.begin(), motion.modes.end(), *j_.mode) != motion.modes.end();
+      if (here && !motion.strict) return text + " that meets all conditions strictly, as the setting asks";
+    }
+    return text;
+  }
+
+  /// Which comparison fails, with both its values. The force is named if it matters.
+  std::string formula() const {
+    std::string text;
+    for (const BrokenComparison& broken : example_.broken) {
+      const std::string left = to_string(broken.left), right = to_string(broken.right);
+      text += fmt::format("{}{} {} {} is false: ", text.empty() ? "" : "; ", left, spelling(broken.relation), right);
+      const std::string values[] = {side(broken.left, left, broken.left_value, "the left side"),
+                                    side(broken.right, right, broken.right_value, "the right side")};
+      text += values[0] + (values[0].empty() || values[1].empty() ? "" : " and ") + values[1];
+    }
+    if (text.empty()) {
+      text = std::holds_alternative<Equivalence>(body_.says) ? "only one of the two conditions is true"
+                                                             : "what the claim says is false";
+    }
+    if (j_.mode) text += ", in " + mode();
+    if (std::holds_alternative<Equivalence>(body_.says) && !example_.broken.empty()) {
+      text = "only one of the two conditions is true, for " + text;
+    }
+    if (!depends_on_force(setting_, claim_, reading_, example_)) return text;
+    if (!example_.broken.empty() && example_.force)
+      text += fmt::format(", at {} = {}", F_, exact_text(*example_.force));
+    const bool more = j_.witnesses && !j_.witnesses->is_point();
+    return text + (more ? "; it fails " + for_forces(F_, *j_.witnesses) : "");
+  }
+  /// `b1 = 2`, or `the left side is 2` of what would be long; nothing of a number.
+  static std::string side(const Expression& e, const std::string& text, const Rational& value, const char* which) {
+    const Expression& bare = e->operation == Operation::negate ? e->operands[0] : e;
+    if (bare->operation == Operation::number) return "";
+    if (e->operation == Operation::symbol) return text + " = " + exact_text(value);
+    return fmt::format("{} is {}", which, exact_text(value));
+  }
+  std::string uncovered() const {
+    const std::string none = "no case of the claim covers this bicycle";
+    if (!j_.mode) return none;
+    if (j_.real && !j_.real->empty()) {
+      return fmt::format("{}, and in {} there are motions {}", none, mode(), for_forces(F_, *j_.real));
+    }
+    return fmt::format("{} (in {} there is no motion)", none, mode());
+  }
+
+  std::string equation() const {
+    const auto* consequence = std::get_if<Consequence>(&body_.says);
+    if (consequence == nullptr) return "the equations do not say the same as those that they are to replace";
+    const std::string from = consequence->from_model() ? "the equations of motion" : "what is given";
+    if (!j_.equation) return "an equation does not follow from " + from;
+    return fmt::format("{} does not follow from {}", to_string(consequence->equations[*j_.equation]), from);
+  }
+
+  const Claim& claim_;
+  const ClaimBody& body_;
+  const Setting& setting_;
+  const Reading reading_;
+  const Counterexample& example_;
+  const Judgement& j_;
+  const std::string& F_;
+};
+
+}  // namespace
+
+std::string explain(const ClaimsFile& file, const ClaimResult& result, const Counterexample& example) {
+  return Explanation(file, result, example).text();
+}
+
+std::string explain(const ClaimsFile& file, const ClaimResult& result) {
+  if (result.counterexample) return explain(file, result, *result.counterexample);
+  switch (result.verdict) {
+    case Verdict::holds:
+      break;
+    case Verdict::vacuous:
+      return "it says something of no bicycle at all, and that is proved";
+    case Verdict::refuted:
+      return file.claims[result.claim].is<Exists>() ? "proved: there is no such motion"
+                                                    : "proved to be false; no sample is a counterexample";
+    case Verdict::undecided:
+      if (result.undecided == 0) {
+        return fmt::format("none of the {} that were tried is one of which it says anything",
+                           counted(result.tried, "bicycle"));
+      }
+      return fmt::format("it has no value at {} of {} in its region",
+                         result.undecided == result.samples() ? "any" : std::to_string(result.undecided),
+                         counted(result.samples(), "bicycle"));
+  }
+  return "";
+}
+
+bool is_about_motions(const Claim& claim) {
+  return !modes(claim.printed.says).empty() || claim.is<Unique>() || claim.is<Cover>();
+}
+
+std::vector<std::pair<std::string, Rational>> place_of(const ClaimsFile& file, const ClaimResult& result,
+                                                       const Counterexample& example) {
+  const Claim& claim = file.claims[result.claim];
+  const Setting& setting = file.settings[claim.setting];
+  std::vector<std::pair<std::string, Rational>> place;
+  for (std::size_t k = 0; k < example.values.size(); ++k) {
+    place.emplace_back(setting.parameters[k].symbol, example.values[k]);
+  }
+  if (example.force && depends_on_force(setting, claim, result.reading, example)) {
+    place.emplace_back(setting.force.symbol, *example.force);
+  }
+  return place;
+}
+
+std::string broken_conditions(const Setting& setting, const Counterexample& example) {
+  std::string text;
+  for (const Realisable& condition : setting.realisable) {
+    const auto& broken = example.unrealisable;
+    if (std::find(broken.begin(), broken.end(), condition.name) == broken.end()) continue;
+    text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", condition.name, to_string(condition.condition));
+  }
+  return text;
+}
+
+std::string realisability(const ClaimsFile& file, const ClaimResult& result) {
+  const Setting& setting = file.settings[file.claims[result.claim].setting];
+  if (!result.counterexample || setting.realisable.empty()) return "";
+  const Counterexample& example = *result.counterexample;
+  if (example.unrealisable.empty()) return "this bicycle can be built";
+  return fmt::format(
+      "this bicycle cannot be built: it breaks {}; none that can was found, neither among the {} at which "
+      "the claim was found to fail nor among those of small numbers",
+      broken_conditions(setting, example), counted(result.refuted, "bicycle"));
+}
+
+std::string no_motions(const Counterexample& example) {
+  return example.scene.bicycle.J ? "there is no motion at all"
+                                 : "there is no motion with both wheels on the road; without J no other is modelled";
+}
+
+std::string sentence(std::string text) {
+  if (text.empty()) return text;
+  const std::size_t end = text.find_first_of(" :,");
+  const std::string_view first = std::string_view(text).substr(0, end);
+  const auto is_lower = [](unsigned char c) { return std::islower(c) != 0; };
+  // Two letters and no digit are a word; a formula goes on with an operator.
+  const bool word = first.size() > 1 && std::all_of(first.begin(), first.end(), is_lower);
+  const bool goes_on = end == text.npos || end + 1 >= text.size() ||
+                       std::isalpha(static_cast<unsigned char>(text[end + 1])) != 0 || text[end] != ' ';
+  if (word && goes_on) text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  if (text.back() != '.') text += '.';
+  return text;
+}
+
+std::string counted(std::size_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+}  // namespace slipproof

@@ -1,0 +1,141 @@
+#include "wording/verify_report.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
+
+#include "number/format.hpp"
+#include "wording/explain.hpp"
+
+namespace slipproof {
+
+namespace {
+
+using Out = std::back_insert_iterator<std::string>;
+
+void write_motions(Out out, const Counterexample& e) {
+  for (const auto& motion : e.motions->motions) {
+    std::string modes;
+    for (const ContactMode mode : motion.modes) modes += (modes.empty() ? "" : " = ") + name(mode);
+    fmt::format_to(out, "        {:<23} {:<9}", modes, motion.strict ? "strict" : "boundary");
+    using enum Quantity;
+    for (const Quantity q : {a, S2, S3, N2, N3, slip2, slip3}) {
+      fmt::format_to(out, " {} = {}", name(q), exact_text(motion.values[q]));
+    }
+    if (sign(motion.values[gap2]) != 0) fmt::format_to(out, " gap2 = {}", exact_text(motion.values[gap2]));
+    if (sign(motion.values[gap3]) != 0) fmt::format_to(out, " gap3 = {}", exact_text(motion.values[gap3]));
+    fmt::format_to(out, "\n");
+  }
+  for (const auto& c : e.motions->continua) {
+    fmt::format_to(out, "        {:<23} continuum", name(c.continuum->mode));
+    for (std::size_t k = 0; k < c.parameters.size(); ++k) {
+      fmt::format_to(out, " {} in {}", name(c.continuum->parameters[k]), to_string(c.parameters[k]));
+    }
+    fmt::format_to(out, "\n");
+  }
+}
+
+void write_place(Out out, const ClaimsFile& file, const ClaimResult& result, const Counterexample& e) {
+  for (const auto& [symbol, value] : place_of(file, result, e)) {
+    fmt::format_to(out, " {} = {}", symbol, exact_text(value));
+  }
+}
+
+void write_counterexample(Out out, const ClaimsFile& file, const ClaimResult& result) {
+  const Counterexample& e = *result.counterexample;
+  const Setting& setting = file.settings[file.claims[result.claim].setting];
+  fmt::format_to(out, "      {}\n      at", explain(file, result));
+  write_place(out, file, result, e);
+  const bool among_built = !setting.realisable.empty() && e.unrealisable.empty();
+  fmt::format_to(out, "{}\n", !e.minimal ? "" : among_built ? " (no simpler one can be built)" : " (no simpler one)");
+  if (const std::string built = realisability(file, result); !built.empty()) {
+    fmt::format_to(out, "      {}\n", built);
+  }
+  const bool moves = e.motions && is_about_motions(file.claims[result.claim]);
+  if (moves && (!e.motions->motions.empty() || !e.motions->continua.empty())) {
+    fmt::format_to(out, "      the motions there:\n");
+    write_motions(out, e);
+  } else if (moves) {
+    fmt::format_to(out, "      {}\n", no_motions(e));
+  }
+  if (!result.simplest) return;
+  fmt::format_to(out, "      simpler, but it cannot be built, for it breaks {}:\n      at",
+                 broken_conditions(setting, *result.simplest));
+  write_place(out, file, result, *result.simplest);
+  fmt::format_to(out, "\n");
+}
+
+void write_certificates(Out out, const ClaimResult& claim) {
+  for (const std::string& certificate : claim.certificates) fmt::format_to(out, "      by {}\n", certificate);
+  for (const std::string& objection : claim.rejections) fmt::format_to(out, "      REJECTED {}\n", objection);
+  if (claim.verdict == Verdict::holds && !claim.proved && !claim.unless_zero.empty()) {
+    fmt::format_to(out, "      an identity, wherever these are not 0: {}\n", fmt::join(claim.unless_zero, ", "));
+  }
+  for (const std::string& statement : claim.outdated) fmt::format_to(out, "      outdated {}\n", statement);
+  for (const CheckedCertificate& statement : claim.unproved) {
+    fmt::format_to(out, "      {} {}{}{}\n", to_string(statement.state), statement.theorem,
+                   statement.message.empty() ? "" : ": ", statement.message);
+  }
+}
+
+}  // namespace
+
+Summary summary(const ClaimsFile& file, const VerifyResult& result) {
+  const auto rejected = [](const ClaimResult& claim) { return !claim.rejections.empty(); };
+  if (std::any_of(result.claims.begin(), result.claims.end(), rejected)) return Summary::rejected;
+  Summary worst = result.claims.empty() ? Summary::undecided : Summary::as_expected;
+  for (const ClaimResult& claim : result.claims) {
+    const auto unreadable = [](const CheckedCertificate& c) { return c.state == CertificateState::unreadable; };
+    if (std::any_of(claim.unproved.begin(), claim.unproved.end(), unreadable)) worst = Summary::undecided;
+    if (as_expected(file, claim)) continue;
+    if (claim.verdict != Verdict::undecided && claim.verdict != Verdict::vacuous) return Summary::refuted;
+    worst = Summary::undecided;
+  }
+  return worst;
+}
+
+std::string verify_text(const ClaimsFile& file, const VerifyResult& result, bool quiet) {
+  std::string text;
+  Out out(text);
+  std::map<Verdict, int> count;
+  int unexpected = 0, proved = 0;
+  if (!quiet) {
+    fmt::format_to(out, "{}\n{} for each setting and {} of them for each claim, seed {}\n", file.paper.title,
+                   counted(result.samples, "bicycle"), counted(result.lines, "line"), result.seed);
+    fmt::format_to(out,
+                   "says: at how many bicycles the claim says something; tried: of how many (equations and identities "
+                   "are tried at one in {})\n\n",
+                   thinned_to);
+    fmt::format_to(out, "  {:<11} {:<9} {:<10} {:>8} {:>8} {:>8}  line\n", "claim", "reading", "verdict", "says",
+                   "tried", "refuted");
+  }
+  for (const ClaimResult& claim : result.claims) {
+    const bool expected = as_expected(file, claim);
+    ++count[claim.verdict];
+    if (!expected) ++unexpected;
+    if (claim.proved) ++proved;
+    if (quiet) continue;
+    fmt::format_to(out, "  {:<11} {:<9} {:<10} {:>8} {:>8} {:>8}  {}{}\n", file.claims[claim.claim].id,
+                   name(claim.reading), claim.proved ? "proved" : name(claim.verdict), claim.samples(), claim.tried,
+                   claim.refuted, file.claims[claim.claim].line, expected ? "" : "  unexpected");
+    write_certificates(out, claim);
+    if (!claim.counterexample && claim.verdict != Verdict::holds) {
+      fmt::format_to(out, "      {}\n", explain(file, claim));
+    }
+    if (claim.counterexample) write_counterexample(out, file, claim);
+  }
+  const Summary s = summary(file, result);
+  if (result.claims.empty()) return text + (quiet ? "" : "\n") + "s UNDECIDED no claim was judged\n";
+  constexpr std::array<const char*, 4> words{"VERIFIED", "REJECTED", "REFUTED", "UNDECIDED"};
+  fmt::format_to(out, "{}s {} holds {} refuted {} undecided {} unexpected {} proved {}{}\n", quiet ? "" : "\n",
+                 words[static_cast<std::size_t>(s)], count[Verdict::holds], count[Verdict::refuted],
+                 count[Verdict::undecided], unexpected, proved,
+                 count[Verdict::vacuous] == 0 ? "" : fmt::format(" vacuous {}", count[Verdict::vacuous]));
+  return text;
+}
+
+}  // namespace slipproof
