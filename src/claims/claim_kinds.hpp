@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-#include "claims/expression.hpp"
+#include "expression/expression.hpp"
 #include "model/contact_mode.hpp"
 
 namespace slipproof {

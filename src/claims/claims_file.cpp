@@ -4,7 +4,7 @@
 #include <charconv>
 
 #include "claims/claims_reader.hpp"
-#include "claims/parser.hpp"
+#include "expression/parser.hpp"
 #include "input/near_match.hpp"
 #include "input/text_file.hpp"
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "claims/claim_kinds.hpp"
-#include "claims/expression.hpp"
+#include "expression/expression.hpp"
 #include "model/bicycle.hpp"
 
 namespace slipproof {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "claims/logic.hpp"
 #include "claims/setting_names.hpp"
+#include "expression/logic.hpp"
 
 namespace slipproof {
 

@@ -8,7 +8,7 @@
 
 #include "claims/claims_file.hpp"
 #include "claims/compiled.hpp"
-#include "claims/mutate.hpp"
+#include "expression/mutate.hpp"
 
 namespace slipproof {
 

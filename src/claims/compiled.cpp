@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "claims/cases.hpp"
-#include "claims/logic.hpp"
 #include "claims/setting_names.hpp"
+#include "expression/cases.hpp"
+#include "expression/logic.hpp"
 
 namespace slipproof {
 

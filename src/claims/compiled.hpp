@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "claims/claims_file.hpp"
-#include "claims/evaluate.hpp"
-#include "claims/program.hpp"
+#include "expression/evaluate.hpp"
+#include "expression/program.hpp"
 #include "model/equations.hpp"
 
 namespace slipproof {

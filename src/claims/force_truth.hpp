@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "claims/evaluate.hpp"
-#include "claims/with_divisors.hpp"
-#include "modes/force_interval.hpp"
+#include "expression/evaluate.hpp"
+#include "expression/with_divisors.hpp"
+#include "motions/force_interval.hpp"
 #include "number/rational_function.hpp"
 
 namespace slipproof {

@@ -2,7 +2,7 @@
 
 #include "claims/claims_reader.hpp"
 #include "claims/inherit.hpp"
-#include "claims/parser.hpp"
+#include "expression/parser.hpp"
 
 namespace slipproof::claims_reader {
 

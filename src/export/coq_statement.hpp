@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "claims/expression.hpp"
 #include "export/coq_formula.hpp"
+#include "expression/expression.hpp"
 #include "prove/statement.hpp"
 
 namespace slipproof::coq {

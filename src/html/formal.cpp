@@ -1,6 +1,6 @@
 #include <string>
 
-#include "claims/logic.hpp"
+#include "expression/logic.hpp"
 #include "html/sections.hpp"
 #include "typeset/mathml.hpp"
 #include "typeset/symbol.hpp"

@@ -6,7 +6,7 @@
 
 #include "model/bicycle.hpp"
 #include "model/contact_mode.hpp"
-#include "modes/force_interval.hpp"
+#include "motions/force_interval.hpp"
 
 namespace slipproof {
 

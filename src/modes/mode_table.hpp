@@ -9,7 +9,7 @@
 #include "model/contact_mode.hpp"
 #include "model/reduction.hpp"
 #include "modes/continuum.hpp"
-#include "modes/force_interval.hpp"
+#include "motions/force_interval.hpp"
 #include "modes/integer_scene.hpp"
 
 namespace slipproof {

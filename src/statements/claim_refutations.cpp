@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "claims/logic.hpp"
+#include "expression/logic.hpp"
 #include "statements/claim_writer.hpp"
 
 namespace slipproof {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "claims/logic.hpp"
+#include "expression/logic.hpp"
 #include "statements/claim_writer.hpp"
 #include "statements/unique_statements.hpp"
 

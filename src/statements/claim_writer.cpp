@@ -7,7 +7,7 @@
 #include <cctype>
 #include <sstream>
 
-#include "claims/logic.hpp"
+#include "expression/logic.hpp"
 #include "statements/truth_text.hpp"
 
 namespace slipproof {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "claims/logic.hpp"
+#include "expression/logic.hpp"
 #include "statements/truth_text.hpp"
 
 namespace slipproof {

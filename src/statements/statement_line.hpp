@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "claims/expression.hpp"
-#include "claims/parser.hpp"
+#include "expression/expression.hpp"
+#include "expression/parser.hpp"
 
 namespace slipproof {
 

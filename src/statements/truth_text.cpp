@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "claims/logic.hpp"
+#include "expression/logic.hpp"
 
 namespace slipproof {
 

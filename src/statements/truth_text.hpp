@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "claims/cases.hpp"
+#include "expression/cases.hpp"
 
 namespace slipproof {
 

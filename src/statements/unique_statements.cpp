@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "claims/logic.hpp"
+#include "expression/logic.hpp"
 
 namespace slipproof {
 namespace {

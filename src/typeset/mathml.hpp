@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "claims/expression.hpp"
+#include "expression/expression.hpp"
 #include "markup/element.hpp"
 #include "model/contact_mode.hpp"
 #include "number/rational.hpp"

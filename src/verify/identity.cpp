@@ -5,8 +5,8 @@
 #include <span>
 
 #include "claims/claims_mutants.hpp"
-#include "claims/logic.hpp"
-#include "claims/parser.hpp"
+#include "expression/logic.hpp"
+#include "expression/parser.hpp"
 #include "model/reduction.hpp"
 #include "statements/plain_signs.hpp"
 #include "verify/polynomials.hpp"

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "check/judge.hpp"
-#include "claims/logic.hpp"
+#include "expression/logic.hpp"
 #include "prove/prove.hpp"
 #include "prove/statement.hpp"
 #include "statements/claim_statements.hpp"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "claims/evaluate.hpp"
+#include "expression/evaluate.hpp"
 
 namespace slipproof {
 

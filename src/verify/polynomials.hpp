@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "claims/evaluate.hpp"
-#include "claims/with_divisors.hpp"
+#include "expression/evaluate.hpp"
+#include "expression/with_divisors.hpp"
 
 namespace slipproof {
 

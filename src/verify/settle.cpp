@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "claims/logic.hpp"
+#include "expression/logic.hpp"
 #include "verify/identity.hpp"
 #include "verify/same_function.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "claims/claims_mutants.hpp"
-#include "claims/logic.hpp"
+#include "expression/logic.hpp"
 #include "statements/claim_statements.hpp"
 
 namespace slipproof {

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "modes/force_interval.hpp"
+#include "motions/force_interval.hpp"
 #include "number/affine.hpp"
 #include "number/format.hpp"
 

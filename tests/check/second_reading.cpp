@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "claims/parser.hpp"
 #include "export/certificate_reader.hpp"
+#include "expression/parser.hpp"
 #include "input/diagnostic.hpp"
 
 namespace slipproof::test {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "claims/compiled.hpp"
-#include "claims/parser.hpp"
+#include "expression/parser.hpp"
 #include "input/diagnostic.hpp"
 #include "support/formula.hpp"
 #include "support/shipped.hpp"

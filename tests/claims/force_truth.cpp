@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "claims/random_expression.hpp"
+#include "expression/random_expression.hpp"
 #include "support/formula.hpp"
 
 using namespace slipproof;

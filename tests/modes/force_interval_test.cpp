@@ -1,4 +1,4 @@
-#include "modes/force_interval.hpp"
+#include "motions/force_interval.hpp"
 
 #include <doctest/doctest.h>
 

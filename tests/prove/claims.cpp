@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "check/files.hpp"
-#include "claims/parser.hpp"
+#include "expression/parser.hpp"
 #include "input/diagnostic.hpp"
 #include "modes/motions.hpp"
 #include "prove/prove.hpp"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "claims/evaluate.hpp"
-#include "claims/parser.hpp"
+#include "expression/evaluate.hpp"
+#include "expression/parser.hpp"
 
 namespace slipproof::test {
 

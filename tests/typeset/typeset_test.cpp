@@ -4,7 +4,7 @@
 #include <pugixml.hpp>
 
 #include "claims/claims_file.hpp"
-#include "claims/parser.hpp"
+#include "expression/parser.hpp"
 #include "typeset/latex.hpp"
 #include "typeset/mathml.hpp"
 #include "typeset/symbol.hpp"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "claims/claims_mutants.hpp"
-#include "claims/parser.hpp"
+#include "expression/parser.hpp"
 #include "support/shipped.hpp"
 #include "verify/critical.hpp"
 #include "verify/sampler.hpp"

@@ -9,7 +9,7 @@
 #include <random>
 
 #include "claims/claims_mutants.hpp"
-#include "claims/parser.hpp"
+#include "expression/parser.hpp"
 #include "number/format.hpp"
 #include "support/shipped.hpp"
 #include "verify/sampler.hpp"

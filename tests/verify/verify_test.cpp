@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "claims/claims_mutants.hpp"
-#include "claims/parser.hpp"
+#include "expression/parser.hpp"
 #include "model/conditions.hpp"
 #include "support/shipped.hpp"
 #include "support/unknowns.hpp"

@@ -1,4 +1,4 @@
-#include "claims/expression.hpp"
+#include "expression/expression.hpp"
 
 #include <algorithm>
 #include <utility>

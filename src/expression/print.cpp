@@ -1,7 +1,7 @@
 // Expressions back to text.
 #include <string>
 
-#include "claims/expression.hpp"
+#include "expression/expression.hpp"
 
 namespace slipproof {
 

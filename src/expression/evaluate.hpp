@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "claims/program.hpp"
+#include "expression/program.hpp"
 
 namespace slipproof {
 

@@ -7,7 +7,7 @@
 
 #include <functional>
 
-#include "claims/expression.hpp"
+#include "expression/expression.hpp"
 
 namespace slipproof {
 

@@ -20,7 +20,7 @@
 #include <string>
 #include <string_view>
 
-#include "claims/expression.hpp"
+#include "expression/expression.hpp"
 
 namespace slipproof {
 

@@ -1,4 +1,4 @@
-#include "claims/evaluate.hpp"
+#include "expression/evaluate.hpp"
 
 #include <doctest/doctest.h>
 
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "claims/random_expression.hpp"
+#include "expression/random_expression.hpp"
 #include "support/formula.hpp"
 
 using namespace slipproof;

@@ -1,4 +1,4 @@
-#include "claims/logic.hpp"
+#include "expression/logic.hpp"
 
 #include <algorithm>
 #include <utility>

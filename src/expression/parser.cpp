@@ -1,11 +1,11 @@
-#include "claims/parser.hpp"
+#include "expression/parser.hpp"
 
 #include <algorithm>
 #include <array>
 #include <optional>
 #include <utility>
 
-#include "claims/lexer.hpp"
+#include "expression/lexer.hpp"
 #include "number/parse.hpp"
 
 namespace slipproof {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "claims/expression.hpp"
+#include "expression/expression.hpp"
 
 namespace slipproof {
 

@@ -1,4 +1,4 @@
-#include "claims/lexer.hpp"
+#include "expression/lexer.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
-#include "claims/parser.hpp"
+#include "expression/parser.hpp"
 
 #include <doctest/doctest.h>
 
 #include <string>
 #include <vector>
 
-#include "claims/random_expression.hpp"
+#include "expression/random_expression.hpp"
 #include "support/formula.hpp"
 
 using namespace slipproof;

@@ -1,4 +1,4 @@
-#include "claims/program.hpp"
+#include "expression/program.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,10 +1,10 @@
-#include "claims/cases.hpp"
+#include "expression/cases.hpp"
 
 #include <algorithm>
 #include <array>
 #include <vector>
 
-#include "claims/logic.hpp"
+#include "expression/logic.hpp"
 
 namespace slipproof {
 

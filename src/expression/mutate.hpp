@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "claims/expression.hpp"
+#include "expression/expression.hpp"
 
 namespace slipproof {
 

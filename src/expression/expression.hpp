@@ -1,4 +1,4 @@
-// Expressions of a claims file: rational arithmetic, comparisons and logic, as immutable trees that remember their
+// Expressions: rational arithmetic, comparisons and logic, as immutable trees that remember their
 // columns.
 #pragma once
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "claims/expression.hpp"
+#include "expression/expression.hpp"
 
 namespace slipproof {
 

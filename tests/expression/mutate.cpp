@@ -1,12 +1,12 @@
-#include "claims/mutate.hpp"
+#include "expression/mutate.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "claims/parser.hpp"
-#include "claims/random_expression.hpp"
+#include "expression/parser.hpp"
+#include "expression/random_expression.hpp"
 
 using namespace slipproof;
 

@@ -1,4 +1,4 @@
-#include "claims/mutate.hpp"
+#include "expression/mutate.hpp"
 
 #include <algorithm>
 #include <functional>

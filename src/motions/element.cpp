@@ -1,0 +1,121 @@
+#include "motions/element.hpp"
+
+#include <array>
+
+namespace slipproof {
+
+namespace {
+
+using Law = ElementKind::Law;
+using Start = ElementKind::Start;
+using State = ElementState;
+
+constexpr std::array<std::string_view, 8> names{"stick", "slip+",  "slip-",  "lift",
+                                                "touch", "stick~", "slip+~", "slip-~"};
+
+std::vector<State> slipping(Start start) {
+  switch (start) {
+    case Start::slides_forward:
+      return {State::slip_forward};
+    case Start::slides_backward:
+      return {State::slip_backward};
+    default:
+      return {State::stick, State::slip_forward, State::slip_backward};
+  }
+}
+
+State pulled(State state) {
+  switch (state) {
+    case State::stick:
+      return State::pulled_stick;
+    case State::slip_forward:
+      return State::pulled_slip_forward;
+    default:
+      return State::pulled_slip_backward;
+  }
+}
+
+}  // namespace
+
+std::string_view name(ElementState state) {
+  return names[static_cast<std::size_t>(state)];
+}
+
+std::optional<ElementState> parse_element_state(std::string_view text) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == text) return static_cast<ElementState>(i);
+  }
+  return std::nullopt;
+}
+
+int slip_direction(ElementState state) {
+  if (state == State::slip_forward || state == State::pulled_slip_forward) return 1;
+  return state == State::slip_backward || state == State::pulled_slip_backward ? -1 : 0;
+}
+
+bool is_pulled(ElementState state) {
+  return state >= State::pulled_stick;
+}
+
+std::vector<ElementState> states(const ElementKind& kind) {
+  if (kind.start == Start::open) return {State::lift};
+  std::vector<State> result = kind.law == Law::frictionless ? std::vector{State::touch} : slipping(kind.start);
+  if (kind.law == Law::limited) return result;
+  if (kind.bilateral) {
+    if (kind.law == Law::frictionless) return result;
+    const std::size_t pushed = result.size();
+    for (std::size_t i = 0; i < pushed; ++i) result.push_back(pulled(result[i]));
+  } else if (kind.lifts) {
+    result.push_back(State::lift);
+  }
+  return result;
+}
+
+std::vector<StateEquation> equations(const ElementKind& kind, ElementState state) {
+  using Equation = StateEquation;
+  if (state == State::lift) {
+    if (kind.law == Law::frictionless) return {Equation::no_normal};
+    return {Equation::no_normal, Equation::no_tangent};
+  }
+  std::vector<Equation> result;
+  if (kind.law != Law::limited) result.push_back(Equation::gap);
+  if (state == State::touch) return result;
+  const int direction = slip_direction(state);
+  result.push_back(direction > 0   ? Equation::resists_forward
+                   : direction < 0 ? Equation::resists_backward
+                                   : Equation::slip);
+  return result;
+}
+
+std::vector<StateCondition> conditions(const ElementKind& kind, ElementState state) {
+  using Condition = StateCondition;
+  if (state == State::lift) {
+    return kind.start == Start::open ? std::vector<Condition>{} : std::vector{Condition::opens};
+  }
+  std::vector<Condition> result;
+  if (kind.law == Law::limited) {
+    result = {Condition::static_limit, Condition::kinetic_limit};
+  } else if (!(kind.law == Law::frictionless && kind.bilateral)) {
+    result.push_back(is_pulled(state) ? Condition::pulls : Condition::pushes);
+  }
+  if (state == State::touch) return result;
+  const int direction = slip_direction(state);
+  if (direction == 0) {
+    result.push_back(Condition::holds_forward);
+    result.push_back(Condition::holds_backward);
+  } else if (!kind.slides()) {
+    result.push_back(direction > 0 ? Condition::slips_forward : Condition::slips_backward);
+  }
+  return result;
+}
+
+std::string name(const MechanismMode& mode) {
+  std::string text;
+  for (const ElementState state : mode) {
+    if (!text.empty()) text += '/';
+    text += name(state);
+  }
+  return text;
+}
+
+}  // namespace slipproof
