@@ -1,0 +1,59 @@
+// The modes of a problem, one by one: which of them have solutions, for one load or for all, and why the others have
+// none.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "motions/polyhedron.hpp"
+
+namespace slipproof {
+
+/// A mode with solutions.
+struct ConsistentMode {
+  MechanismMode mode;
+  Polyhedron solutions;
+  bool determined = false;  ///< all solutions for one load are one motion: no acceleration varies
+
+  /// The loads at which the mode is strict: all of `loads` but the ends, or the one load that there is.
+  ForceInterval strict_loads() const;
+};
+
+struct ViolatedCondition {
+  std::size_t element;
+  ElementState state;
+  StateCondition condition;
+  bool operator==(const ViolatedCondition&) const = default;
+};
+
+/// A mode without a solution. No conditions: its equations have none.
+struct RejectedMode {
+  MechanismMode mode;
+  std::vector<ViolatedCondition> because;  ///< that exclude each other
+  std::optional<Rational> margin;          ///< of a condition that alone is violated by as much for all forces
+};
+
+struct ModesOf {
+  std::vector<ConsistentMode> consistent;
+  std::vector<RejectedMode> rejected;
+};
+
+/// The number of modes; 2^64 - 1 where there are more.
+std::uint64_t mode_count(const FrictionProblem& problem);
+/// More are not tried.
+inline constexpr std::uint64_t max_modes = 65'536;
+
+/// Tries all modes, state by state: what already contradicts itself for the first elements is not gone into. The
+/// number of modes must be at most max_modes. Takes one elimination for each of the modes that are reached, and a few
+/// linear programs for those whose equations leave forces open.
+/// At a load, outside the domain too; nothing: for all loads of the domain.
+ModesOf modes_of(const FrictionProblem& problem, const std::optional<Rational>& load);
+
+/// One mode, with a state for each element.
+ModesOf mode_of(const FrictionProblem& problem, const MechanismMode& mode, const std::optional<Rational>& load);
+
+/// The same problem with the equations solved: only what they leave free is unknown.
+FrictionProblem without_equations(const FrictionProblem& problem);
+
+}  // namespace slipproof

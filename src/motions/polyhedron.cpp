@@ -1,0 +1,230 @@
+#include "motions/polyhedron.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace slipproof {
+
+namespace {
+
+/// Conditions in the coordinates of a space: `origin` is the index of a condition, or none for an end of the domain.
+struct Side {
+  AffineForm form;
+  std::optional<std::size_t> origin;
+};
+
+/// Linear programs over the free variables of a space, and perhaps one more.
+class Programs {
+ public:
+  explicit Programs(const AffineSpace& space) {
+    for (std::size_t i = 0; i <= space.unknowns(); ++i) {
+      if (space.is_free(i)) variables_.push_back(i);
+    }
+  }
+
+  /// The form over the free variables, and `slack` times the one more.
+  AffineForm compressed(const AffineForm& form, std::optional<int> slack = std::nullopt) const {
+    AffineForm result{form.constant, {}};
+    for (const std::size_t i : variables_) result.coefficients.push_back(form.coefficients[i]);
+    if (slack) result.coefficients.emplace_back(*slack);
+    return result;
+  }
+
+  /// The least value of -s where all sides are >= s, and s <= 1.
+  LinearOptimum most_strict(const std::vector<Side>& sides) const {
+    AffineForm objective{0, std::vector<Rational>(variables_.size() + 1)};
+    std::vector<AffineForm> constraints;
+    for (const Side& side : sides) constraints.push_back(compressed(side.form, -1));
+    objective.coefficients.back() = -1;
+    AffineForm limit = objective;
+    limit.constant = 1;
+    constraints.push_back(std::move(limit));
+    return minimize(objective, constraints);
+  }
+
+  std::optional<Rational> least(const AffineForm& form, const std::vector<AffineForm>& sides) const {
+    std::vector<AffineForm> constraints;
+    for (const AffineForm& side : sides) constraints.push_back(compressed(side));
+    LinearOptimum optimum = minimize(compressed(form), constraints);
+    if (optimum.kind != LinearOptimum::Kind::attained) return std::nullopt;
+    return std::move(optimum.value);
+  }
+
+ private:
+  std::vector<std::size_t> variables_;
+};
+
+Range range_on(const AffineSpace& space, const AffineForm& form, const std::vector<AffineForm>& sides) {
+  if (is_constant(form)) return {form.constant, form.constant};
+  const Programs programs(space);
+  Range result;
+  result.lower = programs.least(form, sides);
+  result.upper = programs.least(-form, sides);
+  if (result.upper) *result.upper = -*result.upper;
+  return result;
+}
+
+AffineForm load_minus(const AffineSpace& space, const Rational& value) {
+  AffineForm form{-value, std::vector<Rational>(space.unknowns() + 1)};
+  form.coefficients.back() = 1;
+  return form;
+}
+
+/// That the load is in an interval, its ends included.
+std::vector<Side> ends_of(const AffineSpace& space, const ForceInterval& loads) {
+  std::vector<Side> ends;
+  if (loads.lower()) ends.push_back({load_minus(space, *loads.lower()), std::nullopt});
+  if (loads.upper()) ends.push_back({-load_minus(space, *loads.upper()), std::nullopt});
+  return ends;
+}
+
+/// One run of narrow().
+class Narrowing {
+ public:
+  Narrowing(AffineSpace space, const std::vector<AffineForm>& conditions, const ForceInterval& domain)
+      : space_(std::move(space)), conditions_(conditions), domain_(domain) {}
+
+  Narrowed run() {
+    for (;;) {
+      if (auto conflict = collect()) return std::move(*conflict);
+      if (sides_.empty() && space_.dimension() == 0 && !space_.load_is_free()) break;
+      const Step step = space_.dimension() == 0 ? narrow_loads() : narrow_all();
+      if (step == Step::conflict) return std::move(conflict_);
+      if (step == Step::done) break;
+    }
+    return finished();
+  }
+
+ private:
+  enum class Step { again, done, conflict };
+
+  /// All conditions on the space; those that are decided there are left out.
+  std::optional<Conflict> collect() {
+    sides_.clear();
+    strict_ = true;
+    for (std::size_t i = 0; i < conditions_.size(); ++i) {
+      AffineForm form = space_.on(conditions_[i]);
+      if (!is_constant(form)) {
+        sides_.push_back({std::move(form), i});
+      } else if (form.constant.sign() < 0) {
+        return Conflict{{i}, std::move(form.constant)};
+      } else if (form.constant.is_zero()) {
+        strict_ = false;
+      }
+    }
+    if (!space_.load_is_free()) {
+      if (!domain_.contains(space_.load())) return Conflict{};
+      return std::nullopt;
+    }
+    if (domain_.empty()) return Conflict{};
+    for (Side& end : ends_of(space_, domain_)) sides_.push_back(std::move(end));
+    return std::nullopt;
+  }
+
+  /// Without free unknowns each side bounds the load.
+  Step narrow_loads() {
+    std::optional<std::size_t> lower, upper;
+    std::vector<Rational> roots;
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+      const AffineForm& form = sides_[i].form;
+      roots.push_back(-form.constant / form.coefficients.back());
+      auto& end = form.coefficients.back().sign() > 0 ? lower : upper;
+      const bool tighter = !end || (&end == &lower ? roots[i] > roots[*end] : roots[i] < roots[*end]);
+      if (tighter) end = i;
+    }
+    if (lower && upper && roots[*lower] > roots[*upper]) return conflict_of({*lower, *upper});
+    if (lower && upper && roots[*lower] == roots[*upper]) return fix_load(roots[*lower]);
+    loads_ = ForceInterval::between(lower ? std::optional(roots[*lower]) : std::nullopt, true,
+                                    upper ? std::optional(roots[*upper]) : std::nullopt, true);
+    return Step::done;
+  }
+
+  Step narrow_all() {
+    if (!sides_.empty()) {
+      const LinearOptimum best = Programs(space_).most_strict(sides_);
+      const int s = -best.value.sign();
+      std::vector<std::size_t> tight;
+      for (std::size_t i = 0; s <= 0 && i < sides_.size(); ++i) {
+        if (best.multipliers[i].sign() > 0) tight.push_back(i);
+      }
+      if (s < 0) return conflict_of(tight);
+      if (s == 0) {
+        for (const std::size_t i : tight) space_.require(sides_[i].form);
+        return Step::again;
+      }
+    }
+    if (!space_.load_is_free()) return Step::done;
+    AffineForm load = load_minus(space_, 0);
+    std::vector<AffineForm> forms;
+    for (const Side& side : sides_) forms.push_back(side.form);
+    const Range range = range_on(space_, load, forms);
+    loads_ = ForceInterval::between(range.lower, true, range.upper, true);
+    return Step::done;
+  }
+
+  Step fix_load(const Rational& load) {
+    space_.require(load_minus(space_, load));
+    return Step::again;
+  }
+
+  Step conflict_of(const std::vector<std::size_t>& sides) {
+    for (const std::size_t i : sides) {
+      if (sides_[i].origin) conflict_.conditions.push_back(*sides_[i].origin);
+    }
+    std::sort(conflict_.conditions.begin(), conflict_.conditions.end());
+    return Step::conflict;
+  }
+
+  Polyhedron finished() {
+    Polyhedron result{std::move(space_), {}, strict_, std::move(loads_)};
+    for (Side& side : sides_) {
+      if (side.origin) result.sides.push_back(std::move(side.form));
+    }
+    if (!result.space.load_is_free()) result.loads = ForceInterval::point(result.space.load());
+    result.loads.intersect(domain_);
+    return result;
+  }
+
+  AffineSpace space_;
+  const std::vector<AffineForm>& conditions_;
+  const ForceInterval& domain_;
+  std::vector<Side> sides_;
+  bool strict_ = true;
+  ForceInterval loads_;
+  Conflict conflict_;
+};
+
+}  // namespace
+
+Narrowed narrow(AffineSpace space, const std::vector<AffineForm>& conditions, const ForceInterval& domain) {
+  return Narrowing(std::move(space), conditions, domain).run();
+}
+
+std::optional<Polyhedron> with(const Polyhedron& solutions, const std::vector<AffineForm>& vanishing) {
+  AffineSpace space = solutions.space;
+  for (const AffineForm& form : vanishing) {
+    if (!space.require(form)) return std::nullopt;
+  }
+  Narrowed narrowed = narrow(std::move(space), solutions.sides, solutions.loads);
+  auto* result = std::get_if<Polyhedron>(&narrowed);
+  if (result == nullptr) return std::nullopt;
+  result->strict = result->strict && solutions.strict;
+  return std::move(*result);
+}
+
+std::optional<Polyhedron> at_load(const Polyhedron& solutions, const Rational& load) {
+  if (!solutions.space.load_is_free()) {
+    return solutions.space.load() == load && solutions.loads.contains(load) ? std::optional(solutions) : std::nullopt;
+  }
+  return with(solutions, {load_minus(solutions.space, load)});
+}
+
+Range range(const Polyhedron& solutions, const AffineForm& form) {
+  std::vector<AffineForm> sides = solutions.sides;
+  if (solutions.space.load_is_free()) {
+    for (Side& end : ends_of(solutions.space, solutions.loads)) sides.push_back(std::move(end.form));
+  }
+  return range_on(solutions.space, solutions.space.on(form), sides);
+}
+
+}  // namespace slipproof

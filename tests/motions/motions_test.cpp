@@ -1,0 +1,170 @@
+#include "modes/motions.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <map>
+#include <random>
+#include <set>
+
+#include "contact/solutions.hpp"
+#include "motions/motions_of.hpp"
+#include "support/friction_problems.hpp"
+#include "support/random_scene.hpp"
+
+using namespace slipproof;
+using namespace slipproof::test;
+
+namespace {
+
+std::set<std::string> names(const std::vector<MechanismMode>& modes) {
+  std::set<std::string> result;
+  for (const auto& mode : modes) result.insert(name(mode));
+  return result;
+}
+std::set<std::string> names(const std::vector<ContactMode>& modes) {
+  std::set<std::string> result;
+  for (const auto& mode : modes) result.insert(name(mode));
+  return result;
+}
+
+std::vector<Rational> accelerations(const Motion<Rational>& motion) {
+  std::vector<Rational> result;
+  for (const Quantity q : all_quantities()) {
+    if (q < Quantity::S2 || q > Quantity::N3) result.push_back(motion[q]);
+  }
+  return result;
+}
+
+/// The modes of each motion by its accelerations, and whether it is strict.
+using Found = std::map<std::vector<Rational>, std::pair<std::set<std::string>, bool>>;
+
+Found found_by_table(const MotionsAtForce& at) {
+  Found result;
+  for (const auto& motion : at.motions) {
+    auto& entry = result[accelerations(motion.values)];
+    entry.first.merge(names(motion.modes));
+    entry.second = entry.second || motion.strict;
+  }
+  return result;
+}
+
+Found found_by_kernel(const MotionsAtLoad& at) {
+  Found result;
+  for (const auto& motion : at.motions) {
+    std::vector<Rational> key = motion.accelerations;
+    key.pop_back();  // eps1 follows from eps2 and phi
+    auto& entry = result[std::move(key)];
+    entry.first.merge(names(motion.modes));
+    entry.first.merge(names(motion.boundary_modes));
+    entry.second = motion.strict();
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("bicycles have the motions that the table of their 16 modes gives") {
+  RandomScenes random(15);
+  int several = 0, none = 0, on_boundary = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Bicycle<Rational> p = i % 3 == 0 ? random.reduced(true) : random.bicycle(i % 4 != 0);
+    const Road<Rational> road = random.road();
+    const ForceKind kind = i % 2 == 0 ? ForceKind::internal : ForceKind::external;
+    const FrictionProblem problem = bicycle_problem(p, road, kind);
+    const ModeTable table(p, road, kind);
+    const auto modes = modes_of(without_equations(problem), std::nullopt).consistent;
+    std::set<std::string> expected, all;
+    std::vector<Rational> loads{0, random.any() * 10, random.any() * 100};
+    for (const ModeSolution& s : table.solutions()) {
+      if (s.closed().empty()) continue;
+      expected.insert(name(s.mode()));
+      if (s.closed().lower()) loads.push_back(*s.closed().lower());
+      if (s.closed().upper()) loads.push_back(*s.closed().upper());
+      const auto same = std::find_if(modes.begin(), modes.end(),
+                                     [&](const ConsistentMode& m) { return name(m.mode) == name(s.mode()); });
+      REQUIRE(same != modes.end());
+      CHECK(same->solutions.loads == s.closed());
+      CHECK(same->strict_loads() == s.strict());
+    }
+    for (const ConsistentMode& mode : modes) all.insert(name(mode.mode));
+    CHECK(all == expected);
+    for (const Rational& F : loads) {
+      const Found by_table = found_by_table(motions_at(table, F));
+      CHECK(found_by_kernel(motions_of(problem, F)) == by_table);
+      several += by_table.size() > 1 ? 1 : 0;
+      none += by_table.empty() ? 1 : 0;
+      for (const auto& [key, motion] : by_table) on_boundary += motion.second ? 0 : 1;
+    }
+  }
+  CHECK(several > 20);
+  CHECK(none > 20);
+  CHECK(on_boundary > 20);
+}
+
+TEST_CASE("a bicycle's loads are parted as by the table of its modes") {
+  RandomScenes random(16);
+  for (int i = 0; i < 60; ++i) {
+    const Bicycle<Rational> p = i % 3 == 0 ? random.reduced(true) : random.bicycle(true);
+    const Road<Rational> road = random.road();
+    const ForceKind kind = i % 2 == 0 ? ForceKind::internal : ForceKind::external;
+    const FrictionProblem problem = without_equations(bicycle_problem(p, road, kind));
+    const auto cells = cells_of(problem, modes_of(problem, std::nullopt).consistent);
+    for (const Cell& expected : partition(ModeTable(p, road, kind))) {
+      const Rational inside = expected.forces.sample();
+      const auto cell =
+          std::find_if(cells.begin(), cells.end(), [&](const LoadCell& c) { return c.loads.contains(inside); });
+      REQUIRE(cell != cells.end());
+      std::set<std::set<std::string>> modes, wanted;
+      for (const auto& motion : cell->motions) {
+        auto all = names(motion.modes);
+        all.merge(names(motion.boundary_modes));
+        modes.insert(std::move(all));
+      }
+      for (const auto& motion : expected.motions) wanted.insert(names(motion.modes));
+      CHECK(modes == wanted);
+      for (const auto& motion : cell->motions) {
+        const auto same = std::find_if(expected.motions.begin(), expected.motions.end(), [&](const auto& m) {
+          return names(m.modes).count(name(motion.modes.empty() ? motion.boundary_modes[0] : motion.modes[0])) > 0;
+        });
+        REQUIRE(same != expected.motions.end());
+        CHECK(motion.accelerations[0].at(inside) == same->values[Quantity::a].at(inside));
+        REQUIRE(motion.forces[2]);
+        CHECK(motion.forces[2]->at(inside) == same->values[Quantity::N2].at(inside));
+      }
+    }
+  }
+}
+
+TEST_CASE("contact problems have the solutions that the solver of contact problems finds") {
+  std::mt19937_64 engine(17);
+  const auto draw = [&](int size) { return static_cast<int>(engine() % static_cast<unsigned>(2 * size + 1)) - size; };
+  int continua = 0, several = 0;
+  for (int i = 0; i < 400; ++i) {
+    ContactProblem p;
+    const bool frictional = i % 2 == 0;
+    const std::size_t contacts = 1 + engine() % (frictional ? 2 : 4), n = frictional ? 2 * contacts : contacts;
+    for (std::size_t r = 0; r < n; ++r) {
+      p.W.emplace_back();
+      for (std::size_t c = 0; c < n; ++c) p.W.back().emplace_back(draw(2));
+      p.q.emplace_back(draw(2));
+    }
+    for (std::size_t c = 0; frictional && c < contacts; ++c) p.mu.emplace_back(Rational(draw(2) + 2, 2));
+    const auto expected = ContactSolver(p).all();
+    REQUIRE(expected);
+    const MotionsAtLoad found = motions_of(to_friction_problem(p), std::nullopt);
+    std::map<std::vector<Rational>, bool> solutions, wanted;
+    for (const auto& motion : found.motions) {
+      std::vector<Rational> z;
+      for (std::size_t k = 0; k < n; ++k) z.push_back(motion.accelerations[2 * k]);
+      solutions[z] = motion.strict();
+    }
+    for (const auto& solution : expected->solutions) wanted[solution.z] = solution.strict;
+    CHECK(solutions == wanted);
+    CHECK(found.continua.size() == expected->continua.size());
+    continua += expected->continua.empty() ? 0 : 1;
+    several += wanted.size() > 1 ? 1 : 0;
+  }
+  CHECK(continua > 20);
+  CHECK(several > 20);
+}
