@@ -191,6 +191,33 @@ TEST_CASE("formulas of the errata are typeset, and what is always true is said i
   CHECK(tree.select_nodes("//section[@id='errata']//dd/code").empty());
 }
 
+TEST_CASE(
+    "what is wrong has symbols as such, not only beside an operator, and leaves words and names of claims alone") {
+  const auto tree = read(small_page());
+  std::string plain, symbols;  // what stands beside formulas, what stands in them
+  for (const auto& found :
+       tree.select_nodes("//section[@id='errata']//dt[.='what is wrong']/following-sibling::dd[1]")) {
+    for (const auto& text : found.node().select_nodes("text()")) plain += std::string(text.node().value()) + ' ';
+    for (const auto& math : found.node().select_nodes("math")) {
+      symbols += ' ';
+      for (const auto& text : math.node().select_nodes(".//text()")) symbols += text.node().value();
+    }
+  }
+  for (const char* left : {"sigma", "xi2", " f becomes", "k1 and", "with h ", "M1)", "_"}) {
+    CAPTURE(left);
+    CHECK(plain.find(left) == plain.npos);
+  }
+  for (const char* kept :
+       {"and in slip-/slip+ there are motions", "There is also a motion", "A4.cover", "a continuum"}) {
+    CAPTURE(kept);
+    CHECK(plain.find(kept) != plain.npos);
+  }
+  for (const char* set : {" F1", " \xCF\x83", " k1"}) {
+    CAPTURE(set);
+    CHECK(symbols.find(set) != symbols.npos);
+  }
+}
+
 TEST_CASE("each counterexample can be saved as a scene that solve reads") {
   const auto tree = read(small_page());
   const auto links = tree.select_nodes("//a[@download]");
