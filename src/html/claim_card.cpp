@@ -137,12 +137,12 @@ void add_claim_card(const Element& parent, const PageInput& input, std::size_t i
   if (!claim.why.empty()) {
     const Element why = body.add("p");
     why.add("b").text("Why that is meant. ");
-    why.text(claim.why);
+    add_prose(why, input, claim.why);
   }
   if (!claim.note.empty()) {
     const Element note = body.add("p");
     note.add("b").text("Note. ");
-    note.text(claim.note);
+    add_prose(note, input, claim.note);
   }
 }
 

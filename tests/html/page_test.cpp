@@ -218,6 +218,15 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("the note of a claim is typeset as the finding is that it explains") {
+  const auto tree = read(small_page());
+  const auto note = tree.select_node("//*[@id='claim-R2.3.2']//p[b='Note. ']").node();
+  REQUIRE(note);
+  CHECK(note.select_nodes("math").size() == 8);  // gap2, phi, g, b2, and the same of the front wheel
+  for (const auto& text : note.select_nodes("text()"))
+    CHECK(std::string(text.node().value()).find(">=") == std::string::npos);
+}
+
 TEST_CASE("each counterexample can be saved as a scene that solve reads") {
   const auto tree = read(small_page());
   const auto links = tree.select_nodes("//a[@download]");
