@@ -120,7 +120,7 @@ constexpr std::array<std::string_view, unknown_count> equation_names{
 
 /// `S2 <= f N2`, `gap3 >= 0`, as formulas.
 void add_condition(const Element& parent, const Condition& condition) {
-  const Element row = add_math(parent).add("mrow");
+  const Element row = add_math(parent).set("aria-label", name(condition)).add("mrow");
   const bool friction = condition.kind == ConditionKind::friction_up || condition.kind == ConditionKind::friction_dn;
   if (!friction) {
     const std::string text = name(condition);

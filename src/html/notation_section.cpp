@@ -4,6 +4,7 @@
 
 #include "html/sections.hpp"
 #include "typeset/mathml.hpp"
+#include "typeset/symbol.hpp"
 
 namespace slipproof {
 
@@ -56,7 +57,9 @@ Element add_table(const Element& section, std::string_view caption, std::initial
 }
 
 void add_row_symbol(const Element& row, std::string_view symbol) {
-  add_symbol(add_math(row.add("th").set("scope", "row")), symbol);
+  const Element math = add_math(row.add("th").set("scope", "row"));
+  math.set("aria-label", plain_symbol(symbol));  // a formula has no name of its own, and a header needs one
+  add_symbol(math, symbol);
 }
 
 void add_setting(const Element& section, const Setting& setting) {

@@ -160,6 +160,14 @@ TEST_CASE("the arithmetic beside a counterexample comes to nothing wrong: each r
   for (const auto& table : tables) CHECK(table.node().select_nodes(".//tr").size() == 11);
 }
 
+TEST_CASE("a row that a formula heads has a name that can be read out") {
+  const auto tree = read(small_page());
+  const auto headers = tree.select_nodes("//th/math");
+  CHECK(headers.size() > 60);
+  for (const auto& math : headers) CHECK_FALSE(std::string(math.node().attribute("aria-label").value()).empty());
+  CHECK(tree.select_nodes("//th/math[@aria-label='b2']").size() >= 1);
+}
+
 TEST_CASE("the first page has the problem, the figure, the findings in words and the counts, in this order") {
   const std::string& html = small_page();
   std::size_t last = 0;
