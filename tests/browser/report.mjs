@@ -164,6 +164,13 @@ for (const width of [360, 768, 1280]) {
   });
 }
 
+test('every table is whole at a width of 1280, without scrolling', async () => {
+  const page = await open({ width: 1280 });
+  const cut = await page.evaluate(() => [...document.querySelectorAll('.scroll')]
+    .filter(e => e.scrollWidth > e.clientWidth).map(e => `${e.getAttribute('aria-label')}: ${e.scrollWidth - e.clientWidth} pixels`));
+  assert.deepEqual(cut, []);
+});
+
 for (const width of [400, 1400]) {
   test(`the arithmetic of a counterexample is not cut off at a width of ${width}`, async () => {
     const page = await open({ width });
