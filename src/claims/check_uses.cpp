@@ -160,7 +160,8 @@ class SettingCheck {
   static double literal_terms(const Rational& value) {
     constexpr std::size_t bits_of_term = 64;
     if (value.is_zero()) return 1;
-    return 1.0 + static_cast<double>((msb(numerator(value)) + msb(denominator(value))) / bits_of_term);
+    const std::size_t whole_terms = (msb(numerator(value)) + msb(denominator(value))) / bits_of_term;
+    return 1.0 + static_cast<double>(whole_terms);
   }
 
   const Setting& setting_;
