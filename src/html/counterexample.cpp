@@ -180,10 +180,10 @@ void add_motion(const Element& parent, const Scene& scene, const FoundMotion<Rat
 void add_scene(const Element& parent, const Scene& scene, const std::string& file_name) {
   const std::string text = to_toml(scene);
   std::string encoded;
-  for (const unsigned char c : text) {
-    const bool plain =
-        std::isalnum(c) != 0 || std::string_view("-_.~").find(static_cast<char>(c)) != std::string_view::npos;
-    encoded += plain ? std::string(1, static_cast<char>(c)) : fmt::format("%{:02X}", c);
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain = std::isalnum(byte) != 0 || std::string_view("-_.~").find(c) != std::string_view::npos;
+    encoded += plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
   }
   const Element p = parent.add("p", "download");
   p.add("a")

@@ -166,7 +166,7 @@ std::size_t count(const std::vector<PageCertificate>& certificates, CertificateS
 
 /// `3 undecided, 1 missing`.
 std::string not_accepted(const std::vector<PageCertificate>& certificates) {
-  using enum CertificateState;
+  using enum check::Verdict;  // the alias CertificateState will not do for clang 14
   std::string text;
   for (const CertificateState state : {rejected, unreadable, undecided, missing}) {
     const std::size_t n = count(certificates, state);
