@@ -6,14 +6,9 @@
 
 #include "contact/problem.hpp"
 #include "number/bareiss.hpp"
+#include "number/raw_fraction.hpp"
 
 namespace slipproof {
-
-/// A fraction that nobody has brought to lowest terms yet: most conditions are asked for their sign alone.
-struct RawFraction {
-  Integer numerator, denominator;
-  int sign() const { return numerator.sign() * denominator.sign(); }
-};
 
 /// A problem in integers. Rows of W and q are multiplied by something positive: neither solutions nor signs change.
 struct ScaledProblem {

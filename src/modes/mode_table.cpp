@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "model/conditions.hpp"
+#include "number/raw_fraction.hpp"
 
 namespace slipproof {
 
@@ -28,7 +29,7 @@ Affine<Rational> to_rational(Quotient<Affine<Integer>, Integer> q, const Integer
           quotient(std::move(q.numerator.beta), std::move(q.denominator))};
 }
 
-/// A closed interval of forces whose ends are fractions that nobody has brought to lowest terms yet.
+/// A closed interval of forces.
 class Ends {
  public:
   /// Keeps the forces where side / D >= 0 for a D of the sign of `orientation`. Units are positive, so signs and roots
@@ -49,22 +50,19 @@ class Ends {
   }
 
  private:
-  struct Fraction {
-    Integer numerator, denominator;  ///< denominator > 0; 0 for an end that is not there
-  };
-  static void tighten(Fraction& end, Fraction root, int direction) {
+  static void tighten(RawFraction& end, RawFraction root, int direction) {
     if (!end.denominator.is_zero()) {
       const Integer difference = root.numerator * end.denominator - end.numerator * root.denominator;
       if (sign(difference) != direction) return;
     }
     end = std::move(root);
   }
-  static std::optional<Rational> value(const Fraction& end) {
+  static std::optional<Rational> value(const RawFraction& end) {
     if (end.denominator.is_zero()) return std::nullopt;
     return quotient(end.numerator, end.denominator);
   }
 
-  Fraction lower_, upper_;
+  RawFraction lower_, upper_;  ///< denominators > 0; 0 for an end that is not there
   bool empty_ = false;
 };
 
