@@ -33,7 +33,7 @@ Polynomial product(const Polynomial& x, const Polynomial& y, std::size_t column)
   return bounded(x * y, column);
 }
 
-Fraction sum(Fraction x, Fraction y, bool minus, std::size_t column) {
+ValueWithDivisors sum(ValueWithDivisors x, ValueWithDivisors y, bool minus, std::size_t column) {
   if (minus) y.numerator = -y.numerator;
   add_divisors(x.divisors, y.divisors);
   if (x.denominator == y.denominator) {
@@ -46,15 +46,15 @@ Fraction sum(Fraction x, Fraction y, bool minus, std::size_t column) {
   return x;
 }
 
-Fraction times(Fraction x, const Fraction& y, std::size_t column) {
+ValueWithDivisors times(ValueWithDivisors x, const ValueWithDivisors& y, std::size_t column) {
   x.numerator = product(x.numerator, y.numerator, column);
   x.denominator = product(x.denominator, y.denominator, column);
   add_divisors(x.divisors, y.divisors);
   return x;
 }
 
-Formula comparison(const Fraction& x, const Fraction& y, Relation relation, std::size_t column) {
-  const Fraction difference = sum(x, y, true, column);
+Formula comparison(const ValueWithDivisors& x, const ValueWithDivisors& y, Relation relation, std::size_t column) {
+  const ValueWithDivisors difference = sum(x, y, true, column);
   std::vector<Formula> parts;
   for (const Polynomial& divisor : difference.divisors) parts.push_back(non_zero(divisor));
   if (relation == Relation::not_equal) {
@@ -95,10 +95,10 @@ Formula combine(Formula::Kind kind, std::vector<Formula> parts, std::size_t colu
 /// What the lines of a statement say, taken in their order; names mean what the lines before gave them.
 struct Statement::Meaning {
   const Ring& ring;
-  std::map<std::string, Fraction> values;
+  std::map<std::string, ValueWithDivisors> values;
   std::map<std::string, Formula> formulas;
 
-  Fraction number(const Expression& e) const {
+  ValueWithDivisors number(const Expression& e) const {
     const auto operand = [&](std::size_t i) { return number(e->operands[i]); };
     switch (e->operation) {
       case Operation::number:
@@ -106,7 +106,7 @@ struct Statement::Meaning {
       case Operation::symbol:
         return values.at(e->symbol);
       case Operation::negate: {
-        Fraction result = operand(0);
+        ValueWithDivisors result = operand(0);
         result.numerator = -result.numerator;
         return result;
       }
@@ -116,15 +116,16 @@ struct Statement::Meaning {
       case Operation::multiply:
         return times(operand(0), operand(1), e->column);
       case Operation::divide: {
-        const Fraction divisor = operand(1);
+        const ValueWithDivisors divisor = operand(1);
         if (divisor.numerator.is_zero()) throw ExpressionError(e->column, "division by zero");
-        Fraction result = times(operand(0), {divisor.denominator, divisor.numerator, divisor.divisors}, e->column);
+        ValueWithDivisors result =
+            times(operand(0), {divisor.denominator, divisor.numerator, divisor.divisors}, e->column);
         add_divisors(result.divisors, {divisor.numerator});
         return result;
       }
       case Operation::power: {
-        const Fraction base = operand(0);
-        Fraction result = base;
+        const ValueWithDivisors base = operand(0);
+        ValueWithDivisors result = base;
         for (int n = e->exponent; n > 1; --n) result = times(std::move(result), base, e->column);
         return result;
       }
@@ -194,7 +195,7 @@ Statement::Meaning Statement::variables() const {
   Meaning meaning{*ring_, {}, {}};
   for (std::size_t i = 0; i < ring_->size(); ++i) {
     meaning.values.insert_or_assign(ring_->name(i),
-                                    Fraction{Polynomial::variable(*ring_, i), Polynomial(*ring_, 1), {}});
+                                    ValueWithDivisors{Polynomial::variable(*ring_, i), Polynomial(*ring_, 1), {}});
   }
   return meaning;
 }

@@ -13,7 +13,7 @@
 namespace slipproof::prove {
 
 /// numerator / denominator, unreduced, with the divisors that must not vanish, in the order of the text.
-struct Fraction {
+struct ValueWithDivisors {
   Polynomial numerator;
   Polynomial denominator;
   std::vector<Polynomial> divisors;
