@@ -29,7 +29,7 @@ std::string name(const std::string& statement_name) {
 
 std::string text(const prove::Polynomial& p, const Integer& scale) {
   std::string result;
-  for (const prove::Term& term : p.terms()) {
+  for (const Term& term : p.terms()) {
     Integer coefficient = numerator(Rational(term.coefficient * scale));
     std::string product;
     for (std::size_t i = 0; i < term.exponents.size(); ++i) {

@@ -4,14 +4,14 @@
 #include <utility>
 #include <vector>
 
-#include "prove/polynomial.hpp"
+#include "polynomial/polynomial.hpp"
 
 namespace slipproof {
 
 /// The least positive integer k for which k p has integer coefficients.
-inline Integer common_denominator(const prove::Polynomial& p) {
+inline Integer common_denominator(const MultiPolynomial& p) {
   Integer result = 1;
-  for (const prove::Term& term : p.terms()) result = lcm(result, denominator(term.coefficient));
+  for (const Term& term : p.terms()) result = lcm(result, denominator(term.coefficient));
   return result;
 }
 

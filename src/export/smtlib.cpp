@@ -42,7 +42,7 @@ std::string number(const Integer& value) {
 std::string term(const Polynomial& p) {
   const Integer scale = common_denominator(p);
   std::vector<std::string> sum;
-  for (const prove::Term& t : p.terms()) {
+  for (const Term& t : p.terms()) {
     const Integer coefficient = numerator(Rational(t.coefficient * scale));
     std::vector<std::string> product;
     for (std::size_t i = 0; i < t.exponents.size(); ++i) {

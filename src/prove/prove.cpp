@@ -92,7 +92,7 @@ class Prover {
       return find_instance(ring, formula, {statement_.hints(), attempts, true, [&](const auto& values) {
                                              return holds_at(formula, values) && (!accept || accept(values));
                                            }});
-    } catch (const prove::Budget::Spent&) {
+    } catch (const Budget::Spent&) {
       return std::nullopt;
     }
   }

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "prove/budget.hpp"
+#include "polynomial/budget.hpp"
 #include "prove/slack.hpp"
 
 namespace slipproof::prove {

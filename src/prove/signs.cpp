@@ -3,11 +3,26 @@
 
 namespace slipproof::prove {
 
+namespace {
+
+/// Factoring cannot be stopped; what is longer is taken for irreducible.
+constexpr std::size_t longest_factored = 2'000;
+
+/// The search tries factors in this order.
+Factorization short_ones_first(Factorization factorization) {
+  std::sort(factorization.factors.begin(), factorization.factors.end(), [](const auto& x, const auto& y) {
+    return x.first.length() != y.first.length() ? x.first.length() < y.first.length() : x.first.text() < y.first.text();
+  });
+  return factorization;
+}
+
+}  // namespace
+
 const Factorization& Search::factored(const Polynomial& p) {
   const auto [entry, added] = factorizations_.try_emplace(p.text());
   if (added) {
     budget_.spend(p.length() * 8);
-    entry->second = p.factors();
+    entry->second = p.length() > longest_factored ? p.as_irreducible() : short_ones_first(p.factors());
   }
   return entry->second;
 }

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "prove/budget.hpp"
+#include "polynomial/budget.hpp"
 #include "prove/proof.hpp"
 #include "prove/samples.hpp"
 

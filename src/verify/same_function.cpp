@@ -7,30 +7,32 @@ namespace slipproof {
 namespace {
 
 /// Every symbol that is no definition is a variable.
-SymbolicEvaluator all_symbols(const Scope& scope) {
-  const auto count = std::count_if(scope.slots.begin(), scope.slots.end(), [](const auto& s) { return !s.definition; });
-  auto ring = std::make_shared<PolynomialRing>(static_cast<std::size_t>(count));
-  SymbolicEvaluator evaluator(scope, FractionField{ring});
-  for (std::size_t i = 0, variable = 0; i < scope.slots.size(); ++i) {
-    if (!scope.slots[i].definition) evaluator.set(i, Fraction(MultiPolynomial::variable(ring, variable++)));
+std::vector<std::size_t> given_symbols(const Scope& scope) {
+  std::vector<std::size_t> slots;
+  for (std::size_t i = 0; i < scope.slots.size(); ++i) {
+    if (!scope.slots[i].definition) slots.push_back(i);
   }
-  return evaluator;
+  return slots;
 }
 
 }  // namespace
 
-Functions::Functions(const CompiledSetting& setting) : setting_(&setting), symbols_(all_symbols(setting.scope())) {}
+Functions::Functions(const CompiledSetting& setting)
+    : setting_(&setting),
+      ring_(ring_of(setting.scope(), given_symbols(setting.scope()))),
+      symbols_(symbolic(setting.scope(), given_symbols(setting.scope()), *ring_)) {}
 
-std::optional<Fraction> Functions::value(const Expression& e, bool equation) {
-  const auto value = symbols_.number(equation ? setting_->compile_equation(e, Reading::printed)
-                                              : setting_->compile(e, Reading::printed));
+std::optional<ReducedFraction> Functions::value(const Expression& e, Vocabulary vocabulary) {
+  const auto value =
+      symbols_.number(vocabulary == Vocabulary::unknowns ? setting_->compile_equation(e, Reading::printed)
+                                                         : setting_->compile(e, Reading::printed));
   return value.number ? std::optional(value.number->value()) : std::nullopt;
 }
 
-bool Functions::same(const Expression& x, const Expression& y, bool equation) {
+bool Functions::same(const Expression& x, const Expression& y, Vocabulary vocabulary) {
   if (slipproof::same(x, y)) return true;
   if (sort(*x) == Sort::number) {
-    const auto a = value(x, equation), b = value(y, equation);
+    const auto a = value(x, vocabulary), b = value(y, vocabulary);
     return a && b && (*a - *b).numerator.is_zero();
   }
   if (x->operation != y->operation || x->relations != y->relations || x->operands.size() != y->operands.size()) {
@@ -38,7 +40,7 @@ bool Functions::same(const Expression& x, const Expression& y, bool equation) {
   }
   if (x->operation == Operation::truth) return x->truth == y->truth;
   return std::equal(x->operands.begin(), x->operands.end(), y->operands.begin(),
-                    [&](const Expression& a, const Expression& b) { return same(a, b, equation); });
+                    [&](const Expression& a, const Expression& b) { return same(a, b, vocabulary); });
 }
 
 }  // namespace slipproof

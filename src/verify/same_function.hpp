@@ -2,7 +2,7 @@
 #pragma once
 
 #include "claims/compiled.hpp"
-#include "verify/polynomials.hpp"
+#include "verify/symbolic.hpp"
 
 namespace slipproof {
 
@@ -12,13 +12,14 @@ class Functions {
   explicit Functions(const CompiledSetting& setting);
 
   /// Trees of one shape down to comparisons or to a number, whose sides are the same rational functions, wherever both
-  /// have a value. `equation`: the unknowns of the model may occur. False: not shown.
-  bool same(const Expression& x, const Expression& y, bool equation = false);
+  /// have a value. False: not shown.
+  bool same(const Expression& x, const Expression& y, Vocabulary vocabulary = Vocabulary::quantities);
 
  private:
-  std::optional<Fraction> value(const Expression& e, bool equation);
+  std::optional<ReducedFraction> value(const Expression& e, Vocabulary vocabulary);
 
   const CompiledSetting* setting_;
+  std::unique_ptr<const PolynomialRing> ring_;
   SymbolicEvaluator symbols_;
 };
 

@@ -180,6 +180,7 @@ struct Settler::State {
                        const LinearEquations& now) {
     Lemmas lemmas;
     const bool modelled = old.from_model();
+    const Obeying obeying = modelled ? Obeying::equations_on_road : Obeying::nothing;
     if (!same(before.region, after.region)) {
       if (in().equivalent({}, before.region, after.region, lemmas)) {
         return made(Kind::equivalent, claim, "before and after imply each other", std::move(lemmas));
@@ -214,7 +215,7 @@ struct Settler::State {
       const Equations given = equations_of(old.given);
       beside.insert(beside.end(), given.begin(), given.end());
     }
-    if (in().equivalent(beside, x, y, lemmas, assumed && modelled && !old.mode)) {
+    if (in().equivalent(beside, x, y, lemmas, assumed && !old.mode ? obeying : Obeying::nothing)) {
       return made(Kind::equivalent, claim, "with the equations beside it, before and after have the same solutions",
                   std::move(lemmas));
     }
@@ -233,7 +234,7 @@ struct Settler::State {
     std::vector<Expression> given{before.region};
     given.insert(given.end(), sources.begin(), sources.end());
     given.insert(given.end(), old.assume.begin(), old.assume.end());
-    if (in().implies(given, y, lemmas, std::nullopt, modelled)) {
+    if (in().implies(given, y, lemmas, std::nullopt, obeying)) {
       return made(Kind::theorem, claim, "it follows for all parameters", std::move(lemmas));
     }
     return std::nullopt;
@@ -262,7 +263,8 @@ struct Settler::State {
     setting = m.setting;
     changed = &now;
     const Expression& before = m.original(file);
-    if (functions[setting].same(before, m.mutant.expression, m.is_linear())) {
+    if (functions[setting].same(before, m.mutant.expression,
+                                m.is_linear() ? Vocabulary::unknowns : Vocabulary::quantities)) {
       Lemmas lemmas;
       if (in().divides_alike({}, before, m.mutant.expression, lemmas,
                              [&](const Expression& x, const Expression& y) { return functions[setting].same(x, y); })) {

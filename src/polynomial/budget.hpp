@@ -1,4 +1,4 @@
-// The deterministic limit of a search, in steps: the same on every machine, as time is not.
+// A limit for work with polynomials, in steps: the same on every machine, as time is not.
 #pragma once
 
 #include <algorithm>
@@ -8,9 +8,9 @@
 #include <limits>
 #include <utility>
 
-namespace slipproof::prove {
+namespace slipproof {
 
-/// Counts steps, and ends the search by throwing Spent where there are too many.
+/// Counts steps, and ends the work by throwing Spent where there are too many.
 class Budget {
  public:
   struct Spent {};
@@ -47,4 +47,4 @@ class Budget {
   std::function<void(std::uint64_t)> tick_;
 };
 
-}  // namespace slipproof::prove
+}  // namespace slipproof

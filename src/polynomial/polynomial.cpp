@@ -1,17 +1,14 @@
-#include "prove/polynomial.hpp"
+#include "polynomial/polynomial.hpp"
 
 #include <flint/flint.h>
 
 #include <algorithm>
-#include <stdexcept>
 
-namespace slipproof::prove {
+namespace slipproof {
 namespace {
 
 // What arithmetic costs, in steps of about 0.1 microseconds.
 constexpr std::size_t products_a_step = 2, text_steps = 5, factor_steps = 40;
-/// Factoring cannot be stopped; what is longer is taken for irreducible.
-constexpr std::size_t longest_factored = 2'000;
 
 /// An fmpq that frees itself.
 struct FlintRational {
@@ -30,74 +27,84 @@ struct FlintRational {
 
 }  // namespace
 
-Ring::Ring(std::vector<std::string> names) : names_(std::move(names)) {
+PolynomialRing::PolynomialRing(std::vector<std::string> names, MonomialOrder order) : names_(std::move(names)) {
   for (const std::string& name : names_) pointers_.push_back(name.c_str());
-  fmpq_mpoly_ctx_init(context_, static_cast<slong>(names_.size()), ORD_LEX);
+  fmpq_mpoly_ctx_init(context_, static_cast<slong>(names_.size()),
+                      order == MonomialOrder::lexicographic ? ORD_LEX : ORD_DEGREVLEX);
 }
 
-Ring::~Ring() {
+PolynomialRing::~PolynomialRing() {
   fmpq_mpoly_ctx_clear(context_);
 }
 
-struct Polynomial::Value {
-  explicit Value(const Ring& ring) : ring(ring) { fmpq_mpoly_init(polynomial, ring.context_); }
+struct MultiPolynomial::Value {
+  explicit Value(const PolynomialRing& ring) : ring(ring) { fmpq_mpoly_init(polynomial, ring.context_); }
   ~Value() { fmpq_mpoly_clear(polynomial, ring.context_); }
   Value(const Value&) = delete;
   Value& operator=(const Value&) = delete;
 
-  const Ring& ring;
+  const PolynomialRing& ring;
   fmpq_mpoly_t polynomial;
 };
 
-Polynomial::Polynomial(std::shared_ptr<const Value> value) : ring_(&value->ring), value_(std::move(value)) {}
+MultiPolynomial::MultiPolynomial(std::shared_ptr<const Value> value) : ring_(&value->ring), value_(std::move(value)) {}
 
-std::shared_ptr<Polynomial::Value> Polynomial::blank(const Ring& ring) {
+std::shared_ptr<MultiPolynomial::Value> MultiPolynomial::blank(const PolynomialRing& ring) {
   return std::make_shared<Value>(ring);
 }
 
-Polynomial::Polynomial(const Ring& ring, const Rational& constant) : ring_(&ring) {
+MultiPolynomial::MultiPolynomial(const PolynomialRing& ring, const Rational& constant) : ring_(&ring) {
   const auto value = blank(ring);
   fmpq_mpoly_set_fmpq(value->polynomial, FlintRational(constant).value, ring.context_);
   value_ = value;
 }
 
-Polynomial Polynomial::variable(const Ring& ring, std::size_t index) {
+MultiPolynomial MultiPolynomial::variable(const PolynomialRing& ring, std::size_t index) {
   const auto value = blank(ring);
   fmpq_mpoly_gen(value->polynomial, static_cast<slong>(index), ring.context_);
-  return Polynomial(value);
+  return MultiPolynomial(value);
 }
 
-std::optional<Polynomial> Polynomial::parse(const Ring& ring, const std::string& text) {
+std::optional<MultiPolynomial> MultiPolynomial::parse(const PolynomialRing& ring, const std::string& text) {
   const auto value = blank(ring);
   const int error = fmpq_mpoly_set_str_pretty(value->polynomial, text.c_str(),
                                               const_cast<const char**>(ring.pointers_.data()), ring.context_);
   if (error != 0) return std::nullopt;
-  return Polynomial(value);
+  return MultiPolynomial(value);
 }
 
-bool Polynomial::is_zero() const {
+bool MultiPolynomial::is_zero() const {
   return fmpq_mpoly_is_zero(value_->polynomial, ring_->context_) != 0;
 }
-bool Polynomial::is_constant() const {
+bool MultiPolynomial::is_one() const {
+  return fmpq_mpoly_is_one(value_->polynomial, ring_->context_) != 0;
+}
+bool MultiPolynomial::is_constant() const {
   return fmpq_mpoly_is_fmpq(value_->polynomial, ring_->context_) != 0;
 }
 
-Rational Polynomial::constant() const {
+Rational MultiPolynomial::constant() const {
   FlintRational result;
   fmpq_mpoly_get_fmpq(result.value, value_->polynomial, ring_->context_);
   return result.rational();
 }
 
-std::size_t Polynomial::length() const {
+Rational MultiPolynomial::leading_coefficient() const {
+  FlintRational result;
+  fmpq_mpoly_get_term_coeff_fmpq(result.value, value_->polynomial, 0, ring_->context_);
+  return result.rational();
+}
+
+std::size_t MultiPolynomial::length() const {
   return static_cast<std::size_t>(fmpq_mpoly_length(value_->polynomial, ring_->context_));
 }
 
-std::size_t Polynomial::degree(std::size_t variable) const {
+std::size_t MultiPolynomial::degree(std::size_t variable) const {
   return static_cast<std::size_t>(
       std::max<slong>(0, fmpq_mpoly_degree_si(value_->polynomial, static_cast<slong>(variable), ring_->context_)));
 }
 
-std::size_t Polynomial::coefficient_bits() const {
+std::size_t MultiPolynomial::coefficient_bits() const {
   const auto& [content, primitive] = *value_->polynomial;
   const fmpz* largest = nullptr;
   for (slong i = 0; i < primitive->length; ++i) {
@@ -113,7 +120,7 @@ std::size_t Polynomial::coefficient_bits() const {
   return bits;
 }
 
-std::vector<std::size_t> Polynomial::variables() const {
+std::vector<std::size_t> MultiPolynomial::variables() const {
   std::vector<std::size_t> result;
   std::vector<slong> degrees(ring_->size());
   fmpq_mpoly_degrees_si(degrees.data(), value_->polynomial, ring_->context_);
@@ -123,7 +130,7 @@ std::vector<std::size_t> Polynomial::variables() const {
   return result;
 }
 
-std::vector<Term> Polynomial::terms() const {
+std::vector<Term> MultiPolynomial::terms() const {
   std::vector<Term> result;
   FlintRational coefficient;
   for (std::size_t i = 0; i < length(); ++i) {
@@ -136,15 +143,15 @@ std::vector<Term> Polynomial::terms() const {
   return result;
 }
 
-Polynomial Polynomial::coefficient(std::size_t variable, std::size_t exponent) const {
+MultiPolynomial MultiPolynomial::coefficient(std::size_t variable, std::size_t exponent) const {
   const auto result = blank(*ring_);
   const slong variables[] = {static_cast<slong>(variable)};
   const ulong exponents[] = {exponent};
   fmpq_mpoly_get_coeff_vars_ui(result->polynomial, value_->polynomial, variables, exponents, 1, ring_->context_);
-  return Polynomial(result);
+  return MultiPolynomial(result);
 }
 
-std::string Polynomial::text() const {
+std::string MultiPolynomial::text() const {
   ring_->budget().spend(length() * text_steps + 1);
   // The pretty-printer does not change the names, though it takes them as pointers to non-const.
   char* text =
@@ -154,21 +161,21 @@ std::string Polynomial::text() const {
   return result;
 }
 
-Polynomial& Polynomial::operator+=(const Polynomial& other) {
+MultiPolynomial& MultiPolynomial::operator+=(const MultiPolynomial& other) {
   const auto result = blank(*ring_);
   fmpq_mpoly_add(result->polynomial, value_->polynomial, other.value_->polynomial, ring_->context_);
   value_ = result;
   return *this;
 }
 
-Polynomial& Polynomial::operator-=(const Polynomial& other) {
+MultiPolynomial& MultiPolynomial::operator-=(const MultiPolynomial& other) {
   const auto result = blank(*ring_);
   fmpq_mpoly_sub(result->polynomial, value_->polynomial, other.value_->polynomial, ring_->context_);
   value_ = result;
   return *this;
 }
 
-Polynomial& Polynomial::operator*=(const Polynomial& other) {
+MultiPolynomial& MultiPolynomial::operator*=(const MultiPolynomial& other) {
   ring_->budget().spend(length() * other.length() / products_a_step + 1);
   const auto result = blank(*ring_);
   fmpq_mpoly_mul(result->polynomial, value_->polynomial, other.value_->polynomial, ring_->context_);
@@ -176,50 +183,56 @@ Polynomial& Polynomial::operator*=(const Polynomial& other) {
   return *this;
 }
 
-Polynomial Polynomial::operator-() const {
+MultiPolynomial MultiPolynomial::operator-() const {
   return scaled(-1);
 }
 
-bool Polynomial::operator==(const Polynomial& other) const {
+bool MultiPolynomial::operator==(const MultiPolynomial& other) const {
   return fmpq_mpoly_equal(value_->polynomial, other.value_->polynomial, ring_->context_) != 0;
 }
 
-Polynomial Polynomial::scaled(const Rational& factor) const {
+MultiPolynomial MultiPolynomial::scaled(const Rational& factor) const {
   const auto result = blank(*ring_);
   fmpq_mpoly_scalar_mul_fmpq(result->polynomial, value_->polynomial, FlintRational(factor).value, ring_->context_);
-  return Polynomial(result);
+  return MultiPolynomial(result);
 }
 
-std::optional<Polynomial> Polynomial::divided_by(const Polynomial& divisor) const {
+std::optional<MultiPolynomial> MultiPolynomial::divided_by(const MultiPolynomial& divisor) const {
   ring_->budget().spend(length() + divisor.length());
   const auto result = blank(*ring_);
   if (fmpq_mpoly_divides(result->polynomial, value_->polynomial, divisor.value_->polynomial, ring_->context_) == 0)
     return std::nullopt;
-  return Polynomial(result);
+  return MultiPolynomial(result);
 }
 
-/// As if it were irreducible: its content and its primitive part.
-Factorization Polynomial::unfactored() const {
+std::optional<MultiPolynomial> MultiPolynomial::common_divisor(const MultiPolynomial& other) const {
+  ring_->budget().spend(length() + other.length());
+  const auto result = blank(*ring_);
+  if (fmpq_mpoly_gcd(result->polynomial, value_->polynomial, other.value_->polynomial, ring_->context_) == 0)
+    return std::nullopt;
+  return MultiPolynomial(result);
+}
+
+Factorization MultiPolynomial::as_irreducible() const {
   Integer numerators = 0, denominators = 1;
   for (const Term& term : terms()) {
     numerators = gcd(numerators, Integer(numerator(term.coefficient)));
     denominators = lcm(denominators, Integer(denominator(term.coefficient)));
   }
   Rational content(numerators, denominators);
-  if (terms().front().coefficient < 0) content = -content;
+  if (leading_coefficient() < 0) content = -content;
   return {content, {{scaled(1 / content), 1}}};
 }
 
-Factorization Polynomial::factors() const {
+Factorization MultiPolynomial::factors() const {
   Factorization result{0, {}};
   if (is_zero()) return result;
-  if (length() > longest_factored) return unfactored();
   ring_->budget().spend(length() * (factor_steps + length() / 8));
   fmpq_mpoly_factor_t factorization;
   fmpq_mpoly_factor_init(factorization, ring_->context_);
   if (fmpq_mpoly_factor(factorization, value_->polynomial, ring_->context_) == 0) {
     fmpq_mpoly_factor_clear(factorization, ring_->context_);
-    throw std::runtime_error("a polynomial could not be factored");
+    return as_irreducible();
   }
   fmpq_mpoly_factor_make_integral(factorization, ring_->context_);
   FlintRational constant;
@@ -228,31 +241,28 @@ Factorization Polynomial::factors() const {
   for (slong i = 0; i < factorization->num; ++i) {
     const auto base = blank(*ring_);
     fmpq_mpoly_factor_get_base(base->polynomial, factorization, i, ring_->context_);
-    Polynomial factor(base);
+    MultiPolynomial factor(base);
     const unsigned exponent = static_cast<unsigned>(fmpq_mpoly_factor_get_exp_si(factorization, i, ring_->context_));
-    if (factor.terms().front().coefficient < 0) {
+    if (factor.leading_coefficient() < 0) {
       factor = -factor;
       if (exponent % 2 == 1) result.constant = -result.constant;
     }
     result.factors.emplace_back(std::move(factor), exponent);
   }
   fmpq_mpoly_factor_clear(factorization, ring_->context_);
-  std::sort(result.factors.begin(), result.factors.end(), [](const auto& x, const auto& y) {
-    return x.first.length() != y.first.length() ? x.first.length() < y.first.length() : x.first.text() < y.first.text();
-  });
   return result;
 }
 
-Polynomial power(const Polynomial& base, std::size_t exponent) {
-  Polynomial result(base.ring(), 1);
+MultiPolynomial power(const MultiPolynomial& base, std::size_t exponent) {
+  MultiPolynomial result(base.ring(), 1);
   for (std::size_t i = 0; i < exponent; ++i) result *= base;
   return result;
 }
 
-Polynomial substitute(const Polynomial& p, std::size_t variable, const Polynomial& numerator,
-                      const Polynomial& denominator) {
+MultiPolynomial substitute(const MultiPolynomial& p, std::size_t variable, const MultiPolynomial& numerator,
+                           const MultiPolynomial& denominator) {
   std::size_t k = p.degree(variable);
-  Polynomial result = p.coefficient(variable, k), denominators(p.ring(), 1);
+  MultiPolynomial result = p.coefficient(variable, k), denominators(p.ring(), 1);
   while (k-- > 0) {
     denominators *= denominator;
     result = result * numerator + p.coefficient(variable, k) * denominators;
@@ -260,4 +270,4 @@ Polynomial substitute(const Polynomial& p, std::size_t variable, const Polynomia
   return result;
 }
 
-}  // namespace slipproof::prove
+}  // namespace slipproof
