@@ -1,90 +1,110 @@
-// Strategy: Fourier-Motzkin elimination of a variable from pairs of facts.
-#include "prove/state.hpp"
+#include "prove/pairs.hpp"
+
+#include "prove/signs.hpp"
 
 namespace slipproof::prove {
 
-/// Fourier-Motzkin: two facts linear in a variable, with coefficients of opposite known signs, give one without it.
-bool Search::refute_pairs(State& state, std::vector<Polynomial>& candidates, bool thorough) {
-  struct Bound {
-    Fact fact;
-    Product coefficient;  ///< times `constant` > 0
-    Rational constant;
-    Polynomial rest;
-    Polynomial magnitude;
-    bool strict_coefficient;
-  };
-  const Ring& ring = statement_.ring();
-  for (std::size_t variable = ring.size(); variable-- > 0;) {
-    std::vector<Bound> lower;
-    std::vector<Bound> upper;
-    const std::vector<Fact> facts = state.facts;
-    for (const Fact& fact : facts) {
+namespace {
+
+/// A polynomial as constant * a product of facts, signs taken into the constant, as far as the signs are known.
+struct SignedProduct {
+  Rational constant;
+  Product product;
+  bool strict = true;                 ///< all its facts are: it is not 0
+  std::vector<Polynomial> open = {};  ///< its factors of unknown sign
+};
+
+/// A fact p >= 0 or p > 0 with p = coefficient * variable + rest.
+struct Bound {
+  const Fact* fact;
+  SignedProduct coefficient;
+  Polynomial magnitude;  ///< of the coefficient
+  Polynomial rest;
+
+  bool strict() const { return fact->sign == Sign::positive; }
+};
+
+class PairSearch {
+ public:
+  PairSearch(Context& context, State& state, Pass pass) : context_(context), state_(state), pass_(pass) {}
+
+  PairsResult run() {
+    for (std::size_t variable = context_.ring().size(); variable-- > 0;) {
+      if (refute(variable)) return {true, {}};
+    }
+    return {false, std::move(open_)};
+  }
+
+ private:
+  SignedProduct signed_product(const Polynomial& p) {
+    const Factorization& factors = context_.factored(p);
+    SignedProduct result{factors.constant, {}};
+    for (const auto& [factor, exponent] : factors.factors) {
+      const KnownSign* sign = sign_of(context_, state_, factor, pass_);
+      if (sign == nullptr) {
+        result.open.push_back(factor);
+        continue;
+      }
+      multiply(result.product, {{sign->name, 1}}, exponent);
+      if (sign->orientation < 0 && exponent % 2 == 1) result.constant = -result.constant;
+      result.strict = result.strict && sign->strict;
+    }
+    return result;
+  }
+
+  bool refute(std::size_t variable) {
+    std::vector<Bound> lower, upper;
+    for (const Fact& fact : state_.facts) {
       if (fact.sign == Sign::zero || fact.p.degree(variable) != 1) continue;
       const Polynomial c = fact.p.coefficient(variable, 1);
-      const Factorization& factors = factored(c);
-      Rational constant = factors.constant;
-      Product product;
-      bool known = true;
-      bool strict = true;
-      for (const auto& [factor, exponent] : factors.factors) {
-        const KnownSign* sign = sign_of(state, factor, thorough);
-        if (sign == nullptr) {
-          candidates.push_back(factor);
-          known = false;
-          continue;
-        }
-        multiply(product, {{sign->name, 1}}, exponent);
-        if (sign->orientation < 0 && exponent % 2 == 1) constant = -constant;
-        strict = strict && sign->strict;
-      }
-      if (!known) continue;
-      if (product.contains(fact.name)) continue;
-      (constant > 0 ? lower : upper)
-          .push_back(
-              {fact, product, absolute(constant), fact.p.coefficient(variable, 0), constant > 0 ? c : -c, strict});
+      SignedProduct coefficient = signed_product(c);
+      open_.insert(open_.end(), coefficient.open.begin(), coefficient.open.end());
+      if (!coefficient.open.empty() || coefficient.product.contains(fact.name)) continue;
+      const bool positive = coefficient.constant > 0;
+      (positive ? lower : upper)
+          .push_back({&fact, std::move(coefficient), positive ? c : -c, fact.p.coefficient(variable, 0)});
     }
     for (const Bound& l : lower) {
       for (const Bound& u : upper) {
-        const Polynomial r = l.rest * u.magnitude + u.rest * l.magnitude;
-        Product left = u.coefficient;
-        multiply(left, {{l.fact.name, 1}});
-        Product right = l.coefficient;
-        multiply(right, {{u.fact.name, 1}});
-        Identity identity{{{u.constant, left}, {l.constant, right}}, {}};
-        const bool strict = (l.fact.sign == Sign::positive && u.strict_coefficient) ||
-                            (u.fact.sign == Sign::positive && l.strict_coefficient);
-        if (r.is_zero()) {
-          if (!strict) continue;
-          state.steps.push_back(contradiction(std::move(identity)));
-          return true;
-        }
-        const Factorization& factors = factored(r);
-        Rational constant = factors.constant;
-        Product product;
-        bool known = true;
-        bool strict_sign = true;
-        std::vector<Polynomial> open;
-        for (const auto& [factor, exponent] : factors.factors) {
-          const KnownSign* sign = sign_of(state, factor, thorough);
-          if (sign == nullptr) {
-            known = false;
-            open.push_back(factor);
-            continue;
-          }
-          multiply(product, {{sign->name, 1}}, exponent);
-          if (sign->orientation < 0 && exponent % 2 == 1) constant = -constant;
-          strict_sign = strict_sign && sign->strict;
-        }
-        if (known && constant < 0 && (strict || strict_sign)) {
-          identity.terms.push_back({absolute(constant), product});
-          state.steps.push_back(contradiction(std::move(identity)));
-          return true;
-        }
-        if (!known && open.size() == 1) candidates.push_back(open.front());
+        if (refute(l, u)) return true;
       }
     }
+    return false;
   }
-  return false;
+
+  /// By l's fact times u's coefficient and u's fact times l's, which add up to something without the variable.
+  bool refute(const Bound& l, const Bound& u) {
+    const Polynomial sum = l.rest * u.magnitude + u.rest * l.magnitude;
+    Identity identity{{times_fact(u.coefficient, *l.fact), times_fact(l.coefficient, *u.fact)}, {}};
+    const bool strict = (l.strict() && u.coefficient.strict) || (u.strict() && l.coefficient.strict);
+    if (!sum.is_zero()) {
+      SignedProduct value = signed_product(sum);
+      if (value.open.size() == 1) open_.push_back(std::move(value.open.front()));
+      if (!value.open.empty() || value.constant > 0 || (!strict && !value.strict)) return false;
+      identity.terms.push_back({absolute(value.constant), std::move(value.product)});
+    } else if (!strict) {
+      return false;
+    }
+    state_.steps.push_back(contradiction(std::move(identity)));
+    return true;
+  }
+
+  static WeightedProduct times_fact(const SignedProduct& coefficient, const Fact& fact) {
+    WeightedProduct result{absolute(coefficient.constant), coefficient.product};
+    multiply(result.product, {{fact.name, 1}});
+    return result;
+  }
+
+  Context& context_;
+  State& state_;
+  Pass pass_;
+  std::vector<Polynomial> open_;
+};
+
+}  // namespace
+
+PairsResult refute_pairs(Context& context, State& state, Pass pass) {
+  return PairSearch(context, state, pass).run();
 }
 
 }  // namespace slipproof::prove

@@ -1,9 +1,9 @@
-// Strategy: linear programming over products of hypotheses. In a sum of products with unknown weights and of equations
-// with unknown multiples every monomial has to vanish, which is linear in the unknowns.
+#include "prove/products.hpp"
+
+#include <algorithm>
 #include <numeric>
 
 #include "number/linear_program.hpp"
-#include "prove/state.hpp"
 
 namespace slipproof::prove {
 namespace {
@@ -14,13 +14,13 @@ using Monomial = std::vector<unsigned long>;
 
 /// A line that an identity may have: a product of inequalities, or an equation times a monomial.
 struct Candidate {
-  Product product;
-  bool strict = true;
+  Product product = {};
+  bool strict = false;
   const Fact* equation = nullptr;
   Polynomial worth;
   Polynomial multiplier;  ///< of the equation
-  std::vector<std::pair<std::size_t, Rational>> row =
-      {};  ///< the coefficients of `worth`, by the index of the monomial
+  /// The coefficients of `worth`, by the index of the monomial.
+  std::vector<std::pair<std::size_t, Rational>> row = {};
 };
 
 unsigned long total_degree(const Monomial& monomial) {
@@ -39,7 +39,7 @@ class ProductProgram {
 
   /// All products of at most `degree` of the inequalities, those of few factors first; 1 is one of them.
   void add_products(const std::vector<const Fact*>& inequalities, unsigned degree) {
-    candidates_.push_back({{}, true, nullptr, Polynomial(ring_, 1), Polynomial(ring_)});
+    candidates_.push_back({.strict = true, .worth = Polynomial(ring_, 1), .multiplier = Polynomial(ring_)});
     std::vector<std::size_t> last = {0};  // the factor of each candidate with the largest index
     std::size_t begin = 0;
     for (unsigned factors = 1; factors <= degree; ++factors) {
@@ -78,7 +78,7 @@ class ProductProgram {
     }
     for (const Polynomial& monomial : monomials) {
       budget_.spend(equation.p.length());
-      candidates_.push_back({{}, false, &equation, equation.p * monomial, monomial});
+      candidates_.push_back({.equation = &equation, .worth = equation.p * monomial, .multiplier = monomial});
     }
   }
 
@@ -147,15 +147,20 @@ class ProductProgram {
     const LinearOptimum optimum = minimize(objective, constraints, budget_.left() / pivot_steps);
     budget_.spend(optimum.pivots * pivot_steps);
     if (optimum.kind != LinearOptimum::Kind::attained || !optimum.value.is_zero()) return std::nullopt;
+    return identity(optimum.multipliers);
+  }
+
+  /// With a weight for each product, and for each equation two, of which the difference counts.
+  Identity identity(const std::vector<Rational>& weights) const {
     Identity identity;
     std::size_t next = 0;
     for (const Candidate& candidate : candidates_) {
-      const Rational weight = optimum.multipliers[next++];
+      const Rational weight = weights[next++];
       if (candidate.equation == nullptr) {
         if (!weight.is_zero()) identity.terms.push_back({weight, candidate.product});
         continue;
       }
-      const Polynomial multiple = candidate.multiplier.scaled(weight - optimum.multipliers[next++]);
+      const Polynomial multiple = candidate.multiplier.scaled(weight - weights[next++]);
       if (multiple.is_zero()) continue;
       const std::string& name = candidate.equation->name;
       if (identity.equations.empty() || identity.equations.back().first != name) {
@@ -176,8 +181,8 @@ class ProductProgram {
 
 }  // namespace
 
-bool Search::refute_products(State& state) {
-  if (product_degree_ < 2) return false;
+bool refute_products(Context& context, State& state) {
+  if (context.reach.product_degree < 2) return false;
   std::vector<const Fact*> inequalities, equations;
   for (const std::vector<Fact>* facts : {&state.facts, &state.derived}) {
     for (const Fact& fact : *facts) (fact.sign == Sign::zero ? equations : inequalities).push_back(&fact);
@@ -186,10 +191,11 @@ bool Search::refute_products(State& state) {
     const auto size = [](const Fact* fact) { return std::pair(total_degree(fact->p), fact->p.length()); };
     return size(x) < size(y);
   });
-  ProductProgram program(statement_.ring(), budget_);
-  program.add_products(inequalities, product_degree_);
-  for (const Fact* equation : equations) program.add_multiples(*equation, limits_.products / 4);
-  auto identity = program.solve(limits_.products);
+  const std::size_t limit = context.limits().products;
+  ProductProgram program(context.ring(), context.budget());
+  program.add_products(inequalities, context.reach.product_degree);
+  for (const Fact* equation : equations) program.add_multiples(*equation, limit / 4);
+  auto identity = program.solve(limit);
   if (!identity) return false;
   state.steps.push_back(contradiction(std::move(*identity)));
   return true;

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "prove/instance.hpp"
+#include "prove/search.hpp"
 
 namespace slipproof {
 
@@ -89,9 +90,11 @@ class Prover {
     const prove::Ring& ring = statement_.ring();
     ring.budget().renew(steps);
     try {
-      return find_instance(ring, formula, {statement_.hints(), attempts, true, [&](const auto& values) {
-                                             return holds_at(formula, values) && (!accept || accept(values));
-                                           }});
+      return find_instance(
+          ring, formula,
+          {.boundaries = statement_.hints(), .attempts = attempts, .roots = true, .accept = [&](const auto& values) {
+             return holds_at(formula, values) && (!accept || accept(values));
+           }});
     } catch (const Budget::Spent&) {
       return std::nullopt;
     }

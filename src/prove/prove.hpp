@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "prove/search.hpp"
+#include "prove/limits.hpp"
 #include "statements/refutation_text.hpp"
 
 namespace slipproof {

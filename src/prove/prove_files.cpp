@@ -10,6 +10,7 @@
 #include "input/diagnostic.hpp"
 #include "input/text_file.hpp"
 #include "parallel/thread_count.hpp"
+#include "prove/statement.hpp"
 
 namespace slipproof {
 
@@ -53,7 +54,7 @@ std::optional<FileOutcome> kept(const std::filesystem::path& statement) {
   if (!std::filesystem::is_regular_file(certificate, error)) return std::nullopt;
   const check::FileResult checked = check::check_file(certificate);
   if (checked.verdict != check::Verdict::accepted) return std::nullopt;
-  FileOutcome result{statement, {}, true};
+  FileOutcome result{.statement = statement, .outcome = {}, .kept = true};
   result.outcome.theorem = checked.theorem;
   result.outcome.verdict = ProofOutcome::Verdict::proved;
   result.outcome.certificate = read_text_file(certificate, max_certificate_size);
@@ -83,7 +84,7 @@ class Run {
     if (!options_.again) {
       if (auto old = kept(statement)) return *std::move(old);
     }
-    FileOutcome result{statement, search(statement), false};
+    FileOutcome result{.statement = statement, .outcome = search(statement)};
     if (options_.again && !result.outcome.proved()) {
       if (auto old = kept(statement)) return *std::move(old);
     }

@@ -2,185 +2,145 @@
 
 #include <fmt/format.h>
 
-#include "prove/state.hpp"
+#include <algorithm>
+
+#include "prove/cases.hpp"
+#include "prove/elimination.hpp"
+#include "prove/existence.hpp"
+#include "prove/facts.hpp"
+#include "prove/pairs.hpp"
+#include "prove/products.hpp"
+#include "prove/single_facts.hpp"
+#include "prove/splits.hpp"
+#include "prove/squares.hpp"
 
 namespace slipproof::prove {
 
 namespace {
 
-/// Which variables the hypotheses say to be positive.
-std::vector<bool> positive_variables(const Statement& statement) {
-  std::vector<bool> result(statement.ring().size());
-  const std::function<void(const Formula&)> visit = [&](const Formula& formula) {
-    if (formula.kind == Formula::Kind::conjunction) {
-      for (const Formula& part : formula.parts) visit(part);
-    } else if (formula.kind == Formula::Kind::atom && formula.sign == Sign::positive) {
-      const std::vector<std::size_t> variables = formula.polynomial.front().variables();
-      if (variables.size() != 1) return;
-      if (formula.polynomial.front() == Polynomial::variable(statement.ring(), variables[0])) {
-        result[variables[0]] = true;
-      }
-    }
-  };
-  for (const auto& [name, formula] : statement.assumptions()) visit(formula);
-  return result;
-}
+/// Disjunctions of more parts are mostly negated conclusions.
+constexpr std::size_t few_cases = 4;
 
-}  // namespace
-
-Search::Search(const Statement& statement, const Limits& limits)
-    : statement_(statement),
-      limits_(limits),
-      samples_(statement.ring(), positive_variables(statement)),
-      budget_(statement.ring().budget()) {}
-
-std::string Search::unused(const std::string& name) {
-  const auto& assumptions = statement_.assumptions();
-  const bool taken =
-      std::any_of(assumptions.begin(), assumptions.end(), [&](const auto& named) { return named.first == name; });
-  return taken ? fresh() : name;
-}
-
-std::string Search::fresh() {
-  return unused("e" + std::to_string(++counter_));
-}
-
-void Search::keep_leftover(const State& state) {
-  leftover_.facts.clear();
-  for (const Fact& fact : state.facts) {
-    constexpr std::size_t shown = 300;
-    std::string p = fact.p.text();
-    if (p.size() > shown) p.replace(shown, p.npos, "...");
-    leftover_.facts.push_back(fact.name + ": " + p +
-                              (fact.sign == Sign::zero       ? " = 0"
-                               : fact.sign == Sign::positive ? " > 0"
-                                                             : " >= 0"));
-  }
-}
+/// Products of so many hypotheses are looked at in the end.
+constexpr unsigned highest_product_degree = 3;
 
 /// Whether a sample clearly meets all facts, and nothing else is left: then they do not contradict each other.
-bool Search::hopeless(const State& state) {
+bool hopeless(Context& context, const State& state) {
   SampleSet inside = SampleSet::all();
   for (const Fact& fact : state.facts) {
     if (fact.sign == Sign::zero) return false;
-    inside &= signs_at_samples(fact.p).positive;
+    inside &= context.signs_at_samples(fact.p).positive;
   }
   return state.disjunctions.empty() && !inside.empty();
 }
 
-/// Whether elimination alone makes a sign condition evidently false.
-bool Search::refuted_by_rules(State& state, const Formula& formula) {
-  if (formula.kind != Formula::Kind::atom) return evident(formula) == false;
-  Fact fact{"", formula.polynomial.front(), formula.sign};
-  State scratch;
-  for (const Rule& rule : state.rules) {
-    budget_.spend(fact.p.length());
-    reduce(scratch, rule, fact);
-  }
-  return evident(atom(fact.p, fact.sign)) == false;
+std::string shown(const Fact& fact) {
+  constexpr std::size_t longest = 300;
+  std::string p = fact.p.text();
+  if (p.size() > longest) p.replace(longest, p.npos, "...");
+  return fact.name + ": " + p + (fact.sign == Sign::zero ? " = 0" : fact.sign == Sign::positive ? " > 0" : " >= 0");
 }
 
-/// Closes the state: on success its steps end in a contradiction or a split all of whose branches do.
+}  // namespace
+
+Search::Search(const Statement& statement, const Limits& limits) : context_(statement, limits) {}
+
+void Search::keep_leftover(const State& state) {
+  leftover_.facts.clear();
+  for (const Fact& fact : state.facts) leftover_.facts.push_back(shown(fact));
+}
+
+/// Closes the state, with so many splits one within the other: on success its steps end in a contradiction, or in a
+/// case distinction all of whose branches do.
 bool Search::close(State& state, int depth) {
-  if (eliminate(state)) return true;
-  drop_known_cases(state);
-  if (refute_facts(state, false)) return true;
-  if (!state.disjunctions.empty()) {
-    for (std::size_t i = 0; i < state.disjunctions.size(); ++i) {
-      if (evident(state.disjunctions[i].second) != false) continue;
-      return close_cases(state, i, [&](State& branch) { return close(branch, 0); });
-    }
-    for (std::size_t i = 0; i < state.disjunctions.size(); ++i) {
-      const auto& parts = state.disjunctions[i].second.parts;
-      if (!std::all_of(parts.begin(), parts.end(),
-                       [&](const Formula& part) { return refuted_by_rules(state, part); })) {
-        continue;
-      }
-      return close_cases(state, i, [&](State& branch) { return close(branch, 0); });
-    }
-    // Alternatives that can be opened one at a time: the shortest first.
-    std::size_t which = 0;
-    for (std::size_t i = 1; i < state.disjunctions.size(); ++i) {
-      if (state.disjunctions[i].second.parts.size() < state.disjunctions[which].second.parts.size()) which = i;
-    }
-    if (state.disjunctions[which].second.parts.size() > 4) {  // long ones are mostly negated conclusions: try without
-      State bare = state;
-      bare.disjunctions.clear();
-      if (close(bare, std::min(depth, 1))) {
-        state = std::move(bare);
-        return true;
-      }
-    }
-    return close_cases(state, which, [&](State& branch) { return close(branch, depth); });
-  }
-  if (hopeless(state)) {
+  if (eliminate(context_, state)) return true;
+  drop_known_cases(context_, state);
+  if (refute_single_fact(context_, state, Pass::quick)) return true;
+  if (!state.disjunctions.empty()) return close_disjunctions(state, depth);
+  if (hopeless(context_, state)) {
     keep_leftover(state);
     return false;
   }
-  std::vector<Polynomial> candidates;
-  if (refute_pairs(state, candidates, false)) return true;
-  if (refute_facts(state, true)) return true;
-  candidates.clear();
-  if (refute_pairs(state, candidates, true)) return true;
-  if (refute_products(state)) return true;
-  if (leftover_.facts.empty() || depth == limits_.split_depth) keep_leftover(state);
-  if (depth == 0) return false;
-  const Close shallower = [&](State& branch) { return close(branch, depth - 1); };
-  const auto close_by_any = [&](const std::vector<Polynomial>& proposed) {
-    for (std::size_t i = 0; i < proposed.size() && i < static_cast<std::size_t>(limits_.split_candidates); ++i) {
-      if (close_split(state, proposed[i], shallower)) return true;
-    }
-    return false;
-  };
-  if (close_by_any(split_candidates(state, candidates))) return true;
-  return product_degree_ > 1 && (close_squares(state, shallower) || close_by_any(plain_candidates(state)));
+  if (refute_pairs(context_, state, Pass::quick).refuted) return true;
+  if (refute_single_fact(context_, state, Pass::thorough)) return true;
+  const PairsResult pairs = refute_pairs(context_, state, Pass::thorough);
+  if (pairs.refuted || refute_products(context_, state)) return true;
+  if (leftover_.facts.empty() || depth == context_.reach.split_depth) keep_leftover(state);
+  return depth > 0 && close_by_splits(state, depth, pairs.open);
 }
 
-std::optional<Proof> Search::prove() {
-  budget_.renew(limits_.steps);
-  budget_.watch(limits_.tick);
-  try {
-    auto proof = search();
-    budget_.lift();
-    return proof;
-  } catch (const Budget::Spent&) {
-    budget_.lift();
-    leftover_.exhausted = true;
-    leftover_.facts.insert(leftover_.facts.begin(), fmt::format("no step left of {}", limits_.steps));
-    return std::nullopt;
+/// Opens one disjunction, and so on in its branches.
+bool Search::close_disjunctions(State& state, int depth) {
+  const NextCases next = next_cases(context_, state);
+  if (!next.impossible && state.disjunctions[next.index].second.parts.size() > few_cases) {  // try without
+    State bare = state;
+    bare.disjunctions.clear();
+    if (close(bare, std::min(depth, 1))) {
+      state = std::move(bare);
+      return true;
+    }
   }
+  return close_cases(context_, state, next.index,
+                     [&](State& branch) { return close(branch, next.impossible ? 0 : depth); });
+}
+
+bool Search::close_by_splits(State& state, int depth, const std::vector<Polynomial>& open_factors) {
+  const Close shallower = [&](State& branch) { return close(branch, depth - 1); };
+  const auto close_by_any = [&](const std::vector<Polynomial>& proposed) {
+    const auto tried = std::min(proposed.size(), static_cast<std::size_t>(context_.limits().split_candidates));
+    return std::any_of(proposed.begin(), proposed.begin() + static_cast<std::ptrdiff_t>(tried),
+                       [&](const Polynomial& p) { return close_split(context_, state, p, shallower); });
+  };
+  if (close_by_any(split_candidates(context_, state, open_factors))) return true;
+  if (context_.reach.product_degree == 1) return false;
+  return close_squares(context_, state, shallower) || close_by_any(plain_candidates(context_, state));
 }
 
 /// Splits once, then as often as the limits allow.
 bool Search::search_deeper(const State& start, State& closed) {
-  const int deepest = limits_.split_depth;
-  bool found = false;
-  for (limits_.split_depth = std::min(deepest, 1);; ++limits_.split_depth) {
+  const Statement& statement = context_.statement();
+  int& depth = context_.reach.split_depth;
+  const auto close_fully = [&](State& state) { return close(state, depth); };
+  for (depth = std::min(context_.limits().split_depth, 1);; ++depth) {
     closed = start;
-    if (statement_.unknowns().empty()) {
-      found = add_formula(closed, "goal", negation(statement_.shown())) || close(closed, limits_.split_depth);
-    } else {
-      found = close_existence(closed, 0);
-    }
-    if (found || limits_.split_depth >= deepest) break;
+    const bool found = statement.unknowns().empty()
+                           ? add_formula(context_, closed, "goal", negation(statement.shown())) || close_fully(closed)
+                           : Existence(context_, close_fully).close(closed);
+    if (found || depth >= context_.limits().split_depth) return found;
   }
-  limits_.split_depth = deepest;
-  return found;
 }
 
 std::optional<Proof> Search::search() {
   State start;
-  bool closed = false;
-  for (const auto& [name, formula] : statement_.assumptions()) closed = closed || add_formula(start, name, formula);
-  closed = closed || eliminate(start);
-  for (product_degree_ = 1; !closed; ++product_degree_) {
-    if (product_degree_ > (limits_.products > 0 ? 3U : 1U)) return std::nullopt;
+  const auto& assumptions = context_.statement().assumptions();
+  bool closed = std::any_of(assumptions.begin(), assumptions.end(),
+                            [&](const auto& named) { return add_formula(context_, start, named.first, named.second); });
+  closed = closed || eliminate(context_, start);
+  unsigned& degree = context_.reach.product_degree;
+  for (degree = 1; !closed; ++degree) {
+    if (degree > (context_.limits().products > 0 ? highest_product_degree : 1)) return std::nullopt;
     State state;
     closed = search_deeper(start, state);
     if (closed) start = std::move(state);
   }
   prune(start.steps);
   return std::move(start.steps);
+}
+
+std::optional<Proof> Search::prove() {
+  Budget& budget = context_.budget();
+  budget.renew(context_.limits().steps);
+  budget.watch(context_.limits().tick);
+  try {
+    auto proof = search();
+    budget.lift();
+    return proof;
+  } catch (const Budget::Spent&) {
+    budget.lift();
+    leftover_.exhausted = true;
+    leftover_.facts.insert(leftover_.facts.begin(), fmt::format("no step left of {}", context_.limits().steps));
+    return std::nullopt;
+  }
 }
 
 }  // namespace slipproof::prove

@@ -57,7 +57,7 @@ class SlackSearch {
 
  private:
   std::optional<SlackForm> read_off(const Coordinates& at, const Polynomial& p, const Product& multiplier) const {
-    SlackForm result{multiplier, {}, false};
+    SlackForm result{.multiplier = multiplier};
     for (const Term& term : p.terms()) {
       if (term.coefficient < 0) return std::nullopt;
       WeightedProduct product{term.coefficient, {}};
@@ -163,9 +163,9 @@ class SlackSearch {
 }  // namespace
 
 std::optional<SlackForm> find_slack_form(const std::vector<Fact>& facts, const std::vector<Fact>& derived,
-                                         const Polynomial& p, const SampleSet& negative, int depth, int attempts,
+                                         const Polynomial& p, const SampleSet& negative, SlackEffort effort,
                                          Budget& budget) {
-  return SlackSearch(facts, derived, negative, attempts, budget).run(p, depth);
+  return SlackSearch(facts, derived, negative, effort.attempts, budget).run(p, effort.depth);
 }
 
 }  // namespace slipproof::prove

@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "polynomial/budget.hpp"
 #include "prove/proof.hpp"
 #include "prove/samples.hpp"
 
@@ -22,15 +21,20 @@ struct Fact {
 /// strict.
 struct SlackForm {
   Product multiplier;
-  std::vector<WeightedProduct> terms;
+  std::vector<WeightedProduct> terms = {};
   bool strict = false;  ///< some term consists of strict hypotheses only, so p > 0; otherwise p >= 0
 };
 
+/// How many variables are replaced at a time, in how many attempts.
+struct SlackEffort {
+  int depth, attempts;
+};
+
 /// Looks for coordinates in which all coefficients of p are positive: one variable after another is replaced by the
-/// slack of a hypothesis that is linear in it, at most `depth` of them, in at most `attempts` attempts. Uses
-/// inequalities only, and leaves out what is false for a sample: p is negative at `negative`.
+/// slack of a hypothesis that is linear in it. Uses inequalities only, and leaves out what is false for a sample: p is
+/// negative at `negative`.
 std::optional<SlackForm> find_slack_form(const std::vector<Fact>& facts, const std::vector<Fact>& derived,
-                                         const Polynomial& p, const SampleSet& negative, int depth, int attempts,
+                                         const Polynomial& p, const SampleSet& negative, SlackEffort effort,
                                          Budget& budget);
 
 }  // namespace slipproof::prove

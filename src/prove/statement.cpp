@@ -33,8 +33,12 @@ Polynomial product(const Polynomial& x, const Polynomial& y, std::size_t column)
   return bounded(x * y, column);
 }
 
-ValueWithDivisors sum(ValueWithDivisors x, ValueWithDivisors y, bool minus, std::size_t column) {
-  if (minus) y.numerator = -y.numerator;
+ValueWithDivisors negated(ValueWithDivisors x) {
+  x.numerator = -x.numerator;
+  return x;
+}
+
+ValueWithDivisors sum(ValueWithDivisors x, const ValueWithDivisors& y, std::size_t column) {
   add_divisors(x.divisors, y.divisors);
   if (x.denominator == y.denominator) {
     x.numerator += y.numerator;
@@ -54,7 +58,7 @@ ValueWithDivisors times(ValueWithDivisors x, const ValueWithDivisors& y, std::si
 }
 
 Formula comparison(const ValueWithDivisors& x, const ValueWithDivisors& y, Relation relation, std::size_t column) {
-  const ValueWithDivisors difference = sum(x, y, true, column);
+  const ValueWithDivisors difference = sum(x, negated(y), column);
   std::vector<Formula> parts;
   for (const Polynomial& divisor : difference.divisors) parts.push_back(non_zero(divisor));
   if (relation == Relation::not_equal) {
@@ -105,14 +109,12 @@ struct Statement::Meaning {
         return {bounded(Polynomial(ring, e->number), e->column), Polynomial(ring, 1), {}};
       case Operation::symbol:
         return values.at(e->symbol);
-      case Operation::negate: {
-        ValueWithDivisors result = operand(0);
-        result.numerator = -result.numerator;
-        return result;
-      }
+      case Operation::negate:
+        return negated(operand(0));
       case Operation::add:
+        return sum(operand(0), operand(1), e->column);
       case Operation::subtract:
-        return sum(operand(0), operand(1), e->operation == Operation::subtract, e->column);
+        return sum(operand(0), negated(operand(1)), e->column);
       case Operation::multiply:
         return times(operand(0), operand(1), e->column);
       case Operation::divide: {

@@ -1,0 +1,39 @@
+// Proofs that something exists, by a witness: values of the unknowns, after which it is left to refute that they fail.
+// The values are numbers where the statement has no parameters, otherwise the solution of the conclusion's equations
+// (solution.hpp) or a value between bounds (bounds.hpp). Nothing else is tried: what exists only as a root of a
+// polynomial, without a formula in the parameters, is not found.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "prove/bounds.hpp"
+#include "prove/context.hpp"
+#include "prove/state.hpp"
+
+namespace slipproof::prove {
+
+class Existence {
+ public:
+  /// `close` refutes what is left when the values are stated.
+  Existence(Context& context, Close close) : context_(context), close_(std::move(close)) {}
+
+  /// Proves that the unknowns of the statement exist, in a state of its assumptions; or leaves it open.
+  bool close(State& state) { return close_from(state, 0); }
+
+ private:
+  bool close_from(State& state, std::size_t hint);
+  bool close_by_numbers(State& state);
+  bool close_by_solution(State& state);
+  bool close_by_alternatives(State& state, int splits);
+  bool close_by_bounds(State& state, int splits);
+  bool close_by_stronger_bounds(State& state, const Bounds& bounds, int splits);
+  bool close_by_witness(State& state, const std::vector<std::string>& values);
+
+  const Statement& statement() const { return context_.statement(); }
+
+  Context& context_;
+  Close close_;
+};
+
+}  // namespace slipproof::prove
