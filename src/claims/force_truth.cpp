@@ -67,11 +67,11 @@ class OverForces {
     std::vector<TruthCell> cells;
     std::optional<Rational> lower;
     for (const Rational& root : roots_) {
-      append(cells, ForceInterval::between(lower, false, root, false));
+      append(cells, ForceInterval::open_between(lower, root));
       append(cells, ForceInterval::point(root));
       lower = root;
     }
-    append(cells, ForceInterval::between(lower, false, std::nullopt, false));
+    append(cells, ForceInterval::open_between(lower, std::nullopt));
     return cells;
   }
 

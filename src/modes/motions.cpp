@@ -144,7 +144,7 @@ Cell point_cell(const ModeTable& table, const Rational& force) {
 std::optional<Motion<Affine<Rational>>> only_motion(const Continuum& c, ForceInterval forces) {
   forces.intersect(c.closed);
   const Rational x = forces.sample();
-  const Rational y = ForceInterval::between(x, false, forces.upper(), false).sample();
+  const Rational y = ForceInterval::open_between(x, forces.upper()).sample();
   std::array<std::optional<Motion<Rational>>, 2> found;
   for (const std::size_t i : {0U, 1U}) {
     const Rational& force = i == 0 ? x : y;
@@ -209,11 +209,11 @@ std::vector<Cell> partition(const ModeTable& table) {
   std::vector<Cell> cells;
   std::optional<Rational> below;
   for (const Rational& point : breakpoints(table)) {
-    cells.push_back(open_cell(table, ForceInterval::between(below, false, point, false)));
+    cells.push_back(open_cell(table, ForceInterval::open_between(below, point)));
     cells.push_back(point_cell(table, point));
     below = point;
   }
-  cells.push_back(open_cell(table, ForceInterval::between(below, false, std::nullopt, false)));
+  cells.push_back(open_cell(table, ForceInterval::open_between(below, std::nullopt)));
   return cells;
 }
 

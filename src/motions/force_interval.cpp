@@ -20,6 +20,10 @@ ForceInterval ForceInterval::point(Rational force) {
   return result;
 }
 
+ForceInterval ForceInterval::open_between(std::optional<Rational> lower, std::optional<Rational> upper) {
+  return between(std::move(lower), false, std::move(upper), false);
+}
+
 ForceInterval ForceInterval::between(std::optional<Rational> lower, bool lower_closed, std::optional<Rational> upper,
                                      bool upper_closed) {
   ForceInterval result;

@@ -19,6 +19,8 @@ class ForceInterval {
   /// No value: infinite. An interval with nothing in it becomes nothing().
   static ForceInterval between(std::optional<Rational> lower, bool lower_closed, std::optional<Rational> upper,
                                bool upper_closed);
+  /// The same without its ends.
+  static ForceInterval open_between(std::optional<Rational> lower, std::optional<Rational> upper);
 
   bool empty() const { return empty_; }
   bool is_point() const { return !empty_ && lower_ && upper_ && *lower_ == *upper_; }

@@ -101,7 +101,7 @@ class Attempt {
         if (formula.parts.empty()) {
           conditions_.push_back({Polynomial(ring_, 1), Sign::zero});
         } else if (const Polynomial* p = non_zero_polynomial(formula)) {
-          conditions_.push_back({*p, Sign::positive, true});
+          conditions_.push_back({.p = *p, .sign = Sign::positive, .either_sign = true});
         } else if (late_choices_ && !has_equation(formula)) {
           unchosen_.push_back(&formula);
         } else {

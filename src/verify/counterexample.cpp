@@ -102,10 +102,11 @@ class Maker {
 }  // namespace
 
 Counterexamples counterexamples(const ClaimsFile& file, const CompiledClaims& compiled, std::size_t claim,
-                                Reading reading, const FailingSamples& failing, bool simplified, std::uint64_t seed) {
+                                Reading reading, const FailingSamples& failing, Showing showing, std::uint64_t seed) {
   const Maker maker(file, compiled, claim, reading);
-  if (!simplified) {
-    return {maker.at({failing.realisable.empty() ? failing.simplest : failing.realisable, false}), std::nullopt};
+  if (showing == Showing::as_found) {
+    const auto& found = failing.realisable.empty() ? failing.simplest : failing.realisable;
+    return {maker.at({.values = found, .minimal = false}), std::nullopt};
   }
   Counterexample simplest = maker.at(*maker.simplest(failing.simplest, Among::all));
   if (simplest.unrealisable.empty()) return {std::move(simplest), std::nullopt};

@@ -21,9 +21,13 @@ struct Counterexamples {
   std::optional<Counterexample> simpler;
 };
 
-/// As ClaimResult has them. `simplified`: look for simpler samples than those that are given, and among bicycles that
-/// can be built, drawn from the seed, where none of those given can.
+enum class Showing : std::uint8_t {
+  as_found,  ///< one of the samples that are given
+  simplest   ///< simpler ones, too, and bicycles that can be built, drawn from the seed, where none of those given can
+};
+
+/// As ClaimResult has them.
 Counterexamples counterexamples(const ClaimsFile& file, const CompiledClaims& compiled, std::size_t claim,
-                                Reading reading, const FailingSamples& failing, bool simplified, std::uint64_t seed);
+                                Reading reading, const FailingSamples& failing, Showing showing, std::uint64_t seed);
 
 }  // namespace slipproof

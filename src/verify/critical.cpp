@@ -50,8 +50,10 @@ class View {
         compiled_(compiled),
         parts_(parts),
         found_(found),
-        evaluator_(evaluator_along(line, compiled, {&found, here, branches, false}, std::nullopt)),
-        growing_(evaluator_along(line, compiled, {&found, here, branches, true}, parts.grows)) {}
+        evaluator_(
+            evaluator_along(line, compiled, {.found = &found, .here = here, .branches = branches}, std::nullopt)),
+        growing_(evaluator_along(
+            line, compiled, {.found = &found, .here = here, .branches = branches, .at_infinity = true}, parts.grows)) {}
 
   void collect() {
     found_.begin_group(0);
@@ -121,7 +123,7 @@ class View {
 /// From the first end of the domain on the line to the last: nothing beyond needs to be looked at.
 LinePart domain_part(const Line& line, const CompiledSetting& compiled) {
   CriticalSet found;
-  LineEvaluator evaluator = evaluator_along(line, compiled, {&found, line.inside, 0, false}, std::nullopt);
+  LineEvaluator evaluator = evaluator_along(line, compiled, {.found = &found, .here = line.inside}, std::nullopt);
   for (const Program& domain : compiled.domains()) add_comparisons(domain, evaluator);
   if (!found.orders().empty() || found.branches() > 0) return {};
   const std::vector<RealRoot> roots = real_roots(found.polynomials());

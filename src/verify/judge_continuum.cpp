@@ -20,10 +20,12 @@ class Polytope {
  public:
   explicit Polytope(std::size_t variables) : variables_(variables) {}
 
-  void require(const Linear& form, bool strict) {
+  enum class Side : std::uint8_t { not_negative, positive };
+
+  void require(const Linear& form, Side side) {
     AffineForm row{form.constant, std::vector<Rational>(variables_ + 1)};
     for (std::size_t i = 0; i < form.coefficients.size(); ++i) row.coefficients[i] = form.coefficients[i];
-    if (strict) row.coefficients[variables_] = -1;
+    if (side == Side::positive) row.coefficients[variables_] = -1;
     rows_.push_back(std::move(row));
   }
   void forget(std::size_t count) { rows_.resize(rows_.size() - count); }
@@ -117,8 +119,8 @@ class PointSearch {
     const Linear d = *x.number - *y.number;
     for (const int sign : {-1, 0, 1}) {
       if (holds(instruction.relation, sign) != yes) continue;
-      polytope_.require(sign < 0 ? -d : d, sign != 0);
-      if (sign == 0) polytope_.require(-d, false);
+      polytope_.require(sign < 0 ? -d : d, sign == 0 ? Polytope::Side::not_negative : Polytope::Side::positive);
+      if (sign == 0) polytope_.require(-d, Polytope::Side::not_negative);
       Point found = next();
       polytope_.forget(sign == 0 ? 2 : 1);
       if (found) return found;
@@ -156,11 +158,12 @@ Judgement ClaimJudge::formula_about_all(const ForceInterval& forces, const ModeS
                   linear(c.base[q], [&](std::size_t k) { return c.directions[k][q]; }));
   }
   Polytope polytope(variables);
+  const auto side = [](bool strict) { return strict ? Polytope::Side::positive : Polytope::Side::not_negative; };
   for (const auto& row : c.conditions()) {
-    polytope.require(linear({row[0], row[1]}, [&](std::size_t k) { return row[k + 2]; }), strict());
+    polytope.require(linear({row[0], row[1]}, [&](std::size_t k) { return row[k + 2]; }), side(strict()));
   }
-  const auto end = [&](const std::optional<Rational>& value, int side, bool closed) {
-    if (value) polytope.require((x - LinearField().constant(*value)).scaled(side), !closed);
+  const auto end = [&](const std::optional<Rational>& value, int direction, bool closed) {
+    if (value) polytope.require((x - LinearField().constant(*value)).scaled(direction), side(!closed));
   };
   end(forces.lower(), 1, forces.lower_closed());
   end(forces.upper(), -1, forces.upper_closed());

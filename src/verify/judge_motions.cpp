@@ -146,11 +146,11 @@ ClaimJudge::Intervals ClaimJudge::pieces(const std::vector<Intervals>& changes) 
     if (!common(piece, domain()).empty()) result.push_back(piece);
   };
   for (const Rational& x : cuts) {
-    add(ForceInterval::between(below, false, x, false));
+    add(ForceInterval::open_between(below, x));
     add(ForceInterval::point(x));
     below = x;
   }
-  add(ForceInterval::between(below, false, std::nullopt, false));
+  add(ForceInterval::open_between(below, std::nullopt));
   return result;
 }
 

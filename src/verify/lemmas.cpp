@@ -101,10 +101,10 @@ bool Implications::proves(std::size_t claim, const ClaimBody& body, Lemmas& lemm
 }
 
 bool Implications::implies(std::vector<Expression> given, const Expression& shown, Lemmas& lemmas,
-                           std::optional<ContactMode> mode, bool on_road) const {
+                           std::optional<ContactMode> mode, Obeying obeying) const {
   const Expression rest = not_given(shown, given);
   if (rest->operation == Operation::truth && rest->truth) return true;
-  if (prove(given, rest, lemmas, mode, on_road)) return true;
+  if (prove(given, rest, lemmas, mode, obeying)) return true;
   // What differs from 0 is above or below: said first, that helps the search with all that comes after it.
   std::vector<Expression> known;
   for (const Expression& e : given) collect_conjuncts(e, known);
@@ -116,7 +116,7 @@ bool Implications::implies(std::vector<Expression> given, const Expression& show
   const auto holds_where = [&](Relation relation) {
     std::vector<Expression> branch{make_comparison((*unequal)->operands, {relation})};
     branch.insert(branch.end(), given.begin(), given.end());
-    return prove(branch, rest, lemmas, mode, on_road);
+    return prove(branch, rest, lemmas, mode, obeying);
   };
   if (holds_where(Relation::greater) && holds_where(Relation::less)) return true;
   lemmas.resize(before);
@@ -124,19 +124,24 @@ bool Implications::implies(std::vector<Expression> given, const Expression& show
 }
 
 bool Implications::prove(const std::vector<Expression>& given, const Expression& shown, Lemmas& lemmas,
-                         std::optional<ContactMode> mode, bool on_road) const {
-  const auto text = implication_statement(*file_, {"lemma", setting_, given, shown, on_road, mode});
+                         std::optional<ContactMode> mode, Obeying obeying) const {
+  const auto text = implication_statement(*file_, {.name = "lemma",
+                                                   .setting = setting_,
+                                                   .given = given,
+                                                   .shown = shown,
+                                                   .on_road = obeying == Obeying::equations_on_road,
+                                                   .mode = mode});
   return text && prove(*text, lemmas);
 }
 
 bool Implications::equivalent(const std::vector<Expression>& given, const Expression& x, const Expression& y,
-                              Lemmas& lemmas, bool on_road) const {
+                              Lemmas& lemmas, Obeying obeying) const {
   const auto with = [&](const Expression& e) {
     std::vector<Expression> all = given;
     all.push_back(e);
     return all;
   };
-  return implies(with(x), y, lemmas, std::nullopt, on_road) && implies(with(y), x, lemmas, std::nullopt, on_road) &&
+  return implies(with(x), y, lemmas, std::nullopt, obeying) && implies(with(y), x, lemmas, std::nullopt, obeying) &&
          divides_alike(given, x, y, lemmas);
 }
 
@@ -171,7 +176,8 @@ bool Implications::divides_alike(const std::vector<Expression>& given, const Exp
 bool Implications::eventually(const Expression& given, const Expression& shown, std::string_view parameter,
                               Lemmas& lemmas) const {
   if (names_.depends(given, Reading::printed, parameter)) return false;
-  auto text = implication_statement(*file_, {"lemma", setting_, {given}, shown, false, std::nullopt});
+  auto text = implication_statement(
+      *file_, {.name = "lemma", .setting = setting_, .given = {given}, .shown = shown, .mode = std::nullopt});
   if (!text) return false;
   const prove::Statement statement("lemma", *text);
   for (std::size_t variable = 0; variable < statement.ring().size(); ++variable) {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "claims/setting_names.hpp"
-#include "prove/search.hpp"
+#include "prove/limits.hpp"
 
 namespace slipproof {
 
@@ -34,6 +34,12 @@ class LemmaBook {
   std::map<std::string, std::string> known_;
 };
 
+/// What the unknowns of an implication are, where they are no motion in a mode.
+enum class Obeying : std::uint8_t {
+  nothing,           ///< any numbers
+  equations_on_road  ///< numbers that obey the equations of motion with both wheels on the road
+};
+
 /// Implications in one setting of a claims file with one reading. Each of them adds what it proves to `lemmas`.
 class Implications {
  public:
@@ -43,13 +49,12 @@ class Implications {
 
   const SettingNames& names() const { return names_; }
 
-  /// `given` implies `shown`: of any numbers, of all motions in a mode, or (`on_road`) of all that obeys the equations
-  /// of motion with both wheels on the road.
+  /// `given` implies `shown`: of any numbers, of all motions in a mode, or of unknowns that obey equations.
   bool implies(std::vector<Expression> given, const Expression& shown, Lemmas& lemmas,
-               std::optional<ContactMode> mode = std::nullopt, bool on_road = false) const;
+               std::optional<ContactMode> mode = std::nullopt, Obeying obeying = Obeying::nothing) const;
   /// x and y are true of the same under `given`, and what only y divides by is never 0 there.
   bool equivalent(const std::vector<Expression>& given, const Expression& x, const Expression& y, Lemmas& lemmas,
-                  bool on_road = false) const;
+                  Obeying obeying = Obeying::nothing) const;
   /// What only y divides by, up to what is `alike`, is not 0 under `given` wherever the other conditions of y hold.
   using Alike = std::function<bool(const Expression&, const Expression&)>;
   bool divides_alike(const std::vector<Expression>& given, const Expression& x, const Expression& y, Lemmas& lemmas,
@@ -64,7 +69,7 @@ class Implications {
   std::vector<Expression> divisors(const Expression& e) const;
   bool prove(const std::string& statement, Lemmas& lemmas) const;
   bool prove(const std::vector<Expression>& given, const Expression& shown, Lemmas& lemmas,
-             std::optional<ContactMode> mode, bool on_road) const;
+             std::optional<ContactMode> mode, Obeying obeying) const;
 
   const ClaimsFile* file_;
   std::size_t setting_;

@@ -37,9 +37,9 @@ Line scaling(const std::vector<Rational>& values, const std::vector<bool>& chose
 }
 
 std::vector<bool> parameters_of(const CompiledSetting& setting, const std::vector<const Program*>& programs,
-                                bool bicycle) {
+                                Beside beside) {
   std::vector<const Program*> all = programs;
-  if (bicycle) {
+  if (beside == Beside::the_bicycle) {
     for (const auto& program : setting.scene()) {
       if (program) all.push_back(&*program);
     }

@@ -23,10 +23,13 @@ Line through(const std::vector<Rational>& first, const std::vector<Rational>& se
 /// The chosen parameters are multiplied by t; all others stay.
 Line scaling(const std::vector<Rational>& values, const std::vector<bool>& chosen);
 
-/// The parameters on which the truth of programs of a setting depends, definitions included, and, if `bicycle` is set,
+/// What else parameters may matter for.
+enum class Beside : std::uint8_t { nothing, the_bicycle };
+
+/// The parameters on which the truth of programs of a setting depends, definitions included, and what is beside them:
 /// everything that the bicycle does.
 std::vector<bool> parameters_of(const CompiledSetting& setting, const std::vector<const Program*>& programs,
-                                bool bicycle);
+                                Beside beside);
 
 /// Line number `k` for a claim that speaks at `bases`, all of them inside of the domain. The lines take turns: along
 /// each of the parameters that matter, through two bases, and scalings; each takes another base. It depends on `seed`

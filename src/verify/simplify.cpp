@@ -210,10 +210,10 @@ std::optional<Simplified> simplify(const CompiledSetting& setting, const std::ve
   std::optional<std::vector<Rational>> found;
   bool exhausted = true;
   for (int height = 1; exhausted && !found && height <= 6; ++height) exhausted = search.exhaust(height, found);
-  if (found && exhausted) return Simplified{std::move(*found), true};
+  if (found && exhausted) return Simplified{.values = std::move(*found), .minimal = true};
   std::vector<Rational> start = found ? std::move(*found) : failing;
   if (!search.completed(start)) return std::nullopt;
-  return Simplified{search.descend(std::move(start)), false};
+  return Simplified{.values = search.descend(std::move(start))};
 }
 
 }  // namespace slipproof

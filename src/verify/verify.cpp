@@ -196,7 +196,8 @@ class Run {
       LineTask task{t, parts_of(file_, compiled_, tasks_[t].claim, tasks_[t].reading), {}, {}};
       std::vector<const Program*> programs = task.parts.conditions;
       programs.insert(programs.end(), task.parts.of_motions.begin(), task.parts.of_motions.end());
-      task.matters = parameters_of(compiled, programs, !task.parts.modes.empty());
+      task.matters =
+          parameters_of(compiled, programs, task.parts.modes.empty() ? Beside::nothing : Beside::the_bicycle);
       if (std::find(task.matters.begin(), task.matters.end(), true) == task.matters.end()) continue;
       const FirstSamples& first = tallies_[t].speaks_at.numbers().empty() ? tallies_[t].held_at : tallies_[t].speaks_at;
       for (const std::uint64_t i : first.numbers()) task.bases.push_back(sampler.at(i));
@@ -298,8 +299,9 @@ class Run {
     if (task.identity) result.unless_zero = task.identity->unless_zero;
     if (tally.refuted > 0) {
       result.verdict = Verdict::refuted;
-      auto found = counterexamples(file_, compiled_, task.claim, task.reading,
-                                   {tally.simplest.values, tally.realisable.values}, options_.simplify, options_.seed);
+      auto found =
+          counterexamples(file_, compiled_, task.claim, task.reading, {tally.simplest.values, tally.realisable.values},
+                          options_.simplify ? Showing::simplest : Showing::as_found, options_.seed);
       result.counterexample = std::move(found.shown);
       result.simplest = std::move(found.simpler);
     } else if (file_.claims[task.claim].is<Exists>()) {

@@ -66,7 +66,7 @@ TEST_CASE("one interval, or none claimed") {
     const auto found = true_interval(compile(truth(statement), force_a_b), at.functions, within);
     return found ? to_string(*found) : "-";
   };
-  const ForceInterval positive = ForceInterval::between(Rational(0), false, std::nullopt, false);
+  const ForceInterval positive = ForceInterval::open_between(Rational(0), std::nullopt);
   CHECK(interval("F*a < b", positive) == "(0, 3)");
   CHECK(interval("F < 0", positive) == "{}");
   CHECK(interval("F != 5", positive) == "-");

@@ -106,7 +106,7 @@ TEST_CASE(
     const ModeTable table(p, {Rational(1000000000), random.positive()}, ForceKind::internal);
     for (const ModeSolution& s : table.solutions()) {
       ForceInterval forward = s.strict();
-      forward.intersect(ForceInterval::between(Rational(0), false, std::nullopt, false));
+      forward.intersect(ForceInterval::open_between(Rational(0), std::nullopt));
       const bool allowed =
           s.mode() == stick_stick || s.mode() == ContactMode{ContactState::stick, ContactState::slip_forward};
       CHECK(forward.empty() != allowed);

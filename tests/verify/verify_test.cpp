@@ -101,7 +101,7 @@ TEST_CASE("A2.1 as printed: the counterexample that a person can check") {
   CHECK(e.minimal);
   for (const Rational& value : e.values) CHECK(value == 1);
   CHECK(e.judgement.claimed->empty());
-  CHECK(*e.judgement.real == ForceInterval::between(Rational(1, 2), false, Rational(2, 3), false));
+  CHECK(*e.judgement.real == ForceInterval::open_between(Rational(1, 2), Rational(2, 3)));
   CHECK(e.motions->motions.size() == 1);
 }
 
