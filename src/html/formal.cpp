@@ -78,73 +78,91 @@ void add_unique(const Element& p, const PageInput& input, const Unique& claim) {
   p.text(" stands");
 }
 
+/// What a claim says, kind by kind, as text in p.
+struct FormalText {
+  const Element& p;
+  const PageInput& input;
+  const Expression& region;
+
+  void operator()(const Interval& c) const {
+    add_where(p, region);
+    add_modes(p, {c.mode});
+    p.text(" is a motion exactly for ");
+    add_math(p, c.forces);
+  }
+
+  void operator()(const Impossible& c) const {
+    add_where(p, region, c.forces);
+    p.text("no motion in ");
+    add_modes(p, c.modes);
+  }
+
+  void operator()(const Formula& c) const {
+    add_where(p, region, c.forces);
+    if (!c.modes.empty()) {
+      p.text("in ");
+      add_modes(p, c.modes);
+      p.text(", ");
+    }
+    add_math(p, c.holds);
+  }
+
+  void operator()(const Limit& c) const {
+    add_where(p, region);
+    add_math(p, c.holds);
+    p.text(" from some value of ");
+    add_symbol(add_math(p), c.parameter);
+    p.text(" on");
+  }
+
+  void operator()(const Equivalence& c) const {
+    add_where(p, region);
+    add_math(p, c.forces);
+    p.text(" if and only if ");
+    add_math(p, c.holds);
+  }
+
+  void operator()(const Motions& c) const {
+    add_where(p, region, c.forces);
+    p.text("there is one motion in each of ");
+    add_modes(p, c.modes);
+    p.text(", and no other");
+  }
+
+  void operator()(const Unique& c) const {
+    add_where(p, region, c.forces);
+    add_unique(p, input, c);
+  }
+
+  void operator()(const Cover& c) const {
+    add_where(p, region);
+    p.text("every bicycle is in the case of one of ");
+    add_claims(p, input, c.claims);
+  }
+
+  void operator()(const Exists& c) const {
+    add_where(p, region, c.forces);
+    p.text("somewhere there is a motion in ");
+    add_modes(p, c.modes);
+  }
+
+  void operator()(const Consequence& c) const {
+    add_where(p, region);
+    add_linear(p, input, c, " imply ");
+  }
+
+  void operator()(const System& c) const {
+    add_where(p, region);
+    add_linear(p, input, c, " say the same as ");
+  }
+};
+
 }  // namespace
 
 void add_formal(const Element& parent, const PageInput& input, const Claim& claim, Reading reading) {
-  const Expression& region = claim.body(reading).region;
+  const ClaimBody& body = claim.body(reading);
   const Element p = parent.add("p", "formal");
-  std::visit(Cases{[&](const Interval& c) {
-                     add_where(p, region);
-                     add_modes(p, {c.mode});
-                     p.text(" is a motion exactly for ");
-                     add_math(p, c.forces);
-                   },
-                   [&](const Impossible& c) {
-                     add_where(p, region, c.forces);
-                     p.text("no motion in ");
-                     add_modes(p, c.modes);
-                   },
-                   [&](const Formula& c) {
-                     add_where(p, region, c.forces);
-                     if (!c.modes.empty()) {
-                       p.text("in ");
-                       add_modes(p, c.modes);
-                       p.text(", ");
-                     }
-                     add_math(p, c.holds);
-                   },
-                   [&](const Limit& c) {
-                     add_where(p, region);
-                     add_math(p, c.holds);
-                     p.text(" from some value of ");
-                     add_symbol(add_math(p), c.parameter);
-                     p.text(" on");
-                   },
-                   [&](const Equivalence& c) {
-                     add_where(p, region);
-                     add_math(p, c.forces);
-                     p.text(" if and only if ");
-                     add_math(p, c.holds);
-                   },
-                   [&](const Motions& c) {
-                     add_where(p, region, c.forces);
-                     p.text("there is one motion in each of ");
-                     add_modes(p, c.modes);
-                     p.text(", and no other");
-                   },
-                   [&](const Unique& c) {
-                     add_where(p, region, c.forces);
-                     add_unique(p, input, c);
-                   },
-                   [&](const Cover& c) {
-                     add_where(p, region);
-                     p.text("every bicycle is in the case of one of ");
-                     add_claims(p, input, c.claims);
-                   },
-                   [&](const Exists& c) {
-                     add_where(p, region, c.forces);
-                     p.text("somewhere there is a motion in ");
-                     add_modes(p, c.modes);
-                   },
-                   [&](const Consequence& c) {
-                     add_where(p, region);
-                     add_linear(p, input, c, " imply ");
-                   },
-                   [&](const System& c) {
-                     add_where(p, region);
-                     add_linear(p, input, c, " say the same as ");
-                   }},
-             claim.body(reading).says);
+  std::visit(FormalText{p, input, body.region}, body.says);
 }
 
 }  // namespace slipproof
