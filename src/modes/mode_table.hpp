@@ -9,8 +9,8 @@
 #include "model/contact_mode.hpp"
 #include "model/reduction.hpp"
 #include "modes/continuum.hpp"
-#include "motions/force_interval.hpp"
 #include "modes/integer_scene.hpp"
+#include "motions/force_interval.hpp"
 
 namespace slipproof {
 
