@@ -1,24 +1,14 @@
 #include <algorithm>
-#include <cstdlib>
 #include <utility>
 
 #include "claims/claims_reader.hpp"
 #include "claims/compiled.hpp"
 #include "claims/setting_names.hpp"
+#include "expression/extent.hpp"
 
 namespace slipproof::claims_reader {
 
 namespace {
-
-// Bounds on what evaluation costs, all definitions written out: of the size of the numbers, and of the stack.
-constexpr double max_terms = 10'000;
-constexpr std::size_t max_depth = 1'000;
-
-/// How large an expression becomes when its definitions are written out.
-struct Extent {
-  double terms = 1;  ///< literals (by their length) and symbols, counted as often as they are multiplied
-  std::size_t depth = 1;
-};
 
 class SettingCheck {
  public:
@@ -61,14 +51,8 @@ class SettingCheck {
   }
   void check_extent(const Use& use) {
     for (const Reading reading : all_readings) {
-      const Extent extent = this->extent(use.expression, reading);
-      if (extent.terms > max_terms) {
-        return refuse(use, use.expression,
-                      "too large to evaluate: more than 10000 terms with all definitions written out");
-      }
-      if (extent.depth > max_depth) {
-        return refuse(use, use.expression, "nested more than 1000 levels deep with all definitions written out");
-      }
+      const std::string message = too_large(extent(use.expression, reading));
+      if (!message.empty()) return refuse(use, use.expression, message);
     }
   }
 
@@ -140,28 +124,11 @@ class SettingCheck {
   }
 
   Extent extent(const Expression& expression, Reading reading) const {
-    Extent total{0, 1};
-    for (const Expression& operand : expression->operands) {
-      const Extent part = extent(operand, reading);
-      total.terms += part.terms;
-      total.depth = std::max(total.depth, part.depth + 1);
-    }
-    if (expression->operation == Operation::power) total.terms *= std::max(1, std::abs(expression->exponent));
-    if (expression->operation == Operation::number) total.terms = literal_terms(expression->number);
-    if (expression->operation == Operation::symbol) {
-      const auto entry = names_.find(expression->symbol);
-      if (!entry || entry->kind != SettingNames::Kind::definition) return {};
-      total = extents_[static_cast<std::size_t>(reading)][entry->index];
-      ++total.depth;
-    }
-    return total;
-  }
-
-  static double literal_terms(const Rational& value) {
-    constexpr std::size_t bits_of_term = 64;
-    if (value.is_zero()) return 1;
-    const std::size_t whole_terms = (msb(numerator(value)) + msb(denominator(value))) / bits_of_term;
-    return 1.0 + static_cast<double>(whole_terms);
+    return slipproof::extent(expression, [&](const std::string& symbol) -> std::optional<Extent> {
+      const auto entry = names_.find(symbol);
+      if (!entry || entry->kind != SettingNames::Kind::definition) return std::nullopt;
+      return extents_[static_cast<std::size_t>(reading)][entry->index];
+    });
   }
 
   const Setting& setting_;
