@@ -1,0 +1,82 @@
+#include "mechanism/algebra.hpp"
+
+#include <optional>
+
+#include "expression/cases.hpp"
+
+namespace slipproof {
+
+namespace {
+
+bool is_negation(const Expression& x) {
+  return x->operation == Operation::negate;
+}
+
+/// The value of a literal, also of a negated one.
+std::optional<Rational> literal(const Expression& x) {
+  if (x->operation == Operation::number) return x->number;
+  if (is_negation(x) && x->operands[0]->operation == Operation::number) return Rational(-x->operands[0]->number);
+  return std::nullopt;
+}
+
+bool is_literal(const Expression& x, int value) {
+  const auto number = literal(x);
+  return number && *number == value;
+}
+
+}  // namespace
+
+Expression zero_literal() {
+  static const Expression zero = make_number(0);
+  return zero;
+}
+
+Expression negative_of(const Expression& x) {
+  if (const auto value = literal(x)) return make_number(Rational(-*value));
+  if (is_negation(x)) return x->operands[0];
+  if (x->operation == Operation::multiply || x->operation == Operation::divide) {
+    if (is_negation(x->operands[0])) return make(x->operation, {x->operands[0]->operands[0], x->operands[1]});
+  }
+  if (x->operation == Operation::subtract) return make(Operation::subtract, {x->operands[1], x->operands[0]});
+  return make(Operation::negate, {x});
+}
+
+Expression sum_of(const Expression& x, const Expression& y) {
+  const auto a = literal(x), b = literal(y);
+  if (a && b) return make_number(Rational(*a + *b));
+  if (a && a->is_zero()) return y;
+  if (b && b->is_zero()) return x;
+  if (is_negation(y)) return difference_of(x, y->operands[0]);
+  return make(Operation::add, {x, y});
+}
+
+Expression difference_of(const Expression& x, const Expression& y) {
+  const auto a = literal(x), b = literal(y);
+  if (a && b) return make_number(Rational(*a - *b));
+  if (a && a->is_zero()) return negative_of(y);
+  if (b && b->is_zero()) return x;
+  if (same(x, y) && has_no_division(x)) return zero_literal();
+  if (is_negation(y)) return make(Operation::add, {x, y->operands[0]});
+  return make(Operation::subtract, {x, y});
+}
+
+Expression product_of(const Expression& x, const Expression& y) {
+  const auto a = literal(x), b = literal(y);
+  if (a && b) return make_number(Rational(*a * *b));
+  if ((a && a->is_zero() && has_no_division(y)) || (b && b->is_zero() && has_no_division(x))) return zero_literal();
+  if (is_literal(x, 1)) return y;
+  if (is_literal(y, 1)) return x;
+  if (is_literal(x, -1)) return negative_of(y);
+  if (is_literal(y, -1)) return negative_of(x);
+  if (is_negation(x)) return negative_of(product_of(x->operands[0], y));
+  if (is_negation(y)) return negative_of(product_of(x, y->operands[0]));
+  return make(Operation::multiply, {x, y});
+}
+
+Expression quotient_of(const Expression& x, const Expression& y) {
+  if (is_literal(y, 1)) return x;
+  if (is_negation(x)) return negative_of(quotient_of(x->operands[0], y));
+  return make(Operation::divide, {x, y});
+}
+
+}  // namespace slipproof

@@ -1,0 +1,15 @@
+// Sums and products of expressions without what says nothing: + 0, * 1, - -.
+#pragma once
+
+#include "expression/expression.hpp"
+
+namespace slipproof {
+
+Expression zero_literal();
+Expression sum_of(const Expression& x, const Expression& y);
+Expression difference_of(const Expression& x, const Expression& y);
+Expression negative_of(const Expression& x);
+Expression product_of(const Expression& x, const Expression& y);
+Expression quotient_of(const Expression& x, const Expression& y);
+
+}  // namespace slipproof

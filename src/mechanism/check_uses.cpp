@@ -1,0 +1,205 @@
+#include <algorithm>
+
+#include "expression/extent.hpp"
+#include "mechanism/reader.hpp"
+
+namespace slipproof::mechanism_reader {
+
+namespace {
+
+using Kind = NameKind;
+constexpr NameKinds constants = Kind::parameter | Kind::angle;
+constexpr NameKinds derived = constants | Kind::definition;
+constexpr NameKinds motion = derived | Kind::load | Kind::acceleration;
+constexpr NameKinds limit = derived | Kind::load | Kind::force | Kind::element_force;
+constexpr NameKinds applied = motion | Kind::force;
+constexpr NameKinds anything = applied | Kind::element_force;
+
+std::string_view allowed_words(NameKinds allowed) {
+  if (allowed == constants) return "parameters and angles";
+  if (allowed == derived) return "parameters, angles and definitions";
+  if (allowed == motion) return "accelerations, the load and parameters";
+  if (allowed == limit) return "forces, the load and parameters";
+  if (allowed == applied) return "no force of a contact, friction element or link: they are added by virtual work";
+  if (allowed == anything) return "unknowns, the load and parameters";
+  return "parameters, angles and the load";
+}
+
+class UseCheck {
+ public:
+  explicit UseCheck(Context& context)
+      : context_(context), names_(context.mechanism), extents_(context.mechanism.definitions.size()) {}
+
+  void check() {
+    Mechanism& m = context_.mechanism;
+    for (MechanismParameter& parameter : m.parameters) one(parameter.domain, "domain", constants);
+    for (MechanismAngle& angle : m.angles) one(angle.domain, "domain", constants);
+    for (std::size_t i = 0; i < m.definitions.size(); ++i) definition(i);
+    for (MechanismCondition& condition : m.assume) one(condition.condition, condition.name, derived);
+    for (MechanismCondition& condition : m.realisable) one(condition.condition, condition.name, derived);
+    if (m.load) one(m.load->domain.front(), "domain", constants | Kind::definition | Kind::load);
+    for (MechanismContact& contact : m.contacts) check(contact);
+    for (MechanismFriction& friction : m.friction) {
+      one(friction.slip, "slip", motion);
+      two(friction.static_limit, friction.kinetic_limit, "limit", limit);
+    }
+    for (MechanismLink& link : m.links) one(link.zero, "zero", motion);
+    for (MechanismEquation& equation : m.equations) {
+      one(equation.left, equation.name, m.by_virtual_work ? applied : anything);
+      one(equation.right, equation.name, m.by_virtual_work ? applied : anything);
+    }
+    for (MechanismShape& shape : m.shapes) {
+      for (auto& point : shape.points) all(point, "points");
+      one(shape.radius, "radius", derived);
+    }
+  }
+
+ private:
+  void check(MechanismContact& contact) {
+    one(contact.gap, "gap", motion);
+    one(contact.slip, "slip", motion);
+    two(contact.static_friction, contact.kinetic_friction, "friction", derived);
+    all(contact.at, "at");
+    all(contact.direction, "direction");
+  }
+  void all(std::vector<PlacedExpression>& list, std::string_view key) {
+    for (PlacedExpression& item : list) one(item, key, derived);
+  }
+  /// Two that are the same where the file gives one.
+  void two(PlacedExpression& first, PlacedExpression& second, std::string_view key, NameKinds allowed) {
+    const bool both = first.expression == second.expression;
+    one(first, key, allowed);
+    if (both) {
+      second = first;
+    } else {
+      one(second, key, allowed);
+    }
+  }
+
+  /// A definition may use those before it.
+  void definition(std::size_t index) {
+    MechanismDefinition& definition = context_.mechanism.definitions[index];
+    PlacedExpression& placed = definition.expression;
+    if (placed) {
+      for (const std::string& symbol : symbols(placed.expression)) {
+        const auto entry = names_.find(symbol);
+        if (!entry || entry->kind != Kind::definition || entry->index < index) continue;
+        const std::string how = entry->index == index            ? "itself"
+                                : in_circle(index, entry->index) ? "a definition that needs it"
+                                                                 : "";
+        refuse(placed, find(placed.expression, symbol), definition.symbol,
+               how.empty() ? "found the definition " + symbol + ", which stands below, expected those above only"
+                           : "defines " + definition.symbol + " in a circle, by " + (how == "itself" ? how : symbol));
+        placed.expression = nullptr;
+        return;
+      }
+    }
+    one(placed, definition.symbol, derived);
+    extents_[index] = placed ? extent(placed.expression) : Extent{};
+  }
+
+  /// Whether definition `from` is needed by definition `by`, directly or through others.
+  bool in_circle(std::size_t from, std::size_t by) const {
+    std::vector<std::size_t> open{by};
+    std::vector<bool> seen(context_.mechanism.definitions.size());
+    while (!open.empty()) {
+      const std::size_t next = open.back();
+      open.pop_back();
+      if (next == from) return true;
+      const PlacedExpression& placed = context_.mechanism.definitions[next].expression;
+      if (seen[next] || !placed) continue;
+      seen[next] = true;
+      for (const std::string& symbol : symbols(placed.expression)) {
+        const auto entry = names_.find(symbol);
+        if (entry && entry->kind == Kind::definition) open.push_back(entry->index);
+      }
+    }
+    return false;
+  }
+
+  static Expression find(const Expression& expression, const std::string& symbol) {
+    if (expression->operation == Operation::symbol && expression->symbol == symbol) return expression;
+    for (const Expression& operand : expression->operands) {
+      if (Expression found = find(operand, symbol)) return found;
+    }
+    return nullptr;
+  }
+
+  void refuse(const PlacedExpression& placed, const Expression& part, std::string_view key,
+              const std::string& message) {
+    context_.refuse(placed, part, key, message);
+    context_.sound = false;
+  }
+
+  void one(PlacedExpression& placed, std::string_view key, NameKinds allowed) {
+    if (!placed) return;
+    bool fine = walk(placed, placed.expression, key, allowed);
+    const std::string message = fine ? too_large(extent(placed.expression)) : std::string();
+    if (!message.empty()) {
+      refuse(placed, placed.expression, key, message);
+      fine = false;
+    }
+    if (!fine) placed.expression = nullptr;
+  }
+
+  bool walk(const PlacedExpression& placed, const Expression& expression, std::string_view key, NameKinds allowed) {
+    bool fine = true;
+    for (const Expression& operand : expression->operands) fine = walk(placed, operand, key, allowed) && fine;
+    if (expression->operation != Operation::symbol) return fine;
+    const std::string& symbol = expression->symbol;
+    const auto entry = names_.find(symbol);
+    if (entry && contains(allowed, entry->kind)) return fine;
+    if (entry) {
+      refuse(placed, expression, key,
+             "found " + std::string(describe(entry->kind)) + " " + symbol + ", expected " +
+                 std::string(allowed_words(allowed)));
+    } else {
+      refuse(placed, expression, key, unknown_name("symbol", symbol, names_.names(allowed)));
+    }
+    return false;
+  }
+
+  Extent extent(const Expression& expression) const {
+    return slipproof::extent(expression, [&](const std::string& symbol) -> std::optional<Extent> {
+      const auto entry = names_.find(symbol);
+      if (!entry || entry->kind != Kind::definition) return std::nullopt;
+      return extents_[entry->index];
+    });
+  }
+
+  Context& context_;
+  MechanismNames names_;
+  std::vector<Extent> extents_;  ///< by definition
+};
+
+bool occurs(const Mechanism& m, const std::string& symbol) {
+  const auto in = [&](const PlacedExpression& placed) {
+    if (!placed) return false;
+    const auto used = symbols(placed.expression);
+    return std::find(used.begin(), used.end(), symbol) != used.end();
+  };
+  return std::any_of(m.equations.begin(), m.equations.end(),
+                     [&](const auto& e) { return in(e.left) || in(e.right); }) ||
+         std::any_of(m.contacts.begin(), m.contacts.end(), [&](const auto& c) { return in(c.gap) || in(c.slip); }) ||
+         std::any_of(m.friction.begin(), m.friction.end(), [&](const auto& f) { return in(f.slip); }) ||
+         std::any_of(m.links.begin(), m.links.end(), [&](const auto& l) { return in(l.zero); });
+}
+
+}  // namespace
+
+void check_uses(Context& context) {
+  UseCheck(context).check();
+}
+
+void check_whole(Context& context) {
+  const Mechanism& mechanism = context.mechanism;
+  if (!context.sound) return;  // what is missing may stand where a mistake is
+  for (std::size_t i = 0; i < mechanism.accelerations; ++i) {
+    const MechanismUnknown& unknown = mechanism.unknowns[i];
+    if (occurs(mechanism, unknown.symbol)) continue;
+    context.mistakes.add(unknown.place, "accelerations: " + unknown.symbol +
+                                            " occurs in no equation, gap, slip or zero, expected it in one");
+  }
+}
+
+}  // namespace slipproof::mechanism_reader

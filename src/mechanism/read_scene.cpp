@@ -1,0 +1,271 @@
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "input/near_match.hpp"
+#include "input/table_reader.hpp"
+#include "input/text_file.hpp"
+#include "mechanism/degrees.hpp"
+#include "mechanism/forms.hpp"
+#include "mechanism/names.hpp"
+#include "mechanism/reader.hpp"
+#include "mechanism/scene.hpp"
+#include "mechanism/shipped.hpp"
+#include "number/format.hpp"
+
+namespace slipproof {
+
+namespace {
+
+using Circle = MechanismValues::Circle;
+
+/// The root of an integer that is a square.
+std::optional<Integer> exact_root(const Integer& square) {
+  const Integer root = sqrt(square);
+  return Integer(root * root) == square ? std::optional(root) : std::nullopt;
+}
+
+/// One angle in one of its forms.
+class AngleReader {
+ public:
+  AngleReader(const TomlValue& value, std::string name, Mistakes& mistakes, std::vector<std::string>& notes)
+      : value_(value), name_(std::move(name)), mistakes_(mistakes), notes_(notes) {}
+
+  std::optional<Circle> read() {
+    if (value_.kind != TomlValue::Kind::table) {
+      return refuse("found " + std::string(kind_name(value_.kind)) + ", " + expected);
+    }
+    static constexpr std::array<std::string_view, 5> keys{"cos", "sin", "tan_half", "tan", "degrees"};
+    const TableReader table(value_, "the angle " + name_, keys, mistakes_);
+    const auto forms = static_cast<int>(table.has("cos") || table.has("sin")) + table.has("tan_half") +
+                       table.has("tan") + table.has("degrees");
+    if (forms != 1)
+      return refuse(std::string(forms == 0 ? "found no angle" : "found more than one angle") + ", " + expected);
+    if (table.has("tan_half")) return from_tan_half(table);
+    if (table.has("tan")) return from_tan(table);
+    if (table.has("degrees")) return from_degrees(table);
+    return from_point(table);
+  }
+
+ private:
+  static constexpr const char* expected = "expected { cos, sin }, { tan_half }, { tan } or { degrees }";
+
+  std::optional<Circle> refuse(const std::string& message) {
+    mistakes_.add(value_.place, name_ + ": " + message);
+    return std::nullopt;
+  }
+
+  std::optional<Circle> from_point(const TableReader& table) {
+    table.require("cos", "the cosine");
+    table.require("sin", "the sine");
+    const auto cosine = table.number("cos"), sine = table.number("sin");
+    if (!cosine || !sine) return std::nullopt;
+    if (Rational(*cosine * *cosine + *sine * *sine) == 1) return Circle{*cosine, *sine};
+    return refuse("found cos^2 + sin^2 = " + decimal_text(*cosine * *cosine + *sine * *sine, 17) +
+                  ", expected exactly 1");
+  }
+
+  std::optional<Circle> from_tan_half(const TableReader& table) {
+    const auto half = table.number("tan_half");
+    return half ? std::optional(point_of_tan_half(*half)) : std::nullopt;
+  }
+
+  std::optional<Circle> from_tan(const TableReader& table) {
+    const auto tangent = table.number("tan");
+    if (!tangent) return std::nullopt;
+    const Integer p = numerator(*tangent), q = denominator(*tangent);
+    const auto hypotenuse = exact_root(Integer(p * p + q * q));
+    if (!hypotenuse) {
+      return refuse("found the tangent " + in_quotes(exact_text(*tangent)) +
+                    " of an angle with an irrational sine, expected one such as 3/4, or degrees, which are rounded");
+    }
+    return Circle{Rational(q, *hypotenuse), Rational(p, *hypotenuse)};
+  }
+
+  std::optional<Circle> from_degrees(const TableReader& table) {
+    const auto degrees = table.number("degrees");
+    if (!degrees) return std::nullopt;
+    const AngleFromDegrees angle = angle_from_degrees(*degrees);
+    if (!angle.difference.is_zero()) {
+      notes_.push_back(name_ + " is the rational angle nearest to " + decimal_text(*degrees, 17) +
+                       " degrees: it differs by " + decimal_text(angle.difference, 3) + " degrees");
+    }
+    return angle.point;
+  }
+
+  const TomlValue& value_;
+  std::string name_;
+  Mistakes& mistakes_;
+  std::vector<std::string>& notes_;
+};
+
+class MechanismSceneReader {
+ public:
+  MechanismSceneReader(const TomlValue& root, const std::string& file, Mistakes& mistakes)
+      : root_(root, "", keys, mistakes), file_(file), mistakes_(mistakes) {}
+
+  MechanismScene read() {
+    scene_.name = std::filesystem::path(file_).stem().string();
+    if (const PlacedText* name = root_.string("name")) scene_.name = name->text();
+    if (!read_mechanism_and_load()) return {};
+    scene_.values = default_values(scene_.mechanism);
+    if (const TomlValue* state = root_.table("state")) read_state(*state);
+    if (root_.require("values", "the table [values]")) {
+      if (const TomlValue* values = root_.table("values")) read_values(*values);
+    }
+    return std::move(scene_);
+  }
+
+ private:
+  static constexpr std::array<std::string_view, 5> keys{"name", "mechanism", "along", "values", "state"};
+
+  bool read_mechanism_and_load() {
+    if (!root_.require("mechanism", "the file of a mechanism, or the name of a shipped one")) return false;
+    const PlacedText* mechanism = root_.string("mechanism");
+    const PlacedText* along = root_.string("along");
+    if (mechanism == nullptr) return false;
+    std::string_view key = "mechanism";
+    try {
+      scene_.mechanism = open_mechanism(mechanism->text(), std::filesystem::path(file_).parent_path().string());
+      key = "along";
+      if (along != nullptr) scene_.mechanism = with_load(scene_.mechanism, along->text());
+      return true;
+    } catch (const InputError& error) {
+      for (Diagnostic diagnostic : error.diagnostics()) {
+        if (diagnostic.line == 0 && key == "along") diagnostic.file.clear();
+        root_.refuse(key, to_string(diagnostic));
+      }
+    }
+    return false;
+  }
+
+  void read_state(const TomlValue& state) {
+    std::vector<std::string_view> names;
+    const std::size_t count = scene_.mechanism.elements();
+    for (std::size_t i = 0; i < count; ++i) names.push_back(element_name(scene_.mechanism, i));
+    const auto kinds = element_kinds(scene_.mechanism);
+    for (const TomlEntry& entry : state.entries) {
+      const auto found = std::find(names.begin(), names.end(), entry.key);
+      if (found == names.end()) {
+        mistakes_.add(entry.place, "state: " + unknown_name("contact or friction element", entry.key, names));
+      } else if (entry.value.kind != TomlValue::Kind::string) {
+        mistakes_.add(entry.value.place, entry.key + ": found " + std::string(kind_name(entry.value.kind)) +
+                                             ", expected a state such as \"rest\"");
+      } else {
+        const auto i = static_cast<std::size_t>(found - names.begin());
+        const auto start =
+            mechanism_reader::read_start(entry.value.text.text(), entry.key, entry.value.place, kinds[i], mistakes_);
+        scene_.values.starts[i] = start.value_or(scene_.values.starts[i]);
+      }
+    }
+  }
+
+  void read_values(const TomlValue& values) {
+    const Mechanism& mechanism = scene_.mechanism;
+    std::vector<std::string_view> names;
+    for (const MechanismParameter& parameter : mechanism.parameters) names.push_back(parameter.symbol);
+    for (const MechanismAngle& angle : mechanism.angles) names.push_back(angle.name);
+    if (mechanism.load) names.push_back(mechanism.load->symbol);
+    for (const TomlEntry& entry : values.entries) {
+      if (std::find(names.begin(), names.end(), entry.key) != names.end()) continue;
+      mistakes_.add(entry.place, "values: " + unknown_name("parameter", entry.key, names));
+    }
+    const TableReader table(values, "[values]", names_of(values), mistakes_);  // what is unknown is told already
+    for (std::size_t i = 0; i < mechanism.parameters.size(); ++i) read_parameter(table, i);
+    for (std::size_t i = 0; i < mechanism.angles.size(); ++i) read_angle(table, i);
+    if (mechanism.load) scene_.load = table.number(mechanism.load->symbol);
+    if (complete_) judge(table, values);
+  }
+
+  static std::vector<std::string_view> names_of(const TomlValue& table) {
+    std::vector<std::string_view> names;
+    for (const TomlEntry& entry : table.entries) names.push_back(entry.key);
+    return names;
+  }
+
+  void read_parameter(const TableReader& table, std::size_t index) {
+    const MechanismParameter& parameter = scene_.mechanism.parameters[index];
+    const bool given = table.has(parameter.symbol);
+    if (!given && !parameter.optional) {
+      std::string expected = parameter.meaning.empty() ? "a number" : parameter.meaning;
+      if (!parameter.unit.empty() && parameter.unit != "1") expected += " in " + parameter.unit;
+      table.require(parameter.symbol, expected);
+    }
+    const auto value = table.number(parameter.symbol);
+    scene_.values.given[index] = given;
+    scene_.values.parameters[index] = value.value_or(0);
+    complete_ = complete_ && (value || (!given && parameter.optional));
+  }
+
+  void read_angle(const TableReader& table, std::size_t index) {
+    const MechanismAngle& angle = scene_.mechanism.angles[index];
+    table.require(angle.name, "an angle such as { tan = \"3/4\" }");
+    const TomlValue* value = table.value(angle.name);
+    std::optional<Circle> point;
+    if (value != nullptr) point = AngleReader(*value, angle.name, mistakes_, scene_.notes).read();
+    complete_ = complete_ && point;
+    if (point) scene_.values.angles[index] = *point;
+  }
+
+  /// Domains, assumptions, and whether there is a problem at all.
+  void judge(const TableReader& table, const TomlValue& values) {
+    using What = ProblemMaker::Broken::What;
+    const ProblemMaker maker(scene_.mechanism);
+    const auto broken = maker.broken(scene_.values);
+    for (const ProblemMaker::Broken& one : broken) {
+      const std::string condition = to_string(one.condition->expression);
+      if (one.what == What::parameter) {
+        const std::string& symbol = scene_.mechanism.parameters[one.index].symbol;
+        table.refuse(symbol,
+                     "found " + in_quotes(exact_text(scene_.values.parameters[one.index])) + ", expected " + condition);
+      } else if (one.what == What::angle) {
+        const Circle& point = scene_.values.angles[one.index];
+        table.refuse(scene_.mechanism.angles[one.index].name,
+                     "found an angle with the cosine " + decimal_text(point.cosine, 6) + " and the sine " +
+                         decimal_text(point.sine, 6) + ", expected " + condition);
+      } else {
+        mistakes_.add(values.place,
+                      "values: they break " + scene_.mechanism.assume[one.index].name + ", expected " + condition);
+      }
+    }
+    if (!broken.empty()) return;
+    if (scene_.load && !maker.load_domain(scene_.values).contains(*scene_.load)) {
+      table.refuse(scene_.mechanism.load->symbol, "found " + in_quotes(exact_text(*scene_.load)) +
+                                                      ", expected a value in " +
+                                                      to_string(maker.load_domain(scene_.values)));
+    }
+    try {
+      maker.problem(scene_.values);
+    } catch (const NoValue& error) {
+      mistakes_.add(values.place, std::string("values: ") + error.what());
+    }
+  }
+
+  TableReader root_;
+  std::string file_;
+  Mistakes& mistakes_;
+  MechanismScene scene_;
+  bool complete_ = true;  ///< every parameter and angle has a value
+};
+
+}  // namespace
+
+MechanismScene parse_mechanism_scene(std::string_view text, const std::string& file) {
+  Mistakes mistakes(file);
+  MechanismScene scene;
+  if (const auto document = parse_toml(text, mistakes)) scene = MechanismSceneReader(*document, file, mistakes).read();
+  mistakes.refuse_if_any();
+  return scene;
+}
+
+MechanismScene read_mechanism_scene(const std::filesystem::path& path) {
+  return parse_mechanism_scene(read_text_file(path), path.string());
+}
+
+bool is_mechanism_scene(std::string_view text) {
+  Mistakes mistakes("");
+  const auto document = parse_toml(text, mistakes);
+  return document && document->find("mechanism") != nullptr;
+}
+
+}  // namespace slipproof

@@ -1,0 +1,32 @@
+// Scenes of mechanisms: exact values for a mechanism's parameters, angles and load.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mechanism/mechanism.hpp"
+#include "mechanism/problem.hpp"
+
+namespace slipproof {
+
+struct MechanismScene {
+  std::string name;
+  Mechanism mechanism;             ///< with the load that `along` asks for
+  MechanismValues values;          ///< in the domain, with all of [assume]
+  std::optional<Rational> load;    ///< absent: every load at once, or a mechanism without one
+  std::vector<std::string> notes;  ///< what the reader should know of how the file was understood
+};
+
+/// Reads a scene file (name, mechanism, along, [values], [state]). Throws InputError with every mistake of the file, in
+/// the order of their places; mistakes of the mechanism's file among them.
+MechanismScene read_mechanism_scene(const std::filesystem::path& path);
+/// The same from a text; `file` is how messages call it, and where a relative path of the mechanism counts from.
+MechanismScene parse_mechanism_scene(std::string_view text, const std::string& file);
+
+/// Whether a text is the scene of a mechanism: TOML with `mechanism` at the top.
+bool is_mechanism_scene(std::string_view text);
+
+}  // namespace slipproof

@@ -1,0 +1,34 @@
+// Physical units, as far as sums and products go.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace slipproof {
+
+/// A unit such as kg m^2 or N. Values; safe to use from several threads.
+class Unit {
+ public:
+  Unit();  ///< 1
+
+  Unit operator*(const Unit& other) const;
+  Unit operator/(const Unit& other) const;
+  /// Beyond the 255th power of a unit there is no value.
+  std::optional<Unit> power(int exponent) const;
+  /// The same dimension and the same size: N and kg m/s^2, but not N and kN.
+  bool operator==(const Unit& other) const;
+  /// In base units, `m.kg.s-2`; 1 for a number.
+  std::string text() const;
+
+ private:
+  friend std::optional<Unit> parse_unit(std::string_view text);
+  explicit Unit(void* unit);
+  std::shared_ptr<void> unit_;  ///< of the library
+};
+
+/// `kg m^2`, `m/s^2`, `N m`, `1`; nothing if it is no unit, or one with an origin, as of temperatures.
+std::optional<Unit> parse_unit(std::string_view text);
+
+}  // namespace slipproof
