@@ -1,5 +1,5 @@
-// The whole library in one header. Scenes and their motions; filters; contact problems; answers of other solvers;
-// papers, proofs and certificates; pictures and reports. Each header can be included by itself.
+// The whole library in one header. Scenes and their motions; mechanisms; filters; contact problems; answers of other
+// solvers; papers, proofs and certificates; pictures and reports. Each header can be included by itself.
 #pragma once
 
 #include "certify/certify.hpp"
@@ -13,6 +13,12 @@
 #include "filter/filter.hpp"
 #include "html/page.hpp"
 #include "input/diagnostic.hpp"
+#include "mechanism/checks.hpp"
+#include "mechanism/read_mechanism.hpp"
+#include "mechanism/scene.hpp"
+#include "mechanism/shipped.hpp"
+#include "mechanism/show.hpp"
+#include "mechanism/words.hpp"
 #include "model/scene.hpp"
 #include "modes/motions.hpp"
 #include "picture/phase_diagram.hpp"

@@ -12,6 +12,12 @@ bool is_negation(const Expression& x) {
   return x->operation == Operation::negate;
 }
 
+/// Whether it begins with a minus: -b * N1.
+bool is_negative(const Expression& x) {
+  const bool product = x->operation == Operation::multiply || x->operation == Operation::divide;
+  return is_negation(x) || (product && is_negative(x->operands[0]));
+}
+
 /// The value of a literal, also of a negated one.
 std::optional<Rational> literal(const Expression& x) {
   if (x->operation == Operation::number) return x->number;
@@ -35,7 +41,7 @@ Expression negative_of(const Expression& x) {
   if (const auto value = literal(x)) return make_number(Rational(-*value));
   if (is_negation(x)) return x->operands[0];
   if (x->operation == Operation::multiply || x->operation == Operation::divide) {
-    if (is_negation(x->operands[0])) return make(x->operation, {x->operands[0]->operands[0], x->operands[1]});
+    return make(x->operation, {negative_of(x->operands[0]), x->operands[1]});
   }
   if (x->operation == Operation::subtract) return make(Operation::subtract, {x->operands[1], x->operands[0]});
   return make(Operation::negate, {x});
@@ -46,7 +52,9 @@ Expression sum_of(const Expression& x, const Expression& y) {
   if (a && b) return make_number(Rational(*a + *b));
   if (a && a->is_zero()) return y;
   if (b && b->is_zero()) return x;
-  if (is_negation(y)) return difference_of(x, y->operands[0]);
+  if (y->operation == Operation::add) return sum_of(sum_of(x, y->operands[0]), y->operands[1]);
+  if (y->operation == Operation::subtract) return difference_of(sum_of(x, y->operands[0]), y->operands[1]);
+  if (is_negative(y)) return difference_of(x, negative_of(y));
   return make(Operation::add, {x, y});
 }
 
@@ -56,7 +64,7 @@ Expression difference_of(const Expression& x, const Expression& y) {
   if (a && a->is_zero()) return negative_of(y);
   if (b && b->is_zero()) return x;
   if (same(x, y) && has_no_division(x)) return zero_literal();
-  if (is_negation(y)) return make(Operation::add, {x, y->operands[0]});
+  if (is_negative(y)) return sum_of(x, negative_of(y));
   return make(Operation::subtract, {x, y});
 }
 

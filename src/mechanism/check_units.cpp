@@ -98,7 +98,8 @@ class UnitCheck {
       case Operation::divide: {
         const InferredUnit x = walk(e->operands[0]), y = walk(e->operands[1]);
         if (!x.unit || !y.unit) return {};
-        return {e->operation == Operation::multiply ? *x.unit * *y.unit : *x.unit / *y.unit, x.any || y.any};
+        Unit unit = e->operation == Operation::multiply ? *x.unit * *y.unit : *x.unit / *y.unit;
+        return unit.known() ? InferredUnit{std::move(unit), x.any || y.any} : InferredUnit{};
       }
       case Operation::truth:
         return {};

@@ -20,8 +20,7 @@ std::string_view allowed_words(NameKinds allowed) {
   if (allowed == derived) return "parameters, angles and definitions";
   if (allowed == motion) return "accelerations, the load and parameters";
   if (allowed == limit) return "forces, the load and parameters";
-  if (allowed == applied) return "no force of a contact, friction element or link: they are added by virtual work";
-  if (allowed == anything) return "unknowns, the load and parameters";
+  if (allowed == applied || allowed == anything) return "unknowns, the load and parameters";
   return "parameters, angles and the load";
 }
 
@@ -149,7 +148,11 @@ class UseCheck {
     const std::string& symbol = expression->symbol;
     const auto entry = names_.find(symbol);
     if (entry && contains(allowed, entry->kind)) return fine;
-    if (entry) {
+    if (entry && allowed == applied && entry->kind == Kind::element_force) {
+      refuse(placed, expression, key,
+             "found " + std::string(describe(entry->kind)) + " " + symbol +
+                 ", expected the equation without it: it is added by virtual work");
+    } else if (entry) {
       refuse(placed, expression, key,
              "found " + std::string(describe(entry->kind)) + " " + symbol + ", expected " +
                  std::string(allowed_words(allowed)));

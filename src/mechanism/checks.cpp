@@ -21,6 +21,10 @@ MechanismFinding not_checkable(Check check, std::string why) {
   return {check, false, {}, std::move(why)};
 }
 
+MechanismFinding too_few_points(Check check, const std::string& name) {
+  return not_checkable(check, name + ": too few points of the domain were found");
+}
+
 /// Points of the domain at which everything has a value.
 struct Point {
   MechanismValues values;
@@ -109,9 +113,7 @@ std::vector<MechanismFinding> check_reciprocity(const Mechanism& mechanism) {
     if (++points == points_wanted) break;
   }
   if (points >= points_needed) return {};
-  if (sampled.size() < points_needed) {
-    return {not_checkable(Check::reciprocity, "reciprocity: too few points of the domain were found")};
-  }
+  if (sampled.size() < points_needed) return {too_few_points(Check::reciprocity, "reciprocity")};
   return {not_checkable(Check::reciprocity,
                         "reciprocity: the equations do not determine the accelerations for given contact forces")};
 }
@@ -121,7 +123,8 @@ std::vector<MechanismFinding> check_gravity(const Mechanism& mechanism) {
   if (at_rest == 0) return {};
   std::size_t points = 0;
   bool moves = false;
-  for (const Point& point : points_of(mechanism)) {
+  const auto sampled = points_of(mechanism);
+  for (const Point& point : sampled) {
     const auto motion = free_motion(mechanism, point.problem);
     if (!motion) continue;
     moves = moves || motion->moves;
@@ -135,6 +138,7 @@ std::vector<MechanismFinding> check_gravity(const Mechanism& mechanism) {
     }
     if (++points == points_wanted) break;
   }
+  if (sampled.size() < points_needed) return {too_few_points(Check::gravity, "gravity")};
   if (points < points_needed) {
     return {not_checkable(Check::gravity, "gravity: the equations do not determine a motion without contact forces")};
   }

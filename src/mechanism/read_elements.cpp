@@ -31,7 +31,7 @@ class ElementReader {
 
   std::string name_of(const TableReader& table) {
     const std::string name = context_.required(table, "name", "an identifier");
-    if (!name.empty()) context_.declare_element(name, table.place("name"));
+    named_well_ = !name.empty() && context_.declare_element(name, table.place("name"));
     return name;
   }
 
@@ -39,7 +39,9 @@ class ElementReader {
   std::string named(const TableReader& table, std::string_view key, const std::string& otherwise) {
     const std::string given = context_.text(table, key);
     const std::string name = given.empty() && !table.has(key) ? otherwise : given;
-    if (!name.empty()) context_.declare(name, table.place(table.has(key) ? key : std::string_view("name")));
+    if (table.has(key) ? !name.empty() : named_well_) {
+      context_.declare(name, table.place(table.has(key) ? key : std::string_view("name")));
+    }
     return name;
   }
 
@@ -149,7 +151,7 @@ class ElementReader {
     }
     friction.force = unknown(table, "force", "S_" + friction.name, Role::friction, mechanism_.friction.size());
     friction.slip_name = "slip_" + friction.name;
-    if (!friction.name.empty()) context_.declare(friction.slip_name, table.place("name"));
+    if (named_well_) context_.declare(friction.slip_name, table.place("name"));
     read_state(table, friction.start, {.law = ElementKind::Law::limited});
     mechanism_.friction.push_back(std::move(friction));
   }
@@ -238,6 +240,7 @@ class ElementReader {
   const TableReader& root_;
   Context& context_;
   Mechanism& mechanism_;
+  bool named_well_ = false;  ///< the element's name is fine, and so names may be made of it
 };
 
 }  // namespace

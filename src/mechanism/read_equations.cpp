@@ -69,7 +69,7 @@ void read_free_equations(const TomlValue& equations, Context& context) {
 void read_units(const TomlValue& units, Context& context) {
   std::vector<std::string_view> keys;
   for (const MechanismUnknown& unknown : context.mechanism.unknowns) keys.push_back(unknown.symbol);
-  const TableReader table(units, {}, keys, context.mistakes);
+  const TableReader table(units, "[units]", keys, context.mistakes);
   for (MechanismUnknown& unknown : context.mechanism.unknowns) unknown.unit = context.text(table, unknown.symbol);
 }
 

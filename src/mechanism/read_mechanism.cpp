@@ -72,7 +72,7 @@ void Context::declare(const std::string& symbol, Place place) {
   }
 }
 
-void Context::declare_element(const std::string& name, Place place) {
+bool Context::declare_element(const std::string& name, Place place) {
   if (!is_symbol_name(name)) {
     std::string message =
         "name: found " + in_quotes(name) + ", expected an identifier: a letter, then letters, digits ";
@@ -81,7 +81,9 @@ void Context::declare_element(const std::string& name, Place place) {
     mistakes.add(place, "name: found " + in_quotes(name) + " a second time, expected another");
   } else {
     elements_.push_back(name);
+    return true;
   }
+  return false;
 }
 
 bool within(std::size_t count, std::size_t limit, std::string_view key, Place place, Mistakes& mistakes) {

@@ -31,8 +31,8 @@ class Context {
 
   /// A symbol that nothing else in the mechanism has; it is reported if not.
   void declare(const std::string& symbol, Place place);
-  /// The same of an element's name, among those of elements.
-  void declare_element(const std::string& name, Place place);
+  /// The same of an element's name, among those of elements; whether it is fine.
+  bool declare_element(const std::string& name, Place place);
 
   void refuse(const PlacedExpression& placed, const Expression& part, std::string_view key,
               const std::string& message) {

@@ -26,7 +26,7 @@ Mechanism open_mechanism(const std::string& file_or_name, const std::string& dir
     std::vector<std::string_view> known;
     for (const ShippedMechanism& one : shipped_mechanisms()) known.push_back(one.name);
     Mistakes mistakes("");
-    mistakes.add({}, unknown_name("mechanism", file_or_name, known) + ", neither a file nor shipped");
+    mistakes.add({}, "no such file, and " + unknown_name("mechanism", file_or_name, known));
     mistakes.refuse_if_any();
   }
   return read_mechanism(path);

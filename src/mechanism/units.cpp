@@ -43,24 +43,28 @@ ut_unit* one() {
 
 Unit::Unit() {
   const std::scoped_lock lock(library());
-  unit_ = std::shared_ptr<void>(one(), free_unit);
+  if (ut_unit* const unit = one()) unit_ = std::shared_ptr<void>(unit, free_unit);
 }
 
-Unit::Unit(void* unit) : unit_(unit, free_unit) {}
+Unit::Unit(void* unit) {
+  if (unit != nullptr) unit_ = std::shared_ptr<void>(unit, free_unit);
+}
 
 Unit Unit::operator*(const Unit& other) const {
+  if (!known() || !other.known()) return Unit(nullptr);
   const std::scoped_lock lock(library());
   return Unit(ut_multiply(of(unit_), of(other.unit_)));
 }
 
 Unit Unit::operator/(const Unit& other) const {
+  if (!known() || !other.known()) return Unit(nullptr);
   const std::scoped_lock lock(library());
   return Unit(ut_divide(of(unit_), of(other.unit_)));
 }
 
 std::optional<Unit> Unit::power(int exponent) const {
   constexpr int largest = 255;
-  if (std::abs(exponent) > largest) return std::nullopt;
+  if (!known() || std::abs(exponent) > largest) return std::nullopt;
   const std::scoped_lock lock(library());
   ut_unit* const raised = ut_raise(of(unit_), exponent);
   return raised == nullptr ? std::nullopt : std::optional(Unit(raised));
@@ -97,11 +101,8 @@ std::optional<Unit> parse_unit(std::string_view text) {
   if (system == nullptr) return std::nullopt;
   ut_unit* const unit = ut_parse(system, whole.c_str(), UT_UTF8);
   if (unit == nullptr) return std::nullopt;
-  ut_unit* const inverse = ut_invert(unit);  // a unit with an origin has none
-  if (inverse != nullptr) ut_free(inverse);
   lock.unlock();
-  Unit result(static_cast<void*>(unit));
-  return inverse == nullptr ? std::nullopt : std::optional(std::move(result));
+  return Unit(static_cast<void*>(unit));
 }
 
 }  // namespace slipproof

@@ -13,6 +13,8 @@ class Unit {
  public:
   Unit();  ///< 1
 
+  /// False of what could not be computed: a power beyond the 255th, or everything without the library's table of units.
+  bool known() const { return unit_ != nullptr; }
   Unit operator*(const Unit& other) const;
   Unit operator/(const Unit& other) const;
   /// Beyond the 255th power of a unit there is no value.
@@ -28,7 +30,7 @@ class Unit {
   std::shared_ptr<void> unit_;  ///< of the library
 };
 
-/// `kg m^2`, `m/s^2`, `N m`, `1`; nothing if it is no unit, or one with an origin, as of temperatures.
+/// `kg m^2`, `m/s^2`, `N m`, `1`; nothing if it is no unit.
 std::optional<Unit> parse_unit(std::string_view text);
 
 }  // namespace slipproof

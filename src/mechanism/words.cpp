@@ -15,7 +15,7 @@ std::string friction_limit(const Expression& coefficient, const std::string& nor
   if (coefficient->operation == Operation::number && coefficient->number == 1) return sign + normal;
   const bool loose = binding(coefficient->operation) < Binding::unary;
   const std::string text = to_string(coefficient);
-  return sign + (loose ? "(" + text + ")" : text) + " " + normal;
+  return sign + (loose ? "(" + text + ")" : text) + " " + normal;  // -mu N1: a pull is a negative N1
 }
 
 }  // namespace
