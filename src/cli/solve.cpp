@@ -2,7 +2,10 @@
 #include <string>
 
 #include "cli/command.hpp"
+#include "input/text_file.hpp"
+#include "mechanism/scene.hpp"
 #include "model/scene.hpp"
+#include "wording/mechanism_report.hpp"
 #include "wording/solve_report.hpp"
 
 namespace slipproof::cli {
@@ -20,6 +23,18 @@ std::string last_line(const std::string& text) {
   return text.substr(text.rfind('\n', end) + 1);
 }
 
+/// Scenes of mechanisms, and those of the bicycle in their old form.
+std::string answer(const SolveArguments& arguments) {
+  const std::string scene = read_text_file(arguments.scene);
+  const bool json = arguments.common.json;
+  if (is_mechanism_scene(scene)) {
+    const SolvedMechanism solved(parse_mechanism_scene(scene, arguments.scene));
+    return json ? solve_json(solved) : solve_text(solved, arguments.report.digits);
+  }
+  const SolvedScene solved(parse_scene(scene, arguments.scene));
+  return json ? solve_json(solved, arguments.report) : solve_text(solved, arguments.report);
+}
+
 }  // namespace
 
 void add_solve(CLI::App& app, int& exit_code) {
@@ -32,13 +47,8 @@ void add_solve(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   add_common_options(command, options->common);
   command.callback([options, &exit_code] {
-    const SolvedScene solved(read_scene(options->scene));
-    if (options->common.json) {
-      print(solve_json(solved, options->report));
-    } else {
-      const std::string text = solve_text(solved, options->report);
-      print(options->common.quiet ? last_line(text) : text);
-    }
+    const std::string text = answer(*options);
+    print(options->common.quiet && !options->common.json ? last_line(text) : text);
     exit_code = as_it_should_be;
   });
 }

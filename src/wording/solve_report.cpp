@@ -8,6 +8,7 @@
 
 #include "model/chain.hpp"
 #include "number/format.hpp"
+#include "wording/number_text.hpp"
 
 namespace slipproof {
 
@@ -22,24 +23,6 @@ SolvedScene::SolvedScene(Scene given) : scene(std::move(given)), table(scene.bic
 namespace {
 
 using Out = std::back_insert_iterator<std::string>;
-
-/// Short exact numbers stand alone; longer ones follow their decimal.
-std::string number(const Rational& x, int digits) {
-  const std::string exact = exact_text(x);
-  const std::string decimal = decimal_text(x, digits);
-  if (exact == decimal) return exact;
-  return fmt::format("{:<14} = {}", decimal, exact);
-}
-
-std::string end(const std::optional<Rational>& x, const char* infinite, int digits) {
-  return x ? decimal_text(*x, digits) : infinite;
-}
-
-std::string decimals(const ForceInterval& i, int digits) {
-  if (i.is_point()) return fmt::format("F = {}", decimal_text(*i.lower(), digits));
-  return fmt::format("{}{}, {}{}", i.lower_closed() ? '[' : '(', end(i.lower(), "-oo", digits),
-                     end(i.upper(), "+oo", digits), i.upper_closed() ? ']' : ')');
-}
 
 std::string joined(const std::vector<ContactMode>& modes) {
   std::string text;
@@ -58,18 +41,19 @@ void write_motion(Out out, const SolvedScene& solved, const FoundMotion<Rational
                   const SolveReportOptions& options) {
   fmt::format_to(out, "\n  {}  ({})\n", joined(found.modes), found.strict ? "strict" : "boundary");
   for (const Quantity q : all_quantities()) {
-    fmt::format_to(out, "    {:<6} {}\n", name(q), number(found.values[q], options.digits));
+    fmt::format_to(out, "    {:<6} {}\n", name(q), number_text(found.values[q], options.digits));
   }
   if (!options.chain) return;
   const auto chain = chain_of(solved.scene.bicycle, found.values, *solved.scene.F);
-  fmt::format_to(out, "    {:<6} {}\n    {:<6} {}\n", "eps1", number(chain.eps1, options.digits), "T",
-                 number(chain.T, options.digits));
+  fmt::format_to(out, "    {:<6} {}\n    {:<6} {}\n", "eps1", number_text(chain.eps1, options.digits), "T",
+                 number_text(chain.T, options.digits));
 }
 
 void write_continuum(Out out, const Continuum& c, int digits) {
-  fmt::format_to(out, "\n  {}  a continuum of motions for {}: {} free, not determined: {}\n", name(c.mode),
-                 c.closed.is_point() ? decimals(c.closed, digits) : "F in " + decimals(c.closed, digits),
-                 list(c.parameters), list(c.undetermined()));
+  fmt::format_to(
+      out, "\n  {}  a continuum of motions for {}: {} free, not determined: {}\n", name(c.mode),
+      c.closed.is_point() ? interval_text("F", c.closed, digits) : "F in " + interval_text("F", c.closed, digits),
+      list(c.parameters), list(c.undetermined()));
 }
 
 void write_at_force(Out out, const SolvedScene& solved, const SolveReportOptions& options) {
@@ -86,7 +70,8 @@ void write_at_force(Out out, const SolvedScene& solved, const SolveReportOptions
   fmt::format_to(out, "\nRejected, with the violated condition and its margin\n");
   for (const Rejection& r : found.rejected) {
     if (r.violated) {
-      fmt::format_to(out, "    {:<12} {:<14} {}\n", name(r.mode), name(*r.violated), number(r.margin, options.digits));
+      fmt::format_to(out, "    {:<12} {:<14} {}\n", name(r.mode), name(*r.violated),
+                     number_text(r.margin, options.digits));
     } else {
       fmt::format_to(out, "    {:<12} {}\n", name(r.mode), reason(r));
     }
@@ -97,7 +82,7 @@ void write_ranges(Out out, const SolvedScene& solved, const SolveReportOptions& 
   fmt::format_to(out, "\nForces F for which each mode is consistent\n");
   for (const ModeSolution& s : solved.table.solutions()) {
     if (s.closed().empty()) continue;
-    fmt::format_to(out, "    {:<12} {:<28} {}\n", name(s.mode()), decimals(s.closed(), options.digits),
+    fmt::format_to(out, "    {:<12} {:<28} {}\n", name(s.mode()), interval_text("F", s.closed(), options.digits),
                    to_string(s.closed()));
   }
 }
@@ -111,7 +96,7 @@ void write_cells(Out out, const SolvedScene& solved, const SolveReportOptions& o
     }
     for (const ContactMode mode : cell.continua) motions.push_back(name(mode) + " (continuum)");
     if (motions.empty()) motions.emplace_back("no motion");
-    fmt::format_to(out, "    {:<28} {}\n", decimals(cell.forces, options.digits), fmt::join(motions, "; "));
+    fmt::format_to(out, "    {:<28} {}\n", interval_text("F", cell.forces, options.digits), fmt::join(motions, "; "));
   }
 }
 

@@ -1,0 +1,200 @@
+#include "wording/mechanism_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "input/diagnostic.hpp"
+#include "mechanism/words.hpp"
+#include "number/format.hpp"
+#include "wording/number_text.hpp"
+
+namespace slipproof {
+
+namespace {
+
+FrictionProblem checked_problem(const MechanismScene& scene) {
+  FrictionProblem problem;
+  try {
+    problem = friction_problem(scene.mechanism, scene.values);
+  } catch (const NoValue& error) {
+    throw InputError({{scene.mechanism.file, 0, 0, error.what()}});
+  }
+  if (const std::uint64_t modes = mode_count(problem); modes > max_modes) {
+    throw InputError({{scene.mechanism.file, 0, 0,
+                       fmt::format("found {} modes, expected at most {}: {} contacts and friction elements",
+                                   modes == endless ? "more than 10^19" : std::to_string(modes), max_modes,
+                                   problem.elements.size())}});
+  }
+  return without_equations(problem);
+}
+
+}  // namespace
+
+SolvedMechanism::SolvedMechanism(MechanismScene given) : scene(std::move(given)), problem(checked_problem(scene)) {
+  if (problem.has_load) modes = modes_of(problem, std::nullopt).consistent;
+  if (scene.load || !problem.has_load) {
+    at_load = motions_of(problem, scene.load);
+  } else {
+    cells = cells_of(problem, modes);
+  }
+}
+
+namespace {
+
+using Out = std::back_insert_iterator<std::string>;
+
+std::string joined(const std::vector<MechanismMode>& modes) {
+  std::string text;
+  for (const MechanismMode& mode : modes) text += (text.empty() ? "" : " = ") + name(mode);
+  return text;
+}
+
+std::string plural(std::size_t count, const char* word) {
+  return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
+}
+
+/// The text about one scene.
+class SolveText {
+ public:
+  SolveText(const SolvedMechanism& solved, int digits)
+      : solved_(solved),
+        mechanism_(solved.scene.mechanism),
+        accelerations_(acceleration_names(mechanism_)),
+        forces_(force_names(mechanism_)),
+        digits_(digits) {
+    for (const auto* names : {&accelerations_, &forces_}) {
+      for (const std::string& name : *names) width_ = std::max(width_, name.size());
+    }
+  }
+
+  std::string whole() {
+    fmt::format_to(out_, "{}: {}, {}\n", solved_.scene.name, mechanism_.name,
+                   plural(mode_count(solved_.problem), "contact mode"));
+    for (const std::string& note : solved_.scene.notes) fmt::format_to(out_, "note: {}\n", note);
+    write_not_modelled();
+    if (solved_.at_load) {
+      write_motions(*solved_.at_load);
+    } else {
+      write_ranges();
+      write_cells();
+    }
+    return std::move(text_);
+  }
+
+ private:
+  void write_not_modelled() {
+    for (const MechanismContact& contact : mechanism_.contacts) {
+      for (const std::size_t parameter : contact.lift_needs) {
+        if (solved_.scene.values.given[parameter]) continue;
+        fmt::format_to(out_, "note: without {} the contact {} does not open: that is not modelled\n",
+                       mechanism_.parameters[parameter].symbol, contact.name);
+      }
+    }
+  }
+
+  void write_value(const std::string& name, const Range& range) {
+    if (range.is_point()) {
+      fmt::format_to(out_, "    {:<{}} {}\n", name, width_, number_text(*range.lower, digits_));
+    } else {
+      fmt::format_to(out_, "    {:<{}} in {}\n", name, width_,
+                     to_string(ForceInterval::between(range.lower, true, range.upper, true)));
+    }
+  }
+
+  void write_motion(const MotionAtLoad& motion) {
+    fmt::format_to(out_, "\n  {}  ({})\n", joined(motion.strict() ? motion.modes : motion.boundary_modes),
+                   motion.strict() ? "strict" : "boundary");
+    if (motion.strict() && !motion.boundary_modes.empty()) {
+      fmt::format_to(out_, "    on the boundary of {}\n", joined(motion.boundary_modes));
+    }
+    for (std::size_t i = 0; i < accelerations_.size(); ++i) {
+      fmt::format_to(out_, "    {:<{}} {}\n", accelerations_[i], width_, number_text(motion.accelerations[i], digits_));
+    }
+    for (std::size_t i = 0; i < forces_.size(); ++i) write_value(forces_[i], motion.forces[i]);
+  }
+
+  void write_continuum(const ContinuumAtLoad& continuum) {
+    fmt::format_to(out_, "\n  {}  a continuum of motions ({})\n", name(continuum.mode),
+                   continuum.strict ? "strict" : "boundary");
+    for (std::size_t i = 0; i < accelerations_.size(); ++i) write_value(accelerations_[i], continuum.accelerations[i]);
+    for (std::size_t i = 0; i < forces_.size(); ++i) write_value(forces_[i], continuum.forces[i]);
+  }
+
+  void write_rejected(const RejectedMode& mode) {
+    std::string because;
+    for (const ViolatedCondition& c : mode.because) {
+      const std::string text = condition_name(mechanism_, c.element, c.state, c.condition);
+      if (!because.ends_with(text)) because += (because.empty() ? "" : " against ") + text;
+    }
+    if (mode.margin) because += "  " + number_text(*mode.margin, digits_);
+    if (because.empty()) because = "its equations have no solution";
+    fmt::format_to(out_, "    {:<12} {}\n", name(mode.mode), because);
+  }
+
+  void write_motions(const MotionsAtLoad& found) {
+    if (solved_.scene.load) {
+      fmt::format_to(out_, "\n{} = {} {}: ", mechanism_.load->symbol, exact_text(*solved_.scene.load),
+                     mechanism_.load->unit);
+    } else {
+      fmt::format_to(out_, "\n");
+    }
+    fmt::format_to(out_, "{}\n", plural(found.motions.size(), "motion"));
+    for (const MotionAtLoad& motion : found.motions) write_motion(motion);
+    for (const ContinuumAtLoad& continuum : found.continua) write_continuum(continuum);
+    if (!found.hysteresis.empty()) {
+      fmt::format_to(out_,
+                     "\nHysteresis: with the static coefficients as low as the kinetic ones one motion is left,\n"
+                     "without {}\n",
+                     joined(found.hysteresis));
+    }
+    if (!found.rejected.empty()) fmt::format_to(out_, "\nRejected, with what is violated\n");
+    for (const RejectedMode& mode : found.rejected) write_rejected(mode);
+    const auto strict =
+        std::count_if(found.motions.begin(), found.motions.end(), [](const auto& m) { return m.strict(); });
+    fmt::format_to(out_, "\ns SOLVED motions {} strict {} continua {} rejected {}\n", found.motions.size(), strict,
+                   found.continua.size(), found.rejected.size());
+  }
+
+  void write_ranges() {
+    fmt::format_to(out_, "\nLoads {} for which each mode has a motion\n", mechanism_.load->symbol);
+    for (const ConsistentMode& mode : solved_.modes) {
+      fmt::format_to(out_, "    {:<12} {:<28} {}\n", name(mode.mode),
+                     interval_text(mechanism_.load->symbol, mode.solutions.loads, digits_),
+                     to_string(mode.solutions.loads));
+    }
+  }
+
+  void write_cells() {
+    fmt::format_to(out_, "\nThe line of loads, cut where the motions change\n");
+    for (const LoadCell& cell : solved_.cells) {
+      std::vector<std::string> motions;
+      for (const MotionOverLoads& motion : cell.motions) {
+        motions.push_back(motion.modes.empty() ? joined(motion.boundary_modes) + " (boundary)" : joined(motion.modes));
+      }
+      for (const MechanismMode& mode : cell.continua) motions.push_back(name(mode) + " (continuum)");
+      if (motions.empty()) motions.emplace_back("no motion");
+      fmt::format_to(out_, "    {:<28} {}\n", interval_text(mechanism_.load->symbol, cell.loads, digits_),
+                     fmt::join(motions, "; "));
+    }
+    fmt::format_to(out_, "\ns SOLVED modes {} cells {}\n", solved_.modes.size(), solved_.cells.size());
+  }
+
+  const SolvedMechanism& solved_;
+  const Mechanism& mechanism_;
+  std::vector<std::string> accelerations_, forces_;
+  int digits_;
+  std::size_t width_ = 0;
+  std::string text_;
+  Out out_{text_};
+};
+
+}  // namespace
+
+std::string solve_text(const SolvedMechanism& solved, int digits) {
+  return SolveText(solved, digits).whole();
+}
+
+}  // namespace slipproof

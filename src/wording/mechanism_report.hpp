@@ -1,0 +1,30 @@
+// What is told of a mechanism's scene: all motions, as text and as `slipproof/solve/2`.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mechanism/scene.hpp"
+#include "motions/motions_of.hpp"
+
+namespace slipproof {
+
+/// A scene of a mechanism with everything that is known of its motions.
+struct SolvedMechanism {
+  /// Throws InputError where the mechanism has more modes than are tried, or a coefficient has no value.
+  explicit SolvedMechanism(MechanismScene given);
+
+  MechanismScene scene;
+  FrictionProblem problem;               ///< its equations solved
+  std::vector<ConsistentMode> modes;     ///< for all loads; of a mechanism without a load empty
+  std::optional<MotionsAtLoad> at_load;  ///< where the load has a value, or there is none
+  std::vector<LoadCell> cells;           ///< where the load has no value
+};
+
+/// For people; `digits` is how many significant ones a decimal has.
+std::string solve_text(const SolvedMechanism& solved, int digits);
+/// The document slipproof/solve/2.
+std::string solve_json(const SolvedMechanism& solved);
+
+}  // namespace slipproof
