@@ -115,8 +115,9 @@ class Judge {
       const bool nothing = N.is_zero() && (!problem_.frictional() || answer_.z[normal + 1].is_zero());
       if (nothing || N * (size.is_zero() ? Rational(1) : size) <= w[normal]) {
         mode.push_back(ContactState::lift);
-      } else if (!problem_.frictional() ||
-                 abs(answer_.z[normal + 1]) < problem_.mu[i] * N * Rational(999999, 1000000)) {
+      } else if (!problem_.frictional()) {
+        mode.push_back(ContactState::touch);
+      } else if (abs(answer_.z[normal + 1]) < problem_.mu[i] * N * Rational(999999, 1000000)) {
         mode.push_back(ContactState::stick);
       } else {
         mode.push_back(answer_.z[normal + 1].sign() < 0 ? ContactState::slip_forward : ContactState::slip_backward);

@@ -1,10 +1,11 @@
+#include "mechanism/show.hpp"
+
 #include <memory>
 #include <string>
 
 #include "cli/command.hpp"
 #include "mechanism/checks.hpp"
 #include "mechanism/shipped.hpp"
-#include "mechanism/show.hpp"
 
 namespace slipproof::cli {
 

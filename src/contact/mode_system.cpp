@@ -34,20 +34,19 @@ RawFraction ScaledProblem::condition_value(const ProblemCondition& condition, co
                                            const Integer& pivot) const {
   const std::size_t i = condition.contact, normal = friction.empty() ? i : 2 * i;
   switch (condition.kind) {
-    case ConditionKind::normal:
+    case StateCondition::pushes:
       return {z[normal], pivot};
-    case ConditionKind::friction_up:
+    case StateCondition::holds_forward:
       return {friction[i] * z[normal] - unit[i] * z[normal + 1], unit[i] * pivot};
-    case ConditionKind::friction_dn:
+    case StateCondition::holds_backward:
       return {friction[i] * z[normal] + unit[i] * z[normal + 1], unit[i] * pivot};
-    case ConditionKind::slip: {
-      const Integer w = acceleration(normal + 1, z, pivot);
-      return {condition.state == ContactState::slip_forward ? w : Integer(-w), factor[normal + 1] * pivot};
-    }
-    case ConditionKind::gap:
+    case StateCondition::slips_forward:
+      return {acceleration(normal + 1, z, pivot), factor[normal + 1] * pivot};
+    case StateCondition::slips_backward:
+      return {-acceleration(normal + 1, z, pivot), factor[normal + 1] * pivot};
+    default:
       return {acceleration(normal, z, pivot), factor[normal] * pivot};
   }
-  return {};
 }
 
 std::size_t unknown_count(const ContactProblem& problem, const ProblemMode& mode) {

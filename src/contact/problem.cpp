@@ -6,23 +6,10 @@
 
 namespace slipproof {
 
-namespace {
-
-constexpr std::array<ContactState, 4> all_states{ContactState::stick, ContactState::slip_forward,
-                                                 ContactState::slip_backward, ContactState::lift};
-
-}  // namespace
-
 std::string name(const ContactProblem& problem, const ProblemMode& mode) {
+  if (problem.frictional()) return name(mode);
   std::string text;
-  for (const ContactState state : mode) {
-    if (!problem.frictional()) {
-      text += state == ContactState::lift ? 'w' : 'z';
-    } else {
-      if (!text.empty()) text += '/';
-      text += name(state);
-    }
-  }
+  for (const ContactState state : mode) text += state == ContactState::lift ? 'w' : 'z';
   return text;
 }
 
@@ -30,13 +17,13 @@ std::optional<ProblemMode> parse_mode(const ContactProblem& problem, std::string
   ProblemMode mode;
   if (!problem.frictional()) {
     if (text.find_first_not_of("zw") != std::string_view::npos) return std::nullopt;
-    for (const char c : text) mode.push_back(c == 'w' ? ContactState::lift : ContactState::stick);
+    for (const char c : text) mode.push_back(c == 'w' ? ContactState::lift : ContactState::touch);
   } else {
+    const auto known = states(problem.kind());
     while (true) {
       const std::string_view word = text.substr(0, text.find('/'));
-      const auto state = std::find_if(all_states.begin(), all_states.end(),
-                                      [&](ContactState candidate) { return name(candidate) == word; });
-      if (state == all_states.end()) return std::nullopt;
+      const auto state = parse_element_state(word);
+      if (!state || std::find(known.begin(), known.end(), *state) == known.end()) return std::nullopt;
       mode.push_back(*state);
       if (word.size() == text.size()) break;
       text.remove_prefix(word.size() + 1);
@@ -49,19 +36,7 @@ std::optional<ProblemMode> parse_mode(const ContactProblem& problem, std::string
 std::vector<ProblemCondition> conditions(const ContactProblem& problem, const ProblemMode& mode) {
   std::vector<ProblemCondition> list;
   for (std::size_t i = 0; i < mode.size(); ++i) {
-    const auto add = [&](ConditionKind kind) { list.push_back({i, kind, mode[i]}); };
-    if (mode[i] == ContactState::lift) {
-      add(ConditionKind::gap);
-      continue;
-    }
-    add(ConditionKind::normal);
-    if (!problem.frictional()) continue;
-    if (mode[i] == ContactState::stick) {
-      add(ConditionKind::friction_up);
-      add(ConditionKind::friction_dn);
-    } else {
-      add(ConditionKind::slip);
-    }
+    for (const StateCondition c : conditions(problem.kind(), mode[i])) list.push_back({i, c});
   }
   return list;
 }
@@ -69,35 +44,36 @@ std::vector<ProblemCondition> conditions(const ContactProblem& problem, const Pr
 std::string name(const ContactProblem& problem, const ProblemCondition& condition) {
   const std::string j = std::to_string(condition.contact + 1);
   switch (condition.kind) {
-    case ConditionKind::normal:
+    case StateCondition::pushes:
       return (problem.frictional() ? "N" : "z") + j + " >= 0";
-    case ConditionKind::friction_up:
-    case ConditionKind::friction_dn:
-      return "|T" + j + "| <= mu N" + j;
-    case ConditionKind::slip:
-      return "slip" + j + (condition.state == ContactState::slip_forward ? " >= 0" : " <= 0");
-    case ConditionKind::gap:
+    case StateCondition::slips_forward:
+      return "slip" + j + " >= 0";
+    case StateCondition::slips_backward:
+      return "slip" + j + " <= 0";
+    case StateCondition::opens:
       return (problem.frictional() ? "gap" : "w") + j + " >= 0";
+    default:
+      return "|T" + j + "| <= mu N" + j;
   }
-  return {};
 }
 
 Rational condition_value(const ContactProblem& problem, const ProblemCondition& condition,
                          const std::vector<Rational>& z, const std::vector<Rational>& w) {
   const std::size_t i = condition.contact, normal = problem.frictional() ? 2 * i : i;
   switch (condition.kind) {
-    case ConditionKind::normal:
+    case StateCondition::pushes:
       return z[normal];
-    case ConditionKind::friction_up:
+    case StateCondition::holds_forward:
       return problem.mu[i] * z[normal] - z[normal + 1];
-    case ConditionKind::friction_dn:
+    case StateCondition::holds_backward:
       return problem.mu[i] * z[normal] + z[normal + 1];
-    case ConditionKind::slip:
-      return condition.state == ContactState::slip_forward ? w[normal + 1] : Rational(-w[normal + 1]);
-    case ConditionKind::gap:
+    case StateCondition::slips_forward:
+      return w[normal + 1];
+    case StateCondition::slips_backward:
+      return -w[normal + 1];
+    default:
       return w[normal];
   }
-  return 0;
 }
 
 bool solves(const ContactProblem& problem, const ProblemMode& mode, const std::vector<Rational>& z) {

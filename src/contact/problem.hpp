@@ -27,14 +27,17 @@ struct ContactProblem {
   std::size_t size() const { return q.size(); }
   /// Contacts; in an LCP, components.
   std::size_t contacts() const { return frictional() ? mu.size() : q.size(); }
+  ElementKind kind() const {
+    return {.law = frictional() ? ElementKind::Law::coulomb : ElementKind::Law::frictionless};
+  }
 };
 
 /// What is wrong with the shape or the domain of a problem; empty if nothing is.
 std::string mistake_in(const ContactProblem& problem);
 inline constexpr std::size_t max_problem_size = 64;
 
-/// A state for each contact. A component of an LCP is a contact without friction: `stick` stands for w_i = 0 <= z_i,
-/// `lift` for z_i = 0 <= w_i.
+/// A state for each contact. A component of an LCP is a contact without friction: `touch` stands for
+/// w_i = 0 <= z_i, `lift` for z_i = 0 <= w_i.
 using ProblemMode = std::vector<ContactState>;
 
 /// `stick/slip+/lift`; of an LCP a letter for each component, the one of z and w that need not be 0: `zwz`.
@@ -45,8 +48,7 @@ std::optional<ProblemMode> parse_mode(const ContactProblem& problem, std::string
 /// One condition of a mode: its left-hand side must be >= 0.
 struct ProblemCondition {
   std::size_t contact;
-  ConditionKind kind;  ///< of an LCP: normal (z_i >= 0) or gap (w_i >= 0)
-  ContactState state;
+  StateCondition kind;  ///< of an LCP: pushes (z_i >= 0) or opens (w_i >= 0)
 };
 std::vector<ProblemCondition> conditions(const ContactProblem& problem, const ProblemMode& mode);
 /// `N1 >= 0`, `|T1| <= mu N1`, `slip2 <= 0`, `gap2 >= 0`; `z3 >= 0`, `w3 >= 0`. Contacts and components count from 1.

@@ -8,17 +8,14 @@ namespace slipproof {
 
 namespace {
 
-ProblemMode next_mode(ProblemMode mode, bool frictional, bool& done) {
+/// Goes on to the next mode; false after the last one, with the first.
+bool advance(ProblemMode& mode, const std::vector<ContactState>& states) {
   for (ContactState& state : mode) {
-    if (state == ContactState::lift) {
-      state = ContactState::stick;
-      continue;
-    }
-    state = frictional ? static_cast<ContactState>(static_cast<int>(state) + 1) : ContactState::lift;
-    return mode;
+    const auto next = std::find(states.begin(), states.end(), state) + 1;
+    state = next == states.end() ? states.front() : *next;
+    if (next != states.end()) return true;
   }
-  done = true;
-  return mode;
+  return false;
 }
 
 }  // namespace
@@ -145,8 +142,10 @@ std::optional<ContactSolutions> ContactSolver::all() const {
 
 ContactSolutions ContactSolver::try_all(Effort& effort) const {
   ContactSolutions found;
-  ProblemMode mode(problem_.contacts(), ContactState::stick);
-  for (bool done = false; !done; mode = next_mode(std::move(mode), problem_.frictional(), done)) {
+  const auto all_states = states(problem_.kind());
+  ProblemMode mode(problem_.contacts(), all_states.front());
+  bool more = true;
+  for (; more; more = advance(mode, all_states)) {
     ModeOutcome outcome = solve(mode, effort);
     if (outcome.kind == ModeOutcome::Kind::continuum) found.continua.push_back(std::move(*outcome.continuum));
     if (outcome.kind != ModeOutcome::Kind::solution) continue;
@@ -179,7 +178,7 @@ std::optional<ContactSolution> ContactSolver::only(ProblemMode mode, Effort& eff
         return ContactSolution{{mode}, outcome.strict, std::move(outcome.z), std::move(w)};
       }
       ContactState& state = mode[outcome.condition->contact];
-      state = state == ContactState::lift ? ContactState::stick : ContactState::lift;
+      state = state == ContactState::lift ? ContactState::touch : ContactState::lift;
     }
   } catch (const TooMuchWork&) {
     return std::nullopt;

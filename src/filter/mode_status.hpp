@@ -26,19 +26,8 @@ struct ConditionList {
 constexpr ConditionList condition_list(ContactMode mode) {
   ConditionList list;
   for (const Wheel w : {Wheel::rear, Wheel::front}) {
-    const auto add = [&](ConditionKind kind) {
-      list.items[static_cast<std::size_t>(list.count++)] = {w, kind, mode[w]};
-    };
-    if (mode[w] == ContactState::lift) {
-      add(ConditionKind::gap);
-      continue;
-    }
-    add(ConditionKind::normal);
-    if (mode[w] == ContactState::stick) {
-      add(ConditionKind::friction_up);
-      add(ConditionKind::friction_dn);
-    } else {
-      add(ConditionKind::slip);
+    for (const StateCondition c : conditions(ElementKind{}, mode[w])) {
+      list.items[static_cast<std::size_t>(list.count++)] = {w, c};
     }
   }
   return list;

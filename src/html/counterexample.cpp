@@ -121,7 +121,8 @@ constexpr std::array<std::string_view, unknown_count> equation_names{
 /// `S2 <= f N2`, `gap3 >= 0`, as formulas.
 void add_condition(const Element& parent, const Condition& condition) {
   const Element row = add_math(parent).set("aria-label", name(condition)).add("mrow");
-  const bool friction = condition.kind == ConditionKind::friction_up || condition.kind == ConditionKind::friction_dn;
+  using Kind = StateCondition;
+  const bool friction = condition.kind == Kind::holds_forward || condition.kind == Kind::holds_backward;
   if (!friction) {
     const std::string text = name(condition);
     const std::size_t end = text.find(' ');
@@ -131,7 +132,7 @@ void add_condition(const Element& parent, const Condition& condition) {
     return;
   }
   const std::string wheel = condition.wheel == Wheel::rear ? "2" : "3";
-  if (condition.kind == ConditionKind::friction_dn) add_operator(row, "−");
+  if (condition.kind == Kind::holds_backward) add_operator(row, "−");
   add_symbol(row, "S" + wheel);
   add_operator(row, "≤");
   add_symbol(row, "f");

@@ -7,25 +7,12 @@
 
 namespace slipproof {
 
-/// The conditions of one wheel, in the order in which condition_values() gives them.
-inline std::vector<Condition> conditions(Wheel wheel, ContactState state) {
-  switch (state) {
-    case ContactState::stick:
-      return {{wheel, ConditionKind::normal, state},
-              {wheel, ConditionKind::friction_up, state},
-              {wheel, ConditionKind::friction_dn, state}};
-    case ContactState::slip_forward:
-    case ContactState::slip_backward:
-      return {{wheel, ConditionKind::normal, state}, {wheel, ConditionKind::slip, state}};
-    case ContactState::lift:
-      break;
-  }
-  return {{wheel, ConditionKind::gap, state}};
-}
-
+/// The conditions of one wheel, then of the other, in the order of the table of states.
 inline std::vector<Condition> conditions(ContactMode mode) {
-  std::vector<Condition> result = conditions(Wheel::rear, mode.rear);
-  for (const Condition& c : conditions(Wheel::front, mode.front)) result.push_back(c);
+  std::vector<Condition> result;
+  for (const Wheel wheel : {Wheel::rear, Wheel::front}) {
+    for (const StateCondition c : conditions(ElementKind{}, mode[wheel])) result.push_back({wheel, c});
+  }
   return result;
 }
 
@@ -37,18 +24,19 @@ V condition_value(const Condition& condition, const Motion<V>& m, const T& f) {
   const V& S = m[rear ? Quantity::S2 : Quantity::S3];
   const V& slip = m[rear ? Quantity::slip2 : Quantity::slip3];
   switch (condition.kind) {
-    case ConditionKind::normal:
+    case StateCondition::pushes:
       return N;
-    case ConditionKind::friction_up:
+    case StateCondition::holds_forward:
       return f * N - S;
-    case ConditionKind::friction_dn:
+    case StateCondition::holds_backward:
       return f * N + S;
-    case ConditionKind::slip:
-      return condition.state == ContactState::slip_forward ? slip : V(-slip);
-    case ConditionKind::gap:
-      break;
+    case StateCondition::slips_forward:
+      return slip;
+    case StateCondition::slips_backward:
+      return -slip;
+    default:
+      return m[rear ? Quantity::gap2 : Quantity::gap3];
   }
-  return m[rear ? Quantity::gap2 : Quantity::gap3];
 }
 
 }  // namespace slipproof

@@ -5,21 +5,16 @@
 namespace slipproof {
 
 namespace {
-constexpr std::array<std::string_view, 4> state_names{"stick", "slip+", "slip-", "lift"};
 constexpr std::array<std::string_view, quantity_count> quantity_names{
     "a", "a_y", "phi", "eps2", "eps3", "S2", "S3", "N2", "N3", "gap2", "gap3", "slip2", "slip3"};
 
 std::optional<ContactState> parse_state(std::string_view text) {
-  const auto found = std::find(state_names.begin(), state_names.end(), text);
-  if (found == state_names.end()) return std::nullopt;
-  return static_cast<ContactState>(found - state_names.begin());
+  const auto state = parse_element_state(text);
+  if (!state || *state > ContactState::lift) return std::nullopt;
+  return state;
 }
 
 }  // namespace
-
-std::string_view name(ContactState state) {
-  return state_names[static_cast<std::size_t>(state)];
-}
 
 std::string name(ContactMode mode) {
   return std::string(name(mode.rear)) + '/' + std::string(name(mode.front));
@@ -48,17 +43,17 @@ std::optional<Quantity> parse_quantity(std::string_view text) {
 std::string name(const Condition& condition) {
   const std::string j = condition.wheel == Wheel::rear ? "2" : "3";
   switch (condition.kind) {
-    case ConditionKind::normal:
+    case StateCondition::pushes:
       return "N" + j + " >= 0";
-    case ConditionKind::friction_up:
-    case ConditionKind::friction_dn:
-      return "|S" + j + "| <= f N" + j;
-    case ConditionKind::slip:
-      return "slip" + j + (condition.state == ContactState::slip_forward ? " >= 0" : " <= 0");
-    case ConditionKind::gap:
+    case StateCondition::slips_forward:
+      return "slip" + j + " >= 0";
+    case StateCondition::slips_backward:
+      return "slip" + j + " <= 0";
+    case StateCondition::opens:
       return "gap" + j + " >= 0";
+    default:
+      return "|S" + j + "| <= f N" + j;
   }
-  return {};
 }
 
 }  // namespace slipproof

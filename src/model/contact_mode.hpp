@@ -8,10 +8,12 @@
 #include <string>
 #include <string_view>
 
+#include "motions/element.hpp"
+
 namespace slipproof {
 
-/// The state of one wheel. slip_forward is written `slip+` (S = -f N, slip >= 0), slip_backward `slip-`.
-enum class ContactState : std::uint8_t { stick, slip_forward, slip_backward, lift };
+/// The state of one wheel: `stick`, `slip+`, `slip-` or `lift`.
+using ContactState = ElementState;
 
 enum class Wheel : std::uint8_t { rear, front };  ///< the paper's j = 2 and j = 3
 
@@ -35,11 +37,6 @@ constexpr std::array<ContactMode, 16> all_modes() {
   return modes;
 }
 
-/// S = -direction * f N on a slipping wheel: +1 for slip+, -1 for slip-, 0 otherwise.
-constexpr int slip_direction(ContactState state) {
-  return state == ContactState::slip_forward ? 1 : state == ContactState::slip_backward ? -1 : 0;
-}
-
 /// What a motion consists of, in the order in which it is written.
 enum class Quantity : std::uint8_t { a, a_y, phi, eps2, eps3, S2, S3, N2, N3, gap2, gap3, slip2, slip3 };
 inline constexpr std::size_t quantity_count = 13;
@@ -50,7 +47,6 @@ constexpr std::array<Quantity, quantity_count> all_quantities() {
   return all;
 }
 
-std::string_view name(ContactState state);
 std::string name(ContactMode mode);  ///< `rear/front`
 std::string_view name(Quantity quantity);
 std::optional<ContactMode> parse_mode(std::string_view text);  ///< nothing unless exactly as written by name()
@@ -66,19 +62,10 @@ struct Motion {
   bool operator==(const Motion&) const = default;
 };
 
-/// A condition on a wheel (the table of contact states): its left-hand side must be >= 0, > 0 in a strict motion.
-enum class ConditionKind : std::uint8_t {
-  normal,       ///< N >= 0
-  friction_up,  ///< f N - S >= 0
-  friction_dn,  ///< f N + S >= 0
-  slip,         ///< direction * slip >= 0
-  gap           ///< gap >= 0
-};
-
+/// A condition on a wheel: its left-hand side must be >= 0, > 0 in a strict motion.
 struct Condition {
   Wheel wheel;
-  ConditionKind kind;
-  ContactState state;  ///< of the wheel, for the wording of slip conditions
+  StateCondition kind;
   bool operator==(const Condition&) const = default;
 };
 

@@ -71,10 +71,9 @@ std::array<U, 2> contact_equations(const Bicycle<T>& p, const Road<T>& road, con
       return {gap(p, u, wheel), S + road.f * N};
     case ContactState::slip_backward:
       return {gap(p, u, wheel), S - road.f * N};
-    case ContactState::lift:
-      break;
+    default:
+      return {N, S};
   }
-  return {N, S};
 }
 
 }  // namespace slipproof

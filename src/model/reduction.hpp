@@ -341,18 +341,19 @@ V ReducedMotion<T, V>::condition_numerator(const Condition& c) const {
   const V &N = rear ? N2_ : N3_, &S = rear ? S2_ : S3_;
   const T& sigma = rear ? rear_sigma_ : front_sigma_;
   switch (c.kind) {
-    case ConditionKind::normal:
+    case StateCondition::pushes:
       return N;
-    case ConditionKind::gap:
+    case StateCondition::opens:
       return gap(c.wheel);
-    case ConditionKind::slip:
-      return c.state == ContactState::slip_backward ? V(-slip(c.wheel)) : slip(c.wheel);
-    case ConditionKind::friction_up:
+    case StateCondition::slips_forward:
+      return slip(c.wheel);
+    case StateCondition::slips_backward:
+      return -slip(c.wheel);
+    case StateCondition::holds_forward:
       return T(d_.fn * sigma) * N - d_.fd * S;
-    case ConditionKind::friction_dn:
-      break;
+    default:
+      return T(d_.fn * sigma) * N + d_.fd * S;
   }
-  return T(d_.fn * sigma) * N + d_.fd * S;
 }
 
 template <class T, class V>
@@ -360,17 +361,16 @@ Quotient<V, T> ReducedMotion<T, V>::condition_value(const Condition& c) const {
   const T& D = determinant_;
   V numerator = condition_numerator(c);
   switch (c.kind) {
-    case ConditionKind::normal:
+    case StateCondition::pushes:
       return {std::move(numerator), D};
-    case ConditionKind::gap:
+    case StateCondition::opens:
       return {std::move(numerator), airborne() ? T(d_.M * D) : D};
-    case ConditionKind::slip:
+    case StateCondition::slips_forward:
+    case StateCondition::slips_backward:
       return {std::move(numerator), T(spin_unit(c.wheel) * D)};
-    case ConditionKind::friction_up:
-    case ConditionKind::friction_dn:
-      break;
+    default:
+      return {std::move(numerator), T(d_.fd * T((c.wheel == Wheel::rear ? rear_sigma_ : front_sigma_) * D))};
   }
-  return {std::move(numerator), T(d_.fd * T((c.wheel == Wheel::rear ? rear_sigma_ : front_sigma_) * D))};
 }
 
 }  // namespace slipproof

@@ -79,8 +79,9 @@ Affine<Rational> ModeSolution::quantity(Quantity quantity) const {
 
 Affine<Rational> ModeSolution::condition_value(const Condition& condition) const {
   Quantity like = Quantity::N2;
-  if (condition.kind == ConditionKind::slip) like = Quantity::slip2;
-  if (condition.kind == ConditionKind::gap) like = Quantity::gap2;
+  using Kind = StateCondition;
+  if (condition.kind == Kind::slips_forward || condition.kind == Kind::slips_backward) like = Quantity::slip2;
+  if (condition.kind == Kind::opens) like = Quantity::gap2;
   return to_rational(reduced_->condition_value(condition), units_->unit(like));
 }
 

@@ -48,15 +48,6 @@ std::optional<ElementState> parse_element_state(std::string_view text) {
   return std::nullopt;
 }
 
-int slip_direction(ElementState state) {
-  if (state == State::slip_forward || state == State::pulled_slip_forward) return 1;
-  return state == State::slip_backward || state == State::pulled_slip_backward ? -1 : 0;
-}
-
-bool is_pulled(ElementState state) {
-  return state >= State::pulled_stick;
-}
-
 std::vector<ElementState> states(const ElementKind& kind) {
   if (kind.start == Start::open) return {State::lift};
   std::vector<State> result = kind.law == Law::frictionless ? std::vector{State::touch} : slipping(kind.start);
@@ -67,44 +58,6 @@ std::vector<ElementState> states(const ElementKind& kind) {
     for (std::size_t i = 0; i < pushed; ++i) result.push_back(pulled(result[i]));
   } else if (kind.lifts) {
     result.push_back(State::lift);
-  }
-  return result;
-}
-
-std::vector<StateEquation> equations(const ElementKind& kind, ElementState state) {
-  using Equation = StateEquation;
-  if (state == State::lift) {
-    if (kind.law == Law::frictionless) return {Equation::no_normal};
-    return {Equation::no_normal, Equation::no_tangent};
-  }
-  std::vector<Equation> result;
-  if (kind.law != Law::limited) result.push_back(Equation::gap);
-  if (state == State::touch) return result;
-  const int direction = slip_direction(state);
-  result.push_back(direction > 0   ? Equation::resists_forward
-                   : direction < 0 ? Equation::resists_backward
-                                   : Equation::slip);
-  return result;
-}
-
-std::vector<StateCondition> conditions(const ElementKind& kind, ElementState state) {
-  using Condition = StateCondition;
-  if (state == State::lift) {
-    return kind.start == Start::open ? std::vector<Condition>{} : std::vector{Condition::opens};
-  }
-  std::vector<Condition> result;
-  if (kind.law == Law::limited) {
-    result = {Condition::static_limit, Condition::kinetic_limit};
-  } else if (!(kind.law == Law::frictionless && kind.bilateral)) {
-    result.push_back(is_pulled(state) ? Condition::pulls : Condition::pushes);
-  }
-  if (state == State::touch) return result;
-  const int direction = slip_direction(state);
-  if (direction == 0) {
-    result.push_back(Condition::holds_forward);
-    result.push_back(Condition::holds_backward);
-  } else if (!kind.slides()) {
-    result.push_back(direction > 0 ? Condition::slips_forward : Condition::slips_backward);
   }
   return result;
 }

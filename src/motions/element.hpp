@@ -2,6 +2,7 @@
 // the equations and the conditions of each.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -26,7 +27,7 @@ struct ElementKind {
   bool bilateral = false;  ///< a guide: N of either sign, and it never opens
   bool lifts = true;       ///< whether `lift` is modelled
 
-  bool slides() const { return start == Start::slides_forward || start == Start::slides_backward; }
+  constexpr bool slides() const { return start == Start::slides_forward || start == Start::slides_backward; }
 };
 
 /// The state of one element. A tilde marks a guide that pulls: N <= 0, and -N stands for N in the friction law.
@@ -45,12 +46,32 @@ std::string_view name(ElementState state);
 std::optional<ElementState> parse_element_state(std::string_view text);  ///< nothing unless as written by name()
 
 /// +1 for `slip+` and `slip+~`, -1 for `slip-` and `slip-~`, 0 otherwise.
-int slip_direction(ElementState state);
+constexpr int slip_direction(ElementState state) {
+  if (state == ElementState::slip_forward || state == ElementState::pulled_slip_forward) return 1;
+  return state == ElementState::slip_backward || state == ElementState::pulled_slip_backward ? -1 : 0;
+}
 /// Whether it is one of those with a tilde.
-bool is_pulled(ElementState state);
+constexpr bool is_pulled(ElementState state) {
+  return state >= ElementState::pulled_stick;
+}
 
 /// The states of an element, in the order in which modes are enumerated.
 std::vector<ElementState> states(const ElementKind& kind);
+
+/// What a state has of equations and conditions, at most four of each; known when a program is compiled.
+template <class Item>
+class StateList {
+ public:
+  constexpr void add(Item item) { items_[count_++] = item; }
+  constexpr std::size_t size() const { return count_; }
+  constexpr Item operator[](std::size_t i) const { return items_[i]; }
+  constexpr const Item* begin() const { return items_.data(); }
+  constexpr const Item* end() const { return items_.data() + count_; }
+
+ private:
+  std::array<Item, 4> items_{};
+  std::size_t count_ = 0;
+};
 
 /// One equation of a state.
 enum class StateEquation : std::uint8_t {
@@ -61,7 +82,7 @@ enum class StateEquation : std::uint8_t {
   resists_forward,  ///< S = -kinetic limit
   resists_backward  ///< S = +kinetic limit
 };
-std::vector<StateEquation> equations(const ElementKind& kind, ElementState state);
+constexpr StateList<StateEquation> equations(const ElementKind& kind, ElementState state);
 
 /// One condition of a state: what must be >= 0, and > 0 in a strict motion. The limits are mu N of a contact (mu times
 /// -N where it is pulled), and the limit of a friction element.
@@ -76,10 +97,50 @@ enum class StateCondition : std::uint8_t {
   static_limit,    ///< limit >= 0, of a friction element
   kinetic_limit
 };
-std::vector<StateCondition> conditions(const ElementKind& kind, ElementState state);
+constexpr StateList<StateCondition> conditions(const ElementKind& kind, ElementState state);
 
 /// A state for each element, in the order of the mechanism.
 using MechanismMode = std::vector<ElementState>;
 std::string name(const MechanismMode& mode);  ///< joined by `/`: `stick/slip+`
+
+constexpr StateList<StateEquation> equations(const ElementKind& kind, ElementState state) {
+  StateList<StateEquation> result;
+  const bool frictionless = kind.law == ElementKind::Law::frictionless;
+  if (state == ElementState::lift) {
+    result.add(StateEquation::no_normal);
+    if (!frictionless) result.add(StateEquation::no_tangent);
+    return result;
+  }
+  if (kind.law != ElementKind::Law::limited) result.add(StateEquation::gap);
+  if (state == ElementState::touch) return result;
+  const int direction = slip_direction(state);
+  result.add(direction > 0   ? StateEquation::resists_forward
+             : direction < 0 ? StateEquation::resists_backward
+                             : StateEquation::slip);
+  return result;
+}
+
+constexpr StateList<StateCondition> conditions(const ElementKind& kind, ElementState state) {
+  StateList<StateCondition> result;
+  if (state == ElementState::lift) {
+    if (kind.start != ElementKind::Start::open) result.add(StateCondition::opens);
+    return result;
+  }
+  if (kind.law == ElementKind::Law::limited) {
+    result.add(StateCondition::static_limit);
+    result.add(StateCondition::kinetic_limit);
+  } else if (!(kind.law == ElementKind::Law::frictionless && kind.bilateral)) {
+    result.add(is_pulled(state) ? StateCondition::pulls : StateCondition::pushes);
+  }
+  if (state == ElementState::touch) return result;
+  const int direction = slip_direction(state);
+  if (direction == 0) {
+    result.add(StateCondition::holds_forward);
+    result.add(StateCondition::holds_backward);
+  } else if (!kind.slides()) {
+    result.add(direction > 0 ? StateCondition::slips_forward : StateCondition::slips_backward);
+  }
+  return result;
+}
 
 }  // namespace slipproof

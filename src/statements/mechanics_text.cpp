@@ -27,65 +27,109 @@ std::string state_name(Wheel wheel, ContactState state) {
       return fmt::format("{}_slips_forwards", side);
     case ContactState::slip_backward:
       return fmt::format("{}_slips_backwards", side);
-    case ContactState::lift:
-      break;
+    default:
+      return fmt::format("{}_lifts", side);
   }
-  return fmt::format("{}_lifts", side);
 }
 
-std::string contact_equations(Wheel wheel, ContactState state) {
-  const int j = wheel == Wheel::rear ? 2 : 3;
-  switch (state) {
-    case ContactState::stick:
-      return fmt::format("gap{0} = 0 and slip{0} = 0", j);
-    case ContactState::slip_forward:
-      return fmt::format("gap{0} = 0 and S{0} = -f*N{0}", j);
-    case ContactState::slip_backward:
-      return fmt::format("gap{0} = 0 and S{0} = f*N{0}", j);
-    case ContactState::lift:
+namespace {
+
+/// The equation of a state, or that it fails, of wheel j.
+std::string equation_text(StateEquation equation, int j, const char* is) {
+  switch (equation) {
+    case StateEquation::gap:
+      return fmt::format("gap{} {} 0", j, is);
+    case StateEquation::slip:
+      return fmt::format("slip{} {} 0", j, is);
+    case StateEquation::no_normal:
+      return fmt::format("N{} {} 0", j, is);
+    case StateEquation::no_tangent:
+      return fmt::format("S{} {} 0", j, is);
+    case StateEquation::resists_forward:
+      return fmt::format("S{0} {1} -f*N{0}", j, is);
+    case StateEquation::resists_backward:
       break;
   }
-  return fmt::format("N{0} = 0 and S{0} = 0", j);
+  return fmt::format("S{0} {1} f*N{0}", j, is);
+}
+
+/// The condition of a state, of wheel j. Both of those on the friction of a wheel that sticks stand at the first.
+std::string condition_text(StateCondition condition, int j, bool strict) {
+  const char* above = strict ? ">" : ">=";
+  const char* below = strict ? "<" : "<=";
+  switch (condition) {
+    case StateCondition::pushes:
+      return fmt::format("N{} {} 0", j, above);
+    case StateCondition::holds_forward:
+      return fmt::format("-f*N{0} {1} S{0} {1} f*N{0}", j, below);
+    case StateCondition::slips_forward:
+      return fmt::format("slip{} {} 0", j, above);
+    case StateCondition::slips_backward:
+      return fmt::format("slip{} {} 0", j, below);
+    case StateCondition::opens:
+      return fmt::format("gap{} {} 0", j, above);
+    default:
+      return {};
+  }
+}
+
+/// That it fails.
+std::string missed_text(StateCondition condition, int j) {
+  switch (condition) {
+    case StateCondition::pushes:
+      return fmt::format("N{} < 0", j);
+    case StateCondition::holds_forward:
+      return fmt::format("S{0} < -f*N{0} or S{0} > f*N{0}", j);
+    case StateCondition::slips_forward:
+      return fmt::format("slip{} < 0", j);
+    case StateCondition::slips_backward:
+      return fmt::format("slip{} > 0", j);
+    case StateCondition::opens:
+      return fmt::format("gap{} < 0", j);
+    default:
+      return {};
+  }
+}
+
+int number_of(Wheel wheel) {
+  return wheel == Wheel::rear ? 2 : 3;
+}
+
+/// What the items of a list say, joined by a word; those that say nothing are left out.
+template <class Items, class Text>
+std::string joined(const Items& items, const char* word, const Text& text) {
+  std::string result;
+  for (const auto item : items) {
+    const std::string part = text(item);
+    if (!part.empty()) result += (result.empty() ? "" : word) + part;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string contact_equations(Wheel wheel, ContactState state) {
+  return joined(equations(ElementKind{}, state), " and ",
+                [&](StateEquation equation) { return equation_text(equation, number_of(wheel), "="); });
 }
 
 std::string state_definition(Wheel wheel, ContactState state, bool strict) {
-  const char* above = strict ? ">" : ">=";
-  const char* below = strict ? "<" : "<=";
-  const int j = wheel == Wheel::rear ? 2 : 3;
-  std::string conditions;
-  switch (state) {
-    case ContactState::stick:
-      conditions = fmt::format("N{0} {1} 0 and -f*N{0} {2} S{0} {2} f*N{0}", j, above, below);
-      break;
-    case ContactState::slip_forward:
-      conditions = fmt::format("N{0} {1} 0 and slip{0} {1} 0", j, above);
-      break;
-    case ContactState::slip_backward:
-      conditions = fmt::format("N{0} {1} 0 and slip{0} {2} 0", j, above, below);
-      break;
-    case ContactState::lift:
-      conditions = fmt::format("gap{0} {1} 0", j, above);
-      break;
-  }
-  return fmt::format("define {}: {} and {}\n", state_name(wheel, state), contact_equations(wheel, state), conditions);
+  const std::string all = joined(conditions(ElementKind{}, state), " and ", [&](StateCondition condition) {
+    return condition_text(condition, number_of(wheel), strict);
+  });
+  return fmt::format("define {}: {} and {}\n", state_name(wheel, state), contact_equations(wheel, state), all);
 }
 
 namespace {
 
 /// One of a state's equations or conditions fails.
 std::string state_missed_text(Wheel wheel, ContactState state) {
-  const int j = wheel == Wheel::rear ? 2 : 3;
-  switch (state) {
-    case ContactState::stick:
-      return fmt::format("gap{0} != 0 or slip{0} != 0 or N{0} < 0 or S{0} < -f*N{0} or S{0} > f*N{0}", j);
-    case ContactState::slip_forward:
-      return fmt::format("gap{0} != 0 or S{0} != -f*N{0} or N{0} < 0 or slip{0} < 0", j);
-    case ContactState::slip_backward:
-      return fmt::format("gap{0} != 0 or S{0} != f*N{0} or N{0} < 0 or slip{0} > 0", j);
-    case ContactState::lift:
-      break;
-  }
-  return fmt::format("N{0} != 0 or S{0} != 0 or gap{0} < 0", j);
+  const int j = number_of(wheel);
+  return joined(equations(ElementKind{}, state), " or ",
+                [&](StateEquation equation) { return equation_text(equation, j, "!="); }) +
+         " or " + joined(conditions(ElementKind{}, state), " or ", [&](StateCondition condition) {
+           return missed_text(condition, j);
+         });
 }
 
 }  // namespace

@@ -210,7 +210,7 @@ TEST_CASE("a definite matrix has one solution, found without trying all modes") 
     const auto all = solver.all();
     REQUIRE(all);
     REQUIRE(all->one());
-    for (const ContactState start : {ContactState::stick, ContactState::lift}) {
+    for (const ContactState start : {ContactState::touch, ContactState::lift}) {
       const auto only = solver.only(ProblemMode(n, start));
       REQUIRE(only);
       CHECK(only->z == all->solutions.front().z);
@@ -219,13 +219,13 @@ TEST_CASE("a definite matrix has one solution, found without trying all modes") 
   const ContactProblem large = draw.definite(20);
   const ContactSolver solver(large);
   CHECK_FALSE(solver.all());
-  const auto only = solver.only(ProblemMode(20, ContactState::stick));
+  const auto only = solver.only(ProblemMode(20, ContactState::touch));
   REQUIRE(only);
   CHECK(solves(large, only->modes.front(), only->z));
   ContactProblem indefinite = large;
   indefinite.W[7][7] = 0;
   CHECK_FALSE(positive_definite(indefinite.W));
-  CHECK_FALSE(ContactSolver(indefinite).only(ProblemMode(20, ContactState::stick)));
+  CHECK_FALSE(ContactSolver(indefinite).only(ProblemMode(20, ContactState::touch)));
   CHECK(positive_definite({{1, 5}, {-5, 1}}));
   CHECK_FALSE(positive_definite({{1, 3}, {0, 1}}));
   CHECK_FALSE(positive_definite({{1, 1}, {1, 1}}));
