@@ -52,10 +52,14 @@ Expression sum_of(const Expression& x, const Expression& y) {
   if (a && b) return make_number(Rational(*a + *b));
   if (a && a->is_zero()) return y;
   if (b && b->is_zero()) return x;
-  if (y->operation == Operation::add) return sum_of(sum_of(x, y->operands[0]), y->operands[1]);
-  if (y->operation == Operation::subtract) return difference_of(sum_of(x, y->operands[0]), y->operands[1]);
   if (is_negative(y)) return difference_of(x, negative_of(y));
   return make(Operation::add, {x, y});
+}
+
+Expression appended(const Expression& x, const Expression& y) {
+  if (y->operation == Operation::add) return sum_of(appended(x, y->operands[0]), y->operands[1]);
+  if (y->operation == Operation::subtract) return difference_of(appended(x, y->operands[0]), y->operands[1]);
+  return sum_of(x, y);
 }
 
 Expression difference_of(const Expression& x, const Expression& y) {

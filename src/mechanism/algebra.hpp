@@ -7,6 +7,8 @@ namespace slipproof {
 
 Expression zero_literal();
 Expression sum_of(const Expression& x, const Expression& y);
+/// x + y without brackets around y: a tree as deep as y has terms, to be read rather than evaluated.
+Expression appended(const Expression& x, const Expression& y);
 Expression difference_of(const Expression& x, const Expression& y);
 Expression negative_of(const Expression& x);
 Expression product_of(const Expression& x, const Expression& y);

@@ -1,4 +1,5 @@
-#include <algorithm>
+#include <set>
+#include <utility>
 
 #include "expression/extent.hpp"
 #include "mechanism/reader.hpp"
@@ -27,7 +28,16 @@ std::string_view allowed_words(NameKinds allowed) {
 class UseCheck {
  public:
   explicit UseCheck(Context& context)
-      : context_(context), names_(context.mechanism), extents_(context.mechanism.definitions.size()) {}
+      : context_(context), names_(context.mechanism), extents_(context.mechanism.definitions.size()) {
+    for (const MechanismDefinition& definition : context.mechanism.definitions) {
+      uses_.emplace_back();
+      if (!definition.expression) continue;
+      for (const std::string& symbol : symbols(definition.expression.expression)) {
+        const auto entry = names_.find(symbol);
+        if (entry && entry->kind == Kind::definition) uses_.back().push_back(entry->index);
+      }
+    }
+  }
 
   void check() {
     Mechanism& m = context_.mechanism;
@@ -79,22 +89,27 @@ class UseCheck {
   void definition(std::size_t index) {
     MechanismDefinition& definition = context_.mechanism.definitions[index];
     PlacedExpression& placed = definition.expression;
-    if (placed) {
-      for (const std::string& symbol : symbols(placed.expression)) {
-        const auto entry = names_.find(symbol);
-        if (!entry || entry->kind != Kind::definition || entry->index < index) continue;
-        const std::string how = entry->index == index            ? "itself"
-                                : in_circle(index, entry->index) ? "a definition that needs it"
-                                                                 : "";
-        refuse(placed, find(placed.expression, symbol), definition.symbol,
-               how.empty() ? "found the definition " + symbol + ", which stands below, expected those above only"
-                           : "defines " + definition.symbol + " in a circle, by " + (how == "itself" ? how : symbol));
-        placed.expression = nullptr;
-        return;
-      }
-    }
+    const bool below = placed && uses_below(index);
     one(placed, definition.symbol, derived);
+    if (below) placed.expression = nullptr;
     extents_[index] = placed ? extent(placed.expression) : Extent{};
+  }
+
+  /// Reports the first definition in this one that is not above it.
+  bool uses_below(std::size_t index) {
+    const MechanismDefinition& definition = context_.mechanism.definitions[index];
+    for (const std::size_t used : uses_[index]) {
+      if (used < index) continue;
+      const std::string& symbol = context_.mechanism.definitions[used].symbol;
+      std::string message = "found the definition " + symbol + ", which stands below, expected those above only";
+      if (in_circle(index, used)) {
+        message = "defines " + definition.symbol + " in a circle, by " + (used == index ? "itself" : symbol);
+      }
+      refuse(definition.expression, find(definition.expression.expression, symbol), definition.symbol, message);
+      uses_[index].clear();  // a circle is told once
+      return true;
+    }
+    return false;
   }
 
   /// Whether definition `from` is needed by definition `by`, directly or through others.
@@ -105,13 +120,9 @@ class UseCheck {
       const std::size_t next = open.back();
       open.pop_back();
       if (next == from) return true;
-      const PlacedExpression& placed = context_.mechanism.definitions[next].expression;
-      if (seen[next] || !placed) continue;
+      if (seen[next]) continue;
       seen[next] = true;
-      for (const std::string& symbol : symbols(placed.expression)) {
-        const auto entry = names_.find(symbol);
-        if (entry && entry->kind == Kind::definition) open.push_back(entry->index);
-      }
+      open.insert(open.end(), uses_[next].begin(), uses_[next].end());
     }
     return false;
   }
@@ -157,7 +168,10 @@ class UseCheck {
              "found " + std::string(describe(entry->kind)) + " " + symbol + ", expected " +
                  std::string(allowed_words(allowed)));
     } else {
-      refuse(placed, expression, key, unknown_name("symbol", symbol, names_.names(allowed)));
+      constexpr std::size_t enough = 200;  // to look for near names takes its time
+      const bool search = ++unknown_ <= enough;
+      const auto known = search ? names_.names(allowed) : std::vector<std::string_view>{};
+      refuse(placed, expression, key, unknown_name("symbol", symbol, known));
     }
     return false;
   }
@@ -172,20 +186,30 @@ class UseCheck {
 
   Context& context_;
   MechanismNames names_;
-  std::vector<Extent> extents_;  ///< by definition
+  std::vector<Extent> extents_;                 ///< by definition
+  std::vector<std::vector<std::size_t>> uses_;  ///< by definition, the definitions in it
+  std::size_t unknown_ = 0;                     ///< symbols so far
 };
 
-bool occurs(const Mechanism& m, const std::string& symbol) {
-  const auto in = [&](const PlacedExpression& placed) {
-    if (!placed) return false;
-    const auto used = symbols(placed.expression);
-    return std::find(used.begin(), used.end(), symbol) != used.end();
-  };
-  return std::any_of(m.equations.begin(), m.equations.end(),
-                     [&](const auto& e) { return in(e.left) || in(e.right); }) ||
-         std::any_of(m.contacts.begin(), m.contacts.end(), [&](const auto& c) { return in(c.gap) || in(c.slip); }) ||
-         std::any_of(m.friction.begin(), m.friction.end(), [&](const auto& f) { return in(f.slip); }) ||
-         std::any_of(m.links.begin(), m.links.end(), [&](const auto& l) { return in(l.zero); });
+void collect(const PlacedExpression& placed, std::set<std::string>& used) {
+  if (!placed) return;
+  for (std::string& symbol : symbols(placed.expression)) used.insert(std::move(symbol));
+}
+
+/// The symbols in equations, gaps, slips and zeros.
+std::set<std::string> symbols_of_motion(const Mechanism& mechanism) {
+  std::set<std::string> used;
+  for (const MechanismEquation& equation : mechanism.equations) {
+    collect(equation.left, used);
+    collect(equation.right, used);
+  }
+  for (const MechanismContact& contact : mechanism.contacts) {
+    collect(contact.gap, used);
+    collect(contact.slip, used);
+  }
+  for (const MechanismFriction& friction : mechanism.friction) collect(friction.slip, used);
+  for (const MechanismLink& link : mechanism.links) collect(link.zero, used);
+  return used;
 }
 
 }  // namespace
@@ -197,9 +221,10 @@ void check_uses(Context& context) {
 void check_whole(Context& context) {
   const Mechanism& mechanism = context.mechanism;
   if (!context.sound) return;  // what is missing may stand where a mistake is
+  const std::set<std::string> used = symbols_of_motion(mechanism);
   for (std::size_t i = 0; i < mechanism.accelerations; ++i) {
     const MechanismUnknown& unknown = mechanism.unknowns[i];
-    if (occurs(mechanism, unknown.symbol)) continue;
+    if (used.count(unknown.symbol) != 0) continue;
     context.mistakes.add(unknown.place, "accelerations: " + unknown.symbol +
                                             " occurs in no equation, gap, slip or zero, expected it in one");
   }

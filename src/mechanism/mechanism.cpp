@@ -13,7 +13,7 @@ std::string_view name(MechanismShape::Kind kind) {
 }
 
 Expression MechanismEquation::whole_right() const {
-  return contact_forces ? sum_of(right.expression, contact_forces) : right.expression;
+  return contact_forces ? appended(right.expression, contact_forces) : right.expression;
 }
 
 std::vector<std::string> acceleration_names(const Mechanism& mechanism) {

@@ -118,7 +118,9 @@ class ElementReader {
     for (const MechanismParameter& parameter : mechanism_.parameters) {
       if (parameter.optional) known.push_back(parameter.symbol);
     }
-    for (const PlacedText* name : table.strings("lift_needs")) {
+    const auto names = table.strings("lift_needs");
+    if (!within(names.size(), max_symbols, "lift_needs", table.place("lift_needs"), context_.mistakes)) return;
+    for (const PlacedText* name : names) {
       for (std::size_t i = 0; i < mechanism_.parameters.size(); ++i) {
         const MechanismParameter& parameter = mechanism_.parameters[i];
         if (parameter.symbol == name->text() && parameter.optional) contact.lift_needs.push_back(i);

@@ -166,6 +166,10 @@ class MechanismSceneReader {
     for (const MechanismParameter& parameter : mechanism.parameters) names.push_back(parameter.symbol);
     for (const MechanismAngle& angle : mechanism.angles) names.push_back(angle.name);
     if (mechanism.load) names.push_back(mechanism.load->symbol);
+    if (!mechanism_reader::within(values.entries.size(), 4 * mechanism_reader::max_symbols, "values", values.place,
+                                  mistakes_)) {
+      return;
+    }
     for (const TomlEntry& entry : values.entries) {
       if (std::find(names.begin(), names.end(), entry.key) != names.end()) continue;
       mistakes_.add(entry.place, "values: " + unknown_name("parameter", entry.key, names));

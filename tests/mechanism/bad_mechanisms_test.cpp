@@ -44,6 +44,13 @@ std::string good_text(const std::string& file) {
   return table->find("good")->value.text.text();
 }
 
+/// A sum of symbols that nobody knows, in brackets.
+std::string unknown_symbols(int from, int to) {
+  if (to - from == 1) return "q" + std::to_string(from);
+  const int middle = (from + to) / 2;
+  return "(" + unknown_symbols(from, middle) + "+" + unknown_symbols(middle, to) + ")";
+}
+
 void read_good_scene(const std::string& text) {
   parse_mechanism_scene(text, "scene.toml");
 }
@@ -114,4 +121,17 @@ TEST_CASE("no bytes crash the readers") {
   }
   CHECK(read > 100);
   CHECK(refused > 1000);
+}
+
+TEST_CASE("a large file of mistakes is refused without delay") {
+  std::string names, definitions;
+  for (int i = 0; i < 900; ++i) names += "p" + std::to_string(i) + " = \"real\"\n";
+  for (int i = 0; i < 900; ++i) {  // each needs the next, and ninety have hundreds of unknown symbols each
+    definitions += "d" + std::to_string(i) + " = \"d" + std::to_string(i + 1) + " + " +
+                   (i % 10 == 0 ? unknown_symbols(i * 1000, i * 1000 + 700) : "1") + "\"\n";
+  }
+  const std::string text = "schema = \"slipproof/mechanism/1\"\nname = \"large\"\n[parameters]\n" + names +
+                           "[definitions]\n" + definitions +
+                           "[unknowns]\naccelerations = [\"ax\"]\n[motion]\nax = \"ax = 0\"\n";
+  CHECK_THROWS_AS(parse_mechanism(text, "large.toml"), InputError);
 }
