@@ -4,6 +4,7 @@
 
 #include <array>
 #include <random>
+#include <tuple>
 
 #include "mechanism/free_motion.hpp"
 #include "mechanism/problem.hpp"
@@ -216,4 +217,46 @@ TEST_CASE("a coefficient without a value is named") {
   CHECK_THROWS_WITH(friction_problem(m, values), "the equation y has no value: it divides by zero");
   values.parameters[0] = 2;
   CHECK(friction_problem(m, values).equations[0].coefficients[0] == Rational(1, 2));
+}
+
+TEST_CASE("forms are evaluated over other numbers") {
+  const Mechanism m = open_mechanism("painleve-rod");
+  const ProblemMaker maker(m);
+  const auto samples = sample_values(m, maker, 4, 2);
+  REQUIRE(samples.size() == 4);
+  for (const MechanismValues& values : samples) {
+    const FrictionProblem problem = maker.problem(values);
+    Evaluator<double> at(maker.compiled().scope());
+    for (std::size_t i = 0; i < values.parameters.size(); ++i) at.set(i, values.parameters[i].convert_to<double>());
+    at.set(maker.compiled().cosine(0), values.angles[0].cosine.convert_to<double>());
+    at.set(maker.compiled().sine(0), values.angles[0].sine.convert_to<double>());
+    const auto gap = coefficients(maker.compiled().contacts[0].gap, at, m.unknowns.size());
+    REQUIRE(gap);
+    REQUIRE(gap->size() == m.unknowns.size() + 2);
+    for (std::size_t i = 0; i < m.unknowns.size(); ++i) {
+      CHECK((*gap)[i] == doctest::Approx(problem.elements[0].gap.coefficients[i].convert_to<double>()));
+    }
+    CHECK(gap->back() == doctest::Approx(problem.elements[0].gap.constant.convert_to<double>()));
+  }
+}
+
+TEST_CASE("Painleve's rod has the closed form of the textbook") {
+  // m and I with the tip ahead: gap = -g + l s w^2 + (1/m + l^2 c (c - mu s)/I) N, which a coefficient above 4/3 can
+  // turn.
+  const Mechanism m = open_mechanism("painleve-rod");
+  const ProblemMaker maker(m);
+  for (const MechanismValues& values : sample_values(m, maker, 20, 4)) {
+    const auto& [mass, l, I, mu, w, g] = std::tie(values.parameters[0], values.parameters[1], values.parameters[2],
+                                                  values.parameters[3], values.parameters[4], values.parameters[5]);
+    const Rational &c = values.angles[0].cosine, &s = values.angles[0].sine;
+    const FrictionProblem problem = maker.problem(values);
+    const auto pairs = mechanism_checks::pairings(m, problem);
+    const auto matrix = mechanism_checks::delassus(m, problem, pairs);
+    REQUIRE(matrix);
+    const Rational expected = Rational(1) / mass + l * l * c * (c - mu * s) / I;
+    CHECK(Rational((*matrix)[0][0] - mu * (*matrix)[0][1]) == expected);
+    const auto falling = mechanism_checks::free_motion(m, problem);
+    REQUIRE(falling);
+    CHECK(falling->gaps[0] == Rational(l * s * w * w - g));
+  }
 }
