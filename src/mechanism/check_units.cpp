@@ -1,7 +1,6 @@
 #include <map>
 
 #include "mechanism/checks.hpp"
-#include "mechanism/names.hpp"
 #include "mechanism/units.hpp"
 
 namespace slipproof {
@@ -16,7 +15,7 @@ struct InferredUnit {
 
 class UnitCheck {
  public:
-  explicit UnitCheck(const Mechanism& mechanism) : mechanism_(mechanism), names_(mechanism) {}
+  explicit UnitCheck(const Mechanism& mechanism) : mechanism_(mechanism) {}
 
   std::vector<MechanismFinding> check() {
     for (const MechanismParameter& p : mechanism_.parameters) declare(p.symbol, p.unit, p.place);
@@ -37,7 +36,7 @@ class UnitCheck {
     for (const MechanismFriction& friction : mechanism_.friction) {
       walk(friction.slip);
       walk(friction.static_limit);
-      walk(friction.kinetic_limit);
+      if (friction.kinetic_limit.expression != friction.static_limit.expression) walk(friction.kinetic_limit);
     }
     for (const MechanismLink& link : mechanism_.links) walk(link.zero);
     for (const MechanismEquation& equation : mechanism_.equations) check(equation);
@@ -135,7 +134,6 @@ class UnitCheck {
   }
 
   const Mechanism& mechanism_;
-  MechanismNames names_;
   std::map<std::string, InferredUnit> units_;
   std::vector<MechanismFinding> findings_;
   const PlacedExpression* placed_ = nullptr;
