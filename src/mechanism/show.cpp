@@ -147,8 +147,8 @@ class MechanismText {
   }
 
   void unknowns() {
-    std::vector<std::string> accelerations;
-    for (std::size_t i = 0; i < m_.accelerations; ++i) accelerations.push_back(m_.unknowns[i].symbol);
+    std::vector<std::string> accelerations = acceleration_names(m_);
+    accelerations.resize(m_.accelerations);
     std::vector<std::vector<std::string>> rows{{"accelerations", joined(accelerations)}};
     if (m_.unknowns.size() > m_.accelerations) rows.push_back({"forces", joined(force_names(m_))});
     section("Unknowns", rows);
