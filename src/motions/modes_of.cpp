@@ -61,16 +61,13 @@ class ModeTree {
 
   /// Whether the states so far exclude each other; then all modes that begin with them are rejected. Where a level or
   /// two are left the modes themselves cost no more than this.
-  bool is_hopeless(AffineSpace& space) {
+  bool is_hopeless(const AffineSpace& space) {
     const std::size_t left = states_.size() - mode_.size();
     if (left == 0 || (left == 1 && states_.size() < 4)) return false;
     Narrowed narrowed = narrow(space, conditions_, domain_);
-    if (const auto* conflict = std::get_if<Conflict>(&narrowed)) {
-      reject(because(*conflict), conflict->margin);
-      return true;
-    }
-    space = std::move(std::get<Polyhedron>(narrowed).space);
-    return false;
+    const auto* conflict = std::get_if<Conflict>(&narrowed);
+    if (conflict != nullptr) reject(because(*conflict), conflict->margin);
+    return conflict != nullptr;
   }
 
   void finish(const AffineSpace& space) {
@@ -129,7 +126,13 @@ ForceInterval domain_for(const FrictionProblem& problem, const std::optional<Rat
 
 ForceInterval ConsistentMode::strict_loads() const {
   if (!solutions.strict) return ForceInterval::nothing();
-  return solutions.loads.is_point() ? solutions.loads : solutions.loads.interior();
+  const ForceInterval& loads = solutions.loads;
+  if (loads.is_point()) return loads;
+  const auto strict_at = [&](const std::optional<Rational>& end, bool closed) {
+    return closed && at_load(solutions, *end)->strict;
+  };
+  return ForceInterval::between(loads.lower(), strict_at(loads.lower(), loads.lower_closed()), loads.upper(),
+                                strict_at(loads.upper(), loads.upper_closed()));
 }
 
 std::uint64_t mode_count(const FrictionProblem& problem) {

@@ -16,7 +16,7 @@ struct ConsistentMode {
   Polyhedron solutions;
   bool determined = false;  ///< all solutions for one load are one motion: no acceleration varies
 
-  /// The loads at which the mode is strict: all of `loads` but the ends, or the one load that there is.
+  /// The loads at which the mode is strict: all of `loads`, or all but ends that are not the domain's own.
   ForceInterval strict_loads() const;
 };
 

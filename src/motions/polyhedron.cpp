@@ -113,7 +113,7 @@ class Narrowing {
       }
     }
     if (!space_.load_is_free()) {
-      if (!domain_.contains(space_.load())) return Conflict{};
+      if (!domain_.contains(space_.load())) return Conflict{conditions_among(vanished_), std::nullopt};
       return std::nullopt;
     }
     if (domain_.empty()) return Conflict{};
@@ -133,7 +133,7 @@ class Narrowing {
       if (tighter) end = i;
     }
     if (lower && upper && roots[*lower] > roots[*upper]) return conflict_of({*lower, *upper});
-    if (lower && upper && roots[*lower] == roots[*upper]) return fix_load(roots[*lower]);
+    if (lower && upper && roots[*lower] == roots[*upper]) return vanish({*lower, *upper});
     loads_ = ForceInterval::between(lower ? std::optional(roots[*lower]) : std::nullopt, true,
                                     upper ? std::optional(roots[*upper]) : std::nullopt, true);
     return Step::done;
@@ -148,10 +148,7 @@ class Narrowing {
         if (best.multipliers[i].sign() > 0) tight.push_back(i);
       }
       if (s < 0) return conflict_of(tight);
-      if (s == 0) {
-        for (const std::size_t i : tight) space_.require(sides_[i].form);
-        return Step::again;
-      }
+      if (s == 0) return vanish(tight);
     }
     if (!space_.load_is_free()) return Step::done;
     AffineForm load = load_minus(space_, 0);
@@ -162,17 +159,29 @@ class Narrowing {
     return Step::done;
   }
 
-  Step fix_load(const Rational& load) {
-    space_.require(load_minus(space_, load));
+  /// Sides that are 0 on all solutions.
+  Step vanish(const std::vector<std::size_t>& sides) {
+    for (const std::size_t i : sides) {
+      space_.require(sides_[i].form);
+      vanished_.push_back(sides_[i].origin);
+    }
     return Step::again;
   }
 
   Step conflict_of(const std::vector<std::size_t>& sides) {
-    for (const std::size_t i : sides) {
-      if (sides_[i].origin) conflict_.conditions.push_back(*sides_[i].origin);
-    }
-    std::sort(conflict_.conditions.begin(), conflict_.conditions.end());
+    std::vector<std::optional<std::size_t>> origins;
+    for (const std::size_t i : sides) origins.push_back(sides_[i].origin);
+    conflict_.conditions = conditions_among(origins);
     return Step::conflict;
+  }
+
+  static std::vector<std::size_t> conditions_among(const std::vector<std::optional<std::size_t>>& origins) {
+    std::vector<std::size_t> result;
+    for (const auto& origin : origins) {
+      if (origin) result.push_back(*origin);
+    }
+    std::sort(result.begin(), result.end());
+    return result;
   }
 
   Polyhedron finished() {
@@ -191,6 +200,7 @@ class Narrowing {
   std::vector<Side> sides_;
   bool strict_ = true;
   ForceInterval loads_;
+  std::vector<std::optional<std::size_t>> vanished_;  ///< origins of the sides that became equations
   Conflict conflict_;
 };
 

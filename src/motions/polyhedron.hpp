@@ -24,8 +24,8 @@ struct Polyhedron {
 
 /// There is no solution.
 struct Conflict {
-  std::vector<std::size_t>
-      conditions;                  ///< that exclude each other, by their indices; none: the load is out of question
+  /// That exclude each other for loads of the domain, by their indices. None: the space has no load of the domain.
+  std::vector<std::size_t> conditions;
   std::optional<Rational> margin;  ///< of one condition that has the same, negative value for all solutions
 };
 
