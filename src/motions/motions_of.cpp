@@ -139,6 +139,7 @@ class Cells {
   std::vector<LoadCell> all() {
     std::vector<LoadCell> cells;
     const ForceInterval& domain = problem_.load_domain;
+    if (domain.empty()) return cells;
     std::optional<Rational> below = domain.lower();
     for (const Rational& point : breakpoints()) {
       if (below != point) add_open(cells, below, point);
@@ -237,16 +238,30 @@ class Cells {
 
   MotionOverLoads over(const MotionAtLoad& motion) const {
     MotionOverLoads result{motion.modes, motion.boundary_modes, {}, {}};
-    const MechanismMode& mode = motion.modes.empty() ? motion.boundary_modes.front() : motion.modes.front();
+    std::vector<std::size_t> modes;
+    for (const auto* names : {&motion.modes, &motion.boundary_modes}) {
+      for (const MechanismMode& mode : *names) modes.push_back(place_of(mode));
+    }
+    result.accelerations = motions_[modes.front()];
+    for (const AffineForm& force : problem_.forces) result.forces.push_back(common_value(force, modes));
+    return result;
+  }
+
+  std::size_t place_of(const MechanismMode& mode) const {
     const auto place =
         std::find_if(consistent_.begin(), consistent_.end(), [&](const ConsistentMode& c) { return c.mode == mode; });
-    result.accelerations = motions_[static_cast<std::size_t>(place - consistent_.begin())];
-    for (std::size_t i = 0; i < problem_.forces.size(); ++i) {
-      const AffineForm form = place->solutions.space.on(problem_.forces[i]);
-      const bool known = motion.forces[i].is_point() && is_free_of_unknowns(form);
-      result.forces.push_back(known ? std::optional(over_loads(form)) : std::nullopt);
+    return static_cast<std::size_t>(place - consistent_.begin());
+  }
+
+  /// What a force is in all of some modes; nothing if they, or the solutions of one, differ.
+  std::optional<Affine<Rational>> common_value(const AffineForm& force, const std::vector<std::size_t>& modes) const {
+    std::optional<Affine<Rational>> value;
+    for (const std::size_t mode : modes) {
+      const AffineForm form = consistent_[mode].solutions.space.on(force);
+      if (!is_free_of_unknowns(form) || (value && *value != over_loads(form))) return std::nullopt;
+      value = over_loads(form);
     }
-    return result;
+    return value;
   }
 
   const FrictionProblem& problem_;

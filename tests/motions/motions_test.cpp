@@ -168,3 +168,54 @@ TEST_CASE("contact problems have the solutions that the solver of contact proble
   CHECK(continua > 20);
   CHECK(several > 20);
 }
+
+namespace {
+
+/// Rods in two guides that slide: N1 + N2 = L and S1 + S2 = -2 with S = -|N|, so one of them pulls, either.
+FrictionProblem two_guides() {
+  FrictionProblem p;
+  p.unknowns = 5;  // x, N1, S1, N2, S2
+  p.has_load = true;
+  const auto form = [](int constant, std::vector<Rational> coefficients) {
+    return AffineForm{constant, std::move(coefficients)};
+  };
+  p.equations = {form(0, {1, 0, 0, 0, 0, 0}), form(0, {0, 1, 0, 1, 0, -1}), form(2, {0, 0, 1, 0, 1, 0})};
+  p.accelerations = {p.equations[0]};
+  p.forces = {form(0, {0, 1, 0, 0, 0, 0}), form(0, {0, 0, 1, 0, 0, 0})};
+  for (const bool first : {true, false}) {
+    ProblemElement e;
+    e.kind.bilateral = true;
+    e.kind.start = ElementKind::Start::slides_forward;
+    e.gap = e.slip = p.equations[0];
+    e.normal = first ? form(0, {0, 1, 0, 0, 0, 0}) : form(0, {0, 0, 0, 1, 0, 0});
+    e.tangent = first ? form(0, {0, 0, 1, 0, 0, 0}) : form(0, {0, 0, 0, 0, 1, 0});
+    e.static_limit = e.kinetic_limit = e.normal;
+    p.elements.push_back(std::move(e));
+  }
+  return p;
+}
+
+}  // namespace
+
+TEST_CASE("a force in which modes of one motion differ is undetermined, though they agree at one load") {
+  const FrictionProblem p = two_guides();
+  const auto at_zero = motions_of(p, Rational(0)).motions;  // S1 is -(2 + L)/2 in one mode, -(2 - L)/2 in the other
+  REQUIRE(at_zero.size() == 1);
+  CHECK(names(at_zero[0].modes) == std::set<std::string>{"slip+/slip+~", "slip+~/slip+"});
+  CHECK(at_zero[0].forces[1] == Range{-1, -1});
+  const auto cells = cells_of(p, modes_of(p, std::nullopt).consistent);
+  const auto around = std::find_if(cells.begin(), cells.end(), [](const LoadCell& c) { return c.loads.contains(0); });
+  REQUIRE(around != cells.end());
+  CHECK(to_string(around->loads) == "(-2, 2)");
+  REQUIRE(around->motions.size() == 1);
+  CHECK_FALSE(around->motions[0].forces[1]);
+}
+
+TEST_CASE("a domain without a load has no cells, and no modes") {
+  FrictionProblem p = two_guides();
+  p.load_domain = ForceInterval::nothing();
+  const ModesOf modes = modes_of(p, std::nullopt);
+  CHECK(modes.consistent.empty());
+  CHECK(modes.rejected.size() == 4);
+  CHECK(cells_of(p, modes.consistent).empty());
+}
