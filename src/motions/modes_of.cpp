@@ -59,15 +59,21 @@ class ModeTree {
     }
   }
 
-  /// Whether the states so far exclude each other; then all modes that begin with them are rejected. Where a level or
-  /// two are left the modes themselves cost no more than this.
+  /// Whether the states so far exclude each other; then all modes that begin with them are rejected. Where few are left
+  /// they cost no more than this, and each has a reason of its own.
   bool is_hopeless(const AffineSpace& space) {
     const std::size_t left = states_.size() - mode_.size();
-    if (left == 0 || (left == 1 && states_.size() < 4)) return false;
+    if (left == 0 || (left == 1 && states_.size() < 4) || !branches()) return false;
     Narrowed narrowed = narrow(space, conditions_, domain_);
     const auto* conflict = std::get_if<Conflict>(&narrowed);
     if (conflict != nullptr) reject(because(*conflict), conflict->margin);
     return conflict != nullptr;
+  }
+
+  /// Whether several modes begin with the states so far.
+  bool branches() const {
+    return std::any_of(states_.begin() + static_cast<std::ptrdiff_t>(mode_.size()), states_.end(),
+                       [](const auto& states) { return states.size() > 1; });
   }
 
   void finish(const AffineSpace& space) {

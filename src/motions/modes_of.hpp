@@ -27,7 +27,8 @@ struct ViolatedCondition {
   bool operator==(const ViolatedCondition&) const = default;
 };
 
-/// A mode without a solution. No conditions: its equations have none.
+/// A mode without a solution. No conditions: its equations have none. Where modes that begin alike were rejected
+/// together the reason is that of their beginning; mode_of gives the mode's own: one condition if one suffices.
 struct RejectedMode {
   MechanismMode mode;
   std::vector<ViolatedCondition> because;  ///< that exclude each other
@@ -50,7 +51,8 @@ inline constexpr std::uint64_t max_modes = 65'536;
 /// At a load, outside the domain too; nothing: for all loads of the domain.
 ModesOf modes_of(const FrictionProblem& problem, const std::optional<Rational>& load);
 
-/// One mode, with a state for each element.
+/// One mode, with a state for each element. A rejected one has a single condition with its margin if one fails for all
+/// forces; if not, no fewer of the conditions exclude each other.
 ModesOf mode_of(const FrictionProblem& problem, const MechanismMode& mode, const std::optional<Rational>& load);
 
 /// The same problem with the equations solved: only what they leave free is unknown.
