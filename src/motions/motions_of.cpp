@@ -13,12 +13,6 @@ std::vector<Rational> accelerations_of(const FrictionProblem& problem, const Aff
   return values;
 }
 
-std::vector<Range> ranges_of(const Polyhedron& solutions, const std::vector<AffineForm>& forms) {
-  std::vector<Range> ranges;
-  for (const AffineForm& form : forms) ranges.push_back(range(solutions, form));
-  return ranges;
-}
-
 void widen(Range& range, const Range& by) {
   if (!by.lower || (range.lower && *by.lower < *range.lower)) range.lower = by.lower;
   if (!by.upper || (range.upper && *by.upper > *range.upper)) range.upper = by.upper;
@@ -26,7 +20,7 @@ void widen(Range& range, const Range& by) {
 
 void add_motion(std::vector<MotionAtLoad>& motions, const FrictionProblem& problem, const ConsistentMode& found) {
   std::vector<Rational> accelerations = accelerations_of(problem, found.solutions.space);
-  std::vector<Range> forces = ranges_of(found.solutions, problem.forces);
+  std::vector<Range> forces = ranges(found.solutions, problem.forces);
   auto motion = std::find_if(motions.begin(), motions.end(),
                              [&](const MotionAtLoad& m) { return m.accelerations == accelerations; });
   if (motion == motions.end()) {
@@ -54,8 +48,8 @@ MotionsAtLoad gather(const FrictionProblem& problem, const std::vector<Consisten
     if (found.determined) {
       add_motion(result.motions, problem, found);
     } else {
-      result.continua.push_back({found.mode, found.solutions.strict, ranges_of(found.solutions, problem.accelerations),
-                                 ranges_of(found.solutions, problem.forces)});
+      result.continua.push_back({found.mode, found.solutions.strict, ranges(found.solutions, problem.accelerations),
+                                 ranges(found.solutions, problem.forces)});
     }
   }
   std::erase_if(result.motions, [&](const MotionAtLoad& motion) {

@@ -1,6 +1,7 @@
 #include "motions/polyhedron.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace slipproof {
@@ -42,25 +43,34 @@ class Programs {
     return minimize(objective, constraints);
   }
 
-  std::optional<Rational> least(const AffineForm& form, const std::vector<AffineForm>& sides) const {
+  std::unique_ptr<LinearProgram> within(const std::vector<AffineForm>& sides) const {
     std::vector<AffineForm> constraints;
     for (const AffineForm& side : sides) constraints.push_back(compressed(side));
-    LinearOptimum optimum = minimize(compressed(form), constraints);
-    if (optimum.kind != LinearOptimum::Kind::attained) return std::nullopt;
-    return std::move(optimum.value);
+    return std::make_unique<LinearProgram>(variables_.size(), constraints);
   }
 
  private:
   std::vector<std::size_t> variables_;
 };
 
-Range range_on(const AffineSpace& space, const AffineForm& form, const std::vector<AffineForm>& sides) {
-  if (is_constant(form)) return {form.constant, form.constant};
+/// Of forms on a space, where the sides are >= 0.
+std::vector<Range> ranges_on(const AffineSpace& space, const std::vector<AffineForm>& forms,
+                             const std::vector<AffineForm>& sides) {
   const Programs programs(space);
-  Range result;
-  result.lower = programs.least(form, sides);
-  result.upper = programs.least(-form, sides);
-  if (result.upper) *result.upper = -*result.upper;
+  std::unique_ptr<LinearProgram> program;  // made for the first form that varies
+  std::vector<Range> result;
+  for (const AffineForm& form : forms) {
+    if (is_constant(form)) {
+      result.push_back({form.constant, form.constant});
+      continue;
+    }
+    if (!program) program = programs.within(sides);
+    Range range;
+    range.lower = program->least(programs.compressed(form));
+    range.upper = program->least(programs.compressed(-form));
+    if (range.upper) *range.upper = -*range.upper;
+    result.push_back(std::move(range));
+  }
   return result;
 }
 
@@ -151,10 +161,9 @@ class Narrowing {
       if (s == 0) return vanish(tight);
     }
     if (!space_.load_is_free()) return Step::done;
-    AffineForm load = load_minus(space_, 0);
     std::vector<AffineForm> forms;
     for (const Side& side : sides_) forms.push_back(side.form);
-    const Range range = range_on(space_, load, forms);
+    const Range range = ranges_on(space_, {load_minus(space_, 0)}, forms).front();
     loads_ = ForceInterval::between(range.lower, true, range.upper, true);
     return Step::done;
   }
@@ -229,12 +238,14 @@ std::optional<Polyhedron> at_load(const Polyhedron& solutions, const Rational& l
   return with(solutions, {load_minus(solutions.space, load)});
 }
 
-Range range(const Polyhedron& solutions, const AffineForm& form) {
+std::vector<Range> ranges(const Polyhedron& solutions, const std::vector<AffineForm>& forms) {
   std::vector<AffineForm> sides = solutions.sides;
   if (solutions.space.load_is_free()) {
     for (Side& end : ends_of(solutions.space, solutions.loads)) sides.push_back(std::move(end.form));
   }
-  return range_on(solutions.space, solutions.space.on(form), sides);
+  std::vector<AffineForm> on_space;
+  for (const AffineForm& form : forms) on_space.push_back(solutions.space.on(form));
+  return ranges_on(solutions.space, on_space, sides);
 }
 
 }  // namespace slipproof

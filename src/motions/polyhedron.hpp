@@ -46,7 +46,7 @@ struct Range {
   bool is_point() const { return lower && upper && *lower == *upper; }
   bool operator==(const Range&) const = default;
 };
-/// Of a form over all solutions.
-Range range(const Polyhedron& solutions, const AffineForm& form);
+/// Of forms over all solutions.
+std::vector<Range> ranges(const Polyhedron& solutions, const std::vector<AffineForm>& forms);
 
 }  // namespace slipproof

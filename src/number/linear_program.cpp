@@ -11,9 +11,11 @@ namespace {
 using Row = std::vector<Rational>;  // constant, then the coefficient of each variable in the columns
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
+}  // namespace
+
 /// Each row's variable as an affine form of the columns' variables (Chvatal's dictionary). Variables below `free_count`
 /// may have any sign, all others are >= 0; the point of the dictionary has 0 for all variables in columns.
-class Dictionary {
+class LinearProgram::Dictionary {
  public:
   struct GivenUp {};
 
@@ -26,17 +28,16 @@ class Dictionary {
     }
   }
 
-  LinearOptimum solve() {
+  /// Goes to a feasible point; false if there is none.
+  bool start() {
     bring_free_variables_in();
-    if (!make_feasible()) return {};
+    return make_feasible();
+  }
+
+  /// From a feasible point.
+  LinearOptimum solve() {
     LinearOptimum result;
-    // A free variable that no constraint holds and the objective wants.
-    for (std::size_t j = 0; j < columns_.size(); ++j) {
-      if (columns_[j] < free_count_ && !objective_[j + 1].is_zero()) result.kind = LinearOptimum::Kind::unbounded;
-    }
-    if (result.kind != LinearOptimum::Kind::unbounded) {
-      result.kind = improve(objective_) ? LinearOptimum::Kind::attained : LinearOptimum::Kind::unbounded;
-    }
+    result.kind = lower_objective() ? LinearOptimum::Kind::attained : LinearOptimum::Kind::unbounded;
     result.value = objective_[0];
     result.x.resize(free_count_);
     for (std::size_t i = 0; i < basis_.size(); ++i) {
@@ -50,6 +51,20 @@ class Dictionary {
     return result;
   }
 
+  /// The least value of another objective, from a feasible point; nothing if it is unbounded.
+  std::optional<Rational> least(const AffineForm& objective) {
+    objective_.assign(columns_.size() + 1, 0);
+    objective_[0] = objective.constant;
+    for (std::size_t j = 0; j < columns_.size(); ++j) {
+      if (columns_[j] < free_count_) objective_[j + 1] = objective.coefficients[columns_[j]];
+    }
+    for (std::size_t i = 0; i < basis_.size(); ++i) {
+      if (basis_[i] < free_count_) add(objective_, objective.coefficients[basis_[i]], rows_[i]);
+    }
+    if (!lower_objective()) return std::nullopt;
+    return objective_[0];
+  }
+
   std::size_t pivots() const { return pivots_; }
 
  private:
@@ -61,10 +76,14 @@ class Dictionary {
 
   /// row += factor * pivot_row, where `factor` is the row's coefficient of the column that leaves.
   static void substitute(Row& row, std::size_t column, const Row& replacement) {
-    const Rational factor = std::exchange(row[column + 1], Rational(0));
+    add(row, std::exchange(row[column + 1], Rational(0)), replacement);
+  }
+
+  /// row += factor * addend.
+  static void add(Row& row, const Rational& factor, const Row& addend) {
     if (factor.is_zero()) return;
     for (std::size_t j = 0; j < row.size(); ++j) {
-      if (!replacement[j].is_zero()) row[j] += factor * replacement[j];
+      if (!addend[j].is_zero()) row[j] += factor * addend[j];
     }
   }
 
@@ -74,7 +93,9 @@ class Dictionary {
     Row& row = rows_[r];
     // v = c + ... + a x  =>  x = (v - c - ...) / a
     const Rational inverse = 1 / std::exchange(row[column + 1], Rational(-1));
-    for (Rational& x : row) x *= -inverse;
+    for (Rational& x : row) {
+      if (!x.is_zero()) x *= -inverse;
+    }
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       if (i != r) substitute(rows_[i], column, row);
     }
@@ -116,6 +137,14 @@ class Dictionary {
       }
     }
     return best;
+  }
+
+  /// False if the objective has no least value.
+  bool lower_objective() {
+    for (std::size_t j = 0; j < columns_.size(); ++j) {  // a free variable that no constraint holds
+      if (columns_[j] < free_count_ && !objective_[j + 1].is_zero()) return false;
+    }
+    return improve(objective_);
   }
 
   /// Lowers `goal`, one of the objectives, to its optimum; false if it has none.
@@ -170,7 +199,16 @@ class Dictionary {
   std::vector<Row> rows_;
 };
 
-}  // namespace
+LinearProgram::LinearProgram(std::size_t variables, const std::vector<AffineForm>& constraints)
+    : dictionary_(std::make_unique<Dictionary>(AffineForm{0, std::vector<Rational>(variables)}, constraints,
+                                               std::numeric_limits<std::size_t>::max())),
+      is_feasible_(dictionary_->start()) {}
+
+LinearProgram::~LinearProgram() = default;
+
+std::optional<Rational> LinearProgram::least(const AffineForm& objective) {
+  return dictionary_->least(objective);
+}
 
 Rational AffineForm::at(const std::vector<Rational>& x) const {
   Rational value = constant;
@@ -180,10 +218,10 @@ Rational AffineForm::at(const std::vector<Rational>& x) const {
 
 LinearOptimum minimize(const AffineForm& objective, const std::vector<AffineForm>& constraints,
                        std::size_t max_pivots) {
-  Dictionary dictionary(objective, constraints, max_pivots);
+  LinearProgram::Dictionary dictionary(objective, constraints, max_pivots);
   try {
-    return dictionary.solve();
-  } catch (const Dictionary::GivenUp&) {
+    return dictionary.start() ? dictionary.solve() : LinearOptimum();
+  } catch (const LinearProgram::Dictionary::GivenUp&) {
     LinearOptimum result;
     result.kind = LinearOptimum::Kind::given_up;
     result.pivots = dictionary.pivots();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -36,5 +37,27 @@ LinearOptimum minimize(const AffineForm& objective, const std::vector<AffineForm
 
 /// The same within an effort; throws TooMuchWork beyond it.
 LinearOptimum minimize(const AffineForm& objective, const std::vector<AffineForm>& constraints, Effort& effort);
+
+/// The same constraints for several objectives: each starts where the one before it ended.
+class LinearProgram {
+ public:
+  /// All constraints have as many coefficients as there are variables.
+  LinearProgram(std::size_t variables, const std::vector<AffineForm>& constraints);
+  ~LinearProgram();
+  LinearProgram(const LinearProgram&) = delete;
+  LinearProgram& operator=(const LinearProgram&) = delete;
+
+  bool is_feasible() const { return is_feasible_; }
+  /// The least value of an objective, of a feasible program; nothing if it is unbounded.
+  std::optional<Rational> least(const AffineForm& objective);
+
+ private:
+  class Dictionary;
+  friend LinearOptimum minimize(const AffineForm& objective, const std::vector<AffineForm>& constraints,
+                                std::size_t max_pivots);
+
+  std::unique_ptr<Dictionary> dictionary_;
+  bool is_feasible_;
+};
 
 }  // namespace slipproof

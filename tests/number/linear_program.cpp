@@ -134,3 +134,30 @@ TEST_CASE("unbounded and degenerate programs end") {
                                       {0, {0, 0, 0, 1}}};
   CHECK(minimize({0, {Rational(-3, 4), 150, Rational(-1, 50), 6}}, beale).value == Rational(-1, 20));
 }
+
+TEST_CASE("one program has the least value of each objective, after any others") {
+  std::mt19937_64 random(6);
+  const auto form = [&](std::size_t n) {
+    AffineForm f{static_cast<int>(random() % 7) - 2, {}};
+    for (std::size_t i = 0; i < n; ++i) f.coefficients.emplace_back(static_cast<int>(random() % 5) - 2);
+    return f;
+  };
+  int unbounded = 0, attained = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    const std::size_t n = 1 + random() % 4;
+    std::vector<AffineForm> constraints;
+    for (auto more = random() % 8; more > 0; --more) constraints.push_back(form(n));
+    LinearProgram program(n, constraints);
+    CHECK(program.is_feasible() == (minimize(form(n), constraints).kind != Kind::infeasible));
+    for (int k = 0; program.is_feasible() && k < 5; ++k) {
+      const AffineForm objective = form(n);
+      const LinearOptimum alone = minimize(objective, constraints);
+      const auto least = program.least(objective);
+      REQUIRE(least.has_value() == (alone.kind == Kind::attained));
+      if (least) CHECK(*least == alone.value);
+      ++(least ? attained : unbounded);
+    }
+  }
+  CHECK(unbounded > 50);
+  CHECK(attained > 50);
+}
