@@ -2,30 +2,37 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 #include <utility>
+
+#include "number/bareiss.hpp"
 
 namespace slipproof {
 
 namespace {
 
-using Row = std::vector<Rational>;  // constant, then the coefficient of each variable in the columns
+using Row = std::vector<Integer>;  // constant, then the coefficient of each variable in the columns
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
 }  // namespace
 
 /// Each row's variable as an affine form of the columns' variables (Chvatal's dictionary). Variables below `free_count`
 /// may have any sign, all others are >= 0; the point of the dictionary has 0 for all variables in columns.
+///
+/// In integers over one denominator, as in number/bareiss.hpp: entries are minors of the constraints, each of which is
+/// multiplied by the common denominator of its numbers, and so is what its variable stands for.
 class LinearProgram::Dictionary {
  public:
   struct GivenUp {};
 
   Dictionary(const AffineForm& objective, const std::vector<AffineForm>& constraints, std::size_t max_pivots)
-      : max_pivots_(max_pivots), free_count_(objective.coefficients.size()), objective_(to_row(objective)) {
+      : max_pivots_(max_pivots), free_count_(objective.coefficients.size()) {
     for (std::size_t i = 0; i < free_count_; ++i) columns_.push_back(i);
     for (const AffineForm& c : constraints) {
-      rows_.push_back(to_row(c));
+      std::tie(rows_.emplace_back(), scales_.emplace_back()) = to_row(c);
       basis_.push_back(free_count_ + basis_.size());
     }
+    std::tie(objective_, objective_scale_) = to_row(objective);
   }
 
   /// Goes to a feasible point; false if there is none.
@@ -38,14 +45,16 @@ class LinearProgram::Dictionary {
   LinearOptimum solve() {
     LinearOptimum result;
     result.kind = lower_objective() ? LinearOptimum::Kind::attained : LinearOptimum::Kind::unbounded;
-    result.value = objective_[0];
+    result.value = value();
     result.x.resize(free_count_);
     for (std::size_t i = 0; i < basis_.size(); ++i) {
-      if (basis_[i] < free_count_) result.x[basis_[i]] = rows_[i][0];
+      if (basis_[i] < free_count_) result.x[basis_[i]] = Rational(rows_[i][0], denominator_);
     }
     result.multipliers.resize(basis_.size());
     for (std::size_t j = 0; j < columns_.size(); ++j) {
-      if (columns_[j] >= free_count_) result.multipliers[columns_[j] - free_count_] = objective_[j + 1];
+      if (columns_[j] < free_count_) continue;
+      const std::size_t i = columns_[j] - free_count_;
+      result.multipliers[i] = Rational(objective_[j + 1] * scales_[i], denominator_ * objective_scale_);
     }
     result.pivots = pivots_;
     return result;
@@ -53,54 +62,69 @@ class LinearProgram::Dictionary {
 
   /// The least value of another objective, from a feasible point; nothing if it is unbounded.
   std::optional<Rational> least(const AffineForm& objective) {
+    const auto [own, scale] = to_row(objective);
+    objective_scale_ = scale;
     objective_.assign(columns_.size() + 1, 0);
-    objective_[0] = objective.constant;
+    objective_[0] = own[0] * denominator_;
     for (std::size_t j = 0; j < columns_.size(); ++j) {
-      if (columns_[j] < free_count_) objective_[j + 1] = objective.coefficients[columns_[j]];
+      if (columns_[j] < free_count_) objective_[j + 1] = own[columns_[j] + 1] * denominator_;
     }
     for (std::size_t i = 0; i < basis_.size(); ++i) {
-      if (basis_[i] < free_count_) add(objective_, objective.coefficients[basis_[i]], rows_[i]);
+      if (basis_[i] >= free_count_) continue;
+      const Integer& factor = own[basis_[i] + 1];
+      for (std::size_t j = 0; j < objective_.size(); ++j) objective_[j] += factor * rows_[i][j];
     }
     if (!lower_objective()) return std::nullopt;
-    return objective_[0];
+    return value();
   }
 
   std::size_t pivots() const { return pivots_; }
 
  private:
-  static Row to_row(const AffineForm& form) {
-    Row row{form.constant};
-    row.insert(row.end(), form.coefficients.begin(), form.coefficients.end());
-    return row;
+  /// In integers, and what the form was multiplied by.
+  static std::pair<Row, Integer> to_row(const AffineForm& form) {
+    Integer scale = lcm(common_denominator(form.coefficients), denominator(form.constant));
+    Row row{integer_times(form.constant, scale)};
+    row.reserve(form.coefficients.size() + 1);
+    for (const Rational& x : form.coefficients) row.push_back(integer_times(x, scale));
+    return {std::move(row), std::move(scale)};
   }
 
-  /// row += factor * pivot_row, where `factor` is the row's coefficient of the column that leaves.
-  static void substitute(Row& row, std::size_t column, const Row& replacement) {
-    add(row, std::exchange(row[column + 1], Rational(0)), replacement);
-  }
+  Rational value() const { return Rational(objective_[0], denominator_ * objective_scale_); }
 
-  /// row += factor * addend.
-  static void add(Row& row, const Rational& factor, const Row& addend) {
-    if (factor.is_zero()) return;
+  /// Replaces the variable of a column, by which `leaving` is solved, in another row.
+  void substitute(Row& row, std::size_t column, const Row& leaving) const {
+    const Integer& pivot = leaving[column + 1];
+    const bool negative = pivot.sign() < 0;
+    const Integer factor = std::exchange(row[column + 1], Integer(0));
+    if (factor.is_zero() && (negative ? -pivot : pivot) == denominator_) return;
     for (std::size_t j = 0; j < row.size(); ++j) {
-      if (!addend[j].is_zero()) row[j] += factor * addend[j];
+      const bool changes = !factor.is_zero() && !leaving[j].is_zero() && j != column + 1;
+      if (row[j].is_zero() && !changes) continue;
+      row[j] *= pivot;
+      if (changes) row[j] -= factor * leaving[j];
+      if (denominator_ != 1) row[j] /= denominator_;
+      if (negative) row[j] = -row[j];
     }
+    row[column + 1] = negative ? Integer(-factor) : factor;
   }
 
   void pivot(std::size_t r, std::size_t column) {
     if (pivots_ == max_pivots_) throw GivenUp{};
     ++pivots_;
-    Row& row = rows_[r];
-    // v = c + ... + a x  =>  x = (v - c - ...) / a
-    const Rational inverse = 1 / std::exchange(row[column + 1], Rational(-1));
-    for (Rational& x : row) {
-      if (!x.is_zero()) x *= -inverse;
-    }
+    const Row leaving = rows_[r];
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      if (i != r) substitute(rows_[i], column, row);
+      if (i != r) substitute(rows_[i], column, leaving);
     }
-    substitute(objective_, column, row);
-    if (!artificial_.empty()) substitute(artificial_, column, row);
+    substitute(objective_, column, leaving);
+    if (!artificial_.empty()) substitute(artificial_, column, leaving);
+    // d v = c + ... + a x  =>  a x = d v - c - ...
+    Row& row = rows_[r];
+    row[column + 1] = -denominator_;
+    denominator_ = abs(leaving[column + 1]);
+    if (leaving[column + 1].sign() > 0) {
+      for (Integer& x : row) x = -x;
+    }
     std::swap(basis_[r], columns_[column]);
   }
 
@@ -127,16 +151,18 @@ class LinearProgram::Dictionary {
   /// The row that holds an entering column first; none if no row does.
   std::size_t leaving(std::size_t column) const {
     std::size_t best = none;
-    Rational least;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       if (basis_[i] < free_count_ || rows_[i][column + 1].sign() >= 0) continue;
-      const Rational ratio = rows_[i][0] / -rows_[i][column + 1];
-      if (best == none || ratio < least || (ratio == least && basis_[i] < basis_[best])) {
-        best = i;
-        least = ratio;
-      }
+      const int order = best == none ? -1 : compare_ratios(i, best, column);
+      if (order < 0 || (order == 0 && basis_[i] < basis_[best])) best = i;
     }
     return best;
+  }
+
+  /// Whether row i holds the column before row k (-1), after it (1) or with it.
+  int compare_ratios(std::size_t i, std::size_t k, std::size_t column) const {
+    const Integer x = rows_[i][0] * rows_[k][column + 1], y = rows_[k][0] * rows_[i][column + 1];
+    return y.compare(x);
   }
 
   /// False if the objective has no least value.
@@ -162,14 +188,16 @@ class LinearProgram::Dictionary {
     std::size_t worst = none;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       if (basis_[i] < free_count_ || rows_[i][0].sign() >= 0) continue;
-      if (worst == none || rows_[i][0] < rows_[worst][0]) worst = i;
+      if (worst == none || rows_[i][0] * scale_of(worst) < rows_[worst][0] * scale_of(i)) worst = i;
     }
     if (worst == none) return true;
     const std::size_t added = free_count_ + rows_.size();
-    for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i].push_back(basis_[i] < free_count_ ? 0 : 1);
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      rows_[i].push_back(basis_[i] < free_count_ ? Integer(0) : Integer(denominator_ * scale_of(i)));
+    }
     objective_.push_back(0);
     artificial_.assign(objective_.size(), 0);
-    artificial_.back() = 1;
+    artificial_.back() = denominator_;
     columns_.push_back(added);
     pivot(worst, columns_.size() - 1);
     improve(artificial_);
@@ -192,8 +220,13 @@ class LinearProgram::Dictionary {
     return true;
   }
 
+  /// Of the constraint whose variable is a row's.
+  const Integer& scale_of(std::size_t row) const { return scales_[basis_[row] - free_count_]; }
+
   std::size_t max_pivots_, pivots_ = 0;
   std::size_t free_count_;
+  Integer denominator_ = 1, objective_scale_;
+  std::vector<Integer> scales_;  ///< of the constraints
   Row objective_, artificial_;
   std::vector<std::size_t> columns_, basis_;
   std::vector<Row> rows_;
@@ -236,7 +269,7 @@ LinearOptimum minimize(const AffineForm& objective, const std::vector<AffineForm
     for (const Rational& x : form.coefficients) bits = std::max(bits, bit_count(x));
   }
   const std::size_t columns = objective.coefficients.size() + 1, rows = constraints.size() + 1;
-  // Entries of a dictionary are quotients of minors; a sum of fractions takes some products, and many entries are 0.
+  // Entries of a dictionary are minors; a step takes some products, and many entries are 0.
   const Work pivot = times(rows * columns, product_work(bits * std::min(rows, columns)));
   const LinearOptimum result =
       minimize(objective, constraints, static_cast<std::size_t>(std::min<Work>(effort.left() / pivot, 1U << 30U)));
