@@ -64,10 +64,9 @@ class ModeTree {
   bool is_hopeless(const AffineSpace& space) {
     const std::size_t left = states_.size() - mode_.size();
     if (left == 0 || (left == 1 && states_.size() < 4) || !branches()) return false;
-    Narrowed narrowed = narrow(space, conditions_, domain_);
-    const auto* conflict = std::get_if<Conflict>(&narrowed);
-    if (conflict != nullptr) reject(because(*conflict), conflict->margin);
-    return conflict != nullptr;
+    const auto conflict = find_conflict(space, conditions_, domain_);
+    if (conflict) reject(because(*conflict), conflict->margin);
+    return conflict.has_value();
   }
 
   /// Whether several modes begin with the states so far.

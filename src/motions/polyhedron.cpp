@@ -98,11 +98,18 @@ class Narrowing {
     for (;;) {
       if (auto conflict = collect()) return std::move(*conflict);
       if (sides_.empty() && space_.dimension() == 0 && !space_.load_is_free()) break;
-      const Step step = space_.dimension() == 0 ? narrow_loads() : narrow_all();
+      const Step step = narrow_once();
       if (step == Step::conflict) return std::move(conflict_);
       if (step == Step::done) break;
     }
     return finished();
+  }
+
+  /// A conflict, if the first step shows one.
+  std::optional<Conflict> first_conflict() {
+    if (auto conflict = collect()) return conflict;
+    if (narrow_once() == Step::conflict) return std::move(conflict_);
+    return std::nullopt;
   }
 
  private:
@@ -131,6 +138,8 @@ class Narrowing {
     return std::nullopt;
   }
 
+  Step narrow_once() { return space_.dimension() == 0 ? narrow_loads() : narrow_all(); }
+
   /// Without free unknowns each side bounds the load.
   Step narrow_loads() {
     std::optional<std::size_t> lower, upper;
@@ -150,22 +159,25 @@ class Narrowing {
   }
 
   Step narrow_all() {
-    if (!sides_.empty()) {
-      const LinearOptimum best = Programs(space_).most_strict(sides_);
-      const int s = -best.value.sign();
-      std::vector<std::size_t> tight;
-      for (std::size_t i = 0; s <= 0 && i < sides_.size(); ++i) {
-        if (best.multipliers[i].sign() > 0) tight.push_back(i);
-      }
-      if (s < 0) return conflict_of(tight);
-      if (s == 0) return vanish(tight);
+    if (sides_.empty()) return Step::done;
+    const LinearOptimum best = Programs(space_).most_strict(sides_);
+    const int s = -best.value.sign();
+    if (s > 0) return Step::done;
+    std::vector<std::size_t> tight;
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+      if (best.multipliers[i].sign() > 0) tight.push_back(i);
     }
-    if (!space_.load_is_free()) return Step::done;
+    return s < 0 ? conflict_of(tight) : vanish(tight);
+  }
+
+  /// The loads of all solutions, once nothing is left to narrow.
+  ForceInterval loads() const {
+    if (!space_.load_is_free()) return ForceInterval::point(space_.load());
+    if (space_.dimension() == 0) return loads_;
     std::vector<AffineForm> forms;
     for (const Side& side : sides_) forms.push_back(side.form);
     const Range range = ranges_on(space_, {load_minus(space_, 0)}, forms).front();
-    loads_ = ForceInterval::between(range.lower, true, range.upper, true);
-    return Step::done;
+    return ForceInterval::between(range.lower, true, range.upper, true);
   }
 
   /// Sides that are 0 on all solutions.
@@ -194,11 +206,11 @@ class Narrowing {
   }
 
   Polyhedron finished() {
-    Polyhedron result{std::move(space_), {}, strict_, std::move(loads_)};
+    ForceInterval whole = loads();
+    Polyhedron result{std::move(space_), {}, strict_, std::move(whole)};
     for (Side& side : sides_) {
       if (side.origin) result.sides.push_back(std::move(side.form));
     }
-    if (!result.space.load_is_free()) result.loads = ForceInterval::point(result.space.load());
     result.loads.intersect(domain_);
     return result;
   }
@@ -208,7 +220,7 @@ class Narrowing {
   const ForceInterval& domain_;
   std::vector<Side> sides_;
   bool strict_ = true;
-  ForceInterval loads_;
+  ForceInterval loads_;                               ///< in a space without free unknowns
   std::vector<std::optional<std::size_t>> vanished_;  ///< origins of the sides that became equations
   Conflict conflict_;
 };
@@ -217,6 +229,11 @@ class Narrowing {
 
 Narrowed narrow(AffineSpace space, const std::vector<AffineForm>& conditions, const ForceInterval& domain) {
   return Narrowing(std::move(space), conditions, domain).run();
+}
+
+std::optional<Conflict> find_conflict(const AffineSpace& space, const std::vector<AffineForm>& conditions,
+                                      const ForceInterval& domain) {
+  return Narrowing(space, conditions, domain).first_conflict();
 }
 
 std::optional<Polyhedron> with(const Polyhedron& solutions, const std::vector<AffineForm>& vanishing) {

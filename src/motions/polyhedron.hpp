@@ -34,6 +34,10 @@ using Narrowed = std::variant<Polyhedron, Conflict>;
 /// The solutions in a space that meet the conditions at some load of the domain.
 Narrowed narrow(AffineSpace space, const std::vector<AffineForm>& conditions, const ForceInterval& domain);
 
+/// Why there is none, for less: also nothing where all that is left is an end that the domain does not have.
+std::optional<Conflict> find_conflict(const AffineSpace& space, const std::vector<AffineForm>& conditions,
+                                      const ForceInterval& domain);
+
 /// The same solutions at one load.
 std::optional<Polyhedron> at_load(const Polyhedron& solutions, const Rational& load);
 
