@@ -1,31 +1,9 @@
 #include "verify/simplify.hpp"
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
-#include "number/simplest.hpp"
-
 namespace slipproof {
-
-bool Complexity::operator<(const Complexity& other) const {
-  return std::tie(height, non_one, sum) < std::tie(other.height, other.non_one, other.sum);
-}
-
-Complexity complexity(const std::vector<Rational>& values) {
-  Complexity c;
-  for (const Rational& value : values) {
-    const Integer h = height(value);
-    c.height = std::max(c.height, h);
-    c.sum += h;
-    if (value != 1) ++c.non_one;
-  }
-  return c;
-}
-
-bool much_simpler(const std::vector<Rational>& values, const std::vector<Rational>& others) {
-  return 2 * complexity(values).height <= complexity(others).height;
-}
 
 namespace {
 
@@ -74,7 +52,7 @@ class Search {
       improved = false;
       for (const std::size_t k : free_) {
         const Complexity here = complexity(values);
-        for (const Rational& candidate : simpler(values[k])) {
+        for (const Rational& candidate : simpler_numbers(values[k], 6)) {
           std::vector<Rational> tried = values;
           tried[k] = candidate;
           if (ties_.empty() && !(complexity(tried) < here)) continue;
@@ -94,28 +72,12 @@ class Search {
   }
 
  private:
-  /// Rationals of height up to h but 1, both signs and 0, simplest first.
-  static std::vector<Rational> numbers(int h) {
-    std::vector<Rational> result;
-    for (int top = 1; top <= h; ++top) {
-      for (int other = 0; other <= top; ++other) {
-        for (const auto& [n, d] : {std::pair(top, other), std::pair(other, top)}) {
-          if (d == 0) continue;
-          const Rational x(n, d);
-          for (const Rational& value : {x, Rational(-x)}) {
-            if (value != 1 && std::find(result.begin(), result.end(), value) == result.end()) result.push_back(value);
-          }
-        }
-      }
-    }
-    return result;
-  }
-
   /// Those that the parameter may have where all others are 1, or not 1 but positive: domains that couple parameters
   /// (h > -R) are looked at again when all values are known.
   std::vector<Rational> allowed(std::size_t parameter, int height) const {
     std::vector<Rational> result;
-    for (const Rational& value : numbers(height)) {
+    for (const Rational& value : numbers_up_to(height)) {
+      if (value == 1) continue;
       for (const Rational& others : {Rational(1), Rational(height), Rational(Integer(1), Integer(height))}) {
         std::vector<Rational> values(setting_.domains().size(), others);
         values[parameter] = value;
@@ -123,21 +85,6 @@ class Search {
         result.push_back(value);
         break;
       }
-    }
-    return result;
-  }
-
-  /// Small numbers, and the simplest ones near by.
-  static std::vector<Rational> simpler(const Rational& value) {
-    static const std::vector<Rational> small = [] {
-      std::vector<Rational> all = numbers(6);
-      all.insert(all.begin(), 1);
-      return all;
-    }();
-    std::vector<Rational> result = small;
-    const Rational step(Integer(1), 4 * denominator(value));
-    for (const Rational& radius : {abs(value) / 2, abs(value) / 4, abs(value) / 16, step}) {
-      if (!radius.is_zero()) result.push_back(simplest_between(Rational(value - radius), Rational(value + radius)));
     }
     return result;
   }

@@ -5,23 +5,10 @@
 #include <optional>
 #include <vector>
 
+#include "number/simplest.hpp"
 #include "verify/sampler.hpp"
 
 namespace slipproof {
-
-/// How simple a sample is: the largest height of its values, then how many are not 1, then the sum of heights.
-/// Smaller is simpler.
-struct Complexity {
-  Integer height;
-  std::size_t non_one = 0;
-  Integer sum;
-
-  bool operator<(const Complexity& other) const;
-};
-Complexity complexity(const std::vector<Rational>& values);
-
-/// Whether somebody who checks by hand would rather take the first: its largest height is at most half of the other's.
-bool much_simpler(const std::vector<Rational>& values, const std::vector<Rational>& others);
 
 struct Simplified {
   std::vector<Rational> values;
