@@ -29,4 +29,28 @@ std::size_t utf8_count(std::string_view text) {
       std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; }));
 }
 
+std::string wrapped(const std::string& start, const std::string& text) {
+  constexpr std::size_t line_width = 80;
+  const std::size_t indent = utf8_count(start);
+  std::string result = start;
+  std::size_t column = indent;
+  for (std::size_t position = 0; position < text.size();) {
+    const std::size_t end = std::min(text.find(' ', position), text.size());
+    const std::string word = text.substr(position, end - position);
+    const std::size_t width = utf8_count(word);
+    if (column > indent && column + 1 + width > line_width) {
+      result += "\n" + std::string(indent, ' ');
+      column = indent;
+    } else if (column > indent) {
+      result += ' ';
+      ++column;
+    }
+    result += word;
+    column += width;
+    position = end + 1;
+  }
+  result.erase(result.find_last_not_of(' ') + 1);
+  return result + "\n";
+}
+
 }  // namespace slipproof

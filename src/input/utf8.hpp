@@ -1,7 +1,8 @@
-// The little that is needed of UTF-8: where characters end.
+// The little that is needed of UTF-8: where characters end, and how wide text is.
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace slipproof {
@@ -12,5 +13,9 @@ std::size_t utf8_length(std::string_view text);
 
 /// The number of characters: of bytes that do not continue one.
 std::size_t utf8_count(std::string_view text);
+
+/// `text` after `start` and a line break, broken at blanks into lines of 80 columns unless a word is longer, with
+/// further lines indented as far as `start` is long.
+std::string wrapped(const std::string& start, const std::string& text);
 
 }  // namespace slipproof

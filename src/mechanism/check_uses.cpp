@@ -46,7 +46,9 @@ class UseCheck {
     for (std::size_t i = 0; i < m.definitions.size(); ++i) definition(i);
     for (MechanismCondition& condition : m.assume) one(condition.condition, condition.name, derived);
     for (MechanismCondition& condition : m.realisable) one(condition.condition, condition.name, derived);
-    if (m.load) one(m.load->domain.front(), "domain", constants | Kind::definition | Kind::load);
+    if (m.load) {
+      for (PlacedExpression& domain : m.load->domain) one(domain, "domain", constants | Kind::definition | Kind::load);
+    }
     for (MechanismContact& contact : m.contacts) check(contact);
     for (MechanismFriction& friction : m.friction) {
       one(friction.slip, "slip", motion);

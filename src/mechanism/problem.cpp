@@ -1,5 +1,9 @@
 #include "mechanism/problem.hpp"
 
+#include <fmt/format.h>
+
+#include "input/diagnostic.hpp"
+#include "motions/modes_of.hpp"
 #include "number/affine.hpp"
 
 namespace slipproof {
@@ -142,6 +146,15 @@ std::vector<ProblemMaker::Broken> ProblemMaker::broken(const MechanismValues& va
     check(Broken::What::assumption, i, compiled_.assume[i], mechanism_->assume[i].condition);
   }
   return result;
+}
+
+void refuse_too_many_modes(const Mechanism& mechanism, const std::vector<ElementKind>& kinds) {
+  const double modes = mode_count(kinds);
+  if (modes <= static_cast<double>(max_modes)) return;
+  throw InputError(
+      {{mechanism.file, 0, 0,
+        fmt::format("found {} modes, expected at most {}: {} contacts and friction elements",
+                    modes > 1e19 ? "more than 10^19" : fmt::format("{:.0f}", modes), max_modes, kinds.size())}});
 }
 
 FrictionProblem friction_problem(const Mechanism& mechanism, const MechanismValues& values) {

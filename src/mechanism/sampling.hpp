@@ -13,7 +13,7 @@ namespace slipproof {
 std::vector<MechanismValues> sample_values(const Mechanism& mechanism, const ProblemMaker& maker, std::size_t count,
                                            std::uint64_t seed);
 
-/// `m = 1, b = 1/2, theta: cos 3/5, sin 4/5`: at most the first eight.
-std::string values_text(const Mechanism& mechanism, const MechanismValues& values);
+/// `m = 1, b = 1/2, theta: cos 3/5, sin 4/5`: of the parameters that are given, at most the first ones.
+std::string values_text(const Mechanism& mechanism, const MechanismValues& values, std::size_t most = 8);
 
 }  // namespace slipproof

@@ -11,32 +11,6 @@ namespace slipproof {
 
 namespace {
 
-constexpr std::size_t line_width = 80;
-
-/// `text` after `start`, broken at blanks, with further lines indented as far as `start` is long.
-std::string wrapped(const std::string& start, const std::string& text) {
-  const std::size_t indent = utf8_count(start);
-  std::string result = start;
-  std::size_t column = indent;
-  for (std::size_t position = 0; position < text.size();) {
-    const std::size_t end = std::min(text.find(' ', position), text.size());
-    const std::string word = text.substr(position, end - position);
-    const std::size_t width = utf8_count(word);
-    if (column > indent && column + 1 + width > line_width) {
-      result += "\n" + std::string(indent, ' ');
-      column = indent;
-    } else if (column > indent) {
-      result += ' ';
-      ++column;
-    }
-    result += word;
-    column += width;
-    position = end + 1;
-  }
-  result.erase(result.find_last_not_of(' ') + 1);
-  return result + "\n";
-}
-
 std::string padded(const std::string& text, std::size_t width) {
   const std::size_t length = utf8_count(text);
   return text + std::string(length < width ? width - length : 0, ' ');

@@ -16,17 +16,12 @@ namespace slipproof {
 namespace {
 
 FrictionProblem checked_problem(const MechanismScene& scene) {
+  refuse_too_many_modes(scene.mechanism, element_kinds(scene.mechanism, scene.values.starts, scene.values.given));
   FrictionProblem problem;
   try {
     problem = friction_problem(scene.mechanism, scene.values);
   } catch (const NoValue& error) {
     throw InputError({{scene.mechanism.file, 0, 0, error.what()}});
-  }
-  if (const std::uint64_t modes = mode_count(problem); modes > max_modes) {
-    throw InputError({{scene.mechanism.file, 0, 0,
-                       fmt::format("found {} modes, expected at most {}: {} contacts and friction elements",
-                                   modes == endless ? "more than 10^19" : std::to_string(modes), max_modes,
-                                   problem.elements.size())}});
   }
   return without_equations(problem);
 }

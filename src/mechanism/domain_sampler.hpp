@@ -1,0 +1,71 @@
+// Points of a mechanism's domain, drawn one symbol after the other.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "mechanism/problem.hpp"
+
+namespace slipproof {
+
+/// Which points are wanted.
+enum class PointsOf : std::uint8_t {
+  domain,     ///< domains of parameters and angles, and [assume]
+  realisable  ///< [realisable], too
+};
+
+class DomainSampler {
+ public:
+  /// What is given must outlive the sampler.
+  DomainSampler(const Mechanism& mechanism, const ProblemMaker& maker, PointsOf points = PointsOf::domain);
+
+  /// What is known when a symbol gets its value: a parameter, or an angle, for which the value is tan(angle/2).
+  struct Drawing {
+    int attempt = 0;                         ///< how many values of this symbol broke a condition before
+    std::size_t angles = 0, parameters = 0;  ///< so many have their values, the first ones
+    bool is_angle = false;
+    const MechanismValues* values = nullptr;
+    const std::vector<Rational>* roots = nullptr;  ///< where sides of a condition become the same; of an angle: none
+    bool fixed = false;                            ///< only at the first of them an equation of the domain holds
+  };
+  using Draw = std::function<Rational(const Drawing&)>;
+
+  /// Angles, then parameters that are given, each drawn until it breaks no condition that can be decided by then;
+  /// nothing where that does not come about.
+  std::optional<MechanismValues> sample(const std::vector<bool>& given, const Draw& draw) const;
+
+  /// Whether all conditions hold.
+  bool contains(const MechanismValues& values) const;
+
+  /// Gives parameters the values that equations of the domain, such as `3*I = m*l^2`, then ask of them: of each that
+  /// does not hold, the last parameter in it that is given and not `kept`.
+  void restore(MechanismValues& values, std::size_t kept) const;
+
+ private:
+  struct Comparison {
+    Program difference;  ///< of both sides
+    bool equation;       ///< it must hold, and is one
+  };
+  struct Roots {
+    std::vector<Rational> values;
+    bool fixed = false;
+  };
+  class Run;
+
+  void add_comparisons(const Expression& condition, bool required = true);
+  std::vector<const Program*> conditions(const std::vector<bool>& given) const;
+  Evaluator<Rational> evaluator(const MechanismValues& values, std::size_t angles, std::size_t parameters) const;
+  std::optional<Rational> root(const Program& difference, const MechanismValues& values, std::size_t parameters,
+                               std::size_t unknown) const;
+  Roots roots(const MechanismValues& values, std::size_t parameter) const;
+
+  const Mechanism* mechanism_;
+  const CompiledMechanism* compiled_;
+  PointsOf points_;
+  std::vector<Comparison> comparisons_;
+};
+
+}  // namespace slipproof
