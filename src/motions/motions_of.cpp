@@ -60,19 +60,6 @@ MotionsAtLoad gather(const FrictionProblem& problem, const std::vector<Consisten
   return result;
 }
 
-/// Static limits as low as kinetic ones; nothing where they are.
-std::optional<FrictionProblem> without_hysteresis(const FrictionProblem& problem) {
-  FrictionProblem result = problem;
-  bool differs = false;
-  for (ProblemElement& e : result.elements) {
-    differs = differs || e.static_limit.constant != e.kinetic_limit.constant ||
-              e.static_limit.coefficients != e.kinetic_limit.coefficients;
-    e.static_limit = e.kinetic_limit;
-  }
-  if (!differs) return std::nullopt;
-  return result;
-}
-
 std::vector<MechanismMode> modes_with_motions(const std::vector<ConsistentMode>& consistent) {
   std::vector<MechanismMode> modes;
   for (const ConsistentMode& found : consistent) modes.push_back(found.mode);
@@ -264,6 +251,18 @@ class Cells {
 };
 
 }  // namespace
+
+std::optional<FrictionProblem> without_hysteresis(const FrictionProblem& problem) {
+  FrictionProblem result = problem;
+  bool differs = false;
+  for (ProblemElement& e : result.elements) {
+    differs = differs || e.static_limit.constant != e.kinetic_limit.constant ||
+              e.static_limit.coefficients != e.kinetic_limit.coefficients;
+    e.static_limit = e.kinetic_limit;
+  }
+  if (!differs) return std::nullopt;
+  return result;
+}
 
 MotionsAtLoad motions_of(const FrictionProblem& problem, const std::optional<Rational>& load) {
   const FrictionProblem solved = without_equations(problem);

@@ -39,6 +39,10 @@ struct MotionsAtLoad {
 /// must be at most max_modes.
 MotionsAtLoad motions_of(const FrictionProblem& problem, const std::optional<Rational>& load);
 
+/// The same problem with static limits as low as the kinetic ones; nothing where they are. Several motions that are one
+/// then are hysteresis.
+std::optional<FrictionProblem> without_hysteresis(const FrictionProblem& problem);
+
 /// A motion over a set of loads.
 struct MotionOverLoads {
   std::vector<MechanismMode> modes, boundary_modes;
