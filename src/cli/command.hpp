@@ -54,6 +54,7 @@ std::filesystem::path claims_path(const std::string& argument);
 /// Each adds its subcommand; running it sets the exit code.
 void add_solve(CLI::App& app, int& exit_code);
 void add_show(CLI::App& app, int& exit_code);
+void add_search(CLI::App& app, int& exit_code);
 void add_trade(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
 void add_prove(CLI::App& app, int& exit_code);

@@ -1,18 +1,12 @@
 #include <utility>
 
 #include "mechanism/words.hpp"
-#include "wording/exact_json.hpp"
 #include "wording/mechanism_report.hpp"
+#include "wording/mode_json.hpp"
 
 namespace slipproof {
 
 namespace {
-
-Json names_json(const std::vector<MechanismMode>& modes) {
-  Json names = Json::array();
-  for (const MechanismMode& mode : modes) names.push_back(name(mode));
-  return names;
-}
 
 Json to_json(const Range& range) {
   return Json::array({slipproof::to_json(range.lower), slipproof::to_json(range.upper)});
@@ -32,7 +26,7 @@ class SolveDocument {
     document["schema"] = "slipproof/solve/2";
     document["mechanism"] = mechanism_.name;
     document["scene"] = solved_.scene.name;
-    document["values"] = values();
+    document["values"] = values_json(mechanism_, solved_.scene.values);
     document["load"] = load();
     document["notes"] = solved_.scene.notes;
     if (solved_.at_load) put_motions(document);
@@ -42,19 +36,6 @@ class SolveDocument {
   }
 
  private:
-  Json values() const {
-    Json object = Json::object();
-    const MechanismValues& values = solved_.scene.values;
-    for (std::size_t i = 0; i < values.parameters.size(); ++i) {
-      if (values.given[i]) object[mechanism_.parameters[i].symbol] = slipproof::to_json(values.parameters[i]);
-    }
-    for (std::size_t i = 0; i < values.angles.size(); ++i) {
-      object[mechanism_.angles[i].name] = {{"cos", slipproof::to_json(values.angles[i].cosine)},
-                                           {"sin", slipproof::to_json(values.angles[i].sine)}};
-    }
-    return object;
-  }
-
   Json load() const {
     if (!mechanism_.load) return nullptr;
     return {{"symbol", mechanism_.load->symbol}, {"value", slipproof::to_json(solved_.scene.load)}};

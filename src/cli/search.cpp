@@ -1,0 +1,73 @@
+#include "search/search.hpp"
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "cli/command.hpp"
+#include "cli/verify_run.hpp"
+#include "mechanism/narrow.hpp"
+#include "mechanism/shipped.hpp"
+#include "wording/search_report.hpp"
+
+namespace slipproof::cli {
+
+namespace {
+
+struct SearchArguments {
+  CommonOptions common;
+  SearchOptions search;
+  std::string mechanism, within, wanted;
+  bool narrows = false;
+};
+
+Exit run_search(SearchArguments& arguments) {
+  SearchOptions& options = arguments.search;
+  options.seed = arguments.common.seed;
+  options.threads = arguments.common.threads;
+  if (!arguments.common.quiet) options.progress = progress_bar();
+  if (arguments.wanted == "none") options.wanted = MotionCount::none;
+  if (arguments.wanted == "several") options.wanted = MotionCount::several;
+  if (arguments.wanted == "continuum") options.wanted = MotionCount::continuum;
+  Mechanism mechanism = open_mechanism(arguments.mechanism);
+  if (arguments.narrows) mechanism = narrowed(mechanism, arguments.within, "--within");
+  const SearchReport report{mechanism, options, arguments.within, search_motions(mechanism, options)};
+  print(arguments.common.json ? search_json(report) : search_text(report, arguments.common.quiet));
+  switch (verdict(report)) {
+    case SearchVerdict::unique:
+    case SearchVerdict::not_found:
+      return as_it_should_be;
+    case SearchVerdict::not_unique:
+    case SearchVerdict::found:
+      return refuted_or_not_certified;
+    case SearchVerdict::undecided:
+      break;
+  }
+  return undecided;
+}
+
+}  // namespace
+
+void add_search(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<SearchArguments>();
+  CLI::App& command =
+      *app.add_subcommand("search", "Is it ever undecided what a mechanism does? No motion, several, a continuum");
+  command.add_option("MECHANISM", options->mechanism, "Mechanism file (TOML), or the name of a shipped one")
+      ->required();
+  auto* within = command.add_option("--within", options->within, "Only where this holds, such as \"b < h and mu < 1\"");
+  command.add_option("--for", options->wanted, "Look for this alone, and end at the first")
+      ->check(CLI::IsMember({"none", "several", "continuum"}));
+  command.add_flag("--hysteresis", options->search.hysteresis,
+                   "Also several motions that are one with static coefficients as low as the kinetic ones");
+  command
+      .add_option("--samples", options->search.samples,
+                  "Points of the domain, each for every load; default: 50 to 2000, as the number of modes")
+      ->check(whole_number(1, 1'000'000'000));
+  add_common_options(command, options->common);
+  command.callback([options, within, &exit_code] {
+    options->narrows = within->count() > 0;
+    exit_code = run_search(*options);
+  });
+}
+
+}  // namespace slipproof::cli

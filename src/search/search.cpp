@@ -1,0 +1,164 @@
+#include "search/search.hpp"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "parallel/thread_count.hpp"
+
+namespace slipproof {
+
+std::uint64_t default_samples(const Mechanism& mechanism) {
+  const double modes = mode_count(element_kinds(mechanism));
+  return static_cast<std::uint64_t>(std::clamp(32'000 / modes, 50.0, 2'000.0));
+}
+
+namespace {
+
+/// What one sample shows.
+struct Shown {
+  enum class End : std::uint8_t { no_point, no_value, found } end = End::no_point;
+  bool one_everywhere = true, realisable = false;
+  std::set<MotionCount> counts;
+  std::vector<std::pair<FoundMotions, SearchPlace>> places;  ///< each set of motions once, by load
+};
+
+/// The simplest of some places, the first of equals.
+struct SimplestPlace {
+  std::optional<SearchPlace> place;
+  Complexity its_complexity;
+
+  void keep(const SearchPlace& other) {
+    Complexity c = complexity(other);
+    if (place && !(c < its_complexity)) return;
+    place = other;
+    its_complexity = std::move(c);
+  }
+};
+
+struct Kept {
+  std::uint64_t samples = 0;
+  SimplestPlace simplest, realisable;
+};
+
+class MotionSearch {
+ public:
+  MotionSearch(const Mechanism& mechanism, const SearchOptions& options)
+      : options_(options),
+        finder_(mechanism, !options.hysteresis),
+        points_(mechanism, finder_.maker(), options.seed),
+        samples_(options.samples.value_or(default_samples(mechanism))) {}
+
+  SearchResult result() {
+    tbb::task_arena arena(thread_count(options_.threads));
+    arena.execute([&] {
+      sample();
+      conclude();
+    });
+    return std::move(result_);
+  }
+
+ private:
+  /// So many samples are drawn at once, and counted in their order.
+  static constexpr std::uint64_t batch = 64;
+
+  void sample() {
+    for (std::uint64_t first = 0; first < samples_ && !ended_; first += batch) {
+      std::vector<Shown> shown(std::min(batch, samples_ - first));
+      tbb::parallel_for(std::size_t{0}, shown.size(), [&](std::size_t i) { shown[i] = show(first + i); });
+      for (std::size_t i = 0; i < shown.size() && !ended_; ++i) count(shown[i]);
+      if (options_.progress) options_.progress(ended_ ? samples_ : first + shown.size(), samples_);
+    }
+  }
+
+  Shown show(std::uint64_t i) const {
+    Shown shown;
+    const auto values = points_.at(i);
+    if (!values) return shown;
+    try {
+      const auto all = finder_.at(*values);
+      if (all.empty()) return shown;
+      shown.end = Shown::End::found;
+      shown.realisable = points_.realisable().contains(*values);
+      for (const FoundOverLoads& one : all) add(one.found, all, *values, shown);
+    } catch (const NoValue&) {
+      shown.end = Shown::End::no_value;
+    }
+    return shown;
+  }
+
+  void add(const FoundMotions& found, const std::vector<FoundOverLoads>& all, const MechanismValues& values,
+           Shown& shown) const {
+    shown.counts.insert(found.count);
+    if (found.count == MotionCount::hysteresis) return;
+    shown.one_everywhere = shown.one_everywhere && found.count == MotionCount::one;
+    if (options_.wanted && (found.count != *options_.wanted || !shown.places.empty())) return;
+    const auto same = [&](const auto& place) { return place.first == found; };
+    if (std::any_of(shown.places.begin(), shown.places.end(), same)) return;
+    shown.places.emplace_back(found, *finder_.place_of(found, all, values));
+  }
+
+  void count(const Shown& shown) {
+    ++result_.tried;
+    if (shown.end == Shown::End::no_value) ++result_.without_value;
+    if (shown.end != Shown::End::found) return;
+    ++result_.samples;
+    if (shown.one_everywhere) ++result_.one_everywhere;
+    for (const MotionCount what : shown.counts) ++result_.with[static_cast<std::size_t>(what)];
+    for (const auto& [found, place] : shown.places) {
+      Kept& kept = kept_[found];
+      ++kept.samples;
+      kept.simplest.keep(place);
+      if (shown.realisable) kept.realisable.keep(place);
+    }
+    ended_ = options_.wanted && !shown.places.empty();
+  }
+
+  /// The cells, in the order in which they are told, with simpler places.
+  void conclude() {
+    const auto rank = [](MotionCount count) {
+      constexpr std::array<int, motion_counts> ranks{5, 0, 3, 1, 2, 4};
+      return ranks[static_cast<std::size_t>(count)];
+    };
+    for (auto& [found, kept] : kept_) {
+      result_.cells.push_back({found, kept.samples, *kept.simplest.place, kept.realisable.place});
+    }
+    std::stable_sort(result_.cells.begin(), result_.cells.end(), [&](const SearchCell& x, const SearchCell& y) {
+      return std::pair(rank(x.found.count), y.samples) < std::pair(rank(y.found.count), x.samples);
+    });
+    tbb::parallel_for(std::size_t{0}, result_.cells.size(), [&](std::size_t i) { simplify(result_.cells[i]); });
+  }
+
+  void simplify(SearchCell& cell) const {
+    // All simplifying takes no more tries than half of the sampling, or a few for each.
+    const std::size_t budget = std::clamp<std::size_t>(samples_ / (4 * result_.cells.size()), 20, 400);
+    cell.simplest = simpler(std::move(cell.simplest), cell.found, finder_, points_.domain(), budget);
+    if (points_.realisable().contains(cell.simplest.values)) {
+      cell.realisable = cell.simplest;
+    } else if (cell.realisable) {
+      cell.realisable = simpler(std::move(*cell.realisable), cell.found, finder_, points_.realisable(), budget);
+    }
+  }
+
+  const SearchOptions& options_;
+  MotionFinder finder_;
+  PointSampler points_;
+  std::uint64_t samples_;
+  bool ended_ = false;
+  std::map<FoundMotions, Kept> kept_;
+  SearchResult result_;
+};
+
+}  // namespace
+
+SearchResult search_motions(const Mechanism& mechanism, const SearchOptions& options) {
+  refuse_too_many_modes(mechanism, element_kinds(mechanism));
+  return MotionSearch(mechanism, options).result();
+}
+
+}  // namespace slipproof

@@ -1,0 +1,140 @@
+#include "search/simpler_place.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "mechanism/degrees.hpp"
+
+namespace slipproof {
+
+Complexity complexity(const SearchPlace& place) {
+  std::vector<Rational> values;
+  for (std::size_t i = 0; i < place.values.parameters.size(); ++i) {
+    if (place.values.given[i]) values.push_back(place.values.parameters[i]);
+  }
+  for (const MechanismValues::Circle& angle : place.values.angles) {
+    values.push_back(angle.cosine);
+    values.push_back(angle.sine);
+  }
+  if (place.load) values.push_back(*place.load);
+  return complexity(values);
+}
+
+std::vector<FoundOverLoads> MotionFinder::at(const MechanismValues& values) const {
+  const FrictionProblem problem = maker_.problem(values);
+  if (problem.has_load && problem.load_domain.empty()) return {};
+  std::vector<std::size_t> not_modelled;
+  for (std::size_t i = 0; i < mechanism_->contacts.size(); ++i) {
+    const auto& needs = mechanism_->contacts[i].lift_needs;
+    if (std::any_of(needs.begin(), needs.end(), [&](std::size_t p) { return !values.given[p]; })) {
+      not_modelled.push_back(i);
+    }
+  }
+  return found_over_loads(without_equations(problem), not_modelled, hysteresis_apart_);
+}
+
+std::optional<SearchPlace> MotionFinder::place_of(const FoundMotions& wanted, const std::vector<FoundOverLoads>& all,
+                                                  const MechanismValues& values) const {
+  std::optional<SearchPlace> best;
+  for (const FoundOverLoads& one : all) {
+    if (one.found != wanted) continue;
+    SearchPlace place{values, mechanism_->load ? std::optional(one.loads.sample()) : std::nullopt};
+    if (!best || complexity(place) < complexity(*best)) best = std::move(place);
+  }
+  return best;
+}
+
+namespace {
+
+/// The way to a simpler place.
+class Descent {
+ public:
+  Descent(SearchPlace place, const FoundMotions& wanted, const MotionFinder& finder, const DomainSampler& domain,
+          std::size_t budget)
+      : place_(std::move(place)), wanted_(wanted), finder_(finder), domain_(domain), budget_(budget) {}
+
+  SearchPlace run() {
+    for (bool improved = true; improved && budget_ > 0;) {
+      improved = false;
+      for (std::size_t i = 0; i < place_.values.parameters.size(); ++i) {
+        if (place_.values.given[i]) improved = parameter(i) || improved;
+      }
+      for (std::size_t i = 0; i < place_.values.angles.size(); ++i) improved = angle(i) || improved;
+    }
+    return std::move(place_);
+  }
+
+ private:
+  static constexpr int small = 3;  ///< the height of numbers that are tried in any case
+
+  bool parameter(std::size_t index) {
+    const Rational here = place_.values.parameters[index];
+    for (const Rational& candidate : simpler_numbers(here, small)) {
+      if (candidate == here) continue;
+      MechanismValues values = place_.values;
+      values.parameters[index] = candidate;
+      if (try_out(values)) return true;
+      domain_.restore(values, index);
+      if (values.parameters != place_.values.parameters && try_out(values)) return true;
+      if (try_out(with_equal_ones(here, candidate))) return true;
+    }
+    return false;
+  }
+
+  /// What is thin holds because values are equal, or cancel.
+  MechanismValues with_equal_ones(const Rational& here, const Rational& candidate) const {
+    MechanismValues values = place_.values;
+    for (std::size_t i = 0; i < values.parameters.size(); ++i) {
+      Rational& value = values.parameters[i];
+      if (!values.given[i]) continue;
+      if (value == here) {
+        value = candidate;
+      } else if (value == Rational(-here)) {
+        value = -candidate;
+      }
+    }
+    return values;
+  }
+
+  bool angle(std::size_t index) {
+    const MechanismValues::Circle& here = place_.values.angles[index];
+    if (here.cosine == -1) return false;
+    for (const Rational& candidate : simpler_numbers(Rational(here.sine / (1 + here.cosine)), small)) {
+      MechanismValues values = place_.values;
+      values.angles[index] = point_of_tan_half(candidate);
+      if (try_out(values)) return true;
+    }
+    return false;
+  }
+
+  /// Takes the values if they are simpler and the same motions are found there.
+  bool try_out(const MechanismValues& values) {
+    const Complexity now = complexity(place_);
+    const SearchPlace bare{values, place_.load ? std::optional(Rational(1)) : std::nullopt};
+    if (budget_ == 0 || !(complexity(bare) < now) || !domain_.contains(values)) return false;
+    --budget_;
+    try {
+      auto found = finder_.place_of(wanted_, finder_.at(values), values);
+      if (!found || !(complexity(*found) < now)) return false;
+      place_ = std::move(*found);
+      return true;
+    } catch (const NoValue&) {
+      return false;
+    }
+  }
+
+  SearchPlace place_;
+  const FoundMotions& wanted_;
+  const MotionFinder& finder_;
+  const DomainSampler& domain_;
+  std::size_t budget_;
+};
+
+}  // namespace
+
+SearchPlace simpler(SearchPlace place, const FoundMotions& wanted, const MotionFinder& finder,
+                    const DomainSampler& domain, std::size_t budget) {
+  return Descent(std::move(place), wanted, finder, domain, budget).run();
+}
+
+}  // namespace slipproof
