@@ -61,7 +61,7 @@ void add_search(CLI::App& app, int& exit_code) {
                    "Also several motions that are one with static coefficients as low as the kinetic ones");
   command
       .add_option("--samples", options->search.samples,
-                  "Points of the domain, each for every load; default: 50 to 2000, as the number of modes")
+                  "Points of the domain, each for every load; default: 30 to 2000, fewer where there are more modes")
       ->check(whole_number(1, 1'000'000'000));
   add_common_options(command, options->common);
   command.callback([options, within, &exit_code] {

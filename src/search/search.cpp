@@ -15,7 +15,7 @@ namespace slipproof {
 
 std::uint64_t default_samples(const Mechanism& mechanism) {
   const double modes = mode_count(element_kinds(mechanism));
-  return static_cast<std::uint64_t>(std::clamp(32'000 / modes, 50.0, 2'000.0));
+  return static_cast<std::uint64_t>(std::clamp(500'000 / (modes * modes), 30.0, 2'000.0));
 }
 
 namespace {
@@ -134,9 +134,18 @@ class MotionSearch {
     tbb::parallel_for(std::size_t{0}, result_.cells.size(), [&](std::size_t i) { simplify(result_.cells[i]); });
   }
 
+  /// So often something simpler is tried for a cell: for all together about as often as there are samples, and for
+  /// those where it is undecided what happens more than for the others.
+  std::size_t tries(MotionCount count) const {
+    const auto decided = [](MotionCount c) { return c == MotionCount::one || c == MotionCount::none_modelled; };
+    const auto alike = std::ranges::count_if(
+        result_.cells, [&](const SearchCell& cell) { return decided(cell.found.count) == decided(count); });
+    const std::size_t share = static_cast<std::size_t>(samples_) / static_cast<std::size_t>(alike);
+    return decided(count) ? std::clamp<std::size_t>(share / 4, 5, 100) : std::clamp<std::size_t>(share, 15, 500);
+  }
+
   void simplify(SearchCell& cell) const {
-    // All simplifying takes no more tries than half of the sampling, or a few for each.
-    const std::size_t budget = std::clamp<std::size_t>(samples_ / (4 * result_.cells.size()), 20, 400);
+    const std::size_t budget = tries(cell.found.count);
     cell.simplest = simpler(std::move(cell.simplest), cell.found, finder_, points_.domain(), budget);
     if (points_.realisable().contains(cell.simplest.values)) {
       cell.realisable = cell.simplest;

@@ -53,30 +53,49 @@ class Descent {
           std::size_t budget)
       : place_(std::move(place)), wanted_(wanted), finder_(finder), domain_(domain), budget_(budget) {}
 
+  /// The smallest numbers first, wherever they do: a few tries bring the most.
   SearchPlace run() {
-    for (bool improved = true; improved && budget_ > 0;) {
-      improved = false;
-      for (std::size_t i = 0; i < place_.values.parameters.size(); ++i) {
-        if (place_.values.given[i]) improved = parameter(i) || improved;
+    for (const int height : {1, tallest}) {
+      for (bool improved = true; improved && budget_ > 0;) {
+        improved = false;
+        for (const std::size_t i : tall_first()) improved = parameter(i, height) || improved;
+        for (std::size_t i = 0; i < place_.values.angles.size(); ++i) improved = angle(i, height) || improved;
       }
-      for (std::size_t i = 0; i < place_.values.angles.size(); ++i) improved = angle(i) || improved;
     }
     return std::move(place_);
   }
 
  private:
-  static constexpr int small = 3;  ///< the height of numbers that are tried in any case
+  static constexpr int tallest = 3;  ///< of numbers that are tried in any case
 
-  bool parameter(std::size_t index) {
+  std::vector<std::size_t> tall_first() const {
+    const auto& values = place_.values;
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < values.parameters.size(); ++i) {
+      if (values.given[i]) order.push_back(i);
+    }
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t x, std::size_t y) {
+      return height(values.parameters[x]) > height(values.parameters[y]);
+    });
+    return order;
+  }
+
+  static std::vector<Rational> candidates(const Rational& value, int height) {
+    return height < tallest ? numbers_up_to(height) : simpler_numbers(value, height);
+  }
+
+  bool parameter(std::size_t index, int height) {
     const Rational here = place_.values.parameters[index];
-    for (const Rational& candidate : simpler_numbers(here, small)) {
+    for (const Rational& candidate : candidates(here, height)) {
       if (candidate == here) continue;
       MechanismValues values = place_.values;
       values.parameters[index] = candidate;
       if (try_out(values)) return true;
-      domain_.restore(values, index);
-      if (values.parameters != place_.values.parameters && try_out(values)) return true;
-      if (try_out(with_equal_ones(here, candidate))) return true;
+      const MechanismValues alike = with_equal_ones(here, candidate);
+      if (alike.parameters != values.parameters && try_out(alike)) return true;
+      MechanismValues restored = values;
+      domain_.restore(restored, index);
+      if (restored.parameters != values.parameters && try_out(restored)) return true;
     }
     return false;
   }
@@ -96,10 +115,10 @@ class Descent {
     return values;
   }
 
-  bool angle(std::size_t index) {
+  bool angle(std::size_t index, int height) {
     const MechanismValues::Circle& here = place_.values.angles[index];
     if (here.cosine == -1) return false;
-    for (const Rational& candidate : simpler_numbers(Rational(here.sine / (1 + here.cosine)), small)) {
+    for (const Rational& candidate : candidates(Rational(here.sine / (1 + here.cosine)), height)) {
       MechanismValues values = place_.values;
       values.angles[index] = point_of_tan_half(candidate);
       if (try_out(values)) return true;

@@ -55,9 +55,8 @@ std::string motions_text(const FoundMotions& found) {
   }
   for (const MechanismMode& mode : found.continua) words.push_back("a continuum in " + name(mode));
   if (found.on_boundary > 0) {
-    const std::string count =
-        words.empty() ? std::to_string(found.on_boundary) : fmt::format("{} more", found.on_boundary);
-    words.push_back(count + " on the boundary of modes");
+    const char* more = words.empty() ? "" : " more";
+    words.push_back(fmt::format("{}{} on a boundary of modes", found.on_boundary, more));
   }
   if (words.empty()) words.emplace_back("none");
   return fmt::format("{}", fmt::join(words, "; "));
