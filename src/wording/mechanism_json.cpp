@@ -8,8 +8,8 @@ namespace slipproof {
 
 namespace {
 
-Json to_json(const Range& range) {
-  return Json::array({slipproof::to_json(range.lower), slipproof::to_json(range.upper)});
+Json range_json(const Range& range) {
+  return Json::array({to_json(range.lower), to_json(range.upper)});
 }
 
 /// What goes into the document for one scene.
@@ -38,7 +38,7 @@ class SolveDocument {
  private:
   Json load() const {
     if (!mechanism_.load) return nullptr;
-    return {{"symbol", mechanism_.load->symbol}, {"value", slipproof::to_json(solved_.scene.load)}};
+    return {{"symbol", mechanism_.load->symbol}, {"value", to_json(solved_.scene.load)}};
   }
 
   void put_motions(Json& document) const {
@@ -56,13 +56,13 @@ class SolveDocument {
   Json motion_json(const MotionAtLoad& motion) const {
     Json accelerations = Json::object(), forces = Json::object(), undetermined = Json::object();
     for (std::size_t i = 0; i < accelerations_.size(); ++i) {
-      accelerations[accelerations_[i]] = slipproof::to_json(motion.accelerations[i]);
+      accelerations[accelerations_[i]] = to_json(motion.accelerations[i]);
     }
     for (std::size_t i = 0; i < forces_.size(); ++i) {
       if (motion.forces[i].is_point()) {
-        forces[forces_[i]] = slipproof::to_json(*motion.forces[i].lower);
+        forces[forces_[i]] = to_json(*motion.forces[i].lower);
       } else {
-        undetermined[forces_[i]] = to_json(motion.forces[i]);
+        undetermined[forces_[i]] = range_json(motion.forces[i]);
       }
     }
     return {{"modes", names_json(motion.modes)},
@@ -76,9 +76,9 @@ class SolveDocument {
   Json continuum_json(const ContinuumAtLoad& continuum) const {
     Json ranges = Json::object();
     for (std::size_t i = 0; i < accelerations_.size(); ++i) {
-      ranges[accelerations_[i]] = to_json(continuum.accelerations[i]);
+      ranges[accelerations_[i]] = range_json(continuum.accelerations[i]);
     }
-    for (std::size_t i = 0; i < forces_.size(); ++i) ranges[forces_[i]] = to_json(continuum.forces[i]);
+    for (std::size_t i = 0; i < forces_.size(); ++i) ranges[forces_[i]] = range_json(continuum.forces[i]);
     return {{"mode", name(continuum.mode)},
             {"status", continuum.strict ? "strict" : "boundary"},
             {"ranges", std::move(ranges)}};
@@ -93,7 +93,7 @@ class SolveDocument {
     Json entry{{"mode", name(mode.mode)}};
     if (mode.margin) {
       entry["violated"] = because.front();
-      entry["margin"] = slipproof::to_json(*mode.margin);
+      entry["margin"] = to_json(*mode.margin);
     } else {
       entry["violated"] = nullptr;
       entry["because"] = std::move(because);
@@ -125,8 +125,8 @@ class SolveDocument {
       for (std::size_t i = 0; i < accelerations_.size(); ++i) {
         const AffineForm form = mode.solutions.space.on(solved_.problem.accelerations[i]);
         if (!is_free_of_unknowns(form)) continue;
-        accelerations[accelerations_[i]] = {{"const", slipproof::to_json(form.constant)},
-                                            {"per_load", slipproof::to_json(form.coefficients.back())}};
+        accelerations[accelerations_[i]] = {{"const", to_json(form.constant)},
+                                            {"per_load", to_json(form.coefficients.back())}};
       }
       entry["accelerations"] = std::move(accelerations);
       entries.push_back(std::move(entry));
