@@ -141,7 +141,8 @@ class MotionSearch {
     const auto alike = std::ranges::count_if(
         result_.cells, [&](const SearchCell& cell) { return decided(cell.found.count) == decided(count); });
     const std::size_t share = static_cast<std::size_t>(samples_) / static_cast<std::size_t>(alike);
-    return decided(count) ? std::clamp<std::size_t>(share / 4, 5, 100) : std::clamp<std::size_t>(share, 15, 500);
+    const auto least = std::clamp<std::size_t>(static_cast<std::size_t>(samples_) / 100, 2, 15);
+    return decided(count) ? std::clamp<std::size_t>(share / 4, 2, 100) : std::clamp<std::size_t>(share, least, 500);
   }
 
   void simplify(SearchCell& cell) const {
