@@ -32,6 +32,10 @@ SolvedMechanism::SolvedMechanism(MechanismScene given) : scene(std::move(given))
   if (problem.has_load) modes = modes_of(problem, std::nullopt).consistent;
   if (scene.load || !problem.has_load) {
     at_load = motions_of(problem, scene.load);
+    // Modes that were left out together share a reason; alone, each has its own, which may be a single condition.
+    for (RejectedMode& rejected : at_load->rejected) {
+      rejected = std::move(mode_of(problem, rejected.mode, scene.load).rejected.front());
+    }
   } else {
     cells = cells_of(problem, modes);
   }
