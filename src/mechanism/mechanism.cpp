@@ -72,12 +72,6 @@ std::vector<ElementKind> element_kinds(const Mechanism& mechanism) {
   return element_kinds(mechanism, starts(mechanism), std::vector<bool>(mechanism.parameters.size(), true));
 }
 
-double mode_count(const std::vector<ElementKind>& kinds) {
-  double count = 1;
-  for (const ElementKind& kind : kinds) count *= static_cast<double>(states(kind).size());
-  return count;
-}
-
 bool is_literal_zero(const Expression& expression) {
   return expression->operation == Operation::number && expression->number.is_zero();
 }

@@ -171,8 +171,6 @@ std::vector<ElementKind::Start> starts(const Mechanism& mechanism);
 std::vector<ElementKind> element_kinds(const Mechanism& mechanism);
 std::vector<ElementKind> element_kinds(const Mechanism& mechanism, const std::vector<ElementKind::Start>& starts,
                                        const std::vector<bool>& given);
-/// How many modes there are; may round.
-double mode_count(const std::vector<ElementKind>& kinds);
 
 /// Whether an expression is the literal 0.
 bool is_literal_zero(const Expression& expression);

@@ -65,6 +65,12 @@ void AffineSpace::fix(std::size_t variable, AffineForm form) {
   fixed_[variable] = std::move(form);
 }
 
+AffineForm load_minus(const Rational& value, std::size_t unknowns) {
+  AffineForm form{-value, std::vector<Rational>(unknowns + 1)};
+  form.coefficients.back() = 1;
+  return form;
+}
+
 bool is_free_of_unknowns(const AffineForm& form) {
   return std::all_of(form.coefficients.begin(), form.coefficients.end() - 1,
                      [](const Rational& c) { return c.is_zero(); });

@@ -38,6 +38,9 @@ class AffineSpace {
   std::size_t dimension_;
 };
 
+/// The load minus a value, over so many unknowns.
+AffineForm load_minus(const Rational& value, std::size_t unknowns);
+
 /// Whether a form has no coefficient, of an unknown; it may still depend on the load.
 bool is_free_of_unknowns(const AffineForm& form);
 bool is_constant(const AffineForm& form);

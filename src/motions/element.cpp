@@ -62,6 +62,12 @@ std::vector<ElementState> states(const ElementKind& kind) {
   return result;
 }
 
+double mode_count(const std::vector<ElementKind>& kinds) {
+  double count = 1;
+  for (const ElementKind& kind : kinds) count *= static_cast<double>(states(kind).size());
+  return count;
+}
+
 std::string name(const MechanismMode& mode) {
   std::string text;
   for (const ElementState state : mode) {

@@ -101,6 +101,8 @@ constexpr StateList<StateCondition> conditions(const ElementKind& kind, ElementS
 
 /// A state for each element, in the order of the mechanism.
 using MechanismMode = std::vector<ElementState>;
+/// How many modes such elements have; may round.
+double mode_count(const std::vector<ElementKind>& kinds);
 std::string name(const MechanismMode& mode);  ///< joined by `/`: `stick/slip+`
 
 constexpr StateList<StateEquation> equations(const ElementKind& kind, ElementState state) {

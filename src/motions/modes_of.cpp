@@ -1,7 +1,6 @@
 #include "motions/modes_of.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace slipproof {
@@ -18,9 +17,7 @@ class ModeTree {
     AffineSpace space(problem_.unknowns, problem_.has_load);
     bool solvable = true;
     if (load && problem_.has_load) {
-      AffineForm fixed{-*load, std::vector<Rational>(problem_.unknowns + 1)};
-      fixed.coefficients.back() = 1;
-      solvable = space.require(fixed);
+      solvable = space.require(load_minus(*load, problem_.unknowns));
     }
     for (const AffineForm& equation : problem_.equations) solvable = solvable && space.require(equation);
     if (solvable) {
@@ -78,11 +75,7 @@ class ModeTree {
   void finish(const AffineSpace& space) {
     Narrowed narrowed = narrow(space, conditions_, domain_);
     if (const auto* conflict = std::get_if<Conflict>(&narrowed)) return reject(because(*conflict), conflict->margin);
-    auto& solutions = std::get<Polyhedron>(narrowed);
-    const bool determined =
-        std::all_of(problem_.accelerations.begin(), problem_.accelerations.end(),
-                    [&](const AffineForm& form) { return is_free_of_unknowns(solutions.space.on(form)); });
-    result_.consistent.push_back({mode_, std::move(solutions), determined});
+    result_.consistent.push_back(consistent_mode(problem_, mode_, std::move(std::get<Polyhedron>(narrowed))));
   }
 
   std::vector<ViolatedCondition> because(const Conflict& conflict) const {
@@ -129,6 +122,13 @@ ForceInterval domain_for(const FrictionProblem& problem, const std::optional<Rat
 
 }  // namespace
 
+ConsistentMode consistent_mode(const FrictionProblem& problem, const MechanismMode& mode, Polyhedron solutions) {
+  const bool determined =
+      std::all_of(problem.accelerations.begin(), problem.accelerations.end(),
+                  [&](const AffineForm& form) { return is_free_of_unknowns(solutions.space.on(form)); });
+  return {mode, std::move(solutions), determined};
+}
+
 ForceInterval ConsistentMode::strict_loads() const {
   if (!solutions.strict) return ForceInterval::nothing();
   const ForceInterval& loads = solutions.loads;
@@ -138,16 +138,6 @@ ForceInterval ConsistentMode::strict_loads() const {
   };
   return ForceInterval::between(loads.lower(), strict_at(loads.lower(), loads.lower_closed()), loads.upper(),
                                 strict_at(loads.upper(), loads.upper_closed()));
-}
-
-std::uint64_t mode_count(const FrictionProblem& problem) {
-  std::uint64_t count = 1;
-  for (const ProblemElement& element : problem.elements) {
-    const std::uint64_t own = states(element.kind).size();
-    if (count > std::numeric_limits<std::uint64_t>::max() / own) return std::numeric_limits<std::uint64_t>::max();
-    count *= own;
-  }
-  return count;
 }
 
 FrictionProblem without_equations(const FrictionProblem& problem) {

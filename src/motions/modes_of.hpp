@@ -40,9 +40,10 @@ struct ModesOf {
   std::vector<RejectedMode> rejected;
 };
 
-/// The number of modes; 2^64 - 1 where there are more.
-std::uint64_t mode_count(const FrictionProblem& problem);
-/// More are not tried.
+/// A mode with its solutions, told whether they are one motion for each load.
+ConsistentMode consistent_mode(const FrictionProblem& problem, const MechanismMode& mode, Polyhedron solutions);
+
+/// More modes are not tried.
 inline constexpr std::uint64_t max_modes = 65'536;
 
 /// Tries all modes, state by state: what already contradicts itself for the first elements is not gone into. The

@@ -182,10 +182,7 @@ class Cells {
       if (!mode.solutions.loads.contains(load)) continue;
       auto solutions = at_load(mode.solutions, load);
       if (!solutions) continue;
-      const bool determined =
-          std::all_of(problem_.accelerations.begin(), problem_.accelerations.end(),
-                      [&](const AffineForm& form) { return is_free_of_unknowns(solutions->space.on(form)); });
-      result.push_back({mode.mode, std::move(*solutions), determined});
+      result.push_back(consistent_mode(problem_, mode.mode, std::move(*solutions)));
     }
     return result;
   }

@@ -74,17 +74,11 @@ std::vector<Range> ranges_on(const AffineSpace& space, const std::vector<AffineF
   return result;
 }
 
-AffineForm load_minus(const AffineSpace& space, const Rational& value) {
-  AffineForm form{-value, std::vector<Rational>(space.unknowns() + 1)};
-  form.coefficients.back() = 1;
-  return form;
-}
-
 /// That the load is in an interval, its ends included.
 std::vector<Side> ends_of(const AffineSpace& space, const ForceInterval& loads) {
   std::vector<Side> ends;
-  if (loads.lower()) ends.push_back({load_minus(space, *loads.lower()), std::nullopt});
-  if (loads.upper()) ends.push_back({-load_minus(space, *loads.upper()), std::nullopt});
+  if (loads.lower()) ends.push_back({load_minus(*loads.lower(), space.unknowns()), std::nullopt});
+  if (loads.upper()) ends.push_back({-load_minus(*loads.upper(), space.unknowns()), std::nullopt});
   return ends;
 }
 
@@ -176,7 +170,7 @@ class Narrowing {
     if (space_.dimension() == 0) return loads_;
     std::vector<AffineForm> forms;
     for (const Side& side : sides_) forms.push_back(side.form);
-    const Range range = ranges_on(space_, {load_minus(space_, 0)}, forms).front();
+    const Range range = ranges_on(space_, {load_minus(0, space_.unknowns())}, forms).front();
     return ForceInterval::between(range.lower, true, range.upper, true);
   }
 
@@ -252,7 +246,7 @@ std::optional<Polyhedron> at_load(const Polyhedron& solutions, const Rational& l
   if (!solutions.space.load_is_free()) {
     return solutions.space.load() == load && solutions.loads.contains(load) ? std::optional(solutions) : std::nullopt;
   }
-  return with(solutions, {load_minus(solutions.space, load)});
+  return with(solutions, {load_minus(load, solutions.space.unknowns())});
 }
 
 std::vector<Range> ranges(const Polyhedron& solutions, const std::vector<AffineForm>& forms) {

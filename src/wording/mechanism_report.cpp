@@ -70,8 +70,10 @@ class SolveText {
   }
 
   std::string whole() {
-    fmt::format_to(out_, "{}: {}, {}\n", solved_.scene.name, mechanism_.name,
-                   plural(mode_count(solved_.problem), "contact mode"));
+    const MechanismScene& scene = solved_.scene;
+    const double modes = mode_count(element_kinds(mechanism_, scene.values.starts, scene.values.given));
+    fmt::format_to(out_, "{}: {}, {}\n", scene.name, mechanism_.name,
+                   plural(static_cast<std::size_t>(modes), "contact mode"));
     for (const std::string& note : solved_.scene.notes) fmt::format_to(out_, "note: {}\n", note);
     write_not_modelled();
     if (solved_.at_load) {
