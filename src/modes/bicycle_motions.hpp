@@ -1,0 +1,40 @@
+// The bicycle as the mechanism of its file, and its modes by the table of modes behind the interface of the kernel.
+//
+// ModeTable solves a bicycle several times as fast as the kernel, which is what keeps it; tests/modes holds both equal.
+// Where a bicycle has a continuum, the kernel answers.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "mechanism/problem.hpp"
+#include "model/bicycle.hpp"
+#include "model/contact_mode.hpp"
+#include "motions/over_loads.hpp"
+
+namespace slipproof {
+
+/// The shipped mechanism `bicycle`.
+const Mechanism& bicycle_mechanism();
+/// A bicycle as values of its parameters.
+MechanismValues bicycle_values(const Bicycle<Rational>& bicycle, const Road<Rational>& road, ForceKind kind);
+/// The bicycle that the values of its mechanism are, whatever the states before the motion.
+struct BicycleOfValues {
+  Bicycle<Rational> bicycle;
+  Road<Rational> road;
+  ForceKind kind;
+};
+BicycleOfValues bicycle_of(const MechanismValues& values);
+
+/// The same mode with a state for each element.
+const MechanismMode& mechanism_mode(ContactMode mode);
+/// Nothing unless it has two states of wheels.
+std::optional<ContactMode> contact_mode(const MechanismMode& mode);
+
+/// By the table of modes; with `only`, of these alone.
+std::unique_ptr<const MotionsOverLoads> bicycle_motions(const Bicycle<Rational>& bicycle, const Road<Rational>& road,
+                                                        ForceKind kind,
+                                                        const std::optional<std::vector<MechanismMode>>& only = {});
+
+}  // namespace slipproof
