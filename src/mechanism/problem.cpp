@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "input/diagnostic.hpp"
+#include "mechanism/assemble.hpp"
 #include "motions/modes_of.hpp"
 #include "number/affine.hpp"
 
@@ -45,27 +46,6 @@ class ProblemForms {
   Evaluator<Rational>& at_;
 };
 
-void add_contact(const MechanismContact& contact, const CompiledContact& compiled, const ElementKind& kind,
-                 ProblemForms& forms, FrictionProblem& problem) {
-  ProblemElement element;
-  element.kind = kind;
-  element.gap = forms.form(compiled.gap, contact.gap_name);
-  problem.accelerations.push_back(element.gap);
-  element.normal = forms.unit(contact.normal);
-  if (contact.slip) {
-    const AffineForm slip = forms.form(compiled.slip, contact.slip_name);
-    problem.accelerations.push_back(slip);
-    if (!contact.frictionless()) element.slip = slip;
-  }
-  if (!contact.frictionless()) {
-    const std::string what = "the friction of " + contact.name;
-    element.tangent = forms.unit(*contact.tangent);
-    element.static_limit = forms.limit(*compiled.static_friction, contact.normal, what);
-    element.kinetic_limit = forms.limit(*compiled.kinetic_friction, contact.normal, what);
-  }
-  problem.elements.push_back(std::move(element));
-}
-
 }  // namespace
 
 MechanismValues default_values(const Mechanism& mechanism) {
@@ -87,29 +67,7 @@ FrictionProblem ProblemMaker::problem(const MechanismValues& values) const {
   Evaluator<Rational> evaluator = at(values);
   ProblemForms forms(*mechanism_, evaluator);
   FrictionProblem problem;
-  problem.unknowns = mechanism_->unknowns.size();
-  for (std::size_t i = 0; i < compiled_.equations.size(); ++i) {
-    const std::size_t own = mechanism_->equations.size();
-    const std::string& name = i < own ? mechanism_->equations[i].name : mechanism_->links[i - own].name;
-    problem.equations.push_back(forms.form(compiled_.equations[i], "the equation " + name));
-  }
-  for (std::size_t i = 0; i < mechanism_->accelerations; ++i) problem.accelerations.push_back(forms.unit(i));
-  for (std::size_t i = mechanism_->accelerations; i < problem.unknowns; ++i) problem.forces.push_back(forms.unit(i));
-  const auto kinds = element_kinds(*mechanism_, values.starts, values.given);
-  for (std::size_t i = 0; i < mechanism_->contacts.size(); ++i) {
-    add_contact(mechanism_->contacts[i], compiled_.contacts[i], kinds[i], forms, problem);
-  }
-  for (std::size_t i = 0; i < mechanism_->friction.size(); ++i) {
-    const MechanismFriction& friction = mechanism_->friction[i];
-    ProblemElement element;
-    element.kind = kinds[mechanism_->contacts.size() + i];
-    element.slip = forms.form(compiled_.friction[i].slip, friction.slip_name);
-    problem.accelerations.push_back(element.slip);
-    element.tangent = forms.unit(friction.force);
-    element.static_limit = forms.form(compiled_.friction[i].static_limit, "the limit of " + friction.name);
-    element.kinetic_limit = forms.form(compiled_.friction[i].kinetic_limit, "the limit of " + friction.name);
-    problem.elements.push_back(std::move(element));
-  }
+  assemble(*mechanism_, compiled_, element_kinds(*mechanism_, values.starts, values.given), forms, problem);
   problem.has_load = mechanism_->load.has_value();
   problem.load_domain = load_domain(values);
   return problem;
