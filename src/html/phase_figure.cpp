@@ -6,7 +6,6 @@
 
 #include "html/sections.hpp"
 #include "number/format.hpp"
-#include "picture/palette.hpp"
 #include "picture/phase_points.hpp"
 #include "picture/phase_svg.hpp"
 #include "typeset/latex.hpp"
@@ -75,7 +74,7 @@ void add_table(const Element& parent, const PhaseDiagram& diagram) {
             .set("rowspan", static_cast<int>(cells.size()))
             .text(column_name(diagram.plane, column->x));
       }
-      row.add("td", "number").text(in_table(cells[k]->forces));
+      row.add("td", "number").text(in_table(cells[k]->loads));
       row.add("td").text(name(motion_set(*cells[k])));
     }
   }
@@ -89,7 +88,7 @@ void add_legend(const Element& parent, const PhaseDiagram& diagram, const PhaseR
     const MotionSet& set = regions.sets[i];
     const Element text = item.add("span");
     text.add("b").text(name(set));
-    if (words && set.motions.size() == 1) text.text(" " + in_words(set.motions[0].front()));
+    if (words && set.motions.size() == 1) text.text(" " + diagram.plane.words(set.motions[0].front()));
     if (set.motions.size() > 1) text.text(" ambiguous: " + std::to_string(set.motions.size()) + " motions");
   }
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -13,7 +14,7 @@ struct Colour {
   std::string_view light, dark;
 };
 
-/// By ContactMode::index(): rear stick, slip+, slip-, lift; in each, front the same.
+/// Of two contacts: the first one stick, slip+, slip-, lift; in each, the second one the same.
 constexpr std::array<Colour, 16> mode_colours{{{"#a6cbea", "#2b5a86"},
                                                {"#8fd3b3", "#1f6b50"},
                                                {"#bfe6e4", "#2a6f74"},
@@ -73,16 +74,23 @@ std::string picture_style() {
   return light + "@media screen and (prefers-color-scheme:dark){\n" + dark + "}\n";
 }
 
-std::string fill_class(ContactMode mode) {
-  return "m" + std::to_string(mode.index());
+ModeColours::ModeColours(std::vector<MechanismMode> modes) {
+  std::sort(modes.begin(), modes.end());
+  std::array<bool, mode_colours.size()> taken{};
+  for (const MechanismMode& mode : modes) {
+    if (indices_.contains(mode)) continue;
+    std::size_t index = 0;
+    for (const ElementState state : mode) index = (4 * index + static_cast<std::size_t>(state)) % taken.size();
+    if (indices_.size() < taken.size()) {
+      while (taken[index]) index = (index + 1) % taken.size();
+    }
+    taken[index] = true;
+    indices_.emplace(mode, index);
+  }
 }
 
-std::string in_words(ContactMode mode) {
-  constexpr std::array<std::string_view, 4> does{"rolls", "slips forwards", "slips backwards", "is off the road"};
-  const auto rear = static_cast<std::size_t>(mode.rear), front = static_cast<std::size_t>(mode.front);
-  if (mode.rear != mode.front) return fmt::format("rear wheel {}, front wheel {}", does[rear], does[front]);
-  constexpr std::array<std::string_view, 4> both{"roll", "slip forwards", "slip backwards", "are off the road"};
-  return fmt::format("both wheels {}", both[rear]);
+std::string ModeColours::fill_class(const MechanismMode& mode) const {
+  return "m" + std::to_string(indices_.at(mode));
 }
 
 }  // namespace slipproof

@@ -1,20 +1,28 @@
-// The colours of contact modes, the same in every picture: hues that colour-blind readers tell apart, and a texture
-// where a wheel is off the road.
+// The colours of modes: hues that colour-blind readers tell apart.
 #pragma once
 
+#include <map>
 #include <string>
+#include <vector>
 
-#include "model/contact_mode.hpp"
+#include "motions/element.hpp"
 
 namespace slipproof {
 
 /// A style sheet for pictures, light and dark. Literal colours: not every reader of SVG knows variables.
 std::string picture_style();
 
-/// The class that fills a shape with a mode's colour.
-std::string fill_class(ContactMode mode);
+/// Colours for the modes of one picture. Up to sixteen are all different; those of two contacts have the same in every
+/// picture.
+class ModeColours {
+ public:
+  explicit ModeColours(std::vector<MechanismMode> modes);
 
-/// What a mode is in words: "both wheels roll".
-std::string in_words(ContactMode mode);
+  /// The class that fills a shape with a mode's colour; the mode must be one of the picture's.
+  std::string fill_class(const MechanismMode& mode) const;
+
+ private:
+  std::map<MechanismMode, std::size_t> indices_;
+};
 
 }  // namespace slipproof

@@ -5,11 +5,19 @@
 
 namespace slipproof {
 
-MotionSet motion_set(const Cell& cell) {
+std::vector<MechanismMode> modes_in_order(const MotionOverLoads& motion) {
+  std::vector<MechanismMode> modes = motion.modes;
+  modes.insert(modes.end(), motion.boundary_modes.begin(), motion.boundary_modes.end());
+  std::sort(modes.begin(), modes.end());
+  return modes;
+}
+
+MotionSet motion_set(const LoadCell& cell) {
   MotionSet set;
-  for (const auto& motion : cell.motions) set.motions.push_back(motion.modes);
-  std::sort(set.motions.begin(), set.motions.end(),
-            [](const auto& a, const auto& b) { return a.front().index() < b.front().index(); });
+  for (const MotionOverLoads& motion : cell.motions) {
+    set.motions.push_back(motion.modes.empty() ? motion.boundary_modes : motion.modes);
+  }
+  std::sort(set.motions.begin(), set.motions.end(), [](const auto& a, const auto& b) { return a.front() < b.front(); });
   set.continua = cell.continua;
   return set;
 }
@@ -18,23 +26,23 @@ std::string name(const MotionSet& set) {
   std::string text;
   for (const auto& modes : set.motions) {
     text += text.empty() ? "" : ", ";
-    for (const ContactMode mode : modes) text += (mode == modes.front() ? "" : " = ") + name(mode);
+    for (const MechanismMode& mode : modes) text += (&mode == &modes.front() ? "" : " = ") + name(mode);
   }
-  for (const ContactMode mode : set.continua) text += (text.empty() ? "" : ", ") + name(mode) + " (continuum)";
+  for (const MechanismMode& mode : set.continua) text += (text.empty() ? "" : ", ") + name(mode) + " (continuum)";
   return text.empty() ? "no motion" : text;
 }
 
-std::vector<const Cell*> open_cells(const PhaseColumn& column) {
-  std::vector<const Cell*> open;
-  for (const Cell& cell : column.cells) {
-    if (!cell.forces.is_point()) open.push_back(&cell);
+std::vector<const LoadCell*> open_cells(const PhaseColumn& column) {
+  std::vector<const LoadCell*> open;
+  for (const LoadCell& cell : column.cells) {
+    if (!cell.loads.is_point()) open.push_back(&cell);
   }
   return open;
 }
 
-const Cell& cell_at(const PhaseColumn& column, const Rational& y) {
-  const auto found =
-      std::find_if(column.cells.begin(), column.cells.end(), [&](const Cell& cell) { return cell.forces.contains(y); });
+const LoadCell& cell_at(const PhaseColumn& column, const Rational& y) {
+  const auto found = std::find_if(column.cells.begin(), column.cells.end(),
+                                  [&](const LoadCell& cell) { return cell.loads.contains(y); });
   if (found == column.cells.end()) throw std::logic_error("the cells of a column leave a gap");
   return *found;
 }
@@ -45,7 +53,7 @@ namespace {
 bool alike(const PhaseColumn& a, const PhaseColumn& b) {
   const auto x = open_cells(a), y = open_cells(b);
   return std::equal(x.begin(), x.end(), y.begin(), y.end(),
-                    [](const Cell* c, const Cell* d) { return motion_set(*c) == motion_set(*d); });
+                    [](const LoadCell* c, const LoadCell* d) { return motion_set(*c) == motion_set(*d); });
 }
 
 class Columns {

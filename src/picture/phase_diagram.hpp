@@ -1,5 +1,5 @@
-// Phase diagrams: which motions there are at each point of a plane of one parameter (horizontal) and the force
-// (vertical). In every column the answer is exact, for all forces at once; between columns it is joined up.
+// Phase diagrams: which motions there are at each point of a plane of one parameter (horizontal) and the load
+// (vertical). In every column the answer is exact, for all loads at once; between columns it is joined up.
 #pragma once
 
 #include <compare>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "modes/motions.hpp"
+#include "motions/motions_of.hpp"
 
 namespace slipproof {
 
@@ -17,14 +17,20 @@ struct Axis {
   Rational from, to;  ///< from < to
 };
 
-/// One value of the parameter, solved for all forces.
+/// One value of the parameter, solved for all loads.
 struct PhaseColumn {
   Rational x;
-  bool even = true;                             ///< one of the evenly spaced ones
-  std::vector<Cell> cells;                      ///< of the vertical axis' variable; motions are over the pedal force
-  Affine<Rational> pedal{Rational(0), 1};       ///< the pedal force at a value of the vertical axis' variable
-  std::vector<std::optional<Rational>> curves;  ///< where the plane's curves are
-  std::vector<std::optional<ForceInterval>> refuted;  ///< for each claim of the plane: forces at which it is false
+  bool even = true;                                   ///< one of the evenly spaced ones
+  std::vector<LoadCell> cells;                        ///< the load is the vertical axis' variable
+  std::vector<std::optional<Rational>> curves;        ///< where the plane's curves are
+  std::vector<std::optional<ForceInterval>> refuted;  ///< for each claim of the plane: loads at which it is false
+};
+
+/// A number of a motion that has a name.
+struct MotionQuantity {
+  std::string name;
+  bool is_force = false;  ///< in MotionOverLoads, one of forces; if not, one of accelerations
+  std::size_t index = 0;
 };
 
 /// What is to be drawn.
@@ -46,7 +52,9 @@ struct Plane {
     std::string label;
   };
   std::optional<Mark> mark;
-  std::string note;  ///< what a reader must know of the motions; may be empty
+  std::string note;                                        ///< what a reader must know of the motions; may be empty
+  std::vector<MotionQuantity> quantities;                  ///< that are told of a motion
+  std::function<std::string(const MechanismMode&)> words;  ///< what a mode is for people
   /// Solves a column; nothing where the parameter has no meaning.
   std::function<std::optional<PhaseColumn>(const Rational& x)> solve;
 };
@@ -60,21 +68,25 @@ struct PhaseDiagram {
 /// between them, until the change is narrower than can be seen.
 PhaseDiagram phase_diagram(Plane plane, std::size_t columns);
 
-/// Which motions there are: each by its modes, in the order of the modes; and the continua.
+/// Which motions there are: each by its modes, in the order of the modes; and the continua. Of a motion that is strict
+/// somewhere, the modes in which it is.
 struct MotionSet {
-  std::vector<std::vector<ContactMode>> motions;
-  std::vector<ContactMode> continua;
+  std::vector<std::vector<MechanismMode>> motions;
+  std::vector<MechanismMode> continua;
 
   bool operator==(const MotionSet& other) const { return motions == other.motions && continua == other.continua; }
 };
-MotionSet motion_set(const Cell& cell);
+MotionSet motion_set(const LoadCell& cell);
 /// `stick/stick, stick/lift`; `no motion`.
 std::string name(const MotionSet& set);
 
+/// All modes of a motion, strict or not, in their order.
+std::vector<MechanismMode> modes_in_order(const MotionOverLoads& motion);
+
 /// The open intervals of a column, upwards.
-std::vector<const Cell*> open_cells(const PhaseColumn& column);
+std::vector<const LoadCell*> open_cells(const PhaseColumn& column);
 
 /// The cell that a value of the vertical axis is in.
-const Cell& cell_at(const PhaseColumn& column, const Rational& y);
+const LoadCell& cell_at(const PhaseColumn& column, const Rational& y);
 
 }  // namespace slipproof

@@ -3,9 +3,24 @@
 #include <algorithm>
 
 #include "number/binary64.hpp"
-#include "wording/motion_json.hpp"
+#include "wording/mode_json.hpp"
 
 namespace slipproof {
+
+namespace {
+
+PhasePoint::Motion motion_at(const MotionOverLoads& motion, const std::vector<MotionQuantity>& quantities,
+                             const Rational& load) {
+  PhasePoint::Motion found{modes_in_order(motion), !motion.modes.empty(), {}};
+  for (const MotionQuantity& q : quantities) {
+    const std::optional<Affine<Rational>> value =
+        q.is_force ? motion.forces[q.index] : std::optional(motion.accelerations[q.index]);
+    found.values.push_back(value ? std::optional(value->at(load)) : std::nullopt);
+  }
+  return found;
+}
+
+}  // namespace
 
 std::vector<PhasePoint> sample_points(const PhaseDiagram& diagram, std::size_t across, std::size_t up) {
   std::vector<const PhaseColumn*> even;
@@ -17,13 +32,11 @@ std::vector<PhasePoint> sample_points(const PhaseDiagram& diagram, std::size_t a
   std::vector<PhasePoint> points;
   for (std::size_t i = step / 2; i < even.size(); i += step) {
     for (std::size_t j = 0; j < up; ++j) {
-      const Rational force = y.from + (y.to - y.from) * Rational(2 * j + 1) / Rational(2 * up);
-      const Cell& cell = cell_at(*even[i], force);
-      PhasePoint point{even[i]->x, force, {}, cell.continua};
-      for (const auto& motion : cell.motions) {
-        FoundMotion<Rational> found{motion.modes, motion.strict, {}};
-        for (const Quantity q : all_quantities()) found.values[q] = motion.values[q].at(even[i]->pedal.at(force));
-        point.motions.push_back(std::move(found));
+      const Rational load = y.from + (y.to - y.from) * Rational(2 * j + 1) / Rational(2 * up);
+      const LoadCell& cell = cell_at(*even[i], load);
+      PhasePoint point{even[i]->x, load, {}, cell.continua};
+      for (const MotionOverLoads& motion : cell.motions) {
+        point.motions.push_back(motion_at(motion, diagram.plane.quantities, load));
       }
       points.push_back(std::move(point));
     }
@@ -41,15 +54,18 @@ std::string points_json(const PhaseDiagram& diagram, const std::vector<PhasePoin
   document["y"] = y.symbol;
   for (const PhasePoint& point : points) {
     Json motions = Json::array();
-    for (const auto& found : point.motions) {
+    for (const PhasePoint::Motion& found : point.motions) {
       Json values = Json::object();
-      for (const Quantity q : all_quantities()) {
-        if (!found.values[q].is_zero()) values[std::string(name(q))] = to_json(found.values[q]);
+      for (std::size_t q = 0; q < found.values.size(); ++q) {
+        const auto& value = found.values[q];
+        if (!value || !value->is_zero()) {
+          values[diagram.plane.quantities[q].name] = value ? to_json(*value) : Json("undetermined");
+        }
       }
-      motions.push_back({mode_names(found.modes), found.strict, std::move(values)});
+      motions.push_back({names_json(found.modes), found.strict, std::move(values)});
     }
     list.push_back({share(point.x, x), share(point.y, y), to_json(point.x), to_json(point.y), std::move(motions),
-                    mode_names(point.continua)});
+                    names_json(point.continua)});
   }
   document["points"] = std::move(list);
   std::string text;
@@ -70,12 +86,12 @@ std::string map_json(const PhaseDiagram& diagram) {
   for (const PhaseColumn& column : diagram.columns) {
     Json entry, cells = Json::array();
     entry[diagram.plane.x.symbol] = to_json(column.x);
-    for (const Cell& cell : column.cells) {
+    for (const LoadCell& cell : column.cells) {
       Json one, motions = Json::array();
-      put_interval(one, "F", cell.forces);
-      for (const auto& motion : cell.motions) motions.push_back(mode_names(motion.modes));
+      put_interval(one, diagram.plane.y.symbol.c_str(), cell.loads);
+      for (const MotionOverLoads& motion : cell.motions) motions.push_back(names_json(modes_in_order(motion)));
       one["motions"] = std::move(motions);
-      if (!cell.continua.empty()) one["continua"] = mode_names(cell.continua);
+      if (!cell.continua.empty()) one["continua"] = names_json(cell.continua);
       cells.push_back(std::move(one));
     }
     entry["cells"] = std::move(cells);

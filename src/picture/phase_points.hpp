@@ -10,9 +10,14 @@ namespace slipproof {
 
 /// A point and the motions there.
 struct PhasePoint {
+  struct Motion {
+    std::vector<MechanismMode> modes;             ///< all of them
+    bool strict = false;                          ///< in one of them
+    std::vector<std::optional<Rational>> values;  ///< of the plane's quantities; nothing where one is undetermined
+  };
   Rational x, y;
-  std::vector<FoundMotion<Rational>> motions;
-  std::vector<ContactMode> continua;
+  std::vector<Motion> motions;
+  std::vector<MechanismMode> continua;
 };
 
 /// About `across` times `up` points, on the diagram's evenly spaced columns.

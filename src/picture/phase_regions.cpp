@@ -58,7 +58,7 @@ class RegionDrawing {
     std::vector<MotionSet> sets;
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       std::vector<MotionSet> here;
-      for (const Cell* cell : open_cells(columns_[i])) here.push_back(motion_set(*cell));
+      for (const LoadCell* cell : open_cells(columns_[i])) here.push_back(motion_set(*cell));
       if (all.empty() || here != sets) {
         all.push_back({i, i, x(i), x(i)});
         sets = std::move(here);
@@ -93,7 +93,7 @@ class RegionDrawing {
   std::vector<PlanePoint> along(const Run& run, std::size_t k, End end) const {
     std::vector<PlanePoint> points;
     for (std::size_t i = run.first; i <= run.last; ++i) {
-      points.push_back({x(i), end(open_cells(columns_[i])[k]->forces)});
+      points.push_back({x(i), end(open_cells(columns_[i])[k]->loads)});
     }
     if (run.left < points.front().x) points.insert(points.begin(), {run.left, points.front().y});
     if (run.right > points.back().x) points.push_back({run.right, points.back().y});
@@ -114,8 +114,8 @@ class RegionDrawing {
 
   /// The border above the k-th cell of the columns i and i + 1: the curve that it is on in both, exactly.
   std::optional<std::size_t> curve_of(std::size_t k, std::size_t i, std::size_t j) const {
-    const Rational& left = *open_cells(columns_[i])[k]->forces.upper();
-    const Rational& right = *open_cells(columns_[j])[k]->forces.upper();
+    const Rational& left = *open_cells(columns_[i])[k]->loads.upper();
+    const Rational& right = *open_cells(columns_[j])[k]->loads.upper();
     for (std::size_t c = 0; c < diagram_.plane.curves.size(); ++c) {
       if (on_curve(left, i, c) && on_curve(right, j, c)) return c;
     }
@@ -153,8 +153,8 @@ class RegionDrawing {
     const auto& lines = diagram_.plane.lines;
     const bool known = diagram_.plane.curves.empty() || std::any_of(lines.begin(), lines.end(), named);
     for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
-      const double low = std::max(lower(a[i]->forces), lower(b[j]->forces));
-      const double above_a = upper(a[i]->forces), above_b = upper(b[j]->forces), high = std::min(above_a, above_b);
+      const double low = std::max(lower(a[i]->loads), lower(b[j]->loads));
+      const double above_a = upper(a[i]->loads), above_b = upper(b[j]->loads), high = std::min(above_a, above_b);
       if (high - low > (high_ - low_) / 100 && !(motion_set(*a[i]) == motion_set(*b[j]))) {
         regions_.lines.push_back({known ? PhaseLine::Kind::edge : PhaseLine::Kind::extra,
                                   std::nullopt,
@@ -180,7 +180,7 @@ class RegionDrawing {
         continue;
       }
       const PlanePoint here{x(i), clamped(y, 0)};
-      const bool border = cell_at(columns_[i], *y).forces.is_point();
+      const bool border = cell_at(columns_[i], *y).loads.is_point();
       const bool pole = !line.points.empty() && std::abs(here.y - line.points.back().y) > far_;
       if (pole || (border && border_before)) finish();
       line.points.push_back(here);

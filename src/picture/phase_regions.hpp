@@ -30,7 +30,7 @@ struct PhaseLine {
   std::vector<PlanePoint> points;
 };
 
-/// Forces at which a claim is false, followed through neighbouring columns.
+/// Loads at which a claim is false, followed through neighbouring columns.
 struct RefutedStrip {
   std::size_t claim = 0;  ///< index in the plane's claims
   std::vector<PlanePoint> lower, upper;

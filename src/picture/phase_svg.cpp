@@ -17,16 +17,31 @@ namespace slipproof {
 
 namespace {
 
-bool off_road(const MotionSet& set) {
-  return set.motions.size() == 1 && !set.motions[0].front().on_road();
+/// One motion, in which a contact is open.
+bool opens(const MotionSet& set) {
+  if (set.motions.size() != 1) return false;
+  const MechanismMode& mode = set.motions[0].front();
+  return std::find(mode.begin(), mode.end(), ElementState::lift) != mode.end();
+}
+
+std::vector<MechanismMode> drawn_modes(const PhaseRegions& regions) {
+  std::vector<MechanismMode> modes;
+  for (const MotionSet& set : regions.sets) {
+    for (const auto& motion : set.motions) modes.push_back(motion.front());
+    modes.insert(modes.end(), set.continua.begin(), set.continua.end());
+  }
+  return modes;
 }
 
 class Picture {
  public:
   Picture(const PhaseDiagram& diagram, const PhaseRegions& regions, const PhaseSvgOptions& options)
-      : plane_(diagram.plane),
-        regions_(regions),
-        frame_{60, 14, options.width - 60 - 18, options.height - 14 - 46, plane_.x, plane_.y} {}
+      : plane_(diagram.plane), regions_(regions), colours_(drawn_modes(regions)), frame_{60,
+                                                                                         14,
+                                                                                         options.width - 60 - 18,
+                                                                                         options.height - 14 - 46,
+                                                                                         plane_.x,
+                                                                                         plane_.y} {}
 
   /// Patterns for what one colour cannot show, and the clip of the plot.
   void add_definitions(const Element& svg) const {
@@ -38,15 +53,15 @@ class Picture {
       if (is_plain(set)) continue;
       const Element pattern = defs.add("pattern").set("id", pattern_id(i)).set("patternUnits", "userSpaceOnUse");
       const std::size_t stripes = std::max<std::size_t>(1, set.motions.size() + set.continua.size());
-      const double size = off_road(set) ? 9 : 7.0 * static_cast<double>(stripes);
+      const double size = opens(set) ? 9 : 7.0 * static_cast<double>(stripes);
       pattern.set("width", size).set("height", size);
-      if (!off_road(set)) pattern.set("patternTransform", "rotate(-45)");
+      if (!opens(set)) pattern.set("patternTransform", "rotate(-45)");
       for (std::size_t k = 0; k < stripes; ++k) {
         const Element stripe = pattern.add("rect", stripe_class(set, k));
         stripe.set("x", size * static_cast<double>(k) / static_cast<double>(stripes));
         stripe.set("width", size / static_cast<double>(stripes)).set("height", size);
       }
-      if (off_road(set)) pattern.add("circle", "dots").set("cx", 3).set("cy", 3).set("r", 0.9);
+      if (opens(set)) pattern.add("circle", "dots").set("cx", 3).set("cy", 3).set("r", 0.9);
     }
   }
 
@@ -171,7 +186,7 @@ class Picture {
   void paint(const Element& shape, std::size_t index) const {
     const MotionSet& set = regions_.sets[index];
     if (is_plain(set)) {
-      shape.set("class", set.motions.empty() ? "paper" : fill_class(set.motions[0].front()));
+      shape.set("class", set.motions.empty() ? "paper" : colours_.fill_class(set.motions[0].front()));
     } else {
       shape.set("fill", "url(#" + pattern_id(index) + ")");
     }
@@ -185,13 +200,11 @@ class Picture {
   }
 
  private:
-  static bool is_plain(const MotionSet& set) {
-    return set.continua.empty() && set.motions.size() <= 1 && !off_road(set);
-  }
+  static bool is_plain(const MotionSet& set) { return set.continua.empty() && set.motions.size() <= 1 && !opens(set); }
   std::string pattern_id(std::size_t index) const { return plane_.id + "-" + std::to_string(index); }
-  static std::string stripe_class(const MotionSet& set, std::size_t k) {
-    if (k < set.motions.size()) return fill_class(set.motions[k].front());
-    return fill_class(set.continua[k - set.motions.size()]);
+  std::string stripe_class(const MotionSet& set, std::size_t k) const {
+    if (k < set.motions.size()) return colours_.fill_class(set.motions[k].front());
+    return colours_.fill_class(set.continua[k - set.motions.size()]);
   }
   void place(const Element& rect) const {
     rect.set("x", frame_.left).set("y", frame_.top).set("width", frame_.width).set("height", frame_.height);
@@ -223,6 +236,7 @@ class Picture {
 
   const Plane& plane_;
   const PhaseRegions& regions_;
+  const ModeColours colours_;
   const Frame frame_;
 };
 
@@ -275,7 +289,7 @@ std::string phase_svg_file(const PhaseDiagram& diagram, const PhaseSvgOptions& o
     Picture(diagram, regions, options).paint_swatch(entry.add("rect"), i);
     std::string words = name(regions.sets[i]);
     const auto& motions = regions.sets[i].motions;
-    if (motions.size() == 1) words += ": " + in_words(motions[0].front());
+    if (motions.size() == 1) words += ": " + diagram.plane.words(motions[0].front());
     if (motions.size() > 1) words += ": ambiguous, " + std::to_string(motions.size()) + " motions";
     entry.add("text", "ink").set("x", 38).set("y", 13).text(words);
   }

@@ -5,8 +5,10 @@
 #include <stdexcept>
 
 #include "model/domain.hpp"
+#include "modes/bicycle_motions.hpp"
 #include "number/format.hpp"
 #include "number/parse.hpp"
+#include "picture/bicycle_plane.hpp"
 
 namespace slipproof {
 
@@ -41,14 +43,17 @@ Rational rounded(const Rational& x) {
   return parse_rational(decimal_text(x, 2));
 }
 
+std::vector<LoadCell> cells_of_scene(const Scene& scene) {
+  return bicycle_motions(scene.bicycle, scene.road, scene.force_kind)->cells();
+}
+
 /// All forces at which something changes at one value of the parameter, and a little more.
 void choose_forces(const Scene& scene, SceneAxes& axes) {
-  const ModeTable table(scene.bicycle, scene.road, scene.force_kind);
   Rational low(0), high(0);
-  for (const Cell& cell : partition(table)) {
-    if (!cell.forces.is_point()) continue;
-    low = std::min(low, *cell.forces.lower());
-    high = std::max(high, *cell.forces.lower());
+  for (const LoadCell& cell : cells_of_scene(scene)) {
+    if (!cell.loads.is_point()) continue;
+    low = std::min(low, *cell.loads.lower());
+    high = std::max(high, *cell.loads.lower());
   }
   if (scene.F) {
     low = std::min(low, *scene.F);
@@ -137,11 +142,12 @@ Plane scene_plane(const Scene& scene, const SceneAxes& wanted, std::string id) {
   plane.y = {"F", *axes.y_from, *axes.y_to};
   if (!scene.bicycle.J) plane.note = "Without J, motions with a wheel off the road are not modelled.";
   if (scene.F) plane.mark = Plane::Mark{*value, *scene.F, "the scene"};
+  tell_of_bicycles(plane);
   plane.solve = [scene_at](const Rational& at) -> std::optional<PhaseColumn> {
     const auto there = scene_at(at);
     if (!there) return std::nullopt;
     PhaseColumn column;
-    column.cells = partition(ModeTable(there->bicycle, there->road, there->force_kind));
+    column.cells = cells_of_scene(*there);
     return column;
   };
   return plane;

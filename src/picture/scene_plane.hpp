@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "model/scene.hpp"
 #include "picture/phase_diagram.hpp"
 
 namespace slipproof {

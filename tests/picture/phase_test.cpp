@@ -9,6 +9,7 @@
 
 #include "input/diagnostic.hpp"
 #include "model/scene.hpp"
+#include "modes/bicycle_motions.hpp"
 #include "number/binary64.hpp"
 #include "picture/axis.hpp"
 #include "picture/claims_plane.hpp"
@@ -29,14 +30,21 @@ std::vector<Figure> figures() {
   return read_figures(source + "/proofs/rozenblat-yashin/figures.toml", test::shipped_paper());
 }
 
+std::vector<MechanismMode> mechanism_modes(const std::vector<ContactMode>& modes) {
+  std::vector<MechanismMode> result;
+  for (const ContactMode mode : modes) result.push_back(mechanism_mode(mode));
+  return result;
+}
+
 /// The motions by another way than the partition: at one force.
 void check_point(const PhasePoint& point, const ModeTable& table, const Rational& force) {
   const MotionsAtForce there = motions_at(table, force);
   REQUIRE(point.motions.size() == there.motions.size());
   CHECK(point.continua.size() == there.continua.size());
   for (const auto& motion : there.motions) {
-    const auto same = [&](const FoundMotion<Rational>& other) {
-      return other.modes == motion.modes && other.strict == motion.strict && other.values == motion.values;
+    const auto same = [&](const PhasePoint::Motion& other) {
+      std::vector<std::optional<Rational>> values(motion.values.values.begin(), motion.values.values.end());
+      return other.modes == mechanism_modes(motion.modes) && other.strict == motion.strict && other.values == values;
     };
     CHECK(std::count_if(point.motions.begin(), point.motions.end(), same) == 1);
   }
@@ -45,10 +53,9 @@ void check_point(const PhasePoint& point, const ModeTable& table, const Rational
 MotionSet set_at(const ModeTable& table, const Rational& force) {
   MotionSet set;
   const MotionsAtForce there = motions_at(table, force);
-  for (const auto& motion : there.motions) set.motions.push_back(motion.modes);
-  std::sort(set.motions.begin(), set.motions.end(),
-            [](const auto& a, const auto& b) { return a.front().index() < b.front().index(); });
-  for (const auto& continuum : there.continua) set.continua.push_back(continuum.continuum->mode);
+  for (const auto& motion : there.motions) set.motions.push_back(mechanism_modes(motion.modes));
+  std::sort(set.motions.begin(), set.motions.end());
+  for (const auto& c : there.continua) set.continua.push_back(mechanism_mode(c.continuum->mode));
   return set;
 }
 
