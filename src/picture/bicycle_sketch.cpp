@@ -1,7 +1,5 @@
 #include "picture/bicycle_sketch.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -60,17 +58,7 @@ void BicycleSketch::circle(Point centre, double radius, std::string_view css_cla
 }
 
 void BicycleSketch::arrow(Point from, double dx, double dy, std::string_view css_class) const {
-  const double length = std::hypot(dx, dy);
-  if (length < 1) return;
-  const double ux = dx / length, uy = dy / length, head = std::min(8.0, length);
-  const double tip_x = from[0] + dx, tip_y = from[1] + dy, bx = tip_x - head * ux, by = tip_y - head * uy;
-  const double w = head * 0.45;
-  const Element group = svg_.add("g", css_class);
-  group.add("line").set("x1", from[0]).set("y1", from[1]).set("x2", bx).set("y2", by);
-  group.add("path")
-      .set("stroke", "none")
-      .set("d", fmt::format("M{:.2f},{:.2f}L{:.2f},{:.2f}L{:.2f},{:.2f}Z", tip_x, tip_y, bx - w * uy, by + w * ux,
-                            bx + w * uy, by - w * ux));
+  add_arrow(svg_, from, dx, dy, css_class);
 }
 
 /// A raised wheel leaves a trace where it stood.

@@ -1,11 +1,11 @@
 // The bicycle itself, to scale: what the picture of a motion and the labelled figure have in common.
 #pragma once
 
-#include <array>
 #include <string_view>
 
 #include "markup/element.hpp"
 #include "model/scene.hpp"
+#include "picture/drawing.hpp"
 
 namespace slipproof {
 
@@ -21,8 +21,6 @@ struct SketchBox {
   double top = 0;     ///< nothing of the bicycle is above
   double road = 0;    ///< level of the road
 };
-
-using Point = std::array<double, 2>;
 
 /// Draws a bicycle to scale. A raised wheel is raised by no measure but that it can be seen: the other one stays, and
 /// the frame turns about its axle. Where r1 and r2 only say their ratio (a sprocket as large as a wheel), they are

@@ -3,12 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 
 #include "number/binary64.hpp"
-#include "number/format.hpp"
 #include "picture/bicycle_sketch.hpp"
 #include "typeset/symbol.hpp"
 
@@ -17,14 +15,6 @@ namespace slipproof {
 namespace {
 
 constexpr double width = 360, height = 300, road = 206, longest_arrow = 88;
-
-/// An exact value that fits beside an arrow, or a decimal.
-std::string label_value(const Rational& x) {
-  std::string text = exact_text(x);
-  if (text.size() > 9) text = "≈ " + decimal_text(x, 4);
-  if (const std::size_t minus = text.find('-'); minus != text.npos) text.replace(minus, 1, "−");
-  return text;
-}
 
 /// Whether a motion takes a wheel off the road.
 Raised raised_by(const FoundMotion<Rational>& motion) {
