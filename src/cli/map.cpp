@@ -1,5 +1,7 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -7,9 +9,12 @@
 #include "cli/command.hpp"
 #include "cli/png.hpp"
 #include "input/diagnostic.hpp"
+#include "input/text_file.hpp"
+#include "mechanism/scene.hpp"
 #include "model/scene.hpp"
 #include "number/parse.hpp"
 #include "output/output_file.hpp"
+#include "picture/mechanism_plane.hpp"
 #include "picture/phase_points.hpp"
 #include "picture/phase_svg.hpp"
 #include "picture/scene_plane.hpp"
@@ -20,7 +25,7 @@ namespace {
 
 struct MapArguments {
   CommonOptions common;
-  std::string scene, x = "f", y = "F", out;
+  std::string scene, x, y, out;
   std::vector<std::string> x_range, y_range;
   std::size_t columns = 240;
   bool svg = false, png = false;
@@ -42,15 +47,6 @@ std::string number_or_complaint(const std::string& text) {
   }
 }
 
-std::string axis_or_complaint(const std::string& text) {
-  for (const std::string_view known : scene_parameters()) {
-    if (text == known) return {};
-  }
-  std::string all;
-  for (const std::string_view known : scene_parameters()) all += (all.empty() ? "" : ", ") + std::string(known);
-  return "no parameter of a scene: " + text + "; expected one of " + all;
-}
-
 /// A name that says neither SVG nor PNG must not get one of them unasked.
 void expect_picture_name(const MapArguments& options) {
   const bool asked = options.svg || options.png || options.common.json || options.out.empty() || options.out == "-";
@@ -59,17 +55,67 @@ void expect_picture_name(const MapArguments& options) {
                                           ", expected a name that ends in .svg or .png; or say --svg or --png");
 }
 
-PhaseDiagram diagram_of(const MapArguments& options) {
+/// What is to be drawn, before the work.
+struct PlannedMap {
+  Plane plane;
+  std::optional<MechanismScene> mechanism;  ///< nothing: a scene of the bicycle
+  Inputs inputs;
+};
+
+PlannedMap map_of_bicycle(const MapArguments& options, const Scene& scene) {
+  const auto known = scene_parameters();
   SceneAxes axes;
+  if (!options.x.empty()) axes.x = options.x;
+  if (std::find(known.begin(), known.end(), axes.x) == known.end()) {
+    throw CLI::ValidationError(
+        "--x", fmt::format("no parameter of a scene: {}; expected one of {}", axes.x, fmt::join(known, ", ")));
+  }
+  if (!options.y.empty() && options.y != "F") {
+    throw CLI::ValidationError("--y", "found " + in_quotes(options.y) + ", expected F, the force of a bicycle");
+  }
+  set_range(options.x_range, axes.x_from, axes.x_to);
+  set_range(options.y_range, axes.y_from, axes.y_to);
+  return {scene_plane(scene, axes, "map"), std::nullopt, {options.scene}};
+}
+
+PlannedMap map_of_mechanism(const MapArguments& options, MechanismScene scene) {
+  if (!options.y.empty()) scene = with_load(scene, options.y);
+  MechanismAxes axes;
   axes.x = options.x;
   set_range(options.x_range, axes.x_from, axes.x_to);
   set_range(options.y_range, axes.y_from, axes.y_to);
-  const Scene scene = read_scene(options.scene);
+  Plane plane = mechanism_plane(scene, axes, "map");
+  Inputs inputs{options.scene, scene.mechanism.file};
+  return {std::move(plane), std::move(scene), std::move(inputs)};
+}
+
+PlannedMap planned(const MapArguments& options) {
+  const std::string text = read_text_file(options.scene);
   try {
-    return phase_diagram(scene_plane(scene, axes, "map"), options.columns);
+    if (is_mechanism_scene(text)) return map_of_mechanism(options, parse_mechanism_scene(text, options.scene));
+    return map_of_bicycle(options, parse_scene(text, options.scene));
   } catch (const std::invalid_argument& error) {
     throw InputError({{options.scene, 0, 0, error.what()}});
   }
+}
+
+void draw_map(const MapArguments& options) {
+  expect_picture_name(options);
+  PlannedMap map = planned(options);
+  std::optional<OutputFile> out;
+  if (!options.out.empty() && options.out != "-") out.emplace(options.out, map.inputs);
+  const PhaseDiagram diagram = phase_diagram(std::move(map.plane), options.columns);
+  std::string contents;
+  if (options.common.json) {
+    contents = map.mechanism ? map_json(diagram, *map.mechanism) : map_json(diagram);
+  } else {
+    contents = phase_svg_file(diagram);
+    if (options.png || (!options.svg && options.out.ends_with(".png"))) contents = png_of(contents);
+  }
+  if (!out) return print(contents);
+  out->write(contents);
+  print(fmt::format("s MAPPED {} columns {} sets {}\n", options.out, diagram.columns.size(),
+                    phase_regions(diagram).sets.size()));
 }
 
 }  // namespace
@@ -77,17 +123,17 @@ PhaseDiagram diagram_of(const MapArguments& options) {
 void add_map(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<MapArguments>();
   CLI::App& command =
-      *app.add_subcommand("map", "The phase diagram of a scene: a parameter and the force, exact in every column");
-  command.add_option("SCENE", options->scene, "Scene file (TOML)")->required();
-  command.add_option("--x", options->x, "The parameter across: f, b, h, R, ...")
-      ->check(axis_or_complaint)
-      ->capture_default_str();
-  // What goes up is the force, and nothing else as yet: commands may say so.
-  command.add_option("--y", options->y)->check(CLI::IsMember({"F"}))->group("");
-  command.add_option("--x-range", options->x_range, "FROM TO of the parameter")
+      *app.add_subcommand("map", "The phase diagram of a scene: a parameter and the load, exact in every column");
+  command.add_option("SCENE", options->scene, "Scene file (TOML), of a bicycle or of a mechanism")->required();
+  command.add_option("--x", options->x,
+                     "The parameter or angle across: f, b, h, R, ... of a bicycle; default: f, or a mechanism's first "
+                     "coefficient of friction");
+  command.add_option("--y", options->y,
+                     "The load: F, or of a mechanism any parameter that multiplies no unknown; default: its own load");
+  command.add_option("--x-range", options->x_range, "FROM TO of the parameter; of an angle in degrees")
       ->expected(2)
       ->check(number_or_complaint);
-  command.add_option("--y-range", options->y_range, "FROM TO of the force, N")->expected(2)->check(number_or_complaint);
+  command.add_option("--y-range", options->y_range, "FROM TO of the load")->expected(2)->check(number_or_complaint);
   command.add_option("--columns", options->columns, "Evenly spaced values of the parameter")
       ->check(whole_number(2, 10'000))
       ->capture_default_str();
@@ -97,19 +143,8 @@ void add_map(CLI::App& app, int& exit_code) {
   add_common_options(command, options->common);
   command.get_option("--json")->excludes(svg)->excludes(png);
   command.callback([options, &exit_code] {
-    expect_picture_name(*options);
-    std::optional<OutputFile> out;
-    if (!options->out.empty() && options->out != "-") out.emplace(options->out, Inputs{options->scene});
-    const PhaseDiagram diagram = diagram_of(*options);
-    const bool as_png = options->png || (!options->svg && options->out.ends_with(".png"));
-    const std::string contents = options->common.json ? map_json(diagram)
-                                 : as_png             ? png_of(phase_svg_file(diagram))
-                                                      : phase_svg_file(diagram);
+    draw_map(*options);
     exit_code = as_it_should_be;
-    if (!out) return print(contents);
-    out->write(contents);
-    print(fmt::format("s MAPPED {} columns {} sets {}\n", options->out, diagram.columns.size(),
-                      phase_regions(diagram).sets.size()));
   });
 }
 

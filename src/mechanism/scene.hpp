@@ -26,6 +26,11 @@ MechanismScene read_mechanism_scene(const std::filesystem::path& path);
 /// The same from a text; `file` is how messages call it, and where a relative path of the mechanism counts from.
 MechanismScene parse_mechanism_scene(std::string_view text, const std::string& file);
 
+/// The same scene with another parameter as its load, as `along` in its file has it; the load that it had becomes a
+/// parameter. Throws InputError, with places in the mechanism's file, where that cannot be the load, and
+/// std::invalid_argument where the scene has no value of the load that becomes a parameter.
+MechanismScene with_load(const MechanismScene& scene, std::string_view parameter);
+
 /// Whether a text is the scene of a mechanism: TOML with `mechanism` at the top.
 bool is_mechanism_scene(std::string_view text);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "number/binary64.hpp"
 #include "typeset/symbol.hpp"
@@ -30,6 +31,19 @@ std::string tick_text(double value) {
   return text;
 }
 
+void add_name(const Element& text, const Axis& axis) {
+  svg_symbol(text, axis.symbol);
+  if (!axis.unit.empty() && axis.unit != "1")
+    text.add("tspan").set("dx", 4).set("font-size", 12).text("in " + axis.unit);
+}
+
+double degrees(double tan_half) {
+  return 360 / std::numbers::pi * std::atan(tan_half);
+}
+double tan_half(double degrees) {
+  return std::tan(degrees * std::numbers::pi / 360);
+}
+
 }  // namespace
 
 Frame::Frame(double left_, double top_, double width_, double height_, const Axis& x, const Axis& y)
@@ -41,8 +55,8 @@ Frame::Frame(double left_, double top_, double width_, double height_, const Axi
       x_to_(nearest_binary64(x.to)),
       y_from_(nearest_binary64(y.from)),
       y_to_(nearest_binary64(y.to)),
-      x_name_(x.symbol),
-      y_name_(y.symbol) {}
+      x_(x),
+      y_(y) {}
 
 std::vector<Pixel> Frame::to_picture(const std::vector<PlanePoint>& points) const {
   std::vector<Pixel> pixels;
@@ -65,14 +79,13 @@ std::vector<Pixel> Frame::visible(const std::vector<Pixel>& points) const {
 void Frame::draw(const Element& svg) const {
   const Element axes = svg.add("g").set("font-size", 12);
   axes.add("rect", "frame").set("x", left).set("y", top).set("width", width).set("height", height);
-  for (const double value : ticks(x_from_, x_to_, static_cast<int>(width / 80))) {
-    const double x = x_of(value);
-    axes.add("path", "frame").set("d", fmt::format("M{:.2f},{:.2f}v5", x, top + height));
-    axes.add("text", "soft")
-        .set("x", x)
-        .set("y", top + height + 18)
-        .set("text-anchor", "middle")
-        .text(tick_text(value));
+  const auto across = static_cast<int>(width / 80);
+  if (x_.is_angle) {
+    for (const double value : ticks(degrees(x_from_), degrees(x_to_), across)) {
+      draw_tick(axes, x_of(tan_half(value)), tick_text(value) + "°");
+    }
+  } else {
+    for (const double value : ticks(x_from_, x_to_, across)) draw_tick(axes, x_of(value), tick_text(value));
   }
   for (const double value : ticks(y_from_, y_to_, static_cast<int>(height / 55))) {
     const double y = y_of(value);
@@ -81,10 +94,15 @@ void Frame::draw(const Element& svg) const {
   }
   const Element x_text = axes.add("text", "ink").set("x", left + width / 2).set("y", top + height + 40);
   x_text.set("text-anchor", "middle").set("font-size", 15);
-  svg_symbol(x_text, x_name_);
+  add_name(x_text, x_);
   const Element y_text = axes.add("text", "ink").set("text-anchor", "middle").set("font-size", 15);
   y_text.set("transform", fmt::format("translate(16 {:.2f}) rotate(-90)", top + height / 2));
-  svg_symbol(y_text, y_name_);
+  add_name(y_text, y_);
+}
+
+void Frame::draw_tick(const Element& axes, double x, const std::string& text) const {
+  axes.add("path", "frame").set("d", fmt::format("M{:.2f},{:.2f}v5", x, top + height));
+  axes.add("text", "soft").set("x", x).set("y", top + height + 18).set("text-anchor", "middle").text(text);
 }
 
 }  // namespace slipproof

@@ -25,8 +25,10 @@ struct Frame {
   void draw(const Element& svg) const;
 
  private:
+  void draw_tick(const Element& axes, double x, const std::string& text) const;
+
   double x_from_, x_to_, y_from_, y_to_;
-  std::string x_name_, y_name_;
+  Axis x_, y_;
 };
 
 }  // namespace slipproof

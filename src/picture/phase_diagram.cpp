@@ -32,6 +32,22 @@ std::string name(const MotionSet& set) {
   return text.empty() ? "no motion" : text;
 }
 
+std::vector<PhaseBand> bands(const PhaseColumn& column, bool joined) {
+  std::vector<PhaseBand> all;
+  bool alike = false;  // the point below has the motions of the band below it
+  for (const LoadCell& cell : column.cells) {
+    MotionSet set = motion_set(cell);
+    if (cell.loads.is_point()) {
+      alike = joined && !all.empty() && all.back().set == set;
+    } else if (alike && all.back().set == set) {
+      all.back().upper = cell.loads.upper();
+    } else {
+      all.push_back({std::move(set), cell.loads.lower(), cell.loads.upper()});
+    }
+  }
+  return all;
+}
+
 std::vector<const LoadCell*> open_cells(const PhaseColumn& column) {
   std::vector<const LoadCell*> open;
   for (const LoadCell& cell : column.cells) {
@@ -40,20 +56,19 @@ std::vector<const LoadCell*> open_cells(const PhaseColumn& column) {
   return open;
 }
 
-const LoadCell& cell_at(const PhaseColumn& column, const Rational& y) {
+const LoadCell* find_cell(const PhaseColumn& column, const Rational& y) {
   const auto found = std::find_if(column.cells.begin(), column.cells.end(),
                                   [&](const LoadCell& cell) { return cell.loads.contains(y); });
-  if (found == column.cells.end()) throw std::logic_error("the cells of a column leave a gap");
-  return *found;
+  return found == column.cells.end() ? nullptr : &*found;
 }
 
 namespace {
 
 /// The same regions one above the other, as far as the picture reaches.
-bool alike(const PhaseColumn& a, const PhaseColumn& b) {
-  const auto x = open_cells(a), y = open_cells(b);
+bool alike(const PhaseColumn& a, const PhaseColumn& b, bool joined) {
+  const auto x = bands(a, joined), y = bands(b, joined);
   return std::equal(x.begin(), x.end(), y.begin(), y.end(),
-                    [](const LoadCell* c, const LoadCell* d) { return motion_set(*c) == motion_set(*d); });
+                    [](const PhaseBand& c, const PhaseBand& d) { return c.set == d.set; });
 }
 
 class Columns {
@@ -61,41 +76,65 @@ class Columns {
   Columns(const Plane& plane, std::size_t count)
       : plane_(plane), narrow_((plane.x.to - plane.x.from) / Rational(64 * count)) {}
 
+  /// Whether x is in the domain.
   bool add(const Rational& x, bool even) {
-    auto column = plane_.solve(x);
-    if (!column) return false;
-    column->x = x;
-    column->even = even;
-    found_.push_back(std::move(*column));
-    return true;
+    Found found = solve(x, even);
+    if (!found.inside && !plane_.finds_domain) return false;
+    found_.push_back(std::move(found));
+    return found_.back().inside;
   }
 
   std::vector<PhaseColumn> refined() {
-    std::sort(found_.begin(), found_.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
-    std::vector<PhaseColumn> all;
-    for (PhaseColumn& column : found_) {
-      if (!all.empty()) between(all, PhaseColumn(all.back()), column);
-      all.push_back(std::move(column));
+    std::sort(found_.begin(), found_.end(), [](const auto& a, const auto& b) { return a.column.x < b.column.x; });
+    std::vector<Found> all;
+    for (Found& found : found_) {
+      if (!all.empty()) between(all, Found(all.back()), found);
+      all.push_back(std::move(found));
     }
-    return all;
+    return inside(std::move(all));
   }
 
  private:
-  /// Adds, in order, what it takes to see where `left` turns into `right`.
-  void between(std::vector<PhaseColumn>& all, const PhaseColumn& left, const PhaseColumn& right) {
-    if (right.x - left.x <= narrow_ || alike(left, right)) return;
-    auto middle = plane_.solve((left.x + right.x) / 2);
-    if (!middle) return;
-    middle->x = (left.x + right.x) / 2;
-    middle->even = false;
-    between(all, left, *middle);
-    all.push_back(*middle);
-    between(all, *middle, right);
+  struct Found {
+    PhaseColumn column;  ///< outside of the domain, only where it is
+    bool inside = true;
+  };
+
+  Found solve(const Rational& x, bool even) const {
+    auto column = plane_.solve(x);
+    Found found{column ? std::move(*column) : PhaseColumn{}, column.has_value()};
+    found.column.x = x;
+    found.column.even = even;
+    return found;
+  }
+
+  /// Adds, in order, what it takes to see where `left` turns into `right`, or leaves the domain.
+  void between(std::vector<Found>& all, const Found& left, const Found& right) {
+    if (right.column.x - left.column.x <= narrow_) return;
+    if (left.inside == right.inside && (!left.inside || alike(left.column, right.column, plane_.joins_alike))) return;
+    const Found middle = solve((left.column.x + right.column.x) / 2, false);
+    if (!middle.inside && !plane_.finds_domain) return;
+    between(all, left, middle);
+    all.push_back(middle);
+    between(all, middle, right);
+  }
+
+  static std::vector<PhaseColumn> inside(std::vector<Found> all) {
+    std::vector<PhaseColumn> columns;
+    bool gap = false;
+    for (Found& found : all) {
+      if (found.inside) {
+        found.column.after_gap = gap && !columns.empty();
+        columns.push_back(std::move(found.column));
+      }
+      gap = !found.inside;
+    }
+    return columns;
   }
 
   const Plane& plane_;
   const Rational narrow_;
-  std::vector<PhaseColumn> found_;
+  std::vector<Found> found_;
 };
 
 }  // namespace

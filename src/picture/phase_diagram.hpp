@@ -14,13 +14,16 @@ namespace slipproof {
 
 struct Axis {
   std::string symbol;
-  Rational from, to;  ///< from < to
+  Rational from, to;      ///< from < to
+  std::string unit = {};  ///< empty: none is told
+  bool is_angle = false;  ///< the values are tan(angle/2), and it is labelled in degrees
 };
 
 /// One value of the parameter, solved for all loads.
 struct PhaseColumn {
   Rational x;
   bool even = true;                                   ///< one of the evenly spaced ones
+  bool after_gap = false;                             ///< between it and the column before x leaves the domain
   std::vector<LoadCell> cells;                        ///< the load is the vertical axis' variable
   std::vector<std::optional<Rational>> curves;        ///< where the plane's curves are
   std::vector<std::optional<ForceInterval>> refuted;  ///< for each claim of the plane: loads at which it is false
@@ -52,7 +55,11 @@ struct Plane {
     std::string label;
   };
   std::optional<Mark> mark;
-  std::string note;                                        ///< what a reader must know of the motions; may be empty
+  std::string note;  ///< what a reader must know of the motions; may be empty
+  /// Whether the borders of the domain are looked for. What is beyond stays white, and no motion is not.
+  bool finds_domain = false;
+  /// Whether neighbours in a column with the same motions, also between them, are one region.
+  bool joins_alike = false;
   std::vector<MotionQuantity> quantities;                  ///< that are told of a motion
   std::function<std::string(const MechanismMode&)> words;  ///< what a mode is for people
   /// Solves a column; nothing where the parameter has no meaning.
@@ -83,10 +90,18 @@ std::string name(const MotionSet& set);
 /// All modes of a motion, strict or not, in their order.
 std::vector<MechanismMode> modes_in_order(const MotionOverLoads& motion);
 
+/// A region in a column: an open interval of loads.
+struct PhaseBand {
+  MotionSet set;
+  std::optional<Rational> lower, upper;  ///< nothing: infinite
+};
+/// The regions of a column, upwards; `joined` as Plane::joins_alike.
+std::vector<PhaseBand> bands(const PhaseColumn& column, bool joined);
+
 /// The open intervals of a column, upwards.
 std::vector<const LoadCell*> open_cells(const PhaseColumn& column);
 
-/// The cell that a value of the vertical axis is in.
-const LoadCell& cell_at(const PhaseColumn& column, const Rational& y);
+/// The cell that a value of the vertical axis is in; null if that is out of the load's domain.
+const LoadCell* find_cell(const PhaseColumn& column, const Rational& y);
 
 }  // namespace slipproof

@@ -33,9 +33,10 @@ std::vector<PhasePoint> sample_points(const PhaseDiagram& diagram, std::size_t a
   for (std::size_t i = step / 2; i < even.size(); i += step) {
     for (std::size_t j = 0; j < up; ++j) {
       const Rational load = y.from + (y.to - y.from) * Rational(2 * j + 1) / Rational(2 * up);
-      const LoadCell& cell = cell_at(*even[i], load);
-      PhasePoint point{even[i]->x, load, {}, cell.continua};
-      for (const MotionOverLoads& motion : cell.motions) {
+      const LoadCell* cell = find_cell(*even[i], load);
+      if (cell == nullptr) continue;
+      PhasePoint point{even[i]->x, load, {}, cell->continua};
+      for (const MotionOverLoads& motion : cell->motions) {
         point.motions.push_back(motion_at(motion, diagram.plane.quantities, load));
       }
       points.push_back(std::move(point));

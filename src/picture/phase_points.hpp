@@ -20,7 +20,7 @@ struct PhasePoint {
   std::vector<MechanismMode> continua;
 };
 
-/// About `across` times `up` points, on the diagram's evenly spaced columns.
+/// About `across` times `up` points, on the diagram's evenly spaced columns; none out of the domain.
 std::vector<PhasePoint> sample_points(const PhaseDiagram& diagram, std::size_t across, std::size_t up);
 
 /// The points of a diagram as JSON for a script: exact numbers as strings, `<` and `&` nowhere.

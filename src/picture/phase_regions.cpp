@@ -13,6 +13,7 @@ namespace {
 struct Run {
   std::size_t first, last;
   double left, right;  ///< how far it is drawn
+  bool after_gap;      ///< of the domain
 };
 
 class RegionDrawing {
@@ -22,7 +23,9 @@ class RegionDrawing {
         columns_(diagram.columns),
         low_(value(diagram.plane.y.from)),
         high_(value(diagram.plane.y.to)),
-        far_(20 * (high_ - low_)) {}
+        far_(20 * (high_ - low_)) {
+    for (const PhaseColumn& column : columns_) bands_.push_back(bands(column, diagram.plane.joins_alike));
+  }
 
   PhaseRegions all() {
     const std::vector<Run> all_runs = runs();
@@ -30,7 +33,9 @@ class RegionDrawing {
       add_strips(run);
       add_edges(run);
     }
-    for (std::size_t r = 1; r < all_runs.size(); ++r) add_upright(all_runs[r - 1], all_runs[r]);
+    for (std::size_t r = 1; r < all_runs.size(); ++r) {
+      if (!all_runs[r].after_gap) add_upright(all_runs[r - 1], all_runs[r]);
+    }
     for (std::size_t c = 0; c < diagram_.plane.curves.size(); ++c) add_idle(c);
     for (std::size_t k = 0; k < diagram_.plane.claims.size(); ++k) add_refuted(k);
     const auto unseen = [&](const PhaseLine& line) {
@@ -39,6 +44,7 @@ class RegionDrawing {
     };
     std::erase_if(regions_.lines, unseen);
     find_sets();
+    regions_.leaves_domain = diagram_.plane.finds_domain && leaves_domain();
     return std::move(regions_);
   }
 
@@ -52,21 +58,53 @@ class RegionDrawing {
   }
   double lower(const ForceInterval& forces) const { return clamped(forces.lower(), low_ - far_); }
   double upper(const ForceInterval& forces) const { return clamped(forces.upper(), high_ + far_); }
+  double lower(const PhaseBand& band) const { return clamped(band.lower, low_ - far_); }
+  double upper(const PhaseBand& band) const { return clamped(band.upper, high_ + far_); }
 
+  /// Whether a column is missing beside or between others, or ends inside of the picture.
+  bool leaves_domain() const {
+    const double step = (value(diagram_.plane.x.to) - value(diagram_.plane.x.from)) / 500;
+    if (x(0) > value(diagram_.plane.x.from) + step || x(columns_.size() - 1) < value(diagram_.plane.x.to) - step) {
+      return true;
+    }
+    return std::any_of(columns_.begin(), columns_.end(), [&](const PhaseColumn& column) {
+      if (column.after_gap || column.cells.empty()) return true;
+      const auto &from = column.cells.front().loads.lower(), &to = column.cells.back().loads.upper();
+      return (from && *from > diagram_.plane.y.from) || (to && *to < diagram_.plane.y.to);
+    });
+  }
+
+  /// The runs of each part of the domain.
   std::vector<Run> runs() const {
     std::vector<Run> all;
+    for (std::size_t first = 0, last = 0; first < columns_.size(); first = last + 1) {
+      last = first;
+      while (last + 1 < columns_.size() && !columns_[last + 1].after_gap) ++last;
+      std::vector<Run> part = runs_within(first, last);
+      part.front().after_gap = columns_[first].after_gap;
+      all.insert(all.end(), part.begin(), part.end());
+    }
+    return all;
+  }
+
+  std::vector<Run> runs_within(std::size_t first, std::size_t last) const {
+    std::vector<Run> all;
     std::vector<MotionSet> sets;
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
+    for (std::size_t i = first; i <= last; ++i) {
       std::vector<MotionSet> here;
-      for (const LoadCell* cell : open_cells(columns_[i])) here.push_back(motion_set(*cell));
+      for (const PhaseBand& band : bands_[i]) here.push_back(band.set);
       if (all.empty() || here != sets) {
-        all.push_back({i, i, x(i), x(i)});
+        all.push_back({i, i, x(i), x(i), false});
         sets = std::move(here);
       }
       all.back().last = i;
       all.back().right = x(i);
     }
-    // A column between two others that looks like neither of them is a line: both sides reach up to it.
+    return joined(std::move(all));
+  }
+
+  /// A column between two others that looks like neither of them is a line: both sides reach up to it.
+  std::vector<Run> joined(std::vector<Run> all) const {
     std::vector<Run> wide;
     for (std::size_t r = 0; r < all.size(); ++r) {
       if (all[r].first == all[r].last && all.size() > 1) continue;
@@ -93,7 +131,7 @@ class RegionDrawing {
   std::vector<PlanePoint> along(const Run& run, std::size_t k, End end) const {
     std::vector<PlanePoint> points;
     for (std::size_t i = run.first; i <= run.last; ++i) {
-      points.push_back({x(i), end(open_cells(columns_[i])[k]->loads)});
+      points.push_back({x(i), end(bands_[i][k])});
     }
     if (run.left < points.front().x) points.insert(points.begin(), {run.left, points.front().y});
     if (run.right > points.back().x) points.push_back({run.right, points.back().y});
@@ -101,10 +139,10 @@ class RegionDrawing {
   }
 
   void add_strips(const Run& run) {
-    const auto cells = open_cells(columns_[run.first]);
+    const auto& cells = bands_[run.first];
     for (std::size_t k = 0; k < cells.size(); ++k) {
-      regions_.strips.push_back({motion_set(*cells[k]), along(run, k, [&](const ForceInterval& f) { return lower(f); }),
-                                 along(run, k, [&](const ForceInterval& f) { return upper(f); })});
+      regions_.strips.push_back({cells[k].set, along(run, k, [&](const PhaseBand& band) { return lower(band); }),
+                                 along(run, k, [&](const PhaseBand& band) { return upper(band); })});
     }
   }
 
@@ -114,8 +152,8 @@ class RegionDrawing {
 
   /// The border above the k-th cell of the columns i and i + 1: the curve that it is on in both, exactly.
   std::optional<std::size_t> curve_of(std::size_t k, std::size_t i, std::size_t j) const {
-    const Rational& left = *open_cells(columns_[i])[k]->loads.upper();
-    const Rational& right = *open_cells(columns_[j])[k]->loads.upper();
+    const Rational& left = *bands_[i][k].upper;
+    const Rational& right = *bands_[j][k].upper;
     for (std::size_t c = 0; c < diagram_.plane.curves.size(); ++c) {
       if (on_curve(left, i, c) && on_curve(right, j, c)) return c;
     }
@@ -123,9 +161,9 @@ class RegionDrawing {
   }
 
   void add_edges(const Run& run) {
-    const std::size_t borders = open_cells(columns_[run.first]).size() - 1;
-    for (std::size_t k = 0; k < borders; ++k) {
-      const auto points = along(run, k, [&](const ForceInterval& f) { return upper(f); });
+    const std::size_t cells = bands_[run.first].size();
+    for (std::size_t k = 0; k + 1 < cells; ++k) {
+      const auto points = along(run, k, [&](const PhaseBand& band) { return upper(band); });
       const std::size_t offset = run.left < x(run.first) ? 1 : 0;
       PhaseLine line;
       for (std::size_t i = 0; i + 1 < points.size() || i == 0; ++i) {
@@ -148,14 +186,14 @@ class RegionDrawing {
 
   /// Where two runs meet, an upright border between different sets that both have some height there.
   void add_upright(const Run& left, const Run& right) {
-    const auto a = open_cells(columns_[left.last]), b = open_cells(columns_[right.first]);
+    const auto &a = bands_[left.last], &b = bands_[right.first];
     const auto named = [&](const Plane::Line& line) { return value(line.x) == right.left; };
     const auto& lines = diagram_.plane.lines;
     const bool known = diagram_.plane.curves.empty() || std::any_of(lines.begin(), lines.end(), named);
     for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
-      const double low = std::max(lower(a[i]->loads), lower(b[j]->loads));
-      const double above_a = upper(a[i]->loads), above_b = upper(b[j]->loads), high = std::min(above_a, above_b);
-      if (high - low > (high_ - low_) / 100 && !(motion_set(*a[i]) == motion_set(*b[j]))) {
+      const double low = std::max(lower(a[i]), lower(b[j]));
+      const double above_a = upper(a[i]), above_b = upper(b[j]), high = std::min(above_a, above_b);
+      if (high - low > (high_ - low_) / 100 && !(a[i].set == b[j].set)) {
         regions_.lines.push_back({known ? PhaseLine::Kind::edge : PhaseLine::Kind::extra,
                                   std::nullopt,
                                   {{right.left, low}, {right.left, high}}});
@@ -180,7 +218,8 @@ class RegionDrawing {
         continue;
       }
       const PlanePoint here{x(i), clamped(y, 0)};
-      const bool border = cell_at(columns_[i], *y).loads.is_point();
+      const LoadCell* cell = find_cell(columns_[i], *y);
+      const bool border = cell != nullptr && cell->loads.is_point();
       const bool pole = !line.points.empty() && std::abs(here.y - line.points.back().y) > far_;
       if (pole || (border && border_before)) finish();
       line.points.push_back(here);
@@ -230,6 +269,7 @@ class RegionDrawing {
 
   const PhaseDiagram& diagram_;
   const std::vector<PhaseColumn>& columns_;
+  std::vector<std::vector<PhaseBand>> bands_;  ///< of each column
   const double low_, high_, far_;
   PhaseRegions regions_;
 };

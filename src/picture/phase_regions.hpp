@@ -43,6 +43,8 @@ struct PhaseRegions {
 
   /// The sets of motions that can be seen, from the bottom to the top, each once.
   std::vector<MotionSet> sets;
+  /// Of a plane that finds its domain: whether the domain ends inside of the picture.
+  bool leaves_domain = false;
 };
 
 PhaseRegions phase_regions(const PhaseDiagram& diagram);

@@ -24,6 +24,15 @@ bool opens(const MotionSet& set) {
   return std::find(mode.begin(), mode.end(), ElementState::lift) != mode.end();
 }
 
+/// Room for the numbers of the vertical axis and its name.
+double left_of(const Plane& plane) {
+  std::size_t longest = 0;
+  for (const Rational& y : {plane.y.from, plane.y.to}) {
+    longest = std::max(longest, fmt::format("{:.0f}", nearest_binary64(y)).size());
+  }
+  return std::max(60.0, 8.0 * static_cast<double>(longest) + 12);
+}
+
 std::vector<MechanismMode> drawn_modes(const PhaseRegions& regions) {
   std::vector<MechanismMode> modes;
   for (const MotionSet& set : regions.sets) {
@@ -36,12 +45,11 @@ std::vector<MechanismMode> drawn_modes(const PhaseRegions& regions) {
 class Picture {
  public:
   Picture(const PhaseDiagram& diagram, const PhaseRegions& regions, const PhaseSvgOptions& options)
-      : plane_(diagram.plane), regions_(regions), colours_(drawn_modes(regions)), frame_{60,
-                                                                                         14,
-                                                                                         options.width - 60 - 18,
-                                                                                         options.height - 14 - 46,
-                                                                                         plane_.x,
-                                                                                         plane_.y} {}
+      : plane_(diagram.plane),
+        regions_(regions),
+        colours_(drawn_modes(regions)),
+        frame_{left_of(plane_),          14,       options.width - left_of(plane_) - 18,
+               options.height - 14 - 46, plane_.x, plane_.y} {}
 
   /// Patterns for what one colour cannot show, and the clip of the plot.
   void add_definitions(const Element& svg) const {
@@ -53,9 +61,13 @@ class Picture {
       if (is_plain(set)) continue;
       const Element pattern = defs.add("pattern").set("id", pattern_id(i)).set("patternUnits", "userSpaceOnUse");
       const std::size_t stripes = std::max<std::size_t>(1, set.motions.size() + set.continua.size());
-      const double size = opens(set) ? 9 : 7.0 * static_cast<double>(stripes);
+      const double size = opens(set) || is_empty(set) ? 9 : 7.0 * static_cast<double>(stripes);
       pattern.set("width", size).set("height", size);
       if (!opens(set)) pattern.set("patternTransform", "rotate(-45)");
+      if (is_empty(set)) {
+        pattern.add("path", "measure").set("d", "M0,0H9M0,0V9");
+        continue;
+      }
       for (std::size_t k = 0; k < stripes; ++k) {
         const Element stripe = pattern.add("rect", stripe_class(set, k));
         stripe.set("x", size * static_cast<double>(k) / static_cast<double>(stripes));
@@ -196,11 +208,15 @@ class Picture {
   void paint_swatch(const Element& rect, std::size_t index) const {
     rect.set("width", 28).set("height", 18).set("rx", 3);
     paint(rect, index);
-    if (name(regions_.sets[index]) == name(MotionSet{})) rect.set("class", "paper outline");
+    if (is_empty(regions_.sets[index])) rect.set("class", plane_.finds_domain ? "outline" : "paper outline");
   }
 
  private:
-  static bool is_plain(const MotionSet& set) { return set.continua.empty() && set.motions.size() <= 1 && !opens(set); }
+  static bool is_empty(const MotionSet& set) { return set.continua.empty() && set.motions.empty(); }
+  bool is_plain(const MotionSet& set) const {
+    if (is_empty(set)) return !plane_.finds_domain;
+    return set.continua.empty() && set.motions.size() <= 1 && !opens(set);
+  }
   std::string pattern_id(std::size_t index) const { return plane_.id + "-" + std::to_string(index); }
   std::string stripe_class(const MotionSet& set, std::size_t k) const {
     if (k < set.motions.size()) return colours_.fill_class(set.motions[k].front());
@@ -266,10 +282,20 @@ Element add_swatch(const Element& parent, const PhaseDiagram& diagram, const Pha
   return svg;
 }
 
+namespace {
+
+std::string whole_note(const PhaseDiagram& diagram, const PhaseRegions& regions) {
+  const std::string& note = diagram.plane.note;
+  if (!regions.leaves_domain) return note;
+  return note + (note.empty() ? "" : " ") + "White is out of the domain.";
+}
+
+}  // namespace
+
 std::string phase_svg_file(const PhaseDiagram& diagram, const PhaseSvgOptions& options) {
   const PhaseRegions regions = phase_regions(diagram);
   const double title = 34, legend = 16 + 24 * static_cast<double>(regions.sets.size());
-  const std::string& note = diagram.plane.note;
+  const std::string note = whole_note(diagram, regions);
   const double height = title + options.height + legend + (note.empty() ? 0 : 20);
   const Document document("svg");
   const Element svg = document.root().set("xmlns", "http://www.w3.org/2000/svg");
@@ -289,8 +315,12 @@ std::string phase_svg_file(const PhaseDiagram& diagram, const PhaseSvgOptions& o
     Picture(diagram, regions, options).paint_swatch(entry.add("rect"), i);
     std::string words = name(regions.sets[i]);
     const auto& motions = regions.sets[i].motions;
-    if (motions.size() == 1) words += ": " + diagram.plane.words(motions[0].front());
-    if (motions.size() > 1) words += ": ambiguous, " + std::to_string(motions.size()) + " motions";
+    std::string more;
+    if (motions.size() == 1) more = ": " + diagram.plane.words(motions[0].front());
+    if (motions.size() > 1) more = ": ambiguous, " + std::to_string(motions.size()) + " motions";
+    const auto room = static_cast<std::size_t>((options.width - 98) / 6.2);
+    if (words.size() > room) words = words.substr(0, room - 4) + "…";
+    if (words.size() + more.size() <= room) words += more;
     entry.add("text", "ink").set("x", 38).set("y", 13).text(words);
   }
   if (!note.empty()) svg.add("text", "soft").set("x", 60).set("y", height - 16).text(note);
