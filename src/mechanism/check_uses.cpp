@@ -72,6 +72,7 @@ class UseCheck {
     two(contact.static_friction, contact.kinetic_friction, "friction", derived);
     all(contact.at, "at");
     all(contact.direction, "direction");
+    all(contact.slip_direction, "slip_direction");
   }
   void all(std::vector<PlacedExpression>& list, std::string_view key) {
     for (PlacedExpression& item : list) one(item, key, derived);

@@ -97,9 +97,10 @@ struct MechanismContact {
   bool bilateral = false;
   std::vector<std::size_t> lift_needs;  ///< parameters without which `lift` is not modelled
   std::string gap_name, slip_name;
-  std::size_t normal = 0;                       ///< its force among the unknowns
-  std::optional<std::size_t> tangent;           ///< nothing: frictionless
-  std::vector<PlacedExpression> at, direction;  ///< two coordinates each, or none; for pictures
+  std::size_t normal = 0;              ///< its force among the unknowns
+  std::optional<std::size_t> tangent;  ///< nothing: frictionless
+  /// Where it is, the direction of N and that of positive slip; two coordinates each, or none; for pictures.
+  std::vector<PlacedExpression> at, direction, slip_direction;
   SymbolicForm gap_form, slip_form;
   Place place;
 

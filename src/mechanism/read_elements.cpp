@@ -53,9 +53,9 @@ class ElementReader {
   }
 
   void read_contact(const TomlValue& value) {
-    static constexpr std::array<std::string_view, 13> keys{"name",      "gap",   "slip",      "friction",   "normal",
-                                                           "tangent",   "state", "bilateral", "lift_needs", "gap_name",
-                                                           "slip_name", "at",    "direction"};
+    static constexpr std::array<std::string_view, 14> keys{
+        "name",      "gap",        "slip",     "friction",  "normal", "tangent",   "state",
+        "bilateral", "lift_needs", "gap_name", "slip_name", "at",     "direction", "slip_direction"};
     const TableReader table(value, "[[contact]]", keys, context_.mistakes);
     MechanismContact contact;
     contact.place = value.place;
@@ -78,6 +78,7 @@ class ElementReader {
     if (table.has("slip")) contact.slip_name = named(table, "slip_name", "slip_" + contact.name);
     contact.at = pair(table, "at");
     contact.direction = pair(table, "direction");
+    contact.slip_direction = pair(table, "slip_direction");
     read_state(table, contact.start,
                {.law = contact.frictionless() ? ElementKind::Law::frictionless : ElementKind::Law::coulomb,
                 .bilateral = contact.bilateral});
