@@ -22,6 +22,8 @@
 #include "mechanism/words.hpp"
 #include "model/scene.hpp"
 #include "modes/motions.hpp"
+#include "picture/mechanism_plane.hpp"
+#include "picture/mechanism_svg.hpp"
 #include "picture/phase_diagram.hpp"
 #include "picture/phase_svg.hpp"
 #include "precision/trade.hpp"

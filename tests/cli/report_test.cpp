@@ -113,6 +113,56 @@ TEST_CASE("map refuses what it cannot draw, in words") {
   CHECK(run({"map", "nowhere.toml"}).exit_code == 3);
 }
 
+TEST_CASE("map draws a mechanism, with another load if asked, and refuses it in words") {
+  const std::string scenes = SLIPPROOF_SOURCE_DIR "/cases/mechanisms/scenes/";
+  const auto svg = run({"map", scenes + "ladder.toml", "--x", "theta", "--columns", "8"});
+  CHECK(svg.exit_code == 0);
+  CHECK(svg.out.starts_with("<?xml"));
+  const Json document = Json::parse(run({"map", scenes + "ladder.toml", "--x", "mu_f", "--x-range", "1/4", "1", "--y",
+                                         "d", "--columns", "4", "--json"})
+                                        .out);
+  CHECK(document["schema"] == "slipproof/map/2");
+  CHECK(document["x"]["range"] == Json({"1/4", "1"}));
+  CHECK(document["load"]["symbol"] == "d");
+  CHECK(document["columns"].front()["x"] == "1/4");
+  CHECK(document["columns"].front()["cells"].front()["load"] == Json({"-2", "-2"}));
+  const auto no_load = run({"map", scenes + "painleve-rod.toml"});
+  CHECK(no_load.exit_code == 3);
+  CHECK(no_load.err.find("painleve-rod.toml: the mechanism Painlevé's rod has no load, expected one") !=
+        std::string::npos);
+  CHECK(run({"map", scenes + "painleve-rod.toml", "--y", "g", "--columns", "4"}).exit_code == 0);
+  CHECK(run({"map", scenes + "ladder.toml", "--y", "m", "--columns", "4"}).err.find("multiplies") != std::string::npos);
+  const auto unknown = run({"map", scenes + "ladder.toml", "--x", "thet"});
+  CHECK(unknown.exit_code == 3);
+  CHECK(unknown.err.find("unknown parameter or angle 'thet', did you mean 'theta'?") != std::string::npos);
+}
+
+TEST_CASE("draw draws a mechanism, and the forces of the motion that is asked for") {
+  const std::string scenes = SLIPPROOF_SOURCE_DIR "/cases/mechanisms/scenes/";
+  const auto alone = run({"draw", scenes + "gripper.toml"});
+  CHECK(alone.exit_code == 0);
+  const auto first = run({"draw", scenes + "gripper.toml", "--motion", "1"});
+  CHECK(first.exit_code == 0);
+  CHECK(first.out != alone.out);
+  CHECK(first.out.find("left: stick") != std::string::npos);
+  const auto second = run({"draw", scenes + "gripper.toml", "--motion", "2"});
+  CHECK(second.exit_code == 3);
+  CHECK(second.err.find("found --motion 2, expected at most 1: so many motions it has there") != std::string::npos);
+  const auto every = run({"draw", scenes + "bicycle-on-slope.toml", "--motion", "1"});
+  CHECK(every.err.find("the scene has no value of the load F, expected one for --motion") != std::string::npos);
+  CHECK(run({"draw", city_bicycle, "--motion", "1"}).exit_code == 2);
+  CHECK(run({"draw", scenes + "gripper.toml", "--motion", "0"}).exit_code == 2);
+  const TemporaryFolder folder;
+  folder.write("bare.toml",
+               "schema = \"slipproof/mechanism/1\"\nname = \"bare\"\n[unknowns]\naccelerations = [\"a\"]\n"
+               "[motion]\na = \"a = 0\"\n[[contact]]\nname = \"c\"\ngap = \"a\"\n");
+  const auto scene = folder.write("scene.toml", "mechanism = \"bare.toml\"\n[values]\n");
+  const auto bare = run({"draw", scene.string()});
+  CHECK(bare.exit_code == 3);
+  CHECK(bare.err.find("the mechanism bare has no picture, expected a [[shape]]") != std::string::npos);
+  CHECK(run({"draw", scene.string(), "-o", (folder.path() / "bare.toml").string()}).exit_code == 3);
+}
+
 TEST_CASE("draw writes the labelled figure of a scene, the shipped one of the city bicycle") {
   const auto figure = run({"draw", city_bicycle});
   CHECK(figure.exit_code == 0);
