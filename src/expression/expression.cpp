@@ -131,17 +131,24 @@ std::vector<std::string> symbols(const Expression& expression) {
   return names;
 }
 
-Expression substitute(const Expression& expression, std::string_view symbol, const Expression& by) {
-  if (expression->operation == Operation::symbol) return expression->symbol == symbol ? by : expression;
+Expression substitute(const Expression& expression, const std::function<Expression(const std::string&)>& meaning) {
+  if (expression->operation == Operation::symbol) {
+    Expression by = meaning(expression->symbol);
+    return by ? by : expression;
+  }
   bool changed = false;
   Node node = *expression;
   node.depth = 1;
   for (Expression& operand : node.operands) {
-    Expression replaced = substitute(operand, symbol, by);
+    Expression replaced = substitute(operand, meaning);
     changed = changed || replaced != operand;
     operand = std::move(replaced);
   }
   return changed ? finish(std::move(node)) : expression;
+}
+
+Expression substitute(const Expression& expression, std::string_view symbol, const Expression& by) {
+  return substitute(expression, [&](const std::string& name) { return name == symbol ? by : nullptr; });
 }
 
 Binding binding(Operation operation) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -99,5 +100,7 @@ bool is_linear_in(const Expression& number, const std::string& symbol);
 
 /// Every occurrence of a symbol replaced.
 Expression substitute(const Expression& expression, std::string_view symbol, const Expression& by);
+/// Every symbol replaced at once by what it stands for; null leaves it as it is.
+Expression substitute(const Expression& expression, const std::function<Expression(const std::string&)>& meaning);
 
 }  // namespace slipproof

@@ -107,9 +107,13 @@ class MechanismSceneReader {
   MechanismScene read() {
     scene_.name = std::filesystem::path(file_).stem().string();
     if (const PlacedText* name = root_.string("name")) scene_.name = name->text();
-    if (!read_mechanism_and_load()) return {};
+    auto mechanism = named_mechanism(root_, std::filesystem::path(file_).parent_path().string());
+    if (!mechanism) return {};
+    scene_.mechanism = std::move(*mechanism);
     scene_.values = default_values(scene_.mechanism);
-    if (const TomlValue* state = root_.table("state")) read_state(*state);
+    if (const TomlValue* state = root_.table("state")) {
+      read_states(*state, scene_.mechanism, scene_.values.starts, mistakes_);
+    }
     if (root_.require("values", "the table [values]")) {
       if (const TomlValue* values = root_.table("values")) read_values(*values);
     }
@@ -118,47 +122,6 @@ class MechanismSceneReader {
 
  private:
   static constexpr std::array<std::string_view, 5> keys{"name", "mechanism", "along", "values", "state"};
-
-  bool read_mechanism_and_load() {
-    if (!root_.require("mechanism", "the file of a mechanism, or the name of a shipped one")) return false;
-    const PlacedText* mechanism = root_.string("mechanism");
-    const PlacedText* along = root_.string("along");
-    if (mechanism == nullptr) return false;
-    std::string_view key = "mechanism";
-    try {
-      scene_.mechanism = open_mechanism(mechanism->text(), std::filesystem::path(file_).parent_path().string());
-      key = "along";
-      if (along != nullptr) scene_.mechanism = with_load(scene_.mechanism, along->text());
-      return true;
-    } catch (const InputError& error) {
-      for (Diagnostic diagnostic : error.diagnostics()) {
-        if (diagnostic.line == 0 && key == "along") diagnostic.file.clear();
-        root_.refuse(key, to_string(diagnostic));
-      }
-    }
-    return false;
-  }
-
-  void read_state(const TomlValue& state) {
-    std::vector<std::string_view> names;
-    const std::size_t count = scene_.mechanism.elements();
-    for (std::size_t i = 0; i < count; ++i) names.push_back(element_name(scene_.mechanism, i));
-    const auto kinds = element_kinds(scene_.mechanism);
-    for (const TomlEntry& entry : state.entries) {
-      const auto found = std::find(names.begin(), names.end(), entry.key);
-      if (found == names.end()) {
-        mistakes_.add(entry.place, "state: " + unknown_name("contact or friction element", entry.key, names));
-      } else if (entry.value.kind != TomlValue::Kind::string) {
-        mistakes_.add(entry.value.place, entry.key + ": found " + std::string(kind_name(entry.value.kind)) +
-                                             ", expected a state such as \"rest\"");
-      } else {
-        const auto i = static_cast<std::size_t>(found - names.begin());
-        const auto start =
-            mechanism_reader::read_start(entry.value.text.text(), entry.key, entry.value.place, kinds[i], mistakes_);
-        scene_.values.starts[i] = start.value_or(scene_.values.starts[i]);
-      }
-    }
-  }
 
   void read_values(const TomlValue& values) {
     const Mechanism& mechanism = scene_.mechanism;
@@ -253,6 +216,46 @@ class MechanismSceneReader {
 };
 
 }  // namespace
+
+std::optional<Mechanism> named_mechanism(const TableReader& table, const std::string& directory) {
+  if (!table.require("mechanism", "the file of a mechanism, or the name of a shipped one")) return std::nullopt;
+  const PlacedText* file = table.string("mechanism");
+  const PlacedText* along = table.string("along");
+  if (file == nullptr) return std::nullopt;
+  std::string_view key = "mechanism";
+  try {
+    Mechanism mechanism = open_mechanism(file->text(), directory);
+    key = "along";
+    return along == nullptr ? std::move(mechanism) : with_load(mechanism, along->text());
+  } catch (const InputError& error) {
+    for (Diagnostic diagnostic : error.diagnostics()) {
+      if (diagnostic.line == 0 && key == "along") diagnostic.file.clear();
+      table.refuse(key, to_string(diagnostic));
+    }
+  }
+  return std::nullopt;
+}
+
+void read_states(const TomlValue& table, const Mechanism& mechanism, std::vector<ElementKind::Start>& starts,
+                 Mistakes& mistakes) {
+  std::vector<std::string_view> names;
+  for (std::size_t i = 0; i < mechanism.elements(); ++i) names.push_back(element_name(mechanism, i));
+  const auto kinds = element_kinds(mechanism);
+  for (const TomlEntry& entry : table.entries) {
+    const auto found = std::find(names.begin(), names.end(), entry.key);
+    if (found == names.end()) {
+      mistakes.add(entry.place, "state: " + unknown_name("contact or friction element", entry.key, names));
+    } else if (entry.value.kind != TomlValue::Kind::string) {
+      mistakes.add(entry.value.place, entry.key + ": found " + std::string(kind_name(entry.value.kind)) +
+                                          ", expected a state such as \"rest\"");
+    } else {
+      const auto i = static_cast<std::size_t>(found - names.begin());
+      const auto start =
+          mechanism_reader::read_start(entry.value.text.text(), entry.key, entry.value.place, kinds[i], mistakes);
+      starts[i] = start.value_or(starts[i]);
+    }
+  }
+}
 
 MechanismScene parse_mechanism_scene(std::string_view text, const std::string& file) {
   Mistakes mistakes(file);

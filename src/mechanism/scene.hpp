@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "input/table_reader.hpp"
 #include "mechanism/mechanism.hpp"
 #include "mechanism/problem.hpp"
 
@@ -30,6 +31,17 @@ MechanismScene parse_mechanism_scene(std::string_view text, const std::string& f
 /// parameter. Throws InputError, with places in the mechanism's file, where that cannot be the load, and
 /// std::invalid_argument where the scene has no value of the load that becomes a parameter.
 MechanismScene with_load(const MechanismScene& scene, std::string_view parameter);
+
+/// A scene file that reads back as the same scene, apart from its notes. `mechanism` and `along` are what it says
+/// there.
+std::string to_toml(const MechanismScene& scene, const std::string& mechanism, const std::string& along = {});
+
+/// The mechanism that a table names: its keys `mechanism` and, if it is there, `along`. A relative path counts from
+/// `directory`. Mistakes are reported at these keys, those of the mechanism's file among them.
+std::optional<Mechanism> named_mechanism(const TableReader& table, const std::string& directory);
+/// A table [state]: replaces the states of the elements that it names. Mistakes are reported.
+void read_states(const TomlValue& table, const Mechanism& mechanism, std::vector<ElementKind::Start>& starts,
+                 Mistakes& mistakes);
 
 /// Whether a text is the scene of a mechanism: TOML with `mechanism` at the top.
 bool is_mechanism_scene(std::string_view text);
