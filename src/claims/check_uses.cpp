@@ -65,7 +65,7 @@ class SettingCheck {
     for (const Expression& operand : expression->operands) walk(use, operand, known);
     if (expression->operation != Operation::symbol) return;
     const std::string& symbol = expression->symbol;
-    if (use.allowed.unknowns && unknown_index(symbol)) return;
+    if (use.allowed.unknowns && setting_.unknown_index(symbol)) return;
     const auto entry = names_.find(symbol);
     if (!entry) {
       known = false;

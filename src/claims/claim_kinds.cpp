@@ -46,8 +46,8 @@ Modes modes(const ClaimKind& kind) {
   Modes found;
   for_each_field(kind, [&](std::string_view key, const auto& field, Need) {
     using Field = std::decay_t<decltype(field)>;
-    if constexpr (std::is_same_v<Field, ContactMode>) found.push_back(field);
-    if constexpr (std::is_same_v<Field, std::optional<ContactMode>>) {
+    if constexpr (std::is_same_v<Field, MechanismMode>) found.push_back(field);
+    if constexpr (std::is_same_v<Field, std::optional<MechanismMode>>) {
       if (field) found.push_back(*field);
     }
     if constexpr (std::is_same_v<Field, Modes>) {

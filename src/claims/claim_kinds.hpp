@@ -13,12 +13,12 @@
 #include <vector>
 
 #include "expression/expression.hpp"
-#include "model/contact_mode.hpp"
+#include "motions/element.hpp"
 
 namespace slipproof {
 
-using Modes = std::vector<ContactMode>;
-/// `=` between what is linear in the unknowns of the model and in the force.
+using Modes = std::vector<MechanismMode>;
+/// `=` between what is linear in the unknowns of the mechanism and in the force.
 using Equations = std::vector<Expression>;
 /// Indices of other claims.
 using References = std::vector<std::size_t>;
@@ -32,7 +32,7 @@ enum class Need : std::uint8_t { required, optional };
 /// In the region, the forces with a motion in the mode are exactly those of `forces`.
 struct Interval {
   static constexpr std::string_view name = "interval";
-  ContactMode mode;
+  MechanismMode mode;
   Expression forces = make_truth(true);
 
   template <class Self, class Visit>
@@ -155,7 +155,7 @@ struct LinearEquations {
   Equations equations;
   References given, claims;
   Equations assume;  ///< added to those of `given`
-  std::optional<ContactMode> mode;
+  std::optional<MechanismMode> mode;
 
   /// Neither `given` nor `claims`: the hypotheses are the model's equations.
   bool from_model() const { return given.empty() && claims.empty(); }

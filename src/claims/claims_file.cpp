@@ -73,28 +73,6 @@ std::vector<Expression> expressions(const ClaimBody& body) {
   return all;
 }
 
-Setting::BicycleConditions Setting::bicycle_conditions() const {
-  const auto value = [&](std::string_view symbol) { return scene.find(symbol)->second; };
-  const auto sum = [&](std::string_view x, std::string_view y) { return make(Operation::add, {value(x), value(y)}); };
-  BicycleConditions result;
-  for (const char* symbol : {"M", "R", "r1", "r2", "g"}) result.positive.push_back(value(symbol));
-  if (scene.contains("J")) result.positive.push_back(value("J"));
-  result.positive.push_back(sum("h", "R"));
-  result.positive.push_back(sum("b2", "b3"));
-  for (const char* symbol : {"I1", "I2", "I3", "f"}) result.not_negative.push_back(value(symbol));
-  for (const char* symbol : {"h", "b2", "b3", "L"}) result.defined.push_back(value(symbol));
-  const Expression& F = value("F");
-  const auto at = [&](int x) { return substitute(F, force.symbol, make_number(x)); };
-  if (is_linear_in(F, force.symbol)) result.slope = make(Operation::subtract, {at(1), at(0)});
-  return result;
-}
-
-std::size_t Setting::parameter_index(std::string_view symbol) const {
-  const auto found = std::find_if(parameters.begin(), parameters.end(),
-                                  [&](const Parameter& parameter) { return parameter.symbol == symbol; });
-  return static_cast<std::size_t>(found - parameters.begin());
-}
-
 const Claim* ClaimsFile::find(std::string_view id) const {
   const auto found = std::find_if(claims.begin(), claims.end(), [&](const Claim& claim) { return claim.id == id; });
   return found == claims.end() ? nullptr : &*found;

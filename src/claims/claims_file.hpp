@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,6 +15,7 @@
 
 #include "claims/claim_kinds.hpp"
 #include "expression/expression.hpp"
+#include "mechanism/mechanism.hpp"
 #include "model/bicycle.hpp"
 
 namespace slipproof {
@@ -56,14 +58,26 @@ struct Parameter {
   Expression domain;  ///< over parameters
   std::string meaning;
   std::size_t line = 0;  ///< of the source; 0 if the paper does not have it
+  /// The tangent of half of this angle of the paper, among Setting::angles: expressions know its cosine and sine only.
+  std::optional<std::size_t> angle = {};
 
   bool is_positive() const;  ///< its domain says just that, in whatever order
 };
 
-/// The paper's variable for the force, the only one that a sample leaves open.
+/// Two symbols of the paper whose squares add up to 1.
+struct PaperAngle {
+  std::string name, cosine, sine;
+  std::size_t parameter;  ///< index; its domain is that of the angle
+
+  /// The cosine and the sine by the tangent of half of it.
+  Expression cosine_value() const;
+  Expression sine_value() const;
+};
+
+/// The paper's variable for the force, or whatever the load is: the only one that a sample leaves open.
 struct ForceVariable {
-  std::string symbol;
-  Expression domain;  ///< where the paper stands, over parameters and the force
+  std::string symbol;  ///< empty: the mechanism has no load
+  Expression domain;   ///< where the paper stands, and the mechanism's own domain; over parameters and the force
   std::size_t line = 0;
 };
 
@@ -98,31 +112,47 @@ struct Definition {
 /// What a definition is called in references and lists: `3.1.b1`, or its symbol where the paper gives it no number.
 std::string id(const Definition& definition);
 
-/// Expressions for what a scene file holds, over parameters; `F` also over the force.
-inline constexpr std::array<std::string_view, 15> scene_symbols{"M",  "R",  "h", "b2", "b3", "I1", "I2", "I3",
-                                                                "r1", "r2", "L", "J",  "f",  "g",  "F"};
-
-/// One way in which the paper looks at the model: which symbols are free and what they are in a scene.
+/// One way in which the paper looks at a mechanism: which symbols are free and what they are in a scene of it.
 struct Setting {
   std::string id;
   std::string statement;
   std::size_t line = 0;
-  ForceKind force_kind = ForceKind::internal;
+  std::shared_ptr<const Mechanism> mechanism;
+  std::string mechanism_name;              ///< as the file names it; of the bicycle of old settings, `bicycle`
+  std::string along;                       ///< another parameter as the load; empty: the mechanism's own
+  std::vector<ElementKind::Start> starts;  ///< of the elements, before the motion
+  /// The mechanism is the bicycle from rest, and the force is of this kind: its table of modes gives the motions.
+  std::optional<ForceKind> bicycle;
   bool strict = true;  ///< the paper's motions satisfy their conditions strictly
   std::vector<Parameter> parameters;
+  std::vector<PaperAngle> angles;
   ForceVariable force;
-  std::map<std::string, Expression, std::less<>> scene;  ///< by scene symbol; all but J must be there
-  std::vector<Definition> definitions;                   ///< each uses only symbols that do not lead back to it
+  /// What the symbols of the mechanism are: parameters that are given, cosines and sines of angles over the paper's
+  /// parameters; the load over the force, too.
+  std::map<std::string, Expression, std::less<>> scene;
+  std::vector<Definition> definitions;  ///< each uses only symbols that do not lead back to it
   std::vector<Boundary> boundaries;
   std::vector<Realisable> realisable;  ///< none: nothing is said about what can be built
 
-  /// What makes the scene a bicycle of the model (model/domain.hpp) and the force a polynomial of degree 1 at most, as
-  /// numbers that have to be positive, not negative, and different from 0. The scene must be complete.
-  struct BicycleConditions {
-    std::vector<Expression> positive, not_negative, defined;
-    Expression slope;  ///< of the pedal force in the force variable; null if that is not linear as it stands
+  /// What an expression over the mechanism's parameters, definitions, angles and load is in the paper's symbols.
+  Expression in_paper(const Expression& of_mechanism) const;
+  /// Whether each parameter of the mechanism is given.
+  std::vector<bool> given() const;
+  /// The elements as their states are modelled; with all parameters given, as modes are written.
+  std::vector<ElementKind> kinds() const;
+  std::vector<ElementKind> all_kinds() const;
+  /// Names of what a motion consists of, as `holds` knows them: accelerations, gaps, slips, then forces.
+  std::vector<std::string> quantities() const;
+  /// Of a symbol of an unknown of the mechanism, among its unknowns.
+  std::optional<std::size_t> unknown_index(std::string_view symbol) const;
+
+  /// What makes the scene a point of the mechanism, and the load a polynomial of degree 1 at most in the force.
+  struct PointConditions {
+    std::vector<Expression> truths;   ///< domains and assumptions of the mechanism
+    std::vector<Expression> defined;  ///< numbers that have to have a value
+    Expression slope;  ///< of the load in the force variable, not 0; null if that is not linear as it stands
   };
-  BicycleConditions bicycle_conditions() const;
+  PointConditions point_conditions() const;
 
   /// Of a symbol that is a parameter.
   std::size_t parameter_index(std::string_view symbol) const;

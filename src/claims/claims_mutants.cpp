@@ -92,7 +92,8 @@ class ClaimsEnumeration {
     const bool quantities = part == BodyPart::holds && !modes(claim.printed.says).empty();
     for (const auto& [symbol, entry] : names_[claim.setting].all()) {
       const bool quantity = entry.kind == SettingNames::Kind::quantity;
-      if (quantity && !(linear ? unknown_index(symbol).has_value() : quantities)) continue;
+      if (quantity && !(linear ? file_.settings[claim.setting].unknown_index(symbol).has_value() : quantities))
+        continue;
       if (part == BodyPart::region && depends_on_force(claim.setting, make_symbol(symbol))) continue;
       symbols.push_back(symbol);
     }

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "claims/claims_file.hpp"
@@ -50,9 +53,16 @@ class Context {
   ClaimsFile& file;
   Mistakes& mistakes;
   std::vector<Use> uses;
+  /// Those that were opened, by what names them.
+  std::map<std::pair<std::string, std::string>, std::shared_ptr<const Mechanism>> mechanisms;
 };
 
 void read_settings(const TableReader& root, Context& context);
+/// The mechanism of a setting with its states before the motion, before everything else of the setting; false if there
+/// is none, which is reported.
+bool read_mechanism(const TableReader& table, Context& context, Setting& setting);
+/// What the mechanism's symbols are, after the paper's symbols.
+void read_scene(const TableReader& table, Context& context, Setting& setting);
 /// After the settings.
 void read_claims(const TableReader& root, Context& context);
 /// Symbols that do not exist or must not be used, definitions in circles or too large to evaluate.

@@ -9,39 +9,57 @@
 
 namespace slipproof {
 
-std::optional<std::size_t> unknown_index(std::string_view symbol) {
-  const auto found = std::find(unknown_names.begin(), unknown_names.end(), symbol);
-  return found == unknown_names.end() ? std::nullopt
-                                      : std::optional(static_cast<std::size_t>(found - unknown_names.begin()));
-}
-
 namespace {
 
-/// Where the pedal force is not linear as it stands, at no bicycle.
-Expression bicycle_condition(const Setting& setting) {
-  const Setting::BicycleConditions conditions = setting.bicycle_conditions();
-  Expression all = make_truth(conditions.slope != nullptr);
-  const auto add = [&](const Expression& e, Relation relation) {
-    all = both(all, make_comparison({e, make_number(0)}, {relation}));
-  };
-  for (const Parameter& parameter : setting.parameters) all = both(all, parameter.domain);
-  for (const Expression& e : conditions.positive) add(e, Relation::greater);
-  for (const Expression& e : conditions.not_negative) add(e, Relation::greater_equal);
+Expression scene_condition(const Setting::PointConditions& conditions) {
+  Expression all = make_truth(true);
+  for (const Expression& e : conditions.truths) all = both(all, e);
   for (const Expression& e : conditions.defined) all = both(all, make_comparison({e, e}, {Relation::equal}));
-  if (conditions.slope) add(conditions.slope, Relation::not_equal);
   return all;
 }
 
+/// Where the load is not linear as it stands, at no point.
+Expression point_condition(const Setting& setting, const Setting::PointConditions& conditions) {
+  Expression all = make_truth(!setting.mechanism->load || conditions.slope != nullptr);
+  for (const Parameter& parameter : setting.parameters) all = both(all, parameter.domain);
+  all = both(all, scene_condition(conditions));
+  if (!conditions.slope) return all;
+  return both(all, make_comparison({conditions.slope, make_number(0)}, {Relation::not_equal}));
+}
+
 }  // namespace
+
+std::vector<const Program*> CompiledScene::programs() const {
+  std::vector<const Program*> all;
+  for (const auto& parameter : parameters) {
+    if (parameter) all.push_back(&*parameter);
+  }
+  for (const auto& [cosine, sine] : angles) all.insert(all.end(), {&cosine, &sine});
+  if (load) all.push_back(&*load);
+  return all;
+}
 
 CompiledSetting::CompiledSetting(const Setting& setting) {
   const auto add = [&](std::string symbol) {
     slots_.emplace(symbol, scope_.slots.size());
     scope_.slots.push_back({std::move(symbol), std::nullopt});
   };
-  for (const Quantity quantity : all_quantities()) add(std::string(name(quantity)));
   add(setting.force.symbol);
   for (const Parameter& parameter : setting.parameters) add(parameter.symbol);
+  for (const PaperAngle& angle : setting.angles) {
+    for (const auto& [symbol, value] :
+         {std::pair{angle.cosine, angle.cosine_value()}, {angle.sine, angle.sine_value()}}) {
+      add(symbol);
+      scope_.slots.back().definition =
+          Program(value, [&](std::string_view) { return parameter_slot(angle.parameter); });
+    }
+  }
+  first_quantity_ = scope_.slots.size();
+  for (std::string& quantity : setting.quantities()) add(std::move(quantity));
+  quantities_ = scope_.slots.size() - first_quantity_;
+  for (const MechanismUnknown& unknown : setting.mechanism->unknowns) {
+    unknown_slots_.push_back(slots_.find(unknown.symbol)->second);
+  }
 
   force_ = setting.force.symbol;
   const SettingNames names(setting);
@@ -61,8 +79,6 @@ CompiledSetting::CompiledSetting(const Setting& setting) {
     definition_slots_[1][i] = scope_.slots.size();
     scope_.slots.push_back({definition.symbol, std::nullopt});
   }
-  first_unknown_ = scope_.slots.size();
-  for (const std::string_view unknown : unknown_names) scope_.slots.push_back({std::string(unknown), std::nullopt});
   for (const Reading reading : all_readings) {
     for (std::size_t i = 0; i < count; ++i) {
       auto& slot = scope_.slots[definition_slot(i, reading)];
@@ -73,18 +89,34 @@ CompiledSetting::CompiledSetting(const Setting& setting) {
   for (const Parameter& parameter : setting.parameters) domains_.push_back(compile(parameter.domain, Reading::printed));
   for (const Realisable& one : setting.realisable) realisable_.push_back(compile(one.condition, Reading::repaired));
   force_domain_ = compile(setting.force.domain, Reading::printed);
-  is_bicycle_ = compile(bicycle_condition(setting), Reading::printed);
-  for (const std::string_view symbol : scene_symbols) {
-    const auto found = setting.scene.find(symbol);
-    scene_.push_back(found == setting.scene.end() ? std::nullopt
-                                                  : std::optional(compile(found->second, Reading::printed)));
-  }
+  const Setting::PointConditions conditions = setting.point_conditions();
+  is_point_ = compile(point_condition(setting, conditions), Reading::printed);
+  is_scene_ = compile(scene_condition(conditions), Reading::printed);
+  compile_scene(setting);
   for (const slipproof::Boundary& boundary : setting.boundaries) {
     const std::size_t parameter = names.find(boundary.symbol)->index;
     boundaries_.push_back({parameter, compile(boundary.value, Reading::printed)});
     if (!names.readings_differ(boundary.value)) continue;
     boundaries_.push_back({parameter, compile(boundary.value, Reading::repaired)});
   }
+}
+
+void CompiledSetting::compile_scene(const Setting& setting) {
+  const auto value = [&](const std::string& symbol) -> std::optional<Program> {
+    const auto found = setting.scene.find(symbol);
+    if (found == setting.scene.end()) return std::nullopt;
+    return compile(found->second, Reading::printed);
+  };
+  const Mechanism& mechanism = *setting.mechanism;
+  mechanism_ = setting.mechanism;
+  maker_ = std::make_shared<const ProblemMaker>(mechanism);
+  starts_ = setting.starts;
+  bicycle_ = setting.bicycle;
+  for (const ElementKind& kind : setting.kinds()) complete_ = complete_ && kind.lifts;
+  for (const MechanismParameter& parameter : mechanism.parameters) scene_.parameters.push_back(value(parameter.symbol));
+  for (const MechanismAngle& angle : mechanism.angles)
+    scene_.angles.emplace_back(*value(angle.cosine), *value(angle.sine));
+  if (mechanism.load) scene_.load = value(mechanism.load->symbol);
 }
 
 std::optional<std::size_t> CompiledSetting::resolve(std::string_view symbol, Reading reading) const {
@@ -97,7 +129,8 @@ bool CompiledSetting::varies(const Expression& e, Reading reading) const {
   if (e->operation == Operation::symbol) {
     const auto defined = definition_indices_.find(e->symbol);
     if (slots_.contains(e->symbol) || defined == definition_indices_.end()) {
-      return e->symbol == force_ || parse_quantity(e->symbol);
+      const auto slot = slots_.find(e->symbol);
+      return e->symbol == force_ || (slot != slots_.end() && is_quantity(slot->second));
     }
     return varies(definitions_[static_cast<std::size_t>(reading)][defined->second], reading);
   }
@@ -134,10 +167,7 @@ Program CompiledSetting::compile(const Expression& expression, Reading reading) 
 }
 
 Program CompiledSetting::compile_equation(const Expression& equation, Reading reading) const {
-  return Program(equation, [&](std::string_view symbol) {
-    const auto unknown = unknown_index(symbol);
-    return unknown ? std::optional(unknown_slot(*unknown)) : resolve(symbol, reading);
-  });
+  return Program(equation, [&](std::string_view symbol) { return resolve(symbol, reading); });
 }
 
 void CompiledSetting::redefine(std::size_t index, const Expression& expression) {

@@ -3,39 +3,54 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
+#include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "claims/claims_file.hpp"
 #include "expression/evaluate.hpp"
 #include "expression/program.hpp"
-#include "model/equations.hpp"
+#include "mechanism/problem.hpp"
 
 namespace slipproof {
 
-/// The unknowns of the model's equations, as `equations` of claims call them, in the order of slipproof::Unknowns.
-inline constexpr std::array<std::string_view, unknown_count> unknown_names{"a", "a_y", "phi", "eps1", "eps2", "eps3",
-                                                                           "T", "S2",  "S3",  "N2",   "N3"};
-std::optional<std::size_t> unknown_index(std::string_view symbol);
+/// What the mechanism's symbols are in a setting.
+struct CompiledScene {
+  std::vector<std::optional<Program>> parameters;   ///< by parameter of the mechanism; nothing: not given
+  std::vector<std::pair<Program, Program>> angles;  ///< cosine and sine
+  std::optional<Program> load;                      ///< over the force variable; nothing: no load
 
-/// A setting's symbols as slots of one scope: quantities, the force, parameters, then the definitions of each reading.
+  /// All of them.
+  std::vector<const Program*> programs() const;
+};
+
+/// A setting's symbols as slots of one scope: the force, parameters, cosines and sines of angles, the quantities of a
+/// motion, then the definitions of each reading.
 /// A definition that is the same in both readings, with all that it needs, has one slot.
 class CompiledSetting {
  public:
   explicit CompiledSetting(const Setting& setting);
 
   const Scope& scope() const { return scope_; }
-  static std::size_t quantity_slot(Quantity quantity) { return static_cast<std::size_t>(quantity); }
-  static std::size_t force_slot() { return quantity_count; }
-  static std::size_t parameter_slot(std::size_t index) { return quantity_count + 1 + index; }
+  static std::size_t force_slot() { return 0; }
+  static std::size_t parameter_slot(std::size_t index) { return 1 + index; }
+  /// Of Setting::quantities().
+  std::size_t quantity_slot(std::size_t index) const { return first_quantity_ + index; }
+  std::size_t quantities() const { return quantities_; }
+  bool is_quantity(std::size_t slot) const { return slot - first_quantity_ < quantities_; }
   std::size_t definition_slot(std::size_t index, Reading reading) const {
     return definition_slots_[static_cast<std::size_t>(reading)][index];
   }
   /// An expression of the setting.
   Program compile(const Expression& expression, Reading reading) const;
-  /// An equation between the model's unknowns, which hide symbols of the same name.
+  /// An equation between the mechanism's unknowns.
   Program compile_equation(const Expression& equation, Reading reading) const;
-  std::size_t unknown_slot(std::size_t index) const { return first_unknown_ + index; }
+  /// Of the mechanism's unknowns, in their order: they are quantities, too.
+  std::size_t unknown_slot(std::size_t index) const { return unknown_slots_[index]; }
+  std::size_t unknowns() const { return unknown_slots_.size(); }
   /// Gives a definition, by its index, another expression, which must not lead back to it. In the printed reading, and
   /// in the other one if the definition is the same there.
   void redefine(std::size_t index, const Expression& expression);
@@ -46,17 +61,26 @@ class CompiledSetting {
   };
   /// The values at which parameters are on a boundary, those of both readings where they differ.
   const std::vector<Boundary>& boundaries() const { return boundaries_; }
-  /// What a bicycle that can be built has to meet, in the order of Setting::realisable.
+  /// What a point that can be built has to meet, in the order of Setting::realisable.
   const std::vector<Program>& realisable() const { return realisable_; }
   /// By parameter.
   const std::vector<Program>& domains() const { return domains_; }
   const Program& force_domain() const { return *force_domain_; }
-  /// Whether the values of the parameters are those of a bicycle, as one condition: domains and scene.
-  const Program& is_bicycle() const { return *is_bicycle_; }
-  /// In the order of scene_symbols; nothing for J if the setting does not have it.
-  const std::vector<std::optional<Program>>& scene() const { return scene_; }
+  /// Whether the values of the parameters are a point of the mechanism, as one condition: domains and scene.
+  const Program& is_point() const { return *is_point_; }
+  const CompiledScene& scene() const { return scene_; }
+  /// The part of is_point() that is about the scene alone; without the slope of the load.
+  const Program& is_scene() const { return *is_scene_; }
+  /// Problems of the setting's mechanism, its states before the motion, and Setting::bicycle.
+  const ProblemMaker& maker() const { return *maker_; }
+  const Mechanism& mechanism() const { return *mechanism_; }
+  const std::vector<ElementKind::Start>& starts() const { return starts_; }
+  std::optional<ForceKind> bicycle() const { return bicycle_; }
+  /// Whether every state of every element is modelled.
+  bool complete() const { return complete_; }
 
  private:
+  void compile_scene(const Setting& setting);
   std::optional<std::size_t> resolve(std::string_view symbol, Reading reading) const;
   /// Whether it depends on the force or on a quantity.
   bool varies(const Expression& e, Reading reading) const;
@@ -67,7 +91,8 @@ class CompiledSetting {
   Expression written_out(const Expression& e, Reading reading) const;
 
   Scope scope_;
-  std::size_t first_unknown_ = 0;
+  std::size_t first_quantity_ = 0, quantities_ = 0;
+  std::vector<std::size_t> unknown_slots_;
   std::map<std::string, std::size_t, std::less<>> slots_;  ///< of what is no definition
   std::map<std::string, std::size_t, std::less<>> definition_indices_;
   std::array<std::vector<std::size_t>, 2> definition_slots_;
@@ -76,8 +101,13 @@ class CompiledSetting {
   std::vector<Boundary> boundaries_;
   std::vector<Program> realisable_;
   std::vector<Program> domains_;
-  std::optional<Program> force_domain_, is_bicycle_;
-  std::vector<std::optional<Program>> scene_;
+  std::optional<Program> force_domain_, is_point_, is_scene_;
+  std::shared_ptr<const Mechanism> mechanism_;
+  std::shared_ptr<const ProblemMaker> maker_;
+  std::vector<ElementKind::Start> starts_;
+  std::optional<ForceKind> bicycle_;
+  bool complete_ = true;
+  CompiledScene scene_;
 };
 
 /// The expressions of a body; `true` for conditions that its kind does not have.

@@ -3,6 +3,7 @@
 
 #include "claims/claims_reader.hpp"
 #include "claims/setting_names.hpp"
+#include "mechanism/words.hpp"
 
 namespace slipproof::claims_reader {
 
@@ -37,18 +38,6 @@ std::string expected_value(std::string_view key) {
   if (key == "parameter") return "a parameter of the setting";
   if (key == "holds") return "what is claimed, as a condition";
   return "an array of ids of claims";
-}
-
-// `stick/slip+`, or with `*` for any state.
-Modes expand(std::string_view pattern) {
-  const auto fits = [](std::string_view part, ContactState state) { return part == "*" || part == name(state); };
-  const std::size_t slash = pattern.find('/');
-  Modes modes;
-  if (slash == pattern.npos) return modes;
-  for (const ContactMode mode : all_modes()) {
-    if (fits(pattern.substr(0, slash), mode.rear) && fits(pattern.substr(slash + 1), mode.front)) modes.push_back(mode);
-  }
-  return modes;
 }
 
 // The references of a body, by their texts: ids are known only when all claims are read.
@@ -215,13 +204,15 @@ class ClaimsReader {
       } else if constexpr (std::is_same_v<Field, Equations>) {
         read_equations(table, key, claim.setting, field);
         if (key == "equations") refuse_empty(table, key, "at least one equation");
-      } else if constexpr (std::is_same_v<Field, ContactMode>) {
-        if (const auto mode = read_mode(table)) field = *mode;
-      } else if constexpr (std::is_same_v<Field, std::optional<ContactMode>>) {
-        field = read_mode(table);
-        if (field && !field->on_road()) table.refuse("mode", "expected a mode with both wheels on the road");
+      } else if constexpr (std::is_same_v<Field, MechanismMode>) {
+        if (auto mode = read_mode(table, claim.setting)) field = std::move(*mode);
+      } else if constexpr (std::is_same_v<Field, std::optional<MechanismMode>>) {
+        field = read_mode(table, claim.setting);
+        if (field && std::find(field->begin(), field->end(), ElementState::lift) != field->end()) {
+          table.refuse("mode", "expected a mode in which no contact lifts");
+        }
       } else if constexpr (std::is_same_v<Field, Modes>) {
-        read_modes(table, key, field);
+        read_modes(table, key, claim.setting, field);
       } else if constexpr (std::is_same_v<Field, std::string>) {
         field = read_parameter(table, claim.setting);
       } else {
@@ -271,40 +262,43 @@ class ClaimsReader {
     const PlacedText* text = table.string("parameter");
     if (text == nullptr || setting >= context_.file.settings.size()) return {};
     std::vector<std::string_view> known;
-    for (const Parameter& parameter : context_.file.settings[setting].parameters) known.push_back(parameter.symbol);
+    for (const Parameter& parameter : context_.file.settings[setting].parameters) {
+      if (!parameter.angle) known.push_back(parameter.symbol);
+    }
     if (std::find(known.begin(), known.end(), text->text()) == known.end()) {
       table.refuse("parameter", unknown("parameter", text->text(), known));
     }
     return text->text();
   }
 
-  std::optional<ContactMode> read_mode(const TableReader& table) {
-    const PlacedText* text = table.string("mode");
-    if (text == nullptr) return std::nullopt;
-    const auto mode = parse_mode(text->text());
-    if (!mode) {
-      table.refuse("mode",
-                   "found " + in_quotes(text->text()) + ", expected REAR/FRONT, each one of stick, slip+, slip-, lift");
-    }
-    return mode;
+  /// The modes that a text stands for; none, which is reported, if it is no mode of the setting's mechanism.
+  Modes modes_in(const PlacedText& text, std::string_view key, std::size_t setting) {
+    if (setting >= context_.file.settings.size()) return {};
+    const Setting& s = context_.file.settings[setting];
+    const auto kinds = s.all_kinds();
+    const auto pattern = parse_mode(*s.mechanism, kinds, text, key, context_.mistakes);
+    return pattern ? modes_of(*pattern, kinds) : Modes{};
   }
 
-  void read_modes(const TableReader& table, std::string_view key, Modes& found) {
+  std::optional<MechanismMode> read_mode(const TableReader& table, std::size_t setting) {
+    const PlacedText* text = table.string("mode");
+    if (text == nullptr) return std::nullopt;
+    Modes modes = modes_in(*text, "mode", setting);
+    if (modes.size() > 1) table.refuse("mode", "found " + in_quotes(text->text()) + ", expected one mode, without *");
+    if (modes.empty()) return std::nullopt;
+    return std::move(modes.front());
+  }
+
+  void read_modes(const TableReader& table, std::string_view key, std::size_t setting, Modes& found) {
     found.clear();
     if (key == "mode") {
-      if (const auto mode = read_mode(table)) found.push_back(*mode);
+      if (auto mode = read_mode(table, setting)) found.push_back(std::move(*mode));
       return;
     }
     refuse_empty(table, key, "at least one mode");
     for (const PlacedText* text : table.strings(key)) {
-      const Modes modes = expand(text->text());
-      if (modes.empty()) {
-        context_.refuse(*text, 0, key,
-                        "found " + in_quotes(text->text()) +
-                            ", expected REAR/FRONT, each one of stick, slip+, slip-, lift, or * for any");
-      }
-      for (const ContactMode mode : modes) {
-        if (std::find(found.begin(), found.end(), mode) == found.end()) found.push_back(mode);
+      for (MechanismMode& mode : modes_in(*text, key, setting)) {
+        if (std::find(found.begin(), found.end(), mode) == found.end()) found.push_back(std::move(mode));
       }
     }
   }

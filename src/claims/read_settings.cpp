@@ -24,11 +24,14 @@ class SettingReader {
     if (std::any_of(others.begin(), others.end(), [&](const Setting& other) { return other.id == setting_.id; })) {
       table_.refuse("id", "found " + in_quotes(setting_.id) + " a second time, expected another name");
     }
+    if (!read_mechanism(table_, context_, setting_)) context_.mistakes.refuse_if_any();  // nothing else makes sense
+    quantities_ = setting_.quantities();
     read_strictness();
     read_parameters();
+    read_angles();
     read_force();
     read_definitions();
-    read_scene();
+    read_scene(table_, context_, setting_);
     for (const PlacedText* boundary : table_.strings("boundaries")) read_boundary(*boundary);
     read_realisable();
     context_.file.settings.push_back(std::move(setting_));
@@ -49,7 +52,7 @@ class SettingReader {
       context_.mistakes.add(place, "found " + in_quotes(symbol) +
                                        ", expected a symbol: a letter, then letters, digits "
                                        "and underscores, and no word of the language");
-    } else if (parse_quantity(symbol)) {
+    } else if (std::find(quantities_.begin(), quantities_.end(), symbol) != quantities_.end()) {
       context_.mistakes.add(place, "found " + in_quotes(symbol) +
                                        ", which is a quantity of every motion, expected "
                                        "another symbol");
@@ -61,7 +64,7 @@ class SettingReader {
   }
 
   void read_parameters() {
-    if (!table_.require("parameters", "the table [setting.parameters]")) return;
+    if (!table_.has("angles") && !table_.require("parameters", "the table [setting.parameters]")) return;
     const TomlValue* parameters = table_.table("parameters");
     if (parameters == nullptr) return;
     for (const TomlEntry& entry : parameters->entries) {
@@ -83,20 +86,52 @@ class SettingReader {
     }
   }
 
+  void read_angles() {
+    const TomlValue* angles = table_.table("angles");
+    if (angles == nullptr) return;
+    for (const TomlEntry& entry : angles->entries) {
+      if (entry.value.kind != TomlValue::Kind::table) {
+        context_.mistakes.add(entry.value.place, entry.key + ": found " + std::string(kind_name(entry.value.kind)) +
+                                                     ", expected { cos = \"c\", sin = \"s\" }");
+        continue;
+      }
+      static constexpr std::array<std::string_view, 5> keys{"cos", "sin", "domain", "meaning", "line"};
+      const TableReader table(entry.value, "the angle " + entry.key, keys, context_.mistakes);
+      declare(entry.key, entry.place);
+      PaperAngle angle{entry.key, context_.text(table, "cos", "the symbol of its cosine"),
+                       context_.text(table, "sin", "the symbol of its sine"), setting_.parameters.size()};
+      for (const auto& [key, symbol] : {std::pair{"cos", angle.cosine}, {"sin", angle.sine}}) {
+        if (table.string(key) != nullptr) declare(symbol, table.place(key));
+      }
+      Parameter half{entry.key, make_truth(true), context_.optional_text(table, "meaning"),
+                     context_.line(table, "line", false), setting_.angles.size()};
+      if (table.has("domain")) half.domain = context_.expression(table, "domain", Sort::truth, index_, {});
+      setting_.angles.push_back(std::move(angle));
+      setting_.parameters.push_back(std::move(half));
+    }
+  }
+
   void read_force() {
     setting_.force.domain = make_truth(true);
+    const auto& load = setting_.mechanism->load;
+    if (!setting_.bicycle && !table_.has("force")) {  // the mechanism's load by its own name
+      if (!load) return;
+      setting_.force.symbol = load->symbol;
+      return declare(load->symbol, table_.place("mechanism"));
+    }
     if (!table_.require("force", "the table [setting.force]")) return;
     const TomlValue* force = table_.table("force");
     if (force == nullptr) return;
     static constexpr std::array<std::string_view, 4> keys{"symbol", "kind", "domain", "line"};
     const TableReader table(*force, "[setting.force]", keys, context_.mistakes);
+    if (!load) return table_.refuse("force", "found a force, but the mechanism has no load");
     setting_.force.symbol = context_.text(table, "symbol", "the paper's symbol of the force");
     if (table.string("symbol") != nullptr) declare(setting_.force.symbol, table.place("symbol"));
-    const std::string kind = context_.text(table, "kind", "\"internal\" or \"external\"");
-    if (table.string("kind") != nullptr && kind != "internal" && kind != "external") {
-      table.refuse("kind", "found " + in_quotes(kind) + ", expected \"internal\" or \"external\"");
+    if (setting_.bicycle) {
+      context_.text(table, "kind", "\"internal\" or \"external\"");
+    } else if (table.has("kind")) {
+      table.refuse("kind", "found beside `mechanism`, expected it only for the bicycle of settings without one");
     }
-    setting_.force_kind = kind == "external" ? ForceKind::external : ForceKind::internal;
     setting_.force.domain = context_.expression(table, "domain", Sort::truth, index_, {.force = true});
     setting_.force.line = context_.line(table, "line", false);
   }
@@ -133,19 +168,6 @@ class SettingReader {
     setting_.definitions.push_back(std::move(definition));
   }
 
-  void read_scene() {
-    if (!table_.require("scene", "the table [setting.scene]")) return;
-    const TomlValue* scene = table_.table("scene");
-    if (scene == nullptr) return;
-    const TableReader table(*scene, "[setting.scene]", scene_symbols, context_.mistakes);
-    for (const std::string_view symbol : scene_symbols) {
-      if (symbol == "J" && !table.has(symbol)) continue;
-      table.require(symbol, "an expression over the parameters");
-      setting_.scene.emplace(symbol,
-                             context_.expression(table, symbol, Sort::number, index_, {.force = symbol == "F"}));
-    }
-  }
-
   void read_realisable() {
     const TomlValue* realisable = table_.table("realisable");
     if (realisable == nullptr) return;
@@ -171,7 +193,9 @@ class SettingReader {
     }
     const std::string& symbol = boundary->operands[0]->symbol;
     std::vector<std::string_view> parameters;
-    for (const Parameter& parameter : setting_.parameters) parameters.push_back(parameter.symbol);
+    for (const Parameter& parameter : setting_.parameters) {
+      if (!parameter.angle) parameters.push_back(parameter.symbol);
+    }
     if (std::find(parameters.begin(), parameters.end(), symbol) == parameters.end()) {
       const std::size_t position = boundary->operands[0]->column - 1;
       return context_.refuse(text, position, "boundaries", unknown("parameter", symbol, parameters));
@@ -185,15 +209,15 @@ class SettingReader {
   Context& context_;
   std::size_t index_;
   Setting setting_;
-  std::vector<std::string> declared_;
+  std::vector<std::string> declared_, quantities_;
 };
 
 }  // namespace
 
 void read_settings(const TableReader& root, Context& context) {
-  static constexpr std::array<std::string_view, 11> keys{"id",      "inherits",   "statement", "line",
-                                                         "motions", "parameters", "force",     "definition",
-                                                         "scene",   "boundaries", "realisable"};
+  static constexpr std::array<std::string_view, 15> keys{
+      "id",         "inherits", "statement", "line",       "motions", "mechanism",  "along",     "state",
+      "parameters", "angles",   "force",     "definition", "scene",   "boundaries", "realisable"};
   if (!root.require("setting", "at least one table [[setting]]")) return;
   for (const TomlValue& value : written_out(root.tables("setting"), context.mistakes)) {
     const TableReader table(value, "[[setting]]", keys, context.mistakes);

@@ -6,11 +6,17 @@
 namespace slipproof {
 
 SettingNames::SettingNames(const Setting& setting) : setting_(&setting) {
-  for (const Quantity quantity : all_quantities()) {
-    add(std::string(name(quantity)), Kind::quantity, static_cast<std::size_t>(quantity));
+  const std::vector<std::string> named = setting.quantities();
+  quantities_ = named.size();
+  for (std::size_t i = 0; i < named.size(); ++i) add(named[i], Kind::quantity, i);
+  for (std::size_t i = 0; i < setting.parameters.size(); ++i) {
+    if (!setting.parameters[i].angle) add(setting.parameters[i].symbol, Kind::parameter, i);
   }
-  for (std::size_t i = 0; i < setting.parameters.size(); ++i) add(setting.parameters[i].symbol, Kind::parameter, i);
-  add(setting.force.symbol, Kind::force, 0);
+  for (const PaperAngle& angle : setting.angles) {
+    add(angle.cosine, Kind::parameter, angle.parameter);
+    add(angle.sine, Kind::parameter, angle.parameter);
+  }
+  if (!setting.force.symbol.empty()) add(setting.force.symbol, Kind::force, 0);
   for (std::size_t i = 0; i < setting.definitions.size(); ++i) add(setting.definitions[i].symbol, Kind::definition, i);
   for (const Reading reading : all_readings) find_reach(reading);
 }
@@ -18,11 +24,11 @@ SettingNames::SettingNames(const Setting& setting) : setting_(&setting) {
 std::size_t SettingNames::id(Entry entry) const {
   switch (entry.kind) {
     case Kind::quantity:
-      return quantities + entry.index;
+      return entry.index;
     case Kind::force:
-      return force;
+      return quantities_;
     case Kind::parameter:
-      return parameters + entry.index;
+      return quantities_ + 1 + entry.index;
     case Kind::definition:
       return definitions() + entry.index;
   }

@@ -18,7 +18,7 @@ class SettingNames {
   enum class Kind { parameter, force, quantity, definition };
   struct Entry {
     Kind kind;
-    std::size_t index;  ///< among its kind; 0 for the force
+    std::size_t index;  ///< among its kind; 0 for the force; of the cosine or sine of an angle, its parameter
   };
 
   /// The setting must outlive the names. Of a name given twice, the first counts.
@@ -38,10 +38,8 @@ class SettingNames {
   bool readings_differ(const Expression& expression) const;
 
  private:
-  static constexpr std::size_t quantities = 0;  // ids of symbols: quantities, the force, parameters, definitions
-  static constexpr std::size_t force = quantity_count;
-  static constexpr std::size_t parameters = force + 1;
-  std::size_t definitions() const { return parameters + setting_->parameters.size(); }
+  /// Ids of symbols: quantities, the force, parameters, definitions.
+  std::size_t definitions() const { return quantities_ + 1 + setting_->parameters.size(); }
   std::size_t id(Entry entry) const;
   void add(const std::string& name, Kind kind, std::size_t index) { entries_.try_emplace(name, Entry{kind, index}); }
   void find_reach(Reading reading);
@@ -49,6 +47,7 @@ class SettingNames {
   std::vector<bool> reach(const Expression& expression, Reading reading) const;
 
   const Setting* setting_;
+  std::size_t quantities_ = 0;
   std::map<std::string, Entry, std::less<>> entries_;
   std::array<std::vector<std::vector<bool>>, 2> reach_;  ///< by reading, definition and id
 };

@@ -64,7 +64,7 @@ void add_evidence(const Element& parent, const PageInput& input, const Claim& cl
     } else if (result.proved) {
       p.text("An identity of rational functions, checked as polynomials: it holds for all parameters. ");
     }
-    p.text("Of " + counted(result.tried, "bicycle") + " that were tried, it says something of " + samples +
+    p.text("Of " + counted(result.tried, noun(*input.claims)) + " that were tried, it says something of " + samples +
            ", and is right at " + (result.samples() == 1 ? "it." : "each of them."));
     if (!result.proved && !result.unless_zero.empty()) {
       std::string divisors;
@@ -72,7 +72,7 @@ void add_evidence(const Element& parent, const PageInput& input, const Claim& cl
       p.text(" It is an identity of rational functions wherever these are not 0: " + divisors + ".");
     }
   } else if (result.verdict == Verdict::refuted) {
-    p.text("Of " + counted(result.tried, "bicycle") + " that were tried, it says something of " + samples +
+    p.text("Of " + counted(result.tried, noun(*input.claims)) + " that were tried, it says something of " + samples +
            ", and is wrong at " + std::to_string(result.refuted) + " of them.");
     if (!result.certificates.empty()) {
       p.text(" That it is false is proved: ");

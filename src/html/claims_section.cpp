@@ -3,6 +3,7 @@
 #include <string>
 
 #include "html/sections.hpp"
+#include "wording/explain.hpp"
 
 namespace slipproof {
 
@@ -39,8 +40,9 @@ void add_claims_section(const Element& main, const PageInput& input) {
       .text(
           "Every statement of the paper that a calculation can judge, in the order of its lines, as "
           "printed and, where the print cannot be meant, as repaired. Proved: for all parameters. Holds: "
-          "at every sampled bicycle, for every force. Refuted: false, with the simplest counterexample "
-          "found.");
+          "at every sampled " +
+          std::string(noun(*input.claims)) +
+          ", for every force. Refuted: false, with the simplest counterexample found.");
   add_filter(section);
   std::string part;
   std::size_t last = input.claims->claims.size();

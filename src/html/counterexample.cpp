@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,11 +10,11 @@
 #include "claims/compiled.hpp"
 #include "claims/setting_names.hpp"
 #include "html/sections.hpp"
-#include "model/chain.hpp"
-#include "model/conditions.hpp"
-#include "model/linear_form.hpp"
+#include "mechanism/words.hpp"
+#include "modes/bicycle_motions.hpp"
 #include "number/format.hpp"
 #include "picture/bicycle_svg.hpp"
+#include "picture/mechanism_svg.hpp"
 #include "typeset/mathml.hpp"
 #include "wording/explain.hpp"
 
@@ -85,23 +87,45 @@ class Terms {
   bool first_ = true;
 };
 
-/// a x + b y = 0 with the numbers in it: what each equation of the model comes to.
-void add_equation_row(const Element& body, std::string_view what, const LinearForm<Rational>& form,
-                      const std::vector<std::pair<std::string_view, Rational>>& unknowns) {
+/// One motion with the numbers of everything that the equations know: the unknowns, then the load.
+struct NumberedMotion {
+  std::vector<std::string> names;
+  std::vector<Rational> values;
+};
+
+/// Nothing where forces are undetermined.
+std::optional<NumberedMotion> numbered(const MechanismScene& scene, const MotionAtLoad& motion) {
+  const Mechanism& mechanism = scene.mechanism;
+  NumberedMotion result;
+  for (const MechanismUnknown& unknown : mechanism.unknowns) result.names.push_back(unknown.symbol);
+  result.values.assign(motion.accelerations.begin(),
+                       motion.accelerations.begin() + static_cast<std::ptrdiff_t>(mechanism.accelerations));
+  for (const Range& force : motion.forces) {
+    if (!force.is_point()) return std::nullopt;
+    result.values.push_back(*force.lower);
+  }
+  result.names.push_back(mechanism.load ? mechanism.load->symbol : "");
+  result.values.push_back(scene.load.value_or(Rational(0)));
+  return result;
+}
+
+/// a x + b y = 0 with the numbers in it: what each equation of the mechanism comes to.
+void add_equation_row(const Element& body, std::string_view what, const AffineForm& form,
+                      const NumberedMotion& motion) {
   const Element row = body.add("tr");
   row.add("th").set("scope", "row").text(what);
   Terms symbols(row.add("td")), numbers(row.add("td"));
-  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+  for (std::size_t i = 0; i < motion.names.size(); ++i) {
     const Rational& coefficient = form.coefficients[i];
     if (coefficient.is_zero()) continue;
-    const auto& [symbol, value] = unknowns[i];
+    const Rational& value = motion.values[i];
     const bool one = abs(coefficient) == 1;
     const Element left = symbols.start(coefficient, !one), right = numbers.start(coefficient, !one);
     if (!one) {
       add_operator(left, "\xE2\x81\xA2");
       add_operator(right, "·");
     }
-    add_symbol(left, symbol);
+    add_symbol(left, motion.names[i]);
     if (value < 0) add_operator(right, "(");
     add_number(right, value);
     if (value < 0) add_operator(right, ")");
@@ -114,72 +138,76 @@ void add_equation_row(const Element& body, std::string_view what, const LinearFo
   numbers.end();
 }
 
-constexpr std::array<std::string_view, unknown_count> equation_names{
-    "along the road", "up and down",  "rotation of all", "sprocket",      "rear wheel",   "front wheel",
-    "chain",          "rear contact", "rear contact",    "front contact", "front contact"};
-
-/// `S2 <= f N2`, `gap3 >= 0`, as formulas.
-void add_condition(const Element& parent, const Condition& condition) {
-  const Element row = add_math(parent).set("aria-label", name(condition)).add("mrow");
-  using Kind = StateCondition;
-  const bool friction = condition.kind == Kind::holds_forward || condition.kind == Kind::holds_backward;
-  if (!friction) {
-    const std::string text = name(condition);
-    const std::size_t end = text.find(' ');
-    add_symbol(row, text.substr(0, end));
-    add_operator(row, text.find(">=") != text.npos ? "≥" : "≤");
-    row.add("mn").text("0");
-    return;
-  }
-  const std::string wheel = condition.wheel == Wheel::rear ? "2" : "3";
-  if (condition.kind == Kind::holds_backward) add_operator(row, "−");
-  add_symbol(row, "S" + wheel);
-  add_operator(row, "≤");
-  add_symbol(row, "f");
-  add_symbol(row, "N" + wheel);
-}
-
 /// All equations and conditions of one motion with their numbers: as wide as the page, and lines break where they must.
-void add_arithmetic(const Element& parent, const Scene& scene, const FoundMotion<Rational>& found) {
+void add_arithmetic(const Element& parent, const MechanismScene& scene, const MotionAtLoad& found) {
+  const auto motion = numbered(scene, found);
+  if (!motion) return;
+  const Mechanism& mechanism = scene.mechanism;
+  const FrictionProblem problem = friction_problem(mechanism, scene.values);
+  const MechanismMode& mode = found.strict() ? found.modes.front() : found.boundary_modes.front();
   const Element details = parent.add("details", "data by-hand");
-  const std::string mode = name(found.modes.front());
-  details.add("summary").text("Follow " + mode + " by hand");
+  details.add("summary").text("Follow " + name(mode) + " by hand");
   const Element table = details.add("table", "arithmetic");
-  table.add("caption").text("The equations of the model in " + mode + ", and the same with the numbers put in");
+  table.add("caption").text("The equations of the model in " + name(mode) + ", and the same with the numbers put in");
   const Element body = table.add("tbody");
-  const Rational F = scene.F.value_or(Rational(0));
-  const auto chain = chain_of(scene.bicycle, found.values, F);
-  using enum Quantity;
-  const auto& v = found.values;
-  const std::vector<std::pair<std::string_view, Rational>> unknowns{
-      {"a", v[a]},    {"a_y", v[a_y]}, {"phi", v[phi]}, {"eps1", chain.eps1}, {"eps2", v[eps2]}, {"eps3", v[eps3]},
-      {"T", chain.T}, {"S2", v[S2]},   {"S3", v[S3]},   {"N2", v[N2]},        {"N3", v[N3]},     {"F", F}};
-  const auto rows = raw_system(scene.bicycle, scene.road, scene.force_kind, found.modes.front());
-  for (std::size_t i = 0; i < rows.size(); ++i) add_equation_row(body, equation_names[i], rows[i], unknowns);
-
+  for (std::size_t i = 0; i < problem.equations.size(); ++i) {
+    const std::size_t own = mechanism.equations.size();
+    const std::string& what = i < own ? mechanism.equations[i].name : mechanism.links[i - own].name;
+    add_equation_row(body, what, problem.equations[i], *motion);
+  }
+  for (std::size_t i = 0; i < mode.size(); ++i) {
+    for (const StateEquation equation : equations(problem.elements[i].kind, mode[i])) {
+      add_equation_row(body, element_name(mechanism, i), form_of(problem.elements[i], mode[i], equation), *motion);
+    }
+  }
   const Element inequalities = details.add("table", "arithmetic conditions");
   inequalities.add("caption").text("The conditions of the mode, and by how much each of them holds");
   const Element conditions_body = inequalities.add("tbody");
-  for (const Condition& condition : conditions(found.modes.front())) {
-    const Element row = conditions_body.add("tr");
-    add_condition(row.add("th").set("scope", "row"), condition);
-    add_number(add_math(row.add("td")).add("mrow"), condition_value(condition, v, scene.road.f));
+  for (std::size_t i = 0; i < mode.size(); ++i) {
+    for (const StateCondition condition : conditions(problem.elements[i].kind, mode[i])) {
+      const Element row = conditions_body.add("tr");
+      row.add("th").set("scope", "row").text(condition_name(mechanism, i, mode[i], condition));
+      add_number(add_math(row.add("td")).add("mrow"),
+                 form_of(problem.elements[i], mode[i], condition).at(motion->values));
+    }
   }
 }
 
-void add_motion(const Element& parent, const Scene& scene, const FoundMotion<Rational>& found) {
+std::string modes_text(const MotionAtLoad& motion) {
+  std::string text;
+  for (const auto* modes : {&motion.modes, &motion.boundary_modes}) {
+    for (const MechanismMode& mode : *modes) text += (text.empty() ? "" : " = ") + name(mode);
+  }
+  return text;
+}
+
+/// The same motion as the table of a bicycle's modes has it.
+const FoundMotion<Rational>* of_bicycle(const Counterexample& e, const MotionAtLoad& motion) {
+  if (!e.bicycle || !e.bicycle->motions) return nullptr;
+  for (const FoundMotion<Rational>& found : e.bicycle->motions->motions) {
+    const MechanismMode& mode = mechanism_mode(found.modes.front());
+    for (const auto* modes : {&motion.modes, &motion.boundary_modes}) {
+      if (std::find(modes->begin(), modes->end(), mode) != modes->end()) return &found;
+    }
+  }
+  return nullptr;
+}
+
+void add_motion(const Element& parent, const Counterexample& e, const MotionAtLoad& motion) {
   const Element box = parent.add("div", "motion");
-  std::string modes;
-  for (const ContactMode mode : found.modes) modes += (modes.empty() ? "" : " = ") + name(mode);
+  const std::string modes = modes_text(motion);
   const Element heading = box.add("p", "motion-name");
   heading.add("b").text(modes);
-  if (!found.strict) heading.text(" (boundary)");
-  add_bicycle(box, scene, &found, "The bicycle with the forces of the motion " + modes);
+  if (!motion.strict()) heading.text(" (boundary)");
+  if (const FoundMotion<Rational>* found = of_bicycle(e, motion)) {
+    add_bicycle(box, e.bicycle->scene, found, "The bicycle with the forces of the motion " + modes);
+  } else if (has_picture(e.scene.mechanism)) {
+    add_mechanism(box, e.scene, &motion, "The mechanism with the forces of the motion " + modes);
+  }
 }
 
 /// The scene as a file to save, and as text to read.
-void add_scene(const Element& parent, const Scene& scene, const std::string& file_name) {
-  const std::string text = to_toml(scene);
+void add_scene(const Element& parent, const std::string& text, const std::string& file_name) {
   std::string encoded;
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
@@ -213,7 +241,7 @@ void add_motions(const Element& box, const Counterexample& e) {
   if (!e.motions) return;
   const auto& motions = e.motions->motions;
   for (const auto& continuum : e.motions->continua) {
-    box.add("p").text("In " + name(continuum.continuum->mode) + " there is a continuum of motions.");
+    box.add("p").text("In " + name(continuum.mode) + " there is a continuum of motions.");
   }
   if (motions.empty()) {
     if (!e.motions->continua.empty()) return;
@@ -224,7 +252,7 @@ void add_motions(const Element& box, const Counterexample& e) {
                         ? "There is one motion:"
                         : "There are " + std::to_string(motions.size()) + " motions, with these forces:");
   const Element grid = box.add("div", "motions");
-  for (const auto& found : motions) add_motion(grid, e.scene, found);
+  for (const auto& found : motions) add_motion(grid, e, found);
   for (const auto& found : motions) add_arithmetic(box, e.scene, found);
 }
 
@@ -252,7 +280,7 @@ void add_counterexample(const Element& parent, const PageInput& input, const Cla
   if (!sure.empty()) add_prose(box.add("p", "built"), input, sure);
   add_symbols(box, file, claim, result.reading, e);
   if (is_about_motions(claim)) add_motions(box, e);
-  add_scene(box, e.scene, file_name + ".toml");
+  add_scene(box, scene_text(setting, e), file_name + ".toml");
   if (!result.simplest) return;
   const Element simplest = box.add("details", "data");
   simplest.add("summary").text("A simpler one, which cannot be built");
@@ -260,9 +288,10 @@ void add_counterexample(const Element& parent, const PageInput& input, const Cla
   where.text("The same fails ");
   add_place(where, file, result, *result.simplest);
   add_prose(where, input,
-            ". This bicycle cannot be built: it breaks " + broken_conditions(setting, *result.simplest) + ".");
+            ". This " + std::string(setting.bicycle ? "bicycle" : "mechanism") + " cannot be built: it breaks " +
+                broken_conditions(setting, *result.simplest) + ".");
   if (is_about_motions(claim)) add_motions(simplest, *result.simplest);
-  add_scene(simplest, result.simplest->scene, file_name + "-simplest.toml");
+  add_scene(simplest, scene_text(setting, *result.simplest), file_name + "-simplest.toml");
 }
 
 }  // namespace slipproof

@@ -4,12 +4,13 @@
 #include "html/sections.hpp"
 #include "typeset/mathml.hpp"
 #include "typeset/symbol.hpp"
+#include "wording/explain.hpp"
 
 namespace slipproof {
 
 namespace {
 
-void add_modes(const Element& p, const std::vector<ContactMode>& modes) {
+void add_modes(const Element& p, const std::vector<MechanismMode>& modes) {
   for (std::size_t i = 0; i < modes.size(); ++i) {
     if (i > 0) p.text(i + 1 == modes.size() ? " and " : ", ");
     p.add("span", "mode").text(name(modes[i]));
@@ -136,7 +137,7 @@ struct FormalText {
 
   void operator()(const Cover& c) const {
     add_where(p, region);
-    p.text("every bicycle is in the case of one of ");
+    p.text("every " + std::string(noun(*input.claims)) + " is in the case of one of ");
     add_claims(p, input, c.claims);
   }
 

@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "html/sections.hpp"
 #include "typeset/mathml.hpp"
@@ -62,6 +64,36 @@ void add_row_symbol(const Element& row, std::string_view symbol) {
   add_symbol(math, symbol);
 }
 
+std::string load_meaning(const Setting& setting) {
+  if (setting.bicycle) return *setting.bicycle == ForceKind::internal ? "the force, internal" : "the force, external";
+  const MechanismLoad& load = *setting.mechanism->load;
+  return load.meaning.empty() ? "the load" : load.meaning;
+}
+
+/// The symbols of a mechanism of a file: what stands in it, in words and units.
+void add_mechanism(const Element& section, const Setting& setting) {
+  const Mechanism& mechanism = *setting.mechanism;
+  const Element body = add_table(section, "Symbols of the mechanism: " + mechanism.name, {"symbol", "meaning", "unit"});
+  const auto add = [&](const std::string& symbol, const std::string& meaning, const std::string& unit) {
+    const Element row = body.add("tr");
+    add_row_symbol(row, symbol);
+    row.add("td").text(meaning);
+    row.add("td").text(unit == "1" ? "" : unit);
+  };
+  for (const MechanismParameter& parameter : mechanism.parameters) {
+    add(parameter.symbol, parameter.meaning, parameter.unit);
+  }
+  for (const MechanismAngle& angle : mechanism.angles) {
+    add(angle.cosine, "cosine: " + angle.meaning, "");
+    add(angle.sine, "sine: " + angle.meaning, "");
+  }
+  if (mechanism.load) add(mechanism.load->symbol, mechanism.load->meaning, mechanism.load->unit);
+  for (const MechanismUnknown& unknown : mechanism.unknowns) {
+    const bool acceleration = unknown.role == MechanismUnknown::Role::acceleration;
+    add(unknown.symbol, acceleration ? "acceleration" : "force", unknown.unit);
+  }
+}
+
 void add_setting(const Element& section, const Setting& setting) {
   const std::string name = setting.statement.empty() ? setting.id : setting.id + ": " + setting.statement;
   const Element body = add_table(section, "The paper's symbols, " + name, {"symbol", "meaning", "domain"});
@@ -71,13 +103,16 @@ void add_setting(const Element& section, const Setting& setting) {
     row.add("td").text(parameter.meaning);
     add_math(row.add("td"), parameter.domain);
   }
-  const Element row = body.add("tr");
-  add_row_symbol(row, setting.force.symbol);
-  row.add("td").text(setting.force_kind == ForceKind::internal ? "the force, internal" : "the force, external");
-  add_math(row.add("td"), setting.force.domain);
+  if (!setting.force.symbol.empty()) {
+    const Element row = body.add("tr");
+    add_row_symbol(row, setting.force.symbol);
+    row.add("td").text(load_meaning(setting));
+    add_math(row.add("td"), setting.force.domain);
+  }
   if (setting.realisable.empty()) return;
   const Element p = section.add("p");
-  p.text("Called buildable, in this setting, is a bicycle with ");
+  p.text("Called buildable, in this setting, is a " + std::string(setting.bicycle ? "bicycle" : "mechanism") +
+         " with ");
   for (const Realisable& condition : setting.realisable) {
     if (&condition != &setting.realisable.front()) p.text(", ");
     add_math(p, condition.condition);
@@ -86,24 +121,47 @@ void add_setting(const Element& section, const Setting& setting) {
   p.text(".");
 }
 
+/// The bicycle's symbols and those of other mechanisms, each once.
+void add_models(const Element& section, const ClaimsFile& claims) {
+  std::vector<const Mechanism*> told;
+  for (const Setting& setting : claims.settings) {
+    if (std::find(told.begin(), told.end(), setting.mechanism.get()) != told.end()) continue;
+    told.push_back(setting.mechanism.get());
+    if (!setting.bicycle) {
+      add_mechanism(section, setting);
+      continue;
+    }
+    const Element body = add_table(section, "Symbols of the model", {"symbol", "meaning", "unit"});
+    for (const Entry& entry : model) {
+      const Element row = body.add("tr");
+      add_row_symbol(row, entry.symbol);
+      row.add("td").text(entry.meaning);
+      row.add("td").text(entry.unit);
+    }
+  }
+}
+
 }  // namespace
 
 void add_notation_section(const Element& main, const PageInput& input) {
   const Element section = add_section(main, "notation", "Notation");
+  const auto& settings = input.claims->settings;
+  const bool bicycles =
+      std::all_of(settings.begin(), settings.end(), [](const Setting& s) { return s.bicycle.has_value(); });
+  const std::string strict =
+      " A motion is strict in its mode if all conditions of the mode hold strictly, and a boundary motion if one holds "
+      "with equality.";
   section.add("p", "lead")
-      .text(
-          "Axes: x forwards, y down; turns count clockwise. A contact mode is written rear/front: stick, slip+ (the "
-          "contact "
-          "slips forwards), slip- (backwards), lift (the wheel leaves the road). A motion is strict in its mode if all "
-          "conditions of the mode hold strictly, and a boundary motion if one holds with equality.");
-  const Element body = add_table(section, "Symbols of the model", {"symbol", "meaning", "unit"});
-  for (const Entry& entry : model) {
-    const Element row = body.add("tr");
-    add_row_symbol(row, entry.symbol);
-    row.add("td").text(entry.meaning);
-    row.add("td").text(entry.unit);
-  }
-  for (const Setting& setting : input.claims->settings) add_setting(section, setting);
+      .text(bicycles
+                ? "Axes: x forwards, y down; turns count clockwise. A contact mode is written rear/front: stick, slip+ "
+                  "(the contact slips forwards), slip- (backwards), lift (the wheel leaves the road)." +
+                      strict
+                : "A contact mode is a state of each contact, then of each friction element, in the order of the "
+                  "mechanism's file, joined by /: stick, slip+ and slip- (with the sign of the slip), touch (without "
+                  "friction), lift (it opens)." +
+                      strict);
+  add_models(section, *input.claims);
+  for (const Setting& setting : settings) add_setting(section, setting);
 }
 
 }  // namespace slipproof

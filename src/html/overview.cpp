@@ -7,6 +7,7 @@
 #include "picture/bicycle_figure.hpp"
 #include "typeset/latex.hpp"
 #include "wording/errata.hpp"
+#include "wording/explain.hpp"
 #include "wording/verify_report.hpp"
 
 namespace slipproof {
@@ -83,20 +84,36 @@ void add_bar(const Element& parent, std::string_view label, const VerdictCounts&
   }
 }
 
+std::string mechanisms_in_words(const ClaimsFile& claims) {
+  std::vector<std::string> names;
+  for (const Setting& setting : claims.settings) {
+    const std::string& name = setting.mechanism->name;
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  return "The paper is about bodies in contact with dry friction: " + text +
+         ". What does each contact do: stick, slip, or open? The paper answers with formulas.";
+}
+
 /// What the page is about, for somebody who knows neither the paper nor the model.
 void add_problem(const Element& section, const PageInput& input) {
   const Element columns = section.add("div", "halves");
   const Element text = columns.add("div", "problem");
   text.add("h2", "sub").text("The problem");
+  const bool bicycles = noun(*input.claims) == "bicycle";
+  text.add("p").text(bicycles
+                         ? "A vehicle with two wheels, seen from the side, stands on a road with dry friction, and "
+                           "a force acts on its pedal. What does each wheel do: roll, slip, or leave the road? The "
+                           "paper answers with formulas."
+                         : mechanisms_in_words(*input.claims));
   text.add("p").text(
-      "A vehicle with two wheels, seen from the side, stands on a road with dry friction, and a force acts on its "
-      "pedal. What does each wheel do: roll, slip, or leave the road? The paper answers with formulas.");
-  text.add("p").text(
-      "For a given vehicle and force, each combination of these states is a system of linear equations with "
+      "For given parameters and a given load, each combination of these states is a system of linear equations with "
       "conditions that its solution has to meet. Here all of them are solved in exact arithmetic, and what the paper "
-      "says is compared with the solutions: at sampled vehicles, for every force at once, and, where there is a "
+      "says is compared with the solutions: at sampled parameters, for every load at once, and, where there is a "
       "proof, for all parameters.");
-  if (!input.model) return;
+  if (!input.model || !bicycles) return;
   const Element figure = columns.add("figure", "model");
   add_bicycle_figure(figure, *input.model);
   figure.add("figcaption")
@@ -210,8 +227,9 @@ void add_how(const Element& section, const PageInput& input) {
   how.text(input.result->claims.empty()    ? "No claim was judged. "
            : worst == Summary::as_expected ? "Every verdict is the one that the claims file expects. "
                                            : "Some verdicts are not those that the claims file expects. ");
-  how.text("Made from " + counted(input.result->samples, "rational bicycle") + " for each setting and " +
-           counted(input.result->lines, "line") + " of bicycles for each claim, seed " +
+  const std::string what(noun(*input.claims));
+  how.text("Made from " + counted(input.result->samples, "rational " + what) + " for each setting and " +
+           counted(input.result->lines, "line") + " of " + what + "s for each claim, seed " +
            std::to_string(input.result->seed) + ", by slipproof " + input.version + ": ");
   how.add("code").text(input.command);
   how.text(". ").add("a").set("href", "#reproduce").text("The inputs and their SHA-256");

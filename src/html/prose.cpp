@@ -15,8 +15,8 @@ namespace {
 
 std::set<std::string, std::less<>> symbols_of(const ClaimsFile& claims) {
   std::set<std::string, std::less<>> symbols;
-  for (const Quantity quantity : all_quantities()) symbols.emplace(name(quantity));
   for (const Setting& setting : claims.settings) {
+    for (std::string& quantity : setting.quantities()) symbols.insert(std::move(quantity));
     symbols.insert(setting.force.symbol);
     for (const Parameter& parameter : setting.parameters) symbols.insert(parameter.symbol);
     for (const Definition& definition : setting.definitions) symbols.insert(definition.symbol);

@@ -18,35 +18,6 @@ namespace slipproof {
 
 namespace {
 
-/// visit(symbol, number) for each number of a bicycle on its road, by the symbols of the mechanism's parameters.
-template <class Cycle, class Ground, class Visit>
-void for_each_number(Cycle& p, Ground& road, Visit&& visit) {
-  visit("M", p.M);
-  visit("R", p.R);
-  visit("h", p.h);
-  visit("b2", p.b2);
-  visit("b3", p.b3);
-  visit("I1", p.I1);
-  visit("I2", p.I2);
-  visit("I3", p.I3);
-  visit("r1", p.r1);
-  visit("r2", p.r2);
-  visit("L", p.L);
-  visit("f", road.f);
-  visit("g", road.g);
-}
-
-std::size_t index_of(std::string_view symbol) {
-  static const std::map<std::string, std::size_t, std::less<>> indices = [] {
-    std::map<std::string, std::size_t, std::less<>> result;
-    for (const MechanismParameter& parameter : bicycle_mechanism().parameters) {
-      result.emplace(parameter.symbol, result.size());
-    }
-    return result;
-  }();
-  return indices.find(symbol)->second;
-}
-
 AffineForm form_of(const Affine<Rational>& value) {
   return {value.alpha, {value.beta}};
 }
@@ -157,22 +128,37 @@ const Mechanism& bicycle_mechanism() {
   return mechanism;
 }
 
+std::size_t bicycle_parameter(std::string_view symbol) {
+  static const std::map<std::string, std::size_t, std::less<>> indices = [] {
+    std::map<std::string, std::size_t, std::less<>> result;
+    for (const MechanismParameter& parameter : bicycle_mechanism().parameters) {
+      result.emplace(parameter.symbol, result.size());
+    }
+    return result;
+  }();
+  return indices.find(symbol)->second;
+}
+
 MechanismValues bicycle_values(const Bicycle<Rational>& p, const Road<Rational>& road, ForceKind kind) {
   MechanismValues values = default_values(bicycle_mechanism());
-  const auto put = [&](std::string_view symbol, const Rational& value) { values.parameters[index_of(symbol)] = value; };
+  const auto put = [&](std::string_view symbol, const Rational& value) {
+    values.parameters[bicycle_parameter(symbol)] = value;
+  };
   for_each_number(p, road, put);
   put("external", kind == ForceKind::external ? 1 : 0);
   put("J", p.J.value_or(0));
-  values.given[index_of("J")] = p.J.has_value();
+  values.given[bicycle_parameter("J")] = p.J.has_value();
   return values;
 }
 
 BicycleOfValues bicycle_of(const MechanismValues& values) {
-  const auto value = [&](std::string_view symbol) -> const Rational& { return values.parameters[index_of(symbol)]; };
+  const auto value = [&](std::string_view symbol) -> const Rational& {
+    return values.parameters[bicycle_parameter(symbol)];
+  };
   BicycleOfValues result{{}, {}, value("external").is_zero() ? ForceKind::internal : ForceKind::external};
   for_each_number(result.bicycle, result.road,
                   [&](std::string_view symbol, Rational& number) { number = value(symbol); });
-  if (values.given[index_of("J")]) result.bicycle.J = value("J");
+  if (values.given[bicycle_parameter("J")]) result.bicycle.J = value("J");
   return result;
 }
 

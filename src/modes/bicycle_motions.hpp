@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "mechanism/problem.hpp"
@@ -17,6 +18,27 @@ namespace slipproof {
 
 /// The shipped mechanism `bicycle`.
 const Mechanism& bicycle_mechanism();
+/// The index of a parameter of it.
+std::size_t bicycle_parameter(std::string_view symbol);
+
+/// visit(symbol, number) for each number of a bicycle on its road, by the symbols of the mechanism's parameters.
+template <class Cycle, class Ground, class Visit>
+void for_each_number(Cycle& p, Ground& road, Visit&& visit) {
+  visit("M", p.M);
+  visit("R", p.R);
+  visit("h", p.h);
+  visit("b2", p.b2);
+  visit("b3", p.b3);
+  visit("I1", p.I1);
+  visit("I2", p.I2);
+  visit("I3", p.I3);
+  visit("r1", p.r1);
+  visit("r2", p.r2);
+  visit("L", p.L);
+  visit("f", road.f);
+  visit("g", road.g);
+}
+
 /// A bicycle as values of its parameters.
 MechanismValues bicycle_values(const Bicycle<Rational>& bicycle, const Road<Rational>& road, ForceKind kind);
 /// The bicycle that the values of its mechanism are, whatever the states before the motion.

@@ -6,7 +6,6 @@
 #include "claims/compiled.hpp"
 #include "claims/setting_names.hpp"
 #include "input/diagnostic.hpp"
-#include "modes/bicycle_motions.hpp"
 #include "picture/bicycle_plane.hpp"
 #include "verify/judge.hpp"
 
@@ -39,23 +38,6 @@ void collect(const Expression& expression, const SettingNames& names, std::vecto
 
 bool states_motions(const Claim& claim) {
   return claim.is<Interval>() || claim.is<Impossible>() || claim.is<Motions>() || claim.is<Unique>();
-}
-
-/// The sample's cells as the kernel has them, over the force variable.
-std::vector<LoadCell> load_cells(const SolvedSample& sample) {
-  const Scene& scene = sample.scene();
-  std::vector<LoadCell> cells = bicycle_motions(scene.bicycle, scene.road, scene.force_kind)->cells();
-  for (LoadCell& cell : cells) {
-    cell.loads = sample.in_variable(cell.loads);
-    for (MotionOverLoads& motion : cell.motions) {
-      for (auto& value : motion.accelerations) value = sample.in_variable(value);
-      for (auto& value : motion.forces) {
-        if (value) value = sample.in_variable(*value);
-      }
-    }
-  }
-  if (sample.pedal_force(Rational(1)) < sample.pedal_force(Rational(0))) std::reverse(cells.begin(), cells.end());
-  return cells;
 }
 
 /// All that solving a column needs.
@@ -122,10 +104,10 @@ class ColumnSolver {
     for (const Program& inside : setting_.domains()) {
       if (domain.truth(inside) != Truth::yes) return std::nullopt;
     }
-    const auto sample = SolvedSample::make(setting_, given_.force_kind, values);
+    const auto sample = SolvedSample::make(setting_, values);
     if (!sample) return std::nullopt;
     PhaseColumn column;
-    column.cells = load_cells(*sample);
+    column.cells = sample->cells();
     for (std::size_t c = 0; c < thresholds_.size(); ++c) column.curves.push_back(force_of(c, x));
     for (const std::size_t claim : judged_) {
       const Judgement judgement = judge(*claims_, compiled_, claim, reading_, *sample);

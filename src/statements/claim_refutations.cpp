@@ -13,43 +13,28 @@ namespace {
 constexpr const char* suffix = ".refuted";
 
 /// A mode, and what else is to hold, as text; empty: nothing.
-using ModeAndMore = std::pair<ContactMode, std::string>;
+using ModeAndMore = std::pair<MechanismMode, std::string>;
 
 /// A motion in one of `modes`, each with what else is to hold of it.
 MotionText one_of(const ClaimWriter& writer, const std::vector<ModeAndMore>& modes, bool strict) {
-  MotionText result{mechanics_text(writer.setting().force_kind), ""};
-  for (const Wheel wheel : {Wheel::rear, Wheel::front}) {
-    for (const ContactState state : all_contact_states) result.definitions += state_definition(wheel, state, strict);
-  }
+  const MechanicsWriter& mechanics = writer.mechanics();
   std::vector<std::string> parts;
-  for (const auto& [mode, more] : modes) parts.push_back("{" + mode_text(mode) + more + "}");
-  result.formula = fmt::format("{} and {{{}}}", dynamics, fmt::join(parts, " or "));
-  return result;
-}
-
-bool is_modelled(const ClaimWriter& writer, ContactMode mode) {
-  return mode.on_road() || writer.setting().scene.contains("J");
+  for (const auto& [mode, more] : modes) parts.push_back("{" + mechanics.mode_text(mode) + more + "}");
+  return {mechanics.equations() + mechanics.all_state_definitions(strict),
+          fmt::format("{} and {{{}}}", mechanics.dynamics(), fmt::join(parts, " or "))};
 }
 
 /// Those of the modes that are modelled. Gives up where there are none.
 std::vector<ModeAndMore> alone(ClaimWriter& writer, const Modes& modes) {
   std::vector<ModeAndMore> result;
-  for (const ContactMode mode : modes) {
-    if (is_modelled(writer, mode)) result.emplace_back(mode, "");
+  for (const MechanismMode& mode : modes) {
+    if (writer.mechanics().is_modelled(mode)) result.emplace_back(mode, "");
   }
   if (result.empty()) writer.give_up();
   return result;
 }
 
-Modes modelled(const ClaimWriter& writer) {
-  Modes result;
-  for (const ContactMode mode : all_modes()) {
-    if (is_modelled(writer, mode)) result.push_back(mode);
-  }
-  return result;
-}
-
-bool lists(const Modes& modes, ContactMode mode) {
+bool lists(const Modes& modes, const MechanismMode& mode) {
   return std::find(modes.begin(), modes.end(), mode) != modes.end();
 }
 
@@ -84,10 +69,11 @@ void refute(ClaimWriter& writer, const Motions& claim) {
   const bool strict = writer.setting().strict;
   std::string in_none;
   if (!strict) {
-    for (const ContactMode mode : claim.modes) in_none += fmt::format(" and {{{}}}", mode_missed_text(mode));
+    for (const MechanismMode& mode : claim.modes)
+      in_none += fmt::format(" and {{{}}}", writer.mechanics().mode_missed_text(mode));
   }
   std::vector<ModeAndMore> others;
-  for (const ContactMode mode : modelled(writer)) {
+  for (const MechanismMode& mode : writer.mechanics().modes()) {
     if (!lists(claim.modes, mode)) others.emplace_back(mode, in_none);
   }
   writer.somewhere(suffix, {writer.body().region, claim.forces}, {one_of(writer, others, strict)});
@@ -126,7 +112,7 @@ void refute(ClaimWriter& writer, const Unique& claim) {
   Expression near_none = make_truth(true);
   for (const std::size_t index : claim.claims) near_none = both(near_none, beyond(index));
   std::vector<ModeAndMore> wrong;
-  for (const ContactMode mode : modelled(writer)) {
+  for (const MechanismMode& mode : writer.mechanics().modes()) {
     Expression where = lists(claim.modes, mode) ? nullptr : near_none;
     for (const std::size_t index : claim.claims) {
       if (modes(other(index).says).front() == mode) continue;
@@ -175,7 +161,7 @@ void refute(ClaimWriter& writer, const Exists& claim) {
     return;
   }
   std::vector<MotionText> motions;
-  for (const ContactMode mode : claim.modes) motions.push_back(writer.motion(mode));
+  for (const MechanismMode& mode : claim.modes) motions.push_back(writer.motion(mode));
   writer.impossible_together(suffix, assumptions, motions);
 }
 

@@ -61,10 +61,10 @@ void write(ClaimWriter& writer, const Motions& claim) {
   const bool strict = writer.setting().strict;
   std::vector<std::string> modes;
   for (std::size_t i = 0; i < claim.modes.size(); ++i) {
-    const ContactMode mode = claim.modes[i];
+    const MechanismMode& mode = claim.modes[i];
     writer.exists({fmt::format(".{}", i + 1), assumptions, {}, true, {}, true}, writer.motion(mode));
     writer.one_motion(fmt::format(".{}.one", i + 1), assumptions, mode, mode, strict);
-    modes.push_back("{" + mode_text(mode) + "}");
+    modes.push_back("{" + writer.mechanics().mode_text(mode) + "}");
   }
   writer.implied({".complete", assumptions, writer.any_motion(strict)}, fmt::format("{}", fmt::join(modes, " or ")),
                  {});
@@ -151,7 +151,7 @@ void write(ClaimWriter& writer, const System& claim) {
   uses.insert(uses.end(), right.begin(), right.end());
   writer.implied({".forwards", {{"region", region}}, motion, false}, conjunction(writer, claim.equations), uses);
   std::vector<std::string> others;
-  for (const auto& unknown : motion_unknowns) {
+  for (const auto& unknown : writer.mechanics().unknowns()) {
     if (!occurs(unknown, right)) others.emplace_back(unknown);
   }
   if (others.empty()) {
@@ -179,7 +179,7 @@ void write(ClaimWriter& writer, const Limit& claim) {
 
 void write(ClaimWriter& writer, const Exists& claim) {
   std::vector<MotionText> motions;
-  for (const ContactMode mode : claim.modes) motions.push_back(writer.motion(mode));
+  for (const MechanismMode& mode : claim.modes) motions.push_back(writer.motion(mode));
   writer.somewhere("", {writer.body().region, claim.forces}, motions);
 }
 

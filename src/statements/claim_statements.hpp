@@ -56,8 +56,8 @@ struct Implication {
   std::size_t setting = 0;
   std::vector<Expression> given;
   Expression shown;
-  bool on_road = false;             ///< the unknowns obey the model's equations with both wheels on the road
-  std::optional<ContactMode> mode;  ///< they are a motion in this mode
+  bool on_road = false;               ///< the unknowns obey the model's equations with both wheels on the road
+  std::optional<MechanismMode> mode;  ///< they are a motion in this mode
 };
 
 /// The implication, in the printed reading, as a statement; nothing where statements cannot say it.

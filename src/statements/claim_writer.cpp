@@ -14,8 +14,8 @@ namespace slipproof {
 namespace {
 
 /// The same of another motion: its unknowns, and what is defined from them, with an ending to their names.
-MotionText with_ending(const MotionText& motion, const std::string& ending) {
-  std::set<std::string, std::less<>> names(motion_unknowns.begin(), motion_unknowns.end());
+MotionText with_ending(const MotionText& motion, const std::vector<std::string>& unknowns, const std::string& ending) {
+  std::set<std::string, std::less<>> names(unknowns.begin(), unknowns.end());
   std::string line;
   for (std::istringstream lines(motion.definitions); std::getline(lines, line);) {
     const std::size_t begin = line.find(' ') + 1;
@@ -70,9 +70,9 @@ void ClaimWriter::implied(const Implication& implication, const std::string& sho
   const std::string assumptions = assumed(implication.assumptions, all);
   result += fmt::format("real {}\nassume domain: {}\n", parameters(), domain(implication.force_domain)) + scene(all);
   if (implication.motion) {
-    result +=
-        fmt::format("{}{}real {}\n{}assume motion: {}\n", assumptions, implication.hints,
-                    fmt::join(motion_unknowns, " "), implication.motion->definitions, implication.motion->formula);
+    result += fmt::format("{}{}real {}\n{}assume motion: {}\n", assumptions, implication.hints,
+                          fmt::join(mechanics().unknowns(), " "), implication.motion->definitions,
+                          implication.motion->formula);
   } else {
     result += assumptions;
   }
@@ -85,7 +85,7 @@ void ClaimWriter::exists(const Implication& implication, const std::vector<std::
   std::vector<Expression> all = uses;
   const std::string assumptions = assumed(implication.assumptions, all);
   std::vector<std::string> known;  // unknowns of the motion that are given
-  for (const auto& unknown : motion_unknowns) {
+  for (const auto& unknown : mechanics().unknowns()) {
     if (std::find(unknowns.begin(), unknowns.end(), unknown) == unknowns.end()) known.emplace_back(unknown);
   }
   result += fmt::format("real {}\n", parameters());
@@ -97,7 +97,7 @@ void ClaimWriter::exists(const Implication& implication, const std::vector<std::
 }
 
 void ClaimWriter::exists(const Implication& implication, const MotionText& motion) {
-  exists(implication, std::vector<std::string>(motion_unknowns.begin(), motion_unknowns.end()), motion);
+  exists(implication, mechanics().unknowns(), motion);
 }
 
 void ClaimWriter::together(const std::string& suffix, const Assumptions& assumptions,
@@ -109,17 +109,17 @@ void ClaimWriter::together(const std::string& suffix, const Assumptions& assumpt
       fmt::format("real {}\nassume domain: {}\n", parameters(), domain(true)) + scene(uses) + assumption_lines + hints;
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const std::string ending = i == 0 ? "" : fmt::format("_{}", i + 1);
-    const MotionText motion = with_ending(motions[i], ending);
-    result += fmt::format("real {}{}\n{}assume motion{}: {}\n", fmt::join(motion_unknowns, ending + " "), ending,
+    const MotionText motion = with_ending(motions[i], mechanics().unknowns(), ending);
+    result += fmt::format("real {}{}\n{}assume motion{}: {}\n", fmt::join(mechanics().unknowns(), ending + " "), ending,
                           motion.definitions, ending, motion.formula);
   }
   statements_.push_back({name_ + suffix, result + fmt::format("show {}\n", shown)});
 }
 
-void ClaimWriter::one_motion(const std::string& suffix, const Assumptions& assumptions, ContactMode x, ContactMode y,
-                             bool strict, const std::string& hints) {
+void ClaimWriter::one_motion(const std::string& suffix, const Assumptions& assumptions, const MechanismMode& x,
+                             const MechanismMode& y, bool strict, const std::string& hints) {
   std::vector<std::string> same;
-  for (const auto& unknown : motion_unknowns) same.push_back(fmt::format("{0} = {0}_2", unknown));
+  for (const auto& unknown : mechanics().accelerations()) same.push_back(fmt::format("{0} = {0}_2", unknown));
   together(suffix, assumptions, {motion(x, strict), motion(y, strict)}, hints,
            fmt::format("{}", fmt::join(same, " and ")));
 }
@@ -200,12 +200,12 @@ void ClaimWriter::somewhere(const std::string& suffix, const std::vector<Express
     uses.push_back(truth);
     shown += fmt::format(" and {{{}}}", text(truth));
   }
-  result += fmt::format("exists {}", parameters());
+  result += "exists " + parameters();
   std::string definitions;
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const std::string ending = i == 0 ? "" : fmt::format("_{}", i + 1);
-    for (const auto& unknown : motion_unknowns) result += fmt::format(" {}{}", unknown, ending);
-    const MotionText motion = with_ending(motions[i], ending);
+    for (const auto& unknown : mechanics().unknowns()) result += fmt::format(" {}{}", unknown, ending);
+    const MotionText motion = with_ending(motions[i], mechanics().unknowns(), ending);
     definitions += motion.definitions;
     shown += " and " + motion.formula;
   }

@@ -36,10 +36,10 @@ class ClaimWriter : public SettingWriter {
               const std::vector<Expression>& uses = {});
   /// The same of all unknowns of a motion.
   void exists(const Implication& implication, const MotionText& motion);
-  /// For all parameters with `assumptions`, and all motions in both modes, boundary motions if not strict: they are
-  /// one.
-  void one_motion(const std::string& suffix, const Assumptions& assumptions, ContactMode x, ContactMode y, bool strict,
-                  const std::string& hints = {});
+  /// For all parameters with `assumptions`, and all motions in both modes, boundary motions if not strict: their
+  /// accelerations are the same.
+  void one_motion(const std::string& suffix, const Assumptions& assumptions, const MechanismMode& x,
+                  const MechanismMode& y, bool strict, const std::string& hints = {});
   /// No parameters with `assumptions` have all of `motions` at once.
   void impossible_together(const std::string& suffix, const Assumptions& assumptions,
                            const std::vector<MotionText>& motions);

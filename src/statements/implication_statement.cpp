@@ -22,7 +22,7 @@ class ImplicationWriter : SettingWriter {
     result += fmt::format("real {}\nassume domain: {}\n", parameters(), domain(true));
     if (moving) {
       const MotionText motion = implication_.mode ? this->motion(*implication_.mode) : equations(std::nullopt);
-      result += scene(uses) + fmt::format("real {}\n{}assume motion: {}\n", fmt::join(motion_unknowns, " "),
+      result += scene(uses) + fmt::format("real {}\n{}assume motion: {}\n", fmt::join(mechanics().unknowns(), " "),
                                           motion.definitions, motion.formula);
     } else {
       result += definitions(uses) + free_unknowns(uses);

@@ -128,6 +128,50 @@ PlainSigns::Sign PlainSigns::sign(const Expression& e) const {
   }
 }
 
+bool PlainSigns::true_everywhere(const Expression& truth) const {
+  const auto& parts = truth->operands;
+  const auto holds = [&](const Expression& e) { return true_everywhere(e); };
+  switch (truth->operation) {
+    case Operation::truth:
+      return truth->truth;
+    case Operation::logical_and:
+      return std::all_of(parts.begin(), parts.end(), holds);
+    case Operation::logical_or:
+      return defined(truth) && std::any_of(parts.begin(), parts.end(), holds);
+    case Operation::compare:
+      for (std::size_t i = 0; i < truth->relations.size(); ++i) {
+        if (!link_holds(parts[i], truth->relations[i], parts[i + 1])) return false;
+      }
+      return defined(truth);
+    default:
+      return false;
+  }
+}
+
+bool PlainSigns::link_holds(const Expression& left, Relation relation, const Expression& right) const {
+  const auto is_number = [](const Expression& e) { return e->operation == Operation::number; };
+  if (is_number(left) && is_number(right))
+    return holds(relation, slipproof::sign(Rational(left->number - right->number)));
+  const auto minus = [&](const Expression& x, const Expression& y) {
+    return is_number(y) && y->number.is_zero() ? x : make(Operation::subtract, {x, y});
+  };
+  switch (relation) {
+    case Relation::greater:
+      return positive(minus(left, right));
+    case Relation::greater_equal:
+      return not_negative(minus(left, right));
+    case Relation::less:
+      return positive(minus(right, left));
+    case Relation::less_equal:
+      return not_negative(minus(right, left));
+    case Relation::equal:
+      return same(left, right);
+    case Relation::not_equal:
+      break;
+  }
+  return positive(minus(left, right)) || positive(minus(right, left));
+}
+
 bool PlainSigns::never_zero(const Expression& number) const {
   return positive(number) || positive(make(Operation::negate, {number}));
 }

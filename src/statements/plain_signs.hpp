@@ -20,6 +20,8 @@ class PlainSigns {
 
   bool positive(const Expression& number) const { return sign(number) == Sign::positive; }
   bool not_negative(const Expression& number) const { return sign(number) >= Sign::not_negative; }
+  /// Whether a condition plainly holds in the whole domain.
+  bool true_everywhere(const Expression& truth) const;
   /// Everything that the expression, and what it is defined by, divides by is plainly positive or negative.
   bool defined(const Expression& e) const;
 
@@ -32,6 +34,7 @@ class PlainSigns {
   Sign sign_of_terms(Terms terms) const;
   Sign sign_of_symbol(const std::string& symbol) const;
   bool never_zero(const Expression& number) const;
+  bool link_holds(const Expression& left, Relation relation, const Expression& right) const;
   void add_terms(const Expression& number, const Rational& factor, Terms& terms) const;
   void add_fact(const Expression& domain);
 

@@ -49,36 +49,28 @@ std::string SettingWriter::assumption(const std::string& label, const Expression
   return is_true(truth) ? "" : fmt::format("assume {}: {}\n", label, text(truth));
 }
 
-MotionText SettingWriter::motion(ContactMode mode) {
+MotionText SettingWriter::motion(const MechanismMode& mode) {
   return motion(mode, setting_.strict);
 }
 
-MotionText SettingWriter::motion(ContactMode mode, bool strict) {
-  complete_ = complete_ && (mode.on_road() || has_pitch_inertia());
-  return {mechanics_text(setting_.force_kind) + state_definition(Wheel::rear, mode.rear, strict) +
-              state_definition(Wheel::front, mode.front, strict),
-          std::string(dynamics) + " and " + mode_text(mode)};
+MotionText SettingWriter::motion(const MechanismMode& mode, bool strict) {
+  if (!mechanics_.is_modelled(mode)) {
+    give_up();
+    return {};
+  }
+  return {mechanics_.equations() + mechanics_.state_definitions(mode, strict),
+          mechanics_.dynamics() + " and " + mechanics_.mode_text(mode)};
 }
 
-MotionText SettingWriter::equations(std::optional<ContactMode> mode) const {
-  const std::string contacts =
-      mode ? contact_equations(Wheel::rear, mode->rear) + " and " + contact_equations(Wheel::front, mode->front)
-           : "gap2 = 0 and gap3 = 0";
-  return {mechanics_text(setting_.force_kind), std::string(dynamics) + " and " + contacts};
+MotionText SettingWriter::equations(const std::optional<MechanismMode>& mode) const {
+  const std::string contacts = mode ? mechanics_.state_equations(*mode) : mechanics_.on_contacts();
+  return {mechanics_.equations(), mechanics_.dynamics() + (contacts.empty() ? "" : " and ") + contacts};
 }
 
 MotionText SettingWriter::any_motion(bool strict) {
-  complete_ = complete_ && has_pitch_inertia();
-  MotionText result{mechanics_text(setting_.force_kind), dynamics};
-  for (const Wheel wheel : {Wheel::rear, Wheel::front}) {
-    std::vector<std::string> names;
-    for (const ContactState state : all_contact_states) {
-      result.definitions += state_definition(wheel, state, strict);
-      names.push_back(state_name(wheel, state));
-    }
-    result.formula += fmt::format(" and {{{}}}", fmt::join(names, " or "));
-  }
-  return result;
+  for (const ElementKind& kind : setting_.kinds()) complete_ = complete_ && kind.lifts;
+  return {mechanics_.equations() + mechanics_.all_state_definitions(strict),
+          mechanics_.dynamics() + " and " + mechanics_.any_mode_text()};
 }
 
 Expression SettingWriter::inlined(const Expression& e) const {
@@ -99,33 +91,39 @@ std::string SettingWriter::text(const Expression& truth) {
 }
 
 std::string SettingWriter::parameters() const {
-  std::string result;
-  for (const Parameter& parameter : setting_.parameters) result += parameter.symbol + ' ';
-  return result + setting_.force.symbol;
+  std::vector<std::string> names;
+  for (const Parameter& parameter : setting_.parameters) {
+    if (!parameter.angle) names.push_back(parameter.symbol);
+  }
+  for (const PaperAngle& angle : setting_.angles) names.insert(names.end(), {angle.cosine, angle.sine});
+  if (!setting_.force.symbol.empty()) names.push_back(setting_.force.symbol);
+  return fmt::format("{}", fmt::join(names, " "));
 }
 
 std::vector<Expression> SettingWriter::physical() {
-  const Setting::BicycleConditions conditions = setting_.bicycle_conditions();
-  const Expression zero = make_number(0);
+  const Setting::PointConditions conditions = setting_.point_conditions();
   std::vector<Expression> result;
-  for (const Expression& e : conditions.positive) {
-    if (!signs_.positive(e)) result.push_back(make_comparison({e, zero}, {Relation::greater}));
+  for (const PaperAngle& angle : setting_.angles) {
+    const Expression c = make_power(make_symbol(angle.cosine), 2), s = make_power(make_symbol(angle.sine), 2);
+    result.push_back(make_comparison({make(Operation::add, {c, s}), make_number(1)}, {Relation::equal}));
   }
-  for (const Expression& e : conditions.not_negative) {
-    if (!signs_.not_negative(e)) result.push_back(make_comparison({e, zero}, {Relation::greater_equal}));
+  for (const Expression& e : conditions.truths) {
+    if (!signs_.true_everywhere(e)) result.push_back(e);
   }
   for (const Expression& e : conditions.defined) {
     if (!signs_.defined(e)) result.push_back(make_comparison({e, e}, {Relation::equal}));
   }
+  const auto& load = setting_.mechanism->load;
+  if (!load) return result;
   if (!conditions.slope) {
     give_up();
     return result;
   }
   // What stands as the force variable, or as it over or times what is plainly positive, needs no words.
-  const Expression& F = setting_.scene.find("F")->second;
+  const Expression& F = setting_.scene.find(load->symbol)->second;
   const std::string& x = setting_.force.symbol;
   const bool plain = signs_.defined(F) && signs_.positive(substitute(F, x, make_number(1))) && has_no_constant(F, x);
-  if (!plain) result.push_back(make_comparison({conditions.slope, zero}, {Relation::not_equal}));
+  if (!plain) result.push_back(make_comparison({conditions.slope, make_number(0)}, {Relation::not_equal}));
   return result;
 }
 
@@ -170,7 +168,7 @@ bool SettingWriter::is_bounded(const std::string& parameter) const {
         (domain->relations[0] == Relation::greater || domain->relations[0] == Relation::greater_equal);
     if (!lower_end) return true;
   }
-  SettingWriter copy = *this;
+  SettingWriter copy(setting_, reading_);
   const std::vector<Expression> conditions = copy.physical();
   return std::any_of(conditions.begin(), conditions.end(), has);
 }
@@ -188,9 +186,6 @@ std::string SettingWriter::definitions(const std::vector<Expression>& uses) {
       result += definitions({value});
       if (has_function(inlined(value))) continue;
       result += fmt::format("let {} = {}\n", symbol, *number_text(value, defined));
-      // A symbol of the scene may only be defined as what it is there.
-      const auto in_scene = setting_.scene.find(symbol);
-      if (in_scene != setting_.scene.end() && !same(in_scene->second, value)) give_up();
     }
   }
   return result;
@@ -199,18 +194,7 @@ std::string SettingWriter::definitions(const std::vector<Expression>& uses) {
 std::string SettingWriter::scene(const std::vector<Expression>& uses) {
   std::vector<Expression> all = uses;
   for (const auto& [symbol, value] : setting_.scene) all.push_back(value);
-  std::string result = definitions(all);
-  const bool free = std::any_of(setting_.parameters.begin(), setting_.parameters.end(),
-                                [](const Parameter& parameter) { return parameter.symbol == "J"; });
-  if (!has_pitch_inertia() && !free) result += "let J = 0\n";
-  for (const auto& [symbol, value] : setting_.scene) {
-    if (to_string(value) != symbol && defined_.insert(symbol).second) {
-      const auto number = number_text(inlined(value), [this](const Expression& e) { return always_defined(e); });
-      if (!number) give_up();
-      result += fmt::format("let {} = {}\n", symbol, number.value_or("0"));
-    }
-  }
-  return result;
+  return definitions(all) + mechanics_.scene();
 }
 
 }  // namespace slipproof

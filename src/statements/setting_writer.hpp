@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "statements/mechanics_text.hpp"
+#include "statements/mechanics_writer.hpp"
 #include "statements/plain_signs.hpp"
 
 namespace slipproof {
@@ -20,18 +20,25 @@ struct MotionText {
 class SettingWriter {
  public:
   SettingWriter(const Setting& setting, Reading reading)
-      : setting_(setting), reading_(reading), names_(setting), signs_(setting, reading) {}
+      : setting_(setting),
+        reading_(reading),
+        names_(setting),
+        signs_(setting, reading),
+        mechanics_(setting, [this](const Expression& e) { return signs_.defined(e); }) {}
+  SettingWriter(const SettingWriter&) = delete;
+  SettingWriter& operator=(const SettingWriter&) = delete;
 
   const Setting& setting() const { return setting_; }
+  const MechanicsWriter& mechanics() const { return mechanics_; }
   Reading reading() const { return reading_; }
 
   /// Motions of a mode, with conditions as strict as the setting's.
-  MotionText motion(ContactMode mode);
-  /// The equations of a mode without its conditions; without a mode: both wheels on the road.
-  MotionText equations(std::optional<ContactMode> mode) const;
+  MotionText motion(const MechanismMode& mode);
+  /// The equations of a mode without its conditions; without a mode: no contact open.
+  MotionText equations(const std::optional<MechanismMode>& mode) const;
   /// The same with boundary motions, or without, whatever the setting says.
-  MotionText motion(ContactMode mode, bool strict);
-  /// Motions of all sixteen modes. Gives up where not all are modelled.
+  MotionText motion(const MechanismMode& mode, bool strict);
+  /// Motions of all modes. Gives up where not all are modelled.
   MotionText any_motion(bool strict);
 
   std::string text(const Expression& truth);  ///< gives up where it would be too long
@@ -48,7 +55,8 @@ class SettingWriter {
   /// The first lines, up to the variables.
   std::string header(const std::string& theorem, const std::string& comment);
   std::string parameters() const;
-  /// What a bicycle is, as far as it is not plain (proofs/MEANING.md, The words), and where the paper's force stands.
+  /// What a point of the mechanism is, as far as it is not plain (proofs/MEANING.md, The words), and where the paper's
+  /// force stands.
   std::string domain(bool with_force) { return domain(with_force, "", ""); }
   /// The same with another name for one parameter.
   std::string domain(bool with_force, const std::string& parameter, const std::string& renamed);
@@ -61,20 +69,18 @@ class SettingWriter {
   /// The definitions in use, and what the scene's symbols are.
   std::string scene(const std::vector<Expression>& uses);
   std::string assumption(const std::string& label, const Expression& truth);
-  bool complete() const { return complete_; }
+  bool complete() const { return complete_ && mechanics_.complete(); }
   /// Definitions that statements cannot abbreviate, having functions, written out.
   Expression inlined(const Expression& e) const;
 
  private:
   /// Conditions on the scene that the domains of the parameters do not plainly imply.
   std::vector<Expression> physical();
-  /// Without it, only motions with both wheels on the road are modelled, and there it drops out.
-  bool has_pitch_inertia() const { return setting_.scene.contains("J"); }
-
   const Setting& setting_;
   Reading reading_;
   SettingNames names_;
   PlainSigns signs_;
+  MechanicsWriter mechanics_;
   std::set<std::string> defined_;
   bool complete_ = true;
 };

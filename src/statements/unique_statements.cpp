@@ -68,8 +68,8 @@ class UniqueWriter {
   void write_stated(std::size_t index) {
     ClaimWriter::Assumptions assumptions = common_;
     assumptions.emplace_back("stated", make(Operation::logical_and, {other(index).region, forces(index)}));
-    const ContactMode mode = modes(other(index).says).front();
-    writer_.implied({"." + id(index), assumptions, motion_, true, hints_}, mode_text(mode), {});
+    const MechanismMode mode = modes(other(index).says).front();
+    writer_.implied({"." + id(index), assumptions, motion_, true, hints_}, writer_.mechanics().mode_text(mode), {});
     writer_.one_motion("." + id(index) + ".one", assumptions, mode, mode, false, hints_);
     writer_.exists({"." + id(index) + ".exists", assumptions, {}, true, hints_}, writer_.motion(mode, false));
   }
@@ -88,7 +88,7 @@ class UniqueWriter {
       here.emplace(here.begin(), "cell", cells[i]);
       writer_.implied({fmt::format(".rest.{}", i + 1), here, motion_, true, hints_}, shown(), {});
       writer_.exists({fmt::format(".rest.exists.{}", i + 1), here, {}, true, hints_},
-                     {motion_.definitions, std::string(dynamics) + " and {" + listed() + "}"});
+                     {motion_.definitions, writer_.mechanics().dynamics() + " and {" + listed() + "}"});
       any_cell = any_cell ? make(Operation::logical_or, {any_cell, cells[i]}) : cells[i];
     }
     writer_.implied({".rest.cells", {}, {}}, any_cell);
@@ -113,15 +113,24 @@ class UniqueWriter {
 
   std::string listed() const {
     std::vector<std::string> texts;
-    for (const ContactMode mode : claim_.modes) texts.push_back("{" + mode_text(mode) + "}");
+    for (const MechanismMode& mode : claim_.modes) {
+      texts.push_back("{" + writer_.mechanics().mode_text(mode) + "}");
+    }
     return texts.empty() ? "false" : fmt::format("{}", fmt::join(texts, " or "));
   }
-  /// Where all states of the rear wheel are listed, as in */lift, only the front wheel has something to show.
+  /// Where all states of the other elements are listed, as in */lift, only one element has something to show.
   std::string shown() const {
-    const bool any_rear = claim_.modes.size() == all_contact_states.size() &&
-                          std::all_of(claim_.modes.begin(), claim_.modes.end(),
-                                      [&](ContactMode mode) { return mode.front == claim_.modes.front().front; });
-    return any_rear ? state_name(Wheel::front, claim_.modes.front().front) : listed();
+    const MechanicsWriter& mechanics = writer_.mechanics();
+    for (std::size_t element = 0; element < mechanics.elements() && !claim_.modes.empty(); ++element) {
+      const ElementState state = claim_.modes.front()[element];
+      const auto fits = [&](const MechanismMode& mode) { return mode[element] == state; };
+      std::vector<MechanismMode> all = mechanics.modes();
+      std::erase_if(all, [&](const MechanismMode& mode) { return !fits(mode); });
+      if (all.size() == claim_.modes.size() && std::all_of(claim_.modes.begin(), claim_.modes.end(), fits)) {
+        return mechanics.state_name(element, state);
+      }
+    }
+    return listed();
   }
 
   ClaimWriter& writer_;

@@ -6,6 +6,15 @@ namespace slipproof {
 
 namespace {
 
+/// What the contact needs to lift and does not have.
+std::string needed(const Setting& setting, std::size_t contact) {
+  const auto given = setting.given();
+  for (const std::size_t parameter : setting.mechanism->contacts[contact].lift_needs) {
+    if (!given[parameter]) return setting.mechanism->parameters[parameter].symbol;
+  }
+  return {};
+}
+
 std::string reason(const Setting& setting, const ClaimBody& body) {
   if (body.expect == Expectation::undecided) return "the claims file expects it to stay undecided";
   const auto* limit = std::get_if<Limit>(&body.says);
@@ -14,9 +23,13 @@ std::string reason(const Setting& setting, const ClaimBody& body) {
     return "a limit needs `from`: a value of " + limit->parameter + " from which on it can be shown";
   }
   const Modes named = modes(body.says);
-  const auto lifts = [](ContactMode mode) { return !mode.on_road(); };
-  if (!setting.scene.contains("J") && std::any_of(named.begin(), named.end(), lifts)) {
-    return "a wheel off the road is not modelled without J in [setting.scene]";
+  const auto kinds = setting.kinds();
+  for (const MechanismMode& mode : named) {
+    for (std::size_t i = 0; i < mode.size(); ++i) {
+      if (mode[i] != ElementState::lift || kinds[i].lifts) continue;
+      return "lift of " + element_name(*setting.mechanism, i) + " is not modelled without " + needed(setting, i) +
+             " in [setting.scene]";
+    }
   }
   if (body.expect == Expectation::refuted) return "statements cannot say how this claim fails";
   return "it would take too many cases";

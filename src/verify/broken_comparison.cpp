@@ -1,5 +1,7 @@
 #include "verify/broken_comparison.hpp"
 
+#include "motions/affine_space.hpp"
+
 namespace slipproof {
 
 namespace {
@@ -58,10 +60,13 @@ std::vector<BrokenComparison> broken_comparisons(const Claim& claim, Reading rea
   }
   at.set(CompiledSetting::force_slot(), *example.force);
   if (example.judgement.mode) {
-    const ModeSolution* solution = sample.table().find(*example.judgement.mode);
-    if (solution == nullptr || solution->kind() == ModeSolution::Kind::continuum) return {};
-    for (const Quantity q : all_quantities()) {
-      at.set(CompiledSetting::quantity_slot(q), solution->motion()[q].at(*example.scene.F));
+    const auto forms = sample.motions().forms(*example.judgement.mode);
+    if (!forms) return {};
+    const Rational load = sample.load(*example.force);
+    for (std::size_t q = 0; q < setting.quantities(); ++q) {
+      const AffineForm& form = quantity_form(*forms, q);
+      if (!is_free_of_unknowns(form)) continue;
+      at.set(setting.quantity_slot(q), form.constant + form.coefficients.back() * load);
     }
   }
   std::vector<BrokenComparison> found;

@@ -28,7 +28,7 @@ class ClaimJudge {
   using Intervals = std::vector<ForceInterval>;
   /// Where a claim that uniqueness refers to states forces, and where it is near them: their ends included.
   struct Stated {
-    ContactMode mode;
+    MechanismMode mode;
     Intervals forces, near;
   };
 
@@ -62,8 +62,10 @@ class ClaimJudge {
   const ForceInterval& domain() const { return *sample_.force_domain(); }
   bool strict() const { return file_.settings[claim_.setting].strict; }
   /// The forces of a mode inside the paper's domain.
-  ForceInterval forces_of(const ModeSolution& s) const { return sample_.forces_of(s, strict()); }
-  const ModeSolution* find(ContactMode mode) { return sample_.table().find(mode); }
+  ForceInterval forces_of(const ModeOverLoads& mode) const { return sample_.forces_of(mode, strict()); }
+  /// Nothing for a mode that is not modelled.
+  std::optional<ModeOverLoads> find(const MechanismMode& mode) { return sample_.motions().find(mode); }
+  bool complete() const { return compiled_.settings[claim_.setting].complete(); }
 
   Judgement of(const Interval& claim);
   Judgement of(const Impossible& claim);
@@ -78,9 +80,11 @@ class ClaimJudge {
   Judgement of(const System& claim);
 
   Judgement formula_in_modes(const Modes& modes, const Intervals& where);
-  Judgement formula_on(const Intervals& where, const ModeSolution* s);
-  /// Of all motions of a continuum at the forces.
-  Judgement formula_about_all(const ForceInterval& forces, const ModeSolution& s);
+  Judgement formula_in(const MechanismMode& mode, const ModeOverLoads& s, Intervals here);
+  /// Of functions of the force; of a mode, of those that its motion is.
+  Judgement formula_on(const Intervals& here, const MechanismMode* mode);
+  /// Of all solutions of a mode at the forces.
+  Judgement formula_about_all(const ForceInterval& forces, const MechanismMode& mode, const ModeForms& forms);
 
   /// The rows of a claim of equations: its hypotheses, what it says, and the whole right side of a system.
   struct Sides {
@@ -93,10 +97,12 @@ class ClaimJudge {
   std::vector<bool> occurring(const LinearEquations& claim) const;
 
   /// The motions of a cell that count: in a strict setting those that are strict.
-  std::vector<const FoundMotion<Affine<Rational>>*> counted(const Cell& cell) const;
+  std::vector<const MotionOverLoads*> counted(const LoadCell& cell) const;
+  /// The modes of a motion that count.
+  Modes modes_of(const MotionOverLoads& motion) const;
   /// A mode with a continuum of motions that count at the forces of a cell.
-  std::optional<ContactMode> continuum_at(const Cell& cell);
-  std::optional<Judgement> other_motions(const Motions& claim, const Cell& cell);
+  std::optional<MechanismMode> continuum_at(const LoadCell& cell);
+  std::optional<Judgement> other_motions(const Motions& claim, const LoadCell& cell);
   /// Nothing where a condition of it has no value.
   std::optional<Stated> stated(std::size_t claim);
   /// Points and open intervals of forces on which neither the motions nor the claims change.

@@ -2,17 +2,14 @@
 
 #include <algorithm>
 
+#include "mechanism/words.hpp"
+
 namespace slipproof {
 
 namespace {
 
-std::vector<ContactMode> modelled(const Setting& setting) {
-  const bool detachment = setting.scene.contains("J");
-  std::vector<ContactMode> modes;
-  for (const ContactMode mode : all_modes()) {
-    if (mode.on_road() || detachment) modes.push_back(mode);
-  }
-  return modes;
+std::vector<MechanismMode> modelled(const std::vector<ElementKind>& kinds) {
+  return modes_of(ModePattern{std::vector<std::optional<ElementState>>(kinds.size())}, kinds);
 }
 
 void append(std::vector<const Program*>& list, const std::vector<Program>& programs) {
@@ -31,7 +28,11 @@ ClaimParts parts_of(const ClaimsFile& file, const CompiledClaims& compiled, std:
   parts.conditions = {&programs.region, &programs.forces};
   parts.modes = modes(body.says);
   (c.is<Formula>() && !parts.modes.empty() ? parts.of_motions : parts.conditions).push_back(&programs.holds);
-  if (c.is<Motions>() || c.is<Unique>()) parts.modes = modelled(file.settings[c.setting]);
+  if (c.is<Motions>() || c.is<Unique>()) {
+    const auto kinds = file.settings[c.setting].kinds();
+    parts.too_many_modes = mode_count(kinds) > max_line_modes;
+    if (!parts.too_many_modes) parts.modes = modelled(kinds);
+  }
   // Boundary motions count in closed settings, and a motion may be in several modes there.
   const bool closed = !file.settings[c.setting].strict;
   parts.modes_meet = c.is<Unique>() || c.is<Exists>() || (c.is<Motions>() && closed);

@@ -3,6 +3,7 @@
 #include <functional>
 #include <utility>
 
+#include "modes/bicycle_motions.hpp"
 #include "verify/broken_comparison.hpp"
 #include "verify/simplify.hpp"
 
@@ -44,20 +45,21 @@ class Maker {
   }
 
   Counterexample at(Simplified found) const {
-    const auto sample = SolvedSample::make(setting_, kind(), found.values);
+    const auto sample = SolvedSample::make(setting_, found.values);
     Counterexample example;
     example.judgement = judge(file_, compiled_, index_, reading_, *sample);
-    example.scene = sample->scene();
     example.scene.name = "counterexample to " + claim_.id + ", " + std::string(name(reading_));
+    example.scene.mechanism = *setting().mechanism;
+    example.scene.values = sample->point();
     example.minimal = found.minimal;
-    example.table = std::make_shared<const ModeTable>(example.scene.bicycle, example.scene.road, kind());
     if (const auto& witnesses = example.judgement.witnesses; witnesses && !witnesses->empty()) {
       example.force = witnesses->sample();
-      example.scene.F = sample->pedal_force(*example.force);
-      example.motions = motions_at(*example.table, *example.scene.F);
+      if (setting().mechanism->load) example.scene.load = sample->load(*example.force);
+      example.motions = motions_of(sample->problem(), example.scene.load);
     }
+    if (setting().bicycle) add_bicycle(example);
     for (const std::size_t i : unrealisable(setting_, found.values)) {
-      example.unrealisable.push_back(file_.settings[claim_.setting].realisable[i].name);
+      example.unrealisable.push_back(setting().realisable[i].name);
     }
     example.broken = broken_comparisons(claim_, reading_, setting_, example, *sample);
     example.values = std::move(found.values);
@@ -85,9 +87,16 @@ class Maker {
              j.witnesses.has_value() == original.witnesses.has_value();
     };
   }
-  ForceKind kind() const { return file_.settings[claim_.setting].force_kind; }
+  const Setting& setting() const { return file_.settings[claim_.setting]; }
+  void add_bicycle(Counterexample& example) const {
+    const BicycleOfValues scene = bicycle_of(example.scene.values);
+    BicycleExample& bicycle = example.bicycle.emplace();
+    bicycle.scene = {example.scene.name, scene.bicycle, scene.road, scene.kind, example.scene.load, {}};
+    bicycle.table = std::make_shared<const ModeTable>(scene.bicycle, scene.road, scene.kind);
+    if (example.motions) bicycle.motions = motions_at(*bicycle.table, *example.scene.load);
+  }
   Judgement judged(const std::vector<Rational>& at) const {
-    const auto sample = SolvedSample::make(setting_, kind(), at);
+    const auto sample = SolvedSample::make(setting_, at);
     return sample ? judge(file_, compiled_, index_, reading_, *sample) : Judgement{};
   }
 

@@ -4,16 +4,13 @@
 #include <array>
 #include <utility>
 
-#include "model/conditions.hpp"
-#include "model/reduction.hpp"
-#include "verify/line_scene.hpp"
+#include "verify/line_bicycle.hpp"
+#include "verify/line_mechanism.hpp"
 #include "verify/sampler.hpp"
 
 namespace slipproof {
 
 namespace {
-
-using LineEvaluator = Evaluator<LineFunction, LineField>;
 
 /// Which operand of a min, max or abs is meant is tried both ways for so many that depend on the force.
 constexpr std::size_t max_branches = 6;
@@ -44,10 +41,9 @@ void add_comparisons(const Program& program, LineEvaluator& evaluator) {
 /// it is there, and `branches` where that depends on the force.
 class View {
  public:
-  View(const Line& line, const Setting& setting, const CompiledSetting& compiled, const ClaimParts& parts,
-       const Rational& here, unsigned branches, CriticalSet& found)
-      : setting_(setting),
-        compiled_(compiled),
+  View(const Line& line, const CompiledSetting& compiled, const ClaimParts& parts, const Rational& here,
+       unsigned branches, CriticalSet& found)
+      : compiled_(compiled),
         parts_(parts),
         found_(found),
         evaluator_(
@@ -58,61 +54,42 @@ class View {
   void collect() {
     found_.begin_group(0);
     for (const Program& domain : compiled_.domains()) add_comparisons(domain, evaluator_);
-    const auto scene = bicycle();
+    add_comparisons(compiled_.is_scene(), evaluator_);
+    add_scene();
     add_comparisons(compiled_.force_domain(), evaluator_);
     for (const Program* program : parts_.conditions) {
       add_comparisons(*program, parts_.grows ? growing_ : evaluator_);
     }
-    if (!scene || parts_.modes.empty()) return;
-    const auto dynamics = reduce<IntegerPolynomial, Affine<IntegerPolynomial>>(
-        scene->bicycle, scene->road, setting_.force_kind, scene->force, scene->friction_denominator);
-    for (std::size_t i = 0; i < parts_.modes.size(); ++i) {
-      found_.begin_group(parts_.modes_meet ? 1 : i + 1);
-      if (parts_.modes[i].on_road() || scene->bicycle.J) add_mode(*scene, {dynamics, parts_.modes[i]});
+    if (parts_.modes.empty()) return;
+    if (compiled_.bicycle()) {
+      const LineBicycle bicycle(compiled_, evaluator_);
+      if (bicycle.has_value()) add_modes(bicycle);
+    } else {
+      const LineMechanism mechanism(compiled_, evaluator_);
+      if (mechanism.has_value()) add_modes(mechanism);
     }
   }
 
  private:
-  using LineMotion = ReducedMotion<IntegerPolynomial, Affine<IntegerPolynomial>>;
-
-  /// The bicycle, with the ends of the model's domain.
-  std::optional<LineScene> bicycle() {
-    std::vector<std::optional<LineFunction>> values;
-    for (const auto& program : compiled_.scene()) {
-      auto value = program ? evaluator_.number(*program).number : std::nullopt;
-      if (program && !value) return std::nullopt;
-      const bool force = values.size() + 1 == scene_symbols.size();
-      if (value && !force && !value->without_force()) return std::nullopt;
-      if (value) found_.add_coefficients(*value);
-      values.push_back(std::move(value));
+  /// Where something of the scene is 0, it may be an end of the mechanism's domain, and where the load does not depend
+  /// on the force there is no sample.
+  void add_scene() {
+    for (const Program* program : compiled_.scene().programs()) {
+      if (const auto value = evaluator_.number(*program).number) found_.add_coefficients(*value);
     }
-    found_.add(*values[1] + *values[2]);  // h > -R
-    found_.add(*values[3] + *values[4]);  // b2 + b3 > 0
-    return line_scene(values);
   }
 
-  void add_mode(const LineScene& scene, const LineMotion& motion) {
-    const ContactMode mode = motion.mode();
-    const auto spins = [&](ContactState state, const IntegerPolynomial& inertia) {
-      if (state != ContactState::stick) found_.add(inertia);
-      return state == ContactState::stick || !inertia.is_zero();
-    };
-    found_.add(motion.determinant());
-    const bool rear = spins(mode.rear, motion.rear_spin_inertia()),
-               front = spins(mode.front, motion.front_spin_inertia());
-    if (motion.determinant().is_zero() || !rear || !front) return;
-    for (const Condition& condition : conditions(mode)) found_.add(motion.condition_numerator(condition));
-    if (parts_.of_motions.empty()) return;
-    for (const std::size_t slot : slots_behind(compiled_.scope(), parts_.of_motions)) {
-      if (slot >= quantity_count) break;
-      const auto quantity = static_cast<Quantity>(slot);
-      auto value = motion.quantity(quantity);
-      evaluator_.set(slot, LineFunction(value.numerator, value.denominator * scene.unit(quantity)));
+  template <class OnLine>
+  void add_modes(const OnLine& on_line) {
+    std::vector<std::size_t> wanted = slots_behind(compiled_.scope(), parts_.of_motions);
+    std::erase_if(wanted, [&](std::size_t slot) { return !compiled_.is_quantity(slot); });
+    for (std::size_t i = 0; i < parts_.modes.size(); ++i) {
+      found_.begin_group(parts_.modes_meet ? 1 : i + 1);
+      if (!on_line.add_mode(parts_.modes[i], wanted, found_, evaluator_)) continue;
+      for (const Program* program : parts_.of_motions) add_comparisons(*program, evaluator_);
     }
-    for (const Program* program : parts_.of_motions) add_comparisons(*program, evaluator_);
   }
 
-  const Setting& setting_;
   const CompiledSetting& compiled_;
   const ClaimParts& parts_;
   CriticalSet& found_;
@@ -169,13 +146,12 @@ std::size_t LinePoints::irrational() const {
       std::count_if(roots.begin(), roots.end(), [](const RealRoot& root) { return !root.is_rational(); }));
 }
 
-LinePoints points_on(const Line& line, const Setting& setting, const CompiledSetting& compiled,
-                     const ClaimParts& parts) {
+LinePoints points_on(const Line& line, const CompiledSetting& compiled, const ClaimParts& parts) {
   const LinePart part = domain_part(line, compiled);
   CriticalSet found;
   const auto look_from = [&](const Rational& here) {
     for (unsigned branches = 0; branches < 1U << std::min(found.branches(), max_branches); ++branches) {
-      View(line, setting, compiled, parts, here, branches, found).collect();
+      View(line, compiled, parts, here, branches, found).collect();
     }
   };
   // Which operand of a min or max is meant changes along the line only where an order does: one view from each cell
@@ -197,24 +173,22 @@ LinePoints points_on(const Line& line, const Setting& setting, const CompiledSet
   return {std::move(values), std::move(roots), part};
 }
 
-std::optional<std::vector<std::unique_ptr<SolvedSample>>> last_bicycles(const Setting& setting,
-                                                                        const CompiledSetting& compiled,
-                                                                        const std::vector<const Program*>& conditions,
-                                                                        const std::vector<Rational>& values,
-                                                                        std::size_t parameter) {
+std::optional<std::vector<std::unique_ptr<SolvedSample>>> last_points(const CompiledSetting& compiled,
+                                                                      const std::vector<const Program*>& conditions,
+                                                                      const std::vector<Rational>& values,
+                                                                      std::size_t parameter) {
   Line line = along_parameter(values, parameter);
   ClaimParts parts;
   parts.conditions = conditions;
-  parts.conditions.push_back(&compiled.is_bicycle());
-  const LinePoints points = points_on(line, setting, compiled, parts);
+  parts.conditions.push_back(&compiled.is_point());
+  const LinePoints points = points_on(line, compiled, parts);
   std::vector<std::unique_ptr<SolvedSample>> found;
   for (auto t = points.values.rbegin(); t != points.values.rend(); ++t) {
     const auto at_root = [&](const RealRoot& root) { return root.lower <= *t && *t <= root.upper; };
     const bool critical = std::any_of(points.roots.begin(), points.roots.end(), at_root) || points.part.lower == *t ||
                           points.part.upper == *t;
     std::vector<Rational> there = line.at(*t);
-    auto sample =
-        in_domain(compiled, there) ? SolvedSample::make(compiled, setting.force_kind, std::move(there)) : nullptr;
+    auto sample = in_domain(compiled, there) ? SolvedSample::make(compiled, std::move(there)) : nullptr;
     if (sample) found.push_back(std::move(sample));
     if (critical || found.empty()) continue;
     const auto irrational_end = [&](const RealRoot& root) { return !root.is_rational() && root.lower >= *t; };

@@ -28,16 +28,14 @@ struct LinePoints {
 /// throughout, and so is the judgement. Where a mode is singular all along the line, its continua are not looked into;
 /// comparisons whose difference is of a higher degree in the force have no value anyway, and only their coefficients
 /// count.
-LinePoints points_on(const Line& line, const Setting& setting, const CompiledSetting& compiled,
-                     const ClaimParts& parts);
+LinePoints points_on(const Line& line, const CompiledSetting& compiled, const ClaimParts& parts);
 
 /// The bicycles toward the upper end of a parameter, the others as in `values`: one for the last cell of the line in
 /// which there are any, and, where it belongs to the domain, the one at the end. In the cell the truth of `conditions`
 /// is the same throughout. Empty if there are no bicycles; nothing if the end is irrational, which no sample can be.
-std::optional<std::vector<std::unique_ptr<SolvedSample>>> last_bicycles(const Setting& setting,
-                                                                        const CompiledSetting& compiled,
-                                                                        const std::vector<const Program*>& conditions,
-                                                                        const std::vector<Rational>& values,
-                                                                        std::size_t parameter);
+std::optional<std::vector<std::unique_ptr<SolvedSample>>> last_points(const CompiledSetting& compiled,
+                                                                      const std::vector<const Program*>& conditions,
+                                                                      const std::vector<Rational>& values,
+                                                                      std::size_t parameter);
 
 }  // namespace slipproof

@@ -1,7 +1,6 @@
 #include "verify/identity.hpp"
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <numeric>
 #include <span>
@@ -9,39 +8,13 @@
 #include "claims/claims_mutants.hpp"
 #include "expression/logic.hpp"
 #include "expression/parser.hpp"
-#include "model/reduction.hpp"
 #include "statements/plain_signs.hpp"
 #include "verify/symbolic.hpp"
+#include "verify/symbolic_motion.hpp"
 
 namespace slipproof {
 
 namespace {
-
-struct SymbolicScene {
-  Bicycle<SymbolicNumber> bicycle;
-  Road<SymbolicNumber> road;
-  SymbolicNumber force;
-};
-
-/// Nothing if the scene is not polynomial in the parameters.
-std::optional<SymbolicScene> scene_of(const CompiledSetting& setting, SymbolicEvaluator& symbols) {
-  SymbolicScene scene;
-  Bicycle<SymbolicNumber>& p = scene.bicycle;
-  p.J = SymbolicNumber(0);
-  const std::array<SymbolicNumber*, 15> targets{&p.M,  &p.R,  &p.h,          &p.b2,         &p.b3,
-                                                &p.I1, &p.I2, &p.I3,         &p.r1,         &p.r2,
-                                                &p.L,  &*p.J, &scene.road.f, &scene.road.g, &scene.force};
-  for (std::size_t i = 0; i < targets.size(); ++i) {
-    if (!setting.scene()[i]) {
-      p.J.reset();
-      continue;
-    }
-    const auto value = symbols.number(*setting.scene()[i]).number;
-    if (!value || !value->value().denominator.is_one()) return std::nullopt;
-    *targets[i] = value->value().numerator;
-  }
-  return scene;
-}
 
 class IdentitySearch {
  public:
@@ -61,13 +34,13 @@ class IdentitySearch {
         SymbolicEvaluator symbols = symbols_of_setting();
         return is_true(symbols, programs_.holds);
       }
-      return std::all_of(formula->modes.begin(), formula->modes.end(), [&](ContactMode mode) {
-        return holds_in(mode, {&programs_.holds, 1}, Vocabulary::quantities);
+      return std::all_of(formula->modes.begin(), formula->modes.end(), [&](const MechanismMode& mode) {
+        return holds_in(mode, {&programs_.holds, 1});
       });
     }
     const auto* consequence = std::get_if<Consequence>(&body_.says);
     return consequence != nullptr && consequence->from_model() && consequence->assume.empty() && consequence->mode &&
-           holds_in(*consequence->mode, programs_.equations, Vocabulary::unknowns);
+           holds_in(*consequence->mode, programs_.equations);
   }
 
   /// Irreducible, each once; the search must outlive them.
@@ -105,37 +78,12 @@ class IdentitySearch {
     return true;
   }
 
-  bool holds_in(ContactMode mode, std::span<const Program> programs, Vocabulary vocabulary) {
+  bool holds_in(const MechanismMode& mode, std::span<const Program> programs) {
     SymbolicEvaluator symbols = symbols_of_setting();
-    const auto scene = scene_of(setting_, symbols);
-    if (!scene || (!mode.on_road() && !scene->bicycle.J)) return false;
-    const ForceKind kind = file_.settings[claim_.setting].force_kind;
-    const auto dynamics =
-        reduce<SymbolicNumber, SymbolicNumber>(scene->bicycle, scene->road, kind, scene->force, SymbolicNumber(1));
-    const ReducedMotion<SymbolicNumber, SymbolicNumber> motion(dynamics, mode);
-    for (const Quantity q : all_quantities()) {
-      auto value = motion.quantity(q);
-      if (value.denominator.is_zero()) return false;  // singular for all parameters: the mode has no one motion
-      add_divisor(value.denominator);
-      symbols.set(CompiledSetting::quantity_slot(q),
-                  ReducedFraction(std::move(value.numerator), std::move(value.denominator)));
-    }
-    if (vocabulary == Vocabulary::unknowns) set_unknowns(*scene, symbols);
+    const SymbolicMotion motion = symbolic_motion(setting_, mode, symbols);
+    if (!motion.found) return false;  // singular for all parameters, not modelled, or too large
+    for (const SymbolicNumber& divisor : motion.divisors) add_divisor(divisor);
     return std::all_of(programs.begin(), programs.end(), [&](const Program& p) { return is_true(symbols, p); });
-  }
-
-  /// The unknowns of the model by the quantities of a motion; the sprocket and the chain follow from its equations.
-  void set_unknowns(const SymbolicScene& scene, SymbolicEvaluator& symbols) const {
-    const Bicycle<SymbolicNumber>& p = scene.bicycle;
-    const auto value = [&](Quantity q) { return symbols.at(CompiledSetting::quantity_slot(q)).number->value(); };
-    const ReducedFraction phi = value(Quantity::phi);
-    const ReducedFraction eps1 = ReducedFraction(p.r2, p.r1) * (value(Quantity::eps2) - phi) + phi;
-    const ReducedFraction T =
-        (ReducedFraction(p.I1) * eps1 - ReducedFraction(p.L * scene.force)) / ReducedFraction(p.r1);
-    for (std::size_t i = 0; i < unknown_count; ++i) {
-      const auto quantity = parse_quantity(unknown_names[i]);
-      symbols.set(setting_.unknown_slot(i), quantity ? value(*quantity) : unknown_names[i] == "T" ? T : eps1);
-    }
   }
 
   const ClaimsFile& file_;

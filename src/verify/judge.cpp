@@ -29,9 +29,9 @@ Judgement ClaimJudge::judge() {
 }
 
 Judgement ClaimJudge::of(const Interval& claim) {
-  const ModeSolution* s = find(claim.mode);
+  const auto s = find(claim.mode);
   const auto claimed = sample_.true_at(programs_.forces);
-  if (s == nullptr) return undecided();
+  if (!s) return undecided();
   ForceInterval real = forces_of(*s);
   Intervals differ = difference(claimed.parts, real);
   if (differ.empty()) {
@@ -46,10 +46,8 @@ Judgement ClaimJudge::of(const Interval& claim) {
   if (claimed.parts.size() < 2) one = claimed.parts.empty() ? ForceInterval::nothing() : claimed.parts.front();
   const bool ends =
       one && !one->empty() && !real.empty() && one->interior() == real.interior() && !one->interior().empty();
-  Judgement j = refuted(ends                                         ? Reason::ends
-                        : s->kind() == ModeSolution::Kind::continuum ? Reason::continuum
-                                                                     : Reason::forces);
-  j.mode = s->mode();
+  Judgement j = refuted(ends ? Reason::ends : s->continuum ? Reason::continuum : Reason::forces);
+  j.mode = claim.mode;
   j.witnesses = std::move(differ.front());
   j.claimed = std::move(one);
   j.real = std::move(real);
@@ -60,14 +58,14 @@ Judgement ClaimJudge::of(const Impossible& claim) {
   const auto claimed = sample_.true_at(programs_.forces);
   if (claimed.parts.empty()) return claimed.valued() ? Judgement{} : undecided();
   bool modelled = true;
-  for (const ContactMode mode : claim.modes) {
-    const ModeSolution* s = find(mode);
-    modelled = modelled && s != nullptr;
-    if (s == nullptr) continue;
+  for (const MechanismMode& mode : claim.modes) {
+    const auto s = find(mode);
+    modelled = modelled && s;
+    if (!s) continue;
     for (const ForceInterval& part : claimed.parts) {
       ForceInterval real = common(forces_of(*s), part);
       if (real.empty()) continue;
-      Judgement j = refuted(s->kind() == ModeSolution::Kind::continuum ? Reason::continuum : Reason::exists);
+      Judgement j = refuted(s->continuum ? Reason::continuum : Reason::exists);
       j.mode = mode;
       j.witnesses = real;
       j.real = std::move(real);
@@ -86,23 +84,22 @@ Judgement ClaimJudge::of(const Formula& claim) {
 }
 
 Judgement ClaimJudge::formula_in_modes(const Modes& modes, const Intervals& where) {
-  return first_of(modes, [&](ContactMode mode) {
-    const ModeSolution* s = find(mode);
-    return s == nullptr ? undecided() : formula_on(where, s);
+  return first_of(modes, [&](const MechanismMode& mode) {
+    const auto s = find(mode);
+    return s ? formula_in(mode, *s, where) : undecided();
   });
 }
 
-Judgement ClaimJudge::formula_on(const Intervals& where, const ModeSolution* s) {
-  Intervals here = where;
-  if (s != nullptr) {
-    for (ForceInterval& forces : here) forces.intersect(forces_of(*s));
-    std::erase_if(here, [](const ForceInterval& forces) { return forces.empty(); });
-  }
+Judgement ClaimJudge::formula_in(const MechanismMode& mode, const ModeOverLoads& s, Intervals here) {
+  for (ForceInterval& forces : here) forces.intersect(forces_of(s));
+  std::erase_if(here, [](const ForceInterval& forces) { return forces.empty(); });
   if (here.empty()) return {};
-  if (s != nullptr && s->kind() == ModeSolution::Kind::continuum) {
-    return first_of(here, [&](const ForceInterval& forces) { return formula_about_all(forces, *s); });
-  }
-  if (s != nullptr) sample_.set_motion(s->motion());
+  const ModeForms forms = *sample_.motions().forms(mode);
+  if (sample_.set_motion(forms, programs_.holds.slots())) return formula_on(here, &mode);
+  return first_of(here, [&](const ForceInterval& forces) { return formula_about_all(forces, mode, forms); });
+}
+
+Judgement ClaimJudge::formula_on(const Intervals& here, const MechanismMode* mode) {
   bool decided = true;
   for (const TruthCell& cell : sample_.over_forces(programs_.holds)) {
     for (const ForceInterval& forces : here) {
@@ -111,7 +108,7 @@ Judgement ClaimJudge::formula_on(const Intervals& where, const ModeSolution* s) 
       decided = decided && !no_value(cell.truth);
       if (no_value(cell.truth)) continue;
       Judgement j = refuted(Reason::formula);
-      if (s != nullptr) j.mode = s->mode();
+      if (mode != nullptr) j.mode = *mode;
       j.witnesses = std::move(both);
       return j;
     }
@@ -140,11 +137,11 @@ Judgement ClaimJudge::of(const Equivalence&) {
 
 Judgement ClaimJudge::of(const Exists& claim) {
   const auto where = sample_.true_at(programs_.forces);
-  const bool modelled =
-      std::all_of(claim.modes.begin(), claim.modes.end(), [&](ContactMode mode) { return find(mode) != nullptr; });
+  const bool modelled = std::all_of(claim.modes.begin(), claim.modes.end(),
+                                    [&](const MechanismMode& mode) { return find(mode).has_value(); });
   for (ForceInterval forces : where.parts) {
     if (!modelled) break;
-    for (const ContactMode mode : claim.modes) forces.intersect(forces_of(*find(mode)));
+    for (const MechanismMode& mode : claim.modes) forces.intersect(forces_of(*find(mode)));
     if (forces.empty()) continue;
     Judgement j = holds();
     j.witnesses = std::move(forces);
@@ -163,11 +160,10 @@ Judgement ClaimJudge::of(const Limit& claim) {
     return no_value(holds) ? undecided() : holds == Truth::yes ? ClaimJudge::holds() : refuted(Reason::limit);
   };
   const CompiledSetting& setting = compiled_.settings[claim_.setting];
-  if (sample_.eventually(setting.is_bicycle(), index) == Truth::yes) {
+  if (sample_.eventually(setting.is_point(), index) == Truth::yes) {
     return judged([&](const Program& p) { return sample_.eventually(p, index); });
   }
-  const auto last = last_bicycles(file_.settings[claim_.setting], setting, {&programs_.region, &programs_.holds},
-                                  sample_.values(), index);
+  const auto last = last_points(setting, {&programs_.region, &programs_.holds}, sample_.values(), index);
   if (!last) return undecided();
   return first_of(*last,
                   [&](const auto& bicycle) { return judged([&](const Program& p) { return bicycle->region(p); }); });
@@ -202,11 +198,11 @@ std::optional<ClaimJudge::Sides> ClaimJudge::sides(const LinearEquations& claim)
 
 std::vector<bool> ClaimJudge::occurring(const LinearEquations& claim) const {
   const CompiledSetting& setting = compiled_.settings[claim_.setting];
-  std::vector<bool> occurs(unknown_count);
+  std::vector<bool> occurs(setting.unknowns());
   const auto look = [&](const std::vector<Program>& equations) {
     for (const Program& equation : equations) {
       for (const std::size_t slot : equation.slots()) {
-        for (std::size_t i = 0; i < unknown_count; ++i) occurs[i] = occurs[i] || slot == setting.unknown_slot(i);
+        for (std::size_t i = 0; i < occurs.size(); ++i) occurs[i] = occurs[i] || slot == setting.unknown_slot(i);
       }
     }
   };
@@ -246,9 +242,10 @@ Judgement ClaimJudge::of(const Cover& claim) {
   if (!decided) return undecided();
   Judgement j = refuted(Reason::uncovered);
   for (const std::size_t other : claim.claims) {  // what really happens there, in the mode they are about
-    const ModeSolution* s = find(modes(file_.claims[other].body(reading_).says).front());
-    if (s == nullptr) continue;
-    j.mode = s->mode();
+    const MechanismMode mode = modes(file_.claims[other].body(reading_).says).front();
+    const auto s = find(mode);
+    if (!s) continue;
+    j.mode = mode;
     j.real = forces_of(*s);
     if (!j.real->empty()) j.witnesses = j.real;
     break;

@@ -37,7 +37,7 @@ std::string_view name(Reason reason);
 struct Judgement {
   Outcome outcome = Outcome::outside;
   Reason reason = Reason::none;
-  std::optional<ContactMode> mode;         ///< the mode it is about
+  std::optional<MechanismMode> mode;       ///< the mode it is about
   std::optional<ForceInterval> claimed;    ///< interval: what the claim says
   std::optional<ForceInterval> real;       ///< interval, impossible: the forces that the mode has
   std::optional<ForceInterval> witnesses;  ///< forces at which claim and truth differ

@@ -1,6 +1,7 @@
-// Formulas about a continuum of motions.
+// Formulas about a mode with more than one solution at a force: a continuum of motions, or forces that are
+// undetermined.
 //
-// At the forces of an interval, the motions of a singular mode are a polytope: the force x and the free parameters
+// At the forces of an interval, the solutions of a singular mode are a polytope: the force x and the free parameters
 // t_1, ..., t_k under linear conditions. Every quantity is linear in them. A formula whose comparisons are linear, too,
 // is false of some motion exactly if one of the conjunctions of its negation has a point in the polytope, which exact
 // linear programming decides. A comparison that is not linear, or undefined, has no value here.
@@ -136,16 +137,16 @@ class PointSearch {
 
 }  // namespace
 
-Judgement ClaimJudge::formula_about_all(const ForceInterval& forces, const ModeSolution& s) {
-  const Continuum& c = s.continuum();
-  const std::size_t variables = 1 + c.directions.size();
+Judgement ClaimJudge::formula_about_all(const ForceInterval& forces, const MechanismMode& mode,
+                                        const ModeForms& forms) {
+  const std::size_t variables = 1 + forms.free;
   const Linear x = Linear::variable(0, variables);
-  const auto linear = [&](const Affine<Rational>& pedal, const auto& coefficient) {
-    const Affine<Rational> base = sample_.in_variable(pedal);
-    Linear form = x.scaled(base.beta);
-    form.constant = base.alpha;
-    for (std::size_t k = 0; k + 1 < variables; ++k) form.coefficients[k + 1] = coefficient(k);
-    return form;
+  const auto linear = [&](const AffineForm& form) {
+    const Affine<Rational> base = sample_.in_variable(Affine<Rational>(form.constant, form.coefficients.back()));
+    Linear result = x.scaled(base.beta);
+    result.constant = base.alpha;
+    for (std::size_t k = 0; k < forms.free; ++k) result.coefficients[k + 1] = form.coefficients[k];
+    return result;
   };
   const CompiledSetting& setting = compiled_.settings[claim_.setting];
   Evaluator<Linear, LinearField> evaluator(setting.scope());
@@ -153,17 +154,16 @@ Judgement ClaimJudge::formula_about_all(const ForceInterval& forces, const ModeS
     evaluator.set(CompiledSetting::parameter_slot(k), LinearField().constant(sample_.values()[k]));
   }
   evaluator.set(CompiledSetting::force_slot(), x);
-  for (const Quantity q : all_quantities()) {
-    evaluator.set(CompiledSetting::quantity_slot(q),
-                  linear(c.base[q], [&](std::size_t k) { return c.directions[k][q]; }));
+  for (std::size_t q = 0; q < setting.quantities(); ++q) {
+    evaluator.set(setting.quantity_slot(q), linear(quantity_form(forms, q)));
   }
   Polytope polytope(variables);
-  const auto side = [](bool strict) { return strict ? Polytope::Side::positive : Polytope::Side::not_negative; };
-  for (const auto& row : c.conditions()) {
-    polytope.require(linear({row[0], row[1]}, [&](std::size_t k) { return row[k + 2]; }), side(strict()));
-  }
+  const auto side = strict() ? Polytope::Side::positive : Polytope::Side::not_negative;
+  for (const AffineForm& condition : forms.conditions) polytope.require(linear(condition), side);
   const auto end = [&](const std::optional<Rational>& value, int direction, bool closed) {
-    if (value) polytope.require((x - LinearField().constant(*value)).scaled(direction), side(!closed));
+    if (!value) return;
+    polytope.require((x - LinearField().constant(*value)).scaled(direction),
+                     closed ? Polytope::Side::not_negative : Polytope::Side::positive);
   };
   end(forces.lower(), 1, forces.lower_closed());
   end(forces.upper(), -1, forces.upper_closed());
@@ -171,7 +171,7 @@ Judgement ClaimJudge::formula_about_all(const ForceInterval& forces, const ModeS
   PointSearch search(programs_.holds, evaluator, std::move(polytope));
   if (const auto point = search.find(Wanted::no)) {
     Judgement j = refuted(Reason::formula);
-    j.mode = s.mode();
+    j.mode = mode;
     j.witnesses = ForceInterval::point(point->front());
     return j;
   }

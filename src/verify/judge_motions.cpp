@@ -7,29 +7,37 @@ namespace slipproof {
 
 namespace {
 
-using CellMotion = FoundMotion<Affine<Rational>>;
-
-bool names(const Modes& modes, ContactMode mode) {
+bool names(const Modes& modes, const MechanismMode& mode) {
   return std::find(modes.begin(), modes.end(), mode) != modes.end();
 }
 
-bool has_one_of(const CellMotion& motion, const Modes& modes) {
-  return std::any_of(motion.modes.begin(), motion.modes.end(), [&](ContactMode mode) { return names(modes, mode); });
+bool have_common(const Modes& x, const Modes& y) {
+  return std::any_of(x.begin(), x.end(), [&](const MechanismMode& mode) { return names(y, mode); });
+}
+
+Modes all_modes(const MotionOverLoads& motion) {
+  Modes modes = motion.modes;
+  modes.insert(modes.end(), motion.boundary_modes.begin(), motion.boundary_modes.end());
+  return modes;
 }
 
 }  // namespace
 
-std::vector<const CellMotion*> ClaimJudge::counted(const Cell& cell) const {
-  std::vector<const CellMotion*> found;
-  for (const CellMotion& motion : cell.motions) {
-    if (motion.strict || !strict()) found.push_back(&motion);
+std::vector<const MotionOverLoads*> ClaimJudge::counted(const LoadCell& cell) const {
+  std::vector<const MotionOverLoads*> found;
+  for (const MotionOverLoads& motion : cell.motions) {
+    if (!motion.modes.empty() || !strict()) found.push_back(&motion);
   }
   return found;
 }
 
-std::optional<ContactMode> ClaimJudge::continuum_at(const Cell& cell) {
-  for (const ContactMode mode : cell.continua) {
-    if (!common(sample_.forces_of(*find(mode), strict()), cell.forces).empty()) return mode;
+Modes ClaimJudge::modes_of(const MotionOverLoads& motion) const {
+  return strict() ? motion.modes : slipproof::all_modes(motion);
+}
+
+std::optional<MechanismMode> ClaimJudge::continuum_at(const LoadCell& cell) {
+  for (const MechanismMode& mode : cell.continua) {
+    if (!common(sample_.forces_of(*find(mode), strict()), cell.loads).empty()) return mode;
   }
   return std::nullopt;
 }
@@ -37,9 +45,9 @@ std::optional<ContactMode> ClaimJudge::continuum_at(const Cell& cell) {
 Judgement ClaimJudge::of(const Motions& claim) {
   const auto claimed = sample_.true_at(programs_.forces);
   if (claimed.parts.empty()) return claimed.valued() ? Judgement{} : undecided();
-  for (const Cell& cell : sample_.cells()) {
+  for (const LoadCell& cell : sample_.cells()) {
     for (const ForceInterval& part : claimed.parts) {
-      ForceInterval here = common(cell.forces, part);
+      ForceInterval here = common(cell.loads, part);
       if (here.empty()) continue;
       auto failure = other_motions(claim, cell);
       if (!failure) continue;
@@ -48,24 +56,24 @@ Judgement ClaimJudge::of(const Motions& claim) {
       return *failure;
     }
   }
-  return sample_.table().detachment() && claimed.valued() ? holds() : undecided();
+  return complete() && claimed.valued() ? holds() : undecided();
 }
 
-std::optional<Judgement> ClaimJudge::other_motions(const Motions& claim, const Cell& cell) {
-  const auto fail = [](Reason reason, ContactMode mode) {
+std::optional<Judgement> ClaimJudge::other_motions(const Motions& claim, const LoadCell& cell) {
+  const auto fail = [](Reason reason, const MechanismMode& mode) {
     Judgement j = refuted(reason);
     j.mode = mode;
     return j;
   };
   if (const auto mode = continuum_at(cell)) return fail(Reason::continuum, *mode);
   const auto motions = counted(cell);
-  for (const CellMotion* motion : motions) {
-    if (!has_one_of(*motion, claim.modes)) return fail(Reason::extra, motion->modes.front());
+  for (const MotionOverLoads* motion : motions) {
+    const Modes modes = modes_of(*motion);
+    if (!have_common(modes, claim.modes)) return fail(Reason::extra, modes.front());
   }
-  for (const ContactMode mode : claim.modes) {
-    const auto in_mode = [&](const CellMotion* motion) { return names(motion->modes, mode); };
-    const bool unknown = find(mode) == nullptr;
-    if (!unknown && std::none_of(motions.begin(), motions.end(), in_mode)) return fail(Reason::missing, mode);
+  for (const MechanismMode& mode : claim.modes) {
+    const auto in_mode = [&](const MotionOverLoads* motion) { return names(modes_of(*motion), mode); };
+    if (find(mode) && std::none_of(motions.begin(), motions.end(), in_mode)) return fail(Reason::missing, mode);
   }
   return std::nullopt;
 }
@@ -119,13 +127,13 @@ Judgement ClaimJudge::of(const Unique& claim) {
       if (auto failure = not_one_motion(piece, claim.modes)) return *failure;
       continue;
     }
-    for (const ContactMode mode : expected) {
+    for (const MechanismMode& mode : expected) {
       if (auto failure = not_one_motion(piece, {mode})) return *failure;
     }
   }
   if (!where.valued()) return undecided();
   if (!judged) return {};
-  return sample_.table().detachment() ? holds() : undecided();
+  return complete() ? holds() : undecided();
 }
 
 ClaimJudge::Intervals ClaimJudge::pieces(const std::vector<Intervals>& changes) {
@@ -135,7 +143,7 @@ ClaimJudge::Intervals ClaimJudge::pieces(const std::vector<Intervals>& changes) 
       if (end) cuts.push_back(*end);
     }
   };
-  for (const Cell& cell : sample_.cells()) cut(cell.forces);
+  for (const LoadCell& cell : sample_.cells()) cut(cell.loads);
   for (const Intervals& parts : changes) std::for_each(parts.begin(), parts.end(), cut);
   cut(domain());
   std::sort(cuts.begin(), cuts.end());
@@ -155,7 +163,7 @@ ClaimJudge::Intervals ClaimJudge::pieces(const std::vector<Intervals>& changes) 
 }
 
 std::optional<Judgement> ClaimJudge::not_one_motion(const ForceInterval& piece, const Modes& expected) {
-  const auto fail = [&](Reason reason, std::optional<ContactMode> mode) {
+  const auto fail = [&](Reason reason, std::optional<MechanismMode> mode) {
     Judgement j = refuted(reason);
     j.mode = mode;
     j.witnesses = piece;
@@ -163,14 +171,16 @@ std::optional<Judgement> ClaimJudge::not_one_motion(const ForceInterval& piece, 
   };
   const Rational force = piece.sample();
   const auto& cells = sample_.cells();
-  const auto cell = std::find_if(cells.begin(), cells.end(), [&](const Cell& c) { return c.forces.contains(force); });
+  const auto cell =
+      std::find_if(cells.begin(), cells.end(), [&](const LoadCell& c) { return c.loads.contains(force); });
   if (!cell->continua.empty()) return fail(Reason::continuum, cell->continua.front());
-  for (const CellMotion& motion : cell->motions) {
-    if (!has_one_of(motion, expected)) return fail(Reason::extra, motion.modes.front());
+  for (const MotionOverLoads& motion : cell->motions) {
+    const Modes modes = slipproof::all_modes(motion);
+    if (!have_common(modes, expected)) return fail(Reason::extra, modes.front());
   }
-  if (cell->motions.size() > 1) return fail(Reason::extra, cell->motions[1].modes.front());
+  if (cell->motions.size() > 1) return fail(Reason::extra, slipproof::all_modes(cell->motions[1]).front());
   const bool modelled =
-      std::all_of(expected.begin(), expected.end(), [&](ContactMode m) { return find(m) != nullptr; });
+      std::all_of(expected.begin(), expected.end(), [&](const MechanismMode& m) { return find(m).has_value(); });
   if (cell->motions.empty() && modelled) {
     return fail(Reason::missing, expected.size() == 1 ? std::optional(expected.front()) : std::nullopt);
   }

@@ -101,7 +101,7 @@ bool Implications::proves(std::size_t claim, const ClaimBody& body, Lemmas& lemm
 }
 
 bool Implications::implies(std::vector<Expression> given, const Expression& shown, Lemmas& lemmas,
-                           std::optional<ContactMode> mode, Obeying obeying) const {
+                           const std::optional<MechanismMode>& mode, Obeying obeying) const {
   const Expression rest = not_given(shown, given);
   if (rest->operation == Operation::truth && rest->truth) return true;
   if (prove(given, rest, lemmas, mode, obeying)) return true;
@@ -124,7 +124,7 @@ bool Implications::implies(std::vector<Expression> given, const Expression& show
 }
 
 bool Implications::prove(const std::vector<Expression>& given, const Expression& shown, Lemmas& lemmas,
-                         std::optional<ContactMode> mode, Obeying obeying) const {
+                         const std::optional<MechanismMode>& mode, Obeying obeying) const {
   const auto text = implication_statement(*file_, {.name = "lemma",
                                                    .setting = setting_,
                                                    .given = given,

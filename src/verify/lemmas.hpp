@@ -51,7 +51,7 @@ class Implications {
 
   /// `given` implies `shown`: of any numbers, of all motions in a mode, or of unknowns that obey equations.
   bool implies(std::vector<Expression> given, const Expression& shown, Lemmas& lemmas,
-               std::optional<ContactMode> mode = std::nullopt, Obeying obeying = Obeying::nothing) const;
+               const std::optional<MechanismMode>& mode = std::nullopt, Obeying obeying = Obeying::nothing) const;
   /// x and y are true of the same under `given`, and what only y divides by is never 0 there.
   bool equivalent(const std::vector<Expression>& given, const Expression& x, const Expression& y, Lemmas& lemmas,
                   Obeying obeying = Obeying::nothing) const;
@@ -69,7 +69,7 @@ class Implications {
   std::vector<Expression> divisors(const Expression& e) const;
   bool prove(const std::string& statement, Lemmas& lemmas) const;
   bool prove(const std::vector<Expression>& given, const Expression& shown, Lemmas& lemmas,
-             std::optional<ContactMode> mode, Obeying obeying) const;
+             const std::optional<MechanismMode>& mode, Obeying obeying) const;
 
   const ClaimsFile* file_;
   std::size_t setting_;

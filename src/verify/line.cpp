@@ -40,9 +40,7 @@ std::vector<bool> parameters_of(const CompiledSetting& setting, const std::vecto
                                 Beside beside) {
   std::vector<const Program*> all = programs;
   if (beside == Beside::the_bicycle) {
-    for (const auto& program : setting.scene()) {
-      if (program) all.push_back(&*program);
-    }
+    for (const Program* program : setting.scene().programs()) all.push_back(program);
   }
   std::vector<bool> result(setting.domains().size());
   for (const std::size_t slot : slots_behind(setting.scope(), all)) {

@@ -14,7 +14,7 @@ namespace {
 void subtract(std::vector<Rational>& row, const std::vector<Rational>& pivot, std::size_t column) {
   if (row[column].is_zero()) return;
   const Rational factor = row[column] / pivot[column];
-  for (std::size_t j = 0; j < linear_columns; ++j) {
+  for (std::size_t j = 0; j < row.size(); ++j) {
     if (!pivot[j].is_zero()) row[j] -= factor * pivot[j];
   }
 }
@@ -34,6 +34,12 @@ std::vector<std::size_t> eliminate(LinearRows& rows, const std::vector<std::size
   return pivots;
 }
 
+std::vector<std::size_t> all_columns(const LinearRows& rows) {
+  std::vector<std::size_t> columns(rows.empty() ? 0 : rows.front().size());
+  std::iota(columns.begin(), columns.end(), std::size_t{0});
+  return columns;
+}
+
 }  // namespace
 
 std::optional<LinearRows> linear_rows(const CompiledSetting& setting, const std::vector<Rational>& values,
@@ -43,9 +49,9 @@ std::optional<LinearRows> linear_rows(const CompiledSetting& setting, const std:
   for (std::size_t k = 0; k < values.size(); ++k) {
     evaluator.set(CompiledSetting::parameter_slot(k), field.constant(values[k]));
   }
-  for (std::size_t i = 0; i < unknown_count; ++i)
-    evaluator.set(setting.unknown_slot(i), Linear::variable(i, linear_columns - 1));
-  evaluator.set(CompiledSetting::force_slot(), Linear::variable(unknown_count, linear_columns - 1));
+  const std::size_t unknowns = setting.unknowns();
+  for (std::size_t i = 0; i < unknowns; ++i) evaluator.set(setting.unknown_slot(i), Linear::variable(i, unknowns + 1));
+  evaluator.set(CompiledSetting::force_slot(), Linear::variable(unknowns, unknowns + 1));
   LinearRows rows;
   for (const Program& equation : equations) {
     const Program::Instruction& root = equation.code()[equation.root()];
@@ -53,7 +59,7 @@ std::optional<LinearRows> linear_rows(const CompiledSetting& setting, const std:
     if (!x.number || !y.number) return std::nullopt;
     Linear difference = *x.number - *y.number;
     if (!difference.linear) return std::nullopt;
-    difference.coefficients.resize(linear_columns - 1);
+    difference.coefficients.resize(unknowns + 1);
     difference.coefficients.push_back(std::move(difference.constant));
     rows.push_back(std::move(difference.coefficients));
   }
@@ -61,18 +67,14 @@ std::optional<LinearRows> linear_rows(const CompiledSetting& setting, const std:
 }
 
 bool has_solution(const LinearRows& rows) {
-  std::vector<std::size_t> columns(linear_columns);
-  std::iota(columns.begin(), columns.end(), std::size_t{0});
   LinearRows echelon = rows;
-  const auto pivots = eliminate(echelon, columns);
-  return pivots.empty() || pivots.back() != linear_columns - 1;  // the constant alone: 1 = 0
+  const auto pivots = eliminate(echelon, all_columns(rows));
+  return pivots.empty() || pivots.back() != rows.front().size() - 1;  // the constant alone: 1 = 0
 }
 
 bool follows(const LinearRows& rows, const LinearRows& given) {
-  std::vector<std::size_t> columns(linear_columns);
-  std::iota(columns.begin(), columns.end(), std::size_t{0});
   LinearRows echelon = given;
-  const auto pivots = eliminate(echelon, columns);
+  const auto pivots = eliminate(echelon, all_columns(given));
   return std::all_of(rows.begin(), rows.end(), [&](std::vector<Rational> row) {
     for (std::size_t i = 0; i < pivots.size(); ++i) subtract(row, echelon[i], pivots[i]);
     return std::all_of(row.begin(), row.end(), [](const Rational& x) { return x.is_zero(); });
@@ -81,7 +83,7 @@ bool follows(const LinearRows& rows, const LinearRows& given) {
 
 bool equivalent(const LinearRows& left, const LinearRows& right, const std::vector<bool>& occurs) {
   std::vector<std::size_t> eliminated;
-  for (std::size_t j = 0; j < unknown_count; ++j) {
+  for (std::size_t j = 0; j < occurs.size(); ++j) {
     if (!occurs[j]) eliminated.push_back(j);
   }
   LinearRows rest = left;

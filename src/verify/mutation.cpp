@@ -178,14 +178,14 @@ class MutationRun {
       if (i >= options_.samples && i % 2 == 1) {  // what survived has seen all that the sampler is good at
         values = toward_edges(file_.settings[s], compiled_.settings[s], values, i);
       }
-      auto sample = SolvedSample::make(compiled_.settings[s], file_.settings[s].force_kind, std::move(values));
+      auto sample = SolvedSample::make(compiled_.settings[s], std::move(values));
       if (!sample) return;
       for (const std::size_t c : claims) {
         if (file_.claims[c].setting != s) continue;
         baselines_[c][i].outcome = judge(file_, compiled_, c, Reading::printed, *sample).outcome;
         baselines_[c][i].reach = reach(file_, compiled_, c, *sample);
       }
-      sample->table();  // solved once, before threads share it
+      sample->motions();  // solved once, before threads share it
       samples[i] = std::move(sample);
     });
   }

@@ -30,8 +30,8 @@ std::vector<ForceInterval> reach(const ClaimsFile& file, const CompiledClaims& c
     auto where = sample.true_at(programs.forces);
     if (!where.valued()) where.parts.clear();
     const bool strict = file.settings[c.setting].strict;
-    for (const ContactMode mode : moving) {
-      if (const ModeSolution* s = sample.table().find(mode)) keep_common(where.parts, sample.forces_of(*s, strict));
+    for (const MechanismMode& mode : moving) {
+      if (const auto s = sample.motions().find(mode)) keep_common(where.parts, sample.forces_of(*s, strict));
     }
     std::erase_if(where.parts, [](const ForceInterval& forces) { return forces.empty(); });
     return where.parts;

@@ -22,17 +22,15 @@ Functions::Functions(const CompiledSetting& setting)
       ring_(ring_of(setting.scope(), given_symbols(setting.scope()))),
       symbols_(symbolic(setting.scope(), given_symbols(setting.scope()), *ring_)) {}
 
-std::optional<ReducedFraction> Functions::value(const Expression& e, Vocabulary vocabulary) {
-  const auto value =
-      symbols_.number(vocabulary == Vocabulary::unknowns ? setting_->compile_equation(e, Reading::printed)
-                                                         : setting_->compile(e, Reading::printed));
+std::optional<ReducedFraction> Functions::value(const Expression& e) {
+  const auto value = symbols_.number(setting_->compile(e, Reading::printed));
   return value.number ? std::optional(value.number->value()) : std::nullopt;
 }
 
-bool Functions::same(const Expression& x, const Expression& y, Vocabulary vocabulary) {
+bool Functions::same(const Expression& x, const Expression& y) {
   if (slipproof::same(x, y)) return true;
   if (sort(*x) == Sort::number) {
-    const auto a = value(x, vocabulary), b = value(y, vocabulary);
+    const auto a = value(x), b = value(y);
     return a && b && (*a - *b).numerator.is_zero();
   }
   if (x->operation != y->operation || x->relations != y->relations || x->operands.size() != y->operands.size()) {
@@ -40,7 +38,7 @@ bool Functions::same(const Expression& x, const Expression& y, Vocabulary vocabu
   }
   if (x->operation == Operation::truth) return x->truth == y->truth;
   return std::equal(x->operands.begin(), x->operands.end(), y->operands.begin(),
-                    [&](const Expression& a, const Expression& b) { return same(a, b, vocabulary); });
+                    [&](const Expression& a, const Expression& b) { return same(a, b); });
 }
 
 }  // namespace slipproof

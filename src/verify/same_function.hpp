@@ -13,10 +13,10 @@ class Functions {
 
   /// Trees of one shape down to comparisons or to a number, whose sides are the same rational functions, wherever both
   /// have a value. False: not shown.
-  bool same(const Expression& x, const Expression& y, Vocabulary vocabulary = Vocabulary::quantities);
+  bool same(const Expression& x, const Expression& y);
 
  private:
-  std::optional<ReducedFraction> value(const Expression& e, Vocabulary vocabulary);
+  std::optional<ReducedFraction> value(const Expression& e);
 
   const CompiledSetting* setting_;
   std::unique_ptr<const PolynomialRing> ring_;

@@ -157,7 +157,7 @@ struct Settler::State {
       }
     }
     if (const auto* impossible = std::get_if<Impossible>(&after.says)) {
-      for (const ContactMode mode : impossible->modes) {
+      for (const MechanismMode& mode : impossible->modes) {
         if (!in().implies({after.region, impossible->forces}, make_truth(false), lemmas, mode)) return std::nullopt;
       }
       return made(Kind::theorem, claim, "proved for all parameters", std::move(lemmas));
@@ -263,8 +263,7 @@ struct Settler::State {
     setting = m.setting;
     changed = &now;
     const Expression& before = m.original(file);
-    if (functions[setting].same(before, m.mutant.expression,
-                                m.is_linear() ? Vocabulary::unknowns : Vocabulary::quantities)) {
+    if (functions[setting].same(before, m.mutant.expression)) {
       Lemmas lemmas;
       if (in().divides_alike({}, before, m.mutant.expression, lemmas,
                              [&](const Expression& x, const Expression& y) { return functions[setting].same(x, y); })) {

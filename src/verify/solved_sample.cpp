@@ -1,11 +1,10 @@
 #include "verify/solved_sample.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
-#include "model/domain.hpp"
-#include "model/linear_form.hpp"
+#include "modes/bicycle_motions.hpp"
+#include "motions/affine_space.hpp"
 
 namespace slipproof {
 
@@ -31,45 +30,58 @@ SolvedSample::SolvedSample(const CompiledSetting& setting, std::vector<Rational>
   functions_.set(CompiledSetting::force_slot(), RationalFunction::variable());
 }
 
-bool SolvedSample::read_scene(ForceKind kind) {
-  Bicycle<Rational>& p = scene_.bicycle;
-  p.J = Rational(0);
-  const std::array<Rational*, 14> targets{&p.M,  &p.R,  &p.h,  &p.b2, &p.b3, &p.I1,          &p.I2,
-                                          &p.I3, &p.r1, &p.r2, &p.L,  &*p.J, &scene_.road.f, &scene_.road.g};
-  for (std::size_t i = 0; i < targets.size(); ++i) {
-    if (!setting_->scene()[i]) {
-      p.J.reset();
-      continue;
-    }
-    auto value = constants_.number(*setting_->scene()[i]).number;
+bool SolvedSample::read_scene() {
+  const CompiledScene& scene = setting_->scene();
+  point_ = default_values(setting_->mechanism());
+  point_.starts = setting_->starts();
+  for (std::size_t i = 0; i < scene.parameters.size(); ++i) {
+    point_.given[i] = scene.parameters[i].has_value();
+    if (!scene.parameters[i]) continue;
+    auto value = constants_.number(*scene.parameters[i]).number;
     if (!value) return false;
-    *targets[i] = std::move(*value);
+    point_.parameters[i] = std::move(*value);
   }
-  scene_.force_kind = kind;
-  if (!in_domain(p, scene_.road)) return false;
-  const auto number = functions_.number(*setting_->scene()[targets.size()]).number;
-  if (!number || !number->divisors().empty()) return false;
-  const RationalFunction& force = number->value();
-  if (force.numerator().degree() > 1 || force.denominator().degree() > 0) return false;
-  force_ = {force.numerator().coefficient(0), force.numerator().coefficient(1)};
-  return !force_.beta.is_zero();
+  for (std::size_t i = 0; i < scene.angles.size(); ++i) {
+    auto cosine = constants_.number(scene.angles[i].first).number,
+         sine = constants_.number(scene.angles[i].second).number;
+    if (!cosine || !sine) return false;
+    point_.angles[i] = {std::move(*cosine), std::move(*sine)};
+  }
+  if (constants_.truth(setting_->is_scene()) != Truth::yes || !read_load()) return false;
+  if (setting_->bicycle()) return true;  // divides by nothing
+  try {
+    problem_ = std::make_shared<const FrictionProblem>(setting_->maker().problem(point_));
+  } catch (const NoValue&) {
+    return false;
+  }
+  return true;
 }
 
-std::unique_ptr<SolvedSample> SolvedSample::make(const CompiledSetting& setting, ForceKind kind,
-                                                 std::vector<Rational> values) {
+bool SolvedSample::read_load() {
+  if (!setting_->scene().load) return true;
+  const auto number = functions_.number(*setting_->scene().load).number;
+  if (!number || !number->divisors().empty()) return false;
+  const RationalFunction& load = number->value();
+  if (load.numerator().degree() > 1 || load.denominator().degree() > 0) return false;
+  load_ = {load.numerator().coefficient(0), load.numerator().coefficient(1)};
+  return !load_.beta.is_zero();
+}
+
+std::unique_ptr<SolvedSample> SolvedSample::make(const CompiledSetting& setting, std::vector<Rational> values) {
   std::unique_ptr<SolvedSample> sample(new SolvedSample(setting, std::move(values)));
-  if (!sample->read_scene(kind)) return nullptr;
-  sample->domain_ = true_interval(setting.force_domain(), sample->functions_);
+  if (!sample->read_scene()) return nullptr;
+  sample->domain_ = setting.scene().load ? true_interval(setting.force_domain(), sample->functions_)
+                                         : std::optional(ForceInterval::point(0));
   return sample;
 }
 
 ForceInterval SolvedSample::in_variable(const ForceInterval& forces) const {
   if (forces.empty()) return forces;
   const auto turned = [&](const std::optional<Rational>& F) {
-    return F ? std::optional<Rational>((*F - force_.alpha) / force_.beta) : std::nullopt;
+    return F ? std::optional<Rational>((*F - load_.alpha) / load_.beta) : std::nullopt;
   };
   auto lower = turned(forces.lower()), upper = turned(forces.upper());
-  if (force_.beta > 0) {
+  if (load_.beta > 0) {
     return ForceInterval::between(std::move(lower), forces.lower_closed(), std::move(upper), forces.upper_closed());
   }
   return ForceInterval::between(std::move(upper), forces.upper_closed(), std::move(lower), forces.lower_closed());
@@ -85,59 +97,77 @@ SolvedSample::TrueForces SolvedSample::true_at(const Program& statement) {
   return found;
 }
 
-ForceInterval SolvedSample::forces_of(const ModeSolution& mode, bool strict) const {
-  ForceInterval forces = in_variable(strict ? mode.strict() : mode.closed());
+ForceInterval SolvedSample::forces_of(const ModeOverLoads& mode, bool strict) const {
+  ForceInterval forces = in_variable(strict ? *mode.strict : *mode.closed);
   forces.intersect(*domain_);
   return forces;
 }
 
-const ModeTable& SolvedSample::table() {
-  if (table_) return *table_;
-  const Bicycle<Rational>& p = scene_.bicycle;
-  table_ = only_modes_ ? std::make_shared<const ModeTable>(p, scene_.road, scene_.force_kind, *only_modes_)
-                       : std::make_shared<const ModeTable>(p, scene_.road, scene_.force_kind);
-  return *table_;
+const FrictionProblem& SolvedSample::problem() {
+  if (!problem_) problem_ = std::make_shared<const FrictionProblem>(setting_->maker().problem(point_));
+  return *problem_;
+}
+
+const MotionsOverLoads& SolvedSample::motions() {
+  if (motions_) return *motions_;
+  if (setting_->bicycle()) {
+    const BicycleOfValues scene = bicycle_of(point_);
+    motions_ = bicycle_motions(scene.bicycle, scene.road, scene.kind, only_modes_);
+  } else {
+    motions_ = motions_over_loads(problem(), only_modes_);
+  }
+  return *motions_;
 }
 
 std::unique_ptr<SolvedSample> SolvedSample::under(const CompiledSetting& other) {
   std::unique_ptr<SolvedSample> sample(new SolvedSample(other, values_));
-  table();
-  sample->scene_ = scene_;
-  sample->force_ = force_;
-  sample->table_ = table_;
+  motions();
+  sample->point_ = point_;
+  sample->load_ = load_;
+  sample->problem_ = problem_;
+  sample->motions_ = motions_;
   sample->domain_ = domain_;
   sample->cells_ = cells_;
   return sample;
 }
 
-const std::vector<Cell>& SolvedSample::cells() {
+const std::vector<LoadCell>& SolvedSample::cells() {
   if (!cells_) {
-    std::vector<Cell> cells = partition(table());
-    for (Cell& cell : cells) cell.forces = in_variable(cell.forces);
-    if (force_.beta < 0) std::reverse(cells.begin(), cells.end());
-    cells_ = std::make_shared<const std::vector<Cell>>(std::move(cells));
+    std::vector<LoadCell> cells = motions().cells();
+    const bool same = load_ == Affine<Rational>(0, 1);
+    for (LoadCell& cell : cells) {
+      if (same) break;
+      cell.loads = in_variable(cell.loads);
+      for (MotionOverLoads& motion : cell.motions) put_in_variable(motion);
+    }
+    if (load_.beta < 0) std::reverse(cells.begin(), cells.end());
+    cells_ = std::make_shared<const std::vector<LoadCell>>(std::move(cells));
   }
   return *cells_;
 }
 
-const LinearRows& SolvedSample::raw_rows(ContactState both) {
-  LinearRows& rows = raw_rows_[static_cast<std::size_t>(both)];
-  if (!rows.empty()) return rows;
-  for (auto& equation : raw_system(scene_.bicycle, scene_.road, scene_.force_kind, {both, both})) {
-    std::vector<Rational>& row = rows.emplace_back(equation.coefficients.begin(), equation.coefficients.end());
-    row.push_back(equation.constant + row.back() * force_.alpha);
-    row[unknown_count] *= force_.beta;
+void SolvedSample::put_in_variable(MotionOverLoads& motion) const {
+  for (Affine<Rational>& value : motion.accelerations) value = in_variable(value);
+  for (std::optional<Affine<Rational>>& value : motion.forces) {
+    if (value) value = in_variable(*value);
   }
-  return rows;
 }
 
-LinearRows SolvedSample::equations(std::optional<ContactMode> mode) {
-  const LinearRows& stick = raw_rows(ContactState::stick);
-  LinearRows rows(stick.begin(), stick.begin() + 7);
-  for (const std::size_t contact : {7U, 9U}) {  // a wheel's gap, then its slip or friction
-    const Wheel wheel = contact == 7 ? Wheel::rear : Wheel::front;
-    rows.push_back(stick[contact]);
-    if (mode) rows.push_back(raw_rows((*mode)[wheel])[contact + 1]);
+LinearRows SolvedSample::equations(const std::optional<MechanismMode>& mode) {
+  LinearRows rows;
+  const auto add = [&](const AffineForm& form) {
+    std::vector<Rational>& row = rows.emplace_back(form.coefficients);
+    row.push_back(form.constant + row.back() * load_.alpha);
+    row[row.size() - 2] *= load_.beta;
+  };
+  for (const AffineForm& equation : problem().equations) add(equation);
+  for (std::size_t i = 0; i < problem().elements.size(); ++i) {
+    const ProblemElement& element = problem().elements[i];
+    if (mode) {
+      for (const StateEquation e : slipproof::equations(element.kind, (*mode)[i])) add(form_of(element, (*mode)[i], e));
+    } else if (element.kind.law != ElementKind::Law::limited && element.kind.start != ElementKind::Start::open) {
+      add(element.gap);
+    }
   }
   return rows;
 }
@@ -151,10 +181,23 @@ Truth SolvedSample::eventually(const Program& statement, std::size_t parameter) 
   return evaluator.truth(statement);
 }
 
-void SolvedSample::set_motion(const Motion<Affine<Rational>>& motion) {
-  for (const Quantity q : all_quantities()) {
-    functions_.set(CompiledSetting::quantity_slot(q), RationalFunction(in_variable(motion[q])));
+bool SolvedSample::set_motion(const ModeForms& forms, const std::vector<std::size_t>& slots) {
+  bool determined = true;
+  for (const std::size_t slot : slots) {
+    if (!setting_->is_quantity(slot)) continue;
+    const AffineForm& form = quantity_form(forms, slot - setting_->quantity_slot(0));
+    if (!is_free_of_unknowns(form)) {
+      determined = false;
+      continue;
+    }
+    functions_.set(slot, RationalFunction(in_variable(Affine<Rational>(form.constant, form.coefficients.back()))));
   }
+  return determined;
+}
+
+const AffineForm& quantity_form(const ModeForms& forms, std::size_t quantity) {
+  const std::size_t first = forms.accelerations.size();
+  return quantity < first ? forms.accelerations[quantity] : forms.forces[quantity - first];
 }
 
 }  // namespace slipproof

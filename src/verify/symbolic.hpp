@@ -83,12 +83,6 @@ struct FractionField {
 };
 using SymbolicEvaluator = Evaluator<SymbolicValue, FractionField>;
 
-/// What the symbols of an expression stand for.
-enum class Vocabulary : std::uint8_t {
-  quantities,  ///< the quantities of a motion, the force, parameters and definitions
-  unknowns     ///< those, and before them the unknowns of the model
-};
-
 /// A ring whose variables have the names of these slots of the scope, in their order.
 std::unique_ptr<const PolynomialRing> ring_of(const Scope& scope, const std::vector<std::size_t>& slots);
 

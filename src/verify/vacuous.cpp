@@ -29,7 +29,7 @@ bool is_vacuous(const ClaimsFile& file, std::size_t claim, Reading reading, Lemm
                           [&](const Unique& one) { return no_force(one.forces); },
                           [&](const Formula& one) {
                             if (one.modes.empty()) return no_force(one.forces);
-                            return std::all_of(one.modes.begin(), one.modes.end(), [&](ContactMode mode) {
+                            return std::all_of(one.modes.begin(), one.modes.end(), [&](const MechanismMode& mode) {
                               return logic.implies({region, one.forces}, never, lemmas, mode);
                             });
                           },

@@ -194,6 +194,7 @@ class Run {
     for (std::size_t t = 0; t < tasks_.size(); ++t) {
       if (file_.claims[tasks_[t].claim].setting != setting || !wants_lines(t)) continue;
       LineTask task{t, parts_of(file_, compiled_, tasks_[t].claim, tasks_[t].reading), {}, {}};
+      if (task.parts.too_many_modes) continue;
       std::vector<const Program*> programs = task.parts.conditions;
       programs.insert(programs.end(), task.parts.of_motions.begin(), task.parts.of_motions.end());
       task.matters =
@@ -243,7 +244,7 @@ class Run {
     const std::size_t setting = setting_of(task);
     const CompiledSetting& compiled = compiled_.settings[setting];
     const Line line = line_number(number, options_.seed + line_task.task, line_task.bases, line_task.matters);
-    const LinePoints points = points_on(line, file_.settings[setting], compiled, line_task.parts);
+    const LinePoints points = points_on(line, compiled, line_task.parts);
     Tally tally;
     tally.lines = 1;
     tally.cells = points.cells();
@@ -259,7 +260,7 @@ class Run {
   }
 
   std::unique_ptr<SolvedSample> solved(std::size_t setting, std::vector<Rational> values) const {
-    return SolvedSample::make(compiled_.settings[setting], file_.settings[setting].force_kind, std::move(values));
+    return SolvedSample::make(compiled_.settings[setting], std::move(values));
   }
 
   void judge_sample(std::size_t setting, std::uint64_t i, std::vector<Rational> values,

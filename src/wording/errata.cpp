@@ -34,7 +34,7 @@ FindingParts changed(const ClaimBody& body, const ClaimBody& other) {
   });
   if (modes(body.says) != modes(other.says)) {
     std::string names;
-    for (const ContactMode mode : modes(body.says)) names += (names.empty() ? "" : ", ") + name(mode);
+    for (const MechanismMode& mode : modes(body.says)) names += (names.empty() ? "" : ", ") + name(mode);
     result.push_back({"motions", nullptr, names, false});
   }
   return result;

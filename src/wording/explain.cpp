@@ -6,6 +6,8 @@
 #include <cctype>
 
 #include "claims/setting_names.hpp"
+#include "mechanism/degrees.hpp"
+#include "model/scene.hpp"
 #include "number/format.hpp"
 
 namespace slipproof {
@@ -84,9 +86,10 @@ class Explanation {
     const std::string text =
         fmt::format("the claim has a motion{}{}, and there is none", j_.mode ? " in " + mode() : "", forces());
     if (!setting_.strict || !example_.motions) return text;
-    for (const auto& motion : example_.motions->motions) {
-      const bool here = j_.mode && std::find(motion.modes.begin(), motion.modes.end(), *j_.mode) != motion.modes.end();
-      if (here && !motion.strict) return text + " that meets all conditions strictly, as the setting asks";
+    for (const MotionAtLoad& motion : example_.motions->motions) {
+      const auto& boundary = motion.boundary_modes;
+      const bool here = j_.mode && std::find(boundary.begin(), boundary.end(), *j_.mode) != boundary.end();
+      if (here) return text + " that meets all conditions strictly, as the setting asks";
     }
     return text;
   }
@@ -123,7 +126,7 @@ class Explanation {
     return fmt::format("{} is {}", which, exact_text(value));
   }
   std::string uncovered() const {
-    const std::string none = "no case of the claim covers this bicycle";
+    const std::string none = fmt::format("no case of the claim covers this {}", noun(setting_));
     if (!j_.mode) return none;
     if (j_.real && !j_.real->empty()) {
       return fmt::format("{}, and in {} there are motions {}", none, mode(), for_forces(F_, *j_.real));
@@ -155,23 +158,24 @@ std::string explain(const ClaimsFile& file, const ClaimResult& result, const Cou
 }
 
 std::string explain(const ClaimsFile& file, const ClaimResult& result) {
+  const std::string_view noun = slipproof::noun(file.settings[file.claims[result.claim].setting]);
   if (result.counterexample) return explain(file, result, *result.counterexample);
   switch (result.verdict) {
     case Verdict::holds:
       break;
     case Verdict::vacuous:
-      return "it says something of no bicycle at all, and that is proved";
+      return fmt::format("it says something of no {} at all, and that is proved", noun);
     case Verdict::refuted:
       return file.claims[result.claim].is<Exists>() ? "proved: there is no such motion"
                                                     : "proved to be false; no sample is a counterexample";
     case Verdict::undecided:
       if (result.undecided == 0) {
         return fmt::format("none of the {} that were tried is one of which it says anything",
-                           counted(result.tried, "bicycle"));
+                           counted(result.tried, noun));
       }
       return fmt::format("it has no value at {} of {} in its region",
                          result.undecided == result.samples() ? "any" : std::to_string(result.undecided),
-                         counted(result.samples(), "bicycle"));
+                         counted(result.samples(), noun));
   }
   return "";
 }
@@ -184,14 +188,31 @@ std::vector<std::pair<std::string, Rational>> place_of(const ClaimsFile& file, c
                                                        const Counterexample& example) {
   const Claim& claim = file.claims[result.claim];
   const Setting& setting = file.settings[claim.setting];
-  std::vector<std::pair<std::string, Rational>> place;
-  for (std::size_t k = 0; k < example.values.size(); ++k) {
-    place.emplace_back(setting.parameters[k].symbol, example.values[k]);
-  }
+  auto place = parameters_of(setting, example);
   if (example.force && depends_on_force(setting, claim, result.reading, example)) {
     place.emplace_back(setting.force.symbol, *example.force);
   }
   return place;
+}
+
+std::vector<std::pair<std::string, Rational>> parameters_of(const Setting& setting, const Counterexample& example) {
+  std::vector<std::pair<std::string, Rational>> place;
+  for (std::size_t k = 0; k < example.values.size(); ++k) {
+    if (!setting.parameters[k].angle) {
+      place.emplace_back(setting.parameters[k].symbol, example.values[k]);
+      continue;
+    }
+    const PaperAngle& angle = setting.angles[*setting.parameters[k].angle];
+    const MechanismValues::Circle point = point_of_tan_half(example.values[k]);
+    place.emplace_back(angle.cosine, point.cosine);
+    place.emplace_back(angle.sine, point.sine);
+  }
+  return place;
+}
+
+std::string scene_text(const Setting& setting, const Counterexample& example) {
+  if (example.bicycle) return to_toml(example.bicycle->scene);
+  return to_toml(example.scene, setting.mechanism_name, setting.along);
 }
 
 std::string broken_conditions(const Setting& setting, const Counterexample& example) {
@@ -208,16 +229,39 @@ std::string realisability(const ClaimsFile& file, const ClaimResult& result) {
   const Setting& setting = file.settings[file.claims[result.claim].setting];
   if (!result.counterexample || setting.realisable.empty()) return "";
   const Counterexample& example = *result.counterexample;
-  if (example.unrealisable.empty()) return "this bicycle can be built";
+  const std::string_view what = setting.bicycle ? "bicycle" : "mechanism";
+  if (example.unrealisable.empty()) return fmt::format("this {} can be built", what);
   return fmt::format(
-      "this bicycle cannot be built: it breaks {}; none that can was found, neither among the {} at which "
+      "this {} cannot be built: it breaks {}; none that can was found, neither among the {} at which "
       "the claim was found to fail nor among those of small numbers",
-      broken_conditions(setting, example), counted(result.refuted, "bicycle"));
+      what, broken_conditions(setting, example), counted(result.refuted, noun(setting)));
 }
 
 std::string no_motions(const Counterexample& example) {
-  return example.scene.bicycle.J ? "there is no motion at all"
-                                 : "there is no motion with both wheels on the road; without J no other is modelled";
+  const Mechanism& mechanism = example.scene.mechanism;
+  std::string needs;
+  for (const MechanismContact& contact : mechanism.contacts) {
+    for (const std::size_t parameter : contact.lift_needs) {
+      const std::string& symbol = mechanism.parameters[parameter].symbol;
+      if (!example.scene.values.given[parameter] && needs.find(symbol) == needs.npos) {
+        needs += (needs.empty() ? "" : ", ") + symbol;
+      }
+    }
+  }
+  if (needs.empty()) return "there is no motion at all";
+  return fmt::format("there is no motion with {}; without {} no other is modelled",
+                     example.bicycle ? "both wheels on the road" : "those contacts closed that are not modelled open",
+                     needs);
+}
+
+std::string_view noun(const Setting& setting) {
+  return setting.bicycle ? "bicycle" : "point";
+}
+
+std::string_view noun(const ClaimsFile& file) {
+  const auto& all = file.settings;
+  return std::all_of(all.begin(), all.end(), [](const Setting& s) { return s.bicycle.has_value(); }) ? "bicycle"
+                                                                                                     : "point";
 }
 
 std::string sentence(std::string text) {

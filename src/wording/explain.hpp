@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -30,11 +31,21 @@ bool is_about_motions(const Claim& claim);
 std::vector<std::pair<std::string, Rational>> place_of(const ClaimsFile& file, const ClaimResult& result,
                                                        const Counterexample& example);
 
+/// The paper's parameters there, cosines and sines of its angles among them.
+std::vector<std::pair<std::string, Rational>> parameters_of(const Setting& setting, const Counterexample& example);
+
+/// The counterexample as a scene file; where it is of a mechanism, to be read from beside the claims file.
+std::string scene_text(const Setting& setting, const Counterexample& example);
+
 /// What there is at the counterexample in place of motions, where there are none.
 std::string no_motions(const Counterexample& example);
 
 /// With a capital, if it begins with a word and not with a formula, and with a full stop.
 std::string sentence(std::string text);
+
+/// What a sample of a setting, or of all settings of a file, is called: a bicycle, or a point of a mechanism.
+std::string_view noun(const Setting& setting);
+std::string_view noun(const ClaimsFile& file);
 
 /// `5 claims`, `1 claim`.
 std::string counted(std::size_t count, std::string_view noun);

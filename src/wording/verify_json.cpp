@@ -3,6 +3,7 @@
 #include "model/scene.hpp"
 #include "wording/explain.hpp"
 #include "wording/motion_json.hpp"
+#include "wording/motions_json.hpp"
 #include "wording/verify_report.hpp"
 
 namespace slipproof {
@@ -32,7 +33,7 @@ Json broken_json(const Counterexample& e) {
 Json counterexample_json(const ClaimsFile& file, const ClaimResult& result, const Counterexample& e) {
   const Setting& setting = file.settings[file.claims[result.claim].setting];
   Json object, parameters = Json::object();
-  for (std::size_t k = 0; k < e.values.size(); ++k) parameters[setting.parameters[k].symbol] = to_json(e.values[k]);
+  for (const auto& [symbol, value] : parameters_of(setting, e)) parameters[symbol] = to_json(value);
   object["reason"] = name(e.judgement.reason);
   object["explanation"] = explain(file, result, e);
   object["minimal"] = e.minimal;
@@ -40,13 +41,17 @@ Json counterexample_json(const ClaimsFile& file, const ClaimResult& result, cons
   object["unrealisable"] = e.unrealisable;
   object["broken"] = broken_json(e);
   object["parameters"] = std::move(parameters);
-  object["scene"] = to_toml(e.scene);
+  object["scene"] = scene_text(setting, e);
   object["mode"] = e.judgement.mode ? Json(name(*e.judgement.mode)) : Json(nullptr);
   if (e.judgement.claimed) object["claimed"] = interval_json(*e.judgement.claimed);
   if (e.judgement.real) object["real"] = interval_json(*e.judgement.real);
   if (e.judgement.witnesses) object["witnesses"] = interval_json(*e.judgement.witnesses);
   object["force"] = to_json(e.force);
-  if (e.motions) put_motions(object, *e.motions, e.scene);
+  if (e.bicycle && e.bicycle->motions) {
+    put_motions(object, *e.bicycle->motions, e.bicycle->scene);
+  } else if (e.motions) {
+    put_motions(object, e.scene.mechanism, *e.motions);
+  }
   return object;
 }
 

@@ -17,23 +17,39 @@ namespace {
 
 using Out = std::back_insert_iterator<std::string>;
 
-void write_motions(Out out, const Counterexample& e) {
-  for (const auto& motion : e.motions->motions) {
-    std::string modes;
-    for (const ContactMode mode : motion.modes) modes += (modes.empty() ? "" : " = ") + name(mode);
-    fmt::format_to(out, "        {:<23} {:<9}", modes, motion.strict ? "strict" : "boundary");
-    using enum Quantity;
-    for (const Quantity q : {a, S2, S3, N2, N3, slip2, slip3}) {
-      fmt::format_to(out, " {} = {}", name(q), exact_text(motion.values[q]));
-    }
-    if (sign(motion.values[gap2]) != 0) fmt::format_to(out, " gap2 = {}", exact_text(motion.values[gap2]));
-    if (sign(motion.values[gap3]) != 0) fmt::format_to(out, " gap3 = {}", exact_text(motion.values[gap3]));
-    fmt::format_to(out, "\n");
+void write_motion(Out out, const Counterexample& e, const MotionAtLoad& motion) {
+  std::string modes;
+  for (const auto* names : {&motion.modes, &motion.boundary_modes}) {
+    for (const MechanismMode& mode : *names) modes += (modes.empty() ? "" : " = ") + name(mode);
   }
-  for (const auto& c : e.motions->continua) {
-    fmt::format_to(out, "        {:<23} continuum", name(c.continuum->mode));
-    for (std::size_t k = 0; k < c.parameters.size(); ++k) {
-      fmt::format_to(out, " {} in {}", name(c.continuum->parameters[k]), to_string(c.parameters[k]));
+  fmt::format_to(out, "        {:<23} {:<9}", modes, motion.strict() ? "strict" : "boundary");
+  const auto accelerations = acceleration_names(e.scene.mechanism), forces = force_names(e.scene.mechanism);
+  for (std::size_t i = 0; i < accelerations.size(); ++i) {
+    // What stands still goes without saying; so does that a contact stays closed.
+    if (sign(motion.accelerations[i]) != 0)
+      fmt::format_to(out, " {} = {}", accelerations[i], exact_text(motion.accelerations[i]));
+  }
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    const Range& range = motion.forces[i];
+    if (range.is_point()) fmt::format_to(out, " {} = {}", forces[i], exact_text(*range.lower));
+    if (!range.is_point()) {
+      fmt::format_to(out, " {} in {}", forces[i],
+                     to_string(ForceInterval::between(range.lower, true, range.upper, true)));
+    }
+  }
+  fmt::format_to(out, "\n");
+}
+
+void write_motions(Out out, const Counterexample& e) {
+  for (const MotionAtLoad& motion : e.motions->motions) write_motion(out, e, motion);
+  const auto names = acceleration_names(e.scene.mechanism);
+  for (const ContinuumAtLoad& c : e.motions->continua) {
+    fmt::format_to(out, "        {:<23} continuum", name(c.mode));
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const Range& range = c.accelerations[i];
+      if (range.is_point()) continue;
+      fmt::format_to(out, " {} in {}", names[i],
+                     to_string(ForceInterval::between(range.lower, true, range.upper, true)));
     }
     fmt::format_to(out, "\n");
   }
@@ -105,11 +121,11 @@ std::string verify_text(const ClaimsFile& file, const VerifyResult& result, bool
   int unexpected = 0, proved = 0;
   if (!quiet) {
     fmt::format_to(out, "{}\n{} for each setting and {} of them for each claim, seed {}\n", file.paper.title,
-                   counted(result.samples, "bicycle"), counted(result.lines, "line"), result.seed);
+                   counted(result.samples, noun(file)), counted(result.lines, "line"), result.seed);
     fmt::format_to(out,
-                   "says: at how many bicycles the claim says something; tried: of how many (equations and identities "
+                   "says: at how many {}s the claim says something; tried: of how many (equations and identities "
                    "are tried at one in {})\n\n",
-                   thinned_to);
+                   noun(file), thinned_to);
     fmt::format_to(out, "  {:<11} {:<9} {:<10} {:>8} {:>8} {:>8}  line\n", "claim", "reading", "verdict", "says",
                    "tried", "refuted");
   }

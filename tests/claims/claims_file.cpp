@@ -116,7 +116,7 @@ TEST_CASE("a claims file is read as it is written") {
   REQUIRE(file.settings.size() == 1);
   const Setting& setting = file.settings[0];
   CHECK(setting.strict);
-  CHECK(setting.force_kind == ForceKind::internal);
+  CHECK(setting.bicycle == ForceKind::internal);
   CHECK(setting.parameters.size() == 2);
   CHECK(same(setting.parameters[1].domain, truth("f >= 0")));
   CHECK(same(setting.scene.at("F"), number("P")));
@@ -172,8 +172,8 @@ TEST_CASE("both readings are compiled, and share what is the same") {
   REQUIRE(setting.boundaries().size() == 2);
   CHECK(*evaluator.number(setting.boundaries()[0].value).number == 8);
   CHECK(*evaluator.number(setting.boundaries()[1].value).number == 2);
-  CHECK(*evaluator.number(*setting.scene()[3]).number == 3);
-  CHECK_FALSE(setting.scene()[11]);
+  CHECK(*evaluator.number(*setting.scene().parameters[3]).number == 3);
+  CHECK_FALSE(setting.scene().parameters[11]);
 
   const ClaimsFile plain =
       parse_claims(replaced(small, "repaired = \"f/2\"\nwhy = \"a fraction bar is lost\"\n", ""), "claims.toml");

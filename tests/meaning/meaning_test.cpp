@@ -146,8 +146,7 @@ class Comparison {
 
 std::string judged_otherwise(const Pair& pair) {
   const CompiledClaims compiled(pair.file);
-  const auto sample = SolvedSample::make(compiled.settings[0], pair.file.settings[0].force_kind,
-                                         in_order(pair.random.setting, pair.bicycle));
+  const auto sample = SolvedSample::make(compiled.settings[0], in_order(pair.random.setting, pair.bicycle));
   if (!sample) return "the product has no such bicycle";
   const Says product = in_words_of_the_page(judge(pair.file, compiled, pair.claim, Reading::printed, *sample).outcome);
   return product == pair.says ? "" : "the product " + std::string(name(product));

@@ -116,9 +116,9 @@ TEST_CASE("the paper's plane: points solved again, borders on thresholds exactly
     for (const PhasePoint& point : sample_points(diagram, 8, 6)) {
       std::vector<Rational> values = figure.values;
       values[figure.x] = point.x;
-      const auto sample = SolvedSample::make(setting, claims.settings[figure.setting].force_kind, values);
-      check_point(point, ModeTable(sample->scene().bicycle, sample->scene().road, sample->scene().force_kind),
-                  sample->pedal_force(point.y));
+      const auto sample = SolvedSample::make(setting, values);
+      const BicycleOfValues scene = bicycle_of(sample->point());
+      check_point(point, ModeTable(scene.bicycle, scene.road, scene.kind), sample->load(point.y));
     }
     const std::vector<std::string> expected{"xi1", "xi2", "xi3", "xi4", "xi5", "xi6"};
     auto curves = diagram.plane.curves;

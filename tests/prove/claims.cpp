@@ -280,10 +280,10 @@ TEST_CASE("the statements' mechanics accept the motions of the mode solver, and 
                                     eps2,
                                     motion[Quantity::eps3],
                                     half * eps2 - sample.F,
-                                    motion[Quantity::S2],
-                                    motion[Quantity::S3],
                                     motion[Quantity::N2],
-                                    motion[Quantity::N3]};
+                                    motion[Quantity::S2],
+                                    motion[Quantity::N3],
+                                    motion[Quantity::S3]};
     const auto texts = [&] {
       std::vector<std::string> result;
       for (const Rational& value : values) result.push_back(value.str());
