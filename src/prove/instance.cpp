@@ -5,6 +5,7 @@
 #include <numeric>
 #include <random>
 #include <set>
+#include <utility>
 
 #include "number/real_roots.hpp"
 
@@ -58,11 +59,13 @@ class Attempt {
   }
 
   std::optional<std::vector<Rational>> run() {
+    choose_points_on_circles();
     put_off_late_conditions();
     bool solving = false;
     std::vector<std::size_t> open;  // variables that no equation determines once the others are known: chosen last
     for (const std::size_t v : order_) {
       if (!simplify()) return std::nullopt;
+      if (chosen_[v]) continue;
       const auto equations = static_cast<std::size_t>(count_equations(conditions_) + count_equations(late_));
       const auto variables = static_cast<std::size_t>(std::count(chosen_.begin(), chosen_.end(), false));
       if (!solving && equations + 1 >= variables) {
@@ -114,6 +117,36 @@ class Attempt {
   static bool has_equation(const Formula& formula) {
     if (formula.kind == Formula::Kind::atom) return formula.sign == Sign::zero;
     return std::any_of(formula.parts.begin(), formula.parts.end(), has_equation);
+  }
+
+  /// Cosines and sines: of two variables whose squares must add up to 1 neither is found from the other, but rational
+  /// points on the circle are, by the tangent of half of the angle.
+  void choose_points_on_circles() {
+    for (const Condition& c : std::vector<Condition>(conditions_)) {
+      if (!c.is_equation() || !is_circle(c.p)) continue;
+      const std::vector<std::size_t> pair = c.p.variables();
+      if (chosen_[pair[0]] || chosen_[pair[1]]) continue;
+      const std::uint64_t kind = random_() % 8;  // four of eight in the first quadrant
+      const auto q = static_cast<long>(random_() % 6 + 1), p = static_cast<long>(random_() % 7);
+      Rational t(p, q);
+      if (kind < 4 && t > 1) t = 1 / t;
+      if (kind >= 6) t = -t;
+      const Rational square = t * t, cosine = (1 - square) / (1 + square), sine = 2 * t / (1 + square);
+      const bool turned = kind % 2 == 1;
+      substitute(pair[0], Polynomial(ring_, turned ? sine : cosine));
+      substitute(pair[1], Polynomial(ring_, turned ? cosine : sine));
+    }
+  }
+
+  static bool is_circle(const Polynomial& p) {
+    const std::vector<std::size_t> variables = p.variables();
+    if (variables.size() != 2) return false;
+    const auto [x, y] = std::pair{variables[0], variables[1]};
+    if (p.degree(x) != 2 || p.degree(y) != 2) return false;
+    const Polynomial square = p.coefficient(x, 2), rest = p.coefficient(x, 0);
+    if (!square.is_constant() || !p.coefficient(x, 1).is_zero() || !rest.coefficient(y, 1).is_zero()) return false;
+    const Polynomial other = rest.coefficient(y, 2), constant = rest.coefficient(y, 0);
+    return other == square && constant == -square;
   }
 
   /// Drops what is true; whether nothing is false.
