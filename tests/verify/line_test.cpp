@@ -43,8 +43,7 @@ const std::vector<Rational> ones(9, Rational(1));
 LinePoints points(const ClaimsFile& file, const Line& line) {
   const CompiledClaims compiled(file);
   const std::size_t setting = file.claims[0].setting;
-  return points_on(line, file.settings[setting], compiled.settings[setting],
-                   parts_of(file, compiled, 0, Reading::printed));
+  return points_on(line, compiled.settings[setting], parts_of(file, compiled, 0, Reading::printed));
 }
 
 bool any_between(const std::vector<Rational>& values, const Rational& lower, const Rational& upper) {
@@ -67,7 +66,7 @@ struct OneClaim {
 
   std::pair<Outcome, Reason> judged(const std::vector<Rational>& values) const {
     if (!in_domain(symbols(), values)) return {};
-    const auto sample = SolvedSample::make(symbols(), file.settings[setting()].force_kind, values);
+    const auto sample = SolvedSample::make(symbols(), values);
     if (!sample) return {};
     const Judgement j = judge(file, compiled, claim, reading, *sample);
     return {j.outcome, j.reason};
@@ -88,8 +87,7 @@ struct OneClaim {
 
   /// Compares the judgements near both ends and inside of each cell with that of its point; the number of comparisons.
   int compare(const Line& line) const {
-    const LinePoints found =
-        points_on(line, file.settings[setting()], symbols(), parts_of(file, compiled, claim, reading));
+    const LinePoints found = points_on(line, symbols(), parts_of(file, compiled, claim, reading));
     const auto points = cell_points(found.roots, found.part);
     int compared = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
