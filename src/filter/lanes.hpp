@@ -52,9 +52,11 @@ struct TrackedLanes {
   }
 };
 
-/// ModeSets of each lane.
+/// ModeSets of each lane. Aligned for the widest registers, which the compiler expects of it in the functions compiled
+/// for them.
 struct LaneSets {
-  LaneBits consistent{}, undecided{};
+  alignas(sizeof(LaneBits)) LaneBits consistent{};
+  alignas(sizeof(LaneBits)) LaneBits undecided{};
 };
 
 /// decide_modes() for every lane, without a branch on a value.
