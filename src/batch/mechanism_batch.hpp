@@ -44,6 +44,8 @@ class MechanismBatch {
 
   /// In the order of enumeration.
   const std::vector<MechanismMode>& modes() const { return modes_; }
+  /// Whether each parameter has a value.
+  const std::vector<bool>& given() const { return given_; }
   /// Null for a mechanism that only the exact kernel does.
   const ModeCode* code() const { return code_.get(); }
 

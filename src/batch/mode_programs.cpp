@@ -292,7 +292,9 @@ class ProgramMaker {
       if (element.kind.law != ElementKind::Law::limited) rows.push_back(element.normal);
       if (element.kind.law != ElementKind::Law::frictionless) rows.push_back(element.tangent);
     }
-    for (const TapeForm& equation : problem_.equations) result_.applied.push_back(equation.constant);
+    for (std::size_t i = 0; i < mechanism_.equations.size(); ++i) {
+      result_.applied.push_back(problem_.equations[i].constant);
+    }
     const TapeSolution solution(tape_, std::move(rows), problem_.unknowns);
     if (!solution.residuals().empty() || solution.free() > 0) return;
     result_.loose_pivots = solution.pivots();

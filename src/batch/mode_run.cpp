@@ -19,14 +19,20 @@ LaneBits all_lanes() {
   return ~LaneBits{};
 }
 
-RunningError rounded(double value, bool exact) {
-  return {Lanes{} + value, Lanes{} + (exact ? 0 : std::fabs(value) * batch_rounding + batch_underflow)};
+/// Of a number that is the nearest binary64 to what is meant.
+double rounding_error(double value) {
+  return std::fabs(value) * batch_rounding + batch_underflow;
+}
+
+void put(RunningError& number, std::size_t lane, double value, bool exact) {
+  number.value[lane] = value;
+  number.error[lane] = exact ? 0 : rounding_error(value);
 }
 
 RunningError rounded(const Rational& value) {
   const double nearest = nearest_binary64(value);
   if (!std::isfinite(nearest)) return {Lanes{}, Lanes{} + HUGE_VAL};
-  return rounded(nearest, to_rational(nearest) == value);
+  return {Lanes{} + nearest, Lanes{} + (to_rational(nearest) == value ? 0 : rounding_error(nearest))};
 }
 
 SLIPPROOF_VECTOR_CLONES("avx512f", "avx2")
@@ -216,28 +222,35 @@ ModeCode::Code ModeCode::code_for(const std::vector<TapeRef>& wanted, std::vecto
 }
 
 ModeRun::ModeRun(const ModeCode& code)
-    : code_(&code), results_(code.results_), modes_(code.programs().programs.size()) {
+    : code_(&code),
+      results_(code.results_),
+      tan_halves_(code.programs().angles),
+      modes_(code.programs().programs.size()) {
   for (const auto& [place, value] : code.constants_) results_[place] = value;
 }
 
 void ModeRun::set(std::size_t input, std::size_t lane, double value, bool exact) {
-  const RunningError number = rounded(value, exact);
-  results_[input].value[lane] = number.value[0];
-  results_[input].error[lane] = number.error[0];
+  put(results_[input], lane, value, exact);
 }
 
 void ModeRun::set_angle(std::size_t angle, std::size_t lane, double tan_half, bool exact) {
-  const RunningError t = rounded(tan_half, exact), one{Lanes{} + 1, {}}, square = t * t;
-  const RunningError cosine = (one - square) / (one + square), sine = (t + t) / (one + square);
-  const std::size_t place = code_->programs().cosine(angle);
-  for (const auto& [input, number] : {std::pair{place, cosine}, std::pair{place + 1, sine}}) {
-    results_[input].value[lane] = number.value[0];
-    results_[input].error[lane] = number.error[0];
+  put(tan_halves_[angle], lane, tan_half, exact);
+}
+
+void ModeRun::compute_angles() {
+  const RunningError one{Lanes{} + 1, {}};
+  for (std::size_t i = 0; i < tan_halves_.size(); ++i) {
+    const RunningError& t = tan_halves_[i];
+    const RunningError square = t * t;
+    const std::size_t place = code_->programs().cosine(i);
+    results_[place] = (one - square) / (one + square);
+    results_[place + 1] = (t + t) / (one + square);
   }
 }
 
 void ModeRun::decide() {
   const ModePrograms& programs = code_->programs();
+  compute_angles();
   run(code_->decision_.data(), code_->decision_.data() + code_->decision_.size(), results_.data());
   in_domain_ = in_load_domain_ = all_lanes();
   for (const TapeRef divisor : programs.divisors) in_domain_ &= surely_not_zero(at(divisor));

@@ -71,6 +71,11 @@ class ModeRun {
   /// which of them are strict. Nothing if that is not so, or not sure.
   std::optional<std::size_t> only_motion(std::size_t lane) const;
 
+  /// Of modes among those that only_motion() speaks of.
+  bool is_same_motion(std::size_t x, std::size_t y) const {
+    return code_->programs().programs[x].motion == code_->programs().programs[y].motion;
+  }
+
   /// Computes accelerations and forces of a mode at all points, and what zeros are held against.
   void compute_values(std::size_t mode);
   void compute_scales();
@@ -79,6 +84,7 @@ class ModeRun {
   RunningError at(const FreeForm& form, std::span<const RunningError> free) const;
 
  private:
+  void compute_angles();
   LaneBits holds(const TruthProgram& program) const;
   LaneModes judge(const ModeProgram& program) const;
   void judge_determined(const ModeProgram& program, LaneBits& violated, LaneModes& result) const;
@@ -86,6 +92,7 @@ class ModeRun {
 
   const ModeCode* code_;
   std::vector<RunningError> results_;
+  std::vector<RunningError> tan_halves_;
   std::vector<LaneModes> modes_;
   LaneBits in_domain_{}, in_load_domain_{};
 };

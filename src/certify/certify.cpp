@@ -6,11 +6,14 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "certify/chunk_reader.hpp"
 #include "certify/exact_judge.hpp"
+#include "certify/mechanism_judge.hpp"
+#include "certify/mechanism_reader.hpp"
 #include "certify/problem_reader.hpp"
 #include "certify/record_reader.hpp"
 #include "parallel/thread_count.hpp"
@@ -49,31 +52,140 @@ RecordJudgement judge_line(std::string_view line, std::uint64_t at, const Record
                            : judge_problem(record.problem, record.answer, options.judge);
 }
 
-Judged judge_chunk(const Chunk& chunk, const RecordReader& reader, const CertifyOptions& options) {
-  Judged result;
-  std::uint64_t line_number = chunk.first_line, record = chunk.first_record;
-  each_line(chunk.text, [&](std::string_view line) {
-    const std::uint64_t at = line_number++;
-    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-    if (blank(line)) return;
-    const std::uint64_t number = record++;
-    if (number < options.first_record || result.broken) return;
+/// Judges the lines of a chunk, whatever they are records of.
+class LineJudge {
+ public:
+  virtual ~LineJudge() = default;
+  /// Throws BrokenRecord. A judgement may come later, but before finish() returns.
+  virtual void judge(std::string_view line, std::uint64_t at, RecordJudgement& judgement) = 0;
+  virtual void finish() {}
+};
+
+/// Of bicycles and contact problems.
+class SceneLines final : public LineJudge {
+ public:
+  SceneLines(const RecordReader& reader, const CertifyOptions& options) : reader_(reader), options_(options) {}
+  void judge(std::string_view line, std::uint64_t at, RecordJudgement& judgement) override {
+    judgement = judge_line(line, at, reader_, options_);
+  }
+
+ private:
+  const RecordReader& reader_;
+  const CertifyOptions& options_;
+};
+
+class MechanismLines final : public LineJudge {
+ public:
+  MechanismLines(const MechanismReader& reader, const MechanismJudge& judge, const CertifyOptions& options)
+      : reader_(reader), block_(judge, options.judge) {}
+  void judge(std::string_view line, std::uint64_t at, RecordJudgement& judgement) override {
+    reader_.read(line, record_);
+    if (record_.not_finite) {
+      judgement = invalid_judgement(place_text(at, record_.not_finite->column) + record_.not_finite->reason);
+    } else {
+      block_.add(record_, judgement);
+    }
+  }
+  void finish() override { block_.finish(); }
+
+ private:
+  const MechanismReader& reader_;
+  MechanismBlock block_;
+  MechanismRecord record_;
+};
+
+/// What is made once for all chunks.
+class LineJudges {
+ public:
+  LineJudges(const CertifyOptions& options, std::string_view header) : options_(options) {
+    if (!options.mechanism) {
+      records_.emplace(options, header);
+      return;
+    }
+    mechanism_records_.emplace(options, header);
+    mechanism_judge_.emplace(*options.mechanism, mechanism_records_->fields());
+  }
+
+  std::unique_ptr<LineJudge> make() const {
+    if (records_) return std::make_unique<SceneLines>(*records_, options_);
+    return std::make_unique<MechanismLines>(*mechanism_records_, *mechanism_judge_, options_);
+  }
+
+ private:
+  const CertifyOptions& options_;
+  std::optional<RecordReader> records_;
+  std::optional<MechanismReader> mechanism_records_;
+  std::optional<MechanismJudge> mechanism_judge_;
+};
+
+/// As many lines are judged before they are written.
+constexpr std::size_t lines_at_once = 64;
+
+class ChunkJudge {
+ public:
+  ChunkJudge(LineJudge& judge, const CertifyOptions& options) : judge_(judge), options_(options) {}
+
+  Judged judge(const Chunk& chunk) {
+    std::uint64_t line_number = chunk.first_line, record = chunk.first_record;
+    each_line(chunk.text, [&](std::string_view line) {
+      const std::uint64_t at = line_number++;
+      if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+      if (blank(line)) return;
+      const std::uint64_t number = record++;
+      if (number < options_.first_record || result_.broken) return;
+      judge_one(line, at, number);
+      if (count_ == lines_at_once) write();
+    });
+    write();
+    return std::move(result_);
+  }
+
+ private:
+  struct Entry {
+    std::uint64_t record = 0;
     RecordJudgement judgement;
+    bool broken = false;
+  };
+
+  void judge_one(std::string_view line, std::uint64_t at, std::uint64_t number) {
+    Entry& entry = entries_[count_];
+    entry.record = number;
+    entry.broken = false;
     try {
-      judgement = judge_line(line, at, reader, options);
+      judge_.judge(line, at, entry.judgement);
     } catch (const BrokenRecord& broken) {
-      if (options.stop_at_broken) {
-        result.broken = {options.file, static_cast<std::size_t>(at), broken.column, broken.message};
+      if (options_.stop_at_broken) {
+        result_.broken = {options_.file, static_cast<std::size_t>(at), broken.column, broken.message};
         return;
       }
-      judgement = invalid_judgement(place_text(at, broken.column) + broken.message);
-      ++result.summary.broken;
+      entry.judgement = invalid_judgement(place_text(at, broken.column) + broken.message);
+      entry.broken = true;
     }
-    count(result.summary, judgement);
-    append_line(result.lines, number, judgement);
-    if (options.judged) result.judgements.emplace_back(number, std::move(judgement));
-  });
-  return result;
+    ++count_;
+  }
+
+  void write() {
+    judge_.finish();
+    for (std::size_t i = 0; i < count_; ++i) {
+      Entry& entry = entries_[i];
+      if (entry.broken) ++result_.summary.broken;
+      count(result_.summary, entry.judgement);
+      append_line(result_.lines, entry.record, entry.judgement);
+      if (options_.judged) result_.judgements.emplace_back(entry.record, std::move(entry.judgement));
+    }
+    count_ = 0;
+  }
+
+  LineJudge& judge_;
+  const CertifyOptions& options_;
+  Judged result_;
+  std::array<Entry, lines_at_once> entries_;
+  std::size_t count_ = 0;
+};
+
+Judged judge_chunk(const Chunk& chunk, const LineJudges& judges, const CertifyOptions& options) {
+  const auto judge = judges.make();
+  return ChunkJudge(*judge, options).judge(chunk);
 }
 
 }  // namespace
@@ -95,7 +207,7 @@ CertifySummary certify(const ByteSource& input, const LineSink& output, const Ce
     options.format = chunks.first() == '{' ? RecordFormat::json_lines : RecordFormat::csv;
   }
   const std::string header = options.format == RecordFormat::csv ? chunks.header() : std::string();
-  const RecordReader reader(options, header);
+  const LineJudges judges(options, header);
   CertifySummary summary;
   const auto write = [&](const Judged& judged) {
     if (!judged.lines.empty()) output(judged.lines);
@@ -107,7 +219,7 @@ CertifySummary certify(const ByteSource& input, const LineSink& output, const Ce
 
   if (options.threads == 1) {
     Chunk chunk;
-    while (chunks.next(chunk)) write(judge_chunk(chunk, reader, options));
+    while (chunks.next(chunk)) write(judge_chunk(chunk, judges, options));
     return summary;
   }
   tbb::task_arena arena(thread_count(options.threads));
@@ -124,7 +236,7 @@ CertifySummary certify(const ByteSource& input, const LineSink& output, const Ce
             tbb::make_filter<std::shared_ptr<Chunk>, std::shared_ptr<Judged>>(
                 tbb::filter_mode::parallel,
                 [&](const std::shared_ptr<Chunk>& chunk) {
-                  return std::make_shared<Judged>(judge_chunk(*chunk, reader, options));
+                  return std::make_shared<Judged>(judge_chunk(*chunk, judges, options));
                 }) &
             tbb::make_filter<std::shared_ptr<Judged>, void>(
                 tbb::filter_mode::serial_in_order, [&](const std::shared_ptr<Judged>& judged) { write(*judged); }));

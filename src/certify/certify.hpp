@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "certify/judge.hpp"
+#include "certify/mechanism_record.hpp"
 #include "input/byte_source.hpp"
 #include "input/diagnostic.hpp"
 
@@ -22,8 +23,10 @@ enum class RecordFormat {
 struct CertifyOptions {
   JudgeOptions judge;
   RecordFormat format = RecordFormat::by_first_byte;
-  std::string file = "-";          ///< how messages call the input
-  std::optional<Scene> scene;      ///< parameters that are the same for all records
+  std::string file = "-";      ///< how messages call the input
+  std::optional<Scene> scene;  ///< parameters that are the same for all records
+  /// Records are of this mechanism, and not of the bicycle or contact problems.
+  std::optional<CertifiedMechanism> mechanism = std::nullopt;
   bool decimal_exact = false;      ///< decimals mean what they say, not the nearest binary64
   bool stop_at_broken = false;     ///< throw at the first record that cannot be read, instead of reporting it
   bool ignore_unknown = false;     ///< columns and keys that are no field

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "certify/cells.hpp"
 #include "certify/field.hpp"
 #include "filter/filter.hpp"
 
@@ -16,12 +17,6 @@ namespace slipproof {
 inline constexpr std::array<Quantity, answer_count> answer_quantities{Quantity::a,    Quantity::a_y,  Quantity::phi,
                                                                       Quantity::eps2, Quantity::eps3, Quantity::S2,
                                                                       Quantity::S3,   Quantity::N2,   Quantity::N3};
-
-/// A value that is no finite number: where it stands in its line (byte, from 1; 0: no place), what was found, expected.
-struct NotFinite {
-  std::size_t column;
-  std::string reason;
-};
 
 struct Record {
   std::array<double, field_count> values{};

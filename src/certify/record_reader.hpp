@@ -5,21 +5,10 @@
 #include <string_view>
 #include <vector>
 
+#include "certify/cells.hpp"
 #include "certify/certify.hpp"
 
 namespace slipproof {
-
-/// A line that cannot be read: its column (from 1; 0: no place) and what was found and expected.
-struct BrokenRecord {
-  std::size_t column;
-  std::string message;
-};
-
-/// "line 3, column 25: ", or without a column if it is 0.
-std::string place_text(std::uint64_t line, std::size_t column);
-
-/// Neither a fraction nor hexadecimal: what `--decimal` is about.
-bool is_decimal(std::string_view text);
 
 /// What a CSV header says: a field, the mode or the kind of force for each column. Immutable once made; shared by
 /// threads.
@@ -32,14 +21,13 @@ class RecordReader {
 
  private:
   friend class JsonRecord;
-  static constexpr int mode_column = -1, kind_column = -2, ignored_column = -3;
+  static constexpr int mode_column = -1, kind_column = -2;
 
   void read_header(std::string_view header);
   Record fresh() const;
   Record read_csv(std::string_view line) const;
   Record read_json(std::string_view line) const;
   void put(Record& record, int column, std::string_view text, std::size_t place) const;
-  void put_number(Record& record, Field field, std::string_view text, std::size_t place) const;
 
   const CertifyOptions& options_;
   bool csv_;

@@ -9,6 +9,9 @@
 #include <optional>
 
 #include "cli/command.hpp"
+#include "input/text_file.hpp"
+#include "mechanism/scene.hpp"
+#include "mechanism/shipped.hpp"
 #include "model/scene.hpp"
 #include "output/output_file.hpp"
 
@@ -19,7 +22,7 @@ namespace {
 struct CertifyArguments {
   CommonOptions common;
   CertifyOptions certify;
-  std::string file, scene, decimal = "nearest", broken = "report", format, summary;
+  std::string file, scene, mechanism, decimal = "nearest", broken = "report", format, summary;
 };
 
 RecordFormat format_of(const CertifyArguments& options) {
@@ -57,13 +60,25 @@ Progress record_counter(bool wanted) {
   };
 }
 
+/// What is the same for all records: a scene of a bicycle or of a mechanism, or a mechanism alone.
+void read_setting(CertifyArguments& options) {
+  if (!options.mechanism.empty()) options.certify.mechanism.emplace(open_mechanism(options.mechanism));
+  if (options.scene.empty()) return;
+  const std::string text = read_text_file(options.scene);
+  if (is_mechanism_scene(text)) {
+    options.certify.mechanism.emplace(parse_mechanism_scene(text, options.scene));
+  } else {
+    options.certify.scene = parse_scene(text, options.scene);
+  }
+}
+
 int run_certify(CertifyArguments& options) {
   options.certify.format = format_of(options);
   options.certify.file = options.file;
   options.certify.decimal_exact = options.decimal == "exact";
   options.certify.stop_at_broken = options.broken == "stop";
   options.certify.threads = options.common.threads;
-  if (!options.scene.empty()) options.certify.scene = read_scene(options.scene);
+  read_setting(options);
   const ByteSource input = open_bytes(options.file);
   std::optional<OutputFile> summary_file;
   if (!options.summary.empty())
@@ -93,7 +108,12 @@ void add_certify(CLI::App& app, int& exit_code) {
       "certify",
       "Certify outputs of floating-point solvers, of scenes or of contact problems:\na line of JSON for each");
   command.add_option("FILE", options->file, "CSV with a header, or JSON Lines; - for standard input")->required();
-  command.add_option("--scene", options->scene, "Scene file with the parameters that are the same for all records");
+  auto* scene = command.add_option("--scene", options->scene,
+                                   "Scene file, of a bicycle or a mechanism, with what is the same for all records");
+  command
+      .add_option("--mechanism", options->mechanism,
+                  "Records are of this mechanism: its file, or the name of a shipped one")
+      ->excludes(scene);
   command.add_option("--tolerance", options->certify.judge.tolerance, "Largest relative error of a component")
       ->check(number_in(0, 1))
       ->capture_default_str();
