@@ -2,6 +2,7 @@
 // solvers; papers, proofs and certificates; pictures and reports. Each header can be included by itself.
 #pragma once
 
+#include "batch/mechanism_batch.hpp"
 #include "certify/certify.hpp"
 #include "certify/judge.hpp"
 #include "check/files.hpp"

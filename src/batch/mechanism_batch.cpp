@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "batch/mode_run.hpp"
 #include "mechanism/degrees.hpp"
 #include "mechanism/words.hpp"
 #include "motions/modes_of.hpp"
@@ -60,6 +61,8 @@ MechanismBatch::MechanismBatch(const Mechanism& mechanism, std::vector<ElementKi
     code_ = std::make_unique<const ModeCode>(std::move(*programs));
   }
 }
+
+MechanismBatch::~MechanismBatch() = default;
 
 MechanismAnswers MechanismBatch::modes_at(const MechanismColumns& columns) const {
   const Points points(*this, columns);

@@ -10,11 +10,12 @@
 #include <memory>
 #include <vector>
 
-#include "batch/mode_run.hpp"
 #include "filter/batch.hpp"
 #include "mechanism/problem.hpp"
 
 namespace slipproof {
+
+class ModeCode;
 
 /// Points of a mechanism, taken exactly: a number of each, or one for all.
 struct MechanismColumns {
@@ -41,6 +42,7 @@ class MechanismBatch {
   /// value. Throws InputError where it has more than max_modes modes.
   explicit MechanismBatch(const Mechanism& mechanism);
   MechanismBatch(const Mechanism& mechanism, std::vector<ElementKind::Start> starts, std::vector<bool> given);
+  ~MechanismBatch();
 
   /// In the order of enumeration.
   const std::vector<MechanismMode>& modes() const { return modes_; }

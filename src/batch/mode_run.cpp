@@ -19,14 +19,14 @@ LaneBits all_lanes() {
   return ~LaneBits{};
 }
 
-/// Of a number that is the nearest binary64 to what is meant.
+/// Of a number that is the nearest binary64 to what is meant; nothing is known of one that is not finite.
 double rounding_error(double value) {
   return std::fabs(value) * batch_rounding + batch_underflow;
 }
 
 void put(RunningError& number, std::size_t lane, double value, bool exact) {
   number.value[lane] = value;
-  number.error[lane] = exact ? 0 : rounding_error(value);
+  number.error[lane] = exact && std::isfinite(value) ? 0 : rounding_error(value);
 }
 
 RunningError rounded(const Rational& value) {
@@ -111,7 +111,7 @@ struct FreeInterval {
   Lanes lower = Lanes{} - HUGE_VAL, upper = Lanes{} + HUGE_VAL;     ///< likely
   Lanes lowest = Lanes{} - HUGE_VAL, highest = Lanes{} + HUGE_VAL;  ///< no t outside
 
-  void cut(const RunningError& root, LaneBits from_below, LaneBits from_above) {
+  void cut(const RunningError& root, const LaneBits& from_below, const LaneBits& from_above) {
     const Lanes margin = (root.error + batch_rounding * absolute(root.value)) * batch_slack;
     const Lanes low = root.value - margin, high = root.value + margin;
     lower = chosen(from_below & (root.value > lower), root.value, lower);

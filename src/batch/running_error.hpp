@@ -19,12 +19,12 @@ struct RunningError {
 };
 
 /// Lanes of `x` where the mask is set, of `y` elsewhere.
-inline Lanes chosen(LaneBits mask, Lanes x, Lanes y) {
+inline Lanes chosen(const LaneBits& mask, const Lanes& x, const Lanes& y) {
   return from_bits((bits(x) & mask) | (bits(y) & ~mask));
 }
 
 /// What is added where a product or quotient is not of an exact 0.
-inline Lanes underflow_unless_zero(Lanes size_of_x, Lanes size_of_y) {
+inline Lanes underflow_unless_zero(const Lanes& size_of_x, const Lanes& size_of_y) {
   return from_bits((size_of_x > 0) & (size_of_y > 0) & bits(Lanes{} + batch_underflow));
 }
 

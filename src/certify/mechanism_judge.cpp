@@ -33,7 +33,7 @@ LaneAnswers answers_in(const std::vector<MechanismRecord>& records, std::size_t 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Upper bound on the relative error of an answer; `scale` is a lower bound on what an exact 0 is held against.
-Lanes relative_error(const RunningError& answer, const RunningError& exact, Lanes scale) {
+Lanes relative_error(const RunningError& answer, const RunningError& exact, const Lanes& scale) {
   constexpr double up = 1 + 0x1p-48;
   const RunningError difference = answer - exact;
   const Lanes distance = (absolute(difference.value) + difference.error) * up;
@@ -45,7 +45,7 @@ Lanes relative_error(const RunningError& answer, const RunningError& exact, Lane
 }
 
 /// The larger one; NaN where one of them is.
-Lanes worse(Lanes x, Lanes y) {
+Lanes worse(const Lanes& x, const Lanes& y) {
   const Lanes larger = chosen(x < y, y, x);
   return chosen((x == x) & (y == y), larger, Lanes{} + infinite);
 }
@@ -86,13 +86,13 @@ class FreeForces {
   const std::array<RunningError, 2>& values() const { return values_; }
 
  private:
-  static void put(RunningError& to, const RunningError& from, LaneBits mask) {
+  static void put(RunningError& to, const RunningError& from, const LaneBits& mask) {
     to.value = chosen(mask, from.value, to.value);
     to.error = chosen(mask, from.error, to.error);
   }
 
   /// The first force is kept, the next that says something else gives both.
-  void take_of_two(const FreeForm& form, const RunningError& rest, LaneBits present) {
+  void take_of_two(const FreeForm& form, const RunningError& rest, const LaneBits& present) {
     const RunningError x = run_.at(form.slopes[0]), y = run_.at(form.slopes[1]);
     const RunningError determinant = first_[0] * y - first_[1] * x;
     const LaneBits solves = present & has_first_ & ~known_ & surely_not_zero(determinant);
@@ -256,7 +256,7 @@ Lanes MechanismBlock::answer_error(std::size_t mode) const {
   for (const FreeForm& condition : program.conditions) {
     inside &= ~free.asked() | surely_not_negative(run_->at(condition, free.values()));
   }
-  const auto compare = [&](const LaneAnswers& answer, const RunningError& exact, Lanes scale) {
+  const auto compare = [&](const LaneAnswers& answer, const RunningError& exact, const Lanes& scale) {
     error = worse(error, chosen(answer.present, relative_error(answer.value, exact, scale), Lanes{}));
   };
   LaneBits loose = LaneBits{} - 1;

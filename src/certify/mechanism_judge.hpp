@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "batch/mechanism_batch.hpp"
+#include "batch/mode_run.hpp"
 #include "certify/mechanism_exact.hpp"
 
 namespace slipproof {

@@ -15,16 +15,16 @@ inline constexpr int lane_count = 8;
 typedef double Lanes __attribute__((vector_size(8 * lane_count)));
 typedef std::int64_t LaneBits __attribute__((vector_size(8 * lane_count)));
 
-inline LaneBits bits(Lanes x) {
+inline LaneBits bits(const Lanes& x) {
   return reinterpret_cast<LaneBits>(x);
 }
-inline Lanes from_bits(LaneBits x) {
+inline Lanes from_bits(const LaneBits& x) {
   return reinterpret_cast<Lanes>(x);
 }
 inline LaneBits sign_bit() {
   return bits(-Lanes{});  // of -0.0: 0.0 - 0.0 would be +0.0
 }
-inline Lanes absolute(Lanes x) {
+inline Lanes absolute(const Lanes& x) {
   return from_bits(bits(x) & ~sign_bit());
 }
 
