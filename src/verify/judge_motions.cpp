@@ -15,7 +15,7 @@ bool have_common(const Modes& x, const Modes& y) {
   return std::any_of(x.begin(), x.end(), [&](const MechanismMode& mode) { return names(y, mode); });
 }
 
-Modes all_modes(const MotionOverLoads& motion) {
+Modes with_boundary(const MotionOverLoads& motion) {
   Modes modes = motion.modes;
   modes.insert(modes.end(), motion.boundary_modes.begin(), motion.boundary_modes.end());
   return modes;
@@ -32,7 +32,7 @@ std::vector<const MotionOverLoads*> ClaimJudge::counted(const LoadCell& cell) co
 }
 
 Modes ClaimJudge::modes_of(const MotionOverLoads& motion) const {
-  return strict() ? motion.modes : slipproof::all_modes(motion);
+  return strict() ? motion.modes : with_boundary(motion);
 }
 
 std::optional<MechanismMode> ClaimJudge::continuum_at(const LoadCell& cell) {
@@ -175,10 +175,10 @@ std::optional<Judgement> ClaimJudge::not_one_motion(const ForceInterval& piece, 
       std::find_if(cells.begin(), cells.end(), [&](const LoadCell& c) { return c.loads.contains(force); });
   if (!cell->continua.empty()) return fail(Reason::continuum, cell->continua.front());
   for (const MotionOverLoads& motion : cell->motions) {
-    const Modes modes = slipproof::all_modes(motion);
+    const Modes modes = with_boundary(motion);
     if (!have_common(modes, expected)) return fail(Reason::extra, modes.front());
   }
-  if (cell->motions.size() > 1) return fail(Reason::extra, slipproof::all_modes(cell->motions[1]).front());
+  if (cell->motions.size() > 1) return fail(Reason::extra, with_boundary(cell->motions[1]).front());
   const bool modelled =
       std::all_of(expected.begin(), expected.end(), [&](const MechanismMode& m) { return find(m).has_value(); });
   if (cell->motions.empty() && modelled) {

@@ -130,7 +130,8 @@ TEST_CASE("a claims file is read as it is written") {
   REQUIRE(file.claims.size() == 4);
   const Claim& interval = file.claims[0];
   CHECK(interval.line == 12);
-  CHECK(std::get<Interval>(interval.printed.says).mode == *parse_mode("stick/slip+"));
+  CHECK(std::get<Interval>(interval.printed.says).mode ==
+        (MechanismMode{ElementState::stick, ElementState::slip_forward}));
   CHECK(same(std::get<Interval>(interval.printed.says).forces, truth("0 < P < xi")));
   CHECK(modes(file.claims[1].printed.says).size() == 5);
   CHECK(same(file.claims[1].printed.region, truth("true")));

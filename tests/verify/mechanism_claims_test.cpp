@@ -50,14 +50,14 @@ ClaimsFile block(const std::string& says) {
   return parse_claims(incline + claim("X", says), "block.toml");
 }
 
-ClaimResult judged(const ClaimsFile& file, std::uint64_t samples = 300) {
+ClaimResult result_of(const ClaimsFile& file, std::uint64_t samples = 300) {
   VerifyOptions options;
   options.samples = samples;
   return verify(file, options).claims.front();
 }
 
 Verdict verdict(const std::string& says) {
-  return judged(block(says)).verdict;
+  return result_of(block(says)).verdict;
 }
 
 /// The same file with the bicycle as the mechanism of its file, without its table of modes.
@@ -95,7 +95,7 @@ TEST_CASE("a formula about undetermined forces has to hold for all of them") {
 
 TEST_CASE("a counterexample is a scene that reads back, with the motions that there are") {
   const ClaimsFile file = block("kind = \"impossible\"\nregion = \"mu < 1\"\nmodes = [\"lift/*\"]");
-  const ClaimResult result = judged(file);
+  const ClaimResult result = result_of(file);
   REQUIRE(result.counterexample);
   const Counterexample& example = *result.counterexample;
   const MechanismScene scene = parse_mechanism_scene(scene_text(file.settings[0], example), "scene.toml");

@@ -39,8 +39,7 @@ std::string describe(const MutantResult& m) {
 Outcome again(const MutationResult& result, const MutantResult& m, bool changed) {
   const ClaimsFile file = changed ? m.mutant.apply(result.file) : result.file;
   const CompiledClaims compiled(file);
-  const auto sample =
-      SolvedSample::make(compiled.settings[m.mutant.setting], file.settings[m.mutant.setting].force_kind, m.sample);
+  const auto sample = SolvedSample::make(compiled.settings[m.mutant.setting], m.sample);
   REQUIRE(sample);
   return judge(file, compiled, m.claim, Reading::printed, *sample).outcome;
 }

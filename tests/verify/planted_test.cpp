@@ -93,7 +93,7 @@ class Gardener {
 
   static Outcome judged(const ClaimsFile& file, const std::vector<Rational>& values) {
     const CompiledClaims compiled(file);
-    const auto sample = SolvedSample::make(compiled.settings[0], file.settings[0].force_kind, values);
+    const auto sample = SolvedSample::make(compiled.settings[0], values);
     return sample ? judge(file, compiled, 0, Reading::printed, *sample).outcome : Outcome::outside;
   }
 

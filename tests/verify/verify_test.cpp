@@ -112,7 +112,7 @@ TEST_CASE("every counterexample to the shipped paper can be built: its wheels do
     if (!claim.counterexample) continue;
     CAPTURE(file.claims[claim.claim].id);
     CHECK(claim.counterexample->unrealisable.empty());
-    const Bicycle<Rational>& p = claim.counterexample->scene.bicycle;
+    const Bicycle<Rational>& p = claim.counterexample->bicycle->scene.bicycle;
     CHECK(p.b2 + p.b3 > 2 * p.R);
     CHECK(p.I2 + p.I3 <= p.M * p.R * p.R);
     CHECK(p.L < p.R);
@@ -129,8 +129,9 @@ TEST_CASE("motions of a counterexample satisfy the raw equations and their condi
   int checked = 0;
   for (const ClaimResult& claim : whole_paper().claims) {
     if (!claim.counterexample || !claim.counterexample->motions) continue;
-    const Scene& scene = claim.counterexample->scene;
-    for (const auto& found : claim.counterexample->motions->motions) {
+    const Scene& scene = claim.counterexample->bicycle->scene;
+    CHECK(claim.counterexample->bicycle->motions->motions.size() == claim.counterexample->motions->motions.size());
+    for (const auto& found : claim.counterexample->bicycle->motions->motions) {
       const auto u = test::unknowns(scene.bicycle, *scene.F, found.values);
       for (const auto& r : equations_of_motion(scene.bicycle, scene.road, scene.force_kind, u, *scene.F)) CHECK(r == 0);
       for (const ContactMode m : found.modes) {
@@ -153,8 +154,9 @@ TEST_CASE("each way to fail has its reason") {
         Reason::formula);
   CHECK(reason(judged("A2.2", [](ClaimBody& b) { b.region = truth("b1 <= b < b11"); })) == Reason::continuum);
   CHECK(reason(judged("A5.1", [](ClaimBody& b) { std::get<Motions>(b.says).modes.pop_back(); })) == Reason::extra);
-  CHECK(reason(judged("A5.1", [](ClaimBody& b) { std::get<Motions>(b.says).modes.push_back(mode("slip-/lift")); })) ==
-        Reason::missing);
+  CHECK(reason(judged("A5.1", [](ClaimBody& b) {
+          std::get<Motions>(b.says).modes.push_back({ElementState::slip_backward, ElementState::lift});
+        })) == Reason::missing);
 }
 
 TEST_CASE("uniqueness: several motions are refuted although each of them is stated by some claim") {
@@ -179,12 +181,12 @@ TEST_CASE(
   std::vector<Rational> values;
   for (const Parameter& parameter : file.settings[setting].parameters)
     values.emplace_back(parameter.symbol == "b" ? 3 : 1);
-  auto sample = SolvedSample::make(compiled.settings[setting], file.settings[setting].force_kind, values);
+  auto sample = SolvedSample::make(compiled.settings[setting], values);
   REQUIRE(sample);
-  const Cell& last = sample->cells().back();
-  REQUIRE(!last.forces.upper());
+  const LoadCell& last = sample->cells().back();
+  REQUIRE(!last.loads.upper());
   REQUIRE(last.motions.size() == 1);
-  CHECK(!last.motions.front().strict);
+  CHECK(last.motions.front().modes.empty());
   CHECK(judge(file, compiled, claim, Reading::repaired, *sample).outcome == Outcome::holds);
 }
 
