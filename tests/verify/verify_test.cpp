@@ -51,10 +51,6 @@ Expression truth(const char* text) {
   return parse_expression(text, Sort::truth);
 }
 
-ContactMode mode(const char* text) {
-  return *parse_mode(text);
-}
-
 Reason reason(const ClaimResult& r) {
   REQUIRE(r.counterexample);
   return r.counterexample->judgement.reason;
