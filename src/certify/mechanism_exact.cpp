@@ -93,6 +93,7 @@ Work work_of(const MechanismSetting& setting, const RecordPoint& point) {
 /// What an answer is held against: a solution of one mode, as near to the answer as what it leaves free allows.
 struct NearestSolution {
   std::vector<std::optional<Rational>> values;  ///< of each answer field that the record has
+  std::vector<bool> open;                       ///< whether the mode leaves it open
 };
 
 class RecordAnswer {
@@ -106,9 +107,11 @@ class RecordAnswer {
   /// The answers that vary are taken over one by one, as far as their ranges allow.
   NearestSolution nearest(const ConsistentMode& mode) const {
     Polyhedron solutions = mode.solutions;
-    NearestSolution result{std::vector<std::optional<Rational>>(setting_.fields.answers())};
-    for (std::size_t i = 0; i < result.values.size(); ++i) {
+    const std::size_t answers = setting_.fields.answers();
+    NearestSolution result{std::vector<std::optional<Rational>>(answers), std::vector<bool>(answers, false)};
+    for (std::size_t i = 0; i < answers; ++i) {
       if (!has(i)) continue;
+      result.open[i] = !is_free_of_unknowns(mode.solutions.space.on(form(i)));
       const Range range = ranges(solutions, {form(i)}).front();
       Rational value = answer(i);
       if (range.lower && value < *range.lower) value = *range.lower;
@@ -136,7 +139,9 @@ class RecordAnswer {
       const Rational& scale = scales_[kind(i)];
       const Rational unit = !scale.is_zero() ? scale : !largest[kind(i)].is_zero() ? largest[kind(i)] : Rational(1);
       const Rational distance = abs(answer(i) - value);
-      const Rational relative = distance / (value.is_zero() ? unit : Rational(abs(value)));
+      Rational size = value.is_zero() ? unit : Rational(abs(value));
+      if (solution.open[i]) size = std::max(size, unit);  // the answer's errors are in it, of all sizes
+      const Rational relative = distance / size;
       if (relative > d.relative) worst = i;
       d.relative = std::max(d.relative, relative);
       d.scaled = std::max(d.scaled, Rational(distance / std::max(unit, largest[kind(i)])));

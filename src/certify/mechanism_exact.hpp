@@ -20,6 +20,7 @@ bool is_given(const MechanismSetting& setting, const MechanismRecord& record, st
 /// that has the answer's own, one after the other as far as their exact ranges allow. The relative error of a component
 /// that is exactly 0 is held against the largest unknown acceleration without forces of contacts and friction elements,
 /// or the largest force that the equations apply; where that is 0, against the motion's largest component of its kind.
+/// So is that of an undetermined component, unless it is larger itself.
 /// The record is complete, and its numbers are finite.
 RecordJudgement judge_exactly(const MechanismSetting& setting, const MechanismRecord& record,
                               const JudgeOptions& options);

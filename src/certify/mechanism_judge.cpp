@@ -32,13 +32,14 @@ LaneAnswers answers_in(const std::vector<MechanismRecord>& records, std::size_t 
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Upper bound on the relative error of an answer; `scale` is a lower bound on what an exact 0 is held against.
-Lanes relative_error(const RunningError& answer, const RunningError& exact, const Lanes& scale) {
+/// Upper bound on the relative error of an answer; `scale` is a lower bound on what an exact 0 is held against, and
+/// what is surely open unless it is larger itself.
+Lanes relative_error(const RunningError& answer, const RunningError& exact, const Lanes& scale, const LaneBits& open) {
   constexpr double up = 1 + 0x1p-48;
   const RunningError difference = answer - exact;
   const Lanes distance = (absolute(difference.value) + difference.error) * up;
   const Lanes size = absolute(exact.value) * (1 - 0x1p-50) - exact.error;
-  const Lanes unit = chosen(surely_zero(exact), scale, size);
+  const Lanes unit = chosen(surely_zero(exact) | (open & (scale > size)), scale, size);
   const LaneBits both_zero = surely_zero(answer) & surely_zero(exact);
   const Lanes relative = chosen(unit > 0, distance / unit * up, Lanes{} + infinite);
   return chosen(both_zero, Lanes{}, relative);
@@ -256,19 +257,25 @@ Lanes MechanismBlock::answer_error(std::size_t mode) const {
   for (const FreeForm& condition : program.conditions) {
     inside &= ~free.asked() | surely_not_negative(run_->at(condition, free.values()));
   }
-  const auto compare = [&](const LaneAnswers& answer, const RunningError& exact, const Lanes& scale) {
-    error = worse(error, chosen(answer.present, relative_error(answer.value, exact, scale), Lanes{}));
+  const auto compare = [&](const LaneAnswers& answer, const RunningError& exact, const Lanes& scale,
+                           const LaneBits& open) {
+    error = worse(error, chosen(answer.present, relative_error(answer.value, exact, scale, open), Lanes{}));
+  };
+  const auto open = [&](const FreeForm& form) {
+    LaneBits varies{};
+    for (const TapeRef slope : form.slopes) varies |= surely_not_zero(run_->at(slope));
+    return varies;
   };
   LaneBits loose = LaneBits{} - 1;
   for (const TapeRef pivot : programs.loose_pivots) loose &= surely_not_zero(run_->at(pivot));
   const Lanes accelerations = chosen(loose, least_largest(*run_, programs.loose), Lanes{});
   for (std::size_t i = 0; i < program.accelerations.size(); ++i) {
-    compare(answers_in(records_, fields.first_answer() + i), run_->at(program.accelerations[i].constant),
-            accelerations);
+    compare(answers_in(records_, fields.first_answer() + i), run_->at(program.accelerations[i].constant), accelerations,
+            LaneBits{});
   }
   const Lanes applied = least_largest(*run_, programs.applied);
   for (std::size_t i = 0; i < program.forces.size(); ++i) {
-    compare(forces[i], run_->at(program.forces[i], free.values()), applied);
+    compare(forces[i], run_->at(program.forces[i], free.values()), applied, open(program.forces[i]));
   }
   return chosen(inside, error, Lanes{} + infinite);
 }
