@@ -127,6 +127,7 @@ void compare(const MechanismBatch& batch, const Mechanism& mechanism, const Prob
 
 TEST_CASE("batches of every shipped mechanism have the kernel's modes at random loads and at the ends of ranges") {
   const std::size_t per_mechanism = load_count() / shipped_mechanisms().size() + 1;
+  Tally plain;  // of usual numbers
   for (const ShippedMechanism& shipped : shipped_mechanisms()) {
     CAPTURE(shipped.name);
     const Mechanism mechanism = open_mechanism(std::string(shipped.name));
@@ -134,7 +135,7 @@ TEST_CASE("batches of every shipped mechanism have the kernel's modes at random 
     REQUIRE(batch.code() != nullptr);
     const ProblemMaker maker(mechanism);
     const std::size_t loads = per_mechanism > 10'000 ? 5000 : 60;  // zeros as parameters leave much to the kernel
-    Tally plain, all;
+    Tally all;
     for (std::uint64_t round = 0; all.points < per_mechanism; ++round) {
       Dice dice(71, round);
       for (const MechanismValues& sample : sample_values(mechanism, maker, 6, 100 + round)) {
@@ -148,9 +149,9 @@ TEST_CASE("batches of every shipped mechanism have the kernel's modes at random 
       }
     }
     CHECK(all.different == 0);
-    CHECK(plain.by_filter * 3 >= plain.points);
     MESSAGE(std::string(shipped.name) << ": " << all.points << " points, " << all.by_filter << " without the kernel");
   }
+  CHECK(plain.by_filter * 2 >= plain.points);
 }
 
 TEST_CASE("bodies at rest on two contacts need no kernel") {
