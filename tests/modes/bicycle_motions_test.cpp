@@ -76,7 +76,8 @@ TEST_CASE("a bicycle's modes over the loads are those of its file") {
   RandomScenes random(20261122);
   std::size_t continua = 0;
   for (int i = 0; i < 200; ++i) {
-    const Bicycle<Rational> p = i % 3 == 0 ? random.reduced(true) : random.bicycle(i % 4 != 0);
+    Bicycle<Rational> p = i % 3 == 0 ? random.reduced(true) : random.bicycle(i % 4 != 0);
+    if (i % 5 == 0) p.I2 = p.I3 = 0;  // a massless wheel that slips may spin at any rate
     const Road<Rational> road = random.road();
     const ForceKind kind = i % 2 == 0 ? ForceKind::internal : ForceKind::external;
     const MechanismValues values = bicycle_values(p, road, kind);

@@ -59,6 +59,10 @@ ClaimsFile exists(const MechanismScene& scene, const std::string& file, const Me
   return parse_claims(text, "x.toml");
 }
 
+std::string shipped_name(const MechanismScene& scene) {
+  return std::filesystem::path(scene.mechanism.file).stem().string();
+}
+
 /// Parameters, cosines and sines, the load, then the unknowns, in the order of the statement; empty where a force is
 /// undetermined.
 std::vector<Rational> values_of(const MechanismScene& scene, const MotionAtLoad& motion) {
@@ -98,7 +102,7 @@ TEST_CASE("what statements say of a mode of a shipped mechanism is true of its m
       std::vector<Rational> values = values_of(scene, motion);
       if (values.empty()) continue;
       const MechanismMode& mode = motion.strict() ? motion.modes.front() : motion.boundary_modes.front();
-      const ClaimsFile file = exists(scene, scene.mechanism.file, mode);
+      const ClaimsFile file = exists(scene, shipped_name(scene), mode);
       const auto statements = claim_statements(file, file.claims[0], Reading::printed);
       REQUIRE(statements.size() == 1);
       const prove::Statement statement("x", statements[0].text);
@@ -111,7 +115,7 @@ TEST_CASE("what statements say of a mode of a shipped mechanism is true of its m
       }
       ++motions;
       for (std::size_t i = 0; i < std::min<std::size_t>(found.rejected.size(), 12); ++i) {
-        const ClaimsFile other = exists(scene, scene.mechanism.file, found.rejected[i].mode);
+        const ClaimsFile other = exists(scene, shipped_name(scene), found.rejected[i].mode);
         const auto text = claim_statements(other, other.claims[0], Reading::printed);
         REQUIRE(text.size() == 1);
         CHECK_FALSE(is_true_there(prove::Statement("x", text[0].text).shown(texts(values))));

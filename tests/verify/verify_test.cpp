@@ -126,7 +126,9 @@ TEST_CASE("motions of a counterexample satisfy the raw equations and their condi
   for (const ClaimResult& claim : whole_paper().claims) {
     if (!claim.counterexample || !claim.counterexample->motions) continue;
     const Scene& scene = claim.counterexample->bicycle->scene;
-    CHECK(claim.counterexample->bicycle->motions->motions.size() == claim.counterexample->motions->motions.size());
+    if (claim.counterexample->motions->continua.empty()) {
+      CHECK(claim.counterexample->bicycle->motions->motions.size() == claim.counterexample->motions->motions.size());
+    }
     for (const auto& found : claim.counterexample->bicycle->motions->motions) {
       const auto u = test::unknowns(scene.bicycle, *scene.F, found.values);
       for (const auto& r : equations_of_motion(scene.bicycle, scene.road, scene.force_kind, u, *scene.F)) CHECK(r == 0);
