@@ -244,7 +244,8 @@ TEST_CASE("mistakes in a setting of a mechanism have their places") {
   };
   says("", "", "none");
   says("mechanism = \"block-on-incline\"", "mechanism = \"block-on-inclin\"", "block.toml:7:13: mechanism: ");
-  says("mechanism = \"block-on-incline\"", "", "missing kind in [setting.force], expected \"internal\" or \"external\"");
+  says("mechanism = \"block-on-incline\"", "",
+       "missing kind in [setting.force], expected \"internal\" or \"external\"");
   says("symbol = \"P\"", "symbol = \"P\", kind = \"internal\"", "kind: found beside `mechanism`");
   says("mu_s = \"mu\", ", "", "missing mu_s in [setting.scene], expected an expression over the parameters");
   says("mu_s = \"mu\"", "mu_s = \"mu\", nu = \"1\"", "unknown key 'nu'");
