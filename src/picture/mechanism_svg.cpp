@@ -192,7 +192,7 @@ class MechanismDrawing {
     const double left = box_.left;
     double y = box_.bottom + text_line + 2;
     for (const std::string& line : joined_lines(told(), ", ", 54)) {
-      svg_.add("text", "soft").set("x", left).set("y", y).set("font-size", 12).text(line);
+      svg_.add("text", "soft halo").set("x", left).set("y", y).set("font-size", 12).text(line);
       see({left, y - 12, left + letter_width * 12 * static_cast<double>(utf8_count(line)), y + 3});
       y += text_line;
     }
