@@ -17,27 +17,40 @@ namespace {
 
 using Out = std::back_insert_iterator<std::string>;
 
+/// What stands still goes without saying; so does that a contact stays closed.
+std::string accelerations_text(const Counterexample& e, const MotionAtLoad& motion) {
+  const auto names = acceleration_names(e.scene.mechanism);
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const Rational& value = motion.accelerations[i];
+    if (!value.is_zero()) text += fmt::format("{}{} = {}", text.empty() ? "" : " ", names[i], exact_text(value));
+  }
+  return text;
+}
+
+std::string range_text(const std::string& name, const Range& range) {
+  if (range.is_point()) return fmt::format("{} = {}", name, exact_text(*range.lower));
+  return fmt::format("{} in {}", name, to_string(ForceInterval::between(range.lower, true, range.upper, true)));
+}
+
+std::string forces_text(const Counterexample& e, const MotionAtLoad& motion) {
+  const auto names = force_names(e.scene.mechanism);
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    text += (text.empty() ? "" : " ") + range_text(names[i], motion.forces[i]);
+  }
+  return text;
+}
+
 void write_motion(Out out, const Counterexample& e, const MotionAtLoad& motion) {
   std::string modes;
   for (const auto* names : {&motion.modes, &motion.boundary_modes}) {
     for (const MechanismMode& mode : *names) modes += (modes.empty() ? "" : " = ") + name(mode);
   }
-  fmt::format_to(out, "        {:<23} {:<9}", modes, motion.strict() ? "strict" : "boundary");
-  const auto accelerations = acceleration_names(e.scene.mechanism), forces = force_names(e.scene.mechanism);
-  for (std::size_t i = 0; i < accelerations.size(); ++i) {
-    // What stands still goes without saying; so does that a contact stays closed.
-    if (sign(motion.accelerations[i]) != 0)
-      fmt::format_to(out, " {} = {}", accelerations[i], exact_text(motion.accelerations[i]));
-  }
-  for (std::size_t i = 0; i < forces.size(); ++i) {
-    const Range& range = motion.forces[i];
-    if (range.is_point()) fmt::format_to(out, " {} = {}", forces[i], exact_text(*range.lower));
-    if (!range.is_point()) {
-      fmt::format_to(out, " {} in {}", forces[i],
-                     to_string(ForceInterval::between(range.lower, true, range.upper, true)));
-    }
-  }
-  fmt::format_to(out, "\n");
+  const std::string accelerations = accelerations_text(e, motion), forces = forces_text(e, motion);
+  fmt::format_to(out, "        {:<23} {:<9} {}\n", modes, motion.strict() ? "strict" : "boundary",
+                 accelerations.empty() ? forces : accelerations);
+  if (!accelerations.empty() && !forces.empty()) fmt::format_to(out, "        {:<33} {}\n", "", forces);
 }
 
 void write_motions(Out out, const Counterexample& e) {
@@ -46,10 +59,7 @@ void write_motions(Out out, const Counterexample& e) {
   for (const ContinuumAtLoad& c : e.motions->continua) {
     fmt::format_to(out, "        {:<23} continuum", name(c.mode));
     for (std::size_t i = 0; i < names.size(); ++i) {
-      const Range& range = c.accelerations[i];
-      if (range.is_point()) continue;
-      fmt::format_to(out, " {} in {}", names[i],
-                     to_string(ForceInterval::between(range.lower, true, range.upper, true)));
+      if (!c.accelerations[i].is_point()) fmt::format_to(out, " {}", range_text(names[i], c.accelerations[i]));
     }
     fmt::format_to(out, "\n");
   }
