@@ -138,3 +138,13 @@ TEST_CASE("an effort ends what would take for ever") {
     CHECK(found.exhausted);
   }
 }
+
+TEST_CASE("angles are found as rational points on circles") {
+  for (const char* shown :
+       {"c > 2*s and s > 1/10", "s > c and c > 1/4", "s < 0 and c < 0", "c*d - s*t > 1/2 and t > s and s > 0"}) {
+    CAPTURE(shown);
+    const std::string lines = std::string("exists c s d t\nshow c^2 + s^2 = 1 and d^2 + t^2 = 1 and ") + shown + "\n";
+    CHECK(prove_statement("small", statement(lines)).proved());
+  }
+  CHECK(!prove_statement("small", statement("exists c s\nshow c^2 + s^2 = 1 and c > 1\n")).proved());
+}
