@@ -6,6 +6,7 @@
 
 #include "cli/command.hpp"
 #include "cli/verify_run.hpp"
+#include "cli/warnings.hpp"
 #include "html/sha256.hpp"
 #include "output/output_file.hpp"
 #include "wording/exact_json.hpp"
@@ -41,6 +42,7 @@ void add_report(CLI::App& app, int& exit_code) {
   command.callback([options, &exit_code] {
     const std::filesystem::path path = claims_path(options->claims);
     const ClaimsFile file = read_claims(path);
+    print_warnings(file, options->common);
     options->verify.certificates = std::make_shared<Certificates>(path.parent_path());
     std::optional<OutputFile> out;
     if (options->out != "-") out.emplace(options->out, files_of(page_folders(path, options->trade)));

@@ -6,6 +6,7 @@
 
 #include "cli/command.hpp"
 #include "cli/verify_run.hpp"
+#include "cli/warnings.hpp"
 #include "mechanism/narrow.hpp"
 #include "mechanism/shipped.hpp"
 #include "wording/search_report.hpp"
@@ -30,6 +31,7 @@ Exit run_search(SearchArguments& arguments) {
   if (arguments.wanted == "several") options.wanted = MotionCount::several;
   if (arguments.wanted == "continuum") options.wanted = MotionCount::continuum;
   Mechanism mechanism = open_mechanism(arguments.mechanism);
+  print_warnings(mechanism, arguments.common);
   if (arguments.narrows) mechanism = narrowed(mechanism, arguments.within, "--within");
   const SearchReport report{mechanism, options, arguments.within, search_motions(mechanism, options)};
   print(arguments.common.json ? search_json(report) : search_text(report, arguments.common.quiet));

@@ -2,6 +2,7 @@
 #include <string>
 
 #include "cli/command.hpp"
+#include "cli/warnings.hpp"
 #include "input/text_file.hpp"
 #include "mechanism/scene.hpp"
 #include "model/scene.hpp"
@@ -29,6 +30,7 @@ std::string answer(const SolveArguments& arguments) {
   const bool json = arguments.common.json;
   if (is_mechanism_scene(scene)) {
     const SolvedMechanism solved(parse_mechanism_scene(scene, arguments.scene));
+    print_warnings(solved.scene.mechanism, arguments.common);
     return json ? solve_json(solved) : solve_text(solved, arguments.report.digits);
   }
   const SolvedScene solved(parse_scene(scene, arguments.scene));

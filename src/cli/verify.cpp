@@ -6,6 +6,7 @@
 
 #include "cli/command.hpp"
 #include "cli/verify_run.hpp"
+#include "cli/warnings.hpp"
 #include "output/output_file.hpp"
 #include "wording/errata.hpp"
 #include "wording/mutation_report.hpp"
@@ -96,6 +97,7 @@ void add_verify(CLI::App& app, int& exit_code) {
     refuse_report_without_verdicts(*options);
     const std::filesystem::path path = claims_path(options->claims);
     const ClaimsFile file = read_claims(path);
+    print_warnings(file, options->common);
     if (options->coverage) {
       print(coverage_markdown(file));
       exit_code = uncovered_equations(file).empty() ? as_it_should_be : refuted_or_not_certified;

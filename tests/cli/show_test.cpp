@@ -37,3 +37,34 @@ TEST_CASE("show tells what looks wrong, and refuses what is wrong") {
   CHECK(run({"show", "painleve"}).exit_code == 3);
   CHECK(run({"show"}).exit_code == 2);
 }
+
+TEST_CASE("what looks wrong in a mechanism is told wherever it is used, and its answer stands") {
+  const TemporaryFolder folder;
+  std::string text = read_file(SLIPPROOF_SOURCE_DIR "/cases/mechanisms/painleve-rod.toml");
+  text.replace(text.find("\"m*ay = -m*g\""), 13, "\"m*ay = -g\"");
+  const std::string mechanism = folder.write("odd.toml", text);
+  const std::string scene = folder.write("scene.toml",
+                                         "mechanism = \"odd.toml\"\n[values]\nm = 1\nl = 1\nI = \"1/3\"\nmu = 1\nw = "
+                                         "0\ng = 10\ntheta = { tan = \"3/4\" }\n");
+  const std::string claims = folder.write(
+      "claims.toml",
+      "schema = \"slipproof/claims/1\"\npaper = { title = \"x\", authors = [\"x\"], source = \"x\" }\n[[setting]]\nid "
+      "= "
+      "\"x\"\nmotions = \"closed\"\nmechanism = \"odd.toml\"\nscene = { m = \"1\", l = \"1\", I = \"1/3\", w = \"0\", "
+      "g = "
+      "\"10\", theta = { tan_half = \"1/3\" } }\n[setting.parameters]\nmu = { domain = \"mu >= 0\", meaning = \"x\" }\n"
+      "[[claim]]\nid = \"X\"\nline = 1\nstatement = \"x\"\nkind = \"motions\"\nregion = \"mu = 0\"\nmodes = "
+      "[\"slip+\"]\n");
+  for (const std::vector<std::string>& command : {std::vector<std::string>{"solve", scene},
+                                                  {"verify", claims, "--samples", "40"},
+                                                  {"search", mechanism, "--samples", "40"}}) {
+    CAPTURE(command[0]);
+    const auto told = run(command);
+    CHECK(told.exit_code <= 1);
+    CHECK(told.err.find("odd.toml:30:7: warning: the equation ay has") != std::string::npos);
+    CHECK(told.out.find("warning") == std::string::npos);
+    std::vector<std::string> quiet = command;
+    quiet.emplace_back("--quiet");
+    CHECK(run(quiet).err.empty());
+  }
+}
