@@ -7,6 +7,7 @@
 #include "expression/logic.hpp"
 #include "mechanism/scene.hpp"
 #include "modes/bicycle_motions.hpp"
+#include "motions/modes_of.hpp"
 
 namespace slipproof::claims_reader {
 
@@ -172,7 +173,9 @@ bool read_mechanism(const TableReader& table, Context& context, Setting& setting
   setting.along = text_or_empty(table, "along");
   setting.starts = starts(*known);
   if (const TomlValue* state = table.table("state")) read_states(*state, *known, setting.starts, context.mistakes);
-  return true;
+  if (mode_count(setting.all_kinds()) <= static_cast<double>(max_modes)) return true;
+  table.refuse("mechanism", "found more than " + std::to_string(max_modes) + " modes, expected a smaller mechanism");
+  return false;
 }
 
 void read_scene(const TableReader& table, Context& context, Setting& setting) {

@@ -68,7 +68,7 @@ void ClaimWriter::implied(const Implication& implication, const std::string& sho
   std::string result = opening(implication.suffix);
   std::vector<Expression> all = uses;
   const std::string assumptions = assumed(implication.assumptions, all);
-  result += fmt::format("real {}\nassume domain: {}\n", parameters(), domain(implication.force_domain)) + scene(all);
+  result += fmt::format("{}assume domain: {}\n", variables(), domain(implication.force_domain)) + scene(all);
   if (implication.motion) {
     result += fmt::format("{}{}real {}\n{}assume motion: {}\n", assumptions, implication.hints,
                           fmt::join(mechanics().unknowns(), " "), implication.motion->definitions,
@@ -88,7 +88,7 @@ void ClaimWriter::exists(const Implication& implication, const std::vector<std::
   for (const auto& unknown : mechanics().unknowns()) {
     if (std::find(unknowns.begin(), unknowns.end(), unknown) == unknowns.end()) known.emplace_back(unknown);
   }
-  result += fmt::format("real {}\n", parameters());
+  result += variables();
   if (!known.empty()) result += fmt::format("real {}\n", fmt::join(known, " "));
   result += fmt::format("assume domain: {}\n", domain(implication.force_domain)) + scene(all) + assumptions +
             implication.hints;
@@ -105,8 +105,7 @@ void ClaimWriter::together(const std::string& suffix, const Assumptions& assumpt
   std::string result = opening(suffix);
   std::vector<Expression> uses;
   const std::string assumption_lines = assumed(assumptions, uses);
-  result +=
-      fmt::format("real {}\nassume domain: {}\n", parameters(), domain(true)) + scene(uses) + assumption_lines + hints;
+  result += fmt::format("{}assume domain: {}\n", variables(), domain(true)) + scene(uses) + assumption_lines + hints;
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const std::string ending = i == 0 ? "" : fmt::format("_{}", i + 1);
     const MotionText motion = with_ending(motions[i], mechanics().unknowns(), ending);
@@ -143,7 +142,7 @@ void ClaimWriter::goes_beyond(const std::string& suffix, const std::string& para
   if (!is_bounded(parameter)) return;
   const std::string greater = parameter + "'";
   std::vector<Expression> uses = {body_.region, from};
-  std::string result = opening(suffix) + fmt::format("real {}\nassume domain: {}\n", parameters(), domain(false));
+  std::string result = opening(suffix) + fmt::format("{}assume domain: {}\n", variables(), domain(false));
   result += definitions(uses) + assumption("region", body_.region);
   const auto bound = number_text(from, [this](const Expression& e) { return always_defined(e); });
   if (!bound) give_up();

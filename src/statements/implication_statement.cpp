@@ -19,7 +19,7 @@ class ImplicationWriter : SettingWriter {
     std::vector<Expression> uses = implication_.given;
     uses.push_back(implication_.shown);
     std::string result = header(implication_.name, setting().id);
-    result += fmt::format("real {}\nassume domain: {}\n", parameters(), domain(true));
+    result += fmt::format("{}assume domain: {}\n", variables(), domain(true));
     if (moving) {
       const MotionText motion = implication_.mode ? this->motion(*implication_.mode) : equations(std::nullopt);
       result += scene(uses) + fmt::format("real {}\n{}assume motion: {}\n", fmt::join(mechanics().unknowns(), " "),

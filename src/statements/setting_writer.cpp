@@ -100,6 +100,11 @@ std::string SettingWriter::parameters() const {
   return fmt::format("{}", fmt::join(names, " "));
 }
 
+std::string SettingWriter::variables() const {
+  const std::string names = parameters();
+  return names.empty() ? names : "real " + names + '\n';
+}
+
 std::vector<Expression> SettingWriter::physical() {
   const Setting::PointConditions conditions = setting_.point_conditions();
   std::vector<Expression> result;

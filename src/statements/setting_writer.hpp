@@ -54,7 +54,10 @@ class SettingWriter {
  protected:
   /// The first lines, up to the variables.
   std::string header(const std::string& theorem, const std::string& comment);
+  /// The names of the paper's parameters, cosines and sines, and of the force; and the line that declares them, none if
+  /// there are none.
   std::string parameters() const;
+  std::string variables() const;
   /// What a point of the mechanism is, as far as it is not plain (proofs/MEANING.md, The words), and where the paper's
   /// force stands.
   std::string domain(bool with_force) { return domain(with_force, "", ""); }
