@@ -24,6 +24,9 @@ void* operator new(std::size_t size) {
 void* operator new[](std::size_t size) {
   return counted(size);
 }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {  // of std::stable_sort
+  return counted(size);
+}
 void operator delete(void* p) noexcept {
   std::free(p);
 }
