@@ -145,8 +145,8 @@ TEST_CASE("a claim that says nothing is reported") {
 
 TEST_CASE("the number of threads makes no difference") {
   const ClaimsFile file = read_claims(SLIPPROOF_SOURCE_DIR "/proofs/rear-drive/claims.toml");
-  MutationOptions options = some_of(40);
-  options.every = 40;
+  MutationOptions options = some_of(120);
+  options.every = 120;
   options.samples = 40;
   options.threads = 1;
   const MutationResult one = judge_mutants(file, options);
