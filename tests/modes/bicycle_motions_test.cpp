@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "model/domain.hpp"
 #include "support/random_scene.hpp"
 
 using namespace slipproof;
@@ -82,6 +83,7 @@ TEST_CASE("a bicycle's modes over the loads are those of its file") {
     Bicycle<Rational> p = i % 3 == 0 ? random.reduced(true) : random.bicycle(i % 4 != 0);
     if (i % 5 == 0) p.I2 = p.I3 = 0;  // a massless wheel that slips may spin at any rate
     const Road<Rational> road = random.road();
+    if (!in_domain(p, road)) continue;  // one in many thousands has no wheelbase
     const ForceKind kind = i % 2 == 0 ? ForceKind::internal : ForceKind::external;
     const MechanismValues values = bicycle_values(p, road, kind);
     const auto table = bicycle_motions(p, road, kind);
