@@ -56,7 +56,7 @@ MechanismBatch::MechanismBatch(const Mechanism& mechanism, std::vector<ElementKi
     : mechanism_(&mechanism), maker_(mechanism), starts_(std::move(starts)), given_(std::move(given)) {
   const auto kinds = element_kinds(mechanism, starts_, given_);
   refuse_too_many_modes(mechanism, kinds);
-  modes_ = modes_of(ModePattern{std::vector<std::optional<ElementState>>(kinds.size())}, kinds);
+  modes_ = modes_of(kinds);
   if (auto programs = mode_programs(mechanism, starts_, given_)) {
     code_ = std::make_unique<const ModeCode>(std::move(*programs));
   }

@@ -130,11 +130,6 @@ std::vector<std::pair<std::size_t, std::size_t>> circles(const Mechanism& mechan
   return result;
 }
 
-/// All modes of some elements, in the order of enumeration.
-std::vector<MechanismMode> all_modes_of(const std::vector<ElementKind>& kinds) {
-  return modes_of(ModePattern{std::vector<std::optional<ElementState>>(kinds.size())}, kinds);
-}
-
 class ProgramMaker {
  public:
   ProgramMaker(const Mechanism& mechanism, const std::vector<bool>& given)
@@ -159,7 +154,7 @@ class ProgramMaker {
     TapeForms forms(tape_, at_, mechanism_.unknowns.size(), tape_.input(result_.load()));
     assemble(mechanism_, compiled_, kinds, forms, problem_);
     add_domain();
-    result_.modes = all_modes_of(kinds);
+    result_.modes = modes_of(kinds);
     for (const MechanismMode& mode : result_.modes) add_mode(mode);
     join_motions();
     add_scales();

@@ -275,13 +275,12 @@ class Explanation {
   std::string not_modelled(const MechanismMode& mode, const MechanismValues& values) const {
     const Mechanism& mechanism = setting_.certified.mechanism;
     for (std::size_t i = 0; i < mode.size(); ++i) {
-      const auto known = states(problem_.elements[i].kind);
-      if (std::find(known.begin(), known.end(), mode[i]) != known.end()) continue;
+      if (has_state(problem_.elements[i].kind, mode[i])) continue;
       std::string text =
           "the mode is not modelled: " + element_name(mechanism, i) + " has no " + std::string(name(mode[i])) + " here";
       if (mode[i] != ElementState::lift || i >= mechanism.contacts.size()) return text;
-      for (const std::size_t need : mechanism.contacts[i].lift_needs) {
-        if (!values.given[need]) text += " without " + mechanism.parameters[need].symbol;
+      for (const std::size_t need : missing_for_lift(mechanism.contacts[i], values.given)) {
+        text += " without " + mechanism.parameters[need].symbol;
       }
       return text;
     }

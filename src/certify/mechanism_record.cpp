@@ -42,7 +42,7 @@ MechanismFields::MechanismFields(const Mechanism& mechanism)
   for (std::string& name : force_names(mechanism)) add(std::move(name));
   const auto kinds = element_kinds(mechanism);
   refuse_too_many_modes(mechanism, kinds);
-  for (MechanismMode& mode : modes_of(ModePattern{std::vector<std::optional<ElementState>>(kinds.size())}, kinds)) {
+  for (MechanismMode& mode : modes_of(kinds)) {
     std::string text = slipproof::name(mode);
     modes_.emplace(std::move(text), std::move(mode));
   }

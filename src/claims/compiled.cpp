@@ -112,7 +112,8 @@ void CompiledSetting::compile_scene(const Setting& setting) {
   maker_ = std::make_shared<const ProblemMaker>(mechanism);
   starts_ = setting.starts;
   bicycle_ = setting.bicycle;
-  for (const ElementKind& kind : setting.kinds()) complete_ = complete_ && kind.lifts;
+  kinds_ = setting.kinds();
+  for (const ElementKind& kind : kinds_) complete_ = complete_ && kind.lifts;
   for (const MechanismParameter& parameter : mechanism.parameters) scene_.parameters.push_back(value(parameter.symbol));
   for (const MechanismAngle& angle : mechanism.angles)
     scene_.angles.emplace_back(*value(angle.cosine), *value(angle.sine));

@@ -76,7 +76,8 @@ class CompiledSetting {
   const Mechanism& mechanism() const { return *mechanism_; }
   const std::vector<ElementKind::Start>& starts() const { return starts_; }
   std::optional<ForceKind> bicycle() const { return bicycle_; }
-  /// Whether every state of every element is modelled.
+  /// The elements as their states are modelled; and whether every state of every element is.
+  const std::vector<ElementKind>& kinds() const { return kinds_; }
   bool complete() const { return complete_; }
 
  private:
@@ -106,9 +107,37 @@ class CompiledSetting {
   std::shared_ptr<const ProblemMaker> maker_;
   std::vector<ElementKind::Start> starts_;
   std::optional<ForceKind> bicycle_;
+  std::vector<ElementKind> kinds_;
   bool complete_ = true;
   CompiledScene scene_;
 };
+
+/// Gives the symbols of a setting's mechanism, but for the load, their values in the paper's, in an evaluator over the
+/// mechanism's own scope. False where one has no value, or none that fits.
+template <class T, class Field, class Fits>
+bool put_scene(const CompiledSetting& setting, Evaluator<T, Field>& paper, Evaluator<T, Field>& mechanism,
+               const Fits& fits) {
+  const CompiledMechanism& compiled = setting.maker().compiled();
+  const auto put = [&](std::size_t slot, const Program& program) {
+    auto value = paper.number(program).number;
+    if (!value || !fits(*value)) return false;
+    mechanism.set(slot, std::move(*value));
+    return true;
+  };
+  const CompiledScene& scene = setting.scene();
+  for (std::size_t i = 0; i < scene.parameters.size(); ++i) {
+    if (!scene.parameters[i]) {
+      mechanism.set(compiled.parameter(i), mechanism.field().constant(Rational(0)));
+    } else if (!put(compiled.parameter(i), *scene.parameters[i])) {
+      return false;
+    }
+  }
+  for (std::size_t i = 0; i < scene.angles.size(); ++i) {
+    const auto& [cosine, sine] = scene.angles[i];
+    if (!put(compiled.cosine(i), cosine) || !put(compiled.sine(i), sine)) return false;
+  }
+  return true;
+}
 
 /// The expressions of a body; `true` for conditions that its kind does not have.
 struct CompiledBody {

@@ -13,11 +13,6 @@ namespace slipproof::claims_reader {
 
 namespace {
 
-std::string text_or_empty(const TableReader& table, std::string_view key) {
-  const PlacedText* text = table.string(key);
-  return text == nullptr ? std::string() : text->text();
-}
-
 /// The bicycle of settings that say where the force comes from.
 bool read_bicycle(const TableReader& table, Context& context, Setting& setting) {
   setting.mechanism = std::shared_ptr<const Mechanism>(&bicycle_mechanism(), [](const Mechanism*) {});
@@ -162,15 +157,15 @@ class SceneReader {
 
 bool read_mechanism(const TableReader& table, Context& context, Setting& setting) {
   if (!table.has("mechanism")) return read_bicycle(table, context, setting);
-  auto& known = context.mechanisms[{text_or_empty(table, "mechanism"), text_or_empty(table, "along")}];
+  setting.mechanism_name = context.optional_text(table, "mechanism");
+  setting.along = context.optional_text(table, "along");
+  auto& known = context.mechanisms[{setting.mechanism_name, setting.along}];
   if (!known) {
     auto opened = named_mechanism(table, std::filesystem::path(context.file.file).parent_path().string());
     if (!opened) return false;
     known = std::make_shared<const Mechanism>(std::move(*opened));
   }
   setting.mechanism = known;
-  setting.mechanism_name = text_or_empty(table, "mechanism");
-  setting.along = text_or_empty(table, "along");
   setting.starts = starts(*known);
   if (const TomlValue* state = table.table("state")) read_states(*state, *known, setting.starts, context.mistakes);
   if (mode_count(setting.all_kinds()) <= static_cast<double>(max_modes)) return true;

@@ -173,29 +173,19 @@ void add_arithmetic(const Element& parent, const MechanismScene& scene, const Mo
   }
 }
 
-std::string modes_text(const MotionAtLoad& motion) {
-  std::string text;
-  for (const auto* modes : {&motion.modes, &motion.boundary_modes}) {
-    for (const MechanismMode& mode : *modes) text += (text.empty() ? "" : " = ") + name(mode);
-  }
-  return text;
-}
-
 /// The same motion as the table of a bicycle's modes has it.
 const FoundMotion<Rational>* of_bicycle(const Counterexample& e, const MotionAtLoad& motion) {
   if (!e.bicycle || !e.bicycle->motions) return nullptr;
+  const std::vector<MechanismMode> modes = motion.all_modes();
   for (const FoundMotion<Rational>& found : e.bicycle->motions->motions) {
-    const MechanismMode& mode = mechanism_mode(found.modes.front());
-    for (const auto* modes : {&motion.modes, &motion.boundary_modes}) {
-      if (std::find(modes->begin(), modes->end(), mode) != modes->end()) return &found;
-    }
+    if (std::find(modes.begin(), modes.end(), mechanism_mode(found.modes.front())) != modes.end()) return &found;
   }
   return nullptr;
 }
 
 void add_motion(const Element& parent, const Counterexample& e, const MotionAtLoad& motion) {
   const Element box = parent.add("div", "motion");
-  const std::string modes = modes_text(motion);
+  const std::string modes = equal_modes(motion.all_modes());
   const Element heading = box.add("p", "motion-name");
   heading.add("b").text(modes);
   if (!motion.strict()) heading.text(" (boundary)");

@@ -40,6 +40,12 @@ const std::string& element_name(const Mechanism& mechanism, std::size_t element)
   return element < contacts ? mechanism.contacts[element].name : mechanism.friction[element - contacts].name;
 }
 
+std::vector<std::size_t> missing_for_lift(const MechanismContact& contact, const std::vector<bool>& given) {
+  std::vector<std::size_t> missing = contact.lift_needs;
+  std::erase_if(missing, [&](std::size_t parameter) { return given[parameter]; });
+  return missing;
+}
+
 std::vector<ElementKind::Start> starts(const Mechanism& mechanism) {
   std::vector<ElementKind::Start> result;
   for (const MechanismContact& contact : mechanism.contacts) result.push_back(contact.start);
@@ -55,8 +61,7 @@ std::vector<ElementKind> element_kinds(const Mechanism& mechanism, const std::ve
     kind.law = contact.frictionless() ? ElementKind::Law::frictionless : ElementKind::Law::coulomb;
     kind.start = starts[kinds.size()];
     kind.bilateral = contact.bilateral;
-    kind.lifts = std::all_of(contact.lift_needs.begin(), contact.lift_needs.end(),
-                             [&](std::size_t parameter) { return given[parameter]; });
+    kind.lifts = missing_for_lift(contact, given).empty();
     kinds.push_back(kind);
   }
   for (std::size_t i = 0; i < mechanism.friction.size(); ++i) {

@@ -165,6 +165,9 @@ std::vector<std::string> force_names(const Mechanism& mechanism);
 /// The name of a contact or friction element, in the order of a mode.
 const std::string& element_name(const Mechanism& mechanism, std::size_t element);
 
+/// The parameters without which the contact's `lift` is not modelled, and which are not given.
+std::vector<std::size_t> missing_for_lift(const MechanismContact& contact, const std::vector<bool>& given);
+
 /// What the file says of the state before the motion, one for each element.
 std::vector<ElementKind::Start> starts(const Mechanism& mechanism);
 /// What the elements are: with these states before the motion, and `given`, for each parameter, whether it has a value

@@ -96,7 +96,9 @@ bool within(std::size_t count, std::size_t limit, std::string_view key, Place pl
 std::optional<ElementKind::Start> read_start(std::string_view text, std::string_view key, Place place,
                                              const ElementKind& kind, Mistakes& mistakes) {
   using Start = ElementKind::Start;
-  constexpr std::array<std::string_view, 4> words{"rest", "slides+", "slides-", "open"};
+  constexpr std::array<Start, 4> starts{Start::rest, Start::slides_forward, Start::slides_backward, Start::open};
+  std::vector<std::string_view> words;
+  for (const Start start : starts) words.push_back(name(start));
   const auto refuse = [&](const std::string& why) {
     mistakes.add(place, std::string(key) + ": found " + in_quotes(text) + why);
     return std::nullopt;
@@ -106,7 +108,6 @@ std::optional<ElementKind::Start> read_start(std::string_view text, std::string_
     if (const auto meant = near_match(text, words)) return refuse(", did you mean '" + std::string(*meant) + "'?");
     return refuse(", expected \"rest\", \"slides+\", \"slides-\" or \"open\"");
   }
-  constexpr std::array<Start, 4> starts{Start::rest, Start::slides_forward, Start::slides_backward, Start::open};
   const Start start = starts[static_cast<std::size_t>(word - words.begin())];
   if (start == Start::open && kind.law == ElementKind::Law::limited) {
     return refuse(", and a friction element does not open, expected \"rest\", \"slides+\" or \"slides-\"");

@@ -92,19 +92,13 @@ std::optional<ModePattern> parse_mode(const Mechanism& mechanism, const std::vec
 }
 
 std::vector<MechanismMode> modes_of(const ModePattern& pattern, const std::vector<ElementKind>& kinds) {
-  std::vector<MechanismMode> modes{{}};
+  std::vector<std::vector<ElementState>> choices;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
-    std::vector<MechanismMode> longer;
-    for (const MechanismMode& mode : modes) {
-      for (const ElementState state : states(kinds[i])) {
-        if (pattern.states[i] && *pattern.states[i] != state) continue;
-        longer.push_back(mode);
-        longer.back().push_back(state);
-      }
-    }
-    modes = std::move(longer);
+    choices.push_back(states(kinds[i]));
+    const auto wanted = pattern.states[i];
+    std::erase_if(choices.back(), [&](ElementState state) { return wanted && *wanted != state; });
   }
-  return modes;
+  return modes_of(choices);
 }
 
 }  // namespace slipproof

@@ -1,8 +1,5 @@
 #include <fmt/format.h>
 
-#include <array>
-#include <string_view>
-
 #include "input/toml.hpp"
 #include "mechanism/scene.hpp"
 #include "number/format.hpp"
@@ -27,8 +24,7 @@ std::string to_toml(const MechanismScene& scene, const std::string& mechanism, c
   const auto own = starts(m);
   for (std::size_t i = 0; i < own.size(); ++i) {
     if (values.starts[i] == own[i]) continue;
-    constexpr std::array<std::string_view, 4> names{"rest", "slides+", "slides-", "open"};
-    states += fmt::format("{} = \"{}\"\n", element_name(m, i), names[static_cast<std::size_t>(values.starts[i])]);
+    states += fmt::format("{} = \"{}\"\n", element_name(m, i), name(values.starts[i]));
   }
   return states.empty() ? text : text + "\n[state]\n" + states;
 }

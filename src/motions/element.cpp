@@ -1,6 +1,8 @@
 #include "motions/element.hpp"
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 namespace slipproof {
 
@@ -41,6 +43,11 @@ std::string_view name(ElementState state) {
   return names[static_cast<std::size_t>(state)];
 }
 
+std::string_view name(ElementKind::Start start) {
+  constexpr std::array<std::string_view, 4> starts{"rest", "slides+", "slides-", "open"};
+  return starts[static_cast<std::size_t>(start)];
+}
+
 std::optional<ElementState> parse_element_state(std::string_view text) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (names[i] == text) return static_cast<ElementState>(i);
@@ -66,6 +73,42 @@ double mode_count(const std::vector<ElementKind>& kinds) {
   double count = 1;
   for (const ElementKind& kind : kinds) count *= static_cast<double>(states(kind).size());
   return count;
+}
+
+std::vector<MechanismMode> modes_of(const std::vector<ElementKind>& kinds) {
+  std::vector<std::vector<ElementState>> all;
+  for (const ElementKind& kind : kinds) all.push_back(states(kind));
+  return modes_of(all);
+}
+
+std::vector<MechanismMode> modes_of(const std::vector<std::vector<ElementState>>& states) {
+  std::vector<MechanismMode> modes{MechanismMode{}};
+  for (const std::vector<ElementState>& choice : states) {
+    std::vector<MechanismMode> longer;
+    for (const MechanismMode& mode : modes) {
+      for (const ElementState state : choice) {
+        longer.push_back(mode);
+        longer.back().push_back(state);
+      }
+    }
+    modes = std::move(longer);
+  }
+  return modes;
+}
+
+bool has_state(const ElementKind& kind, ElementState state) {
+  const std::vector<ElementState> known = states(kind);
+  return std::find(known.begin(), known.end(), state) != known.end();
+}
+
+bool has_mode(const std::vector<ElementKind>& kinds, const MechanismMode& mode) {
+  return std::equal(kinds.begin(), kinds.end(), mode.begin(), mode.end(), has_state);
+}
+
+std::string equal_modes(const std::vector<MechanismMode>& modes) {
+  std::string text;
+  for (const MechanismMode& mode : modes) text += (text.empty() ? "" : " = ") + name(mode);
+  return text;
 }
 
 std::string name(const MechanismMode& mode) {

@@ -43,6 +43,7 @@ enum class ElementState : std::uint8_t {
 };
 
 std::string_view name(ElementState state);
+std::string_view name(ElementKind::Start start);  ///< as files write it: `rest`, `slides+`, `slides-`, `open`
 std::optional<ElementState> parse_element_state(std::string_view text);  ///< nothing unless as written by name()
 
 /// +1 for `slip+` and `slip+~`, -1 for `slip-` and `slip-~`, 0 otherwise.
@@ -103,7 +104,15 @@ constexpr StateList<StateCondition> conditions(const ElementKind& kind, ElementS
 using MechanismMode = std::vector<ElementState>;
 /// How many modes such elements have; may round.
 double mode_count(const std::vector<ElementKind>& kinds);
+/// All modes of such elements, in the order of enumeration; of elements with these states each.
+std::vector<MechanismMode> modes_of(const std::vector<ElementKind>& kinds);
+std::vector<MechanismMode> modes_of(const std::vector<std::vector<ElementState>>& states);
+/// Whether a state is one of the element's; whether a mode has one of each element's.
+bool has_state(const ElementKind& kind, ElementState state);
+bool has_mode(const std::vector<ElementKind>& kinds, const MechanismMode& mode);
 std::string name(const MechanismMode& mode);  ///< joined by `/`: `stick/slip+`
+/// Several of one motion, joined by ` = `.
+std::string equal_modes(const std::vector<MechanismMode>& modes);
 
 constexpr StateList<StateEquation> equations(const ElementKind& kind, ElementState state) {
   StateList<StateEquation> result;

@@ -249,6 +249,12 @@ class Cells {
 
 }  // namespace
 
+std::vector<MechanismMode> MotionAtLoad::all_modes() const {
+  std::vector<MechanismMode> all = modes;
+  all.insert(all.end(), boundary_modes.begin(), boundary_modes.end());
+  return all;
+}
+
 std::optional<FrictionProblem> without_hysteresis(const FrictionProblem& problem) {
   FrictionProblem result = problem;
   bool differs = false;

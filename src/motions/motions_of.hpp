@@ -19,6 +19,8 @@ struct MotionAtLoad {
   std::vector<Range> forces;                  ///< of FrictionProblem::forces, over all of its modes
 
   bool strict() const { return !modes.empty(); }
+  /// Those of both lists.
+  std::vector<MechanismMode> all_modes() const;
 };
 
 struct ContinuumAtLoad {

@@ -85,12 +85,8 @@ class KernelMotions final : public MotionsOverLoads {
   };
 
   bool is_modelled(const MechanismMode& mode) const {
-    if (mode.size() != problem_.elements.size()) return false;
-    for (std::size_t i = 0; i < mode.size(); ++i) {
-      const auto known = states(problem_.elements[i].kind);
-      if (std::find(known.begin(), known.end(), mode[i]) == known.end()) return false;
-    }
-    return true;
+    return std::equal(problem_.elements.begin(), problem_.elements.end(), mode.begin(), mode.end(),
+                      [](const ProblemElement& e, ElementState state) { return has_state(e.kind, state); });
   }
 
   void add(ModesOf modes) {

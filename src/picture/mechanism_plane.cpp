@@ -334,8 +334,7 @@ std::string note_of(const MechanismColumns& columns, const MechanismScene& scene
                                [&](const auto& f) { return differ(f.static_limit, f.kinetic_limit); });
   if (two) add("With a static above the kinetic coefficient, rest and sliding coexist by definition.");
   for (const MechanismContact& contact : scene.mechanism.contacts) {
-    for (const std::size_t parameter : contact.lift_needs) {
-      if (scene.values.given[parameter]) continue;
+    for (const std::size_t parameter : missing_for_lift(contact, scene.values.given)) {
       add(fmt::format("Without {}, that {} opens is not modelled.", scene.mechanism.parameters[parameter].symbol,
                       contact.name));
     }

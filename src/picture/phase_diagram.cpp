@@ -24,10 +24,7 @@ MotionSet motion_set(const LoadCell& cell) {
 
 std::string name(const MotionSet& set) {
   std::string text;
-  for (const auto& modes : set.motions) {
-    text += text.empty() ? "" : ", ";
-    for (const MechanismMode& mode : modes) text += (&mode == &modes.front() ? "" : " = ") + name(mode);
-  }
+  for (const auto& modes : set.motions) text += (text.empty() ? "" : ", ") + equal_modes(modes);
   for (const MechanismMode& mode : set.continua) text += (text.empty() ? "" : ", ") + name(mode) + " (continuum)";
   return text.empty() ? "no motion" : text;
 }

@@ -25,10 +25,7 @@ std::vector<FoundOverLoads> MotionFinder::at(const MechanismValues& values) cons
   if (problem.has_load && problem.load_domain.empty()) return {};
   std::vector<std::size_t> not_modelled;
   for (std::size_t i = 0; i < mechanism_->contacts.size(); ++i) {
-    const auto& needs = mechanism_->contacts[i].lift_needs;
-    if (std::any_of(needs.begin(), needs.end(), [&](std::size_t p) { return !values.given[p]; })) {
-      not_modelled.push_back(i);
-    }
+    if (!missing_for_lift(mechanism_->contacts[i], values.given).empty()) not_modelled.push_back(i);
   }
   return found_over_loads(without_equations(problem), not_modelled, hysteresis_apart_);
 }

@@ -5,10 +5,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <optional>
 #include <utility>
 
-#include "mechanism/words.hpp"
 #include "statements/truth_text.hpp"
 
 namespace slipproof {
@@ -189,15 +187,11 @@ std::string MechanicsWriter::on_contacts() const {
 }
 
 bool MechanicsWriter::is_modelled(const MechanismMode& mode) const {
-  for (std::size_t i = 0; i < mode.size(); ++i) {
-    const auto known = states_of(i);
-    if (std::find(known.begin(), known.end(), mode[i]) == known.end()) return false;
-  }
-  return true;
+  return has_mode(kinds_, mode);
 }
 
 std::vector<MechanismMode> MechanicsWriter::modes() const {
-  return modes_of(ModePattern{std::vector<std::optional<ElementState>>(kinds_.size())}, kinds_);
+  return modes_of(kinds_);
 }
 
 std::string MechanicsWriter::equation(std::size_t element, ElementState state, StateEquation equation,

@@ -6,15 +6,6 @@ namespace slipproof {
 
 namespace {
 
-/// What the contact needs to lift and does not have.
-std::string needed(const Setting& setting, std::size_t contact) {
-  const auto given = setting.given();
-  for (const std::size_t parameter : setting.mechanism->contacts[contact].lift_needs) {
-    if (!given[parameter]) return setting.mechanism->parameters[parameter].symbol;
-  }
-  return {};
-}
-
 std::string reason(const Setting& setting, const ClaimBody& body) {
   if (body.expect == Expectation::undecided) return "the claims file expects it to stay undecided";
   const auto* limit = std::get_if<Limit>(&body.says);
@@ -27,8 +18,10 @@ std::string reason(const Setting& setting, const ClaimBody& body) {
   for (const MechanismMode& mode : named) {
     for (std::size_t i = 0; i < mode.size(); ++i) {
       if (mode[i] != ElementState::lift || kinds[i].lifts) continue;
-      return "lift of " + element_name(*setting.mechanism, i) + " is not modelled without " + needed(setting, i) +
-             " in [setting.scene]";
+      const Mechanism& mechanism = *setting.mechanism;
+      const std::size_t needed = missing_for_lift(mechanism.contacts[i], setting.given()).front();
+      return "lift of " + element_name(mechanism, i) + " is not modelled without " +
+             mechanism.parameters[needed].symbol + " in [setting.scene]";
     }
   }
   if (body.expect == Expectation::refuted) return "statements cannot say how this claim fails";

@@ -2,15 +2,9 @@
 
 #include <algorithm>
 
-#include "mechanism/words.hpp"
-
 namespace slipproof {
 
 namespace {
-
-std::vector<MechanismMode> modelled(const std::vector<ElementKind>& kinds) {
-  return modes_of(ModePattern{std::vector<std::optional<ElementState>>(kinds.size())}, kinds);
-}
 
 void append(std::vector<const Program*>& list, const std::vector<Program>& programs) {
   for (const Program& program : programs) list.push_back(&program);
@@ -31,7 +25,7 @@ ClaimParts parts_of(const ClaimsFile& file, const CompiledClaims& compiled, std:
   if (c.is<Motions>() || c.is<Unique>()) {
     const auto kinds = file.settings[c.setting].kinds();
     parts.too_many_modes = mode_count(kinds) > max_line_modes;
-    if (!parts.too_many_modes) parts.modes = modelled(kinds);
+    if (!parts.too_many_modes) parts.modes = modes_of(kinds);
   }
   // Boundary motions count in closed settings, and a motion may be in several modes there.
   const bool closed = !file.settings[c.setting].strict;

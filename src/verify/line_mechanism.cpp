@@ -175,27 +175,13 @@ LineMechanism::LineMechanism(const CompiledSetting& setting, LineEvaluator& pape
   const CompiledMechanism& compiled = setting.maker().compiled();
   const CompiledScene& scene = setting.scene();
   LineEvaluator at(compiled.scope(), paper.field());
-  std::vector<bool> given;
-  const auto put = [&](std::size_t slot, const Program& program) {
-    auto value = paper.number(program).number;
-    if (!value || !value->without_force()) return false;
-    at.set(slot, std::move(*value));
-    return true;
-  };
-  for (std::size_t i = 0; i < scene.parameters.size(); ++i) {
-    given.push_back(scene.parameters[i].has_value());
-    if (!given.back()) at.set(compiled.parameter(i), LineFunction());
-    if (given.back() && !put(compiled.parameter(i), *scene.parameters[i])) return;
-  }
-  for (std::size_t i = 0; i < scene.angles.size(); ++i) {
-    if (!put(compiled.cosine(i), scene.angles[i].first) || !put(compiled.sine(i), scene.angles[i].second)) return;
-  }
+  if (!put_scene(setting, paper, at, [](const LineFunction& value) { return value.without_force(); })) return;
   if (scene.load) {
     auto load = paper.number(*scene.load).number;
     if (!load || load->numerator().size() > 2 || load->denominator().size() != 1) return;
     load_ = std::move(*load);
   }
-  system_ = system_of(setting.mechanism(), compiled, element_kinds(setting.mechanism(), setting.starts(), given), at);
+  system_ = system_of(setting.mechanism(), compiled, setting.kinds(), at);
 }
 
 bool LineMechanism::add_mode(const MechanismMode& mode, const std::vector<std::size_t>& wanted, CriticalSet& found,

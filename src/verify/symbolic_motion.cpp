@@ -27,49 +27,12 @@ std::size_t terms(const ReducedFraction& x) {
 }
 
 /// The mechanism's coefficients; nothing where one has no value for all parameters.
-class SystemOfSetting {
- public:
-  SystemOfSetting(const CompiledSetting& setting, SymbolicEvaluator& paper)
-      : setting_(setting), paper_(paper), at_(setting.maker().compiled().scope(), paper.field()) {}
-
-  std::optional<MechanismSystem<SymbolicValue>> read() {
-    const CompiledMechanism& compiled = setting_.maker().compiled();
-    const CompiledScene& scene = setting_.scene();
-    std::vector<bool> given;
-    for (std::size_t i = 0; i < scene.parameters.size(); ++i) {
-      given.push_back(scene.parameters[i].has_value());
-      if (!given.back()) at_.set(compiled.parameter(i), ReducedFraction());
-      if (given.back() && !put(compiled.parameter(i), *scene.parameters[i])) return std::nullopt;
-    }
-    for (std::size_t i = 0; i < scene.angles.size(); ++i) {
-      const bool both = put(compiled.cosine(i), scene.angles[i].first) && put(compiled.sine(i), scene.angles[i].second);
-      if (!both) return std::nullopt;
-    }
-    kinds_ = element_kinds(setting_.mechanism(), setting_.starts(), given);
-    return system_of(setting_.mechanism(), compiled, kinds_, at_);
-  }
-
-  /// Whether the elements have these states.
-  bool has(const MechanismMode& mode) const {
-    for (std::size_t i = 0; i < kinds_.size(); ++i) {
-      const auto known = states(kinds_[i]);
-      if (std::find(known.begin(), known.end(), mode[i]) == known.end()) return false;
-    }
-    return mode.size() == kinds_.size();
-  }
-
- private:
-  bool put(std::size_t slot, const Program& program) {
-    auto value = paper_.number(program).number;
-    if (value) at_.set(slot, std::move(*value));
-    return value.has_value();
-  }
-
-  const CompiledSetting& setting_;
-  SymbolicEvaluator& paper_;
-  SymbolicEvaluator at_;
-  std::vector<ElementKind> kinds_;
-};
+std::optional<MechanismSystem<SymbolicValue>> system_in(const CompiledSetting& setting, SymbolicEvaluator& paper) {
+  const CompiledMechanism& compiled = setting.maker().compiled();
+  SymbolicEvaluator at(compiled.scope(), paper.field());
+  if (!put_scene(setting, paper, at, [](const SymbolicValue&) { return true; })) return std::nullopt;
+  return system_of(setting.mechanism(), compiled, setting.kinds(), at);
+}
 
 /// Gauss and Jordan.
 class Elimination {
@@ -143,9 +106,9 @@ class Elimination {
 
 SymbolicMotion symbolic_motion(const CompiledSetting& setting, const MechanismMode& mode, SymbolicEvaluator& paper) {
   SymbolicMotion result;
-  SystemOfSetting reader(setting, paper);
-  const auto system = reader.read();
-  if (!system || !reader.has(mode)) return result;
+  if (!has_mode(setting.kinds(), mode)) return result;
+  const auto system = system_in(setting, paper);
+  if (!system) return result;
   const std::size_t unknowns = setting.unknowns();
   ReducedFraction load;
   if (setting.scene().load) {

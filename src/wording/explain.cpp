@@ -241,11 +241,9 @@ std::string no_motions(const Counterexample& example) {
   const Mechanism& mechanism = example.scene.mechanism;
   std::string needs;
   for (const MechanismContact& contact : mechanism.contacts) {
-    for (const std::size_t parameter : contact.lift_needs) {
+    for (const std::size_t parameter : missing_for_lift(contact, example.scene.values.given)) {
       const std::string& symbol = mechanism.parameters[parameter].symbol;
-      if (!example.scene.values.given[parameter] && needs.find(symbol) == needs.npos) {
-        needs += (needs.empty() ? "" : ", ") + symbol;
-      }
+      if (needs.find(symbol) == needs.npos) needs += (needs.empty() ? "" : ", ") + symbol;
     }
   }
   if (needs.empty()) return "there is no motion at all";

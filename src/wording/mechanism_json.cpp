@@ -42,8 +42,8 @@ class SolveDocument {
     Json entries = Json::array();
     for (const MechanismContact& contact : mechanism_.contacts) {
       Json needs = Json::array();
-      for (const std::size_t parameter : contact.lift_needs) {
-        if (!solved_.scene.values.given[parameter]) needs.push_back(mechanism_.parameters[parameter].symbol);
+      for (const std::size_t parameter : missing_for_lift(contact, solved_.scene.values.given)) {
+        needs.push_back(mechanism_.parameters[parameter].symbol);
       }
       if (!needs.empty()) {
         entries.push_back({{"contact", contact.name}, {"state", "lift"}, {"needs", std::move(needs)}});

@@ -45,12 +45,6 @@ namespace {
 
 using Out = std::back_insert_iterator<std::string>;
 
-std::string joined(const std::vector<MechanismMode>& modes) {
-  std::string text;
-  for (const MechanismMode& mode : modes) text += (text.empty() ? "" : " = ") + name(mode);
-  return text;
-}
-
 std::string plural(std::size_t count, const char* word) {
   return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
 }
@@ -88,8 +82,7 @@ class SolveText {
  private:
   void write_not_modelled() {
     for (const MechanismContact& contact : mechanism_.contacts) {
-      for (const std::size_t parameter : contact.lift_needs) {
-        if (solved_.scene.values.given[parameter]) continue;
+      for (const std::size_t parameter : missing_for_lift(contact, solved_.scene.values.given)) {
         fmt::format_to(out_, "note: without {} the contact {} does not open: that is not modelled\n",
                        mechanism_.parameters[parameter].symbol, contact.name);
       }
@@ -106,10 +99,10 @@ class SolveText {
   }
 
   void write_motion(const MotionAtLoad& motion) {
-    fmt::format_to(out_, "\n  {}  ({})\n", joined(motion.strict() ? motion.modes : motion.boundary_modes),
+    fmt::format_to(out_, "\n  {}  ({})\n", equal_modes(motion.strict() ? motion.modes : motion.boundary_modes),
                    motion.strict() ? "strict" : "boundary");
     if (motion.strict() && !motion.boundary_modes.empty()) {
-      fmt::format_to(out_, "    on the boundary of {}\n", joined(motion.boundary_modes));
+      fmt::format_to(out_, "    on the boundary of {}\n", equal_modes(motion.boundary_modes));
     }
     for (std::size_t i = 0; i < accelerations_.size(); ++i) {
       fmt::format_to(out_, "    {:<{}} {}\n", accelerations_[i], width_, number_text(motion.accelerations[i], digits_));
@@ -149,7 +142,7 @@ class SolveText {
       fmt::format_to(out_,
                      "\nHysteresis: with the static coefficients as low as the kinetic ones one motion is left,\n"
                      "without {}\n",
-                     joined(found.hysteresis));
+                     equal_modes(found.hysteresis));
     }
     if (!found.rejected.empty()) fmt::format_to(out_, "\nRejected, with what is violated\n");
     for (const RejectedMode& mode : found.rejected) write_rejected(mode);
@@ -173,7 +166,8 @@ class SolveText {
     for (const LoadCell& cell : solved_.cells) {
       std::vector<std::string> motions;
       for (const MotionOverLoads& motion : cell.motions) {
-        motions.push_back(motion.modes.empty() ? joined(motion.boundary_modes) + " (boundary)" : joined(motion.modes));
+        motions.push_back(motion.modes.empty() ? equal_modes(motion.boundary_modes) + " (boundary)"
+                                               : equal_modes(motion.modes));
       }
       for (const MechanismMode& mode : cell.continua) motions.push_back(name(mode) + " (continuum)");
       if (motions.empty()) motions.emplace_back("no motion");

@@ -48,11 +48,7 @@ const char* title(MotionCount count) {
 
 std::string motions_text(const FoundMotions& found) {
   std::vector<std::string> words;
-  for (const auto& motion : found.modes) {
-    std::string modes;
-    for (const MechanismMode& mode : motion) modes += (modes.empty() ? "" : " = ") + name(mode);
-    words.push_back(std::move(modes));
-  }
+  for (const auto& motion : found.modes) words.push_back(equal_modes(motion));
   for (const MechanismMode& mode : found.continua) words.push_back("a continuum in " + name(mode));
   if (found.on_boundary > 0) {
     const char* more = words.empty() ? "" : " more";

@@ -43,10 +43,7 @@ std::string forces_text(const Counterexample& e, const MotionAtLoad& motion) {
 }
 
 void write_motion(Out out, const Counterexample& e, const MotionAtLoad& motion) {
-  std::string modes;
-  for (const auto* names : {&motion.modes, &motion.boundary_modes}) {
-    for (const MechanismMode& mode : *names) modes += (modes.empty() ? "" : " = ") + name(mode);
-  }
+  const std::string modes = equal_modes(motion.all_modes());
   const std::string accelerations = accelerations_text(e, motion), forces = forces_text(e, motion);
   fmt::format_to(out, "        {:<23} {:<9} {}\n", modes, motion.strict() ? "strict" : "boundary",
                  accelerations.empty() ? forces : accelerations);
