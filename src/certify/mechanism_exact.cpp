@@ -317,7 +317,7 @@ RecordJudgement judge_point(const MechanismSetting& setting, const MechanismReco
   const MechanismMode* nearest = nullptr;
   Distance distance;
   std::size_t worst = 0;
-  const std::vector<ConsistentMode> modes = modes_of(problem, point.load).consistent;
+  const std::vector<ConsistentMode> modes = ModeSolver(problem, point.load).consistent();
   for (const ConsistentMode& mode : modes) {
     if (record.mode != nullptr && mode.mode != *record.mode) continue;
     std::size_t off = 0;

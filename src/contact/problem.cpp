@@ -33,17 +33,9 @@ std::optional<ProblemMode> parse_mode(const ContactProblem& problem, std::string
   return mode;
 }
 
-std::vector<ProblemCondition> conditions(const ContactProblem& problem, const ProblemMode& mode) {
-  std::vector<ProblemCondition> list;
-  for (std::size_t i = 0; i < mode.size(); ++i) {
-    for (const StateCondition c : conditions(problem.kind(), mode[i])) list.push_back({i, c});
-  }
-  return list;
-}
-
-std::string name(const ContactProblem& problem, const ProblemCondition& condition) {
-  const std::string j = std::to_string(condition.contact + 1);
-  switch (condition.kind) {
+std::string name(const ContactProblem& problem, const ViolatedCondition& condition) {
+  const std::string j = std::to_string(condition.element + 1);
+  switch (condition.condition) {
     case StateCondition::pushes:
       return (problem.frictional() ? "N" : "z") + j + " >= 0";
     case StateCondition::slips_forward:
@@ -57,43 +49,6 @@ std::string name(const ContactProblem& problem, const ProblemCondition& conditio
   }
 }
 
-Rational condition_value(const ContactProblem& problem, const ProblemCondition& condition,
-                         const std::vector<Rational>& z, const std::vector<Rational>& w) {
-  const std::size_t i = condition.contact, normal = problem.frictional() ? 2 * i : i;
-  switch (condition.kind) {
-    case StateCondition::pushes:
-      return z[normal];
-    case StateCondition::holds_forward:
-      return problem.mu[i] * z[normal] - z[normal + 1];
-    case StateCondition::holds_backward:
-      return problem.mu[i] * z[normal] + z[normal + 1];
-    case StateCondition::slips_forward:
-      return w[normal + 1];
-    case StateCondition::slips_backward:
-      return -w[normal + 1];
-    default:
-      return w[normal];
-  }
-}
-
-bool solves(const ContactProblem& problem, const ProblemMode& mode, const std::vector<Rational>& z) {
-  const auto w = accelerations(problem, z);
-  for (std::size_t i = 0; i < mode.size(); ++i) {
-    const std::size_t normal = problem.frictional() ? 2 * i : i, tangential = normal + 1;
-    const std::vector<Rational>& nothing = mode[i] == ContactState::lift ? z : w;
-    if (!nothing[normal].is_zero()) return false;
-    if (!problem.frictional()) continue;
-    const int direction = slip_direction(mode[i]);
-    if (direction == 0 ? !nothing[tangential].is_zero() : z[tangential] != -direction * problem.mu[i] * z[normal]) {
-      return false;
-    }
-  }
-  const auto list = conditions(problem, mode);
-  return std::all_of(list.begin(), list.end(), [&](const ProblemCondition& condition) {
-    return condition_value(problem, condition, z, w).sign() >= 0;
-  });
-}
-
 std::vector<Rational> accelerations(const ContactProblem& problem, const std::vector<Rational>& z) {
   std::vector<Rational> w = problem.q;
   for (std::size_t i = 0; i < w.size(); ++i) {
@@ -102,6 +57,34 @@ std::vector<Rational> accelerations(const ContactProblem& problem, const std::ve
     }
   }
   return w;
+}
+
+FrictionProblem friction_problem(const ContactProblem& p) {
+  FrictionProblem problem;
+  problem.unknowns = p.size();
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    problem.accelerations.push_back({0, std::vector<Rational>(p.size() + 1)});
+    problem.accelerations.back().coefficients[i] = 1;
+  }
+  const auto w = [&](std::size_t i) {
+    AffineForm form{p.q[i], p.W[i]};
+    form.coefficients.emplace_back(0);
+    return form;
+  };
+  for (std::size_t i = 0; i < p.contacts(); ++i) {
+    const std::size_t normal = p.frictional() ? 2 * i : i;
+    ProblemElement& e = problem.elements.emplace_back();
+    e.kind = p.kind();
+    e.gap = w(normal);
+    e.normal = problem.accelerations[normal];
+    if (!p.frictional()) continue;
+    e.slip = w(normal + 1);
+    e.tangent = problem.accelerations[normal + 1];
+    e.static_limit = e.normal;
+    e.static_limit.coefficients[normal] = p.mu[i];
+    e.kinetic_limit = e.static_limit;
+  }
+  return problem;
 }
 
 std::optional<ContactProblem> contact_problem(const Bicycle<Rational>& bicycle, const Road<Rational>& road,

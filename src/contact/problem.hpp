@@ -8,6 +8,7 @@
 
 #include "model/bicycle.hpp"
 #include "model/contact_mode.hpp"
+#include "motions/regular_modes.hpp"
 #include "number/rational.hpp"
 
 namespace slipproof {
@@ -45,22 +46,14 @@ std::string name(const ContactProblem& problem, const ProblemMode& mode);
 /// Nothing unless exactly as written by name().
 std::optional<ProblemMode> parse_mode(const ContactProblem& problem, std::string_view text);
 
-/// One condition of a mode: its left-hand side must be >= 0.
-struct ProblemCondition {
-  std::size_t contact;
-  StateCondition kind;  ///< of an LCP: pushes (z_i >= 0) or opens (w_i >= 0)
-};
-std::vector<ProblemCondition> conditions(const ContactProblem& problem, const ProblemMode& mode);
 /// `N1 >= 0`, `|T1| <= mu N1`, `slip2 <= 0`, `gap2 >= 0`; `z3 >= 0`, `w3 >= 0`. Contacts and components count from 1.
-std::string name(const ContactProblem& problem, const ProblemCondition& condition);
-Rational condition_value(const ContactProblem& problem, const ProblemCondition& condition,
-                         const std::vector<Rational>& z, const std::vector<Rational>& w);
-
-/// Whether z solves the problem in a mode: all its equations and conditions hold.
-bool solves(const ContactProblem& problem, const ProblemMode& mode, const std::vector<Rational>& z);
+std::string name(const ContactProblem& problem, const ViolatedCondition& condition);
 
 /// W z + q.
 std::vector<Rational> accelerations(const ContactProblem& problem, const std::vector<Rational>& z);
+
+/// What the kernel solves: the unknowns are z, and a motion is a z.
+FrictionProblem friction_problem(const ContactProblem& problem);
 
 /// The contacts of a bicycle with J at a force, rear then front; nothing where a body without inertia makes their
 /// matrix infinite.

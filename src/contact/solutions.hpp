@@ -1,16 +1,12 @@
 // Every solution of a contact problem, exactly.
 #pragma once
 
-#include <memory>
-
 #include "contact/problem.hpp"
+#include "motions/modes_of.hpp"
 #include "number/effort.hpp"
 #include "number/linear_program.hpp"
 
 namespace slipproof {
-
-struct ScaledProblem;
-class ModeSystem;
 
 /// One solution, with every mode that gives it.
 struct ContactSolution {
@@ -33,15 +29,15 @@ struct ContactContinuum {
 struct ModeOutcome {
   enum class Kind {
     solution,      ///< one solution
-    violated,      ///< one solution of the equations, which breaks a condition
-    inconsistent,  ///< no solution of the equations, or none that keeps the conditions
+    violated,      ///< a condition is broken by all solutions of the equations alike
+    inconsistent,  ///< no solution of the equations, or none that keeps all conditions
     continuum
   };
   Kind kind = Kind::inconsistent;
-  std::vector<Rational> z;                    ///< solution
-  bool strict = false;                        ///< solution
-  std::optional<ProblemCondition> condition;  ///< violated: the first one
-  Rational margin;                            ///< violated: its left-hand side, negative
+  std::vector<Rational> z;                     ///< solution
+  bool strict = false;                         ///< solution
+  std::optional<ViolatedCondition> condition;  ///< violated: the first one
+  Rational margin;                             ///< violated: its left-hand side, negative
   std::optional<ContactContinuum> continuum;
 };
 
@@ -52,16 +48,18 @@ struct ContactSolutions {
   bool one() const { return solutions.size() == 1 && continua.empty(); }
 };
 
-/// Solves the modes of a problem. The problem is checked by mistake_in() and must outlive it; immutable once made.
+/// Solves the modes of a problem by the kernel of all mechanisms (motions/modes_of.hpp). The problem is checked by
+/// mistake_in() and must outlive it; immutable once made.
 class ContactSolver {
  public:
   /// What is done unless more is asked for: a second or two.
   static constexpr Work usual_effort = 1'500'000'000;
 
   explicit ContactSolver(const ContactProblem& problem);
-  ~ContactSolver();
+  ContactSolver(const ContactSolver&) = delete;
+  ContactSolver& operator=(const ContactSolver&) = delete;
 
-  /// Solves the equations of a mode by fraction-free elimination. Throws TooMuchWork.
+  /// Solves one mode. Throws TooMuchWork.
   ModeOutcome solve(const ProblemMode& mode, Effort& effort) const;
   /// All solutions, by trying each mode; nothing where that is beyond the effort.
   std::optional<ContactSolutions> all(Effort& effort) const;
@@ -77,14 +75,12 @@ class ContactSolver {
   Work work_of_all() const;
 
  private:
-  ModeOutcome solution_of(const ModeSystem& system, const ProblemMode& mode) const;
-  ContactContinuum continuum_of(const ModeSystem& system, const ProblemMode& mode, Effort& effort) const;
-  ModeOutcome narrowed(ContactContinuum continuum, Effort& effort) const;
+  ContactContinuum continuum_of(const ConsistentMode& found) const;
   ContactSolutions try_all(Effort& effort) const;
-  Work work_of(std::size_t unknowns) const;
 
   const ContactProblem& problem_;
-  std::unique_ptr<const ScaledProblem> scaled_;
+  const FrictionProblem kernel_problem_;
+  const ModeSolver kernel_;
 };
 
 /// Whether x . W x > 0 for all x but 0. An LCP with such a matrix has one solution for every q.

@@ -25,6 +25,13 @@ AffineSpace::AffineSpace(std::size_t unknowns, bool has_load)
   }
 }
 
+AffineSpace::AffineSpace(std::vector<AffineForm> solution, const std::optional<Rational>& load)
+    : free_(solution.size() + 1), fixed_(std::move(solution)), dimension_(0) {
+  free_.back() = !load;
+  fixed_.emplace_back();
+  if (load) fixed_.back() = {*load, std::vector<Rational>(free_.size())};
+}
+
 AffineForm AffineSpace::on(const AffineForm& form) const {
   AffineForm result{form.constant, std::vector<Rational>(free_.size())};
   for (std::size_t i = 0; i < free_.size(); ++i) {

@@ -15,6 +15,8 @@ class AffineSpace {
  public:
   /// All of the unknowns and the load are free. A problem without a load has the load 0.
   AffineSpace(std::size_t unknowns, bool has_load);
+  /// One solution, affine in the load; with a value of the load the only one.
+  AffineSpace(std::vector<AffineForm> solution, const std::optional<Rational>& load);
 
   /// Adds the equation form = 0. False if no load is left for which it has a solution; the space is of no use then.
   bool require(const AffineForm& form);

@@ -1,110 +1,187 @@
 #include "motions/modes_of.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace slipproof {
 
 namespace {
 
-/// The tree of modes: a level for each element, a branch for each of its states.
+/// The modes that elements with these states have, by their numbers in the order of enumeration.
+class ModeNumbers {
+ public:
+  explicit ModeNumbers(const std::vector<std::vector<ElementState>>& states) : states_(states) {
+    below_.assign(states.size() + 1, 1);
+    for (std::size_t i = states.size(); i > 0; --i) below_[i - 1] = below_[i] * states[i - 1].size();
+  }
+
+  std::uint64_t count() const { return below_.front(); }
+  /// How many modes begin with the same states of so many elements.
+  std::uint64_t that_share(std::size_t elements) const { return below_[elements]; }
+  MechanismMode mode(std::uint64_t number) const {
+    MechanismMode result;
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+      result.push_back(states_[i][number / below_[i + 1]]);
+      number %= below_[i + 1];
+    }
+    return result;
+  }
+
+ private:
+  const std::vector<std::vector<ElementState>>& states_;
+  std::vector<std::uint64_t> below_;
+};
+
+std::vector<ViolatedCondition> because(const Conflict& conflict, const std::vector<ViolatedCondition>& labels) {
+  std::vector<ViolatedCondition> result;
+  for (const std::size_t i : conflict.conditions) result.push_back(labels[i]);
+  return result;
+}
+
+/// What is found, by the numbers of the modes.
+struct NumberedModes {
+  std::map<std::uint64_t, ConsistentMode> consistent;
+  std::map<std::uint64_t, RejectedMode> rejected;
+  bool tells_rejected;
+
+  /// What is left of a mode's solutions.
+  void add(const FrictionProblem& problem, std::uint64_t number, const MechanismMode& mode, Narrowed narrowed,
+           const std::vector<ViolatedCondition>& labels) {
+    if (auto* solutions = std::get_if<Polyhedron>(&narrowed)) {
+      consistent.emplace(number, consistent_mode(problem, mode, std::move(*solutions)));
+    } else {
+      auto& conflict = std::get<Conflict>(narrowed);
+      reject(number, {mode, because(conflict, labels), std::move(conflict.margin)});
+    }
+  }
+
+  void reject(std::uint64_t number, RejectedMode mode) {
+    if (tells_rejected) rejected.emplace(number, std::move(mode));
+  }
+
+  ModesOf in_order() && {
+    ModesOf result;
+    for (auto& [number, mode] : consistent) result.consistent.push_back(std::move(mode));
+    for (auto& [number, mode] : rejected) result.rejected.push_back(std::move(mode));
+    return result;
+  }
+};
+
+/// The tree of those modes that elimination leaves: a level for each element, a branch for each of its states.
 class ModeTree {
  public:
-  ModeTree(const FrictionProblem& problem, std::vector<std::vector<ElementState>> states, ForceInterval domain)
-      : problem_(problem), states_(std::move(states)), domain_(std::move(domain)) {}
+  using Numbers = std::vector<std::uint64_t>;
 
-  ModesOf search(const std::optional<Rational>& load) {
+  ModeTree(const FrictionProblem& problem, const std::vector<std::vector<ElementState>>& states,
+           const ModeNumbers& numbers, const ForceInterval& domain, Effort* effort, NumberedModes& result)
+      : problem_(problem), states_(states), numbers_(numbers), domain_(domain), effort_(effort), result_(result) {}
+
+  /// `left` are the modes to try, in order.
+  void search(const std::optional<Rational>& load, const Numbers& left) {
+    if (left.empty()) return;
     AffineSpace space(problem_.unknowns, problem_.has_load);
     bool solvable = true;
     if (load && problem_.has_load) {
       solvable = space.require(load_minus(*load, problem_.unknowns));
     }
     for (const AffineForm& equation : problem_.equations) solvable = solvable && space.require(equation);
+    const Branch all{left.begin(), left.end(), 0};
     if (solvable) {
-      descend(space);
+      descend(space, all);
     } else {
-      reject({}, std::nullopt);
+      reject(all, {}, std::nullopt);
     }
-    return std::move(result_);
   }
 
  private:
-  void descend(const AffineSpace& space) {
+  /// Modes that begin alike: those to try, and the number of the first there is.
+  struct Branch {
+    Numbers::const_iterator begin, end;
+    std::uint64_t first;
+    std::size_t size() const { return static_cast<std::size_t>(end - begin); }
+  };
+
+  void descend(const AffineSpace& space, const Branch& branch) {
     const std::size_t level = mode_.size();
-    if (level == states_.size()) return finish(space);
+    if (level == states_.size()) return finish(space, *branch.begin);
     const ProblemElement& element = problem_.elements[level];
+    Branch inner = branch;
     for (const ElementState state : states_[level]) {
-      mode_.push_back(state);
-      const std::size_t outer = conditions_.size();
-      AffineSpace inner = space;
-      bool solvable = true;
-      for (const StateEquation e : equations(element.kind, state)) {
-        solvable = solvable && inner.require(form_of(element, state, e));
-      }
-      for (const StateCondition c : conditions(element.kind, state)) {
-        conditions_.push_back(form_of(element, state, c));
-        labels_.push_back({level, state, c});
-      }
-      if (!solvable) {
-        reject({}, std::nullopt);
-      } else if (!is_hopeless(inner)) {
-        descend(inner);
-      }
-      conditions_.resize(outer);
-      labels_.resize(outer);
-      mode_.pop_back();
+      const std::uint64_t beyond = inner.first + numbers_.that_share(level + 1);
+      inner.end = std::lower_bound(inner.begin, branch.end, beyond);
+      if (inner.size() > 0) go_into(space, element, state, inner);
+      inner = {inner.end, branch.end, beyond};
     }
+  }
+
+  void go_into(AffineSpace space, const ProblemElement& element, ElementState state, const Branch& branch) {
+    const std::size_t outer = conditions_.size(), level = mode_.size();
+    mode_.push_back(state);
+    bool solvable = true;
+    for (const StateEquation e : equations(element.kind, state)) {
+      solvable = solvable && space.require(form_of(element, state, e));
+    }
+    for (const StateCondition c : conditions(element.kind, state)) {
+      conditions_.push_back(form_of(element, state, c));
+      labels_.push_back({level, state, c});
+    }
+    if (!solvable) {
+      reject(branch, {}, std::nullopt);
+    } else if (!is_hopeless(space, branch)) {
+      descend(space, branch);
+    }
+    conditions_.resize(outer);
+    labels_.resize(outer);
+    mode_.pop_back();
   }
 
   /// Whether the states so far exclude each other; then all modes that begin with them are rejected. Where few are left
   /// they cost no more than this, and each has a reason of its own.
-  bool is_hopeless(const AffineSpace& space) {
+  bool is_hopeless(const AffineSpace& space, const Branch& branch) {
     const std::size_t left = states_.size() - mode_.size();
-    if (left == 0 || (left == 1 && states_.size() < 4) || !branches()) return false;
-    const auto conflict = find_conflict(space, conditions_, domain_);
-    if (conflict) reject(because(*conflict), conflict->margin);
+    if (left == 0 || (left == 1 && states_.size() < 4) || branch.size() == 1) return false;
+    const auto conflict = find_conflict(space, conditions_, domain_, effort_);
+    if (conflict) reject(branch, because(*conflict, labels_), conflict->margin);
     return conflict.has_value();
   }
 
-  /// Whether several modes begin with the states so far.
-  bool branches() const {
-    return std::any_of(states_.begin() + static_cast<std::ptrdiff_t>(mode_.size()), states_.end(),
-                       [](const auto& states) { return states.size() > 1; });
+  void finish(const AffineSpace& space, std::uint64_t number) {
+    result_.add(problem_, number, mode_, narrow(space, conditions_, domain_, effort_), labels_);
   }
 
-  void finish(const AffineSpace& space) {
-    Narrowed narrowed = narrow(space, conditions_, domain_);
-    if (const auto* conflict = std::get_if<Conflict>(&narrowed)) return reject(because(*conflict), conflict->margin);
-    result_.consistent.push_back(consistent_mode(problem_, mode_, std::move(std::get<Polyhedron>(narrowed))));
-  }
-
-  std::vector<ViolatedCondition> because(const Conflict& conflict) const {
-    std::vector<ViolatedCondition> result;
-    for (const std::size_t i : conflict.conditions) result.push_back(labels_[i]);
-    return result;
-  }
-
-  /// All modes that begin with the states so far.
-  void reject(const std::vector<ViolatedCondition>& reasons, const std::optional<Rational>& margin) {
-    const std::size_t level = mode_.size();
-    if (level == states_.size()) {
-      result_.rejected.push_back({mode_, reasons, margin});
-      return;
-    }
-    for (const ElementState state : states_[level]) {
-      mode_.push_back(state);
-      reject(reasons, margin);
-      mode_.pop_back();
+  void reject(const Branch& branch, const std::vector<ViolatedCondition>& reasons,
+              const std::optional<Rational>& margin) {
+    for (auto number = branch.begin; number != branch.end; ++number) {
+      result_.reject(*number, {numbers_.mode(*number), reasons, margin});
     }
   }
 
   const FrictionProblem& problem_;
-  std::vector<std::vector<ElementState>> states_;
-  ForceInterval domain_;
+  const std::vector<std::vector<ElementState>>& states_;
+  const ModeNumbers& numbers_;
+  const ForceInterval& domain_;
+  Effort* effort_;
+  NumberedModes& result_;
   MechanismMode mode_;
   std::vector<AffineForm> conditions_;
   std::vector<ViolatedCondition> labels_;
-  ModesOf result_;
+};
+
+/// The conditions of a mode, and what they are.
+struct ModeConditions {
+  std::vector<AffineForm> forms;
+  std::vector<ViolatedCondition> labels;
+
+  ModeConditions(const FrictionProblem& problem, const MechanismMode& mode) {
+    for (std::size_t i = 0; i < mode.size(); ++i) {
+      const ProblemElement& element = problem.elements[i];
+      for (const StateCondition c : conditions(element.kind, mode[i])) {
+        forms.push_back(form_of(element, mode[i], c));
+        labels.push_back({i, mode[i], c});
+      }
+    }
+  }
 };
 
 /// A form over the free variables of a space, and the load.
@@ -163,16 +240,60 @@ FrictionProblem without_equations(const FrictionProblem& problem) {
   return result;
 }
 
-ModesOf modes_of(const FrictionProblem& problem, const std::optional<Rational>& load) {
+ModeSolver::ModeSolver(const FrictionProblem& problem, const std::optional<Rational>& load)
+    : problem_(problem), load_(load), domain_(domain_for(problem, load)), regular_(problem, load) {}
+
+ModesOf ModeSolver::among(const std::vector<std::vector<ElementState>>& states, Rejected rejected,
+                          Effort* effort) const {
+  using Kind = RegularModes::Outcome::Kind;
+  const ModeNumbers numbers(states);
+  NumberedModes result{{}, {}, rejected == Rejected::told};
+  ModeTree::Numbers singular;
+  for (std::uint64_t number = 0; number < numbers.count(); ++number) {
+    const MechanismMode mode = numbers.mode(number);
+    RegularModes::Outcome outcome = regular_.solve(mode, effort);
+    if (outcome.kind == Kind::singular) {
+      singular.push_back(number);
+    } else if (outcome.kind == Kind::inconsistent) {
+      result.reject(number, {mode, {}, std::nullopt});
+    } else if (outcome.kind == Kind::violated) {
+      result.reject(number, {mode, {outcome.violation->condition}, std::move(outcome.violation->margin)});
+    } else {
+      const ModeConditions conditions(problem_, mode);
+      result.add(problem_, number, mode, narrow(std::move(*outcome.space), conditions.forms, domain_, effort),
+                 conditions.labels);
+    }
+  }
+  ModeTree(problem_, states, numbers, domain_, effort, result).search(load_, singular);
+  return std::move(result).in_order();
+}
+
+std::vector<std::vector<ElementState>> ModeSolver::all_states() const {
   std::vector<std::vector<ElementState>> all;
-  for (const ProblemElement& element : problem.elements) all.push_back(states(element.kind));
-  return ModeTree(problem, std::move(all), domain_for(problem, load)).search(load);
+  for (const ProblemElement& element : problem_.elements) all.push_back(states(element.kind));
+  return all;
+}
+
+ModesOf ModeSolver::all(Effort* effort) const {
+  return among(all_states(), Rejected::told, effort);
+}
+
+std::vector<ConsistentMode> ModeSolver::consistent(Effort* effort) const {
+  return among(all_states(), Rejected::left_out, effort).consistent;
+}
+
+ModesOf ModeSolver::one(const MechanismMode& mode, Effort* effort) const {
+  std::vector<std::vector<ElementState>> one;
+  for (const ElementState state : mode) one.push_back({state});
+  return among(one, Rejected::told, effort);
+}
+
+ModesOf modes_of(const FrictionProblem& problem, const std::optional<Rational>& load) {
+  return ModeSolver(problem, load).all();
 }
 
 ModesOf mode_of(const FrictionProblem& problem, const MechanismMode& mode, const std::optional<Rational>& load) {
-  std::vector<std::vector<ElementState>> one;
-  for (const ElementState state : mode) one.push_back({state});
-  return ModeTree(problem, std::move(one), domain_for(problem, load)).search(load);
+  return ModeSolver(problem, load).one(mode);
 }
 
 }  // namespace slipproof

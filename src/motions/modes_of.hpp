@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "motions/polyhedron.hpp"
+#include "motions/regular_modes.hpp"
 
 namespace slipproof {
 
@@ -18,13 +19,6 @@ struct ConsistentMode {
 
   /// The loads at which the mode is strict: all of `loads`, or all but ends that are not the domain's own.
   ForceInterval strict_loads() const;
-};
-
-struct ViolatedCondition {
-  std::size_t element;
-  ElementState state;
-  StateCondition condition;
-  bool operator==(const ViolatedCondition&) const = default;
 };
 
 /// A mode without a solution. No conditions: its equations have none. Where modes that begin alike were rejected
@@ -46,14 +40,38 @@ ConsistentMode consistent_mode(const FrictionProblem& problem, const MechanismMo
 /// More modes are not tried.
 inline constexpr std::uint64_t max_modes = 65'536;
 
-/// Tries all modes, state by state: what already contradicts itself for the first elements is not gone into. The
-/// number of modes must be at most max_modes. Takes one elimination for each of the modes that are reached, and a few
-/// linear programs for those whose equations leave forces open.
-/// At a load, outside the domain too; nothing: for all loads of the domain.
-ModesOf modes_of(const FrictionProblem& problem, const std::optional<Rational>& load);
+/// Solves the modes of a problem, which must outlive it: at a load, outside the domain too; or for all loads of the
+/// domain. Immutable once made.
+class ModeSolver {
+ public:
+  ModeSolver(const FrictionProblem& problem, const std::optional<Rational>& load);
 
-/// One mode, with a state for each element. A rejected one has a single condition with its margin if one fails for all
-/// forces; if not, no fewer of the conditions exclude each other.
+  /// All modes; their number must be at most max_modes. Takes one elimination in integers for each. Those whose
+  /// equations leave something open are then tried state by state, with a few linear programs each: what already
+  /// contradicts itself for the first elements is not gone into. Throws TooMuchWork beyond an effort.
+  ModesOf all(Effort* effort = nullptr) const;
+  /// The same without the others and their reasons.
+  std::vector<ConsistentMode> consistent(Effort* effort = nullptr) const;
+  /// One mode, with a state for each element. A rejected one has a single condition with its margin if one fails for
+  /// all forces; if not, no fewer of the conditions exclude each other.
+  ModesOf one(const MechanismMode& mode, Effort* effort = nullptr) const;
+
+  /// Of a mode that leaves so many unknowns to elimination; without linear programs.
+  Work work_of(std::size_t unknowns) const { return regular_.work_of(unknowns); }
+
+ private:
+  enum class Rejected { told, left_out };
+  ModesOf among(const std::vector<std::vector<ElementState>>& states, Rejected rejected, Effort* effort) const;
+  std::vector<std::vector<ElementState>> all_states() const;
+
+  const FrictionProblem& problem_;
+  std::optional<Rational> load_;
+  ForceInterval domain_;
+  RegularModes regular_;
+};
+
+/// By a solver for this once.
+ModesOf modes_of(const FrictionProblem& problem, const std::optional<Rational>& load);
 ModesOf mode_of(const FrictionProblem& problem, const MechanismMode& mode, const std::optional<Rational>& load);
 
 /// The same problem with the equations solved: only what they leave free is unknown.

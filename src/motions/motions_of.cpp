@@ -1,6 +1,7 @@
 #include "motions/motions_of.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace slipproof {
@@ -18,45 +19,39 @@ void widen(Range& range, const Range& by) {
   if (!by.upper || (range.upper && *by.upper > *range.upper)) range.upper = by.upper;
 }
 
-void add_motion(std::vector<MotionAtLoad>& motions, const FrictionProblem& problem, const ConsistentMode& found) {
-  std::vector<Rational> accelerations = accelerations_of(problem, found.solutions.space);
-  std::vector<Range> forces = ranges(found.solutions, problem.forces);
-  auto motion = std::find_if(motions.begin(), motions.end(),
-                             [&](const MotionAtLoad& m) { return m.accelerations == accelerations; });
-  if (motion == motions.end()) {
-    motions.push_back({{}, {}, std::move(accelerations), std::move(forces)});
-    motion = motions.end() - 1;
-  } else {
-    for (std::size_t i = 0; i < forces.size(); ++i) widen(motion->forces[i], forces[i]);
-  }
-  (found.solutions.strict ? motion->modes : motion->boundary_modes).push_back(found.mode);
-}
-
 /// Whether a mode's solutions have a motion among them.
-bool contains(const FrictionProblem& problem, const Polyhedron& solutions, const std::vector<Rational>& accelerations) {
+bool contains(const FrictionProblem& problem, const Polyhedron& solutions, const std::vector<Rational>& accelerations,
+              Effort* effort) {
   std::vector<AffineForm> differences;
   for (std::size_t i = 0; i < accelerations.size(); ++i) {
     differences.push_back(problem.accelerations[i]);
     differences.back().constant -= accelerations[i];
   }
-  return with(solutions, differences).has_value();
+  return with(solutions, differences, effort).has_value();
 }
 
 MotionsAtLoad gather(const FrictionProblem& problem, const std::vector<ConsistentMode>& consistent) {
   MotionsAtLoad result;
-  for (const ConsistentMode& found : consistent) {
-    if (found.determined) {
-      add_motion(result.motions, problem, found);
-    } else {
-      result.continua.push_back({found.mode, found.solutions.strict, ranges(found.solutions, problem.accelerations),
-                                 ranges(found.solutions, problem.forces)});
+  MergedModes merged = merge(problem, consistent);
+  for (MergedModes::Motion& motion : merged.motions) {
+    MotionAtLoad& found = result.motions.emplace_back();
+    found.accelerations = std::move(motion.accelerations);
+    for (const std::size_t i : motion.modes) {
+      const ConsistentMode& mode = consistent[i];
+      (mode.solutions.strict ? found.modes : found.boundary_modes).push_back(mode.mode);
+      std::vector<Range> forces = ranges(mode.solutions, problem.forces);
+      if (found.forces.empty()) {
+        found.forces = std::move(forces);
+      } else {
+        for (std::size_t k = 0; k < forces.size(); ++k) widen(found.forces[k], forces[k]);
+      }
     }
   }
-  std::erase_if(result.motions, [&](const MotionAtLoad& motion) {
-    return std::any_of(consistent.begin(), consistent.end(), [&](const ConsistentMode& found) {
-      return !found.determined && contains(problem, found.solutions, motion.accelerations);
-    });
-  });
+  for (const std::size_t i : merged.continua) {
+    const ConsistentMode& mode = consistent[i];
+    result.continua.push_back({mode.mode, mode.solutions.strict, ranges(mode.solutions, problem.accelerations),
+                               ranges(mode.solutions, problem.forces)});
+  }
   return result;
 }
 
@@ -264,6 +259,27 @@ std::optional<FrictionProblem> without_hysteresis(const FrictionProblem& problem
     e.static_limit = e.kinetic_limit;
   }
   if (!differs) return std::nullopt;
+  return result;
+}
+
+MergedModes merge(const FrictionProblem& problem, const std::vector<ConsistentMode>& consistent, Effort* effort) {
+  MergedModes result;
+  std::map<std::vector<Rational>, std::size_t> places;
+  for (std::size_t i = 0; i < consistent.size(); ++i) {
+    if (!consistent[i].determined) {
+      result.continua.push_back(i);
+      continue;
+    }
+    std::vector<Rational> accelerations = accelerations_of(problem, consistent[i].solutions.space);
+    const auto [place, is_new] = places.emplace(accelerations, result.motions.size());
+    if (is_new) result.motions.push_back({std::move(accelerations), {}});
+    result.motions[place->second].modes.push_back(i);
+  }
+  std::erase_if(result.motions, [&](const MergedModes::Motion& motion) {
+    return std::any_of(result.continua.begin(), result.continua.end(), [&](std::size_t i) {
+      return contains(problem, consistent[i].solutions, motion.accelerations, effort);
+    });
+  });
   return result;
 }
 

@@ -37,6 +37,20 @@ struct MotionsAtLoad {
   std::vector<MechanismMode> hysteresis;
 };
 
+/// What the modes at one load are: motions, each with the places of its modes, and continua. A motion that a continuum
+/// contains is none of its own.
+struct MergedModes {
+  struct Motion {
+    std::vector<Rational> accelerations;
+    std::vector<std::size_t> modes;
+  };
+  std::vector<Motion> motions;
+  std::vector<std::size_t> continua;
+};
+/// Throws TooMuchWork beyond an effort.
+MergedModes merge(const FrictionProblem& problem, const std::vector<ConsistentMode>& consistent,
+                  Effort* effort = nullptr);
+
 /// All motions at a load, which need not be of the domain; a problem without a load takes none. The number of modes
 /// must be at most max_modes.
 MotionsAtLoad motions_of(const FrictionProblem& problem, const std::optional<Rational>& load);

@@ -32,7 +32,7 @@ class Programs {
   }
 
   /// The least value of -s where all sides are >= s, and s <= 1.
-  LinearOptimum most_strict(const std::vector<Side>& sides) const {
+  LinearOptimum most_strict(const std::vector<Side>& sides, Effort* effort) const {
     AffineForm objective{0, std::vector<Rational>(variables_.size() + 1)};
     std::vector<AffineForm> constraints;
     for (const Side& side : sides) constraints.push_back(compressed(side.form, -1));
@@ -40,7 +40,7 @@ class Programs {
     AffineForm limit = objective;
     limit.constant = 1;
     constraints.push_back(std::move(limit));
-    return minimize(objective, constraints);
+    return effort == nullptr ? minimize(objective, constraints) : minimize(objective, constraints, *effort);
   }
 
   std::unique_ptr<LinearProgram> within(const std::vector<AffineForm>& sides) const {
@@ -85,8 +85,8 @@ std::vector<Side> ends_of(const AffineSpace& space, const ForceInterval& loads) 
 /// One run of narrow().
 class Narrowing {
  public:
-  Narrowing(AffineSpace space, const std::vector<AffineForm>& conditions, const ForceInterval& domain)
-      : space_(std::move(space)), conditions_(conditions), domain_(domain) {}
+  Narrowing(AffineSpace space, const std::vector<AffineForm>& conditions, const ForceInterval& domain, Effort* effort)
+      : space_(std::move(space)), conditions_(conditions), domain_(domain), effort_(effort) {}
 
   Narrowed run() {
     for (;;) {
@@ -154,7 +154,7 @@ class Narrowing {
 
   Step narrow_all() {
     if (sides_.empty()) return Step::done;
-    const LinearOptimum best = Programs(space_).most_strict(sides_);
+    const LinearOptimum best = Programs(space_).most_strict(sides_, effort_);
     const int s = -best.value.sign();
     if (s > 0) return Step::done;
     std::vector<std::size_t> tight;
@@ -212,6 +212,7 @@ class Narrowing {
   AffineSpace space_;
   const std::vector<AffineForm>& conditions_;
   const ForceInterval& domain_;
+  Effort* effort_;
   std::vector<Side> sides_;
   bool strict_ = true;
   ForceInterval loads_;                               ///< in a space without free unknowns
@@ -221,21 +222,22 @@ class Narrowing {
 
 }  // namespace
 
-Narrowed narrow(AffineSpace space, const std::vector<AffineForm>& conditions, const ForceInterval& domain) {
-  return Narrowing(std::move(space), conditions, domain).run();
+Narrowed narrow(AffineSpace space, const std::vector<AffineForm>& conditions, const ForceInterval& domain,
+                Effort* effort) {
+  return Narrowing(std::move(space), conditions, domain, effort).run();
 }
 
 std::optional<Conflict> find_conflict(const AffineSpace& space, const std::vector<AffineForm>& conditions,
-                                      const ForceInterval& domain) {
-  return Narrowing(space, conditions, domain).first_conflict();
+                                      const ForceInterval& domain, Effort* effort) {
+  return Narrowing(space, conditions, domain, effort).first_conflict();
 }
 
-std::optional<Polyhedron> with(const Polyhedron& solutions, const std::vector<AffineForm>& vanishing) {
+std::optional<Polyhedron> with(const Polyhedron& solutions, const std::vector<AffineForm>& vanishing, Effort* effort) {
   AffineSpace space = solutions.space;
   for (const AffineForm& form : vanishing) {
     if (!space.require(form)) return std::nullopt;
   }
-  Narrowed narrowed = narrow(std::move(space), solutions.sides, solutions.loads);
+  Narrowed narrowed = narrow(std::move(space), solutions.sides, solutions.loads, effort);
   auto* result = std::get_if<Polyhedron>(&narrowed);
   if (result == nullptr) return std::nullopt;
   result->strict = result->strict && solutions.strict;

@@ -31,18 +31,21 @@ struct Conflict {
 
 using Narrowed = std::variant<Polyhedron, Conflict>;
 
-/// The solutions in a space that meet the conditions at some load of the domain.
-Narrowed narrow(AffineSpace space, const std::vector<AffineForm>& conditions, const ForceInterval& domain);
+/// The solutions in a space that meet the conditions at some load of the domain. Linear programs are charged to an
+/// effort; throws TooMuchWork beyond it.
+Narrowed narrow(AffineSpace space, const std::vector<AffineForm>& conditions, const ForceInterval& domain,
+                Effort* effort = nullptr);
 
 /// Why there is none, for less: also nothing where all that is left is an end that the domain does not have.
 std::optional<Conflict> find_conflict(const AffineSpace& space, const std::vector<AffineForm>& conditions,
-                                      const ForceInterval& domain);
+                                      const ForceInterval& domain, Effort* effort = nullptr);
 
 /// The same solutions at one load.
 std::optional<Polyhedron> at_load(const Polyhedron& solutions, const Rational& load);
 
 /// The solutions with form = 0.
-std::optional<Polyhedron> with(const Polyhedron& solutions, const std::vector<AffineForm>& vanishing);
+std::optional<Polyhedron> with(const Polyhedron& solutions, const std::vector<AffineForm>& vanishing,
+                               Effort* effort = nullptr);
 
 /// Infimum and supremum; nothing if infinite.
 struct Range {

@@ -29,12 +29,13 @@ FrictionProblem checked_problem(const MechanismScene& scene) {
 }  // namespace
 
 SolvedMechanism::SolvedMechanism(MechanismScene given) : scene(std::move(given)), problem(checked_problem(scene)) {
-  if (problem.has_load) modes = modes_of(problem, std::nullopt).consistent;
+  if (problem.has_load) modes = ModeSolver(problem, std::nullopt).consistent();
   if (scene.load || !problem.has_load) {
     at_load = motions_of(problem, scene.load);
     // Modes that were left out together share a reason; alone, each has its own, which may be a single condition.
+    const ModeSolver solver(problem, scene.load);
     for (RejectedMode& rejected : at_load->rejected) {
-      rejected = std::move(mode_of(problem, rejected.mode, scene.load).rejected.front());
+      if (!rejected.margin) rejected = std::move(solver.one(rejected.mode).rejected.front());
     }
   } else {
     cells = cells_of(problem, modes);

@@ -75,6 +75,27 @@ std::optional<std::set<std::vector<Rational>>> by_full_pivoting(const ContactPro
   return found;
 }
 
+/// The definition: whether z solves a problem in a mode.
+bool solves(const ContactProblem& p, const ProblemMode& mode, const std::vector<Rational>& z) {
+  const auto w = accelerations(p, z);
+  for (std::size_t i = 0; i < mode.size(); ++i) {
+    if (!p.frictional()) {
+      const bool open = mode[i] == ContactState::lift;
+      if (open ? z[i] != 0 || w[i] < 0 : w[i] != 0 || z[i] < 0) return false;
+      continue;
+    }
+    const Rational &N = z[2 * i], &T = z[2 * i + 1], &gap = w[2 * i], &slip = w[2 * i + 1];
+    const Rational limit = p.mu[i] * N;
+    const bool fits = mode[i] == ContactState::lift            ? N == 0 && T == 0 && gap >= 0
+                      : mode[i] == ContactState::stick         ? gap == 0 && slip == 0 && N >= 0 && abs(T) <= limit
+                      : mode[i] == ContactState::slip_forward  ? gap == 0 && T == -limit && N >= 0 && slip >= 0
+                      : mode[i] == ContactState::slip_backward ? gap == 0 && T == limit && N >= 0 && slip <= 0
+                                                               : false;
+    if (!fits) return false;
+  }
+  return true;
+}
+
 std::set<std::vector<Rational>> points(const ContactSolutions& all) {
   std::set<std::vector<Rational>> z;
   for (const auto& s : all.solutions) z.insert(s.z);

@@ -7,7 +7,6 @@
 #include <random>
 #include <set>
 
-#include "contact/solutions.hpp"
 #include "motions/motions_of.hpp"
 #include "support/friction_problems.hpp"
 #include "support/random_scene.hpp"
@@ -134,39 +133,6 @@ TEST_CASE("a bicycle's loads are parted as by the table of its modes") {
       }
     }
   }
-}
-
-TEST_CASE("contact problems have the solutions that the solver of contact problems finds") {
-  std::mt19937_64 engine(17);
-  const auto draw = [&](int size) { return static_cast<int>(engine() % static_cast<unsigned>(2 * size + 1)) - size; };
-  int continua = 0, several = 0;
-  for (int i = 0; i < 400; ++i) {
-    ContactProblem p;
-    const bool frictional = i % 2 == 0;
-    const std::size_t contacts = 1 + engine() % (frictional ? 2 : 4), n = frictional ? 2 * contacts : contacts;
-    for (std::size_t r = 0; r < n; ++r) {
-      p.W.emplace_back();
-      for (std::size_t c = 0; c < n; ++c) p.W.back().emplace_back(draw(2));
-      p.q.emplace_back(draw(2));
-    }
-    for (std::size_t c = 0; frictional && c < contacts; ++c) p.mu.emplace_back(Rational(draw(2) + 2, 2));
-    const auto expected = ContactSolver(p).all();
-    REQUIRE(expected);
-    const MotionsAtLoad found = motions_of(to_friction_problem(p), std::nullopt);
-    std::map<std::vector<Rational>, bool> solutions, wanted;
-    for (const auto& motion : found.motions) {
-      std::vector<Rational> z;
-      for (std::size_t k = 0; k < n; ++k) z.push_back(motion.accelerations[2 * k]);
-      solutions[z] = motion.strict();
-    }
-    for (const auto& solution : expected->solutions) wanted[solution.z] = solution.strict;
-    CHECK(solutions == wanted);
-    CHECK(found.continua.size() == expected->continua.size());
-    continua += expected->continua.empty() ? 0 : 1;
-    several += wanted.size() > 1 ? 1 : 0;
-  }
-  CHECK(continua > 20);
-  CHECK(several > 20);
 }
 
 namespace {

@@ -1,7 +1,6 @@
-// Problems for the kernel in src/motions: bicycles by the equations of proofs/MODEL.md, and contact problems.
+// Problems for the kernel in src/motions: bicycles by the equations of proofs/MODEL.md.
 #pragma once
 
-#include "contact/problem.hpp"
 #include "model/linear_form.hpp"
 #include "motions/friction_problem.hpp"
 
@@ -36,38 +35,6 @@ inline FrictionProblem bicycle_problem(const Bicycle<Rational>& p, const Road<Ra
     e.normal = to_form(rear ? u.N2 : u.N3);
     e.tangent = to_form(rear ? u.S2 : u.S3);
     e.static_limit = e.kinetic_limit = to_form(road.f * (rear ? u.N2 : u.N3));
-    problem.elements.push_back(std::move(e));
-  }
-  return problem;
-}
-
-/// A solution of a contact problem is z and w.
-inline FrictionProblem to_friction_problem(const ContactProblem& p) {
-  FrictionProblem problem;
-  problem.unknowns = p.size();
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    AffineForm z{0, std::vector<Rational>(p.size() + 1)}, w{p.q[i], p.W[i]};
-    z.coefficients[i] = 1;
-    w.coefficients.emplace_back(0);
-    problem.accelerations.push_back(std::move(z));
-    problem.accelerations.push_back(std::move(w));
-  }
-  const auto& forms = problem.accelerations;
-  for (std::size_t i = 0; i < p.contacts(); ++i) {
-    ProblemElement e;
-    if (p.frictional()) {
-      e.normal = forms[4 * i];
-      e.gap = forms[4 * i + 1];
-      e.tangent = forms[4 * i + 2];
-      e.slip = forms[4 * i + 3];
-      e.static_limit = e.normal;
-      for (Rational& c : e.static_limit.coefficients) c *= p.mu[i];
-      e.kinetic_limit = e.static_limit;
-    } else {
-      e.kind.law = ElementKind::Law::frictionless;
-      e.normal = forms[2 * i];
-      e.gap = forms[2 * i + 1];
-    }
     problem.elements.push_back(std::move(e));
   }
   return problem;
