@@ -4,7 +4,6 @@
 
 #include "model/conditions.hpp"
 #include "model/linear_form.hpp"
-#include "number/bareiss.hpp"
 
 namespace slipproof {
 
@@ -17,19 +16,18 @@ constexpr std::array<Quantity, unknown_count> quantity_of_unknown{
     Quantity::a,  Quantity::a_y, Quantity::phi, Quantity::eps2, Quantity::eps2, Quantity::eps3,
     Quantity::S2, Quantity::S2,  Quantity::S3,  Quantity::N2,   Quantity::N3};
 
-using Inequality = std::vector<Rational>;  // constant, then coefficients; >= 0
+/// Over the unknowns in column order.
+AffineForm to_form(const LinearForm<Rational>& form) {
+  AffineForm result{form.constant, {}};
+  for (const std::size_t column : column_order) result.coefficients.push_back(form.coefficients[column]);
+  result.coefficients.push_back(form.coefficients[unknown_count]);
+  return result;
+}
 
-/// Integer rows: the eleven unknowns in column order, then -constant and -F coefficient as right-hand sides.
-IntegerMatrix integer_rows(const std::array<LinearForm<Rational>, unknown_count>& system) {
-  IntegerMatrix rows;
-  for (const auto& form : system) {
-    std::vector<Rational> row;
-    for (const std::size_t column : column_order) row.push_back(form.coefficients[column]);
-    row.push_back(-form.constant);
-    row.push_back(-form.coefficients[unknown_count]);
-    rows.push_back(clear_denominators(row));
-  }
-  return rows;
+AffineForm unknown(std::size_t column) {
+  AffineForm result{0, std::vector<Rational>(unknown_count + 1)};
+  result.coefficients[column] = 1;
+  return result;
 }
 
 template <class V>
@@ -37,108 +35,71 @@ Unknowns<V> from_array(std::array<V, unknown_count> x) {
   return {x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], x[10]};
 }
 
-/// Fourier-Motzkin: removes the last variable. The inequalities are all strict or all not, so sums keep the kind.
-std::vector<Inequality> project_last(const std::vector<Inequality>& system) {
-  std::vector<Inequality> result;
-  for (const Inequality& x : system) {
-    if (sign(x.back()) == 0) result.emplace_back(x.begin(), x.end() - 1);
-  }
-  for (const Inequality& up : system) {
-    if (sign(up.back()) <= 0) continue;
-    for (const Inequality& down : system) {
-      if (sign(down.back()) >= 0) continue;
-      Inequality sum;
-      for (std::size_t i = 0; i + 1 < up.size(); ++i) sum.push_back(up[i] * -down.back() + down[i] * up.back());
-      result.push_back(std::move(sum));
+/// The conditions of a mode are linear in the unknowns: what each of them does alone.
+std::vector<AffineForm> condition_forms(const Bicycle<Rational>& bicycle, const Rational& friction, ContactMode mode) {
+  std::vector<AffineForm> forms;
+  for (const Condition& condition : conditions(mode)) {
+    AffineForm& form = forms.emplace_back();
+    for (const std::size_t column : column_order) {
+      std::array<Rational, unknown_count> alone;
+      alone[column] = 1;
+      form.coefficients.push_back(condition_value(condition, motion_of(bicycle, from_array(alone)), friction));
     }
+    form.coefficients.emplace_back(0);
   }
-  return result;
-}
-
-/// The set of values of the first variable over all the others.
-ForceInterval project_to_first(std::vector<Inequality> system, bool strict) {
-  if (system.empty()) return {};
-  while (system.front().size() > 2) {
-    system = project_last(system);
-    if (system.empty()) return {};
-  }
-  ForceInterval interval;
-  for (const Inequality& x : system) interval.restrict_to({x[0], x[1]}, strict);
-  return interval;
+  return forms;
 }
 
 }  // namespace
 
 std::optional<Continuum> solve_singular(const Bicycle<Rational>& bicycle, const Road<Rational>& road, ForceKind kind,
                                         ContactMode mode) {
-  const Echelon echelon = eliminate(integer_rows(raw_system(bicycle, road, kind, mode)), unknown_count);
+  AffineSpace space(unknown_count, true);
+  for (const LinearForm<Rational>& form : raw_system(bicycle, road, kind, mode)) {
+    if (!space.require(to_form(form))) return std::nullopt;
+  }
   Continuum result;
   result.mode = mode;
-  for (std::size_t i = echelon.rank(); i < echelon.rows.size(); ++i) {
-    const Affine<Rational> residual(Rational(echelon.rows[i][unknown_count]),
-                                    Rational(echelon.rows[i][unknown_count + 1]));
-    result.solvable.restrict_to(residual, false);
-    result.solvable.restrict_to(-residual, false);
-  }
-  if (result.solvable.empty()) return std::nullopt;
+  if (!space.load_is_free()) result.solvable = ForceInterval::point(space.load());
 
+  std::array<AffineForm, unknown_count> solution;
   std::array<Affine<Rational>, unknown_count> base;
-  std::vector<bool> pivot(unknown_count, false);
-  for (std::size_t i = 0; i < echelon.rank(); ++i) {
-    const std::size_t column = echelon.pivot_columns[i];
-    pivot[column] = true;
-    base[column_order[column]] = {Rational(echelon.rows[i][unknown_count], echelon.pivot),
-                                  Rational(echelon.rows[i][unknown_count + 1], echelon.pivot)};
+  for (std::size_t column = 0; column < unknown_count; ++column) {
+    solution[column] = space.on(unknown(column));
+    base[column_order[column]] = {solution[column].constant, solution[column].coefficients.back()};
   }
   result.base = motion_of(bicycle, from_array(base));
-  for (std::size_t column = 0; column < unknown_count; ++column) {
-    if (pivot[column]) continue;
+  for (std::size_t free = 0; free < unknown_count; ++free) {
+    if (!space.is_free(free)) continue;
     std::array<Rational, unknown_count> direction;
-    direction[column_order[column]] = 1;
-    for (std::size_t i = 0; i < echelon.rank(); ++i) {
-      direction[column_order[echelon.pivot_columns[i]]] = Rational(-echelon.rows[i][column], echelon.pivot);
+    for (std::size_t column = 0; column < unknown_count; ++column) {
+      direction[column_order[column]] = solution[column].coefficients[free];
     }
     result.directions.push_back(motion_of(bicycle, from_array(direction)));
-    result.parameters.push_back(quantity_of_unknown[column_order[column]]);
+    result.parameters.push_back(quantity_of_unknown[column_order[free]]);
+    result.free_.push_back(unknown(free));
   }
 
-  for (const Condition& condition : slipproof::conditions(mode)) {
-    const Affine<Rational> constant = condition_value(condition, result.base, road.f);
-    Inequality row{constant.alpha, constant.beta};
-    for (const auto& direction : result.directions) row.push_back(condition_value(condition, direction, road.f));
-    result.conditions_.push_back(std::move(row));
+  for (const AffineForm& form : condition_forms(bicycle, road.f, mode)) result.conditions_.push_back(space.on(form));
+  Narrowed narrowed = narrow(std::move(space), result.conditions_, ForceInterval());
+  if (auto* solutions = std::get_if<Polyhedron>(&narrowed)) {
+    result.closed = solutions->loads;
+    result.strict = strict_loads(*solutions);
+    result.solutions_ = std::move(*solutions);
+  } else {
+    result.closed = result.strict = ForceInterval::nothing();
   }
-  const auto forces = [&](bool strict) {
-    if (!result.solvable.is_point()) return project_to_first(result.conditions_, strict);
-    return result.parameter_ranges(*result.solvable.lower(), strict) ? result.solvable : ForceInterval::nothing();
-  };
-  result.closed = forces(false);
-  result.strict = forces(true);
   return result;
 }
 
-std::optional<std::vector<ForceInterval>> Continuum::parameter_ranges(const Rational& force,
-                                                                      bool strict_conditions) const {
-  if (!solvable.contains(force)) return std::nullopt;
-  std::vector<Inequality> system;
-  for (const auto& row : conditions_) {
-    Inequality at_force{row[0] + row[1] * force};
-    at_force.insert(at_force.end(), row.begin() + 2, row.end());
-    system.push_back(std::move(at_force));
+std::optional<std::vector<ForceInterval>> Continuum::parameter_ranges(const Rational& force) const {
+  const auto consistent = solutions_ ? at_load(*solutions_, force) : std::nullopt;
+  if (!consistent) return std::nullopt;
+  std::vector<ForceInterval> result;
+  for (const Range& range : ranges(*consistent, free_)) {
+    result.push_back(ForceInterval::between(range.lower, true, range.upper, true));
   }
-  std::vector<ForceInterval> ranges;
-  for (std::size_t k = 0; k < directions.size(); ++k) {
-    std::vector<Inequality> turned = system;
-    for (Inequality& row : turned) std::swap(row[1], row[k + 1]);
-    ranges.push_back(project_to_first(std::move(turned), strict_conditions));
-    if (ranges.back().empty()) return std::nullopt;
-  }
-  if (directions.empty()) {
-    for (const Inequality& row : system) {
-      if (sign(row[0]) < (strict_conditions ? 1 : 0)) return std::nullopt;
-    }
-  }
-  return ranges;
+  return result;
 }
 
 std::vector<Quantity> Continuum::undetermined() const {

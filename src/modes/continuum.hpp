@@ -1,4 +1,4 @@
-// Singular contact modes: no motion, or a continuum of them.
+// Singular contact modes: no motion, or a continuum of them; found by the kernel's spaces and linear programs.
 #pragma once
 
 #include <optional>
@@ -6,7 +6,7 @@
 
 #include "model/bicycle.hpp"
 #include "model/contact_mode.hpp"
-#include "motions/force_interval.hpp"
+#include "motions/polyhedron.hpp"
 
 namespace slipproof {
 
@@ -23,16 +23,18 @@ class Continuum {
   ForceInterval strict;                      ///< the same with all conditions strict
 
   /// The range of each parameter over the consistent motions at a force; nothing if there are none.
-  std::optional<std::vector<ForceInterval>> parameter_ranges(const Rational& force, bool strict_conditions) const;
-  /// The left-hand sides of the mode's conditions as (constant, F, t_1, ..., t_k).
-  const std::vector<std::vector<Rational>>& conditions() const { return conditions_; }
+  std::optional<std::vector<ForceInterval>> parameter_ranges(const Rational& force) const;
+  /// The left-hand sides of the mode's conditions over what the equations leave free, and the force.
+  const std::vector<AffineForm>& conditions() const { return conditions_; }
   /// The quantities that are not determined by the force.
   std::vector<Quantity> undetermined() const;
 
  private:
   friend std::optional<Continuum> solve_singular(const Bicycle<Rational>&, const Road<Rational>&, ForceKind,
                                                  ContactMode);
-  std::vector<std::vector<Rational>> conditions_;
+  std::vector<AffineForm> conditions_;
+  std::vector<AffineForm> free_;         ///< the unknowns that are free parameters
+  std::optional<Polyhedron> solutions_;  ///< those that meet the conditions
 };
 
 /// Solves the raw equations of a mode by elimination; nothing if they have no solution for any force. Meant for

@@ -44,10 +44,9 @@ Rejection singular_rejection(const ModeSolution& s, const Rational& force) {
   if (s.kind() == Kind::none || !s.continuum().solvable.contains(force)) return {s.mode(), std::nullopt, 0, false};
   const std::vector<Condition> all = conditions(s.mode());
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const std::vector<Rational>& row = s.continuum().conditions()[i];  // constant, F, parameters
-    const bool varies = std::any_of(row.begin() + 2, row.end(), [](const Rational& x) { return sign(x) != 0; });
-    Rational value = row[0] + row[1] * force;
-    if (!varies && sign(value) < 0) return {s.mode(), all[i], std::move(value), true};
+    const AffineForm& form = s.continuum().conditions()[i];
+    Rational value = form.constant + form.coefficients.back() * force;
+    if (is_free_of_unknowns(form) && sign(value) < 0) return {s.mode(), all[i], std::move(value), true};
   }
   return {s.mode(), std::nullopt, 0, true};
 }
@@ -115,7 +114,7 @@ void visit(const ModeSolution& s, const Rational& force, MotionsAtForce& result,
     }
     return;
   }
-  auto ranges = consistent ? s.continuum().parameter_ranges(force, false) : std::nullopt;
+  auto ranges = consistent ? s.continuum().parameter_ranges(force) : std::nullopt;
   if (!ranges) {
     if (rejected) result.rejected.push_back(singular_rejection(s, force));
   } else if (auto motion = only_motion(s.continuum(), *ranges, force)) {
@@ -148,7 +147,7 @@ std::optional<Motion<Affine<Rational>>> only_motion(const Continuum& c, ForceInt
   std::array<std::optional<Motion<Rational>>, 2> found;
   for (const std::size_t i : {0U, 1U}) {
     const Rational& force = i == 0 ? x : y;
-    const auto ranges = c.parameter_ranges(force, false);
+    const auto ranges = c.parameter_ranges(force);
     if (ranges) found[i] = only_motion(c, *ranges, force);
     if (!found[i]) return std::nullopt;
   }

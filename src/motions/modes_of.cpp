@@ -206,17 +206,6 @@ ConsistentMode consistent_mode(const FrictionProblem& problem, const MechanismMo
   return {mode, std::move(solutions), determined};
 }
 
-ForceInterval ConsistentMode::strict_loads() const {
-  if (!solutions.strict) return ForceInterval::nothing();
-  const ForceInterval& loads = solutions.loads;
-  if (loads.is_point()) return loads;
-  const auto strict_at = [&](const std::optional<Rational>& end, bool closed) {
-    return closed && at_load(solutions, *end)->strict;
-  };
-  return ForceInterval::between(loads.lower(), strict_at(loads.lower(), loads.lower_closed()), loads.upper(),
-                                strict_at(loads.upper(), loads.upper_closed()));
-}
-
 FrictionProblem without_equations(const FrictionProblem& problem) {
   AffineSpace space(problem.unknowns, problem.has_load);
   for (const AffineForm& equation : problem.equations) {

@@ -16,9 +16,6 @@ struct ConsistentMode {
   MechanismMode mode;
   Polyhedron solutions;
   bool determined = false;  ///< all solutions for one load are one motion: no acceleration varies
-
-  /// The loads at which the mode is strict: all of `loads`, or all but ends that are not the domain's own.
-  ForceInterval strict_loads() const;
 };
 
 /// A mode without a solution. No conditions: its equations have none. Where modes that begin alike were rejected

@@ -19,7 +19,7 @@ class KernelMotions final : public MotionsOverLoads {
     } else {
       add(modes_of(problem_, std::nullopt));
     }
-    for (const ConsistentMode& mode : consistent_) strict_.push_back(mode.strict_loads());
+    for (const ConsistentMode& mode : consistent_) strict_.push_back(strict_loads(mode.solutions));
   }
 
   std::optional<ModeOverLoads> find(const MechanismMode& mode) const override {

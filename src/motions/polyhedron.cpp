@@ -251,6 +251,17 @@ std::optional<Polyhedron> at_load(const Polyhedron& solutions, const Rational& l
   return with(solutions, {load_minus(load, solutions.space.unknowns())});
 }
 
+ForceInterval strict_loads(const Polyhedron& solutions) {
+  if (!solutions.strict) return ForceInterval::nothing();
+  const ForceInterval& loads = solutions.loads;
+  if (loads.is_point()) return loads;
+  const auto strict_at = [&](const std::optional<Rational>& end, bool closed) {
+    return closed && at_load(solutions, *end)->strict;
+  };
+  return ForceInterval::between(loads.lower(), strict_at(loads.lower(), loads.lower_closed()), loads.upper(),
+                                strict_at(loads.upper(), loads.upper_closed()));
+}
+
 std::vector<Range> ranges(const Polyhedron& solutions, const std::vector<AffineForm>& forms) {
   std::vector<AffineForm> sides = solutions.sides;
   if (solutions.space.load_is_free()) {

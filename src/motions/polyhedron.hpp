@@ -43,6 +43,9 @@ std::optional<Conflict> find_conflict(const AffineSpace& space, const std::vecto
 /// The same solutions at one load.
 std::optional<Polyhedron> at_load(const Polyhedron& solutions, const Rational& load);
 
+/// The loads for which some solution meets all conditions strictly: all, or all but ends.
+ForceInterval strict_loads(const Polyhedron& solutions);
+
 /// The solutions with form = 0.
 std::optional<Polyhedron> with(const Polyhedron& solutions, const std::vector<AffineForm>& vanishing,
                                Effort* effort = nullptr);

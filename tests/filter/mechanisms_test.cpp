@@ -101,7 +101,7 @@ void compare(const MechanismBatch& batch, const Mechanism& mechanism, const Prob
   for (const ConsistentMode& found : consistent) {
     const auto place = std::find(batch.modes().begin(), batch.modes().end(), found.mode) - batch.modes().begin();
     by_mode[static_cast<std::size_t>(place)] = &found;
-    strict[static_cast<std::size_t>(place)] = found.strict_loads();
+    strict[static_cast<std::size_t>(place)] = strict_loads(found.solutions);
   }
   const std::vector<double> loads = loads_for(consistent, mechanism.load ? count : 1, dice);
   MechanismColumns columns{

@@ -51,7 +51,7 @@ TEST_CASE("b = b1: slip of the front wheel exists at one force only, as a contin
     const Continuum& c = s.continuum();
     REQUIRE(c.directions.size() == 1);
     CHECK(c.parameters == std::vector<Quantity>{Quantity::N3});
-    const auto ranges = c.parameter_ranges(F0, false);
+    const auto ranges = c.parameter_ranges(F0);
     REQUIRE(ranges);
     REQUIRE(ranges->front().lower());
     REQUIRE(ranges->front().upper());

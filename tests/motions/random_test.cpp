@@ -139,7 +139,7 @@ std::set<Rational> check_modes(const FrictionProblem& problem, const FrictionPro
     const ForceInterval loads = shadow(naive.closed(problem, std::nullopt), problem.load_index());
     REQUIRE(!loads.empty());
     CHECK(mode.solutions.loads == loads);
-    CHECK(mode.strict_loads() == shadow(naive.strict(problem, std::nullopt), problem.load_index()));
+    CHECK(strict_loads(mode.solutions) == shadow(naive.strict(problem, std::nullopt), problem.load_index()));
     const RawSystem inside = naive.closed(problem, problem.has_load ? Load(loads.sample()) : std::nullopt);
     CHECK(mode.determined == std::all_of(problem.accelerations.begin(), problem.accelerations.end(),
                                          [&](const AffineForm& form) { return shadow(inside, form).is_point(); }));
