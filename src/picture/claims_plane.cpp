@@ -6,7 +6,7 @@
 #include "claims/compiled.hpp"
 #include "claims/setting_names.hpp"
 #include "input/diagnostic.hpp"
-#include "picture/bicycle_plane.hpp"
+#include "picture/plane_words.hpp"
 #include "verify/judge.hpp"
 
 namespace slipproof {
@@ -171,7 +171,12 @@ Plane claims_plane(const ClaimsFile& claims, const Figure& figure, Reading readi
   plane.curves = solver->curves();
   plane.lines = solver->lines();
   plane.claims = solver->judged();
-  tell_of_bicycles(plane);
+  const Setting& setting = claims.settings[figure.setting];
+  if (setting.bicycle) {
+    tell_of_bicycles(plane);
+  } else {
+    tell_of_mechanism(plane, *setting.mechanism);
+  }
   plane.solve = [solver](const Rational& x) { return solver->at(x); };
   return plane;
 }

@@ -41,6 +41,7 @@ class FigureReader {
       return figure;
     }
     figure.setting = static_cast<std::size_t>(found - settings.begin());
+    if (found->force.symbol.empty()) table_.refuse("setting", in_quotes(setting) + " has no load, expected one");
     if (figure.y_label.empty()) figure.y_label = found->force.symbol;
     values(*found, x, figure);
     return figure;

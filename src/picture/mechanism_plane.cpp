@@ -15,6 +15,7 @@
 #include "motions/over_loads.hpp"
 #include "number/format.hpp"
 #include "number/parse.hpp"
+#include "picture/plane_words.hpp"
 #include "wording/mode_json.hpp"
 
 namespace slipproof {
@@ -297,29 +298,6 @@ class AxisChoice {
   const MechanismAxes& wanted_;
 };
 
-std::string state_in_words(ElementState state) {
-  static constexpr std::array<std::string_view, 8> words{
-      "sticks",  "slips (+)",      "slips (-)",         "is open",
-      "touches", "sticks, pulled", "slips (+), pulled", "slips (-), pulled"};
-  return std::string(words[static_cast<std::size_t>(state)]);
-}
-
-std::string mode_in_words(const std::vector<std::string>& elements, const MechanismMode& mode) {
-  std::string text;
-  for (std::size_t i = 0; i < mode.size(); ++i) {
-    text += (text.empty() ? "" : ", ") + elements[i] + " " + state_in_words(mode[i]);
-  }
-  return text;
-}
-
-std::vector<MotionQuantity> quantities_of(const Mechanism& mechanism) {
-  std::vector<MotionQuantity> all;
-  for (const std::string& symbol : acceleration_names(mechanism)) all.push_back({symbol, false, all.size()});
-  const std::size_t accelerations = all.size();
-  for (const std::string& symbol : force_names(mechanism)) all.push_back({symbol, true, all.size() - accelerations});
-  return all;
-}
-
 std::string note_of(const MechanismColumns& columns, const MechanismScene& scene, const Axis& across) {
   std::string note;
   const auto followers = columns.followers(across.from, across.to);
@@ -384,10 +362,7 @@ Plane mechanism_plane(const MechanismScene& scene, const MechanismAxes& axes, st
   const auto own = columns->own();
   if (scene.load && own && shows(plane.x, *own) && shows(plane.y, *scene.load))
     plane.mark = Plane::Mark{*own, *scene.load, "the scene"};
-  plane.quantities = quantities_of(scene.mechanism);
-  std::vector<std::string> elements;
-  for (std::size_t i = 0; i < scene.mechanism.elements(); ++i) elements.push_back(element_name(scene.mechanism, i));
-  plane.words = [elements](const MechanismMode& mode) { return mode_in_words(elements, mode); };
+  tell_of_mechanism(plane, scene.mechanism);
   plane.solve = [columns](const Rational& x) { return columns->column(x); };
   return plane;
 }

@@ -8,7 +8,7 @@
 #include "modes/bicycle_motions.hpp"
 #include "number/format.hpp"
 #include "number/parse.hpp"
-#include "picture/bicycle_plane.hpp"
+#include "picture/plane_words.hpp"
 
 namespace slipproof {
 

@@ -7,16 +7,23 @@ namespace slipproof::prove {
 namespace {
 
 /// The inequalities of a conjunction.
-void collect_inequalities(const Formula& formula, std::vector<Polynomial>& result) {
+void collect_inequalities(const Formula& formula, std::vector<std::pair<Polynomial, Sign>>& result) {
   if (formula.kind == Formula::Kind::conjunction) {
     for (const Formula& part : formula.parts) collect_inequalities(part, result);
   }
-  if (formula.kind == Formula::Kind::atom && formula.sign != Sign::zero) result.push_back(formula.polynomial.front());
+  if (formula.kind == Formula::Kind::atom && formula.sign != Sign::zero)
+    result.emplace_back(formula.polynomial.front(), formula.sign);
 }
 
 }  // namespace
 
 std::vector<Quotient> Bounds::candidates(const Ring& ring) const {
+  std::vector<Quotient> result = between_or_beyond(ring);
+  result.insert(result.end(), attained.begin(), attained.end());
+  return result;
+}
+
+std::vector<Quotient> Bounds::between_or_beyond(const Ring& ring) const {
   std::vector<Quotient> result;
   const Quotient one{Polynomial(ring, 1), Polynomial(ring, 1)};
   for (const Quotient& l : lower) {
@@ -39,10 +46,10 @@ std::vector<Quotient> Bounds::candidates(const Ring& ring) const {
 
 Bounds bounds_of(Context& context, State& state, std::size_t free, const std::vector<Quotient>& values) {
   const std::vector<std::size_t>& unknowns = context.statement().unknowns();
-  std::vector<Polynomial> inequalities;
+  std::vector<std::pair<Polynomial, Sign>> inequalities;
   collect_inequalities(context.statement().shown(), inequalities);
   Bounds result;
-  for (Polynomial& p : inequalities) {
+  for (auto& [p, sign] : inequalities) {
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (unknowns[i] == free) continue;
       const Quotient at = substituted(p, unknowns[i], values[i]);
@@ -54,6 +61,7 @@ Bounds bounds_of(Context& context, State& state, std::size_t free, const std::ve
     const auto known = as_known_product(context, state, bound.denominator);
     if (!known) continue;
     cancel(context, bound);
+    if (sign == Sign::non_negative) result.attained.push_back(bound);
     (known->coefficient > 0 ? result.lower : result.upper).push_back(std::move(bound));
   }
   return result;

@@ -1,5 +1,6 @@
 #include "prove/existence.hpp"
 
+#include "expression/parser.hpp"
 #include "prove/cases.hpp"
 #include "prove/elimination.hpp"
 #include "prove/facts.hpp"
@@ -23,6 +24,16 @@ void keep_alternative(Formula& failure, std::size_t alternative) {
     for (std::size_t i = 0; i < part.parts.size(); ++i) {
       if (i != alternative) part.parts[i] = {};  // true: no conjunct says nothing
     }
+  }
+}
+
+/// Values that are longer than the format of certificates allows are no witness.
+bool all_readable(const Statement& statement, const std::vector<std::string>& values) {
+  try {
+    statement.divisors(values);
+    return true;
+  } catch (const ExpressionError&) {
+    return false;
   }
 }
 
@@ -72,6 +83,7 @@ std::vector<std::string> texts(const std::vector<Quotient>& values, std::size_t 
 }  // namespace
 
 bool Existence::close_by_witness(State& state, const std::vector<std::string>& values) {
+  if (!all_readable(statement(), values)) return false;
   State attempt = state;
   if (!add_witness(context_, attempt, "goal", values) && !close_(attempt)) return false;
   state = std::move(attempt);
@@ -108,7 +120,7 @@ bool Existence::close_by_alternatives(State& state, int splits) {
   }
   for (std::size_t i = 0; i < count; ++i) {
     const auto& values = solutions[i].values;
-    if (!values) continue;
+    if (!values || !all_readable(statement(), *values)) continue;
     if (add_witness(context_, state, context_.unused("goal" + std::to_string(i + 1)), *values, i)) return true;
   }
   return close_(state);
@@ -159,7 +171,19 @@ bool Existence::close_from(State& state, std::size_t hint) {
                        [&](State& branch) { return close_from(branch, hint + 1); });
   }
   return refute_pairs(context_, state, Pass::thorough).refuted || refute_single_fact(context_, state, Pass::thorough) ||
-         (alternatives_in(statement().shown()) == nullptr && close_by_bounds(state, splits_on_bounds));
+         (alternatives_in(statement().shown()) == nullptr &&
+          (close_by_bounds(state, splits_on_bounds) || close_by_pivot(state, hint)));
+}
+
+/// Splits on a pivot of the conclusion's equations whose sign is not known, where the state has no such split yet.
+bool Existence::close_by_pivot(State& state, std::size_t hint) {
+  if (pivots_left_ == 0) return false;
+  const auto pivot = solve_conclusion(context_, state).open_pivot;
+  if (!pivot) return false;
+  --pivots_left_;
+  const bool closed = close_split(context_, state, *pivot, [&](State& branch) { return close_from(branch, hint); });
+  ++pivots_left_;
+  return closed;
 }
 
 }  // namespace slipproof::prove

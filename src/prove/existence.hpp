@@ -29,11 +29,13 @@ class Existence {
   bool close_by_bounds(State& state, int splits);
   bool close_by_stronger_bounds(State& state, const Bounds& bounds, int splits);
   bool close_by_witness(State& state, const std::vector<std::string>& values);
+  bool close_by_pivot(State& state, std::size_t hint);
 
   const Statement& statement() const { return context_.statement(); }
 
   Context& context_;
   Close close_;
+  int pivots_left_ = 2;  ///< splits, one within the other
 };
 
 }  // namespace slipproof::prove

@@ -5,6 +5,7 @@
 #include <functional>
 #include <sstream>
 
+#include "input/diagnostic.hpp"
 #include "prove/instance.hpp"
 #include "prove/search.hpp"
 
@@ -128,10 +129,14 @@ class Prover {
   /// Whether no values of the unknowns do.
   bool fails_at(const NamedValues& values) const {
     const NamedStatement fails = refutation_at({statement_.theorem(), text_}, values).back();
-    const Statement statement(fails.name, fails.text);
     prove::Limits limits = limits_;
     limits.steps = limits_.steps / 1000;
-    return prove::Search(statement, limits).prove().has_value();
+    try {
+      const Statement statement(fails.name, fails.text);
+      return prove::Search(statement, limits).prove().has_value();
+    } catch (const InputError&) {
+      return false;  // something is divided by a number that is 0
+    }
   }
 
   const std::string& file_;

@@ -1,5 +1,7 @@
 #include "prove/signs.hpp"
 
+#include "prove/domination.hpp"
+
 namespace slipproof::prove {
 
 namespace {
@@ -12,7 +14,8 @@ constexpr SlackEffort quick_for_signs{.depth = 2, .attempts = 300};
 std::optional<Fact> derive_positive(Context& context, State& state, const Polynomial& p, const SampleSet& negative,
                                     Pass pass, bool weak_too) {
   const SlackEffort effort = pass == Pass::thorough ? context.thorough_slack() : quick_for_signs;
-  const auto form = find_slack_form(state.facts, state.derived, p, negative, effort, context.budget());
+  auto form = find_slack_form(state.facts, state.derived, p, negative, effort, context.budget());
+  if (!form && context.reach.product_degree > 1) form = find_dominated_form(state.facts, p, negative, context.budget());
   if (!form || (!form->strict && !weak_too)) return std::nullopt;
   const Fact fact{context.fresh(), p, form->strict ? Sign::positive : Sign::non_negative};
   Identity identity{form->terms, {}};

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "prove/domination.hpp"
+
 namespace slipproof::prove {
 
 namespace {
@@ -26,8 +28,10 @@ bool refute_multiple(State& state) {
 /// A fact p > 0, or p >= 0, while -p is positive by the others.
 bool refute_by_slack(Context& context, State& state, const Fact& fact, Pass pass) {
   const SlackEffort effort = pass == Pass::thorough ? context.thorough_slack() : quick_for_facts;
-  const auto form = find_slack_form(state.facts, state.derived, -fact.p, context.signs_at_samples(fact.p).positive,
-                                    effort, context.budget());
+  const SampleSet& against = context.signs_at_samples(fact.p).positive;
+  auto form = find_slack_form(state.facts, state.derived, -fact.p, against, effort, context.budget());
+  if (!form && pass == Pass::thorough && context.reach.product_degree > 1)
+    form = find_dominated_form(state.facts, -fact.p, against, context.budget());
   if (!form || (!form->strict && fact.sign != Sign::positive)) return false;
   Identity identity{form->terms, {}};
   Product product = form->multiplier;

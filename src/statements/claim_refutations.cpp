@@ -123,7 +123,8 @@ void refute(ClaimWriter& writer, const Unique& claim) {
     uses.push_back(where);
     wrong.emplace_back(mode, is_true(where) ? "" : fmt::format(" and {{{}}}", writer.text(where)));
   }
-  References named = claim.claims;  // where one of them has no value, even at another force, nothing is claimed
+  if (wrong.empty()) writer.give_up();  // all modes are allowed everywhere
+  References named = claim.claims;      // where one of them has no value, even at another force, nothing is claimed
   named.insert(named.end(), claim.except.begin(), claim.except.end());
   for (const std::size_t index : named) {
     if (!writer.always_defined(other(index).region)) writer.give_up();

@@ -66,8 +66,12 @@ void write(ClaimWriter& writer, const Motions& claim) {
     writer.one_motion(fmt::format(".{}.one", i + 1), assumptions, mode, mode, strict);
     modes.push_back("{" + writer.mechanics().mode_text(mode) + "}");
   }
-  writer.implied({".complete", assumptions, writer.any_motion(strict)}, fmt::format("{}", fmt::join(modes, " or ")),
-                 {});
+  if (!strict && writer.mechanics().may_leave_forces_open() && !claim.modes.empty()) {
+    writer.same_as_one_of(".complete", assumptions, claim.modes);
+  } else {
+    writer.implied({".complete", assumptions, writer.any_motion(strict)}, fmt::format("{}", fmt::join(modes, " or ")),
+                   {});
+  }
   writer.have_values(".defined", writer.body().region, claim.forces);
 }
 

@@ -117,10 +117,24 @@ void ClaimWriter::together(const std::string& suffix, const Assumptions& assumpt
 
 void ClaimWriter::one_motion(const std::string& suffix, const Assumptions& assumptions, const MechanismMode& x,
                              const MechanismMode& y, bool strict, const std::string& hints) {
+  together(suffix, assumptions, {motion(x, strict), motion(y, strict)}, hints, same_accelerations(2));
+}
+
+std::string ClaimWriter::same_accelerations(std::size_t other) const {
   std::vector<std::string> same;
-  for (const auto& unknown : mechanics().accelerations()) same.push_back(fmt::format("{0} = {0}_2", unknown));
-  together(suffix, assumptions, {motion(x, strict), motion(y, strict)}, hints,
-           fmt::format("{}", fmt::join(same, " and ")));
+  for (const auto& unknown : mechanics().accelerations()) same.push_back(fmt::format("{0} = {0}_{1}", unknown, other));
+  return fmt::format("{}", fmt::join(same, " and "));
+}
+
+void ClaimWriter::same_as_one_of(const std::string& suffix, const Assumptions& assumptions,
+                                 const std::vector<MechanismMode>& modes) {
+  std::vector<MotionText> motions = {any_motion(false)};
+  std::vector<std::string> same;
+  for (const MechanismMode& mode : modes) {
+    motions.push_back(motion(mode, false));
+    same.push_back("{" + same_accelerations(motions.size()) + "}");
+  }
+  together(suffix, assumptions, motions, "", fmt::format("{}", fmt::join(same, " or ")));
 }
 
 void ClaimWriter::impossible_together(const std::string& suffix, const Assumptions& assumptions,

@@ -40,6 +40,10 @@ class ClaimWriter : public SettingWriter {
   /// accelerations are the same.
   void one_motion(const std::string& suffix, const Assumptions& assumptions, const MechanismMode& x,
                   const MechanismMode& y, bool strict, const std::string& hints = {});
+  /// With motions in each of the modes, any motion has the accelerations of one of them: then it is in that mode by
+  /// other forces, if not by its own.
+  void same_as_one_of(const std::string& suffix, const Assumptions& assumptions,
+                      const std::vector<MechanismMode>& modes);
   /// No parameters with `assumptions` have all of `motions` at once.
   void impossible_together(const std::string& suffix, const Assumptions& assumptions,
                            const std::vector<MotionText>& motions);
@@ -63,6 +67,8 @@ class ClaimWriter : public SettingWriter {
 
  private:
   /// All of `motions` at once, under names of their own from the second on.
+  /// That the accelerations of the first motion are those of another one; motions count from 1.
+  std::string same_accelerations(std::size_t other) const;
   void together(const std::string& suffix, const Assumptions& assumptions, const std::vector<MotionText>& motions,
                 const std::string& hints, const std::string& shown);
   std::string opening(const std::string& suffix);

@@ -186,6 +186,12 @@ std::string MechanicsWriter::on_contacts() const {
   return result;
 }
 
+bool MechanicsWriter::may_leave_forces_open() const {
+  std::size_t ties = setting_.mechanism->links.size();
+  for (const ElementKind& kind : kinds_) ties += kind.law == ElementKind::Law::coulomb ? 2 : 1;
+  return ties > setting_.mechanism->accelerations;
+}
+
 bool MechanicsWriter::is_modelled(const MechanismMode& mode) const {
   return has_mode(kinds_, mode);
 }

@@ -36,6 +36,9 @@ class MechanicsWriter {
   std::string on_contacts() const;
 
   std::size_t elements() const { return kinds_.size(); }
+  /// Whether forces may be undetermined while the accelerations are not, as under a body on two contacts: contacts,
+  /// friction elements and links may tie more than there are accelerations. If not, what bears no inertia may still.
+  bool may_leave_forces_open() const;
   /// The states of an element that are modelled.
   std::vector<ElementState> states_of(std::size_t element) const { return states(kinds_[element]); }
   bool is_modelled(const MechanismMode& mode) const;

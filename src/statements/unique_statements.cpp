@@ -22,7 +22,8 @@ bool is_force(const Setting& setting, const Expression& number) {
          });
 }
 
-/// Whether each comparison has its sides equal at one force at most, so that the closure adds single forces.
+/// Whether each comparison that does not allow equality has its sides equal at one force at most, so that the closure
+/// adds single forces.
 bool has_single_ends(const ClaimWriter& writer, const Expression& truth) {
   const auto inner = [&](const Expression& e) { return has_single_ends(writer, e); };
   if (truth->operation == Operation::truth) return true;
@@ -32,6 +33,9 @@ bool has_single_ends(const ClaimWriter& writer, const Expression& truth) {
   const Setting& setting = writer.setting();
   for (std::size_t i = 0; i + 1 < truth->operands.size(); ++i) {
     const Expression &left = truth->operands[i], &right = truth->operands[i + 1];
+    const Relation relation = truth->relations[i];
+    if (relation == Relation::less_equal || relation == Relation::greater_equal || relation == Relation::equal)
+      continue;
     const bool single = (is_force(setting, left) && !writer.depends_on_force(right)) ||
                         (is_force(setting, right) && !writer.depends_on_force(left));
     if (!single) return false;

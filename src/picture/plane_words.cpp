@@ -1,4 +1,4 @@
-#include "picture/bicycle_plane.hpp"
+#include "picture/plane_words.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,6 @@
 #include <array>
 #include <string_view>
 
-#include "mechanism/mechanism.hpp"
 #include "model/contact_mode.hpp"
 #include "modes/bicycle_motions.hpp"
 
@@ -37,11 +36,41 @@ std::vector<MotionQuantity> model_quantities() {
   return all;
 }
 
+std::string state_in_words(ElementState state) {
+  static constexpr std::array<std::string_view, 8> words{
+      "sticks",  "slips (+)",      "slips (-)",         "is open",
+      "touches", "sticks, pulled", "slips (+), pulled", "slips (-), pulled"};
+  return std::string(words[static_cast<std::size_t>(state)]);
+}
+
+std::string mode_in_words(const std::vector<std::string>& elements, const MechanismMode& mode) {
+  std::string text;
+  for (std::size_t i = 0; i < mode.size(); ++i) {
+    text += (text.empty() ? "" : ", ") + elements[i] + " " + state_in_words(mode[i]);
+  }
+  return text;
+}
+
+std::vector<MotionQuantity> quantities_of(const Mechanism& mechanism) {
+  std::vector<MotionQuantity> all;
+  for (const std::string& symbol : acceleration_names(mechanism)) all.push_back({symbol, false, all.size()});
+  const std::size_t accelerations = all.size();
+  for (const std::string& symbol : force_names(mechanism)) all.push_back({symbol, true, all.size() - accelerations});
+  return all;
+}
+
 }  // namespace
 
 void tell_of_bicycles(Plane& plane) {
   plane.quantities = model_quantities();
   plane.words = wheels_in_words;
+}
+
+void tell_of_mechanism(Plane& plane, const Mechanism& mechanism) {
+  plane.quantities = quantities_of(mechanism);
+  std::vector<std::string> elements;
+  for (std::size_t i = 0; i < mechanism.elements(); ++i) elements.push_back(element_name(mechanism, i));
+  plane.words = [elements](const MechanismMode& mode) { return mode_in_words(elements, mode); };
 }
 
 }  // namespace slipproof
