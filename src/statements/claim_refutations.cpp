@@ -63,8 +63,8 @@ void refute(ClaimWriter& writer, const Cover& claim) {
   writer.somewhere(suffix, truths, {});
 }
 
-/// A motion in none of the modes. Strict motions are in one mode only; a boundary motion may be in one that is listed,
-/// too, so that the conditions of these have to fail.
+/// A motion in none of the modes; gives up where they are all modes there are. Strict motions are in one mode only; a
+/// boundary motion may be in one that is listed, too, so that the conditions of these have to fail.
 void refute(ClaimWriter& writer, const Motions& claim) {
   const bool strict = writer.setting().strict;
   std::string in_none;
@@ -76,6 +76,7 @@ void refute(ClaimWriter& writer, const Motions& claim) {
   for (const MechanismMode& mode : writer.mechanics().modes()) {
     if (!lists(claim.modes, mode)) others.emplace_back(mode, in_none);
   }
+  if (others.empty()) writer.give_up();
   writer.somewhere(suffix, {writer.body().region, claim.forces}, {one_of(writer, others, strict)});
 }
 
@@ -100,7 +101,7 @@ Expression valued_at_all(ClaimWriter& writer, const Expression& region, const Ex
 }
 
 /// A strict motion, which is in one mode only, where a claim states another mode; or where no claim is near, and its
-/// mode is not listed.
+/// mode is not listed. Gives up where no mode is wrong anywhere.
 void refute(ClaimWriter& writer, const Unique& claim) {
   const auto other = [&](std::size_t index) -> const ClaimBody& {
     return writer.claims().claims[index].body(writer.reading());
@@ -123,8 +124,8 @@ void refute(ClaimWriter& writer, const Unique& claim) {
     uses.push_back(where);
     wrong.emplace_back(mode, is_true(where) ? "" : fmt::format(" and {{{}}}", writer.text(where)));
   }
-  if (wrong.empty()) writer.give_up();  // all modes are allowed everywhere
-  References named = claim.claims;      // where one of them has no value, even at another force, nothing is claimed
+  if (wrong.empty()) writer.give_up();
+  References named = claim.claims;  // where one of them has no value, even at another force, nothing is claimed
   named.insert(named.end(), claim.except.begin(), claim.except.end());
   for (const std::size_t index : named) {
     if (!writer.always_defined(other(index).region)) writer.give_up();

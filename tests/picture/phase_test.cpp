@@ -132,6 +132,55 @@ TEST_CASE("the paper's plane: points solved again, borders on thresholds exactly
   }
 }
 
+TEST_CASE("a plane of claims about another mechanism tells its quantities") {
+  const ClaimsFile claims = parse_claims(R"(
+schema = "slipproof/claims/1"
+paper = { title = "x", authors = ["y"], source = "z" }
+[[setting]]
+id = "shaken"
+mechanism = "block-shaken"
+motions = "strict"
+[setting.parameters]
+m = { domain = "m > 0", meaning = "as in the mechanism" }
+b = { domain = "b > 0", meaning = "as in the mechanism" }
+h = { domain = "h > 0", meaning = "as in the mechanism" }
+I = { domain = "I > 0", meaning = "as in the mechanism" }
+mu = { domain = "mu > 0", meaning = "as in the mechanism" }
+g = { domain = "g > 0", meaning = "as in the mechanism" }
+[[claim]]
+id = "rest"
+line = 1
+statement = "it rests until it slides or tips"
+kind = "interval"
+mode = "stick/stick"
+forces = "-mu < A < mu and -b < A*h < b"
+)",
+                                         "shaken.toml");
+  const auto figure = parse_figures(R"(
+schema = "slipproof/figures/1"
+[[figure]]
+id = "friction"
+title = "friction"
+setting = "shaken"
+x = "mu"
+x_from = "1/10"
+x_to = "1"
+y_from = "1/10"
+y_to = "1"
+values = { m = "1", b = "1/2", h = "1", I = "1/3", g = "10" }
+)",
+                                    "figures.toml", claims)
+                          .front();
+  const PhaseDiagram diagram = phase_diagram(claims_plane(claims, figure, Reading::printed), 8);
+  REQUIRE(diagram.plane.quantities.size() == 3 + 4 + 4);
+  CHECK(diagram.plane.words({ElementState::stick, ElementState::lift}) == "left sticks, right is open");
+  for (const PhasePoint& point : sample_points(diagram, 4, 4)) {
+    REQUIRE(point.motions.size() == 1);
+    REQUIRE(point.motions.front().values.size() == diagram.plane.quantities.size());
+    if (point.x < point.y && point.y * 2 < 1) CHECK(*point.motions.front().values[0] != 0);  // ax: it slides
+  }
+}
+
 TEST_CASE("the third motion of the ambiguous region shows, and the claim that denies it is refuted there") {
   const auto& claims = test::shipped_paper();
   const auto all = figures();

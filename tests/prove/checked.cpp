@@ -132,3 +132,30 @@ TEST_CASE("a value between bounds is found, also where it has to be decided whic
   CHECK(checked("real x y\nassume h: x <= y\nexists z\nshow x < z < y\n") == "refuted");
   CHECK(checked("real x y u\nassume h: x < u or y < u\nexists z\nshow x < z and y < z and z < u\n") == "refuted");
 }
+
+TEST_CASE("a bound that may be attained is a witness, where no value between bounds is one") {
+  // The wall's friction is exhausted, and only then the forces are in both cones at the end of the range.
+  CHECK(checked("real a b k u v g\nassume h: a > 0 and b > 0 and 0 < k < 1 and u >= 0 and v >= 0 and g > 0\n"
+                "assume force: k*(1 + u*v)*a <= u*(b + v*a)\nexists N1 S1 N2 S2\n"
+                "show S1 + N2 = 0 and N1 + S2 = g and k*a*N1 + k*b*S1 = (1 - k)*(b*N2 + a*S2) and N1 >= 0 and "
+                "-u*N1 <= S1 <= u*N1 and N2 >= 0 and -v*N2 <= S2 <= v*N2\n") == "accepted");
+}
+
+TEST_CASE("a pivot of unknown sign is split on where something is to exist") {
+  CHECK(checked("real x y\nassume h: x != 0 or y != 0\nexists z w\nshow x*z + y*w = 1\n") == "accepted");
+  CHECK(checked("real x y\nexists z w\nshow x*z + y*w = 1\n") == "undecided");  // false where both are 0
+}
+
+TEST_CASE("a sign that is a sum of products of facts is found, and none that is not") {
+  const std::string facts =
+      "real m p q T I u v\nassume h: m > 0 and p > 0 and q > 0 and T > 0 and I > 0 and u >= 0 and v >= 0\n"
+      "let need = (p + q)*T + v*q\nassume force: u*need <= p\n";
+  const std::string determinant = "(1 + u*v)*(I + m*q^2*T*(v + T)) + m*(p - u*need)*(p + v*T*q)";
+  CHECK(checked(facts + "exists z\nshow z*(" + determinant + ") = 1\n") == "accepted");
+  CHECK(checked(facts + "exists z\nshow z*(" + determinant + " - 2*I) = 1\n") == "undecided");
+}
+
+TEST_CASE("numbers that a statement divides by do not end a search for numbers at which it is false") {
+  CHECK(checked("real b F u c\nassume h: F < 0 and u > 0 and c > 0 and b > 0\nlet lead = F/(b - u*c)\n"
+                "assume force: u*c <= b or b < lead\nexists N\nshow N = b + 1 and N > F\n") == "accepted");
+}

@@ -7,6 +7,7 @@
 #include "input/diagnostic.hpp"
 #include "mechanism/shipped.hpp"
 #include "number/real_roots.hpp"
+#include "statements/claim_statements.hpp"
 #include "support/shipped.hpp"
 #include "verify/critical.hpp"
 #include "verify/judge.hpp"
@@ -224,6 +225,24 @@ TEST_CASE("along lines of a mechanism the judgement changes at critical values o
     }
   }
   CHECK(compared > 100);
+}
+
+TEST_CASE("statements say that a motion is one of those listed by its accelerations, whatever its forces") {
+  // At rest the forces may exhaust friction at one contact or not: the same motion.
+  const auto statements = [](const ClaimsFile& file) {
+    std::string all;
+    for (const NamedStatement& s : claim_statements(file, file.claims.front(), Reading::printed)) all += s.text;
+    return all;
+  };
+  const ClaimsFile rests =
+      block("kind = \"motions\"\nmodes = [\"stick/stick\"]\nregion = \"s <= mu*c and h*s <= b*c\"");
+  CHECK(result_of(rests).verdict == Verdict::holds);
+  CHECK(statements(rests).find("show {ax = ax_2 and ay = ay_2 and phi = phi_2}") != std::string::npos);
+}
+
+TEST_CASE("a uniqueness that allows every mode has no refutation, and the others of its file have theirs") {
+  const ClaimsFile file = block("kind = \"unique\"\nclaims = []\nmodes = [\"*/*\"]\nexpect = \"refuted\"");
+  CHECK(claim_refutation(file, file.claims.front(), Reading::printed).empty());
 }
 
 TEST_CASE("mistakes in a setting of a mechanism have their places") {
