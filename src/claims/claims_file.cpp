@@ -149,7 +149,7 @@ void read_paper(const TableReader& root, Context& context) {
   if (!root.require("paper", "the table [paper]")) return;
   const TomlValue* table = root.table("paper");
   if (table == nullptr) return;
-  static constexpr std::array<std::string_view, 6> keys{"title",  "authors",   "reference",
+  static constexpr std::array<std::string_view, 7> keys{"title",  "authors",   "reference", "found",
                                                         "source", "equations", "headings"};
   const TableReader paper(*table, "[paper]", keys, context.mistakes);
   context.file.paper.title = context.text(paper, "title", "the title of the paper");
@@ -160,6 +160,8 @@ void read_paper(const TableReader& root, Context& context) {
   if (paper.has("reference")) {
     context.file.paper.reference = context.text(paper, "reference", "where the paper is published");
   }
+  if (paper.has("found"))
+    context.file.paper.found = context.text(paper, "found", "what the claims show, in a sentence");
   if (const TomlValue* headings = paper.table("headings")) read_headings(*headings, context);
   if (const TomlValue* equations = paper.table("equations")) {
     std::vector<std::string_view> numbers;

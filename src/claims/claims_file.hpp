@@ -29,6 +29,7 @@ struct Paper {
   std::string title;
   std::vector<std::string> authors;
   std::string reference;  ///< where it is published; may be empty
+  std::string found;      ///< what the claims show of it, in a sentence; may be empty
   std::string source;     ///< file name of the text that line numbers refer to
   struct Equation {
     std::string number;

@@ -18,8 +18,23 @@ namespace {
 struct ReportArguments {
   CommonOptions common;
   VerifyOptions verify;
-  std::string claims, trade, out = "report.html";
+  std::string claims, trade, out;
 };
+
+/// Of all papers in a folder: a page each, and one for all.
+int report_papers(const std::vector<std::filesystem::path>& papers, const ReportArguments& options) {
+  if (options.out == "-" || !options.verify.only.empty()) {
+    throw CLI::ValidationError(options.out == "-" ? "--out" : "--only",
+                               "a folder of papers has a page for each, expected one claims.toml");
+  }
+  const auto judged = judge_papers(papers, options.verify, options.common, options.trade, options.out);
+  if (options.common.json) {
+    print(papers_json(judged));
+  } else {
+    print(fmt::format("s REPORTED {} {} pages\n", options.out, judged.size() + 1));
+  }
+  return exit_of(summary(judged));
+}
 
 }  // namespace
 
@@ -27,11 +42,16 @@ void add_report(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ReportArguments>();
   CLI::App& command =
       *app.add_subcommand("report", "One self-contained HTML file with everything: verdicts, proofs, pictures");
-  command.add_option("CLAIMS", options->claims, "Claims file (TOML); default: the shipped paper");
-  command.add_option("--out", options->out, "The file to write; - for standard output")->capture_default_str();
-  command.add_option("--samples", options->verify.samples, "Bicycles for each setting of the paper")
-      ->check(whole_number(1, 1'000'000'000))
-      ->capture_default_str();
+  command.add_option("CLAIMS", options->claims,
+                     "Claims file (TOML), or a folder of papers; default: the shipped paper");
+  command.add_option("--out", options->out,
+                     "The file to write, report.html if not given; - for standard output. Of a folder of papers: the "
+                     "folder to write, report if not given");
+  auto* samples = command.add_option("--samples", options->verify.samples,
+                                     "Bicycles, or points of a mechanism, for each setting of the paper; of a folder "
+                                     "of papers: " +
+                                         std::to_string(samples_of_many));
+  samples->check(whole_number(1, 1'000'000'000))->capture_default_str();
   command
       .add_option("--lines", options->verify.lines,
                   "Lines of bicycles for each claim, 0 for none; default: one for 200 samples")
@@ -39,8 +59,15 @@ void add_report(CLI::App& app, int& exit_code) {
   command.add_option("--only", options->verify.only, "Only the claims whose id begins with this, such as A or E4.7");
   command.add_option("--trade", options->trade, "What slipproof trade --json wrote, for speed against accuracy");
   add_common_options(command, options->common);
-  command.callback([options, &exit_code] {
+  command.callback([options, samples, &exit_code] {
     const std::filesystem::path path = claims_path(options->claims);
+    const auto papers = papers_in(path);
+    if (options->out.empty()) options->out = papers.empty() ? "report.html" : "report";
+    if (!papers.empty()) {
+      if (samples->empty()) options->verify.samples = samples_of_many;
+      exit_code = report_papers(papers, *options);
+      return;
+    }
     const ClaimsFile file = read_claims(path);
     print_warnings(file, options->common);
     options->verify.certificates = std::make_shared<Certificates>(path.parent_path());

@@ -58,16 +58,37 @@ int judge_mutants(const std::filesystem::path& claims, const ClaimsFile& file, V
   return result.count(MutantEnd::survivor) == 0 && result.vacuous.empty() ? as_it_should_be : undecided;
 }
 
+/// The flags that are about one paper, and the first of them that is given.
+std::string flag_about_one_paper(const VerifyArguments& options) {
+  if (options.mutants) return "--mutants";
+  if (options.coverage) return "--coverage";
+  if (options.lists_findings()) return "--errata";
+  return options.verify.only.empty() ? "" : "--only";
+}
+
+/// Of all papers in a folder.
+int verify_papers(const std::vector<std::filesystem::path>& papers, const VerifyArguments& options) {
+  if (const std::string flag = flag_about_one_paper(options); !flag.empty()) {
+    throw CLI::ValidationError("CLAIMS", flag + " is about one paper; found a folder, expected its claims.toml");
+  }
+  const auto judged = judge_papers(papers, options.verify, options.common, options.trade, options.report);
+  print(options.common.json ? papers_json(judged) : papers_text(judged, options.common.quiet));
+  return exit_of(summary(judged));
+}
+
 }  // namespace
 
 void add_verify(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<VerifyArguments>();
   CLI::App& command =
       *app.add_subcommand("verify", "The claims of a paper at sampled rational bicycles, every force at once");
-  command.add_option("CLAIMS", options->claims, "Claims file (TOML); default: the shipped paper");
-  command.add_option("--samples", options->verify.samples, "Bicycles for each setting of the paper")
-      ->check(whole_number(1, 1'000'000'000))
-      ->capture_default_str();
+  command.add_option("CLAIMS", options->claims,
+                     "Claims file (TOML), or a folder of papers; default: the shipped paper");
+  auto* samples = command.add_option("--samples", options->verify.samples,
+                                     "Bicycles, or points of a mechanism, for each setting of the paper; of a folder "
+                                     "of papers: " +
+                                         std::to_string(samples_of_many));
+  samples->check(whole_number(1, 1'000'000'000))->capture_default_str();
   command
       .add_option("--lines", options->verify.lines,
                   "Lines of bicycles for each claim, 0 for none; default: one for 200 samples")
@@ -90,12 +111,18 @@ void add_verify(CLI::App& app, int& exit_code) {
   command.add_option("--lemmas", options->lemmas, "Folder for what the arguments rest on, with certificates")
       ->needs(mutants);
   auto* report =
-      command.add_option("--report", options->report, "Also write the HTML report of the verdicts to this file");
+      command.add_option("--report", options->report,
+                         "Also write the HTML report of the verdicts to this file; of a folder: to this folder");
   command.add_option("--trade", options->trade, "For the report: what slipproof trade --json wrote")->needs(report);
   add_common_options(command, options->common);
-  command.callback([options, &exit_code] {
+  command.callback([options, samples, &exit_code] {
     refuse_report_without_verdicts(*options);
     const std::filesystem::path path = claims_path(options->claims);
+    if (const auto papers = papers_in(path); !papers.empty()) {
+      if (samples->empty()) options->verify.samples = samples_of_many;
+      exit_code = verify_papers(papers, *options);
+      return;
+    }
     const ClaimsFile file = read_claims(path);
     print_warnings(file, options->common);
     if (options->coverage) {

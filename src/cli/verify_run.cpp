@@ -2,7 +2,13 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <iostream>
+#include <optional>
+
+#include "cli/warnings.hpp"
+#include "html/gallery.hpp"
+#include "input/diagnostic.hpp"
 
 namespace slipproof::cli {
 
@@ -69,6 +75,53 @@ PageInput report_input(const std::filesystem::path& claims, const ClaimsFile& fi
   if (!trade.empty()) input.command += " --trade " + trade.filename().string();
   input.version = SLIPPROOF_VERSION;
   return input;
+}
+
+std::vector<std::filesystem::path> papers_in(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(path, error)) return {};
+  std::vector<std::filesystem::path> papers;
+  const auto add = [&](const std::filesystem::path& folder) {
+    std::filesystem::path claims = folder / "claims.toml";
+    if (std::filesystem::is_regular_file(claims, error)) papers.push_back(std::move(claims));
+  };
+  add(path);
+  for (const auto& entry : std::filesystem::directory_iterator(path, error)) {
+    if (entry.is_directory(error)) add(entry.path());
+  }
+  std::sort(papers.begin(), papers.end());
+  if (!papers.empty()) return papers;
+  throw InputError({{path.string(), 0, 0, "found no claims.toml in the folder, nor in the folders in it"}});
+}
+
+std::vector<JudgedPaper> judge_papers(const std::vector<std::filesystem::path>& papers, const VerifyOptions& options,
+                                      const CommonOptions& common, const std::filesystem::path& trade,
+                                      const std::filesystem::path& report) {
+  std::vector<JudgedPaper> judged;
+  Inputs inputs;
+  for (const std::filesystem::path& path : papers) {
+    judged.push_back({std::filesystem::absolute(path).parent_path().filename().string(), read_claims(path), {}});
+    print_warnings(judged.back().file, common);
+    for (const std::filesystem::path& file : files_of(page_folders(path, trade))) inputs.add(file);
+  }
+  std::optional<OutputFolder> pages;
+  if (!report.empty()) pages.emplace(report, inputs);
+  std::vector<VerifyOptions> own(papers.size(), options);
+  std::vector<PageInput> pages_of(papers.size());  // read before the work, so that bad input costs no result
+  for (std::size_t i = 0; i < papers.size(); ++i) {
+    own[i].certificates = std::make_shared<Certificates>(papers[i].parent_path());
+    if (!pages) continue;
+    pages_of[i] = report_input(papers[i], judged[i].file, own[i], common, is_shipped(papers[i]) ? trade : "");
+    pages_of[i].gallery = "index.html";
+  }
+  for (std::size_t i = 0; i < papers.size(); ++i) {
+    judged[i].result = run_verify(judged[i].file, own[i], common);
+    if (!pages) continue;
+    pages_of[i].result = &judged[i].result;
+    pages->write(page_name(judged[i]), page_html(pages_of[i]));
+  }
+  if (pages) pages->write("index.html", gallery_html(judged, SLIPPROOF_VERSION));
+  return judged;
 }
 
 }  // namespace slipproof::cli

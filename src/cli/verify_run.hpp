@@ -6,6 +6,8 @@
 
 #include "cli/command.hpp"
 #include "html/page.hpp"
+#include "output/output_file.hpp"
+#include "wording/papers_report.hpp"
 #include "wording/verify_report.hpp"
 
 namespace slipproof::cli {
@@ -26,5 +28,17 @@ PageFolders page_folders(const std::filesystem::path& claims, const std::filesys
 /// costs no result. Throws InputError.
 PageInput report_input(const std::filesystem::path& claims, const ClaimsFile& file, const VerifyOptions& options,
                        const CommonOptions& common, const std::filesystem::path& trade);
+
+/// The claims files of a folder: claims.toml in it, and in the folders in it, in the order of their names. Nothing
+/// where the path is no folder. Throws InputError where there are none.
+std::vector<std::filesystem::path> papers_in(const std::filesystem::path& path);
+
+/// So many samples for each setting, where a folder is judged and no number is asked for.
+inline constexpr std::uint64_t samples_of_many = 2000;
+
+/// Judges each of them, and writes the page of each and that of all into a folder, if there is one.
+std::vector<JudgedPaper> judge_papers(const std::vector<std::filesystem::path>& papers, const VerifyOptions& options,
+                                      const CommonOptions& common, const std::filesystem::path& trade,
+                                      const std::filesystem::path& report);
 
 }  // namespace slipproof::cli

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "html/sections.hpp"
+#include "html/verdict_bar.hpp"
 #include "picture/bicycle_figure.hpp"
 #include "typeset/latex.hpp"
 #include "wording/errata.hpp"
@@ -13,29 +14,6 @@
 namespace slipproof {
 
 namespace {
-
-constexpr std::array<std::string_view, 5> claim_verdicts{"proved", "holds", "refuted", "undecided", "vacuous"};
-using VerdictCounts = std::array<std::size_t, claim_verdicts.size()>;
-
-struct Counts {
-  VerdictCounts printed{}, repaired{};
-  std::size_t claims = 0;
-};
-
-Counts count(const PageInput& input) {
-  Counts counts;
-  for (const ClaimResult& result : input.result->claims) {
-    const auto at =
-        std::find(claim_verdicts.begin(), claim_verdicts.end(), verdict_name(result)) - claim_verdicts.begin();
-    if (result.reading == Reading::printed) {
-      ++counts.claims;
-      ++counts.printed[static_cast<std::size_t>(at)];
-    } else {
-      ++counts.repaired[static_cast<std::size_t>(at)];
-    }
-  }
-  return counts;
-}
 
 void add_card(const Element& list, const char* css_class, std::size_t number, std::string_view what,
               const std::string& detail, const char* target) {
@@ -57,31 +35,6 @@ void add_opinions_card(const Element& list, const SecondOpinions& opinions) {
   });
   add_card(list, "good", static_cast<std::size_t>(confirmed), "with a second opinion that agrees",
            "statements confirmed by programs of others" + detail, "#certificates");
-}
-
-/// One bar cut in proportion to its counts, with its numbers written out below.
-void add_bar(const Element& parent, std::string_view label, const VerdictCounts& counts) {
-  std::size_t all = 0;
-  for (const std::size_t n : counts) all += n;
-  if (all == 0) return;
-  const Element row = parent.add("div", "bar-row");
-  row.add("span", "bar-label").text(label);
-  const Element svg = row.add("svg", "bar").set("viewBox", "0 0 600 22").set("preserveAspectRatio", "none");
-  svg.set("aria-hidden", "true");
-  double x = 0;
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    const double width = 600.0 * static_cast<double>(counts[i]) / static_cast<double>(all);
-    if (counts[i] == 0) continue;
-    svg.add("rect", "fill-" + std::string(claim_verdicts[i])).set("x", x).set("width", width).set("height", 22);
-    x += width;
-  }
-  const Element text = row.add("span", "bar-text");
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    if (counts[i] == 0) continue;
-    const Element item = text.add("span", "bar-item");
-    add_chip(item, claim_verdicts[i]);
-    item.text(" " + std::to_string(counts[i]));
-  }
 }
 
 std::string mechanisms_in_words(const ClaimsFile& claims) {
@@ -196,7 +149,7 @@ std::string proved_share(std::size_t proved, std::size_t sampled_only) {
   return proved > 0 && sampled_only == 0 ? "all" : std::to_string(proved) + " of them";
 }
 
-void add_cards(const Element& section, const PageInput& input, const Errata& errata, const Counts& counts) {
+void add_cards(const Element& section, const PageInput& input, const Errata& errata, const VerdictTotals& counts) {
   const std::size_t fail = counts.printed[2], open = counts.printed[3];
   const std::size_t mended = counts.repaired[0] + counts.repaired[1];
   const Element cards = section.add("ul", "cards");
@@ -251,12 +204,12 @@ void add_overview(const Element& main, const PageInput& input) {
   add_problem(section, input);
   const Errata errata = slipproof::errata(file, *input.result);
   add_findings(section, input, errata);
-  const Counts counts = count(input);
+  const VerdictTotals counts = count_verdicts(*input.result);
   add_cards(section, input, errata, counts);
   const Element columns = section.add("div", "halves");
   const Element bars = columns.add("div", "bars");
-  add_bar(bars, "as printed", counts.printed);
-  add_bar(bars, "as repaired", counts.repaired);
+  add_verdict_bar(bars, "as printed", counts.printed);
+  add_verdict_bar(bars, "as repaired", counts.repaired);
   if (input.trade && !input.trade->workloads.empty()) {
     const Element figure = columns.add("figure", "glance");
     figure.add("h2", "sub").add("a").set("href", "#trade").text("Speed and wrong verdicts");

@@ -72,24 +72,14 @@ class Gathering {
   PageInput& input_;
 };
 
-void add_head(const Element& html, const PageInput& input) {
-  const Element head = html.add("head");
-  head.add("meta").set("charset", "utf-8");
-  head.add("meta").set("name", "viewport").set("content", "width=device-width, initial-scale=1");
-  head.add("meta").set("name", "color-scheme").set("content", "light dark");
-  head.add("meta").set("name", "generator").set("content", "slipproof " + input.version);
-  // No icon is fetched from anywhere.
-  head.add("link").set("rel", "icon").set("href", "data:,");
-  head.add("title").text("slipproof: " + input.claims->paper.title);
-  head.add("style").code(std::string(assets::style_css) + picture_style());
-}
-
 void add_header(const Element& body, const PageInput& input) {
   body.add("a", "skip").set("href", "#overview").text("Skip to the results");
   const Element header = body.add("header", "top");
-  header.add("a", "brand").set("href", "#overview").text("slipproof");
+  header.add("a", "brand").set("href", input.gallery.empty() ? "#overview" : input.gallery).text("slipproof");
   const Element list = header.add("nav").set("aria-label", "Sections").add("ul");
-  std::vector<std::pair<std::string, const char*>> links{{"#overview", "Overview"}};
+  std::vector<std::pair<std::string, const char*>> links;
+  if (!input.gallery.empty()) links.emplace_back(input.gallery, "All papers");
+  links.emplace_back("#overview", "Overview");
   if (!input.figures.empty() || !input.scenes.empty()) links.emplace_back("#phase", "Phase diagrams");
   links.insert(links.end(), {{"#claims", "Claims"}, {"#errata", "Errata"}});
   if (!input.certificates.empty()) links.emplace_back("#certificates", "Certificates");
@@ -145,6 +135,18 @@ PageInput gather(const PageFolders& folders, const ClaimsFile& claims, Certifica
   return input;
 }
 
+void add_head(const Element& html, const std::string& title, const std::string& version) {
+  const Element head = html.add("head");
+  head.add("meta").set("charset", "utf-8");
+  head.add("meta").set("name", "viewport").set("content", "width=device-width, initial-scale=1");
+  head.add("meta").set("name", "color-scheme").set("content", "light dark");
+  head.add("meta").set("name", "generator").set("content", "slipproof " + version);
+  // No icon is fetched from anywhere.
+  head.add("link").set("rel", "icon").set("href", "data:,");
+  head.add("title").text(title);
+  head.add("style").code(std::string(assets::style_css) + picture_style());
+}
+
 Element add_section(const Element& main, const char* id, std::string_view heading) {
   const Element section = main.add("section").set("id", id).set("aria-labelledby", std::string(id) + "-heading");
   section.add("h2").set("id", std::string(id) + "-heading").text(heading);
@@ -178,7 +180,7 @@ void add_claim_id(const Element& parent, const PageInput& input, std::string_vie
 std::string page_html(const PageInput& input) {
   const Document document("html");
   const Element html = document.root().set("lang", "en");
-  add_head(html, input);
+  add_head(html, "slipproof: " + input.claims->paper.title, input.version);
   const Element body = html.add("body");
   add_header(body, input);
   const Element main = body.add("main");

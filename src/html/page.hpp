@@ -34,6 +34,7 @@ struct PageInput {
   const VerifyResult* result = nullptr;  ///< of the verification that the page is about
   std::string command;                   ///< what makes the page again
   std::string version;
+  std::string gallery;  ///< a link to the page of all papers; empty: there is none
   std::vector<Figure> figures;
   std::vector<PageCertificate> certificates;
   std::optional<SecondOpinions> opinions;  ///< by the theorems of `certificates`

@@ -12,6 +12,9 @@
 
 namespace slipproof {
 
+/// What stands before the body: title, style, and that nothing is fetched from anywhere.
+void add_head(const Element& html, const std::string& title, const std::string& version);
+
 /// A section with its heading.
 Element add_section(const Element& main, const char* id, std::string_view heading);
 

@@ -121,6 +121,11 @@ Summary summary(const ClaimsFile& file, const VerifyResult& result) {
   return worst;
 }
 
+std::string_view summary_word(Summary summary) {
+  constexpr std::array<std::string_view, 4> words{"VERIFIED", "REJECTED", "REFUTED", "UNDECIDED"};
+  return words[static_cast<std::size_t>(summary)];
+}
+
 std::string verify_text(const ClaimsFile& file, const VerifyResult& result, bool quiet) {
   std::string text;
   Out out(text);
@@ -153,11 +158,9 @@ std::string verify_text(const ClaimsFile& file, const VerifyResult& result, bool
   }
   const Summary s = summary(file, result);
   if (result.claims.empty()) return text + (quiet ? "" : "\n") + "s UNDECIDED no claim was judged\n";
-  constexpr std::array<const char*, 4> words{"VERIFIED", "REJECTED", "REFUTED", "UNDECIDED"};
   fmt::format_to(out, "{}s {} holds {} refuted {} undecided {} unexpected {} proved {}{}\n", quiet ? "" : "\n",
-                 words[static_cast<std::size_t>(s)], count[Verdict::holds], count[Verdict::refuted],
-                 count[Verdict::undecided], unexpected, proved,
-                 count[Verdict::vacuous] == 0 ? "" : fmt::format(" vacuous {}", count[Verdict::vacuous]));
+                 summary_word(s), count[Verdict::holds], count[Verdict::refuted], count[Verdict::undecided], unexpected,
+                 proved, count[Verdict::vacuous] == 0 ? "" : fmt::format(" vacuous {}", count[Verdict::vacuous]));
   return text;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "verify/verify.hpp"
 #include "wording/explain.hpp"
@@ -19,5 +20,6 @@ std::string verify_text(const ClaimsFile& file, const VerifyResult& result, bool
 /// which it also is where no claim was judged.
 enum class Summary { as_expected, rejected, refuted, undecided };
 Summary summary(const ClaimsFile& file, const VerifyResult& result);
+std::string_view summary_word(Summary summary);  ///< `VERIFIED`, `REJECTED`, `REFUTED` or `UNDECIDED`
 
 }  // namespace slipproof

@@ -1,0 +1,24 @@
+// How many claims have which verdict, as a bar.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "markup/element.hpp"
+#include "verify/verify.hpp"
+
+namespace slipproof {
+
+inline constexpr std::array<std::string_view, 5> claim_verdicts{"proved", "holds", "refuted", "undecided", "vacuous"};
+using VerdictCounts = std::array<std::size_t, claim_verdicts.size()>;
+
+struct VerdictTotals {
+  VerdictCounts printed{}, repaired{};
+  std::size_t claims = 0;
+};
+VerdictTotals count_verdicts(const VerifyResult& result);
+
+/// One bar cut in proportion to its counts, with its numbers written out below; nothing where there are none.
+void add_verdict_bar(const Element& parent, std::string_view label, const VerdictCounts& counts);
+
+}  // namespace slipproof
