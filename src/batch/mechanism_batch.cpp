@@ -64,11 +64,11 @@ MechanismBatch::MechanismBatch(const Mechanism& mechanism, std::vector<ElementKi
 
 MechanismBatch::~MechanismBatch() = default;
 
-MechanismAnswers MechanismBatch::modes_at(const MechanismColumns& columns) const {
+MechanismAnswers MechanismBatch::modes_at(const MechanismColumns& columns, Unsure unsure) const {
   const Points points(*this, columns);
   MechanismAnswers answers{modes_.size(), std::vector<ModeAt>(points.count * modes_.size()), {}};
   if (code_ == nullptr) {
-    for (std::size_t i = 0; i < points.count; ++i) decide_exactly(points, i, answers);
+    for (std::size_t i = 0; i < points.count; ++i) pass_on(points, i, unsure, answers);
     return answers;
   }
   ModeRun run(*code_);
@@ -96,14 +96,19 @@ MechanismAnswers MechanismBatch::modes_at(const MechanismColumns& columns) const
       if (sure) {
         ++answers.tiers[static_cast<std::size_t>(Tier::filter)];
       } else {
-        decide_exactly(points, point, answers);
+        pass_on(points, point, unsure, answers);
       }
     }
   }
   return answers;
 }
 
-void MechanismBatch::decide_exactly(const Points& points, std::size_t point, MechanismAnswers& answers) const {
+void MechanismBatch::pass_on(const Points& points, std::size_t point, Unsure unsure, MechanismAnswers& answers) const {
+  const auto status = answers.status.begin() + static_cast<std::ptrdiff_t>(point * modes_.size());
+  if (unsure == Unsure::left) {
+    std::fill(status, status + static_cast<std::ptrdiff_t>(modes_.size()), ModeAt::unsure);
+    return;
+  }
   MechanismValues values = default_values(*mechanism_);
   values.starts = starts_;
   values.given = given_;
@@ -115,9 +120,9 @@ void MechanismBatch::decide_exactly(const Points& points, std::size_t point, Mec
   }
   std::optional<Rational> load;
   if (points.has_load()) load = to_rational(points.columns.load[point]);
-  const auto status = answers.status.begin() + static_cast<std::ptrdiff_t>(point * modes_.size());
   std::fill(status, status + static_cast<std::ptrdiff_t>(modes_.size()), ModeAt::inconsistent);
-  for (const ConsistentMode& found : modes_of(without_equations(maker_.problem(values)), load).consistent) {
+  const FrictionProblem problem = without_equations(maker_.problem(values));
+  for (const ConsistentMode& found : ModeSolver(problem, load).consistent()) {
     const auto place = std::find(modes_.begin(), modes_.end(), found.mode) - modes_.begin();
     status[place] = found.solutions.strict ? ModeAt::strict : ModeAt::boundary;
   }

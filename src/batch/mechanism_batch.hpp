@@ -24,8 +24,11 @@ struct MechanismColumns {
   Column load;                     ///< no number: a mechanism without one
 };
 
-/// Boundary: consistent, and no solution meets all conditions strictly.
-enum class ModeAt : std::uint8_t { inconsistent, boundary, strict };
+/// Boundary: consistent, and no solution meets all conditions strictly. Unsure: of a point that was left.
+enum class ModeAt : std::uint8_t { inconsistent, boundary, strict, unsure };
+
+/// What becomes of points at which binary64 is not sure of all modes: the kernel decides them, or they are left.
+enum class Unsure : std::uint8_t { decided, left };
 
 struct MechanismAnswers {
   std::size_t modes = 0;
@@ -53,11 +56,11 @@ class MechanismBatch {
 
   /// All modes at all points, which need not be in the domain. All columns have the same length, or 1; throws
   /// std::invalid_argument otherwise, and NoValue, NumberError for a point that has none.
-  MechanismAnswers modes_at(const MechanismColumns& points) const;
+  MechanismAnswers modes_at(const MechanismColumns& points, Unsure unsure = Unsure::decided) const;
 
  private:
   struct Points;
-  void decide_exactly(const Points& points, std::size_t point, MechanismAnswers& answers) const;
+  void pass_on(const Points& points, std::size_t point, Unsure unsure, MechanismAnswers& answers) const;
 
   const Mechanism* mechanism_;
   ProblemMaker maker_;

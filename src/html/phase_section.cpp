@@ -29,12 +29,15 @@ void add_phase_section(const Element& main, const PageInput& input) {
   if (input.figures.empty() && input.scenes.empty()) return;
   const Element section = add_section(main, "phase", "Phase diagrams");
   section.add("p", "lead")
-      .text(
-          "Which motions there are, for every force at once. A mode is written rear/front: each wheel "
-          "sticks (rolls), slips forwards (slip+) or backwards (slip-), or lifts off the road. In each of "
-          "the columns that a diagram is made of, all limits are exact rationals; between columns the "
-          "regions are joined up. Point at a diagram, or focus it and use the arrow keys, to read the "
-          "exact motions at a point.");
+      .text(std::string("Which motions there are, for every force at once. ") +
+            (noun(*input.claims) == "bicycle"
+                 ? "A mode is written rear/front: each wheel sticks (rolls), slips forwards (slip+) or backwards "
+                   "(slip-), or lifts off the road."
+                 : "A mode is a state of each contact, in the order of the mechanism's file: it sticks, slips with the "
+                   "sign of its slip (slip+, slip-), touches without friction, or opens (lift).") +
+            " In each of the columns that a diagram is made of, all limits are exact rationals; between columns the "
+            "regions are joined up. Point at a diagram, or focus it and use the arrow keys, to read the exact motions "
+            "at a point.");
   for (const Figure& figure : input.figures) {
     const PhaseDiagram diagram = phase_diagram(claims_plane(*input.claims, figure, Reading::printed), paper_columns);
     std::string caption = figure.note.empty() ? "" : figure.note + " ";

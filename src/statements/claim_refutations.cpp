@@ -3,8 +3,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 
 #include "expression/logic.hpp"
+#include "input/diagnostic.hpp"
 #include "statements/claim_writer.hpp"
 
 namespace slipproof {
@@ -187,10 +189,17 @@ std::vector<NamedStatement> expected_statements(const ClaimsFile& claims, const 
 
 std::vector<NamedStatement> paper_statements(const ClaimsFile& claims) {
   std::vector<NamedStatement> result;
+  std::map<std::string, const Claim*> claim_of;
   for (const Claim& claim : claims.claims) {
     for (const Reading reading : all_readings) {
       if (reading == Reading::repaired && !claim.repaired) continue;
       for (NamedStatement& statement : expected_statements(claims, claim, reading)) {
+        const auto [other, is_new] = claim_of.emplace(statement.name, &claim);
+        if (!is_new) {
+          throw InputError({{claims.file, 0, 0,
+                             "the claims " + other->second->id + " and " + claim.id + " both have a statement " +
+                                 statement.name + ", expected ids whose statements have names of their own"}});
+        }
         result.push_back(std::move(statement));
       }
     }

@@ -46,7 +46,8 @@ Judgement ClaimJudge::of(const Interval& claim) {
   if (claimed.parts.size() < 2) one = claimed.parts.empty() ? ForceInterval::nothing() : claimed.parts.front();
   const bool ends =
       one && !one->empty() && !real.empty() && one->interior() == real.interior() && !one->interior().empty();
-  Judgement j = refuted(ends ? Reason::ends : s->continuum ? Reason::continuum : Reason::forces);
+  const bool continuum = s->continuum && !common(real, differ.front()).empty();  // where they differ
+  Judgement j = refuted(ends ? Reason::ends : continuum ? Reason::continuum : Reason::forces);
   j.mode = claim.mode;
   j.witnesses = std::move(differ.front());
   j.claimed = std::move(one);

@@ -99,7 +99,10 @@ class MutationRun {
     constexpr std::size_t at_most = 64;
     std::vector<std::size_t> groups;
     for (std::size_t i = 0; i < all.size(); ++i) {
-      if (i == 0 || all[i].mutant.where != all[i - 1].mutant.where || i - groups.back() == at_most) groups.push_back(i);
+      const auto same = [&](const ClaimsMutant& x, const ClaimsMutant& y) {  // two settings may share what one inherits
+        return x.where == y.where && x.setting == y.setting;
+      };
+      if (i == 0 || !same(all[i].mutant, all[i - 1].mutant) || i - groups.back() == at_most) groups.push_back(i);
     }
     groups.push_back(all.size());
     std::atomic<std::uint64_t> done = 0;

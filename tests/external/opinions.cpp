@@ -2,11 +2,12 @@
 // times are processor times. A program that is not installed is left out. Environment variables:
 // SLIPPROOF_SECONDS (10): limit on a query of z3 and cvc5; SLIPPROOF_COQ_SECONDS (600): on a file of Coq; 0: ask
 // nothing SLIPPROOF_JOBS (2): how many run at a time SLIPPROOF_ANSWERS: a folder that keeps answers by the text of
-// their question, so that only what changed is asked again SLIPPROOF_WRITE_OPINIONS: if set, the answers become
-// proofs/PAPER/second-opinions.csv
+// their question, so that only what changed is asked again; SLIPPROOF_PAPER: the folder of one paper, to ask about it
+// alone; SLIPPROOF_WRITE_OPINIONS: if set, the answers become proofs/PAPER/second-opinions.csv
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <ctime>
 #include <filesystem>
@@ -190,15 +191,26 @@ void write_opinions(const std::filesystem::path& paper, const std::vector<Row>& 
   }
 }
 
+/// All of them, or SLIPPROOF_PAPER alone.
+std::vector<std::string> papers() {
+  if (const char* one = std::getenv("SLIPPROOF_PAPER")) return {one};
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
+    if (std::filesystem::exists(entry.path() / "claims.toml")) names.push_back(entry.path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 }  // namespace
 
 TEST_CASE("nobody contradicts the shipped proofs") {
   std::vector<Row> rows;
-  for (const char* name : {"rear-drive", "rozenblat-yashin"}) {
+  for (const std::string& name : papers()) {
     std::vector<Row> more = ask_all(kFolder / name);
     if (std::getenv("SLIPPROOF_WRITE_OPINIONS") != nullptr) write_opinions(kFolder / name, more);
     for (Row& row : more) {
-      row.name = name + ("/" + row.name);
+      row.name = name + "/" + row.name;
       rows.push_back(std::move(row));
     }
   }

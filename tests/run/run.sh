@@ -58,6 +58,9 @@ expect 2 '' '*--all*--most*'
 call "$project/run" help
 expect 0 '' 'usage:*'
 
+# All papers, with a page for each.
+call "$project/run" verify
+expect 1 '*slipproof <verify> <--report> <build/report> <--trade> <build/report/trade.json> <proofs>' 's REFUTED'
 # Nothing missing: no apt-get. The verdict's exit code comes through, the output is kept.
 call "$project/run" verify --samples 5 'a b'
 expect 1 'cmake --preset ci*cmake --build --preset ci*slipproof <trade> <--quick> <--json>*slipproof <verify> <--report> <build/report/index.html> <--trade> <build/report/trade.json> <--samples> <5> <a b>' 's REFUTED'

@@ -11,6 +11,7 @@
 #include "support/shipped.hpp"
 #include "verify/critical.hpp"
 #include "verify/judge.hpp"
+#include "verify/mutation.hpp"
 #include "verify/sampler.hpp"
 #include "verify/verify.hpp"
 #include "wording/explain.hpp"
@@ -243,6 +244,35 @@ TEST_CASE("statements say that a motion is one of those listed by its accelerati
 TEST_CASE("a uniqueness that allows every mode has no refutation, and the others of its file have theirs") {
   const ClaimsFile file = block("kind = \"unique\"\nclaims = []\nmodes = [\"*/*\"]\nexpect = \"refuted\"");
   CHECK(claim_refutation(file, file.claims.front(), Reading::printed).empty());
+}
+
+TEST_CASE("two claims may not have a statement of one name") {
+  const std::string rests = "kind = \"motions\"\nmodes = [\"stick/stick\"]\nregion = \"s <= mu*c and h*s <= b*c\"";
+  const ClaimsFile file =
+      parse_claims(incline + claim("V", rests) + claim("V.1", "kind = \"formula\"\nholds = \"m > 0\""), "block.toml");
+  CHECK_THROWS_WITH_AS(paper_statements(file),
+                       "block.toml: the claims V and V.1 both have a statement V.1, expected ids whose statements have "
+                       "names of their own",
+                       InputError);
+}
+
+TEST_CASE("mutants of what two settings inherit are judged in their own setting") {
+  const std::string second = R"(
+[[setting]]
+id = "wide"
+inherits = "rest"
+[setting.parameters]
+b = { domain = "b = 2*h", meaning = "half of the base" }
+)";
+  const ClaimsFile file =
+      parse_claims(incline + "[[setting.definition]]\nsymbol = \"k\"\nline = 1\nprinted = \"b/h\"\n" + second +
+                       claim("X", "setting = \"rest\"\nkind = \"formula\"\nholds = \"k*h = b\"") +
+                       claim("Y", "setting = \"wide\"\nkind = \"formula\"\nholds = \"k = 2\""),
+                   "block.toml");
+  MutationOptions options;
+  options.samples = 40;
+  options.threads = 1;
+  CHECK(judge_mutants(file, options).mutants.size() > 4);
 }
 
 TEST_CASE("mistakes in a setting of a mechanism have their places") {
