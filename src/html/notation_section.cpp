@@ -123,10 +123,11 @@ void add_setting(const Element& section, const Setting& setting) {
 
 /// The bicycle's symbols and those of other mechanisms, each once.
 void add_models(const Element& section, const ClaimsFile& claims) {
-  std::vector<const Mechanism*> told;
+  std::vector<std::string> told;  // by name: another load makes it no other mechanism
   for (const Setting& setting : claims.settings) {
-    if (std::find(told.begin(), told.end(), setting.mechanism.get()) != told.end()) continue;
-    told.push_back(setting.mechanism.get());
+    const std::string& name = setting.mechanism->name;
+    if (std::find(told.begin(), told.end(), name) != told.end()) continue;
+    told.push_back(name);
     if (!setting.bicycle) {
       add_mechanism(section, setting);
       continue;

@@ -12,4 +12,5 @@ cd "$folder"
 npm ci --ignore-scripts --no-audit --no-fund >npm.log 2>&1 || { cat npm.log; echo "skipped: npm ci failed"; exit 77; }
 "$slipproof" trade --quick --json >trade.json
 "$slipproof" report --samples 300 --trade trade.json --out index.html --quiet
+"$slipproof" report "$project/proofs" --out papers --quiet
 SLIPPROOF="$slipproof" PROJECT="$project" node --test --test-reporter=spec report.mjs

@@ -1,7 +1,7 @@
 // What a reader of the report meets in a browser: nothing is fetched, nothing complains, everything can be reached.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { readFileSync, writeFileSync } from 'node:fs';
+import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
@@ -18,7 +18,7 @@ before(async () => {
 after(async () => browser?.close());
 
 // A page that has loaded the report, with all that it said and asked for.
-async function open({ width = 1280, colorScheme = 'light', media = 'screen', javaScriptEnabled = true } = {}) {
+async function open({ width = 1280, colorScheme = 'light', media = 'screen', javaScriptEnabled = true, url = report } = {}) {
   const context = await browser.newContext({ viewport: { width, height: 900 }, colorScheme, javaScriptEnabled });
   const page = await context.newPage();
   page.said = [];
@@ -27,7 +27,7 @@ async function open({ width = 1280, colorScheme = 'light', media = 'screen', jav
   page.on('pageerror', error => page.said.push(String(error)));
   page.on('request', request => page.asked.push(request.url()));
   await page.emulateMedia({ media, colorScheme });
-  await page.goto(report);
+  await page.goto(url);
   return page;
 }
 
@@ -221,4 +221,40 @@ test('everything can be read without a script', async () => {
   assert.ok(await page.locator('#plane-b svg').first().isVisible());
   await page.locator('#plane-b details summary').click();
   assert.ok(await page.locator('#plane-b details table').isVisible());
+});
+
+const papers = readdirSync('papers').filter(name => name.endsWith('.html'));
+
+for (const name of papers) {
+  test(`papers/${name}: quiet, whole at two widths, and nothing for axe-core`, async () => {
+    const url = pathToFileURL(`papers/${name}`).href;
+    for (const width of [1280, 400]) {
+      const page = await open({ width, url });
+      assert.deepEqual(page.said, []);
+      assert.deepEqual(page.asked.filter(asked => asked !== url && !asked.startsWith('data:')), []);
+      assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `sticks out at ${width}`);
+      if (width > 400) {
+        await page.evaluate(axe);
+        const found = await page.evaluate(() => axe.run());
+        assert.deepEqual(found.violations.map(v => `${v.id}: ${v.nodes[0].html}`), []);
+        for (const claim of await page.locator('.claim').all()) await claim.evaluate(c => { c.open = true; });
+        for (const picture of await page.locator('.claim svg').all()) {
+          const box = await picture.boundingBox();
+          assert.ok(box === null || (box.width > 0 && box.height > 0), 'an empty picture');
+        }
+      }
+      await page.context().close();
+    }
+  });
+}
+
+test('the page of all papers leads to each of them, and they lead back', async () => {
+  const page = await open({ url: pathToFileURL('papers/index.html').href });
+  const links = await page.locator('.paper a').evaluateAll(all => all.map(a => a.getAttribute('href')));
+  assert.deepEqual([...links, 'index.html'].sort(), [...papers].sort());
+  for (const link of links) {
+    await page.goto(pathToFileURL(`papers/${link}`).href);
+    await page.getByRole('link', { name: 'All papers' }).click();
+    assert.ok(page.url().endsWith('/papers/index.html'));
+  }
 });
