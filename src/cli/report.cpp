@@ -47,15 +47,7 @@ void add_report(CLI::App& app, int& exit_code) {
   command.add_option("--out", options->out,
                      "The file to write, report.html if not given; - for standard output. Of a folder of papers: the "
                      "folder to write, report if not given");
-  auto* samples = command.add_option("--samples", options->verify.samples,
-                                     "Bicycles, or points of a mechanism, for each setting of the paper; of a folder "
-                                     "of papers: " +
-                                         std::to_string(samples_of_many));
-  samples->check(whole_number(1, 1'000'000'000))->capture_default_str();
-  command
-      .add_option("--lines", options->verify.lines,
-                  "Lines of bicycles for each claim, 0 for none; default: one for 200 samples")
-      ->check(whole_number(0, 1'000'000));
+  auto* samples = add_sampling_options(command, options->verify);
   command.add_option("--only", options->verify.only, "Only the claims whose id begins with this, such as A or E4.7");
   command.add_option("--trade", options->trade, "What slipproof trade --json wrote, for speed against accuracy");
   add_common_options(command, options->common);

@@ -84,15 +84,7 @@ void add_verify(CLI::App& app, int& exit_code) {
       *app.add_subcommand("verify", "The claims of a paper at sampled rational bicycles, every force at once");
   command.add_option("CLAIMS", options->claims,
                      "Claims file (TOML), or a folder of papers; default: the shipped paper");
-  auto* samples = command.add_option("--samples", options->verify.samples,
-                                     "Bicycles, or points of a mechanism, for each setting of the paper; of a folder "
-                                     "of papers: " +
-                                         std::to_string(samples_of_many));
-  samples->check(whole_number(1, 1'000'000'000))->capture_default_str();
-  command
-      .add_option("--lines", options->verify.lines,
-                  "Lines of bicycles for each claim, 0 for none; default: one for 200 samples")
-      ->check(whole_number(0, 1'000'000));
+  auto* samples = add_sampling_options(command, options->verify);
   auto* list = command.add_flag("--errata", options->errata, "List what is wrong with the paper");
   auto* markdown = command.add_flag("--markdown", options->markdown, "The errata in Markdown")->needs(list);
   auto* sarif = command.add_flag("--sarif", options->sarif, "The errata as SARIF 2.1.0, for editors and code hosts");

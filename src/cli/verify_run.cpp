@@ -34,6 +34,19 @@ VerifyResult run_verify(const ClaimsFile& file, VerifyOptions options, const Com
   return result;
 }
 
+CLI::Option* add_sampling_options(CLI::App& command, VerifyOptions& options) {
+  auto* samples = command.add_option("--samples", options.samples,
+                                     "Bicycles, or points of a mechanism, for each setting of the paper; of a folder "
+                                     "of papers: " +
+                                         std::to_string(samples_of_many));
+  samples->check(whole_number(1, 1'000'000'000))->capture_default_str();
+  command
+      .add_option("--lines", options.lines,
+                  "Lines of bicycles for each claim, 0 for none; default: one for 200 samples")
+      ->check(whole_number(0, 1'000'000));
+  return samples;
+}
+
 Exit exit_of(Summary summary) {
   switch (summary) {
     case Summary::rejected:

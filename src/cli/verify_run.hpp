@@ -36,6 +36,9 @@ std::vector<std::filesystem::path> papers_in(const std::filesystem::path& path);
 /// So many samples for each setting, where a folder is judged and no number is asked for.
 inline constexpr std::uint64_t samples_of_many = 2000;
 
+/// --samples, which is returned, and --lines.
+CLI::Option* add_sampling_options(CLI::App& command, VerifyOptions& options);
+
 /// Judges each of them, and writes the page of each and that of all into a folder, if there is one.
 std::vector<JudgedPaper> judge_papers(const std::vector<std::filesystem::path>& papers, const VerifyOptions& options,
                                       const CommonOptions& common, const std::filesystem::path& trade,

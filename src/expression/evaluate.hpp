@@ -75,8 +75,8 @@ class Evaluator {
       : scope_(&scope), field_(std::move(field)), cells_(scope.slots.size()) {}
 
   /// Gives a symbol its value. Definitions already evaluated keep theirs until reset().
-  void set(std::size_t slot, T value) {
-    cells_[slot].number = std::move(value);
+  void set(std::size_t slot, const T& value) {
+    cells_[slot].number = value;  // in the memory of an older one
     cells_[slot].known = true;
   }
   /// Forgets all values.

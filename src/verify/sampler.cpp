@@ -1,6 +1,7 @@
 #include "verify/sampler.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "number/dice.hpp"
@@ -9,11 +10,36 @@ namespace slipproof {
 
 namespace {
 
-Evaluator<Rational> evaluator_at(const CompiledSetting& setting, const std::vector<Rational>& values) {
-  Evaluator<Rational> evaluator(setting.scope());
-  for (std::size_t k = 0; k < values.size(); ++k) evaluator.set(CompiledSetting::parameter_slot(k), values[k]);
-  return evaluator;
-}
+/// Points of a setting, one after the other in the same memory: many are looked at for each that is kept.
+class SamplePoint {
+ public:
+  explicit SamplePoint(const CompiledSetting& setting) : setting_(setting), evaluator_(setting.scope()) {}
+
+  SamplePoint& at(const std::vector<Rational>& values) {
+    evaluator_.reset();
+    for (std::size_t k = 0; k < values.size(); ++k) evaluator_.set(CompiledSetting::parameter_slot(k), values[k]);
+    return *this;
+  }
+  bool allows(std::size_t parameter) { return is_true(setting_.domains()[parameter]); }
+  bool in_domain() {
+    return std::all_of(setting_.domains().begin(), setting_.domains().end(),
+                       [&](const Program& domain) { return is_true(domain); });
+  }
+  std::vector<std::size_t> unrealisable() {
+    std::vector<std::size_t> unmet;
+    for (std::size_t i = 0; i < setting_.realisable().size(); ++i) {
+      if (!is_true(setting_.realisable()[i])) unmet.push_back(i);
+    }
+    return unmet;
+  }
+  std::optional<Rational> value(const Program& program) { return evaluator_.number(program).number; }
+
+ private:
+  bool is_true(const Program& program) { return evaluator_.truth(program) == Truth::yes; }
+
+  const CompiledSetting& setting_;
+  Evaluator<Rational> evaluator_;
+};
 
 enum class Kind { integers, fractions, on_boundary, near_boundary, between_boundaries, extreme };
 constexpr std::array kinds{Kind::integers,           Kind::fractions, Kind::on_boundary, Kind::near_boundary,
@@ -28,36 +54,39 @@ Rational draw(Dice& dice, Kind kind) {
   return small * power_of_two(dice.number(-40, 40));
 }
 
-std::vector<Rational> draw_all(const CompiledSetting& setting, Dice& dice, Kind kind) {
-  std::vector<Rational> values(setting.domains().size());
+std::vector<Rational> draw_all(SamplePoint& point, std::size_t parameters, Dice& dice, Kind kind) {
+  std::vector<Rational> values(parameters);
   for (int attempt = 0; attempt < 200; ++attempt) {
     for (Rational& value : values) value = draw(dice, kind);
-    if (in_domain(setting, values)) return values;
+    if (point.at(values).in_domain()) return values;
     // Domains of one parameter alone are met soonest by drawing it alone again.
     for (std::size_t k = 0; k < values.size(); ++k) {
       for (int again = 0; again < 20; ++again) {
-        if (allows(setting, k, values)) break;
+        if (point.at(values).allows(k)) break;
         values[k] = draw(dice, kind);
       }
     }
-    if (in_domain(setting, values)) return values;
+    if (point.at(values).in_domain()) return values;
   }
   return {};
 }
 
 /// Draws single parameters anew, as long as no further condition breaks, until what the values are of can be built;
 /// false if that does not come about.
-bool make_realisable(const CompiledSetting& setting, Dice& dice, Kind kind, std::vector<Rational>& values) {
+bool make_realisable(SamplePoint& point, Dice& dice, Kind kind, std::vector<Rational>& values) {
   const auto last = static_cast<int>(values.size()) - 1;
-  std::size_t unmet = unrealisable(setting, values).size();
+  std::size_t unmet = point.at(values).unrealisable().size();
   for (int attempt = 0; attempt < 400 && unmet > 0; ++attempt) {
-    std::vector<Rational> changed = values;
-    changed[static_cast<std::size_t>(dice.number(0, last))] = draw(dice, kind);
-    if (!in_domain(setting, changed)) continue;
-    const std::size_t still = unrealisable(setting, changed).size();
-    if (still > unmet) continue;
-    values = std::move(changed);
-    unmet = still;
+    Rational drawn = draw(dice, kind);
+    Rational& value = values[static_cast<std::size_t>(dice.number(0, last))];
+    Rational before = std::exchange(value, std::move(drawn));
+    const bool inside = point.at(values).in_domain();
+    const std::size_t still = inside ? point.unrealisable().size() : unmet;
+    if (!inside || still > unmet) {
+      value = std::move(before);
+    } else {
+      unmet = still;
+    }
   }
   return unmet == 0;
 }
@@ -90,27 +119,20 @@ Rational placed(const std::vector<Rational>& boundaries, Dice& dice, Kind kind) 
 }  // namespace
 
 bool allows(const CompiledSetting& setting, std::size_t parameter, const std::vector<Rational>& values) {
-  return evaluator_at(setting, values).truth(setting.domains()[parameter]) == Truth::yes;
+  return SamplePoint(setting).at(values).allows(parameter);
 }
 
 bool in_domain(const CompiledSetting& setting, const std::vector<Rational>& values) {
-  auto evaluator = evaluator_at(setting, values);
-  return std::all_of(setting.domains().begin(), setting.domains().end(),
-                     [&](const Program& domain) { return evaluator.truth(domain) == Truth::yes; });
+  return SamplePoint(setting).at(values).in_domain();
 }
 
 std::vector<std::size_t> unrealisable(const CompiledSetting& setting, const std::vector<Rational>& values) {
-  auto evaluator = evaluator_at(setting, values);
-  std::vector<std::size_t> unmet;
-  for (std::size_t i = 0; i < setting.realisable().size(); ++i) {
-    if (evaluator.truth(setting.realisable()[i]) != Truth::yes) unmet.push_back(i);
-  }
-  return unmet;
+  return SamplePoint(setting).at(values).unrealisable();
 }
 
 std::optional<Rational> boundary_value(const CompiledSetting& setting, const CompiledSetting::Boundary& boundary,
                                        const std::vector<Rational>& values) {
-  return evaluator_at(setting, values).number(boundary.value).number;
+  return SamplePoint(setting).at(values).value(boundary.value);
 }
 
 std::vector<Rational> Sampler::at(std::uint64_t i) const {
@@ -118,8 +140,9 @@ std::vector<Rational> Sampler::at(std::uint64_t i) const {
   Kind kind = kinds[i % kinds.size()];
   // What can be built has fractions: wheels are smaller than the vehicle.
   if (among_ == Among::realisable && kind == Kind::integers) kind = Kind::fractions;
-  std::vector<Rational> values = draw_all(*setting_, dice, kind);
-  if (!values.empty() && among_ == Among::realisable && !make_realisable(*setting_, dice, kind, values)) return {};
+  SamplePoint point(*setting_);
+  std::vector<Rational> values = draw_all(point, setting_->domains().size(), dice, kind);
+  if (!values.empty() && among_ == Among::realisable && !make_realisable(point, dice, kind, values)) return {};
   if (values.empty() || kind == Kind::integers || kind == Kind::fractions || setting_->boundaries().empty())
     return values;
   if (kind == Kind::extreme && dice.chance(2)) return values;
