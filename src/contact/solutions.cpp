@@ -14,12 +14,6 @@ ContactSolution solution_of(const ContactProblem& problem, std::vector<Rational>
   return {{}, false, std::move(z), std::move(w)};
 }
 
-std::vector<Rational> at_origin(const AffineSpace& space, const std::vector<AffineForm>& forms) {
-  std::vector<Rational> values;
-  for (const AffineForm& form : forms) values.push_back(space.on(form).constant);
-  return values;
-}
-
 }  // namespace
 
 ContactSolver::ContactSolver(const ContactProblem& problem)
@@ -67,10 +61,8 @@ ModeOutcome ContactSolver::solve(const ProblemMode& mode, Effort& effort) const 
 ContactContinuum ContactSolver::continuum_of(const ConsistentMode& found) const {
   const AffineSpace& space = found.solutions.space;
   ContactContinuum continuum{found.mode, at_origin(space, kernel_problem_.accelerations), {}, {}};
-  std::vector<std::size_t> free;
-  for (std::size_t i = 0; i < problem_.size(); ++i) {
-    if (!space.is_free(i)) continue;
-    free.push_back(i);
+  const std::vector<std::size_t> free = space.free_unknowns();
+  for (const std::size_t i : free) {
     std::vector<Rational>& direction = continuum.directions.emplace_back();
     for (const AffineForm& z : kernel_problem_.accelerations) direction.push_back(space.on(z).coefficients[i]);
   }

@@ -79,6 +79,10 @@ class Evaluator {
     cells_[slot].number = value;  // in the memory of an older one
     cells_[slot].known = true;
   }
+  void set(std::size_t slot, T&& value) {
+    cells_[slot].number = std::move(value);
+    cells_[slot].known = true;
+  }
   /// Forgets all values.
   void reset() {
     for (Cell& cell : cells_) cell.known = false;

@@ -26,11 +26,11 @@ void add_paper(const Element& list, const JudgedPaper& paper) {
   const Element item = list.add("li", "paper");
   item.add("h2").add("a").set("href", page_name(paper)).text(paper.file.paper.title);
   if (!paper.file.paper.found.empty()) item.add("p", "found").text(paper.file.paper.found);
+  const VerdictTotals counts = count_verdicts(paper.result);
   const std::size_t findings = errata(paper.file, paper.result).findings.size();
-  add_verdict_bar(item,
-                  counted(paper.result.claims.empty() ? 0 : count_verdicts(paper.result).claims, "claim") +
-                      " as printed" + (findings > 0 ? ", " + counted(findings, "finding") : ""),
-                  count_verdicts(paper.result).printed);
+  add_verdict_bar(
+      item, counted(counts.claims, "claim") + " as printed" + (findings > 0 ? ", " + counted(findings, "finding") : ""),
+      counts.printed);
   if (summary(paper.file, paper.result) != Summary::as_expected) {
     item.add("p", "because").text("Not every verdict is the one that the claims file expects.");
   }

@@ -22,7 +22,6 @@ VerdictTotals count_verdicts(const VerifyResult& result) {
   return counts;
 }
 
-/// One bar cut in proportion to its counts, with its numbers written out below.
 void add_verdict_bar(const Element& parent, std::string_view label, const VerdictCounts& counts) {
   std::size_t all = 0;
   for (const std::size_t n : counts) all += n;

@@ -69,8 +69,7 @@ std::optional<Continuum> solve_singular(const Bicycle<Rational>& bicycle, const 
     base[column_order[column]] = {solution[column].constant, solution[column].coefficients.back()};
   }
   result.base = motion_of(bicycle, from_array(base));
-  for (std::size_t free = 0; free < unknown_count; ++free) {
-    if (!space.is_free(free)) continue;
+  for (const std::size_t free : space.free_unknowns()) {
     std::array<Rational, unknown_count> direction;
     for (std::size_t column = 0; column < unknown_count; ++column) {
       direction[column_order[column]] = solution[column].coefficients[free];

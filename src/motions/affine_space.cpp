@@ -72,6 +72,27 @@ void AffineSpace::fix(std::size_t variable, AffineForm form) {
   fixed_[variable] = std::move(form);
 }
 
+std::vector<std::size_t> AffineSpace::free_unknowns() const {
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < unknowns(); ++i) {
+    if (free_[i]) result.push_back(i);
+  }
+  return result;
+}
+
+AffineForm compressed(const AffineSpace& space, const std::vector<std::size_t>& free, const AffineForm& form) {
+  AffineForm whole = space.on(form), result{std::move(whole.constant), {}};
+  for (const std::size_t i : free) result.coefficients.push_back(std::move(whole.coefficients[i]));
+  result.coefficients.push_back(std::move(whole.coefficients.back()));
+  return result;
+}
+
+std::vector<Rational> at_origin(const AffineSpace& space, const std::vector<AffineForm>& forms) {
+  std::vector<Rational> values;
+  for (const AffineForm& form : forms) values.push_back(space.on(form).constant);
+  return values;
+}
+
 AffineForm load_minus(const Rational& value, std::size_t unknowns) {
   AffineForm form{-value, std::vector<Rational>(unknowns + 1)};
   form.coefficients.back() = 1;

@@ -25,6 +25,8 @@ class AffineSpace {
   AffineForm on(const AffineForm& form) const;
 
   bool is_free(std::size_t variable) const { return free_[variable]; }
+  /// The unknowns that are free, in order; the load is none of them.
+  std::vector<std::size_t> free_unknowns() const;
   std::size_t unknowns() const { return free_.size() - 1; }
   /// Of the solutions for one load.
   std::size_t dimension() const { return dimension_; }
@@ -39,6 +41,12 @@ class AffineSpace {
   std::vector<AffineForm> fixed_;  ///< of free variables: empty
   std::size_t dimension_;
 };
+
+/// A form over the free unknowns of a space, which are these, and the load.
+AffineForm compressed(const AffineSpace& space, const std::vector<std::size_t>& free, const AffineForm& form);
+
+/// What forms are where all that is free is 0.
+std::vector<Rational> at_origin(const AffineSpace& space, const std::vector<AffineForm>& forms);
 
 /// The load minus a value, over so many unknowns.
 AffineForm load_minus(const Rational& value, std::size_t unknowns);

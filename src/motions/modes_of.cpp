@@ -33,6 +33,24 @@ class ModeNumbers {
   std::vector<std::uint64_t> below_;
 };
 
+/// The conditions of the states of some elements, and what they are.
+struct ModeConditions {
+  std::vector<AffineForm> forms;
+  std::vector<ViolatedCondition> labels;
+
+  void add(const FrictionProblem& problem, std::size_t element, ElementState state) {
+    const ProblemElement& e = problem.elements[element];
+    for (const StateCondition c : conditions(e.kind, state)) {
+      forms.push_back(form_of(e, state, c));
+      labels.push_back({element, state, c});
+    }
+  }
+  void resize(std::size_t count) {
+    forms.resize(count);
+    labels.resize(count);
+  }
+};
+
 std::vector<ViolatedCondition> because(const Conflict& conflict, const std::vector<ViolatedCondition>& labels) {
   std::vector<ViolatedCondition> result;
   for (const std::size_t i : conflict.conditions) result.push_back(labels[i]);
@@ -116,23 +134,19 @@ class ModeTree {
   }
 
   void go_into(AffineSpace space, const ProblemElement& element, ElementState state, const Branch& branch) {
-    const std::size_t outer = conditions_.size(), level = mode_.size();
+    const std::size_t outer = conditions_.forms.size(), level = mode_.size();
     mode_.push_back(state);
     bool solvable = true;
     for (const StateEquation e : equations(element.kind, state)) {
       solvable = solvable && space.require(form_of(element, state, e));
     }
-    for (const StateCondition c : conditions(element.kind, state)) {
-      conditions_.push_back(form_of(element, state, c));
-      labels_.push_back({level, state, c});
-    }
+    conditions_.add(problem_, level, state);
     if (!solvable) {
       reject(branch, {}, std::nullopt);
     } else if (!is_hopeless(space, branch)) {
       descend(space, branch);
     }
     conditions_.resize(outer);
-    labels_.resize(outer);
     mode_.pop_back();
   }
 
@@ -141,13 +155,13 @@ class ModeTree {
   bool is_hopeless(const AffineSpace& space, const Branch& branch) {
     const std::size_t left = states_.size() - mode_.size();
     if (left == 0 || (left == 1 && states_.size() < 4) || branch.size() == 1) return false;
-    const auto conflict = find_conflict(space, conditions_, domain_, effort_);
-    if (conflict) reject(branch, because(*conflict, labels_), conflict->margin);
+    const auto conflict = find_conflict(space, conditions_.forms, domain_, effort_);
+    if (conflict) reject(branch, because(*conflict, conditions_.labels), conflict->margin);
     return conflict.has_value();
   }
 
   void finish(const AffineSpace& space, std::uint64_t number) {
-    result_.add(problem_, number, mode_, narrow(space, conditions_, domain_, effort_), labels_);
+    result_.add(problem_, number, mode_, narrow(space, conditions_.forms, domain_, effort_), conditions_.labels);
   }
 
   void reject(const Branch& branch, const std::vector<ViolatedCondition>& reasons,
@@ -164,34 +178,8 @@ class ModeTree {
   Effort* effort_;
   NumberedModes& result_;
   MechanismMode mode_;
-  std::vector<AffineForm> conditions_;
-  std::vector<ViolatedCondition> labels_;
+  ModeConditions conditions_;
 };
-
-/// The conditions of a mode, and what they are.
-struct ModeConditions {
-  std::vector<AffineForm> forms;
-  std::vector<ViolatedCondition> labels;
-
-  ModeConditions(const FrictionProblem& problem, const MechanismMode& mode) {
-    for (std::size_t i = 0; i < mode.size(); ++i) {
-      const ProblemElement& element = problem.elements[i];
-      for (const StateCondition c : conditions(element.kind, mode[i])) {
-        forms.push_back(form_of(element, mode[i], c));
-        labels.push_back({i, mode[i], c});
-      }
-    }
-  }
-};
-
-/// A form over the free variables of a space, and the load.
-AffineForm compressed(const AffineSpace& space, const std::vector<std::size_t>& free, const AffineForm& form) {
-  if (form.coefficients.empty()) return form;
-  AffineForm whole = space.on(form), result{std::move(whole.constant), {}};
-  for (const std::size_t i : free) result.coefficients.push_back(std::move(whole.coefficients[i]));
-  result.coefficients.push_back(std::move(whole.coefficients.back()));
-  return result;
-}
 
 ForceInterval domain_for(const FrictionProblem& problem, const std::optional<Rational>& load) {
   return load || !problem.has_load ? ForceInterval() : problem.load_domain;
@@ -212,14 +200,13 @@ FrictionProblem without_equations(const FrictionProblem& problem) {
     if (!space.require(equation)) return problem;
   }
   if (problem.has_load && !space.load_is_free()) return problem;
-  std::vector<std::size_t> free;
-  for (std::size_t i = 0; i < problem.unknowns; ++i) {
-    if (space.is_free(i)) free.push_back(i);
-  }
+  const std::vector<std::size_t> free = space.free_unknowns();
   FrictionProblem result = problem;
   result.equations.clear();
   result.unknowns = free.size();
-  const auto compress = [&](AffineForm& form) { form = compressed(space, free, form); };
+  const auto compress = [&](AffineForm& form) {
+    if (!form.coefficients.empty()) form = compressed(space, free, form);  // of what an element does not have: empty
+  };
   for (AffineForm& form : result.accelerations) compress(form);
   for (AffineForm& form : result.forces) compress(form);
   for (ProblemElement& e : result.elements) {
@@ -248,7 +235,8 @@ ModesOf ModeSolver::among(const std::vector<std::vector<ElementState>>& states, 
     } else if (outcome.kind == Kind::violated) {
       result.reject(number, {mode, {outcome.violation->condition}, std::move(outcome.violation->margin)});
     } else {
-      const ModeConditions conditions(problem_, mode);
+      ModeConditions conditions;
+      for (std::size_t i = 0; i < mode.size(); ++i) conditions.add(problem_, i, mode[i]);
       result.add(problem_, number, mode, narrow(std::move(*outcome.space), conditions.forms, domain_, effort),
                  conditions.labels);
     }

@@ -8,12 +8,6 @@ namespace slipproof {
 
 namespace {
 
-std::vector<Rational> accelerations_of(const FrictionProblem& problem, const AffineSpace& space) {
-  std::vector<Rational> values;
-  for (const AffineForm& form : problem.accelerations) values.push_back(space.on(form).constant);
-  return values;
-}
-
 void widen(Range& range, const Range& by) {
   if (!by.lower || (range.lower && *by.lower < *range.lower)) range.lower = by.lower;
   if (!by.upper || (range.upper && *by.upper > *range.upper)) range.upper = by.upper;
@@ -67,11 +61,11 @@ std::vector<MechanismMode> hysteresis(const FrictionProblem& problem, const Moti
   if (found.motions.size() < 2 || !found.continua.empty()) return {};
   const auto lowered = without_hysteresis(problem);
   if (!lowered) return {};
-  const ModesOf modes = modes_of(*lowered, load);
-  const MotionsAtLoad left = gather(*lowered, modes.consistent);
+  const std::vector<ConsistentMode> lower_modes = ModeSolver(*lowered, load).consistent();
+  const MotionsAtLoad left = gather(*lowered, lower_modes);
   if (left.motions.size() != 1 || !left.continua.empty()) return {};
   std::vector<MechanismMode> gone = modes_with_motions(consistent);
-  const std::vector<MechanismMode> stay = modes_with_motions(modes.consistent);
+  const std::vector<MechanismMode> stay = modes_with_motions(lower_modes);
   std::erase_if(gone, [&](const auto& mode) { return std::find(stay.begin(), stay.end(), mode) != stay.end(); });
   return gone;
 }
@@ -270,7 +264,7 @@ MergedModes merge(const FrictionProblem& problem, const std::vector<ConsistentMo
       result.continua.push_back(i);
       continue;
     }
-    std::vector<Rational> accelerations = accelerations_of(problem, consistent[i].solutions.space);
+    std::vector<Rational> accelerations = at_origin(consistent[i].solutions.space, problem.accelerations);
     const auto [place, is_new] = places.emplace(accelerations, result.motions.size());
     if (is_new) result.motions.push_back({std::move(accelerations), {}});
     result.motions[place->second].modes.push_back(i);

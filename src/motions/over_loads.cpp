@@ -12,12 +12,14 @@ class KernelMotions final : public MotionsOverLoads {
  public:
   KernelMotions(FrictionProblem problem, const std::optional<std::vector<MechanismMode>>& only)
       : problem_(without_equations(problem)) {
+    const ModeSolver solver(problem_, std::nullopt);
     if (only) {
       for (const MechanismMode& mode : *only) {
-        if (is_modelled(mode)) add(mode_of(problem_, mode, std::nullopt));
+        if (!is_modelled(mode)) continue;
+        for (ConsistentMode& found : solver.one(mode).consistent) consistent_.push_back(std::move(found));
       }
     } else {
-      add(modes_of(problem_, std::nullopt));
+      consistent_ = solver.consistent();
     }
     for (const ConsistentMode& mode : consistent_) strict_.push_back(strict_loads(mode.solutions));
   }
@@ -51,11 +53,8 @@ class KernelMotions final : public MotionsOverLoads {
   /// The forms of a problem over what a space leaves free.
   class FormsOn {
    public:
-    FormsOn(const FrictionProblem& problem, const AffineSpace& space) : problem_(problem), space_(space) {
-      for (std::size_t i = 0; i < problem.unknowns; ++i) {
-        if (space.is_free(i)) free_.push_back(i);
-      }
-    }
+    FormsOn(const FrictionProblem& problem, const AffineSpace& space)
+        : problem_(problem), space_(space), free_(space.free_unknowns()) {}
 
     ModeForms of(const MechanismMode& mode) const {
       ModeForms result;
@@ -72,12 +71,7 @@ class KernelMotions final : public MotionsOverLoads {
     }
 
    private:
-    AffineForm on_free(const AffineForm& form) const {
-      AffineForm whole = space_.on(form), result{std::move(whole.constant), {}};
-      for (const std::size_t i : free_) result.coefficients.push_back(std::move(whole.coefficients[i]));
-      result.coefficients.push_back(std::move(whole.coefficients.back()));
-      return result;
-    }
+    AffineForm on_free(const AffineForm& form) const { return compressed(space_, free_, form); }
 
     const FrictionProblem& problem_;
     const AffineSpace& space_;
@@ -87,10 +81,6 @@ class KernelMotions final : public MotionsOverLoads {
   bool is_modelled(const MechanismMode& mode) const {
     return std::equal(problem_.elements.begin(), problem_.elements.end(), mode.begin(), mode.end(),
                       [](const ProblemElement& e, ElementState state) { return has_state(e.kind, state); });
-  }
-
-  void add(ModesOf modes) {
-    for (ConsistentMode& mode : modes.consistent) consistent_.push_back(std::move(mode));
   }
 
   FrictionProblem problem_;

@@ -27,20 +27,19 @@ void keep_alternative(Formula& failure, std::size_t alternative) {
   }
 }
 
-/// Values that are longer than the format of certificates allows are no witness.
-bool all_readable(const Statement& statement, const std::vector<std::string>& values) {
+/// By what values divide; nothing where they are longer than the format of certificates allows, and so no witness.
+std::optional<std::vector<Polynomial>> divisors_of(const Statement& statement, const std::vector<std::string>& values) {
   try {
-    statement.divisors(values);
-    return true;
+    return statement.divisors(values);
   } catch (const ExpressionError&) {
-    return false;
+    return std::nullopt;
   }
 }
 
 /// States the values as a witness: now they fail to be what the conclusion asks for, or are not defined. With an
 /// alternative of the conclusion it is made use of only that they fail for that one.
 bool add_witness(Context& context, State& state, const std::string& name, const std::vector<std::string>& values,
-                 std::optional<std::size_t> alternative = std::nullopt) {
+                 const std::vector<Polynomial>& divisors, std::optional<std::size_t> alternative = std::nullopt) {
   const Statement& statement = context.statement();
   Step step;
   step.rule = Step::Rule::witness;
@@ -50,7 +49,7 @@ bool add_witness(Context& context, State& state, const std::string& name, const 
   }
   state.steps.push_back(step);
   std::vector<Formula> failures;
-  for (const Polynomial& divisor : statement.divisors(values)) failures.push_back(atom(divisor, Sign::zero));
+  for (const Polynomial& divisor : divisors) failures.push_back(atom(divisor, Sign::zero));
   Formula failure = negation(statement.shown(values));
   if (alternative) keep_alternative(failure, *alternative);
   failures.push_back(std::move(failure));
@@ -83,9 +82,10 @@ std::vector<std::string> texts(const std::vector<Quotient>& values, std::size_t 
 }  // namespace
 
 bool Existence::close_by_witness(State& state, const std::vector<std::string>& values) {
-  if (!all_readable(statement(), values)) return false;
+  const auto divisors = divisors_of(statement(), values);
+  if (!divisors) return false;
   State attempt = state;
-  if (!add_witness(context_, attempt, "goal", values) && !close_(attempt)) return false;
+  if (!add_witness(context_, attempt, "goal", values, *divisors) && !close_(attempt)) return false;
   state = std::move(attempt);
   return true;
 }
@@ -120,8 +120,11 @@ bool Existence::close_by_alternatives(State& state, int splits) {
   }
   for (std::size_t i = 0; i < count; ++i) {
     const auto& values = solutions[i].values;
-    if (!values || !all_readable(statement(), *values)) continue;
-    if (add_witness(context_, state, context_.unused("goal" + std::to_string(i + 1)), *values, i)) return true;
+    if (!values) continue;
+    const auto divisors = divisors_of(statement(), *values);
+    if (!divisors) continue;
+    const std::string name = context_.unused("goal" + std::to_string(i + 1));
+    if (add_witness(context_, state, name, *values, *divisors, i)) return true;
   }
   return close_(state);
 }
@@ -155,8 +158,8 @@ bool Existence::close_by_stronger_bounds(State& state, const Bounds& bounds, int
 }
 
 /// By the simplest way that there may be; else by cases, then by splits on the statement's hints from this one on; or,
-/// when these are at an end, by a contradiction or a value between bounds.
-bool Existence::close_from(State& state, std::size_t hint) {
+/// when these are at an end, by a contradiction, a value between bounds, or splits on pivots.
+bool Existence::close_from(State& state, std::size_t hint, int pivots) {
   if (eliminate(context_, state) || refute_single_fact(context_, state, Pass::quick)) return true;
   drop_known_cases(context_, state);
   if (statement().unknowns().size() == statement().ring().size()) return close_by_numbers(state);
@@ -164,26 +167,23 @@ bool Existence::close_from(State& state, std::size_t hint) {
   if (alternatives && state.disjunctions.empty()) return close_by_alternatives(state, splits_on_pivots);
   if (!alternatives && close_by_solution(state)) return true;
   if (!state.disjunctions.empty()) {
-    return close_cases(context_, state, 0, [&](State& branch) { return close_from(branch, hint); });
+    return close_cases(context_, state, 0, [&](State& branch) { return close_from(branch, hint, pivots); });
   }
   if (hint < statement().hints().size()) {
     return close_split(context_, state, statement().hints()[hint],
-                       [&](State& branch) { return close_from(branch, hint + 1); });
+                       [&](State& branch) { return close_from(branch, hint + 1, pivots); });
   }
   return refute_pairs(context_, state, Pass::thorough).refuted || refute_single_fact(context_, state, Pass::thorough) ||
          (alternatives_in(statement().shown()) == nullptr &&
-          (close_by_bounds(state, splits_on_bounds) || close_by_pivot(state, hint)));
+          (close_by_bounds(state, splits_on_bounds) || close_by_pivot(state, hint, pivots)));
 }
 
-/// Splits on a pivot of the conclusion's equations whose sign is not known, where the state has no such split yet.
-bool Existence::close_by_pivot(State& state, std::size_t hint) {
-  if (pivots_left_ == 0) return false;
+/// Splits, at most so often, on a pivot of the conclusion's equations whose sign is not known.
+bool Existence::close_by_pivot(State& state, std::size_t hint, int pivots) {
+  if (pivots == 0) return false;
   const auto pivot = solve_conclusion(context_, state).open_pivot;
   if (!pivot) return false;
-  --pivots_left_;
-  const bool closed = close_split(context_, state, *pivot, [&](State& branch) { return close_from(branch, hint); });
-  ++pivots_left_;
-  return closed;
+  return close_split(context_, state, *pivot, [&](State& branch) { return close_from(branch, hint, pivots - 1); });
 }
 
 }  // namespace slipproof::prove

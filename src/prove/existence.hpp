@@ -19,23 +19,22 @@ class Existence {
   Existence(Context& context, Close close) : context_(context), close_(std::move(close)) {}
 
   /// Proves that the unknowns of the statement exist, in a state of its assumptions; or leaves it open.
-  bool close(State& state) { return close_from(state, 0); }
+  bool close(State& state) { return close_from(state, 0, 2); }
 
  private:
-  bool close_from(State& state, std::size_t hint);
+  bool close_from(State& state, std::size_t hint, int pivots);
   bool close_by_numbers(State& state);
   bool close_by_solution(State& state);
   bool close_by_alternatives(State& state, int splits);
   bool close_by_bounds(State& state, int splits);
   bool close_by_stronger_bounds(State& state, const Bounds& bounds, int splits);
   bool close_by_witness(State& state, const std::vector<std::string>& values);
-  bool close_by_pivot(State& state, std::size_t hint);
+  bool close_by_pivot(State& state, std::size_t hint, int pivots);
 
   const Statement& statement() const { return context_.statement(); }
 
   Context& context_;
   Close close_;
-  int pivots_left_ = 2;  ///< splits, one within the other
 };
 
 }  // namespace slipproof::prove

@@ -92,12 +92,11 @@ bool make_realisable(SamplePoint& point, Dice& dice, Kind kind, std::vector<Rati
 }
 
 /// The boundaries of one parameter, ascending.
-std::vector<Rational> boundaries_of(const CompiledSetting& setting, std::size_t parameter,
-                                    const std::vector<Rational>& values) {
+std::vector<Rational> boundaries_of(const CompiledSetting& setting, std::size_t parameter, SamplePoint& point) {
   std::vector<Rational> result;
   for (const auto& boundary : setting.boundaries()) {
     if (boundary.parameter != parameter) continue;
-    if (auto value = boundary_value(setting, boundary, values)) result.push_back(std::move(*value));
+    if (auto value = point.value(boundary.value)) result.push_back(std::move(*value));
   }
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
@@ -158,12 +157,12 @@ std::vector<Rational> Sampler::at(std::uint64_t i) const {
   const std::size_t chosen = static_cast<std::size_t>(dice.number(0, static_cast<int>(bounded.size()) - 1));
   for (std::size_t k = 0; k < bounded.size(); ++k) {
     if (!all && k != chosen) continue;
-    const auto boundaries = boundaries_of(*setting_, bounded[k], values);
+    const auto boundaries = boundaries_of(*setting_, bounded[k], point.at(values));
     if (boundaries.empty()) continue;
     std::vector<Rational> moved = values;
     moved[bounded[k]] = placed(boundaries, dice, kind == Kind::extreme ? Kind::on_boundary : kind);
-    if (!in_domain(*setting_, moved)) continue;
-    if (among_ == Among::all || unrealisable(*setting_, moved).empty()) values = std::move(moved);
+    if (!point.at(moved).in_domain()) continue;
+    if (among_ == Among::all || point.unrealisable().empty()) values = std::move(moved);
   }
   return values;
 }

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <iterator>
-#include <sstream>
 
+#include "input/utf8.hpp"
 #include "wording/errata.hpp"
 #include "wording/exact_json.hpp"
 #include "wording/explain.hpp"
@@ -16,22 +16,6 @@ namespace slipproof {
 namespace {
 
 using Out = std::back_insert_iterator<std::string>;
-
-constexpr std::size_t columns = 78;
-
-/// Words in lines, each with an indent.
-void write_wrapped(Out out, const std::string& text, const std::string& indent) {
-  std::istringstream words(text);
-  std::string line = indent;
-  for (std::string word; words >> word;) {
-    if (line.size() > indent.size() && line.size() + 1 + word.size() > columns) {
-      fmt::format_to(out, "{}\n", line);
-      line = indent;
-    }
-    line += (line.size() > indent.size() ? " " : "") + word;
-  }
-  if (line.size() > indent.size()) fmt::format_to(out, "{}\n", line);
-}
 
 std::size_t open_claims(const Standing& standing) {
   return standing.undecided.size() + standing.vacuous.size();
@@ -90,11 +74,10 @@ std::string papers_text(const std::vector<JudgedPaper>& papers, bool quiet) {
   Standing all;
   std::size_t open = 0, findings = 0;
   if (!quiet) {
-    write_wrapped(out,
-                  "What is printed about dry friction, held against the equations of motion. proved: true of all "
-                  "parameters, with a certificate; holds: at every sample; refuted: false, with numbers to check by "
-                  "hand; open: neither.",
-                  "");
+    text += wrapped("",
+                    "What is printed about dry friction, held against the equations of motion. proved: true of all "
+                    "parameters, with a certificate; holds: at every sample; refuted: false, with numbers to check by "
+                    "hand; open: neither.");
     fmt::format_to(out, "\n  {:<28} {:>7} {:>7} {:>7} {:>8} {:>6}\n", "paper", "claims", "proved", "holds", "refuted",
                    "open");
   }
@@ -110,7 +93,7 @@ std::string papers_text(const std::vector<JudgedPaper>& papers, bool quiet) {
     if (quiet) continue;
     fmt::format_to(out, "  {:<28} {:>7} {:>7} {:>7} {:>8} {:>6}\n", paper.name, standing.judged, standing.proved,
                    standing.held, standing.refuted, open_claims(standing));
-    write_wrapped(out, paper.file.paper.found, "      ");
+    if (!paper.file.paper.found.empty()) text += wrapped("      ", paper.file.paper.found);
     write_unexpected(out, paper);
   }
   fmt::format_to(out, "{}s {} {} {} proved {} hold {} refuted {} open, {}\n", quiet ? "" : "\n",
