@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "certify/cells.hpp"
-#include "certify/json_words.hpp"
+#include "input/json_words.hpp"
 
 namespace slipproof {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "certify/json_words.hpp"
 #include "certify/record_reader.hpp"
+#include "input/json_words.hpp"
 #include "number/binary64.hpp"
 #include "number/parse.hpp"
 

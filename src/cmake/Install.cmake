@@ -18,6 +18,13 @@ install(SCRIPT ${CMAKE_CURRENT_BINARY_DIR}/InstallHeaders.cmake)
 install(DIRECTORY ${PROJECT_BINARY_DIR}/installed-headers/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/slipproof)
 install(EXPORT slipproof NAMESPACE slipproof:: FILE slipproofTargets.cmake DESTINATION ${package_dir})
 
+get_target_property(linked slipproof LINK_LIBRARIES)
+set(optional_libraries "")
+foreach(library hdf5 zlib)
+  if(PkgConfig::${library} IN_LIST linked)
+    string(APPEND optional_libraries " ${library}")
+  endif()
+endforeach()
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/slipproofConfig.cmake.in
                               ${PROJECT_BINARY_DIR}/slipproofConfig.cmake INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/slipproofConfigVersion.cmake COMPATIBILITY SameMinorVersion)

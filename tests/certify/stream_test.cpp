@@ -6,7 +6,7 @@
 #include <mutex>
 #include <thread>
 
-#include "certify/json_words.hpp"
+#include "input/json_words.hpp"
 #include "support/certified.hpp"
 
 using namespace slipproof;

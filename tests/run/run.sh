@@ -89,6 +89,12 @@ SUDO_WORKS=yes
 call "${as_user[@]}" "$project/run" test
 expect 0 '*sudo*apt-get*update*sudo*apt-get*install --no-install-recommends cmake libgmp-dev?cmake --preset*' '*installing*'
 
+LACKING=libhdf5-dev
+call "${as_user[@]}" "$project/run" verify
+[[ $calls != *apt-get* ]]
+call "${as_user[@]}" "$project/run" test
+expect 0 '*install --no-install-recommends libhdf5-dev?cmake --preset*' '*installing libhdf5-dev*'
+
 LACKING=coq
 call "${as_user[@]}" "$project/run" test
 expect 0 'cmake --preset*' ''

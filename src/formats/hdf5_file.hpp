@@ -1,0 +1,50 @@
+// What problem files need of HDF5: lists of numbers under paths. The only place that calls the library.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace slipproof {
+
+/// Whether this program was built with HDF5.
+bool has_hdf5();
+
+/// An HDF5 file in memory. One at a time may be open: others wait, since the library is not safe among threads. Links
+/// that lead elsewhere (soft, external), virtual and external storage, chunks, types of variable length or user-defined
+/// ones, and sizes that the file's bytes cannot hold are refused: nothing outside of `bytes` is read, and no more is
+/// allocated than they can stand for. All throw InputError, with the path in the message.
+class Hdf5File {
+ public:
+  /// `file` is how messages call it. Throws, too, if the program was built without HDF5.
+  Hdf5File(const std::string& bytes, std::string file);
+  Hdf5File(const Hdf5File&) = delete;
+  Hdf5File& operator=(const Hdf5File&) = delete;
+  ~Hdf5File();
+
+  /// Whether an object stands at the path, which starts with a slash.
+  bool has(const std::string& path) const;
+  /// The number of objects in a group.
+  std::size_t size_of_group(const std::string& path) const;
+  std::int64_t integer(const std::string& path) const;
+  /// Numbers of up to one dimension; those of unsigned types that do not fit come as the largest.
+  std::vector<std::int64_t> integers(const std::string& path) const;
+  /// binary32, binary64 and integers that it holds exactly.
+  std::vector<double> reals(const std::string& path) const;
+  /// The same of a data set that may have been created and never written, which the library reads as zeros: `written`
+  /// tells. All others are refused then.
+  std::vector<double> reals(const std::string& path, bool& written) const;
+  /// A text of fixed length, up to its first zero byte; nothing for what is none or is longer than 64 KiB.
+  std::optional<std::string> text(const std::string& path) const;
+
+  [[noreturn]] void refuse(const std::string& path, const std::string& message) const;
+
+ private:
+  class Library;
+  std::string file_;
+  std::unique_ptr<Library> library_;
+};
+
+}  // namespace slipproof

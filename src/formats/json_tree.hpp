@@ -1,0 +1,46 @@
+// A JSON object with numbers in lists, as problems and answers are written.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace slipproof {
+
+/// One value of it, with its path ("W.entries[2][1]", counted from 1) made where a message needs it.
+struct JsonNode {
+  enum class Kind { number, text, list, object, other };  ///< other: null and truth values
+  Kind kind = Kind::other;
+  double number = 0;            ///< the nearest binary64; NaN and infinities as Python's json writes them
+  std::string text;             ///< of a text, as it is
+  std::vector<JsonNode> items;  ///< of a list; of an object, with its keys
+  std::vector<std::string> keys;
+
+  /// Of an object; null if it has no such key.
+  const JsonNode* find(std::string_view key) const;
+};
+
+/// The object that the text is. Throws InputError: on what is no JSON with line and column; for a key that stands
+/// twice, or values nested more than 8 deep.
+JsonNode read_json_tree(std::string_view text, const std::string& file);
+
+/// Reads numbers out of a tree and throws InputError with the path where there are none.
+class JsonNumbers {
+ public:
+  explicit JsonNumbers(std::string file) : file_(std::move(file)) {}
+
+  /// A number, or a text with one in any form that scenes have: decimals mean the nearest binary64, fractions and
+  /// hexadecimal numbers must be one. "NaN", "Infinity" and the like are numbers, too, if `any` allows them.
+  double number(const JsonNode& node, const std::string& where, bool any = false) const;
+  std::vector<double> list(const JsonNode& node, const std::string& where, bool any = false) const;
+  /// A number that counts something, up to 2^53.
+  std::size_t count(const JsonNode& node, const std::string& where) const;
+
+  [[noreturn]] void refuse(const std::string& where, const std::string& message) const;
+
+ private:
+  std::string file_;
+};
+
+}  // namespace slipproof

@@ -1,0 +1,179 @@
+#include "formats/read_files.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+
+#include "formats/check.hpp"
+#include "formats/fclib.hpp"
+#include "formats/json_problem.hpp"
+#include "formats/json_tree.hpp"
+#include "formats/matrix_market.hpp"
+#include "formats/numpy.hpp"
+#include "formats/siconos.hpp"
+#include "formats/words.hpp"
+#include "input/text_file.hpp"
+#include "input/utf8.hpp"
+
+namespace slipproof {
+
+namespace {
+
+/// Nothing where no format begins so.
+std::optional<ProblemFormat> format_of(std::string_view bytes) {
+  if (bytes.starts_with(hdf5_signature)) return ProblemFormat::fclib;
+  if (bytes.starts_with(matrix_market_banner)) return ProblemFormat::matrix_market;
+  if (WordReader(bytes).rest().starts_with('{')) return ProblemFormat::json;
+  if (begins_as_siconos(bytes)) return ProblemFormat::siconos;
+  return std::nullopt;
+}
+
+struct PartName {
+  std::string_view name;
+  std::vector<double> SolverAnswer::*part;
+};
+
+constexpr std::array<PartName, 10> part_names{{
+    {"r", &SolverAnswer::r},
+    {"z", &SolverAnswer::r},
+    {"reaction", &SolverAnswer::r},
+    {"u", &SolverAnswer::u},
+    {"w", &SolverAnswer::u},
+    {"velocity", &SolverAnswer::u},
+    {"v", &SolverAnswer::v},
+    {"globalVelocity", &SolverAnswer::v},
+    {"l", &SolverAnswer::lambda},
+    {"lambda", &SolverAnswer::lambda},
+}};
+
+const PartName* part_named(std::string_view name) {
+  const auto* const at = std::ranges::find(part_names, name, &PartName::name);
+  return at == part_names.end() ? nullptr : at;
+}
+
+/// What a file calls by the names of parts.
+SolverAnswer answer_of(const std::vector<NamedNumbers>& named, const std::string& file) {
+  SolverAnswer answer;
+  for (const auto& [name, numbers] : named) {
+    const PartName* part = part_named(name);
+    if (part == nullptr) continue;
+    if (!(answer.*part->part).empty()) {
+      refuse(file, name + ": found the same part under two names, expected one of them");
+    }
+    answer.*part->part = numbers;
+  }
+  return answer;
+}
+
+SolverAnswer npz_answer(std::string_view bytes, const std::string& file) {
+  std::vector<NamedNumbers> arrays =
+      read_npz(bytes, file, [](std::string_view name) { return part_named(name) != nullptr; });
+  if (arrays.size() == 1 && part_named(arrays[0].name) == nullptr) arrays[0].name = "r";
+  return answer_of(arrays, file);
+}
+
+SolverAnswer json_answer(std::string_view text, const std::string& file) {
+  const JsonNode root = read_json_tree(text, file);
+  const JsonNumbers numbers(file);
+  std::vector<NamedNumbers> lists;
+  for (std::size_t k = 0; k < root.keys.size(); ++k) {
+    const std::string& key = root.keys[k];
+    if (part_named(key) != nullptr) lists.push_back({key, numbers.list(root.items[k], key, true)});
+  }
+  return answer_of(lists, file);
+}
+
+std::vector<double> plain_numbers(std::string_view text, const std::string& file) {
+  WordReader words(text);
+  std::vector<double> result;
+  try {
+    while (!words.peek().empty()) result.push_back(words.number("a number of the answer"));
+  } catch (const FormatStop& stop) {
+    refuse(file, text, stop);
+  }
+  return result;
+}
+
+/// Of what does not even begin like a text of Siconos; returns of what begins with a digit, for its grammars to refuse.
+void refuse_unknown(std::string_view bytes, const std::string& file) {
+  const std::string expected =
+      "a contact problem in HDF5, MatrixMarket, JSON, or text of Siconos, which begins with counts";
+  WordReader words(bytes);
+  std::string_view word = words.peek();
+  if (!word.empty() && word[0] >= '0' && word[0] <= '9') return;
+  for (; !word.empty(); word.remove_prefix(utf8_length(word))) {
+    const bool is_text = utf8_length(word) > 0 && word[0] != '\0';
+    if (!is_text) refuse(file, "found bytes that are no text, expected " + expected);
+  }
+  try {
+    words.stop(expected);
+  } catch (const FormatStop& stop) {
+    refuse(file, bytes, stop);
+  }
+}
+
+SolverAnswer answer_in(const std::string& bytes, const std::string& file) {
+  if (bytes.starts_with(zip_signature)) return npz_answer(bytes, file);
+  if (bytes.starts_with(npy_signature)) return answer_of({{"r", read_npy(bytes, file)}}, file);
+  const std::optional<ProblemFormat> format = format_of(bytes);
+  if (format == ProblemFormat::fclib) return read_fclib_answer(bytes, file);
+  if (format == ProblemFormat::json) return json_answer(bytes, file);
+  if (format == ProblemFormat::matrix_market) return answer_of({{"r", read_market_vector(bytes, file)}}, file);
+  return answer_of({{"r", plain_numbers(bytes, file)}}, file);
+}
+
+}  // namespace
+
+ReadProblem read_problem_file(const std::string& path) {
+  const std::string bytes = read_text_file(path, max_problem_file_size);
+  ReadProblem result;
+  switch (const auto format = format_of(bytes); format.value_or(ProblemFormat::siconos)) {
+    case ProblemFormat::fclib:
+      result = read_fclib(bytes, path);
+      break;
+    case ProblemFormat::matrix_market:
+      result = read_matrix_market(bytes, path);
+      break;
+    case ProblemFormat::json:
+      result = read_json_problem(bytes, path);
+      break;
+    case ProblemFormat::siconos:
+      if (!format) refuse_unknown(bytes, path);
+      result.problem = read_siconos(bytes, path);
+      break;
+  }
+  Mistakes mistakes(path);
+  check_problem(result.problem, mistakes);
+  for (const SolverAnswer& answer : result.answers)
+    check_answer(result.problem, answer, answer.origin + ": ", mistakes);
+  mistakes.refuse_if_any();
+  add_remarks(result);
+  return result;
+}
+
+SolverAnswer read_answer_file(const std::string& path) {
+  SolverAnswer answer = answer_in(read_text_file(path, max_problem_file_size), path);
+  answer.origin = path;
+  if (answer.r.empty() && answer.u.empty()) {
+    refuse(path, "found neither r nor u, expected an answer: numbers, or r, u, v and lambda under their names");
+  }
+  return answer;
+}
+
+bool is_problem_file(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
+  std::ifstream file(path, std::ios::binary);
+  std::string start(4096, '\0');
+  file.read(start.data(), static_cast<std::streamsize>(start.size()));
+  start.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+  const std::optional<ProblemFormat> format = format_of(start);
+  if (format != ProblemFormat::json) return format.has_value();
+  file.clear();
+  file.seekg(0);
+  return file.good() && begins_as_json_problem(file);
+}
+
+}  // namespace slipproof

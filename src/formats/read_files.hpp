@@ -1,0 +1,23 @@
+// Contact problems and answers from files, whichever format they are in.
+#pragma once
+
+#include <string>
+
+#include "formats/problem_file.hpp"
+
+namespace slipproof {
+
+/// The problem in a file, told by its content (FORMATS.md), checked (`check_problem`) and with all remarks. Throws
+/// InputError. Linear in the file, but for sorting matrices.
+ReadProblem read_problem_file(const std::string& path);
+
+/// What a solver gives, alone in a file; its origin is the path. Sizes are not known here: `check_answer` holds them
+/// against a problem. Throws InputError.
+SolverAnswer read_answer_file(const std::string& path);
+
+/// Whether a file begins as one that read_problem_file is for, and not as records in CSV or JSON lines: HDF5,
+/// MatrixMarket, a text of Siconos, or a JSON object with the dimension 3, with M and H, or with a sparse matrix. Never
+/// throws: what cannot be read, or can be read only once, is none.
+bool is_problem_file(const std::string& path);
+
+}  // namespace slipproof

@@ -1,0 +1,199 @@
+// Answers in files of their own, in whatever a solver writes.
+#include <bit>
+#include <cstdint>
+#include <limits>
+
+#ifdef SLIPPROOF_ZLIB
+#include <zlib.h>
+#endif
+
+#include "small_files.hpp"
+
+using namespace slipproof;
+using namespace slipproof::test;
+
+namespace {
+
+SolverAnswer answer(const std::string& content, const std::string& name = "a") {
+  const Folder folder;
+  return read_answer_file(folder.write(name, content));
+}
+
+std::string little(std::uint64_t value, std::size_t size) {
+  std::string bytes;
+  for (std::size_t k = 0; k < size; ++k) bytes += static_cast<char>(value >> (8 * k) & 0xff);
+  return bytes;
+}
+
+std::string npy(const std::string& header, const std::string& data, char version = 1) {
+  return "\x93NUMPY" + std::string{version, '\0'} + little(header.size(), version == 1 ? 2 : 4) + header + data;
+}
+
+std::string header(const std::string& type, const std::string& order, const std::string& shape) {
+  return "{'descr': '" + type + "', 'fortran_order': " + order + ", 'shape': " + shape + ", }   \n";
+}
+
+/// The numbers in 8 or 4 bytes.
+std::string raw(const Numbers& numbers, std::size_t width = 8, bool big = false) {
+  std::string result;
+  for (const double x : numbers) {
+    std::string bytes = width == 8 ? little(std::bit_cast<std::uint64_t>(x), 8)
+                                   : little(std::bit_cast<std::uint32_t>(static_cast<float>(x)), 4);
+    result += big ? std::string(bytes.rbegin(), bytes.rend()) : bytes;
+  }
+  return result;
+}
+
+const std::string three = npy(header("<f8", "False", "(3,)"), raw({1, -2.5, 1e300}));
+
+struct Packed {
+  std::string name, bytes;
+  std::size_t size = bytes.size();
+  std::uint64_t method = 0, checksum = 0;
+};
+
+std::string zip(const std::vector<Packed>& files) {
+  std::string archive, directory;
+  for (const Packed& file : files) {
+    const std::string common = little(file.method, 2) + little(0, 4) + little(file.checksum, 4) +
+                               little(file.bytes.size(), 4) + little(file.size, 4) + little(file.name.size(), 2);
+    directory += "PK\x01\x02" + little(20, 2) + little(20, 2) + little(0, 2) + common + std::string(12, char{0}) +
+                 little(archive.size(), 4) + file.name;
+    // The sizes before the data may be left open: what counts is the directory.
+    archive += "PK\x03\x04" + little(20, 2) + little(0, 2) + little(file.method, 2) + little(0, 4) + little(0, 4) +
+               little(0xffffffff, 4) + little(0xffffffff, 4) + little(file.name.size(), 2) + little(4, 2) + file.name +
+               "more" + file.bytes;
+  }
+  return archive + directory + "PK\x05\x06" + little(0, 4) + little(files.size(), 2) + little(files.size(), 2) +
+         little(directory.size(), 4) + little(archive.size(), 4) + little(0, 2);
+}
+
+#ifdef SLIPPROOF_ZLIB
+Packed deflated(const std::string& name, const std::string& content) {
+  z_stream stream{};
+  REQUIRE(deflateInit2(&stream, 9, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY) == Z_OK);
+  std::string packed(content.size() + 100, '\0'), copy = content;
+  stream.next_in = reinterpret_cast<Bytef*>(copy.data());
+  stream.avail_in = static_cast<uInt>(copy.size());
+  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+  stream.avail_out = static_cast<uInt>(packed.size());
+  REQUIRE(deflate(&stream, Z_FINISH) == Z_STREAM_END);
+  packed.resize(stream.total_out);
+  deflateEnd(&stream);
+  const auto checksum = crc32(0, reinterpret_cast<const Bytef*>(copy.data()), static_cast<uInt>(copy.size()));
+  return {name, packed, content.size(), 8, checksum};
+}
+#endif
+
+}  // namespace
+
+TEST_CASE("plain numbers are r") {
+  const SolverAnswer a = answer("1 -2.5\n\t1e300\r\n0.1");
+  CHECK(a.r == Numbers{1, -2.5, 1e300, 0.1});
+  CHECK(a.u.empty());
+  const SolverAnswer odd = answer("nan inf -inf +1 NaN 1e999");
+  CHECK(std::isnan(odd.r[0]));
+  CHECK(odd.r[1] == std::numeric_limits<double>::infinity());
+  CHECK(odd.r[2] == -std::numeric_limits<double>::infinity());
+  CHECK(odd.r[3] == 1);
+  CHECK(std::isnan(odd.r[4]));
+  CHECK(odd.r[5] == std::numeric_limits<double>::infinity());
+}
+
+TEST_CASE("a vector of MatrixMarket is r") {
+  CHECK(answer("%%MatrixMarket matrix array real general\n% by a solver\n3 1\n1\n2\nnan\n").r.size() == 3);
+}
+
+TEST_CASE("JSON has the parts under their names") {
+  const SolverAnswer a =
+      answer(R"({"z": [1, 2], "w": [NaN, 4], "iterations": 17, "solver": "x", "times": {"a": [null, true]}})");
+  CHECK(a.r == Numbers{1, 2});
+  CHECK(a.u[1] == 4);
+  const SolverAnswer b = answer(R"({"r": ["0.5"], "velocity": [2], "v": [3, 4], "lambda": [5]})");
+  CHECK(b.r == Numbers{0.5});
+  CHECK(b.u == Numbers{2});
+  CHECK(b.v == Numbers{3, 4});
+  CHECK(b.lambda == Numbers{5});
+}
+
+TEST_CASE("NumPy's arrays of either byte order, width and order of dimensions") {
+  CHECK(answer(three).r == Numbers{1, -2.5, 1e300});
+  CHECK(answer(npy(header(">f8", "False", "(3, 1)"), raw({1, -2.5, 1e300}, 8, true))).r == Numbers{1, -2.5, 1e300});
+  CHECK(answer(npy(header("<f4", "True", "(2,)"), raw({1, 0.1}, 4))).r == Numbers{1, static_cast<double>(0.1F)});
+  CHECK(answer(npy(header(">f4", "False", "(1, 2)"), raw({1, 0.5}, 4, true), 2)).r == Numbers{1, 0.5});
+  // Rows of contacts.
+  CHECK(answer(npy(header("<f8", "False", "(2, 3)"), raw({1, 2, 3, 4, 5, 6}))).r == Numbers{1, 2, 3, 4, 5, 6});
+  CHECK(answer(npy(header("<f8", "True", "(2, 3)"), raw({1, 4, 2, 5, 3, 6}))).r == Numbers{1, 2, 3, 4, 5, 6});
+}
+
+TEST_CASE("archives of NumPy") {
+  const std::string two = npy(header("<f8", "False", "(2,)"), raw({7, 8}));
+  CHECK(answer(zip({{"anything.npy", three}})).r == Numbers{1, -2.5, 1e300});
+  const std::string times = npy(header("<i8", "False", "()"), little(5, 8));
+  const SolverAnswer a = answer(zip({{"iterations.npy", times}, {"reaction.npy", three}, {"velocity.npy", two}}));
+  CHECK(a.r == Numbers{1, -2.5, 1e300});
+  CHECK(a.u == Numbers{7, 8});
+#ifdef SLIPPROOF_ZLIB
+  const SolverAnswer b = answer(zip({deflated("z.npy", three), deflated("w.npy", two), deflated("l.npy", two)}));
+  CHECK(b.r == Numbers{1, -2.5, 1e300});
+  CHECK(b.u == Numbers{7, 8});
+  CHECK(b.lambda == Numbers{7, 8});
+#endif
+}
+
+TEST_CASE("malformed answers are refused") {
+  const std::string numbers = raw({1, 2});
+  check_refusals(
+      {
+          {"", "FILE: found neither r nor u, expected an answer"},
+          {"1 2\n3 x", "FILE:2:3: found 'x', expected a number of the answer"},
+          {"1,2", "FILE:1:1: found '1,2', expected a number of the answer"},
+          {"{\"iterations\": 3}", "FILE: found neither r nor u"},
+          {R"({"r": [1], "z": [2]})", "FILE: z: found the same part under two names"},
+          {R"({"r": 1})", "FILE: r: found no list, expected a list of numbers"},
+          {R"({"r": [[1]]})", "FILE: r[1]: found no number, expected one"},
+          {"%%MatrixMarket matrix array real general\n2 1\n1\n",
+           "FILE:4:1: found the end of the file, expected a component"},
+          {"%%MatrixMarket matrix array real general\n1099511627776 1\n1\n", "FILE:2:1: found '1099511627776'"},
+          {"\x93NUMPY", "FILE: found no .npy array"},
+          {npy(header("<f8", "False", "(3,)"), numbers),
+           "FILE: found 16 bytes of data, expected 3 times 1 numbers of 8"},
+          {npy(header("<f8", "False", "(2,)"), numbers + "x"), "FILE: found 17 bytes of data, expected 2 times 1"},
+          {npy(header("<f8", "False", "(1099511627776,)"), numbers), "FILE: found the shape"},
+          {npy(header("<f8", "False", "(99999999999999999999999,)"), numbers), "FILE: found the shape"},
+          {npy(header("<f8", "False", "(1, 2, 1)"), numbers), "FILE: found the shape"},
+          {npy(header("<f8", "False", "()"), numbers), "FILE: found the shape"},
+          {npy(header("<i8", "False", "(2,)"), numbers), "FILE: found the type ''<i8'', expected f8 or f4"},
+          {npy(header("|O", "False", "(2,)"), numbers), "FILE: found the type ''|O'', expected f8 or f4"},
+          {npy(header("<f8", "Maybe", "(2,)"), numbers), "FILE: found no fortran_order, expected True or False"},
+          {npy("{'descr': '<f8'}", numbers), "FILE: found no 'fortran_order' in the header of an array"},
+          {std::string("\x93NUMPY\x01\x00\xff\xff{'descr'", 18), "FILE: found a header that is cut off"},
+          {zip({{"r.npy", three}}).substr(0, 200), "FILE: found no directory: the archive is cut off"},
+          {zip({{"r.npy", three.substr(0, 90)}}), "FILE: r: found"},
+          {zip({{"r.npy", three}, {"z.npy", three}}), "FILE: z: found the same part under two names"},
+          {zip({{"a.npy", three}, {"b.npy", three}}), "FILE: found neither r nor u"},
+          {zip({{"r.npy", three, three.size(), 14}}), "FILE: r: found the method 14, expected 0 or 8"},
+#ifdef SLIPPROOF_ZLIB
+          {zip({{"r.npy", three, std::size_t{1} << 31U, 8}}), "FILE: found sizes that the archive cannot have"},
+          {zip({{"r.npy", three, three.size(), 8}}), "FILE: r: found data that are damaged"},
+#endif
+      },
+      "a", answer_refusal);
+  const Folder folder;
+  CHECK(answer_refusal(folder.path("")).ends_with("found a directory, expected a file"));
+  CHECK(answer_refusal(folder.path("none")).starts_with("FILE: cannot be opened: "));
+}
+
+TEST_CASE("an archive that is cut off or spoilt anywhere is refused or read, and nothing else") {
+  const std::string whole = zip({{"r.npy", three}});
+  const Folder folder;
+  for (std::size_t k = 0; k < whole.size(); ++k) {
+    CAPTURE(k);
+    CHECK_FALSE(answer_refusal(folder.write("cut", whole.substr(0, k))).empty());
+    std::string spoilt = whole;
+    for (const char byte : {'\0', '\x7f', '\xff'}) {
+      spoilt[k] = byte;
+      answer_refusal(folder.write("spoilt", spoilt));
+    }
+  }
+}
