@@ -1,0 +1,38 @@
+#include "enclosure/dense.hpp"
+
+#include "enclosure/dense_kernels.hpp"
+
+namespace slipproof {
+
+namespace {
+
+struct DenseKernels {
+  void (*invert)(double*, std::ptrdiff_t);
+  void (*defect)(const double*, const double*, double*, std::ptrdiff_t);
+};
+
+DenseKernels kernels_of_this_machine() {
+#ifdef SLIPPROOF_X86_KERNELS
+  if (__builtin_cpu_supports("avx512f") != 0) return {dense_avx512::invert, dense_avx512::defect};
+  if (__builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0) {
+    return {dense_avx2::invert, dense_avx2::defect};
+  }
+#endif
+  return {dense_baseline::invert, dense_baseline::defect};
+}
+
+}  // namespace
+
+DenseMatrix approximate_inverse(DenseMatrix matrix) {
+  kernels_of_this_machine().invert(matrix.value.data(), static_cast<std::ptrdiff_t>(matrix.size));
+  return matrix;
+}
+
+DenseMatrix absolute_defect(const DenseMatrix& R, const DenseMatrix& A) {
+  DenseMatrix result(A.size);
+  kernels_of_this_machine().defect(R.value.data(), A.value.data(), result.value.data(),
+                                   static_cast<std::ptrdiff_t>(A.size));
+  return result;
+}
+
+}  // namespace slipproof

@@ -1,0 +1,28 @@
+// The two operations on dense matrices that cost n^3: everything else about an enclosure costs n^2.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace slipproof {
+
+/// Rows one after the other.
+struct DenseMatrix {
+  std::size_t size = 0;
+  std::vector<double> value;
+
+  explicit DenseMatrix(std::size_t n = 0) : size(n), value(n * n) {}
+  std::span<const double> row(std::size_t i) const { return {value.data() + i * size, size}; }
+  std::span<double> row(std::size_t i) { return {value.data() + i * size, size}; }
+};
+
+/// An approximate inverse, nothing said about its error; full of infinities or NaN where elimination breaks down. About
+/// 2 n^3 operations, with the widest vectors that the machine has.
+DenseMatrix approximate_inverse(DenseMatrix matrix);
+
+/// The entries' absolute values of I - R A as computed: each is a sum of n products in some order, fused or not, so
+/// that it differs from the exact one by at most gamma_(n+1) (|R| |A| + I) but for underflow. 2 n^3 operations.
+DenseMatrix absolute_defect(const DenseMatrix& R, const DenseMatrix& A);
+
+}  // namespace slipproof

@@ -1,0 +1,135 @@
+#include "enclosure/dependence.hpp"
+
+#include <flint/fmpq_mat.h>
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "enclosure/enclosure.hpp"
+#include "number/binary64.hpp"
+
+namespace slipproof {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+MatrixXd derivative_of_all(const ModeSystem& system, std::span<const double> z) {
+  const auto n = static_cast<Index>(system.size());
+  MatrixXd J = MatrixXd::Zero(n, n);
+  for (std::size_t i = 0; i < system.size(); ++i) {
+    for (const auto& e : system.derivative(i, z)) J(static_cast<Index>(i), static_cast<Index>(e.unknown)) = e.value;
+  }
+  return J;
+}
+
+/// The columns that pivoting takes first; each has its weight as its size before.
+std::vector<Index> independent_columns(const MatrixXd& matrix, const std::vector<double>& weights) {
+  MatrixXd scaled = matrix;
+  for (Index j = 0; j < scaled.cols(); ++j) {
+    const double norm = scaled.col(j).norm();
+    if (norm > 0) scaled.col(j) *= weights[static_cast<std::size_t>(j)] / norm;
+  }
+  Eigen::ColPivHouseholderQR<MatrixXd> qr(scaled);
+  qr.setThreshold(1e-10);
+  const auto& order = qr.colsPermutation().indices();
+  std::vector<Index> result(order.data(), order.data() + qr.rank());
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+std::vector<std::size_t> others(const std::vector<Index>& chosen, std::size_t n) {
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!std::binary_search(chosen.begin(), chosen.end(), static_cast<Index>(i))) result.push_back(i);
+  }
+  return result;
+}
+
+/// A rational matrix of FLINT.
+class RationalFlintMatrix {
+ public:
+  RationalFlintMatrix(std::size_t rows, std::size_t columns) {
+    fmpq_mat_init(matrix_, static_cast<slong>(rows), static_cast<slong>(columns));
+  }
+  ~RationalFlintMatrix() { fmpq_mat_clear(matrix_); }
+  RationalFlintMatrix(const RationalFlintMatrix&) = delete;
+  RationalFlintMatrix& operator=(const RationalFlintMatrix&) = delete;
+
+  void set(std::size_t i, std::size_t j, double x) {
+    fmpq_set_mpq(fmpq_mat_entry(matrix_, static_cast<slong>(i), static_cast<slong>(j)),
+                 to_rational(x).backend().data());
+  }
+  Rational get(std::size_t i, std::size_t j) const {
+    Rational result;
+    fmpq_get_mpq(result.backend().data(), fmpq_mat_entry(matrix_, static_cast<slong>(i), static_cast<slong>(j)));
+    return result;
+  }
+  fmpq_mat_struct* data() { return matrix_; }
+
+ private:
+  fmpq_mat_t matrix_;
+};
+
+/// Puts a linear equation, as a row of A with its constant below, into a column.
+void put_equation(RationalFlintMatrix& to, std::size_t column, const MixedProblem& problem, std::size_t row) {
+  const auto columns = problem.A.columns_of(row);
+  for (std::size_t e = 0; e < columns.size(); ++e) to.set(columns[e], column, problem.A.values_of(row)[e]);
+  to.set(problem.size(), column, problem.c[row]);
+}
+
+/// Each dropped equation as a combination of linear ones that are kept; false where one is none.
+bool combine(const MixedProblem& problem, const ModeSystem& system, const std::vector<Index>& kept,
+             std::vector<DroppedEquation>& dropped) {
+  std::vector<std::size_t> linear;
+  for (const Index i : kept) {
+    const auto e = static_cast<std::size_t>(i);
+    if (system.equations()[e].kind == ModeSystem::Kind::linear) linear.push_back(e);
+  }
+  RationalFlintMatrix A(problem.size() + 1, linear.size()), B(problem.size() + 1, dropped.size());
+  RationalFlintMatrix X(linear.size(), dropped.size());
+  for (std::size_t j = 0; j < linear.size(); ++j) put_equation(A, j, problem, system.equations()[linear[j]].row);
+  for (std::size_t j = 0; j < dropped.size(); ++j) {
+    const auto& equation = system.equations()[dropped[j].equation];
+    if (equation.kind != ModeSystem::Kind::linear) return false;
+    put_equation(B, j, problem, equation.row);
+  }
+  if (fmpq_mat_can_solve(X.data(), A.data(), B.data()) == 0) return false;
+  for (std::size_t j = 0; j < dropped.size(); ++j) {
+    for (std::size_t i = 0; i < linear.size(); ++i) {
+      if (Rational c = X.get(i, j); !c.is_zero()) dropped[j].combination.emplace_back(linear[i], std::move(c));
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+DependenceResult exact_dependence(const MixedProblem& problem, const ModeSystem& system, std::span<const double> z) {
+  DependenceResult result;
+  const std::size_t n = system.size();
+  if (n > largest_dependent) {
+    result.reason = "equations depend on each other, and there are too many of them to find out which exactly";
+    return result;
+  }
+  const MatrixXd J = derivative_of_all(system, z);
+  // Only linear equations can be dropped: the others are taken first, which their weight sees to.
+  std::vector<double> weights;
+  for (const auto& e : system.equations()) weights.push_back(e.kind == ModeSystem::Kind::linear ? 1 : 64);
+  const std::vector<Index> rows = independent_columns(J.transpose(), weights);
+  MatrixXd kept(static_cast<Index>(rows.size()), J.cols());
+  for (std::size_t i = 0; i < rows.size(); ++i) kept.row(static_cast<Index>(i)) = J.row(rows[i]);
+  const std::vector<Index> columns = independent_columns(kept, std::vector<double>(n, 1));
+  result.unknowns = others(columns, n);
+  for (const std::size_t i : others(rows, n)) result.dropped.push_back({i, {}});
+  if (result.dropped.empty() || rows.size() != columns.size()) {
+    result.reason = "the equations of these contacts are too close to dependent for binary64";
+  } else if (!combine(problem, system, rows, result.dropped)) {
+    result.reason = "the forces of these contacts depend on each other, not exactly, but up to rounding";
+  }
+  return result;
+}
+
+}  // namespace slipproof

@@ -1,0 +1,29 @@
+// Equations that are exact combinations of others, and the unknowns that are left undetermined with them.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "enclosure/mode_system.hpp"
+
+namespace slipproof {
+
+struct DroppedEquation;
+
+/// What has to be pinned and dropped for a regular system; `reason` where that cannot be done exactly, with the
+/// unknowns that it is about.
+struct DependenceResult {
+  std::vector<std::size_t> unknowns;
+  std::vector<DroppedEquation> dropped;
+  std::string reason;
+};
+
+/// Rigid bodies on many contacts leave forces undetermined: columns of the derivative depend on each other, and so do
+/// its rows, u = 0 of one contact following from u = 0 of others. Which ones to keep is chosen in floating point by
+/// pivoting; that the others follow is proved by writing each as a rational combination, coefficient by coefficient and
+/// constants included. Cubic in the size of the system, for systems up to `largest_dependent`.
+DependenceResult exact_dependence(const MixedProblem& problem, const ModeSystem& system, std::span<const double> z);
+inline constexpr std::size_t largest_dependent = 600;
+
+}  // namespace slipproof

@@ -1,0 +1,74 @@
+#include "enclosure/mixed_problem.hpp"
+
+#include "number/exact_sum.hpp"
+
+namespace slipproof {
+
+namespace {
+
+/// Puts a matrix with a sign at a place of a larger one.
+void put(std::vector<MatrixEntry>& entries, const SparseMatrix& m, std::size_t row, std::size_t column, double sign) {
+  for (std::size_t i = 0; i < m.rows; ++i) {
+    for (std::size_t k = m.starts[i]; k < m.starts[i + 1]; ++k) {
+      entries.push_back(
+          {static_cast<std::uint32_t>(row + i), static_cast<std::uint32_t>(column + m.column[k]), sign * m.value[k]});
+    }
+  }
+}
+
+void append(std::vector<double>& to, const std::vector<double>& values, double sign, std::size_t size) {
+  for (const double x : values) to.push_back(sign * x);
+  to.resize(to.size() + size - values.size(), 0);  // what the file leaves out is 0
+}
+
+}  // namespace
+
+MixedProblem mixed_problem(const ProblemFile& file) {
+  MixedProblem result;
+  const std::size_t components = file.components();
+  std::vector<MatrixEntry> entries, twice;
+  if (file.form == ProblemForm::global) {
+    const std::size_t bodies = file.M.rows, bilateral = file.G.columns;
+    result.free = bodies + bilateral;
+    put(entries, file.M, 0, 0, 1);
+    put(entries, file.G, 0, bodies, -1);
+    put(entries, file.H, 0, result.free, -1);
+    put(entries, transposed(file.G), bodies, 0, 1);
+    put(entries, transposed(file.H), result.free, 0, 1);
+    append(result.c, file.f, -1, bodies);
+    append(result.c, file.b, 1, bilateral);
+    append(result.c, file.w, 1, components);
+  } else {
+    result.free = file.V.columns;
+    put(entries, file.R, 0, 0, 1);
+    put(entries, transposed(file.V), 0, result.free, 1);
+    put(entries, file.V, result.free, 0, 1);
+    put(entries, file.W, result.free, result.free, 1);
+    append(result.c, file.s, 1, result.free);
+    append(result.c, file.q, 1, components);
+  }
+  result.dimension = file.dimension;
+  const std::size_t n = result.free + components;
+  result.A = sparse_matrix(n, n, std::move(entries), twice);
+  result.mu = file.mu;
+  result.mu.resize(file.contacts(), 0);
+  return result;
+}
+
+Rational exact_row(const MixedProblem& problem, std::size_t row, std::span<const double> x) {
+  ExactSum sum;
+  sum.add(problem.c[row]);
+  const auto columns = problem.A.columns_of(row);
+  const auto values = problem.A.values_of(row);
+  for (std::size_t k = 0; k < columns.size(); ++k) sum.add(values[k], x[columns[k]]);
+  return sum.value();
+}
+
+std::vector<Rational> exact_rows(const MixedProblem& problem, std::span<const double> x) {
+  std::vector<Rational> w;
+  w.reserve(problem.size());
+  for (std::size_t i = 0; i < problem.size(); ++i) w.push_back(exact_row(problem, i, x));
+  return w;
+}
+
+}  // namespace slipproof

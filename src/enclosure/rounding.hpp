@@ -1,0 +1,30 @@
+// What rounding to nearest can do to sums, whatever their order and whether products are fused into them or not.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+
+namespace slipproof {
+
+/// u = 2^-53: a rounding changes a result by at most this much of it, underflow apart.
+inline constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
+
+/// Above gamma_(2n + 16) = k u / (1 - k u): a sum of n products is within gamma |a| . |b| of the exact one, n more
+/// roundings paid for.
+constexpr double gamma_of(std::size_t n) {
+  const double k = 2 * static_cast<double>(n) + 16;
+  return k * unit_roundoff / (1 - k * unit_roundoff) * (1 + 4 * unit_roundoff);
+}
+
+/// Above the exact value, where x is the result of at most 2n + 8 roundings of nonnegative numbers that do not
+/// underflow.
+constexpr double rounded_up(double x, std::size_t n) {
+  return x * (1 + gamma_of(n));
+}
+
+/// Above what underflow can add to a sum of n products, with room for as many again.
+constexpr double underflow_of(std::size_t n) {
+  return static_cast<double>(n + 8) * 0x1p-1070;
+}
+
+}  // namespace slipproof
