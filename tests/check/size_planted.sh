@@ -3,8 +3,10 @@
 # be long.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-tree=$(mktemp -d)
-trap 'rm -rf "$tree"' EXIT
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+tree=$folder/check
+mkdir "$tree"
 
 plant() {  # LINE TIMES: a good checker of three lines, with this line as often
   rm -f "$tree"/*
@@ -14,16 +16,16 @@ plant() {  # LINE TIMES: a good checker of three lines, with this line as often
 }
 refused() {
   plant "$@"
-  if sh "$here/size.sh" "$tree" >/dev/null; then
+  if sh "$here/size.sh" "$tree" 800 >/dev/null; then
     echo "not noticed: $1, $2 times"
     exit 1
   fi
 }
 
 plant 'int a_line;  // of code' 797
-sh "$here/size.sh" "$tree"
+sh "$here/size.sh" "$tree" 800
 plant '  // a comment' 900
-sh "$here/size.sh" "$tree"
+sh "$here/size.sh" "$tree" 800
 refused 'int a_line;  // of code' 798
 for include in '"prove/statement.hpp"' '<boost/rational.hpp>' '<flint.h>' '<prove/statement.hpp>' '"b.hpp"' '"../a.hpp"' \
   '"check/files.hpp"' '<filesystem>' '<fstream>'; do
@@ -33,7 +35,7 @@ refused '  #  include <fmt/core.h>' 1
 
 plant 'int a_line;' 790
 yes 'int another;' | head -n 20 >"$tree/more_files.cpp"
-if sh "$here/size.sh" "$tree" >/dev/null; then
+if sh "$here/size.sh" "$tree" 800 >/dev/null; then
   echo "not noticed: more_files.cpp counts"
   exit 1
 fi

@@ -1,0 +1,24 @@
+// Whether a certificate about a contact problem proves what it claims (FORMAT.md).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace slipproof::check_contact {
+
+struct ContactVerdict {
+  enum class Kind : std::uint8_t {
+    accepted,
+    rejected,   ///< it does not prove its claim
+    unreadable  ///< the text is no certificate
+  };
+  Kind kind = Kind::unreadable;
+  /// What is established; why it is rejected; or `line L, column C: found ..., expected ...`.
+  std::string message;
+};
+
+/// Never throws because of what the text contains.
+ContactVerdict check_contact_certificate(std::string_view text);
+
+}  // namespace slipproof::check_contact

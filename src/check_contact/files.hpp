@@ -1,0 +1,25 @@
+// Checks certificate files about contact problems. check_contact.hpp decides; this loads the files and tells what came
+// of it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "check_contact/check_contact.hpp"
+
+namespace slipproof::check_contact {
+
+inline constexpr std::size_t kMaxFile = std::size_t{1} << 28;  ///< bytes
+
+/// A regular file, or `-` for standard input. Never throws because of what it contains or is.
+ContactVerdict check_contact_file(const std::string& path);
+
+struct ContactReport {
+  std::string text;   ///< of each file `accepted` and a line in words, `rejected: ...` or `unreadable: ...`
+  int exit_code = 0;  ///< 0 all accepted, 5 some rejected, else 3 some unreadable
+};
+
+/// Of several files each line begins with the name.
+ContactReport check_contact_files(const std::vector<std::string>& paths);
+
+}  // namespace slipproof::check_contact

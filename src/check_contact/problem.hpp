@@ -1,0 +1,70 @@
+// The problem and the answer of a certificate (FORMAT.md, "The problem").
+#pragma once
+
+#include "check_contact/reader.hpp"
+
+namespace slipproof::check_contact {
+
+inline void require(bool condition, const char* otherwise) {
+  if (!condition) throw Rejected(otherwise);
+}
+
+/// `contact 3: OTHERWISE`.
+inline void require(bool condition, const char* what, std::size_t index, const char* otherwise) {
+  if (!condition) throw Rejected(what + (" " + std::to_string(index)) + ": " + otherwise);
+}
+
+inline Number dot(const Row& row, const Vector& x) {
+  Number sum;
+  for (const auto& [j, a] : row) sum += a * x[j];
+  return sum;
+}
+
+/// w = A x + c.
+struct Problem {
+  std::size_t dimension, free;
+  Vector mu;
+  Matrix A;
+  Vector c;
+  std::optional<Vector> answer;
+
+  explicit Problem(Reader& reader) {
+    reader.expect("slipproof-contact");
+    reader.expect("1");
+    reader.expect("dimension");
+    dimension = reader.accept("1") ? 1 : reader.accept("2") ? 2 : 3;
+    if (dimension == 3) reader.expect("3");
+    reader.expect("free");
+    free = reader.count();
+    reader.expect("contacts");
+    mu = reader.numbers("mu", reader.count());
+    reader.announce(size());
+    A = reader.entries("matrix", size(), size());
+    c = reader.numbers("constant", size());
+    if (!reader.accept("no-answer")) answer = reader.numbers("answer", size());
+  }
+
+  std::size_t contacts() const { return mu.size(); }
+  std::size_t size() const { return free + dimension * contacts(); }
+  std::size_t normal(std::size_t k) const { return free + dimension * k; }
+  Number motion(std::size_t i, const Vector& x) const { return dot(A[i], x) + c[i]; }
+
+  const Vector& the_answer() const {
+    require(answer.has_value(), "the claim speaks of the answer, and there is no-answer");
+    return *answer;
+  }
+
+  void check_mu() const {
+    for (std::size_t k = 0; k < contacts(); ++k) {
+      require(mu[k].sign() >= 0, "contact", k, "mu is negative");
+      require(dimension > 1 || mu[k].sign() == 0, "contact", k, "mu is not 0 in dimension 1");
+    }
+  }
+
+  std::string in_words() const {
+    return std::to_string(contacts()) + " contacts in dimension " + std::to_string(dimension) +
+           (free > 0 ? " and " + std::to_string(free) + " free unknowns" : "");
+  }
+};
+
+}  // namespace slipproof::check_contact
