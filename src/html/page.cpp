@@ -161,9 +161,13 @@ Element add_chip(const Element& parent, std::string_view verdict) {
   const std::array<std::pair<std::string_view, std::string_view>, 5> signs{
       {{"proved", "✓✓ "}, {"holds", "✓ "}, {"refuted", "✗ "}, {"undecided", "? "}, {"vacuous", "∅ "}}};
   const auto sign = std::find_if(signs.begin(), signs.end(), [&](const auto& s) { return s.first == verdict; });
-  const Element chip = parent.add("span", "chip " + std::string(verdict));
-  if (sign != signs.end()) chip.add("span").set("aria-hidden", "true").text(sign->second);
-  return chip.text(verdict);
+  return add_chip(parent, verdict, sign == signs.end() ? "" : sign->second, verdict);
+}
+
+Element add_chip(const Element& parent, std::string_view css_class, std::string_view sign, std::string_view text) {
+  const Element chip = parent.add("span", "chip " + std::string(css_class));
+  if (!sign.empty()) chip.add("span").set("aria-hidden", "true").text(sign);
+  return chip.text(text);
 }
 
 void add_claim_id(const Element& parent, const PageInput& input, std::string_view id) {

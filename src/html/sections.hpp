@@ -64,5 +64,7 @@ void add_phase_figure(const Element& parent, const PhaseFigure& figure);
 std::string_view verdict_name(const ClaimResult& result);
 /// A verdict as a small label that does not rely on its colour.
 Element add_chip(const Element& parent, std::string_view verdict);
+/// The same for other words: the class of its colours is one of the verdicts' names, the sign is not read out.
+Element add_chip(const Element& parent, std::string_view css_class, std::string_view sign, std::string_view text);
 
 }  // namespace slipproof

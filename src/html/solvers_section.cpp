@@ -3,6 +3,7 @@
 #include <string>
 
 #include "html/sections.hpp"
+#include "html/verdict_bar.hpp"
 
 namespace slipproof {
 
@@ -13,16 +14,10 @@ constexpr std::array<const char*, 6> classes{"fill-proved",  "fill-holds",     "
 constexpr std::array<std::string_view, 6> verdicts{"certified", "ambiguous", "inaccurate",
                                                    "wrong",     "invalid",   "undecided"};
 
-void add_bar(const Element& cell, const SolverVerdicts& solver) {
-  const Element svg = cell.add("svg", "bar").set("viewBox", "0 0 200 14").set("preserveAspectRatio", "none");
-  svg.set("aria-hidden", "true");
-  double x = 0;
-  for (std::size_t i = 0; i < classes.size(); ++i) {
-    if (solver.verdicts[i] == 0) continue;
-    const double width = 200.0 * static_cast<double>(solver.verdicts[i]) / static_cast<double>(solver.records);
-    svg.add("rect", classes[i]).set("x", x).set("width", width).set("height", 14);
-    x += width;
-  }
+std::vector<BarPart> parts_of(const SolverVerdicts& solver) {
+  std::vector<BarPart> parts;
+  for (std::size_t i = 0; i < classes.size(); ++i) parts.push_back({classes[i], solver.verdicts[i]});
+  return parts;
 }
 
 /// Whether any solver has the verdict: columns of nothing but zeros stay away.
@@ -65,7 +60,7 @@ void add_solvers_section(const Element& main, const PageInput& input) {
     const Element row = body.add("tr");
     row.add("th").set("scope", "row").text(solver.name);
     row.add("td", "number").text(std::to_string(solver.records));
-    add_bar(row.add("td"), solver);
+    add_bar(row.add("td"), parts_of(solver), 200, 14);
     for (std::size_t i = 0; i < verdicts.size(); ++i) {
       if (!occurs(input, i)) continue;
       const auto count = solver.verdicts[i];

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "html/sections.hpp"
+#include "markup/number.hpp"
 
 namespace slipproof {
 
@@ -22,21 +23,29 @@ VerdictTotals count_verdicts(const VerifyResult& result) {
   return counts;
 }
 
+void add_bar(const Element& parent, const std::vector<BarPart>& parts, double width, double height) {
+  const Element svg =
+      parent.add("svg", "bar").set("viewBox", "0 0 " + short_number(width) + " " + short_number(height));
+  svg.set("preserveAspectRatio", "none").set("aria-hidden", "true");
+  double all = 0, x = 0;
+  for (const BarPart& part : parts) all += static_cast<double>(part.count);
+  for (const BarPart& part : parts) {
+    if (part.count == 0) continue;
+    const double share = width * static_cast<double>(part.count) / all;
+    svg.add("rect", part.css_class).set("x", x).set("width", share).set("height", height);
+    x += share;
+  }
+}
+
 void add_verdict_bar(const Element& parent, std::string_view label, const VerdictCounts& counts) {
-  std::size_t all = 0;
-  for (const std::size_t n : counts) all += n;
-  if (all == 0) return;
+  if (std::all_of(counts.begin(), counts.end(), [](std::size_t n) { return n == 0; })) return;
   const Element row = parent.add("div", "bar-row");
   row.add("span", "bar-label").text(label);
-  const Element svg = row.add("svg", "bar").set("viewBox", "0 0 600 22").set("preserveAspectRatio", "none");
-  svg.set("aria-hidden", "true");
-  double x = 0;
+  std::vector<BarPart> parts;
   for (std::size_t i = 0; i < counts.size(); ++i) {
-    const double width = 600.0 * static_cast<double>(counts[i]) / static_cast<double>(all);
-    if (counts[i] == 0) continue;
-    svg.add("rect", "fill-" + std::string(claim_verdicts[i])).set("x", x).set("width", width).set("height", 22);
-    x += width;
+    parts.push_back({"fill-" + std::string(claim_verdicts[i]), counts[i]});
   }
+  add_bar(row, parts, 600, 22);
   const Element text = row.add("span", "bar-text");
   for (std::size_t i = 0; i < counts.size(); ++i) {
     if (counts[i] == 0) continue;

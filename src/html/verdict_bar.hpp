@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "markup/element.hpp"
 #include "verify/verify.hpp"
@@ -17,6 +19,14 @@ struct VerdictTotals {
   std::size_t claims = 0;
 };
 VerdictTotals count_verdicts(const VerifyResult& result);
+
+/// What a bar is cut into.
+struct BarPart {
+  std::string css_class;
+  std::size_t count = 0;
+};
+/// A bar cut in proportion to its counts, nothing for one that is 0; not read out, so its numbers must stand beside it.
+void add_bar(const Element& parent, const std::vector<BarPart>& parts, double width, double height);
 
 /// One bar cut in proportion to its counts, with its numbers written out below; nothing where there are none.
 void add_verdict_bar(const Element& parent, std::string_view label, const VerdictCounts& counts);

@@ -37,7 +37,7 @@ struct Ink {
 };
 
 /// Everything else that has a colour.
-constexpr std::array<Ink, 21> inks{{{"#1d2733", "#e8edf3", ".ink{{fill:{}}}"},
+constexpr std::array<Ink, 25> inks{{{"#1d2733", "#e8edf3", ".ink{{fill:{}}}"},
                                     {"#55606e", "#a9b4c1", ".soft{{fill:{}}}"},
                                     {"#1d2733", "#e8edf3", ".edge{{fill:none;stroke-width:1.6;stroke:{}}}"},
                                     {"#b3125f", "#ff8fc0", ".new{{fill:none;stroke-width:2.4;stroke:{}}}"},
@@ -57,7 +57,11 @@ constexpr std::array<Ink, 21> inks{{{"#1d2733", "#e8edf3", ".ink{{fill:{}}}"},
                                     {"#8b95a1", "#7d8896", ".measure{{fill:none;stroke-width:0.9;stroke:{}}}"},
                                     {"#0b5fa5", "#7cc0ff", ".normal{{stroke-width:2;stroke:{0};fill:{0}}}"},
                                     {"#b34700", "#ffb27a", ".friction{{stroke-width:2;stroke:{0};fill:{0}}}"},
-                                    {"#4a5563", "#c0cad6", ".load{{stroke-width:2;stroke:{0};fill:{0}}}"}}};
+                                    {"#4a5563", "#c0cad6", ".load{{stroke-width:2;stroke:{0};fill:{0}}}"},
+                                    {"#8b95a1", "#7d8896", ".fit-open{{fill:{}}}"},
+                                    {"#0b5fa5", "#7cc0ff", ".fit-stick{{fill:{}}}"},
+                                    {"#b34700", "#ffb27a", ".fit-slide{{fill:{}}}"},
+                                    {"#4d3a80", "#d9ccff", ".fit-smooth{{fill:{}}}"}}};
 
 }  // namespace
 
