@@ -1,17 +1,28 @@
-// The whole library in one header. Scenes and their motions; mechanisms; filters; contact problems; answers of other
-// solvers; papers, proofs and certificates; pictures and reports. Each header can be included by itself.
+// The whole library in one header. Scenes and their motions; mechanisms; filters; contact problems, also in the files
+// of the field; answers of other solvers; papers, proofs and certificates; pictures and reports. Each header can be
+// included by itself.
 #pragma once
 
 #include "batch/mechanism_batch.hpp"
 #include "certify/certify.hpp"
+#include "certify/contact_file.hpp"
 #include "certify/judge.hpp"
 #include "check/files.hpp"
+#include "check_contact/files.hpp"
 #include "claims/claims_file.hpp"
 #include "contact/solutions.hpp"
+#include "enclosure/certificate.hpp"
+#include "enclosure/exact_lcp.hpp"
+#include "enclosure/judge.hpp"
+#include "enclosure/multiple.hpp"
+#include "enclosure/no_solution.hpp"
 #include "export/coq.hpp"
 #include "export/smtlib.hpp"
 #include "filter/batch.hpp"
 #include "filter/filter.hpp"
+#include "formats/check.hpp"
+#include "formats/read_files.hpp"
+#include "html/contact_report.hpp"
 #include "html/page.hpp"
 #include "input/diagnostic.hpp"
 #include "mechanism/checks.hpp"

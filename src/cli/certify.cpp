@@ -8,7 +8,9 @@
 #include <memory>
 #include <optional>
 
+#include "cli/certify_problem.hpp"
 #include "cli/command.hpp"
+#include "formats/read_files.hpp"
 #include "input/text_file.hpp"
 #include "mechanism/scene.hpp"
 #include "mechanism/shipped.hpp"
@@ -22,7 +24,9 @@ namespace {
 struct CertifyArguments {
   CommonOptions common;
   CertifyOptions certify;
+  CertifyProblemArguments problem;
   std::string file, scene, mechanism, decimal = "nearest", broken = "report", format, summary;
+  std::optional<double> tolerance;
 };
 
 RecordFormat format_of(const CertifyArguments& options) {
@@ -73,6 +77,12 @@ void read_setting(CertifyArguments& options) {
 }
 
 int run_certify(CertifyArguments& options) {
+  if (options.file != "-" && (options.problem.any() || is_problem_file(options.file))) {
+    options.problem.file = options.file;
+    if (options.tolerance) options.problem.tolerance = *options.tolerance;
+    return run_certify_problem(options.problem, options.common);
+  }
+  if (options.tolerance) options.certify.judge.tolerance = *options.tolerance;
   options.certify.format = format_of(options);
   options.certify.file = options.file;
   options.certify.decimal_exact = options.decimal == "exact";
@@ -107,16 +117,22 @@ void add_certify(CLI::App& app, int& exit_code) {
   CLI::App& command = *app.add_subcommand(
       "certify",
       "Certify outputs of floating-point solvers, of scenes or of contact problems:\na line of JSON for each");
-  command.add_option("FILE", options->file, "CSV with a header, or JSON Lines; - for standard input")->required();
+  command
+      .add_option("FILE", options->file,
+                  "CSV with a header, JSON Lines (- for standard input), or a contact\nproblem's file: FCLIB HDF5, "
+                  "Siconos text, MatrixMarket, JSON")
+      ->required();
   auto* scene = command.add_option("--scene", options->scene,
                                    "Scene file, of a bicycle or a mechanism, with what is the same for all records");
   command
       .add_option("--mechanism", options->mechanism,
                   "Records are of this mechanism: its file, or the name of a shipped one")
       ->excludes(scene);
-  command.add_option("--tolerance", options->certify.judge.tolerance, "Largest relative error of a component")
-      ->check(number_in(0, 1))
-      ->capture_default_str();
+  command
+      .add_option(
+          "--tolerance", options->tolerance,
+          "Largest relative error of a component, 1e-9;\nof a contact problem's file largest backward error, 1e-6")
+      ->check(number_in(0, 1));
   command.add_option("--decimal", options->decimal, "What a decimal means: the nearest binary64, or exactly itself")
       ->check(CLI::IsMember({"nearest", "exact"}))
       ->capture_default_str();
@@ -133,8 +149,12 @@ void add_certify(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command.add_flag("--ignore-unknown", options->certify.ignore_unknown, "Pass over columns that are no field");
   command.add_option("--summary", options->summary, "Write the counts to this file, as JSON");
+  add_problem_options(command, options->problem);
   add_common_options(command, options->common);
-  command.callback([options, &exit_code] { exit_code = run_certify(*options); });
+  command.callback([options, &exit_code, &command] {
+    options->problem.refine = command.count("--refine") > 0;
+    exit_code = run_certify(*options);
+  });
 }
 
 }  // namespace slipproof::cli

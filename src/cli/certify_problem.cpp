@@ -1,0 +1,130 @@
+#include "cli/certify_problem.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "certify/contact_file.hpp"
+#include "enclosure/certificate.hpp"
+#include "formats/check.hpp"
+#include "formats/read_files.hpp"
+#include "html/contact_report.hpp"
+#include "output/output_file.hpp"
+
+namespace slipproof::cli {
+
+namespace {
+
+FrictionLaw law_of(const std::string& text) {
+  return text == "box" ? FrictionLaw::box : text == "diamond" ? FrictionLaw::diamond : FrictionLaw::cone;
+}
+
+int exit_code_of(const JudgedProblem& problem) {
+  int code = as_it_should_be;
+  for (const JudgedAnswer& answer : problem.answers) {
+    switch (answer.judgement.verdict) {
+      case ContactVerdict::solution_within_rho:
+      case ContactVerdict::unique:
+        break;
+      case ContactVerdict::undecided:
+        if (code == as_it_should_be) code = undecided;
+        break;
+      default:
+        code = refuted_or_not_certified;
+        break;
+    }
+  }
+  return code;
+}
+
+std::string last_line(const JudgedProblem& problem, int code) {
+  std::size_t certified = 0;
+  for (const JudgedAnswer& a : problem.answers) {
+    certified +=
+        a.judgement.verdict == ContactVerdict::solution_within_rho || a.judgement.verdict == ContactVerdict::unique;
+  }
+  const char* verdict = code == as_it_should_be ? "CERTIFIED" : code == undecided ? "UNDECIDED" : "NOT CERTIFIED";
+  return fmt::format("s {} {}/{}\n", verdict, certified, problem.answers.size());
+}
+
+/// As one would type it again.
+std::string command_line(const CertifyProblemArguments& options) {
+  std::string text = "slipproof certify " + options.file;
+  if (!options.answer.empty()) text += " --answer " + options.answer;
+  if (options.refine) text += " --refine";
+  if (options.law != "cone") text += " --law " + options.law;
+  return text;
+}
+
+}  // namespace
+
+void add_problem_options(CLI::App& command, CertifyProblemArguments& options) {
+  const auto group = command.add_option_group("Contact problems", "FCLIB HDF5, Siconos text, MatrixMarket, JSON");
+  group->add_option("--answer", options.answer, "The solver's answer: text, NumPy, MatrixMarket, JSON, HDF5");
+  group
+      ->add_option("--refine", options.refined,
+                   "Look for a solution near the answer, or without one;\nwith a FILE write it there, as JSON")
+      ->expected(0, 1);
+  group->add_option("--certificate", options.certificate, "Write what slipproof-check-contact checks again");
+  group->add_option("--report", options.report, "Write a page with the contacts in their cones");
+  group->add_option("--within", options.within, "Is there no solution within this radius of the answer?")
+      ->check(number_in(0, 1e300));
+  group->add_option("--law", options.law, "The friction that was meant: cone, or a pyramid (box, diamond)")
+      ->check(CLI::IsMember({"cone", "box", "diamond"}))
+      ->capture_default_str();
+}
+
+int run_certify_problem(const CertifyProblemArguments& options, const CommonOptions& common) {
+  ContactFileOptions judge;
+  judge.judge.tolerance = options.tolerance;
+  judge.judge.within = options.within;
+  judge.judge.refine = options.refine;
+  judge.judge.law = law_of(options.law);
+  ReadProblem read = read_problem_file(options.file);
+  if (!options.answer.empty()) {
+    judge.answer = read_answer_file(options.answer);
+    Mistakes mistakes(options.answer);
+    check_answer(read.problem, *judge.answer, "the answer's ", mistakes);
+    mistakes.refuse_if_any();
+  }
+  const Inputs inputs{options.file, options.answer};
+  std::optional<OutputFile> refined, certificate, report;
+  if (!options.refined.empty()) refined.emplace(options.refined, inputs);
+  if (!options.certificate.empty()) certificate.emplace(options.certificate, inputs);
+  if (!options.report.empty()) report.emplace(options.report, inputs);
+
+  const JudgedProblem problem = judge_problem_file(options.file, std::move(read), judge);
+  std::string lines, words;
+  for (std::size_t i = 0; i < problem.answers.size(); ++i) {
+    lines += contact_line(problem, i) + '\n';
+    words += contact_words(problem, i);
+  }
+  const int code = exit_code_of(problem);
+  words += last_line(problem, code);
+  if (refined) {
+    const std::string text = refined_answer(problem, 0);
+    if (text.empty()) {
+      words = "no improved answer: no solution is enclosed\n" + words;
+    } else {
+      refined->write(text);
+    }
+  }
+  if (certificate) {
+    const std::string text = contact_certificate(problem.mixed, problem.first().judgement);
+    if (text.empty()) {
+      words = "no certificate: nothing is proved about this answer\n" + words;
+    } else {
+      certificate->write(text);
+    }
+  }
+  if (report) report->write(contact_report(problem, command_line(options), SLIPPROOF_VERSION));
+  if (common.json) {
+    print(lines);
+    if (!common.quiet) std::cerr << words;
+  } else {
+    print(common.quiet ? words : lines + words);
+  }
+  return code;
+}
+
+}  // namespace slipproof::cli

@@ -1,0 +1,30 @@
+// `slipproof certify PROBLEM`: answers to contact problems at real size.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/command.hpp"
+
+namespace slipproof::cli {
+
+struct CertifyProblemArguments {
+  std::string file, answer, certificate, report, refined;
+  std::string law = "cone";
+  double tolerance = 1e-6;
+  std::optional<double> within;
+  bool refine = false;
+  /// Whether one of the options was given that only problems have.
+  bool any() const {
+    return !answer.empty() || !certificate.empty() || !report.empty() || refine || within || law != "cone";
+  }
+};
+
+/// Adds those options to `certify`.
+void add_problem_options(CLI::App& command, CertifyProblemArguments& options);
+
+/// Judges the answers, prints a line for each and a summary in words, writes what was asked for. Throws InputError,
+/// OutputError. Returns the exit code.
+int run_certify_problem(const CertifyProblemArguments& options, const CommonOptions& common);
+
+}  // namespace slipproof::cli

@@ -1,0 +1,93 @@
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/run_program.hpp"
+
+using slipproof::test::last_line;
+using slipproof::test::Outcome;
+using slipproof::test::read_file;
+using slipproof::test::run;
+using slipproof::test::TemporaryFolder;
+using Json = nlohmann::json;
+
+namespace {
+
+// A point of mass 1 pressed on with 10 and pulled by (3, 4): with mu = 1/4 friction of 2.5 lets it slide.
+std::string point(const std::string& answer, const std::string& mu = "0.25") {
+  return R"({"dimension": 3, "W": [[1,0,0],[0,1,0],[0,0,1]], "q": [-10, 3, 4], "mu": )" + mu +
+         (answer.empty() ? "" : ", \"r\": " + answer) + "}";
+}
+
+Json line_of(const Outcome& outcome) {
+  return Json::parse(outcome.out.substr(0, outcome.out.find('\n')));
+}
+
+}  // namespace
+
+TEST_CASE("an answer to a contact problem is certified, in JSON and in words") {
+  const TemporaryFolder folder;
+  const auto outcome = run({"certify", folder.write("p.json", point("[10, -1.5, -2]"))});
+  CHECK(outcome.exit_code == 0);
+  const Json line = line_of(outcome);
+  CHECK(line["verdict"] == "solution within rho");
+  CHECK(line["contacts"] == 1);
+  CHECK(line["dimension"] == 3);
+  CHECK(line["unique"] == "locally");
+  CHECK(std::stod(line["rho"].get<std::string>()) < 1e-14);
+  CHECK(outcome.out.find("An exact solution is within") != std::string::npos);
+  CHECK(last_line(outcome.out) == "s CERTIFIED 1/1\n");
+}
+
+TEST_CASE("exit codes of contact problems") {
+  const TemporaryFolder folder;
+  CHECK(run({"certify", folder.write("w.json", point("[10, -3, -4]"))}).exit_code == 1);
+  CHECK(run({"certify", folder.write("n.json", point("[10, -1.5]"))}).exit_code == 3);
+  const auto none = run({"certify", folder.write("u.json", point(""))});
+  CHECK(none.exit_code == 4);
+  CHECK(last_line(none.out) == "s UNDECIDED 0/1\n");
+  CHECK(run({"certify", folder.write("r.json", point("")), "--refine"}).exit_code == 0);
+  CHECK(run({"certify", folder.write("m.json", point("[10, -1.5, -2]", "-1"))}).exit_code == 3);
+  CHECK(run({"certify", folder.write("x.json", point("[10, -1.5, -2]")), "--within", "-1"}).exit_code == 2);
+  const auto excluded = run({"certify", folder.write("i.json", point("[10, -3, -4]")), "--within", "0.5"});
+  CHECK(excluded.exit_code == 1);
+  CHECK(line_of(excluded)["verdict"] == "no solution within rho");
+}
+
+TEST_CASE("a pyramid's answer is told as that, and is right for its own law") {
+  const TemporaryFolder folder;
+  const auto file = folder.write("p.json", R"({"dimension": 3, "W": [[1,0,0],[0,1,0],[0,0,1]], "q": [-10, 9, 9],
+    "mu": 0.5, "r": [10, -5, -5]})");
+  const auto cone = run({"certify", file});
+  CHECK(cone.exit_code == 1);
+  CHECK(line_of(cone)["right_for"] == "box pyramid |t1| <= mu n, |t2| <= mu n");
+  const auto box = run({"certify", file, "--law", "box"});
+  CHECK(line_of(box)["verdict"] == "eps-solution");
+}
+
+TEST_CASE("an answer of its own file, an improved answer, a certificate and a report") {
+  const TemporaryFolder folder;
+  const auto problem = folder.write("p.json", point(""));
+  const auto answer = folder.write("a.txt", "10 -1.5000001 -2\n");
+  const auto refined = (folder.path() / "better.json").string(), cert = (folder.path() / "p.cert").string(),
+             page = (folder.path() / "p.html").string();
+  const auto outcome = run(
+      {"certify", problem, "--answer", answer, "--refine", refined, "--certificate", cert, "--report", page, "--json"});
+  CHECK(outcome.exit_code == 0);
+  CHECK(line_of(outcome)["answer"] == answer.string());
+  const Json better = Json::parse(read_file(refined));
+  CHECK(better["r"][1].get<double>() == doctest::Approx(-1.5).epsilon(1e-15));
+  CHECK(better["radius"][1].get<double>() < 1e-14);
+  CHECK(run({"certify", problem, "--answer", refined}).exit_code == 0);
+  CHECK(read_file(cert).starts_with("slipproof-contact 1\n"));
+  CHECK(read_file(page).find("<svg") != std::string::npos);
+  // Nothing is lost: neither the problem nor the answer can be an output.
+  CHECK(run({"certify", problem, "--answer", answer, "--certificate", answer}).exit_code == 3);
+  CHECK(read_file(answer) == "10 -1.5000001 -2\n");
+}
+
+TEST_CASE("the shipped block on four corners has one force that nothing determines") {
+  const auto outcome = run({"certify", SLIPPROOF_SOURCE_DIR "/cases/contact-problems/pushed-block.json"});
+  CHECK(outcome.exit_code == 0);
+  CHECK(line_of(outcome)["undetermined_forces"] == 1);
+}
