@@ -13,4 +13,5 @@ npm ci --ignore-scripts --no-audit --no-fund >npm.log 2>&1 || { cat npm.log; ech
 "$slipproof" trade --quick --json >trade.json
 "$slipproof" report --samples 300 --trade trade.json --out index.html --quiet
 "$slipproof" report "$project/proofs" --out papers --quiet
+"$slipproof" certify "$project/cases/contact-problems/pushed-block.json" --report contact.html --quiet >certify.txt
 SLIPPROOF="$slipproof" PROJECT="$project" node --test --test-reporter=spec report.mjs

@@ -225,9 +225,10 @@ test('everything can be read without a script', async () => {
 
 const papers = readdirSync('papers').filter(name => name.endsWith('.html'));
 
-for (const name of papers) {
-  test(`papers/${name}: quiet, whole at two widths, and nothing for axe-core`, async () => {
-    const url = pathToFileURL(`papers/${name}`).href;
+// The page about a contact problem has the same manners.
+for (const name of [...papers.map(paper => `papers/${paper}`), 'contact.html']) {
+  test(`${name}: quiet, whole at two widths, and nothing for axe-core`, async () => {
+    const url = pathToFileURL(name).href;
     for (const width of [1280, 400]) {
       const page = await open({ width, url });
       assert.deepEqual(page.said, []);

@@ -227,7 +227,7 @@ TEST_CASE("mutants of the shipped certificates are rejected, the same proof, or 
 #if defined(__SANITIZE_ADDRESS__)
   const std::size_t standard = 1'000;
 #else
-  const std::size_t standard = 10'000;
+  const std::size_t standard = 4'000;
 #endif
   const char* asked = std::getenv("SLIPPROOF_CHECK_MUTANTS");
   const std::size_t wanted = asked == nullptr ? standard : std::stoul(asked);

@@ -34,7 +34,7 @@ std::vector<std::filesystem::path> folders() {
 TEST_CASE("every claim of every paper has the verdict that its file expects, and a page") {
   const TemporaryFolder folder;
   const auto outcome =
-      run({"verify", papers, "--json", "--samples", "500", "--lines", "3", "--report", folder.path() / "pages"});
+      run({"verify", papers, "--json", "--samples", "200", "--lines", "2", "--report", folder.path() / "pages"});
   CHECK(outcome.exit_code == 0);
   const Json document = Json::parse(outcome.out);
   CHECK(document["schema"] == "slipproof/papers/1");
@@ -81,7 +81,7 @@ TEST_CASE("mutants of the papers do not survive") {
     if (folder.filename() == "rozenblat-yashin") continue;  // tests/verify
     CAPTURE(folder.string());
     const auto outcome = run({"verify", folder / "claims.toml", "--mutants", "--samples", "200", "--every",
-                              every == nullptr ? "250" : every, "--quiet"});
+                              every == nullptr ? "600" : every, "--quiet"});
     CHECK(outcome.exit_code == 0);
     CHECK(outcome.out.starts_with("s TIGHT mutants "));
   }
