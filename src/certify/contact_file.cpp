@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cstdlib>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "enclosure/answer.hpp"
@@ -117,9 +118,21 @@ std::size_t undetermined(const ContactJudgement& j) {
   return j.enclosure ? j.enclosure->pinned.size() : 0;
 }
 
-bool about_right(const ContactJudgement& j) {
-  return j.verdict == ContactVerdict::solution_within_rho || j.verdict == ContactVerdict::unique ||
-         j.verdict == ContactVerdict::ambiguous;
+/// Of a solution that was found: how far it is the only one.
+Json uniqueness(const ContactJudgement& j) {
+  if (j.verdict == ContactVerdict::unique) return "globally";
+  return j.enclosure && j.enclosure->locally_unique ? Json("locally") : Json();
+}
+
+/// A number in three digits that is still a bound: stepped by `factor` while `beyond` says that printing lost it.
+template <class Beyond>
+std::string three_digits(double x, double factor, const Beyond& beyond) {
+  if (x == 0) return "0";
+  std::string text = fmt::format("{:.2e}", x);
+  for (double step = x * factor; beyond(std::strtod(text.c_str(), nullptr), x); step *= factor) {
+    text = fmt::format("{:.2e}", step);
+  }
+  return text;
 }
 
 std::string contact_list(const std::vector<std::size_t>& contacts) {
@@ -196,23 +209,11 @@ std::vector<std::string> further_words(const ContactJudgement& j) {
 }
 
 std::string at_most(double x) {
-  if (x == 0) return "0";
-  std::string text = fmt::format("{:.2e}", x);
-  for (double more = x; std::strtod(text.c_str(), nullptr) < x;) {
-    more *= 1 + 1e-3;
-    text = fmt::format("{:.2e}", more);
-  }
-  return text;
+  return three_digits(x, 1 + 1e-3, std::less<>());
 }
 
 std::string at_least(double x) {
-  if (x == 0) return "0";
-  std::string text = fmt::format("{:.2e}", x);
-  for (double less = x; std::strtod(text.c_str(), nullptr) > x;) {
-    less *= 1 - 1e-3;
-    text = fmt::format("{:.2e}", less);
-  }
-  return text;
+  return three_digits(x, 1 - 1e-3, std::greater<>());
 }
 
 std::string contact_line(const JudgedProblem& problem, std::size_t answer) {
@@ -225,11 +226,7 @@ std::string contact_line(const JudgedProblem& problem, std::size_t answer) {
             {"verdict", name(j.verdict)}};
   if (j.has_solution()) {
     line["rho"] = at_most(j.rho);
-    if (about_right(j))
-      line["unique"] = j.verdict == ContactVerdict::unique          ? "globally"
-                       : j.enclosure && j.enclosure->locally_unique ? "locally"
-                                                                    : "";
-    if (line.contains("unique") && line["unique"] == "") line["unique"] = nullptr;
+    if (is_certified(j.verdict) || j.verdict == ContactVerdict::ambiguous) line["unique"] = uniqueness(j);
   }
   if (j.exclusion && j.exclusion->radius > 0) line["no_solution_within"] = at_least(j.exclusion->radius);
   if (j.residual) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 
 #include "certify/contact_file.hpp"
@@ -22,27 +23,16 @@ FrictionLaw law_of(const std::string& text) {
 int exit_code_of(const JudgedProblem& problem) {
   int code = as_it_should_be;
   for (const JudgedAnswer& answer : problem.answers) {
-    switch (answer.judgement.verdict) {
-      case ContactVerdict::solution_within_rho:
-      case ContactVerdict::unique:
-        break;
-      case ContactVerdict::undecided:
-        if (code == as_it_should_be) code = undecided;
-        break;
-      default:
-        code = refuted_or_not_certified;
-        break;
-    }
+    if (is_certified(answer.judgement.verdict)) continue;
+    if (answer.judgement.verdict != ContactVerdict::undecided) return refuted_or_not_certified;
+    code = undecided;
   }
   return code;
 }
 
 std::string last_line(const JudgedProblem& problem, int code) {
-  std::size_t certified = 0;
-  for (const JudgedAnswer& a : problem.answers) {
-    certified +=
-        a.judgement.verdict == ContactVerdict::solution_within_rho || a.judgement.verdict == ContactVerdict::unique;
-  }
+  const auto certified = std::count_if(problem.answers.begin(), problem.answers.end(),
+                                       [](const auto& a) { return is_certified(a.judgement.verdict); });
   const char* verdict = code == as_it_should_be ? "CERTIFIED" : code == undecided ? "UNDECIDED" : "NOT CERTIFIED";
   return fmt::format("s {} {}/{}\n", verdict, certified, problem.answers.size());
 }

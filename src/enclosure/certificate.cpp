@@ -59,11 +59,7 @@ class CertificateWriter {
     }
     if (j.other) write_enclosure(*j.other, distance_from(*j.other, j.x));
     if (!j.other_exact.empty()) {
-      double apart = 0;
-      for (std::size_t i = 0; i < j.x.size(); ++i) {
-        apart = std::max(apart, enclose(abs(to_rational(j.x[i]) - j.other_exact[i])).upper);
-      }
-      write_exact(j.other_exact, apart);
+      write_exact(j.other_exact, distance_from(j.other_exact, j.x));
     }
     if (j.unique_by) write_unique(*j.unique_by);
     return true;

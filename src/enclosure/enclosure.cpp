@@ -100,8 +100,9 @@ class EnclosureSearch {
     bool regular = true;
     for (SystemBlock& block : blocks_) {
       if (block.unknowns.size() == block.equations.size()) {
-        block.inverse = approximate_inverse(block_derivative(*system_, block, z_));
-        if (all_finite(block.inverse.value) && well_conditioned(block)) continue;
+        const DenseMatrix J = block_derivative(*system_, block, z_);
+        block.inverse = approximate_inverse(J);
+        if (all_finite(block.inverse.value) && well_conditioned(J, block.inverse)) continue;
       }
       regular = false;
       break;
@@ -111,11 +112,10 @@ class EnclosureSearch {
 
   /// Whether the inverse is one at all: with dependent equations it is noise. Whatever rows and columns are scaled by
   /// leaves the diagonal of |R| |J| as it is.
-  bool well_conditioned(const SystemBlock& block) const {
-    const DenseMatrix J = block_derivative(*system_, block, z_);
+  static bool well_conditioned(const DenseMatrix& J, const DenseMatrix& inverse) {
     std::vector<double> diagonal(J.size, 0);
     for (std::size_t i = 0; i < J.size; ++i) {
-      for (std::size_t j = 0; j < J.size; ++j) diagonal[j] += std::abs(block.inverse.row(j)[i] * J.row(i)[j]);
+      for (std::size_t j = 0; j < J.size; ++j) diagonal[j] += std::abs(inverse.row(j)[i] * J.row(i)[j]);
     }
     return std::all_of(diagonal.begin(), diagonal.end(), [](double x) { return x < 0.05 / unit_roundoff; });
   }
@@ -278,6 +278,14 @@ double distance_from(const Enclosure& enclosure, std::span<const double> x) {
     const double center = j == ModeSystem::none ? 0 : enclosure.center[j];
     const double radius = j == ModeSystem::none ? 0 : enclosure.radius[j];
     distance = std::max(distance, (std::abs(x[i] - center) + radius) * (1 + 8 * unit_roundoff));
+  }
+  return distance;
+}
+
+double distance_from(const std::vector<Rational>& solution, std::span<const double> x) {
+  double distance = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    distance = std::max(distance, enclose(abs(to_rational(x[i]) - solution[i])).upper);
   }
   return distance;
 }

@@ -48,5 +48,7 @@ std::variant<Enclosure, NoEnclosure> enclose_solution(const MixedProblem& proble
 std::vector<double> center_of(const Enclosure& enclosure);
 /// Upper bound on the distance of the exact solution from an answer, in the maximum norm of all components of x.
 double distance_from(const Enclosure& enclosure, std::span<const double> x);
+/// The same of a solution in numbers.
+double distance_from(const std::vector<Rational>& solution, std::span<const double> x);
 
 }  // namespace slipproof

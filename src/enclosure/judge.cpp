@@ -38,14 +38,6 @@ std::optional<FrictionLaw> pyramid_that_fits(const MixedProblem& problem, std::s
   return std::nullopt;
 }
 
-double distance_of(std::span<const double> x, const std::vector<Rational>& exact) {
-  double largest = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    largest = std::max(largest, slipproof::enclose(abs(to_rational(x[i]) - exact[i])).upper);
-  }
-  return largest;
-}
-
 /// An answer that is to be judged, and what is known of it so far.
 class ContactCase {
  public:
@@ -93,12 +85,12 @@ class ContactCase {
     count_ = count_solutions(problem_, effort_);
     counted_ = count_.kind != SolutionCount::Kind::unknown;
     if (!counted_) return false;
-    const auto nearer = [&](const auto& a, const auto& b) { return distance_of(j_.x, a) < distance_of(j_.x, b); };
+    const auto nearer = [&](const auto& a, const auto& b) { return distance_from(a, j_.x) < distance_from(b, j_.x); };
     std::sort(count_.solutions.begin(), count_.solutions.end(), nearer);
     if (count_.solutions.empty()) return count_.kind == SolutionCount::Kind::none;
     if (count_.kind == SolutionCount::Kind::continuum && problem_.dimension > 1) return false;
     j_.exact = count_.solutions.front();
-    j_.rho = distance_of(j_.x, j_.exact);
+    j_.rho = distance_from(j_.exact, j_.x);
     if (count_.kind == SolutionCount::Kind::one) j_.unique_by = prove_unique(problem_, effort_);
     if (count_.solutions.size() > 1) j_.other_exact = count_.solutions[1];
     // Of a continuum members nearer to the answer may exist than those that are shown.
@@ -113,7 +105,7 @@ class ContactCase {
     const auto found = solve_lcp(problem_, std::move(active), effort_);
     if (!found) return;
     for (std::size_t i = 0; i < found->x.size(); ++i) j_.exact.push_back(found->x.at(i));
-    j_.rho = distance_of(j_.x, j_.exact);
+    j_.rho = distance_from(j_.exact, j_.x);
   }
 
   void exclude_others() {
@@ -136,6 +128,10 @@ class ContactCase {
 
 std::string_view name(ContactVerdict verdict) {
   return verdict_names[static_cast<std::size_t>(verdict)];
+}
+
+bool is_certified(ContactVerdict verdict) {
+  return verdict == ContactVerdict::solution_within_rho || verdict == ContactVerdict::unique;
 }
 
 ContactJudgement judge_contacts(const MixedProblem& problem, std::vector<double> x, std::span<const double> u,

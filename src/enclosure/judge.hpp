@@ -26,6 +26,8 @@ enum class ContactVerdict : std::uint8_t {
   undecided             ///< no answer was given, and none was found
 };
 std::string_view name(ContactVerdict verdict);
+/// `solution_within_rho` and `unique`: all that one could ask of an answer.
+bool is_certified(ContactVerdict verdict);
 
 struct ContactJudgeOptions {
   double tolerance = 1e-6;       ///< on the backward error, relative to the largest constant
