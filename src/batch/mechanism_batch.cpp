@@ -10,6 +10,7 @@
 #include "mechanism/words.hpp"
 #include "motions/modes_of.hpp"
 #include "number/binary64.hpp"
+#include "parallel/stop.hpp"
 
 namespace slipproof {
 
@@ -73,6 +74,7 @@ MechanismAnswers MechanismBatch::modes_at(const MechanismColumns& columns, Unsur
   }
   ModeRun run(*code_);
   for (std::size_t first = 0; first < points.count; first += lane_count) {
+    stop_if_asked();
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
       const std::size_t point = std::min(first + lane, points.count - 1);
       for (std::size_t i = 0; i < columns.parameters.size(); ++i) {

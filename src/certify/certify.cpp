@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_pipeline.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
@@ -16,7 +15,7 @@
 #include "certify/mechanism_reader.hpp"
 #include "certify/problem_reader.hpp"
 #include "certify/record_reader.hpp"
-#include "parallel/thread_count.hpp"
+#include "parallel/in_parallel.hpp"
 
 namespace slipproof {
 
@@ -165,6 +164,7 @@ class ChunkJudge {
   }
 
   void write() {
+    stop_if_asked();
     judge_.finish();
     for (std::size_t i = 0; i < count_; ++i) {
       Entry& entry = entries_[i];
@@ -222,9 +222,8 @@ CertifySummary certify(const ByteSource& input, const LineSink& output, const Ce
     while (chunks.next(chunk)) write(judge_chunk(chunk, judges, options));
     return summary;
   }
-  tbb::task_arena arena(thread_count(options.threads));
-  const auto in_flight = 3 * static_cast<std::size_t>(arena.max_concurrency());
-  arena.execute([&] {
+  const auto in_flight = 3 * static_cast<std::size_t>(thread_count(options.threads));
+  on_threads(options.threads, [&, token = StopScope::token()] {
     tbb::parallel_pipeline(
         in_flight,
         tbb::make_filter<void, std::shared_ptr<Chunk>>(tbb::filter_mode::serial_in_order,
@@ -236,6 +235,7 @@ CertifySummary certify(const ByteSource& input, const LineSink& output, const Ce
             tbb::make_filter<std::shared_ptr<Chunk>, std::shared_ptr<Judged>>(
                 tbb::filter_mode::parallel,
                 [&](const std::shared_ptr<Chunk>& chunk) {
+                  const StopScope scope(token);
                   return std::make_shared<Judged>(judge_chunk(*chunk, judges, options));
                 }) &
             tbb::make_filter<std::shared_ptr<Judged>, void>(

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "number/exact_sum.hpp"
+#include "parallel/stop.hpp"
 
 namespace slipproof {
 
@@ -150,6 +151,7 @@ bool rest_is_dominant(const BothWays& A, const BothWays& L) {
   SymmetricRow row(A, L);
   Entries entries(L.rows);
   for (std::size_t i = 0; i < n; ++i) {
+    stop_if_asked();
     entries.begin_row(i);
     for (const std::size_t j : row.go_to(i)) {
       const auto [value, error] = entries.entry(j, row.in_row(j), row.in_column(j));

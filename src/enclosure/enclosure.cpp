@@ -8,6 +8,7 @@
 #include "enclosure/residual.hpp"
 #include "enclosure/rounding.hpp"
 #include "number/binary64.hpp"
+#include "parallel/stop.hpp"
 
 namespace slipproof {
 
@@ -99,6 +100,7 @@ class EnclosureSearch {
     }
     bool regular = true;
     for (SystemBlock& block : blocks_) {
+      stop_if_asked();
       if (block.unknowns.size() == block.equations.size()) {
         const DenseMatrix J = block_derivative(*system_, block, z_);
         block.inverse = approximate_inverse(J);

@@ -6,6 +6,7 @@
 
 #include "enclosure/answer.hpp"
 #include "enclosure/residual.hpp"
+#include "parallel/stop.hpp"
 
 namespace slipproof {
 
@@ -105,6 +106,7 @@ std::vector<double> approximate_solution(const MixedProblem& problem, const Find
   DenseVector r = DenseVector::Zero(d->q.size());
   for (int sweep = 0; sweep < options.sweeps; ++sweep) {
     double moved = 0;
+    stop_if_asked();
     for (std::size_t k = 0; k < contacts.size(); ++k) {
       const Eigen::Index first = static_cast<Eigen::Index>(k) * size;
       const DenseVector before = r.segment(first, size);

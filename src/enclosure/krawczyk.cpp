@@ -6,6 +6,7 @@
 
 #include "enclosure/rounding.hpp"
 #include "number/binary64.hpp"
+#include "parallel/stop.hpp"
 
 namespace slipproof {
 
@@ -62,6 +63,7 @@ class KrawczykTest {
   /// The bound on |K - z| of MATHEMATICS.md; `order` times the terms of second order: 1 for a zero, 2 for its
   /// uniqueness.
   std::vector<double> bound_with(double order) const {
+    stop_if_asked();
     const std::vector<double> all = radius_of_all();
     const double underflow = underflow_of(n_);
     double sum_of_radii = 0;

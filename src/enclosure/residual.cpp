@@ -5,6 +5,7 @@
 
 #include "enclosure/rounding.hpp"
 #include "number/binary64.hpp"
+#include "parallel/stop.hpp"
 
 namespace slipproof {
 
@@ -230,6 +231,7 @@ Residual residual(const MixedProblem& problem, std::span<const double> x, std::s
   const std::vector<double> scales = contact_scales(problem);
   std::vector<double> moved(problem.size(), 0), change(problem.size(), 0);
   for (std::size_t k = 0; k < problem.contacts(); ++k) {
+    stop_if_asked();
     const std::size_t first = problem.normal(k);
     const auto u = w.subspan(first, d);
     ContactJudge judge(d, problem.mu[k], scales[k], law);

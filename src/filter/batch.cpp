@@ -2,7 +2,6 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <functional>
@@ -10,7 +9,7 @@
 
 #include "filter/lanes.hpp"
 #include "filter/vector_clones.hpp"
-#include "parallel/thread_count.hpp"
+#include "parallel/in_parallel.hpp"
 
 namespace slipproof {
 
@@ -46,6 +45,7 @@ TierCounts decide_range(const ForcedScene<Column>& scenes, std::span<ConsistentM
                         std::size_t end) {
   TierCounts counts{};
   for (std::size_t first = begin; first < end; first += lane_count) {
+    stop_if_asked();
     LaneSets sets;
     decide_block(scenes, first, answers.size(), sets);
     for (std::size_t i = first; i < std::min<std::size_t>(end, first + lane_count); ++i) {
@@ -81,12 +81,12 @@ void consistent_modes(const ForcedScene<Column>& scenes, std::span<ConsistentMod
     return;
   }
   constexpr std::size_t grain = 1024;
-  tbb::task_arena arena(thread_count(threads));
   const std::size_t blocks = (answers.size() + lane_count - 1) / lane_count;  // a block of lanes is never cut
-  const TierCounts found = arena.execute([&] {
+  const TierCounts found = on_threads(threads, [&, token = StopScope::token()] {
     return tbb::parallel_reduce(
         tbb::blocked_range<std::size_t>(0, blocks, grain / lane_count), TierCounts{},
         [&](const tbb::blocked_range<std::size_t>& r, const TierCounts& so_far) {
+          const StopScope scope(token);
           return sum(so_far, decide(r.begin() * lane_count, std::min(r.end() * lane_count, answers.size())));
         },
         sum);

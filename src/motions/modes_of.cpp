@@ -4,6 +4,8 @@
 #include <map>
 #include <utility>
 
+#include "parallel/stop.hpp"
+
 namespace slipproof {
 
 namespace {
@@ -126,6 +128,7 @@ class ModeTree {
     const ProblemElement& element = problem_.elements[level];
     Branch inner = branch;
     for (const ElementState state : states_[level]) {
+      stop_if_asked();
       const std::uint64_t beyond = inner.first + numbers_.that_share(level + 1);
       inner.end = std::lower_bound(inner.begin, branch.end, beyond);
       if (inner.size() > 0) go_into(space, element, state, inner);
@@ -226,6 +229,7 @@ ModesOf ModeSolver::among(const std::vector<std::vector<ElementState>>& states, 
   NumberedModes result{{}, {}, rejected == Rejected::told};
   ModeTree::Numbers singular;
   for (std::uint64_t number = 0; number < numbers.count(); ++number) {
+    stop_if_asked();
     const MechanismMode mode = numbers.mode(number);
     RegularModes::Outcome outcome = regular_.solve(mode, effort);
     if (outcome.kind == Kind::singular) {

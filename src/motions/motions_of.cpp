@@ -4,6 +4,8 @@
 #include <map>
 #include <utility>
 
+#include "parallel/stop.hpp"
+
 namespace slipproof {
 
 namespace {
@@ -143,6 +145,7 @@ class Cells {
     add_ends(points, problem_.load_domain);
     for (const ConsistentMode& mode : consistent_) add_ends(points, mode.solutions.loads);
     for (std::size_t i = 0; i < consistent_.size(); ++i) {
+      stop_if_asked();
       for (std::size_t j = 0; j < consistent_.size(); ++j) {
         if (!consistent_[j].determined || i == j) continue;
         if (!consistent_[i].determined) {

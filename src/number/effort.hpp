@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "number/rational.hpp"
+#include "parallel/stop.hpp"
 
 namespace slipproof {
 
@@ -39,8 +40,9 @@ class Effort {
 
   Work left() const { return left_; }
   bool allows(Work work) const { return work <= left_; }
-  /// Throws TooMuchWork, with nothing left, where that is not allowed.
+  /// Throws TooMuchWork, with nothing left, where that is not allowed, and Stopped where the call was asked to end.
   void spend(Work work) {
+    stop_if_asked();
     if (!allows(work)) {
       left_ = 0;
       throw TooMuchWork();

@@ -8,9 +8,11 @@
 #include <limits>
 #include <utility>
 
+#include "parallel/stop.hpp"
+
 namespace slipproof {
 
-/// Counts steps, and ends the work by throwing Spent where there are too many.
+/// Counts steps, and ends the work by throwing Spent where there are too many, or Stopped where that was asked.
 class Budget {
  public:
   struct Spent {};
@@ -30,6 +32,7 @@ class Budget {
   void spend(std::size_t steps) {
     spent_ += steps;
     if (spent_ > limit_) throw Spent{};
+    stop_if_asked();
     if (spent_ < next_tick_) return;
     next_tick_ = spent_ + tick_distance;
     if (tick_) tick_(spent_);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "number/binary64.hpp"
+#include "parallel/stop.hpp"
 #include "precision/arithmetic.hpp"
 #include "precision/workload.hpp"
 
@@ -28,6 +29,7 @@ double scenes_per_second(const Arithmetic& arithmetic, std::size_t scenes, doubl
   double elapsed = 0;
   const double start = cpu_time();
   do {
+    stop_if_asked();
     sink = arithmetic.run();
     ++passes;
     elapsed = cpu_time() - start;

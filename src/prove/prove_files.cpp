@@ -1,15 +1,12 @@
 #include "prove/prove_files.hpp"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <mutex>
 
 #include "check/files.hpp"
 #include "input/diagnostic.hpp"
 #include "input/text_file.hpp"
-#include "parallel/thread_count.hpp"
+#include "parallel/in_parallel.hpp"
 #include "prove/statement.hpp"
 
 namespace slipproof {
@@ -21,15 +18,7 @@ constexpr std::size_t max_certificate_size = std::size_t{1} << 28U;
 /// One statement a task: they differ by orders of magnitude.
 template <class Work>
 void for_each_index(std::size_t size, unsigned threads, const Work& work) {
-  tbb::task_arena arena(thread_count(threads));
-  arena.execute([&] {
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, size, 1),
-        [&](const auto& range) {
-          for (std::size_t i = range.begin(); i != range.end(); ++i) work(i);
-        },
-        tbb::simple_partitioner());
-  });
+  on_threads(threads, [&] { each_in_parallel(0, size, work); });
 }
 
 /// Throws InputError with what is wrong with all of them.

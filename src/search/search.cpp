@@ -1,15 +1,12 @@
 #include "search/search.hpp"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <map>
 #include <set>
 #include <tuple>
 #include <utility>
 
-#include "parallel/thread_count.hpp"
+#include "parallel/in_parallel.hpp"
 
 namespace slipproof {
 
@@ -55,8 +52,7 @@ class MotionSearch {
         samples_(options.samples.value_or(default_samples(mechanism))) {}
 
   SearchResult result() {
-    tbb::task_arena arena(thread_count(options_.threads));
-    arena.execute([&] {
+    on_threads(options_.threads, [&] {
       sample();
       conclude();
     });
@@ -70,7 +66,7 @@ class MotionSearch {
   void sample() {
     for (std::uint64_t first = 0; first < samples_ && !ended_; first += batch) {
       std::vector<Shown> shown(std::min(batch, samples_ - first));
-      tbb::parallel_for(std::size_t{0}, shown.size(), [&](std::size_t i) { shown[i] = show(first + i); });
+      in_parallel(0, shown.size(), [&](std::size_t i) { shown[i] = show(first + i); });
       for (std::size_t i = 0; i < shown.size() && !ended_; ++i) count(shown[i]);
       if (options_.progress) options_.progress(ended_ ? samples_ : first + shown.size(), samples_);
     }
@@ -131,7 +127,7 @@ class MotionSearch {
     std::stable_sort(result_.cells.begin(), result_.cells.end(), [&](const SearchCell& x, const SearchCell& y) {
       return std::pair(rank(x.found.count), y.samples) < std::pair(rank(y.found.count), x.samples);
     });
-    tbb::parallel_for(std::size_t{0}, result_.cells.size(), [&](std::size_t i) { simplify(result_.cells[i]); });
+    in_parallel(0, result_.cells.size(), [&](std::size_t i) { simplify(result_.cells[i]); });
   }
 
   /// So often something simpler is tried for a cell: for all together about as often as there are samples, and for

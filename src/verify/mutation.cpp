@@ -1,8 +1,6 @@
 #include "verify/mutation.hpp"
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
@@ -12,7 +10,7 @@
 #include <numeric>
 #include <utility>
 
-#include "parallel/thread_count.hpp"
+#include "parallel/in_parallel.hpp"
 #include "verify/edges.hpp"
 #include "verify/reach.hpp"
 #include "verify/sampler.hpp"
@@ -78,9 +76,8 @@ class MutationRun {
         baselines_(file_.claims.size()) {}
 
   MutationResult result() {
-    tbb::task_arena arena(thread_count(options_.threads));
     MutationResult result;
-    arena.execute([&] { judge_all(result); });
+    on_threads(options_.threads, [&] { judge_all(result); });
     result.samples = options_.samples;
     result.more_samples = options_.more_samples;
     result.seed = options_.seed;
@@ -106,7 +103,7 @@ class MutationRun {
     }
     groups.push_back(all.size());
     std::atomic<std::uint64_t> done = 0;
-    tbb::parallel_for(std::size_t{0}, groups.size() - 1, [&](std::size_t g) {
+    in_parallel(0, groups.size() - 1, [&](std::size_t g) {
       judge_group(workshop(), all.data() + groups[g], all.data() + groups[g + 1]);
       done += groups[g + 1] - groups[g];
       if (!options_.progress) return;
@@ -155,7 +152,7 @@ class MutationRun {
       claims[s].erase(std::unique(claims[s].begin(), claims[s].end()), claims[s].end());
       if (!claims[s].empty()) solve_samples(s, options_.samples + options_.more_samples, claims[s]);
     }
-    tbb::parallel_for(std::size_t{0}, rest.size(), [&](std::size_t i) {
+    in_parallel(0, rest.size(), [&](std::size_t i) {
       MutantResult& m = *rest[i];
       Workshop& shop = workshop();
       Order order = samples_from(m.mutant.setting, options_.samples);
@@ -175,7 +172,7 @@ class MutationRun {
       if (file_.claims[c].setting == s) baselines_[c].resize(count);
     }
     const Sampler sampler(compiled_.settings[s], options_.seed);
-    tbb::parallel_for(first, static_cast<std::size_t>(count), [&](std::size_t i) {
+    in_parallel(first, count, [&](std::size_t i) {
       std::vector<Rational> values = sampler.at(i);
       if (values.empty()) return;
       if (i >= options_.samples && i % 2 == 1) {  // what survived has seen all that the sampler is good at

@@ -1,9 +1,5 @@
 #include "verify/verify.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -12,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "parallel/thread_count.hpp"
+#include "parallel/in_parallel.hpp"
 #include "verify/counterexample.hpp"
 #include "verify/critical.hpp"
 #include "verify/identity.hpp"
@@ -139,12 +135,11 @@ class Run {
         total_(options.samples * file.settings.size() + lines_ * tasks_.size()) {}
 
   VerifyResult result() {
-    tbb::task_arena arena(thread_count(options_.threads));
     VerifyResult result{options_.samples, lines_, options_.seed, std::vector<ClaimResult>(tasks_.size())};
-    arena.execute([&] {
+    on_threads(options_.threads, [&] {
       for (std::size_t s = 0; s < file_.settings.size(); ++s) sample(s);
       judge_lines();
-      tbb::parallel_for(std::size_t{0}, tasks_.size(), [&](std::size_t t) { result.claims[t] = conclude(t); });
+      in_parallel(0, tasks_.size(), [&](std::size_t t) { result.claims[t] = conclude(t); });
     });
     return result;
   }
@@ -154,12 +149,12 @@ class Run {
     const auto here = [&](const Task& task) { return file_.claims[task.claim].setting == setting; };
     if (std::none_of(tasks_.begin(), tasks_.end(), here)) return;
     const Sampler sampler(compiled_.settings[setting], options_.seed);
-    tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, options_.samples, 64), [&](const auto& block) {
+    pieces_in_parallel(0, options_.samples, 64, [&](std::size_t begin, std::size_t end) {
       std::vector<Tally> tallies(tasks_.size());
-      for (std::uint64_t i = block.begin(); i != block.end(); ++i) judge_sample(setting, i, sampler.at(i), tallies);
+      for (std::uint64_t i = begin; i != end; ++i) judge_sample(setting, i, sampler.at(i), tallies);
       const std::scoped_lock lock(mutex_);
       for (std::size_t t = 0; t < tasks_.size(); ++t) tallies_[t].add(tallies[t]);
-      tell(block.size());
+      tell(end - begin);
     });
   }
 
@@ -222,7 +217,7 @@ class Run {
       for (std::uint64_t number = 0; number < lines_for(task); ++number) lines.emplace_back(&task, number);
     }
     total_ = done_ + lines.size();  // exact from here on
-    tbb::parallel_for(std::size_t{0}, lines.size(), [&](std::size_t i) {
+    in_parallel(0, lines.size(), [&](std::size_t i) {
       const auto& [task, number] = lines[i];
       const Tally tally = judge_line(*task, number);
       const std::scoped_lock lock(mutex_);
