@@ -1,5 +1,4 @@
-// One solver of Siconos on one contact problem from a file. A run is a process of its own, as Siconos may crash or
-// never end; contact.sh limits its time.
+// One solver of Siconos on one contact problem from a file, at one of three tolerances.
 #include <fmt/format.h>
 #include <siconos/numerics/FrictionContactProblem.h>
 #include <siconos/numerics/Friction_cst.h>
@@ -11,15 +10,10 @@
 #include <siconos/numerics/lcp_cst.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
-#include <exception>
-#include <memory>
-#include <string>
 #include <vector>
 
-#include "contact_answer.hpp"
-#include "formats/read_files.hpp"
+#include "contact_recorder.hpp"
 
 using namespace slipproof;
 
@@ -56,9 +50,11 @@ constexpr Solver solvers[] = {
     {"gfc3d-admm", SICONOS_GLOBAL_FRICTION_3D_ADMM, ProblemForm::global, 3, true},
 };
 
-/// Siconos aborts on problems without contacts, and has no driver for planar ones in the global form.
+/// Siconos aborts on problems without contacts, and has no driver for planar ones in the global form. Bilateral rows
+/// are not handed to it here.
 bool suits(const Solver& solver, const ProblemFile& problem) {
-  return solver.dimension == problem.dimension && solver.form == problem.form && problem.contacts() > 0;
+  return solver.dimension == problem.dimension && solver.form == problem.form && problem.contacts() > 0 &&
+         problem.V.entries() == 0 && problem.G.entries() == 0;
 }
 
 using Matrix = NumericsMatrix*;
@@ -118,45 +114,31 @@ int solve(ProblemFile& problem, SolverOptions* options, SolverAnswer& answer) {
   return gfc3d_driver(global, answer.r.data(), answer.u.data(), answer.v.data(), options);
 }
 
-int run(ProblemFile problem, const Solver& solver, double tolerance, const char* answer_path) {
-  const test::OneLine output;
+test::ContactOutcome run(ProblemFile& problem, const Solver& solver, double tolerance) {
+  test::ContactOutcome outcome;
   SolverOptions* options = solver_options_create(solver.id);
-  if (options == nullptr) return 1;
   options->dparam[SICONOS_DPARAM_TOL] = tolerance;
   if (solver.sweeps) options->iparam[SICONOS_IPARAM_MAX_ITER] = most_sweeps(problem);
-  SolverAnswer answer;
-  const auto start = std::chrono::steady_clock::now();
-  const int info = solve(problem, options, answer);
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-  test::write_answer(answer_path, answer);
-  return output.print(fmt::format("{},{:.3g},{:.3f}\n", info, options->dparam[SICONOS_DPARAM_RESIDU], time.count()));
+  outcome.code = solve(problem, options, outcome.answer);
+  outcome.error = options->dparam[SICONOS_DPARAM_RESIDU];
+  return outcome;
+}
+
+std::vector<test::ContactRun> runs_for(ProblemFile& problem) {
+  std::vector<test::ContactRun> runs;
+  for (const Solver& solver : solvers) {
+    if (!suits(solver, problem)) continue;
+    for (const char* tolerance : {"1e-4", "1e-8", "1e-14"}) {
+      runs.push_back({solver.name, tolerance, [&solver, &problem, tolerance] {
+                        return run(problem, solver, std::strtod(tolerance, nullptr));
+                      }});
+    }
+  }
+  return runs;
 }
 
 }  // namespace
 
-/// With a problem's FILE alone, the solvers for it. With SOLVER TOLERANCE ANSWER, runs one, writes its answer into the
-/// file ANSWER, and prints `code,error,seconds`.
-int main(int argc, char** argv) try {
-  if (argc != 2 && argc != 5) {
-    fmt::print(stderr, "usage: {} FILE [SOLVER TOLERANCE ANSWER]\n", argv[0]);
-    return 2;
-  }
-  ProblemFile problem = read_problem_file(argv[1]).problem;
-  if (problem.V.entries() > 0 || problem.G.entries() > 0) {
-    fmt::print(stderr, "{}: bilateral rows are not handed to Siconos here\n", argv[1]);
-    return 2;
-  }
-  for (const Solver& solver : solvers) {
-    if (!suits(solver, problem)) continue;
-    if (argc == 2) fmt::print("{}\n", solver.name);
-    if (argc == 5 && argv[2] == std::string(solver.name)) {
-      return run(std::move(problem), solver, std::strtod(argv[3], nullptr), argv[4]);
-    }
-  }
-  if (argc == 2) return 0;
-  fmt::print(stderr, "{}: no solver for {}\n", argv[2], argv[1]);
-  return 2;
-} catch (const std::exception& error) {
-  fmt::print(stderr, "{}\n", error.what());
-  return 2;
+int main(int argc, char** argv) {
+  return test::record_contact(argc, argv, runs_for);
 }

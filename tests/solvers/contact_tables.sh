@@ -1,6 +1,6 @@
 #!/bin/sh
 # contact_tables.sh FOLDER: prints FOLDER/README.md, with what is below "## Tables" made anew from FOLDER/verdicts.csv,
-# and from FOLDER/bullet.csv if it is there.
+# and from those of the game engines, FOLDER/bullet.csv and FOLDER/dart.csv, if they are there.
 set -eu
 cd "$1"
 sed '/^## Tables/,$d' README.md
@@ -59,45 +59,50 @@ awk -F, '
       }
     }
   }' verdicts.csv
-[ -f bullet.csv ] || exit 0
-awk -F, '
-  NR == 1 { next }
-  {
-    name = $1
-    family = $1 ~ /^lcp/ ? "LCP" : "3D"
-    if (!((family, name) in seen)) { file[family, ++files[family]] = name; seen[family, name] = 1 }
-    if (!((family, $3) in known)) { column[family, ++columns[family]] = $3; known[family, $3] = 1 }
-    letter = $5 == "crash" ? "C" : $5 == "time limit" ? "T" : $8 == "unique" ? "U" : $8 == "solution within rho" ? "S" : \
-             $8 == "ambiguous" ? "A" : $8 == "eps-solution" ? "e" : $8 == "invalid" ? "i" : $10 != "" ? $10 : \
-             $8 == "wrong" ? "w" : "?"
-    if ($5 == "0" && letter ~ /^[wi]$/) letter = letter "!"
-    cell[family, name, $3] = cell[family, name, $3] " " letter
-    if (family == "3D" && $3 == "pgs" && $2 == "double") {
-      found[name] = sprintf("%s | %s | %s | %s | %s |", $8, $9, $10, $11, $12)
-    }
-  }
-  END {
-    print "\n### Bullet\n"
-    print "The sweeps of pgs in double precision:\n"
-    print "| 3D | for the cone | backward error | right for | `--law box` | backward error |\n|---|---|---|---|---|---|"
-    for (r = 1; r <= files["3D"]; ++r) printf "| %s | %s\n", file["3D", r], found[file["3D", r]]
-    print "\nOf each file and solver, the verdicts for the cone in single and in double precision, letters as above, and"
-    print "**box** wrong for the cone, right for this pyramid; **!** success was reported, and the answer is right for"
-    print "neither."
-    split("3D LCP", order, " ")
-    for (f = 1; f <= 2; ++f) {
-      g = order[f]
-      printf "\n| %s |", g
-      rule = "|---|"
-      for (c = 1; c <= columns[g]; ++c) {
-        printf " %s |", column[g, c]
-        rule = rule "---|"
-      }
-      print "\n" rule
-      for (r = 1; r <= files[g]; ++r) {
-        printf "| %s |", file[g, r]
-        for (c = 1; c <= columns[g]; ++c) printf "%s |", cell[g, file[g, r], column[g, c]]
-        print ""
+# engine NAME TITLE BEST SWEEPS SETTINGS: tables of NAME.csv; of all settings of pgs, BEST has the last word, and SWEEPS
+# says in words which it is.
+engine() {
+  [ -f "$1.csv" ] || return 0
+  awk -F, -v title="$2" -v best="$3" -v sweeps="$4" -v settings="$5" '
+    NR == 1 { next }
+    {
+      name = $1
+      family = $1 ~ /^lcp/ ? "LCP" : "3D"
+      if (!((family, name) in seen)) { file[family, ++files[family]] = name; seen[family, name] = 1 }
+      if (!((family, $3) in known)) { column[family, ++columns[family]] = $3; known[family, $3] = 1 }
+      letter = $5 == "crash" ? "C" : $5 == "time limit" ? "T" : $8 == "unique" ? "U" : $8 == "solution within rho" ? "S" : \
+               $8 == "ambiguous" ? "A" : $8 == "eps-solution" ? "e" : $8 == "invalid" ? "i" : $10 != "" ? $10 : \
+               $8 == "wrong" ? "w" : "?"
+      if ($5 == "0" && letter ~ /^[wi]$/) letter = letter "!"
+      cell[family, name, $3] = cell[family, name, $3] " " letter
+      if (family == "3D" && $3 == "pgs" && $2 == best) {
+        found[name] = sprintf("%s | %s | %s | %s | %s |", $8, $9, $10, $11, $12)
       }
     }
-  }' bullet.csv
+    END {
+      print "\n### " title "\n\nThe sweeps of pgs " sweeps ":\n"
+      print "| 3D | for the cone | backward error | right for | `--law box` | backward error |\n|---|---|---|---|---|---|"
+      for (r = 1; r <= files["3D"]; ++r) printf "| %s | %s\n", file["3D", r], found[file["3D", r]]
+      print "\nOf each file and solver, the verdicts for the cone " settings ", letters as above, and"
+      print "**box** wrong for the cone, right for this pyramid; **!** success was reported, and the answer is right for"
+      print "neither."
+      split("3D LCP", order, " ")
+      for (f = 1; f <= 2; ++f) {
+        g = order[f]
+        printf "\n| %s |", g
+        rule = "|---|"
+        for (c = 1; c <= columns[g]; ++c) {
+          printf " %s |", column[g, c]
+          rule = rule "---|"
+        }
+        print "\n" rule
+        for (r = 1; r <= files[g]; ++r) {
+          printf "| %s |", file[g, r]
+          for (c = 1; c <= columns[g]; ++c) printf "%s |", cell[g, file[g, r], column[g, c]]
+          print ""
+        }
+      }
+    }' "$1.csv"
+}
+engine bullet Bullet double "in double precision" "in single and in double precision"
+engine dart DART 1e-14 "at 1e-14" "(of pgs at 1e-4, 1e-8 and 1e-14)"
