@@ -75,9 +75,8 @@ JudgedAnswer judge_what_is_found(const JudgedProblem& problem, const ContactFile
 }
 
 std::string size_of(const MixedProblem& problem) {
-  const std::size_t n = problem.contacts();
-  if (problem.dimension == 1) return fmt::format("{} component{}", n, n == 1 ? "" : "s");
-  return fmt::format("{} contact{} in dimension {}", n, n == 1 ? "" : "s", problem.dimension);
+  if (problem.dimension == 1) return counted(problem.contacts(), "component");
+  return fmt::format("{} in dimension {}", counted(problem.contacts(), "contact"), problem.dimension);
 }
 
 Json counted_from_one(const std::vector<std::size_t>& contacts) {
@@ -202,8 +201,8 @@ std::vector<std::string> further_words(const ContactJudgement& j) {
   if (undetermined(j) == 1) {
     sentences.emplace_back("1 component of the forces is determined by nothing; it is held as it is.");
   } else if (undetermined(j) > 1) {
-    sentences.push_back(fmt::format("{} components of the forces are determined by nothing; they are held as they are.",
-                                    undetermined(j)));
+    sentences.push_back(counted(undetermined(j), "component") +
+                        " of the forces are determined by nothing; they are held as they are.");
   }
   return sentences;
 }

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "input/diagnostic.hpp"
+#include "number/format.hpp"
 #include "output/output_file.hpp"
 #include "prove/undecided.hpp"
 #include "statements/claim_statements.hpp"

@@ -4,6 +4,7 @@
 
 #include "claims/setting_names.hpp"
 #include "html/sections.hpp"
+#include "number/format.hpp"
 #include "typeset/latex.hpp"
 #include "typeset/mathml.hpp"
 

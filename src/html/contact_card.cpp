@@ -7,6 +7,7 @@
 
 #include "html/sections.hpp"
 #include "html/verdict_bar.hpp"
+#include "number/format.hpp"
 #include "picture/cone_svg.hpp"
 
 namespace slipproof {

@@ -2,6 +2,7 @@
 
 #include "html/contact_card.hpp"
 #include "html/sections.hpp"
+#include "number/format.hpp"
 
 namespace slipproof {
 

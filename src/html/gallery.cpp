@@ -2,8 +2,8 @@
 
 #include "html/sections.hpp"
 #include "html/verdict_bar.hpp"
+#include "number/format.hpp"
 #include "wording/errata.hpp"
-#include "wording/explain.hpp"
 
 namespace slipproof {
 

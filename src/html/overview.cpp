@@ -5,6 +5,7 @@
 
 #include "html/sections.hpp"
 #include "html/verdict_bar.hpp"
+#include "number/format.hpp"
 #include "picture/bicycle_figure.hpp"
 #include "typeset/latex.hpp"
 #include "wording/errata.hpp"

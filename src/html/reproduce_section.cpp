@@ -1,4 +1,5 @@
 #include "html/sections.hpp"
+#include "number/format.hpp"
 
 namespace slipproof {
 

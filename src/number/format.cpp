@@ -62,4 +62,8 @@ std::string decimal_text(const Rational& x, int digits) {
   return minus + significand.insert(integer_digits, ".");
 }
 
+std::string counted(std::uint64_t count, std::string_view noun) {
+  return std::to_string(count) + ' ' + std::string(noun) + (count == 1 ? "" : "s");
+}
+
 }  // namespace slipproof

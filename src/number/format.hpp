@@ -1,7 +1,9 @@
-// Writing numbers: exactly, and as decimals of a stated length.
+// Writing numbers: exactly, as decimals of a stated length, and as counts of something.
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "number/rational.hpp"
 
@@ -14,5 +16,8 @@ std::string exact_text(const Rational& x);
 /// %.{digits}g: no trailing zeros; an exponent below -4 or from `digits` on is written as e-05. Throws
 /// std::invalid_argument for digits < 1.
 std::string decimal_text(const Rational& x, int digits);
+
+/// `5 claims`, `1 claim`.
+std::string counted(std::uint64_t count, std::string_view noun);
 
 }  // namespace slipproof

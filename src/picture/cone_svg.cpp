@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "markup/number.hpp"
+#include "number/format.hpp"
 #include "picture/label_placer.hpp"
 #include "typeset/symbol.hpp"
-#include "wording/explain.hpp"
 
 namespace slipproof {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "number/format.hpp"
 #include "wording/errata.hpp"
 #include "wording/explain.hpp"
 

@@ -47,7 +47,4 @@ std::string sentence(std::string text);
 std::string_view noun(const Setting& setting);
 std::string_view noun(const ClaimsFile& file);
 
-/// `5 claims`, `1 claim`.
-std::string counted(std::size_t count, std::string_view noun);
-
 }  // namespace slipproof

@@ -46,10 +46,6 @@ namespace {
 
 using Out = std::back_insert_iterator<std::string>;
 
-std::string plural(std::size_t count, const char* word) {
-  return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
-}
-
 /// The text about one scene.
 class SolveText {
  public:
@@ -68,7 +64,7 @@ class SolveText {
     const MechanismScene& scene = solved_.scene;
     const double modes = mode_count(element_kinds(mechanism_, scene.values.starts, scene.values.given));
     fmt::format_to(out_, "{}: {}, {}\n", scene.name, mechanism_.name,
-                   plural(static_cast<std::size_t>(modes), "contact mode"));
+                   counted(static_cast<std::size_t>(modes), "contact mode"));
     for (const std::string& note : solved_.scene.notes) fmt::format_to(out_, "note: {}\n", note);
     write_not_modelled();
     if (solved_.at_load) {
@@ -136,7 +132,7 @@ class SolveText {
     } else {
       fmt::format_to(out_, "\n");
     }
-    fmt::format_to(out_, "{}\n", plural(found.motions.size(), "motion"));
+    fmt::format_to(out_, "{}\n", counted(found.motions.size(), "motion"));
     for (const MotionAtLoad& motion : found.motions) write_motion(motion);
     for (const ContinuumAtLoad& continuum : found.continua) write_continuum(continuum);
     if (!found.hysteresis.empty()) {

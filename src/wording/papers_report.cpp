@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "input/utf8.hpp"
+#include "number/format.hpp"
 #include "wording/errata.hpp"
 #include "wording/exact_json.hpp"
 #include "wording/explain.hpp"

@@ -27,10 +27,6 @@ std::string_view name(SearchVerdict verdict) {
 
 namespace {
 
-std::string counted(std::uint64_t count, const char* word) {
-  return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
-}
-
 const char* title(MotionCount count) {
   switch (count) {
     case MotionCount::none:
