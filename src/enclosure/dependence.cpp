@@ -1,12 +1,11 @@
 #include "enclosure/dependence.hpp"
 
-#include <flint/fmpq_mat.h>
-
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "enclosure/enclosure.hpp"
+#include "enclosure/flint.hpp"
 #include "number/binary64.hpp"
 
 namespace slipproof {
@@ -48,36 +47,11 @@ std::vector<std::size_t> others(const std::vector<Index>& chosen, std::size_t n)
   return result;
 }
 
-/// A rational matrix of FLINT.
-class RationalFlintMatrix {
- public:
-  RationalFlintMatrix(std::size_t rows, std::size_t columns) {
-    fmpq_mat_init(matrix_, static_cast<slong>(rows), static_cast<slong>(columns));
-  }
-  ~RationalFlintMatrix() { fmpq_mat_clear(matrix_); }
-  RationalFlintMatrix(const RationalFlintMatrix&) = delete;
-  RationalFlintMatrix& operator=(const RationalFlintMatrix&) = delete;
-
-  void set(std::size_t i, std::size_t j, double x) {
-    fmpq_set_mpq(fmpq_mat_entry(matrix_, static_cast<slong>(i), static_cast<slong>(j)),
-                 to_rational(x).backend().data());
-  }
-  Rational get(std::size_t i, std::size_t j) const {
-    Rational result;
-    fmpq_get_mpq(result.backend().data(), fmpq_mat_entry(matrix_, static_cast<slong>(i), static_cast<slong>(j)));
-    return result;
-  }
-  fmpq_mat_struct* data() { return matrix_; }
-
- private:
-  fmpq_mat_t matrix_;
-};
-
 /// Puts a linear equation, as a row of A with its constant below, into a column.
-void put_equation(RationalFlintMatrix& to, std::size_t column, const MixedProblem& problem, std::size_t row) {
+void put_equation(FlintRationalMatrix& to, std::size_t column, const MixedProblem& problem, std::size_t row) {
   const auto columns = problem.A.columns_of(row);
-  for (std::size_t e = 0; e < columns.size(); ++e) to.set(columns[e], column, problem.A.values_of(row)[e]);
-  to.set(problem.size(), column, problem.c[row]);
+  for (std::size_t e = 0; e < columns.size(); ++e) to.set(columns[e], column, to_rational(problem.A.values_of(row)[e]));
+  to.set(problem.size(), column, to_rational(problem.c[row]));
 }
 
 /// Each dropped equation as a combination of linear ones that are kept; false where one is none.
@@ -88,18 +62,18 @@ bool combine(const MixedProblem& problem, const ModeSystem& system, const std::v
     const auto e = static_cast<std::size_t>(i);
     if (system.equations()[e].kind == ModeSystem::Kind::linear) linear.push_back(e);
   }
-  RationalFlintMatrix A(problem.size() + 1, linear.size()), B(problem.size() + 1, dropped.size());
-  RationalFlintMatrix X(linear.size(), dropped.size());
+  FlintRationalMatrix A(problem.size() + 1, linear.size()), B(problem.size() + 1, dropped.size());
+  FlintRationalMatrix X(linear.size(), dropped.size());
   for (std::size_t j = 0; j < linear.size(); ++j) put_equation(A, j, problem, system.equations()[linear[j]].row);
   for (std::size_t j = 0; j < dropped.size(); ++j) {
     const auto& equation = system.equations()[dropped[j].equation];
     if (equation.kind != ModeSystem::Kind::linear) return false;
     put_equation(B, j, problem, equation.row);
   }
-  if (fmpq_mat_can_solve(X.data(), A.data(), B.data()) == 0) return false;
+  if (fmpq_mat_can_solve(X.get(), A.get(), B.get()) == 0) return false;
   for (std::size_t j = 0; j < dropped.size(); ++j) {
     for (std::size_t i = 0; i < linear.size(); ++i) {
-      if (Rational c = X.get(i, j); !c.is_zero()) dropped[j].combination.emplace_back(linear[i], std::move(c));
+      if (Rational c = X.at(i, j); !c.is_zero()) dropped[j].combination.emplace_back(linear[i], std::move(c));
     }
   }
   return true;

@@ -1,14 +1,12 @@
 #include "enclosure/exact_system.hpp"
 
-#include <flint/fmpq_mat.h>
-#include <flint/fmpz_mat.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
+#include "enclosure/flint.hpp"
 #include "number/bareiss.hpp"
 
 namespace slipproof {
@@ -28,54 +26,6 @@ Dyadic dyadic(double x) {
   const int zeros = std::countr_zero(static_cast<std::uint64_t>(m));
   return {m / (std::int64_t{1} << zeros), exponent - 53 + zeros};
 }
-
-/// An fmpz_mat, an fmpz and an fmpq_mat that free themselves.
-class FlintMatrix {
- public:
-  FlintMatrix(std::size_t rows, std::size_t columns) {
-    fmpz_mat_init(value_, static_cast<slong>(rows), static_cast<slong>(columns));
-  }
-  ~FlintMatrix() { fmpz_mat_clear(value_); }
-  FlintMatrix(const FlintMatrix&) = delete;
-  FlintMatrix& operator=(const FlintMatrix&) = delete;
-  fmpz_mat_struct* get() { return value_; }
-  fmpz* at(std::size_t i, std::size_t j) {
-    return fmpz_mat_entry(value_, static_cast<slong>(i), static_cast<slong>(j));
-  }
-  /// mantissa 2^exponent, an integer.
-  void set(std::size_t i, std::size_t j, std::int64_t mantissa, int exponent) {
-    fmpz_set_si(at(i, j), mantissa);
-    fmpz_mul_2exp(at(i, j), at(i, j), static_cast<ulong>(exponent));
-  }
-
- private:
-  fmpz_mat_t value_;
-};
-
-struct FlintInteger {
-  FlintInteger() { fmpz_init(value); }
-  ~FlintInteger() { fmpz_clear(value); }
-  FlintInteger(const FlintInteger&) = delete;
-  FlintInteger& operator=(const FlintInteger&) = delete;
-  fmpz_t value;
-};
-
-class FlintFractions {
- public:
-  explicit FlintFractions(std::size_t size) { fmpq_mat_init(value_, static_cast<slong>(size), 1); }
-  ~FlintFractions() { fmpq_mat_clear(value_); }
-  FlintFractions(const FlintFractions&) = delete;
-  FlintFractions& operator=(const FlintFractions&) = delete;
-  fmpq_mat_struct* get() { return value_; }
-  Rational at(std::size_t i) const {
-    Rational result;
-    fmpq_get_mpq(result.backend().data(), fmpq_mat_entry(value_, static_cast<slong>(i), 0));
-    return result;
-  }
-
- private:
-  fmpq_mat_t value_;
-};
 
 /// FLINT keeps limbs for the thread, tens of megabytes of them here, and asks that it is told before a thread ends.
 struct EndOfThread {
@@ -139,11 +89,11 @@ class IntegerSystem {
   std::optional<ExactVector> solution() {
     FlintMatrix residues(n_, 1);
     FlintInteger modulus;
-    if (fmpz_mat_solve_dixon(residues.get(), modulus.value, matrix_.get(), constant_.get()) == 0) return std::nullopt;
-    FlintFractions y(n_);
-    if (fmpq_mat_set_fmpz_mat_mod_fmpz(y.get(), residues.get(), modulus.value) == 0) return std::nullopt;
+    if (fmpz_mat_solve_dixon(residues.get(), modulus.get(), matrix_.get(), constant_.get()) == 0) return std::nullopt;
+    FlintRationalMatrix y(n_, 1);
+    if (fmpq_mat_set_fmpz_mat_mod_fmpz(y.get(), residues.get(), modulus.get()) == 0) return std::nullopt;
     std::vector<Rational> values;
-    for (std::size_t j = 0; j < n_; ++j) values.push_back(y.at(j));
+    for (std::size_t j = 0; j < n_; ++j) values.push_back(y.at(j, 0));
     return unscaled(values);
   }
 
