@@ -72,13 +72,11 @@ class EnclosureSearch {
     for (std::size_t k = 0; k < problem_.contacts(); ++k) {
       if (mode[k] != ConeState::slide) continue;
       const std::size_t n = problem_.normal(k);
-      const auto projected = [&](std::size_t i) {
-        return before[i] - nearest_binary64(exact_row(problem_, i, before)) / scales_[k];
-      };
+      const auto projected = [&](std::size_t part) { return before_projection(problem_, before, k, part, scales_[k]); };
       const double bound = problem_.mu[k] * before[n], length = std::hypot(before[n + 1], before[n + 2]);
       if (before[n] > 0 && std::abs(length - bound) <= 1e-3 * bound) continue;
-      if (before[n] <= 0) x[n] = projected(n);
-      const double T1 = projected(n + 1), T2 = projected(n + 2), T = std::hypot(T1, T2);
+      if (before[n] <= 0) x[n] = projected(0);
+      const double T1 = projected(1), T2 = projected(2), T = std::hypot(T1, T2);
       x[n + 1] = problem_.mu[k] * x[n] * (T1 / T);
       x[n + 2] = problem_.mu[k] * x[n] * (T2 / T);
     }

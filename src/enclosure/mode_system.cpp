@@ -23,13 +23,16 @@ std::string_view name(ConeState state) {
   return names[static_cast<std::size_t>(state)];
 }
 
+double before_projection(const MixedProblem& problem, std::span<const double> x, std::size_t contact, std::size_t part,
+                         double scale) {
+  const std::size_t row = problem.normal(contact) + part;
+  return x[row] - approximate_row(problem, row, x) / scale;
+}
+
 ConeMode looks_like(const MixedProblem& problem, std::span<const double> x, std::span<const double> scales) {
   ConeMode mode;
   for (std::size_t k = 0; k < problem.contacts(); ++k) {
-    const std::size_t first = problem.normal(k);
-    const auto projected = [&](std::size_t i) {
-      return x[first + i] - approximate_row(problem, first + i, x) / scales[k];
-    };
+    const auto projected = [&](std::size_t part) { return before_projection(problem, x, k, part, scales[k]); };
     const double N = projected(0);
     if (!(N > 0)) {
       mode.push_back(ConeState::open);

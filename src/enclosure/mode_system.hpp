@@ -16,6 +16,11 @@ std::string_view name(ConeState state);
 
 using ConeMode = std::vector<ConeState>;  ///< of each contact
 
+/// Component `part` of r - u / scale at a contact, 0 being the normal one. Where x is a solution, r is its projection
+/// onto the cone.
+double before_projection(const MixedProblem& problem, std::span<const double> x, std::size_t contact, std::size_t part,
+                         double scale);
+
 /// One that `x` looks like, by where the projection of r - u / scale onto the cone falls.
 ConeMode looks_like(const MixedProblem& problem, std::span<const double> x, std::span<const double> scales);
 
