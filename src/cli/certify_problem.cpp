@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <iostream>
 
 #include "certify/contact_file.hpp"
@@ -37,12 +38,31 @@ std::string last_line(const JudgedProblem& problem, int code) {
   return fmt::format("s {} {}/{}\n", verdict, certified, problem.answers.size());
 }
 
-/// As one would type it again.
+/// A word as a shell reads it back.
+std::string in_shell(const std::string& word) {
+  const auto plain = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::string_view("_./+-=:,@%").find(c) != std::string::npos;
+  };
+  if (std::all_of(word.begin(), word.end(), plain)) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + '\'';
+}
+
+/// What makes the page again, with all that the verdicts depend on.
 std::string command_line(const CertifyProblemArguments& options) {
-  std::string text = "slipproof certify " + options.file;
-  if (!options.answer.empty()) text += " --answer " + options.answer;
+  std::string text = "slipproof certify " + in_shell(options.file);
+  const auto add = [&](const char* option, const std::string& value) {
+    text += std::string(" ") + option + ' ' + in_shell(value);
+  };
+  if (!options.answer.empty()) add("--answer", options.answer);
   if (options.refine) text += " --refine";
-  if (options.law != "cone") text += " --law " + options.law;
+  if (options.law != "cone") add("--law", options.law);
+  if (options.tolerance) add("--tolerance", fmt::format("{}", *options.tolerance));
+  if (options.within) add("--within", fmt::format("{}", *options.within));
+  if (options.effort) add("--effort", fmt::format("{}", *options.effort));
+  add("--report", options.report);
   return text;
 }
 
@@ -66,7 +86,8 @@ void add_problem_options(CLI::App& command, CertifyProblemArguments& options) {
 
 int run_certify_problem(const CertifyProblemArguments& options, const CommonOptions& common) {
   ContactFileOptions judge;
-  judge.judge.tolerance = options.tolerance;
+  if (options.tolerance) judge.judge.tolerance = *options.tolerance;
+  if (options.effort) judge.judge.effort = *options.effort;
   judge.judge.within = options.within;
   judge.judge.refine = options.refine;
   judge.judge.law = law_of(options.law);

@@ -5,14 +5,15 @@
 #include <string>
 
 #include "cli/command.hpp"
+#include "number/effort.hpp"
 
 namespace slipproof::cli {
 
 struct CertifyProblemArguments {
   std::string file, answer, certificate, report, refined;
   std::string law = "cone";
-  double tolerance = 1e-6;
-  std::optional<double> within;
+  std::optional<double> tolerance, within;
+  std::optional<Work> effort;
   bool refine = false;
   /// Whether one of the options was given that only problems have.
   bool any() const {

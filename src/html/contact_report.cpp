@@ -1,5 +1,7 @@
 #include "html/contact_report.hpp"
 
+#include <filesystem>
+
 #include "html/contact_card.hpp"
 #include "html/sections.hpp"
 #include "number/format.hpp"
@@ -9,7 +11,8 @@ namespace slipproof {
 namespace {
 
 std::string title_of(const JudgedProblem& problem) {
-  return problem.problem.title.empty() ? problem.file : problem.problem.title;
+  const std::string& title = problem.problem.title;
+  return title.empty() ? std::filesystem::path(problem.file).filename().string() : title;
 }
 
 std::string form_words(ProblemForm form) {

@@ -8,6 +8,7 @@ using slipproof::test::last_line;
 using slipproof::test::Outcome;
 using slipproof::test::read_file;
 using slipproof::test::run;
+using slipproof::test::run_shell;
 using slipproof::test::TemporaryFolder;
 using Json = nlohmann::json;
 
@@ -84,6 +85,33 @@ TEST_CASE("an answer of its own file, an improved answer, a certificate and a re
   // Nothing is lost: neither the problem nor the answer can be an output.
   CHECK(run({"certify", problem, "--answer", answer, "--certificate", answer}).exit_code == 3);
   CHECK(read_file(answer) == "10 -1.5000001 -2\n");
+}
+
+TEST_CASE("the page's command gives the same verdict and the same page") {
+  const TemporaryFolder folder;
+  const auto problem = folder.write("it's a point.json", point("")), answer = folder.write("a.txt", "10 -1.5 -2.01\n");
+  const std::string page = (folder.path() / "a page.html").string();
+  const auto outcome = run({"certify", problem, "--answer", answer, "--tolerance", "0.0123", "--report", page});
+  CHECK(line_of(outcome)["verdict"] == "solution within rho");
+  for (const std::vector<std::string>& options : {std::vector<std::string>{"--tolerance", "0.0123"},
+                                                  {"--within", "1e-3"},
+                                                  {"--refine"},
+                                                  {"--law", "box"},
+                                                  {"--effort", "1000"}}) {
+    std::vector<std::string> arguments{"certify", problem, "--answer", answer, "--report", page, "--json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const auto first = run(arguments);
+    const std::string html = read_file(page);
+    CHECK(html.find("<bdi>it's a point.json</bdi>") != std::string::npos);
+    CHECK(html.find(options[0]) != std::string::npos);
+    const std::size_t start = html.find("<code>slipproof ", html.find("id=\"reproduce\""));
+    REQUIRE(start != std::string::npos);
+    const std::string command = html.substr(start + 16, html.find("</code>", start) - start - 16);
+    const auto again = run_shell(command + " --json");
+    CHECK(again.exit_code == first.exit_code);
+    CHECK(again.out == first.out);
+    CHECK(read_file(page) == html);
+  }
 }
 
 TEST_CASE("the shipped block on four corners has one force that nothing determines") {

@@ -56,18 +56,24 @@ inline std::string quoted(const std::string& word) {
   return result + "'";
 }
 
-/// Runs build/PROGRAM with the arguments and a text on standard input.
-inline Outcome run(const std::vector<std::string>& arguments, const std::string& program = "slipproof",
-                   const std::string& input = "") {
+/// Runs build/PROGRAM with arguments as a shell reads them, and a text on standard input.
+inline Outcome run_shell(const std::string& arguments, const std::string& program = "slipproof",
+                         const std::string& input = "") {
   const TemporaryFolder folder;
   const std::filesystem::path in = folder.write("in", input);
-  std::string command = quoted(std::string(SLIPPROOF_BINARY_DIR) + "/" + program);
-  for (const std::string& argument : arguments) command += " " + quoted(argument);
+  std::string command = quoted(std::string(SLIPPROOF_BINARY_DIR) + "/" + program) + " " + arguments;
   command += " <" + quoted(in.string()) + " >" + quoted((folder.path() / "out").string()) + " 2>" +
              quoted((folder.path() / "err").string());
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder.path() / "out"),
           read_file(folder.path() / "err")};
+}
+
+inline Outcome run(const std::vector<std::string>& arguments, const std::string& program = "slipproof",
+                   const std::string& input = "") {
+  std::string words;
+  for (const std::string& argument : arguments) words += quoted(argument) + " ";
+  return run_shell(words, program, input);
 }
 
 inline std::string last_line(const std::string& out) {
