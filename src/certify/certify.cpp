@@ -10,11 +10,14 @@
 #include <nlohmann/json.hpp>
 
 #include "certify/chunk_reader.hpp"
+#include "certify/contact_file.hpp"
+#include "certify/contact_record.hpp"
 #include "certify/exact_judge.hpp"
 #include "certify/mechanism_judge.hpp"
 #include "certify/mechanism_reader.hpp"
 #include "certify/problem_reader.hpp"
 #include "certify/record_reader.hpp"
+#include "formats/json_problem.hpp"
 #include "parallel/in_parallel.hpp"
 
 namespace slipproof {
@@ -35,6 +38,10 @@ void count(CertifySummary& summary, const RecordJudgement& j) {
   if (j.verdict == RecordVerdict::certified)
     summary.worst_certified_error = std::max(summary.worst_certified_error, j.max_error);
   summary.worst_error = std::max(summary.worst_error, j.max_error);
+  if (j.verdict == RecordVerdict::certified && !j.members.empty()) {
+    ++summary.with_rho;
+    summary.worst_rho = std::max(summary.worst_rho, j.rho);
+  }
 }
 
 RecordJudgement judge_line(std::string_view line, std::uint64_t at, const RecordReader& reader,
@@ -42,6 +49,7 @@ RecordJudgement judge_line(std::string_view line, std::uint64_t at, const Record
   const auto not_finite = [at](const NotFinite& found) {
     return invalid_judgement(place_text(at, found.column) + found.reason);
   };
+  if (options.format == RecordFormat::json_lines && is_json_problem(line)) return judge_contact_line(line, options);
   if (options.format != RecordFormat::json_lines || !is_problem(line)) {
     const Record record = reader.read(line);
     return record.not_finite ? not_finite(*record.not_finite) : judge(record, options.judge);
@@ -197,6 +205,8 @@ void CertifySummary::add(const CertifySummary& other) {
   broken += other.broken;
   worst_certified_error = std::max(worst_certified_error, other.worst_certified_error);
   worst_error = std::max(worst_error, other.worst_error);
+  with_rho += other.with_rho;
+  worst_rho = std::max(worst_rho, other.worst_rho);
 }
 
 CertifySummary certify(const ByteSource& input, const LineSink& output, const CertifyOptions& given,
@@ -257,6 +267,7 @@ std::string to_json(const CertifySummary& s) {
   json["broken"] = s.broken;
   json["worst_certified_error"] = fmt::format("{:.3g}", s.worst_certified_error);
   json["worst_error"] = fmt::format("{:.3g}", s.worst_error);
+  if (s.with_rho > 0) json["worst_rho"] = at_most(s.worst_rho);
   return json.dump();
 }
 

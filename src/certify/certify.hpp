@@ -9,6 +9,7 @@
 
 #include "certify/judge.hpp"
 #include "certify/mechanism_record.hpp"
+#include "enclosure/judge.hpp"
 #include "input/byte_source.hpp"
 #include "input/diagnostic.hpp"
 
@@ -22,6 +23,7 @@ enum class RecordFormat {
 
 struct CertifyOptions {
   JudgeOptions judge;
+  ContactJudgeOptions contact = {};  ///< for lines with a contact problem as `read_problem_line` takes it
   RecordFormat format = RecordFormat::by_first_byte;
   std::string file = "-";      ///< how messages call the input
   std::optional<Scene> scene;  ///< parameters that are the same for all records
@@ -44,6 +46,8 @@ struct CertifySummary {
   std::uint64_t broken = 0;          ///< of the invalid ones, those that could not be read
   double worst_certified_error = 0;  ///< largest relative error of a component among certified records
   double worst_error = 0;            ///< and among those that are the right motion, certified or not
+  std::uint64_t with_rho = 0;        ///< contact problems whose certified answers have a rho in place of an error
+  double worst_rho = 0;              ///< and the largest
 
   std::uint64_t count(RecordVerdict v) const { return verdicts[static_cast<std::size_t>(v)]; }
   void add(const CertifySummary& other);
@@ -69,7 +73,7 @@ CertifySummary certify(const ByteSource& input, const LineSink& output, const Ce
 CertifySummary certify(std::istream& input, const LineSink& output, const CertifyOptions& options,
                        const Progress& progress = {});
 
-inline constexpr std::size_t max_record_line = 1U << 20U;
+inline constexpr std::size_t max_record_line = 1U << 23U;
 
 /// The output line of a record, ending in a newline.
 void append_line(std::string& out, std::uint64_t record, const RecordJudgement& judgement);

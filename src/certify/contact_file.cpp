@@ -216,9 +216,12 @@ std::string at_least(double x) {
 }
 
 std::string contact_line(const JudgedProblem& problem, std::size_t answer) {
+  return fmt::format("{{\"record\":{}{}}}", answer + 1, contact_members(problem, answer));
+}
+
+std::string contact_members(const JudgedProblem& problem, std::size_t answer) {
   const ContactJudgement& j = problem.answers[answer].judgement;
-  Json line{{"record", answer + 1},
-            {"problem", problem.problem.title.empty() ? problem.file : problem.problem.title},
+  Json line{{"problem", problem.problem.title.empty() ? problem.file : problem.problem.title},
             {"answer", problem.answers[answer].origin},
             {"contacts", problem.mixed.contacts()},
             {"dimension", problem.mixed.dimension},
@@ -249,7 +252,8 @@ std::string contact_line(const JudgedProblem& problem, std::size_t answer) {
   if (!j.other_exact.empty()) line["other"] = exact_texts(j.other_exact);
   if (j.unique_by) line["unique_by"] = class_name(j.unique_by->kind);
   if (!problem.problem.remarks.empty()) line["remarks"] = problem.problem.remarks;
-  return line.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const std::string text = line.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return ',' + text.substr(1, text.size() - 2);
 }
 
 std::string contact_words(const JudgedProblem& problem, std::size_t answer) {

@@ -43,6 +43,8 @@ JudgedProblem judge_problem_file(std::string file, ReadProblem read, const Conta
 
 /// {"record":1,"problem":...} in one line, without a newline.
 std::string contact_line(const JudgedProblem& problem, std::size_t answer);
+/// What follows the number of the record in it: `,"problem":...`, without the brace at its end.
+std::string contact_members(const JudgedProblem& problem, std::size_t answer);
 
 /// In words: which contacts, which law, by how much, and whether the cause is the answer, the pyramid, or the problem.
 std::string contact_words(const JudgedProblem& problem, std::size_t answer);

@@ -39,8 +39,10 @@ struct RecordJudgement {
   bool continuum = false;   ///< and infinitely many more
   double max_error = 0;  ///< upper bound on the largest relative error of a component; certified, ambiguous, inaccurate
   bool contact_problem = false;
-  std::string mode_names;  ///< of a contact problem, in place of `modes`: a list of JSON texts without the brackets
-  std::string details;     ///< further JSON members, `,"violated":...`; empty for a certified record
+  std::string mode_names;    ///< of a contact problem, in place of `modes`: a list of JSON texts without the brackets
+  std::string details;       ///< further JSON members, `,"violated":...`; empty for a certified record
+  double rho = 0;            ///< of a contact problem with rho: from the answer to a solution, in each component
+  std::string members = {};  ///< all JSON members after the record's number, where they are other ones
 };
 
 /// How far an answer is from a motion, or from a solution of a contact problem.

@@ -72,6 +72,10 @@ void LineText::put_upper_bound(double x) {
 
 void append_line(std::string& out, std::uint64_t record, const RecordJudgement& j) {
   using namespace std::literals;
+  if (!j.members.empty()) {
+    out += fmt::format("{{\"record\":{}{}}}\n", record, j.members);
+    return;
+  }
   LineText line;
   line.put("{\"record\":"sv);
   line.put(record);

@@ -64,7 +64,7 @@ class ProblemJson {
     const JsonWord& word = texts_[next_text_++];
     if (word.column != 0) throw BrokenRecord{word.column, "found " + std::string(word.text) + ", expected a key"};
     if (find(name) != nullptr) throw BrokenRecord{0, "found " + in_quotes(name) + " twice, expected it once"};
-    constexpr std::array<std::string_view, 7> known{"W", "M", "q", "mu", "z", "w", "mode"};
+    constexpr std::array<std::string_view, 8> known{"W", "M", "q", "mu", "z", "w", "mode", "dimension"};
     if (!ignore_unknown_ && std::find(known.begin(), known.end(), name) == known.end()) {
       throw BrokenRecord{0, "found the key " + in_quotes(name) + ", expected W or M, q, mu, z, w or mode"};
     }
@@ -122,6 +122,7 @@ class ProblemReader {
       problem.mu = mu->is_list ? numbers(*mu, "mu") : std::vector<Rational>(problem.size() / 2, number(*mu, "mu"));
       if (problem.mu.empty()) throw BrokenRecord{0, "mu: found no contacts, expected two components of q for each"};
     }
+    refuse_dimension(problem.frictional());
     if (const std::string reason = mistake_in(problem); !reason.empty()) throw BrokenRecord{0, reason};
 
     answer_ = true;
@@ -140,6 +141,14 @@ class ProblemReader {
   }
 
  private:
+  /// Other dimensions are for the reader of larger problems, and nothing is planar without friction.
+  void refuse_dimension(bool frictional) const {
+    const Value* dimension = json_.find("dimension");
+    if (dimension == nullptr || (dimension->text == "2" && frictional)) return;
+    const std::string found = dimension->is_list ? "a list" : dimension->text + (frictional ? "" : " without mu");
+    throw BrokenRecord{0, "dimension: found " + found + ", expected 2 with mu, 3 with mu, or none"};
+  }
+
   static std::string place(std::size_t i) { return "[" + std::to_string(i + 1) + "]"; }
 
   const Value& need(const std::string& key) const {

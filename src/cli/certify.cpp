@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "certify/contact_file.hpp"
 #include "cli/certify_problem.hpp"
 #include "cli/command.hpp"
 #include "formats/read_files.hpp"
@@ -15,6 +16,7 @@
 #include "mechanism/scene.hpp"
 #include "mechanism/shipped.hpp"
 #include "model/scene.hpp"
+#include "number/format.hpp"
 #include "output/output_file.hpp"
 
 namespace slipproof::cli {
@@ -27,6 +29,7 @@ struct CertifyArguments {
   CertifyProblemArguments problem;
   std::string file, scene, mechanism, decimal = "nearest", broken = "report", format, summary;
   std::optional<double> tolerance;
+  std::optional<Work> effort;
 };
 
 RecordFormat format_of(const CertifyArguments& options) {
@@ -46,8 +49,13 @@ std::string summary_text(const CertifySummary& s) {
   }
   text += fmt::format("\ndecided by binary64 {}, double-double {}, exact arithmetic {}; {} could not be read\n",
                       s.tiers[0], s.tiers[1], s.tiers[2], s.broken);
-  text += fmt::format("largest relative error of a certified record {:.3g}, of any right motion {:.3g}\n",
-                      s.worst_certified_error, s.worst_error);
+  if (s.with_rho == 0 || s.with_rho < s.count(RecordVerdict::certified)) {
+    text += fmt::format("largest relative error of a certified record {:.3g}, of any right motion {:.3g}\n",
+                        s.worst_certified_error, s.worst_error);
+  }
+  if (s.with_rho > 0)
+    text +=
+        fmt::format("largest rho of {}: {}\n", counted(s.with_rho, "certified contact problem"), at_most(s.worst_rho));
   return text + fmt::format("s {} {}/{}\n", s.all_certified() ? "CERTIFIED" : "NOT CERTIFIED",
                             s.count(RecordVerdict::certified), s.records);
 }
@@ -76,13 +84,28 @@ void read_setting(CertifyArguments& options) {
   }
 }
 
+/// Whether the file holds one contact problem, and not records, or problems as JSON Lines.
+bool is_one_problem(const CertifyArguments& options) {
+  if (options.file != "-" && !is_json_lines(options.file)) {
+    return options.problem.any() || is_problem_file(options.file);
+  }
+  if (options.problem.any()) {
+    throw CLI::ValidationError("FILE", "found " + std::string(options.file == "-" ? "standard input" : "JSON Lines") +
+                                           ", expected a file with one contact problem for --answer, --refine, "
+                                           "--certificate, --report, --within and --law");
+  }
+  return false;
+}
+
 int run_certify(CertifyArguments& options) {
-  if (options.file != "-" && (options.problem.any() || is_problem_file(options.file))) {
+  if (is_one_problem(options)) {
     options.problem.file = options.file;
-    if (options.tolerance) options.problem.tolerance = *options.tolerance;
+    options.problem.tolerance = options.tolerance;
+    options.problem.effort = options.effort;
     return run_certify_problem(options.problem, options.common);
   }
-  if (options.tolerance) options.certify.judge.tolerance = *options.tolerance;
+  if (options.tolerance) options.certify.judge.tolerance = options.certify.contact.tolerance = *options.tolerance;
+  if (options.effort) options.certify.judge.effort = options.certify.contact.effort = *options.effort;
   options.certify.format = format_of(options);
   options.certify.file = options.file;
   options.certify.decimal_exact = options.decimal == "exact";
@@ -144,9 +167,11 @@ void add_certify(CLI::App& app, int& exit_code) {
   command.add_option("--from", options->certify.first_record, "Record to begin with, to go on where a run stopped")
       ->check(whole_number(1))
       ->capture_default_str();
-  command.add_option("--effort", options->certify.judge.effort, "What one record may take, in operations on words")
-      ->check(whole_number(1))
-      ->capture_default_str();
+  command
+      .add_option("--effort", options->effort,
+                  fmt::format("What one record may take, in operations on words, {};\nof a contact problem's file {}",
+                              JudgeOptions().effort, ContactJudgeOptions().effort))
+      ->check(whole_number(1));
   command.add_flag("--ignore-unknown", options->certify.ignore_unknown, "Pass over columns that are no field");
   command.add_option("--summary", options->summary, "Write the counts to this file, as JSON");
   add_problem_options(command, options->problem);

@@ -6,6 +6,7 @@
 
 #include "formats/entries.hpp"
 #include "formats/json_tree.hpp"
+#include "input/json_words.hpp"
 
 namespace slipproof {
 
@@ -237,6 +238,15 @@ ReadProblem read_json_problem(std::string_view text, const std::string& file) {
 bool begins_as_json_problem(std::istream& text) {
   JsonPeek peek;
   nlohmann::json::sax_parse(text, &peek, nlohmann::json::input_format_t::json, false);
+  return peek.is_problem();
+}
+
+bool is_json_problem(std::string_view line) {
+  const auto has = [&](std::string_view word) { return line.find(word) != std::string_view::npos; };
+  if (!has("\"dimension\"") && !has("\"entries\"") && !has("\"H\"")) return false;
+  const JsonLine plain = without_words(line);
+  JsonPeek peek;
+  nlohmann::json::sax_parse(plain.text, &peek, nlohmann::json::input_format_t::json, false);
   return peek.is_problem();
 }
 

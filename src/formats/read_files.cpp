@@ -124,6 +124,16 @@ SolverAnswer answer_in(const std::string& bytes, const std::string& file) {
   return answer_of({{"r", plain_numbers(bytes, file)}}, file);
 }
 
+/// With all remarks.
+ReadProblem checked(ReadProblem read, const std::string& path) {
+  Mistakes mistakes(path);
+  check_problem(read.problem, mistakes);
+  for (const SolverAnswer& answer : read.answers) check_answer(read.problem, answer, answer.origin + ": ", mistakes);
+  mistakes.refuse_if_any();
+  add_remarks(read);
+  return read;
+}
+
 }  // namespace
 
 ReadProblem read_problem_file(const std::string& path) {
@@ -144,13 +154,11 @@ ReadProblem read_problem_file(const std::string& path) {
       result.problem = read_siconos(bytes, path);
       break;
   }
-  Mistakes mistakes(path);
-  check_problem(result.problem, mistakes);
-  for (const SolverAnswer& answer : result.answers)
-    check_answer(result.problem, answer, answer.origin + ": ", mistakes);
-  mistakes.refuse_if_any();
-  add_remarks(result);
-  return result;
+  return checked(std::move(result), path);
+}
+
+ReadProblem read_problem_line(std::string_view line, const std::string& file) {
+  return checked(read_json_problem(line, file), file);
 }
 
 SolverAnswer read_answer_file(const std::string& path) {
@@ -160,6 +168,16 @@ SolverAnswer read_answer_file(const std::string& path) {
     refuse(path, "found neither r nor u, expected an answer: numbers, or r, u, v and lambda under their names");
   }
   return answer;
+}
+
+bool is_json_lines(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
+  std::ifstream file(path, std::ios::binary);
+  constexpr const char* blanks = " \t\r\n";
+  std::string line;
+  if (!(file >> std::ws) || file.peek() != '{' || !std::getline(file, line)) return false;
+  return line[line.find_last_not_of(blanks)] == '}' && (file >> std::ws) && file.peek() == '{';
 }
 
 bool is_problem_file(const std::string& path) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "formats/problem_file.hpp"
 
@@ -11,6 +12,9 @@ namespace slipproof {
 /// InputError. Linear in the file, but for sorting matrices.
 ReadProblem read_problem_file(const std::string& path);
 
+/// The same of a line of JSON Lines, which begins at line 1 of `file` in messages.
+ReadProblem read_problem_line(std::string_view line, const std::string& file);
+
 /// What a solver gives, alone in a file; its origin is the path. Sizes are not known here: `check_answer` holds them
 /// against a problem. Throws InputError.
 SolverAnswer read_answer_file(const std::string& path);
@@ -19,5 +23,8 @@ SolverAnswer read_answer_file(const std::string& path);
 /// MatrixMarket, a text of Siconos, or a JSON object with the dimension 3, with M and H, or with a sparse matrix. Never
 /// throws: what cannot be read, or can be read only once, is none.
 bool is_problem_file(const std::string& path);
+
+/// Whether a file has a JSON object on its first line and another one after it. Never throws, as above.
+bool is_json_lines(const std::string& path);
 
 }  // namespace slipproof

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "support/run_program.hpp"
 
@@ -85,6 +86,40 @@ TEST_CASE("an answer of its own file, an improved answer, a certificate and a re
   // Nothing is lost: neither the problem nor the answer can be an output.
   CHECK(run({"certify", problem, "--answer", answer, "--certificate", answer}).exit_code == 3);
   CHECK(read_file(answer) == "10 -1.5000001 -2\n");
+}
+
+TEST_CASE("problems as JSON Lines, in space and in the plane, get a line each") {
+  const TemporaryFolder folder;
+  const std::string planar = R"({"dimension": 2, "W": [[1,0],[0,1]], "q": [-1, 0.75], "mu": 0.5, "z": [1, -0.5]})";
+  const auto file = folder.write("p.jsonl", point("[10, -1.5, -2]") + "\n" + planar + "\n\n" + point("[10, -3, -4]") +
+                                                "\n" + point("[10, -1.5]") + "\n" + point("[10, NaN, -2]") + "\n");
+  const auto outcome = run({"certify", file, "--json"});
+  CHECK(outcome.exit_code == 1);
+  CHECK(last_line(outcome.err) == "s NOT CERTIFIED 2/5\n");
+  CHECK(outcome.err.find("largest rho of 1 certified contact problem: ") != std::string::npos);
+  std::istringstream out(outcome.out);
+  std::vector<Json> lines;
+  for (std::string line; std::getline(out, line);) lines.push_back(Json::parse(line));
+  REQUIRE(lines.size() == 5);
+  for (std::size_t i = 0; i < lines.size(); ++i) CHECK(lines[i]["record"] == i + 1);
+  CHECK(lines[0]["verdict"] == "solution within rho");
+  CHECK(lines[1]["verdict"] == "certified");
+  CHECK(lines[2]["verdict"] == "wrong");
+  CHECK(lines[3]["verdict"] == "invalid");
+  CHECK(lines[3]["reason"].get<std::string>().find("line 5: r, u: r: found 2 numbers, expected 3") == 0);
+  CHECK(lines[4]["verdict"] == "invalid");
+  // The same problem alone says the same.
+  Json alone = line_of(run({"certify", folder.write("p.json", point("[10, -3, -4]"))}));
+  alone["record"] = 3;
+  alone["problem"] = file;
+  CHECK(alone == lines[2]);
+  CHECK(run({"certify", file, "--threads", "1", "--json"}).out == outcome.out);
+  CHECK(run({"certify", "-", "--json"}, "slipproof", read_file(file)).exit_code == 1);
+  CHECK(run({"certify", file, "--broken", "stop"}).err.find("p.jsonl:5: ") != std::string::npos);
+  // What is for one problem is refused, and not passed over.
+  CHECK(run({"certify", file, "--within", "1"}).exit_code == 2);
+  CHECK(run({"certify", "-", "--law", "box"}, "slipproof", planar).exit_code == 2);
+  CHECK(run({"certify", file, "--decimal", "exact"}).exit_code == 1);
 }
 
 TEST_CASE("the page's command gives the same verdict and the same page") {

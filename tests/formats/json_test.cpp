@@ -2,6 +2,7 @@
 #include <sstream>
 
 #include "formats/json_problem.hpp"
+#include "formats/read_files.hpp"
 #include "small_files.hpp"
 
 using namespace slipproof;
@@ -92,6 +93,26 @@ TEST_CASE("what is for the reader of records stays so") {
   CHECK_FALSE(begins(R"({"a": {"dimension": 3}})"));
   CHECK_FALSE(begins("{"));
   CHECK_FALSE(begins("{\"z\": [NaN]}"));
+}
+
+TEST_CASE("lines of JSON Lines that are for this reader") {
+  CHECK(is_json_problem(R"({"r": [NaN, 1, -Infinity], "dimension": 3, "W": [[1]], "q": [1]})"));
+  CHECK(is_json_problem(R"({"W": {"rows": 1, "columns": 1, "entries": [[0, 0, 2]]}, "q": [1]})"));
+  CHECK(is_json_problem(R"({"M": [[1]], "f": [1], "H": [[1]], "w": [0]})"));
+  CHECK_FALSE(is_json_problem(R"({"dimension": 2, "W": [[1, 2], [3, 4]], "q": [1, 2], "mu": 0.5, "z": [1, 2]})"));
+  CHECK_FALSE(is_json_problem(R"({"h": 1, "f": 2, "a": 3})"));
+}
+
+TEST_CASE("JSON Lines are told from one object, in one line or in several") {
+  const Folder folder;
+  const auto lines = [&](const std::string& text) { return is_json_lines(folder.write("p.json", text)); };
+  CHECK(lines("\n {\"a\": {}} \r\n\n{\"a\": 2}\n"));
+  CHECK_FALSE(lines("{\"a\": 1}\n\n"));
+  CHECK_FALSE(lines("{\"a\":\n{\"b\": 1}}"));
+  CHECK_FALSE(lines("{\"W\": [{}\n, {}]}\n{\"W\": 1}\n"));
+  CHECK_FALSE(lines(""));
+  CHECK_FALSE(lines("1,2\n{\n"));
+  CHECK_FALSE(is_json_lines("/nowhere/p.json"));
 }
 
 TEST_CASE("malformed JSON is refused with its place or its path") {
