@@ -5,6 +5,7 @@
 
 #include "batch/mechanism_batch.hpp"
 #include "certify/certify.hpp"
+#include "certify/columns.hpp"
 #include "certify/contact_file.hpp"
 #include "certify/judge.hpp"
 #include "check/files.hpp"

@@ -31,19 +31,6 @@ struct Judged {
   std::optional<Diagnostic> broken;  ///< the first one, with stop_at_broken
 };
 
-void count(CertifySummary& summary, const RecordJudgement& j) {
-  ++summary.records;
-  ++summary.verdicts[static_cast<std::size_t>(j.verdict)];
-  if (j.verdict != RecordVerdict::invalid) ++summary.tiers[static_cast<std::size_t>(j.tier)];
-  if (j.verdict == RecordVerdict::certified)
-    summary.worst_certified_error = std::max(summary.worst_certified_error, j.max_error);
-  summary.worst_error = std::max(summary.worst_error, j.max_error);
-  if (j.verdict == RecordVerdict::certified && !j.members.empty()) {
-    ++summary.with_rho;
-    summary.worst_rho = std::max(summary.worst_rho, j.rho);
-  }
-}
-
 RecordJudgement judge_line(std::string_view line, std::uint64_t at, const RecordReader& reader,
                            const CertifyOptions& options) {
   const auto not_finite = [at](const NotFinite& found) {
@@ -177,7 +164,7 @@ class ChunkJudge {
     for (std::size_t i = 0; i < count_; ++i) {
       Entry& entry = entries_[i];
       if (entry.broken) ++result_.summary.broken;
-      count(result_.summary, entry.judgement);
+      result_.summary.add(entry.judgement);
       append_line(result_.lines, entry.record, entry.judgement);
       if (options_.judged) result_.judgements.emplace_back(entry.record, std::move(entry.judgement));
     }
@@ -207,6 +194,19 @@ void CertifySummary::add(const CertifySummary& other) {
   worst_error = std::max(worst_error, other.worst_error);
   with_rho += other.with_rho;
   worst_rho = std::max(worst_rho, other.worst_rho);
+}
+
+void CertifySummary::add(const RecordJudgement& judgement) {
+  ++records;
+  ++verdicts[static_cast<std::size_t>(judgement.verdict)];
+  if (judgement.verdict != RecordVerdict::invalid) ++tiers[static_cast<std::size_t>(judgement.tier)];
+  if (judgement.verdict == RecordVerdict::certified)
+    worst_certified_error = std::max(worst_certified_error, judgement.max_error);
+  worst_error = std::max(worst_error, judgement.max_error);
+  if (judgement.verdict == RecordVerdict::certified && !judgement.members.empty()) {
+    ++with_rho;
+    worst_rho = std::max(worst_rho, judgement.rho);
+  }
 }
 
 CertifySummary certify(const ByteSource& input, const LineSink& output, const CertifyOptions& given,

@@ -51,6 +51,7 @@ struct CertifySummary {
 
   std::uint64_t count(RecordVerdict v) const { return verdicts[static_cast<std::size_t>(v)]; }
   void add(const CertifySummary& other);
+  void add(const RecordJudgement& judgement);
   /// What is not certified is undecided.
   bool nothing_refuted() const { return count(RecordVerdict::certified) + count(RecordVerdict::undecided) == records; }
   /// Records were judged, and each is certified.

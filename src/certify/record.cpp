@@ -105,6 +105,21 @@ Record to_record(const Scene& scene) {
   return record_of(scene.bicycle, scene.road, scene.force_kind, scene.F ? &*scene.F : nullptr);
 }
 
+Record fresh_record(const Record& base) {
+  Record record;
+  record.values = base.values;
+  record.present = base.present;
+  record.force_kind = base.force_kind;
+  record.base = &base;
+  return record;
+}
+
+std::uint32_t over_scene(Record& base, std::uint32_t given) {
+  for (auto rest = given; rest != 0; rest &= rest - 1)
+    base.replace_other_forms(static_cast<Field>(std::countr_zero(rest)));
+  return base.present | given;
+}
+
 Record to_record(const ForcedScene<double>& scene, const SolverOutput& output) {
   return record_of(scene, output);
 }

@@ -48,6 +48,12 @@ struct Record {
 /// The parameters of a scene as a record without an answer.
 Record to_record(const Scene& scene);
 
+/// A record that says what `base` says, whose exact values it refers to.
+Record fresh_record(const Record& base);
+/// For records that all have the `given` fields: takes from `base` the forms that those replace, and returns the fields
+/// that a record has then.
+std::uint32_t over_scene(Record& base, std::uint32_t given);
+
 /// What a floating-point solver says of a scene, for who calls the library: all forces and the acceleration of the
 /// frame, and what else the solver has.
 struct SolverOutput {

@@ -21,14 +21,10 @@ void RecordReader::read_header(std::string_view header) {
     return name == "kind" ? std::optional(kind_column) : std::nullopt;
   });
   std::uint32_t seen = 0;
-  Record all = base_;
   for (const int column : columns_) {
-    if (column < 0) continue;
-    seen |= bit(static_cast<Field>(column));
-    all.replace_other_forms(static_cast<Field>(column));
+    if (column >= 0) seen |= bit(static_cast<Field>(column));
   }
-  base_.present = all.present;
-  complete_ = all.present | seen;
+  complete_ = over_scene(base_, seen);
   if (const std::string reason = incomplete(complete_); !reason.empty()) mistakes.add({1, 1}, reason);
   mistakes.refuse_if_any();
 }
@@ -58,18 +54,8 @@ void RecordReader::put(Record& record, int column, std::string_view text, std::s
   if (!record.not_finite) record.not_finite = slipproof::not_finite(field_names[index(field)], record[field], place);
 }
 
-/// The scene's parameters, their exact values by reference.
-Record RecordReader::fresh() const {
-  Record record;
-  record.values = base_.values;
-  record.present = base_.present;
-  record.force_kind = base_.force_kind;
-  record.base = &base_;
-  return record;
-}
-
 Record RecordReader::read_csv(std::string_view line) const {
-  Record record = fresh();
+  Record record = fresh_record(base_);
   read_cells(
       line, columns_, options_.decimal_exact,
       [&](int column, double value) { record.set(static_cast<Field>(column), value); },
@@ -83,7 +69,7 @@ Record RecordReader::read_csv(std::string_view line) const {
 /// What stands under the keys of a line.
 class JsonRecord {
  public:
-  explicit JsonRecord(const RecordReader& reader) : reader_(reader), record_(reader.fresh()) {}
+  explicit JsonRecord(const RecordReader& reader) : reader_(reader), record_(fresh_record(reader.base_)) {}
   Record take() { return std::move(record_); }
 
   int key(const std::string& name) {

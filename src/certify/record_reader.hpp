@@ -24,7 +24,6 @@ class RecordReader {
   static constexpr int mode_column = -1, kind_column = -2;
 
   void read_header(std::string_view header);
-  Record fresh() const;
   Record read_csv(std::string_view line) const;
   Record read_json(std::string_view line) const;
   void put(Record& record, int column, std::string_view text, std::size_t place) const;
