@@ -5,6 +5,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <bit>
 #include <mutex>
 #include <stdexcept>
 
@@ -27,6 +28,10 @@ void check_codes(const CodeColumn& codes, std::size_t records, unsigned largest,
   }
 }
 
+ForceKind kind_of_code(std::uint8_t code) {
+  return code == 0 ? ForceKind::internal : ForceKind::external;
+}
+
 template <class T>
 void check_length(std::span<T> answers, std::size_t records) {
   if (answers.empty() || answers.size() == records) return;
@@ -47,15 +52,14 @@ void put(const JudgementSpans& answers, std::size_t i, const RecordJudgement& ju
 ColumnsJudge::ColumnsJudge(const RecordColumns& columns, const ColumnsOptions& options)
     : columns_(columns), options_(options.judge) {
   if (options.scene) base_ = to_record(*options.scene);
-  std::uint32_t given = 0;
   for (std::size_t i = 0; i < field_count; ++i) {
-    if (columns.numbers[i].given()) given |= std::uint32_t{1} << i;
+    if (columns.numbers[i].given()) own_ |= std::uint32_t{1} << i;
   }
-  if (const std::string reason = incomplete(over_scene(base_, given)); !reason.empty()) {
-    throw std::invalid_argument(reason);
-  }
+  const std::uint32_t complete = over_scene(base_, own_);
+  if (const std::string reason = incomplete(complete); !reason.empty()) throw std::invalid_argument(reason);
   check_codes(columns.modes, columns.records, 15, no_mode, "mode");
   check_codes(columns.kinds, columns.records, 1, 1, "kind");
+  if (LaneJudge lanes(complete, own_, base_); lanes.able()) lanes_ = lanes;
 }
 
 Record ColumnsJudge::record(std::size_t i) const {
@@ -64,7 +68,7 @@ Record ColumnsJudge::record(std::size_t i) const {
     if (columns_.numbers[k].given()) record.set(static_cast<Field>(k), columns_.numbers[k][i]);
   }
   if (columns_.modes.given() && columns_.modes[i] != no_mode) record.mode = all_modes()[columns_.modes[i]];
-  if (columns_.kinds.given()) record.force_kind = columns_.kinds[i] == 0 ? ForceKind::internal : ForceKind::external;
+  if (columns_.kinds.given()) record.force_kind = kind_of_code(columns_.kinds[i]);
   return record;
 }
 
@@ -72,9 +76,54 @@ RecordJudgement ColumnsJudge::operator()(std::size_t i) const {
   return judge(record(i), options_);
 }
 
+/// What is the same for all records.
+void ColumnsJudge::fill_constants(LaneRecords& records) const {
+  for (std::size_t k = 0; k < field_count; ++k) {
+    const NumberColumn& column = columns_.numbers[k];
+    if (column.given() && column.stride != 0) continue;
+    records.numbers[k].fill(column.given() && columns_.records > 0 ? column[0] : base_.values[k]);
+  }
+  records.modes.fill(no_mode);
+  records.kinds.fill(base_.force_kind);
+}
+
+void ColumnsJudge::fill(LaneRecords& records, std::size_t begin, std::size_t end) const {
+  records.count = end - begin;
+  for (auto rest = own_; rest != 0; rest &= rest - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(rest));
+    const NumberColumn column = columns_.numbers[k];
+    if (column.stride == 0) continue;
+    for (std::size_t i = begin; i < end; ++i) records.numbers[k][i - begin] = column[i];
+  }
+  for (std::size_t i = begin; i < end && columns_.modes.given(); ++i) records.modes[i - begin] = columns_.modes[i];
+  for (std::size_t i = begin; i < end && columns_.kinds.given(); ++i) {
+    records.kinds[i - begin] = kind_of_code(columns_.kinds[i]);
+  }
+}
+
 void ColumnsJudge::each(std::size_t begin, std::size_t end,
                         const std::function<void(std::size_t, const RecordJudgement&)>& see) const {
-  for (std::size_t i = begin; i < end; ++i) see(i, (*this)(i));
+  if (!lanes_) {
+    for (std::size_t i = begin; i < end; ++i) see(i, (*this)(i));
+    return;
+  }
+  LaneRecords records;
+  CertifiedLanes answers;
+  RecordJudgement certified{RecordVerdict::certified, Tier::filter, 0, 1, false, 0, false, {}, {}};
+  fill_constants(records);
+  for (std::size_t first = begin; first < end; first += lane_records) {
+    fill(records, first, std::min(first + lane_records, end));
+    lanes_->answers(records, answers);
+    for (std::size_t i = 0; i < records.count; ++i) {
+      if (answers.modes[i] == no_mode || !(answers.errors[i] <= options_.tolerance)) {
+        see(first + i, (*this)(first + i));
+        continue;
+      }
+      certified.modes = static_cast<std::uint16_t>(1U << answers.modes[i]);
+      certified.max_error = answers.errors[i];
+      see(first + i, certified);
+    }
+  }
 }
 
 CertifySummary certify(const RecordColumns& columns, const ColumnsOptions& options, const JudgementSpans& answers,

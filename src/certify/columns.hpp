@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "certify/certify.hpp"
+#include "certify/lane_judge.hpp"
 
 namespace slipproof {
 
@@ -39,9 +40,6 @@ struct StridedColumn {
 
 using NumberColumn = StridedColumn<double>;
 using CodeColumn = StridedColumn<std::uint8_t>;
-
-/// In a column of modes: the solver names none.
-inline constexpr std::uint8_t no_mode = 255;
 
 /// Records as columns, in the forms that field.hpp lists. What is not given comes from the scene of the options.
 ///   RecordColumns columns{.records = n};
@@ -87,10 +85,14 @@ class ColumnsJudge {
 
  private:
   Record record(std::size_t i) const;
+  void fill_constants(LaneRecords& records) const;
+  void fill(LaneRecords& records, std::size_t begin, std::size_t end) const;
 
   RecordColumns columns_;
   JudgeOptions options_;
-  Record base_;  ///< what the scene says
+  Record base_;                     ///< what the scene says
+  std::uint32_t own_ = 0;           ///< bit(Field) of the columns
+  std::optional<LaneJudge> lanes_;  ///< where it can decide anything
 };
 
 /// Judges every record on all threads. Throws what ColumnsJudge does, and std::invalid_argument for an answer's array

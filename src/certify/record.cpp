@@ -158,7 +158,7 @@ constexpr auto not_negative =
     bit(Field::I1) | bit(Field::I2) | bit(Field::I3) | bit(Field::M2) | bit(Field::M3) | bit(Field::f);
 
 /// The least binary64 that is inside for certain, for each field.
-constexpr auto lowest_inside = [] {
+constexpr auto lowest_of_fields = [] {
   std::array<double, field_count> lowest{};
   for (std::size_t i = 0; i < field_count; ++i) {
     const auto mask = std::uint32_t{1} << i;
@@ -174,7 +174,7 @@ bool surely_inside(const Record& r) {
   std::uint32_t inside = 0;
   for (std::size_t i = 0; i < field_count; ++i) {
     const double x = r.values[i];
-    const bool in = x >= lowest_inside[i] && x <= std::numeric_limits<double>::max();
+    const bool in = x >= lowest_of_fields[i] && x <= std::numeric_limits<double>::max();
     inside |= std::uint32_t{in} << i;
   }
   return (r.present & ~inside) == 0 && r.is_exact() && (!r.has(Field::h) || r[Field::h] > -r[Field::R]) &&
@@ -182,6 +182,10 @@ bool surely_inside(const Record& r) {
 }
 
 }  // namespace
+
+double lowest_inside(Field f) {
+  return lowest_of_fields[index(f)];
+}
 
 std::string outside_domain(const Record& r) {
   if (surely_inside(r)) return {};

@@ -18,6 +18,9 @@ inline constexpr std::array<Quantity, answer_count> answer_quantities{Quantity::
                                                                       Quantity::eps2, Quantity::eps3, Quantity::S2,
                                                                       Quantity::S3,   Quantity::N2,   Quantity::N3};
 
+/// In a column of modes by their index: the solver names none.
+inline constexpr std::uint8_t no_mode = 255;
+
 struct Record {
   std::array<double, field_count> values{};
   std::uint32_t present = 0;                      ///< bit(Field) of those that are given
@@ -68,6 +71,9 @@ Record to_record(const ForcedScene<Rational>& scene, const SolverOutput& output)
 
 /// What is missing from a set of fields for a complete record, or given twice; empty if nothing is.
 std::string incomplete(std::uint32_t present);
+
+/// The least binary64 of a field that is inside its domain for certain, however it was rounded.
+double lowest_inside(Field f);
 
 /// The first field that is NaN, infinite or outside the domain, with what was expected; empty if all is well.
 std::string outside_domain(const Record& record);

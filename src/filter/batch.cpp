@@ -15,26 +15,31 @@ namespace slipproof {
 
 namespace {
 
-/// Scenes `first` to `first` + lane_count - 1; the last scene again where there are no more.
 SLIPPROOF_VECTOR_CLONES("avx512f", "avx2")
-SLIPPROOF_FLATTEN void decide_block(const ForcedScene<Column>& scenes, std::size_t first, std::size_t count,
-                                    LaneSets& sets) {
+SLIPPROOF_FLATTEN void decide_block(const ForcedScene<LaneNumbers>& scenes, LaneSets& sets) {
   LaneBits within{};
   within = ~within;
-  const auto load = [&](const Column& column) {
-    Lanes x{};
-    if (column.size() == 1) {
-      x += column[0];
-    } else {
-      for (std::size_t lane = 0; lane < lane_count; ++lane) x[lane] = column[std::min(first + lane, count - 1)];
-    }
+  const auto s = convert<LaneNumbers, TrackedLanes>(scenes, [&](const LaneNumbers& numbers) {
+    const Lanes x = load(numbers);
     within &= absolute(x) <= input_limit;
     return TrackedLanes::input(x);
-  };
-  const auto s = convert<Column, TrackedLanes>(scenes, load);
+  });
   const auto dynamics = reduce<TrackedLanes, TrackedLanes>(s.bicycle, s.road, s.force_kind, s.F, TrackedLanes(1));
   sets = decide_lanes(dynamics, s.bicycle.J.has_value());
   sets.undecided |= ~within;
+}
+
+/// Scenes `first` to `first` + lane_count - 1; the last scene again where there are no more.
+ForcedScene<LaneNumbers> block_of(const ForcedScene<Column>& scenes, std::size_t first, std::size_t count) {
+  return convert<Column, LaneNumbers>(scenes, [&](const Column& column) {
+    LaneNumbers x;
+    if (column.size() == 1) {
+      x.of.fill(column[0]);
+    } else {
+      for (std::size_t lane = 0; lane < lane_count; ++lane) x.of[lane] = column[std::min(first + lane, count - 1)];
+    }
+    return x;
+  });
 }
 
 ForcedScene<double> scene_at(const ForcedScene<Column>& scenes, std::size_t i) {
@@ -47,7 +52,7 @@ TierCounts decide_range(const ForcedScene<Column>& scenes, std::span<ConsistentM
   for (std::size_t first = begin; first < end; first += lane_count) {
     stop_if_asked();
     LaneSets sets;
-    decide_block(scenes, first, answers.size(), sets);
+    decide_block(block_of(scenes, first, answers.size()), sets);
     for (std::size_t i = first; i < std::min<std::size_t>(end, first + lane_count); ++i) {
       const auto modes = static_cast<std::uint16_t>(sets.consistent[i - first]);
       answers[i] = {modes, modes, Tier::filter};
@@ -71,6 +76,15 @@ TierCounts sum(TierCounts x, const TierCounts& y) {
 }
 
 }  // namespace
+
+void filter_lanes(const ForcedScene<LaneNumbers>& scenes, std::array<ModeSets, lane_count>& sets) {
+  LaneSets found;
+  decide_block(scenes, found);
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    sets[lane] = {static_cast<std::uint16_t>(found.consistent[lane]),
+                  static_cast<std::uint16_t>(found.undecided[lane])};
+  }
+}
 
 void consistent_modes(const ForcedScene<Column>& scenes, std::span<ConsistentModes> answers, TierCounts& counts,
                       unsigned threads) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "filter/filter.hpp"
+#include "filter/lane_numbers.hpp"
 
 namespace slipproof {
 
@@ -40,6 +41,10 @@ class Column {
 /// scenes. Allocates only where a scene needs the exact tier or a second thread.
 void consistent_modes(const ForcedScene<Column>& scenes, std::span<ConsistentModes> answers, TierCounts& counts,
                       unsigned threads = 1);
+
+/// filter_modes() of scenes side by side. Scenes beyond the limit of a number are left undecided, those beyond the
+/// limit of their sum may be decided.
+void filter_lanes(const ForcedScene<LaneNumbers>& scenes, std::array<ModeSets, lane_count>& sets);
 
 /// An answer for each scene, and which tier decided how many.
 struct BatchAnswers {

@@ -4,29 +4,10 @@
 #include <cstdint>
 
 #include "filter/bounds.hpp"
+#include "filter/lane_vectors.hpp"
 #include "filter/mode_status.hpp"
 
 namespace slipproof {
-
-// The vectors stay inside one function; their calling convention does not matter.
-#pragma GCC diagnostic ignored "-Wpsabi"
-
-inline constexpr int lane_count = 8;
-typedef double Lanes __attribute__((vector_size(8 * lane_count)));
-typedef std::int64_t LaneBits __attribute__((vector_size(8 * lane_count)));
-
-inline LaneBits bits(const Lanes& x) {
-  return reinterpret_cast<LaneBits>(x);
-}
-inline Lanes from_bits(const LaneBits& x) {
-  return reinterpret_cast<Lanes>(x);
-}
-inline LaneBits sign_bit() {
-  return bits(-Lanes{});  // of -0.0: 0.0 - 0.0 would be +0.0
-}
-inline Lanes absolute(const Lanes& x) {
-  return from_bits(bits(x) & ~sign_bit());
-}
 
 /// Tracked, lane by lane. Of positive inputs value and magnitude are the same register until something is subtracted.
 struct TrackedLanes {
@@ -51,6 +32,10 @@ struct TrackedLanes {
     return {x.value - y.value, x.magnitude + y.magnitude};
   }
 };
+
+inline Lanes value_of(const TrackedLanes& x) {
+  return x.value;
+}
 
 /// ModeSets of each lane. Aligned for the widest registers, which the compiler expects of it in the functions compiled
 /// for them.

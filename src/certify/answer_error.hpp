@@ -1,0 +1,39 @@
+// How far an answer can be from the motion of a mode, by numbers with error bounds.
+#pragma once
+
+#include "certify/record.hpp"
+#include "filter/bounded_motion.hpp"
+
+namespace slipproof {
+
+/// Upper bound on the relative error of the answer against the motion of a mode; infinite where that is not known. Real
+/// is binary64 or several side by side, N the number with bounds that belongs to it; number(field) gives a field's
+/// value. `weight` is M g.
+template <class Real, class N, class Number>
+Real largest_error(const ReducedDynamics<N, N>& dynamics, ContactMode mode, std::uint32_t present, const Number& number,
+                   const Real& weight) {
+  constexpr double up = 1 + 8 * unit_roundoff;
+  const ReducedMotion<N, N> motion(dynamics, mode);
+  const Real unknown = Real{} + std::numeric_limits<double>::infinity();
+  Real worst{};
+  for (std::size_t i = 0; i < answer_count; ++i) {
+    const auto field = static_cast<Field>(parameter_count + i);
+    if ((present & bit(field)) == 0) continue;
+    const Real z = number(field);
+    const auto [value, error] = bounded_parts<Real>(motion.quantity(answer_quantities[i]));
+    const Real distance = (absolute(Real(z - value)) * up + error) * up + 2 * unit_roundoff * absolute(z);
+    const Real size = absolute(value) - error;
+    const bool lifted = mode[i == 5 || i == 7 ? Wheel::rear : Wheel::front] == ContactState::lift;
+    const bool exactly_zero = i >= 5 ? lifted : (i == 1 || i == 2) && mode.on_road();
+    Real relative = unknown;
+    if (exactly_zero) {
+      const Real scale = i >= 5 ? weight : i == 1 ? number(Field::g) : number(Field::g) / number(Field::R);
+      relative = absolute(z) / scale * (1 + 16 * unit_roundoff);
+    }
+    relative = size > 0 ? Real(distance / size * up) : relative;
+    worst = worst < relative ? relative : worst;
+  }
+  return worst;
+}
+
+}  // namespace slipproof

@@ -1,0 +1,173 @@
+#include "certify/lane_judge.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "certify/answer_error.hpp"
+#include "filter/batch.hpp"
+#include "filter/lanes.hpp"
+#include "filter/vector_clones.hpp"
+
+namespace slipproof {
+
+namespace {
+
+/// The answers of records side by side.
+using LaneAnswerNumbers = std::array<LaneNumbers, answer_count>;
+
+SLIPPROOF_VECTOR_CLONES("avx512f", "avx2")
+SLIPPROOF_FLATTEN void error_block(const ForcedScene<LaneNumbers>& scenes, const LaneAnswerNumbers& answers,
+                                   ContactMode mode, std::uint32_t present, LaneNumbers& errors) {
+  const auto s = convert<LaneNumbers, TrackedLanes>(
+      scenes, [](const LaneNumbers& numbers) { return TrackedLanes::input(load(numbers)); });
+  const auto dynamics = reduce<TrackedLanes, TrackedLanes>(s.bicycle, s.road, s.force_kind, s.F, TrackedLanes(1));
+  const auto number = [&](Field f) {
+    return f == Field::g   ? load(scenes.road.g)
+           : f == Field::R ? load(scenes.bicycle.R)
+                           : load(answers[index(f) - parameter_count]);
+  };
+  const Lanes weight = load(scenes.bicycle.M) * load(scenes.road.g);
+  reinterpret_cast<Lanes&>(errors) = largest_error<Lanes>(dynamics, mode, present, number, weight);
+}
+
+}  // namespace
+
+LaneJudge::LaneJudge(std::uint32_t present, std::uint32_t own, const Record& base) : present_(present) {
+  std::uint32_t rounded = 0;
+  bool vanishes = false;  // what rounds to 0 may be on either side of it
+  for (const auto& [field, value] : base.exact) {
+    if ((present & ~own & bit(field)) == 0) continue;
+    rounded |= bit(field);
+    vanishes |= base[field] == 0;
+  }
+  exact_ = rounded == 0;
+  able_ = !vanishes && !has(Field::M2) && !has(Field::P) && (exact_ || !has(Field::h0));
+}
+
+/// Certainly in the domain, and small enough in sum for the filter, whichever way the sum is rounded.
+void LaneJudge::inside(const LaneRecords& r, std::array<bool, lane_records>& ok) const {
+  const std::size_t count = r.count;
+  std::array<double, lane_records> sums{};
+  std::fill_n(ok.begin(), count, true);
+  for (auto rest = present_; rest != 0; rest &= rest - 1) {
+    const auto field = static_cast<std::size_t>(std::countr_zero(rest));
+    const double lowest = lowest_inside(static_cast<Field>(field));
+    const auto& x = r.numbers[field];
+    for (std::size_t i = 0; i < count; ++i) {
+      ok[i] = ok[i] & (x[i] >= lowest) & (x[i] <= std::numeric_limits<double>::max());
+    }
+    if (field >= parameter_count) continue;
+    for (std::size_t i = 0; i < count; ++i) sums[i] += std::fabs(x[i]);
+  }
+  // b, mu and h0 stand for up to two numbers each.
+  for (std::size_t i = 0; i < count; ++i) ok[i] = ok[i] & (sums[i] <= input_limit / 4);
+  const auto above = [&](Field f, Field other) {
+    const auto &x = r.numbers[index(f)], &y = r.numbers[index(other)];
+    for (std::size_t i = 0; i < count; ++i) ok[i] = ok[i] & (exact_ ? x[i] > -y[i] : (x[i] > 0) & (y[i] > 0));
+  };
+  if (has(Field::h)) above(Field::h, Field::R);
+  if (has(Field::b2)) above(Field::b2, Field::b3);
+}
+
+/// As rounded_scene() makes each; the last one again where there are no more.
+ForcedScene<LaneNumbers> LaneJudge::scenes(const LaneRecords& r, const std::uint16_t* rows, std::size_t count,
+                                           ForceKind kind) const {
+  const auto of = [&](Field f) {
+    const auto& column = r.numbers[index(f)];
+    LaneNumbers x;
+    for (std::size_t lane = 0; lane < lane_count; ++lane) x.of[lane] = column[rows[std::min(lane, count - 1)]];
+    return x;
+  };
+  const auto minus = [](LaneNumbers x, const LaneNumbers& y) {
+    for (std::size_t lane = 0; lane < lane_count; ++lane) x.of[lane] -= y.of[lane];
+    return x;
+  };
+  const auto one = [] {
+    LaneNumbers x;
+    x.of.fill(1);
+    return x;
+  };
+  const bool ratio = has(Field::mu), equal = has(Field::b);
+  const LaneNumbers R = of(Field::R);
+  ForcedScene<LaneNumbers> s{{.M = of(Field::M),
+                              .R = R,
+                              .h = has(Field::h) ? of(Field::h) : minus(of(Field::h0), R),
+                              .b2 = of(equal ? Field::b : Field::b2),
+                              .b3 = of(equal ? Field::b : Field::b3),
+                              .I1 = of(Field::I1),
+                              .I2 = of(Field::I2),
+                              .I3 = of(Field::I3),
+                              .r1 = ratio ? one() : of(Field::r1),
+                              .r2 = of(ratio ? Field::mu : Field::r2),
+                              .L = of(Field::L),
+                              .J = std::nullopt},
+                             {of(Field::f), of(Field::g)},
+                             kind,
+                             of(Field::F)};
+  if (has(Field::J)) s.bicycle.J = of(Field::J);
+  return s;
+}
+
+/// `rows` are of one kind of force.
+void LaneJudge::find_modes(const LaneRecords& r, const Rows& rows, std::size_t count, ForceKind kind,
+                           CertifiedLanes& found) const {
+  std::array<ModeSets, lane_count> sets;
+  for (std::size_t first = 0; first < count; first += lane_count) {
+    const std::size_t here = std::min<std::size_t>(lane_count, count - first);
+    filter_lanes(scenes(r, rows.data() + first, here, kind), sets);
+    for (std::size_t lane = 0; lane < here; ++lane) {
+      const std::uint16_t row = rows[first + lane];
+      if (sets[lane].undecided != 0 || std::popcount(sets[lane].consistent) != 1) continue;
+      const auto mode = static_cast<std::uint8_t>(std::countr_zero(sets[lane].consistent));
+      if (r.modes[row] == no_mode || r.modes[row] == mode) found.modes[row] = mode;
+    }
+  }
+}
+
+/// `rows` are of one kind of force and of one mode.
+void LaneJudge::bound_errors(const LaneRecords& r, const Rows& rows, std::size_t count, ForceKind kind, unsigned mode,
+                             CertifiedLanes& found) const {
+  LaneAnswerNumbers answers;
+  LaneNumbers errors;
+  for (std::size_t first = 0; first < count; first += lane_count) {
+    const std::size_t here = std::min<std::size_t>(lane_count, count - first);
+    const std::uint16_t* const at = rows.data() + first;
+    for (std::size_t k = 0; k < answer_count; ++k) {
+      const auto& column = r.numbers[parameter_count + k];
+      if (!has(static_cast<Field>(parameter_count + k))) continue;
+      for (std::size_t lane = 0; lane < lane_count; ++lane) answers[k].of[lane] = column[at[std::min(lane, here - 1)]];
+    }
+    error_block(scenes(r, at, here, kind), answers, all_modes()[mode], present_, errors);
+    for (std::size_t lane = 0; lane < here; ++lane) found.errors[at[lane]] = errors.of[lane];
+  }
+}
+
+void LaneJudge::answers(const LaneRecords& r, CertifiedLanes& found) const {
+  std::array<bool, lane_records> ok;
+  inside(r, ok);
+  std::fill_n(found.modes.begin(), r.count, no_mode);
+  Rows rows;
+  for (const ForceKind kind : {ForceKind::internal, ForceKind::external}) {
+    if (std::find(r.kinds.begin(), r.kinds.begin() + r.count, kind) == r.kinds.begin() + r.count) continue;
+    const auto select = [&](const auto& wanted) {
+      std::size_t count = 0;
+      for (std::size_t i = 0; i < r.count; ++i) {
+        if (r.kinds[i] == kind && wanted(i)) rows[count++] = static_cast<std::uint16_t>(i);
+      }
+      return count;
+    };
+    find_modes(r, rows, select([&](std::size_t i) { return ok[i]; }), kind, found);
+    unsigned occur = 0;
+    for (std::size_t i = 0; i < r.count; ++i) {
+      if (found.modes[i] != no_mode) occur |= 1U << found.modes[i];
+    }
+    for (; occur != 0; occur &= occur - 1) {
+      const auto mode = static_cast<unsigned>(std::countr_zero(occur));
+      bound_errors(r, rows, select([&](std::size_t i) { return found.modes[i] == mode; }), kind, mode, found);
+    }
+  }
+}
+
+}  // namespace slipproof
