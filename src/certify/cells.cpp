@@ -12,6 +12,7 @@
 namespace slipproof {
 
 std::string place_text(std::uint64_t line, std::size_t column) {
+  if (line == 0) return {};
   return "line " + std::to_string(line) + (column == 0 ? "" : ", column " + std::to_string(column)) + ": ";
 }
 

@@ -22,7 +22,7 @@ struct NotFinite {
   std::string reason;
 };
 
-/// "line 3, column 25: ", or without a column if it is 0.
+/// "line 3, column 25: ", or without a column if it is 0; empty for line 0, as records in columns stand in no lines.
 std::string place_text(std::uint64_t line, std::size_t column);
 
 /// Neither a fraction nor hexadecimal: what `--decimal` is about.

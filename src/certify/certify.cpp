@@ -1,8 +1,6 @@
 #include "certify/certify.hpp"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_pipeline.h>
 
 #include <algorithm>
 #include <array>
@@ -13,23 +11,18 @@
 #include "certify/contact_file.hpp"
 #include "certify/contact_record.hpp"
 #include "certify/exact_judge.hpp"
+#include "certify/judged.hpp"
 #include "certify/mechanism_judge.hpp"
 #include "certify/mechanism_reader.hpp"
 #include "certify/problem_reader.hpp"
 #include "certify/record_reader.hpp"
 #include "formats/json_problem.hpp"
-#include "parallel/in_parallel.hpp"
+#include "formats/npy_header.hpp"
+#include "parallel/stop.hpp"
 
 namespace slipproof {
 
 namespace {
-
-struct Judged {
-  std::string lines;
-  std::vector<std::pair<std::uint64_t, RecordJudgement>> judgements;  ///< with `judged`
-  CertifySummary summary;
-  std::optional<Diagnostic> broken;  ///< the first one, with stop_at_broken
-};
 
 RecordJudgement judge_line(std::string_view line, std::uint64_t at, const RecordReader& reader,
                            const CertifyOptions& options) {
@@ -144,16 +137,12 @@ class ChunkJudge {
   void judge_one(std::string_view line, std::uint64_t at, std::uint64_t number) {
     Entry& entry = entries_[count_];
     entry.record = number;
-    entry.broken = false;
     try {
+      entry.broken = false;
       judge_.judge(line, at, entry.judgement);
     } catch (const BrokenRecord& broken) {
-      if (options_.stop_at_broken) {
-        result_.broken = {options_.file, static_cast<std::size_t>(at), broken.column, broken.message};
-        return;
-      }
-      entry.judgement = invalid_judgement(place_text(at, broken.column) + broken.message);
       entry.broken = true;
+      if (!result_.take(broken, at, number, entry.judgement, options_)) return;
     }
     ++count_;
   }
@@ -162,11 +151,7 @@ class ChunkJudge {
     stop_if_asked();
     judge_.finish();
     for (std::size_t i = 0; i < count_; ++i) {
-      Entry& entry = entries_[i];
-      if (entry.broken) ++result_.summary.broken;
-      result_.summary.add(entry.judgement);
-      append_line(result_.lines, entry.record, entry.judgement);
-      if (options_.judged) result_.judgements.emplace_back(entry.record, std::move(entry.judgement));
+      result_.add(entries_[i].record, entries_[i].judgement, entries_[i].broken, options_);
     }
     count_ = 0;
   }
@@ -214,44 +199,18 @@ CertifySummary certify(const ByteSource& input, const LineSink& output, const Ce
   ChunkReader chunks(input, given.file);
   CertifyOptions options = given;
   if (options.format == RecordFormat::by_first_byte) {
+    if (chunks.first() == npy_signature[0]) {
+      throw InputError({{given.file, 0, 0,
+                         "found a NumPy array in a stream, expected CSV or JSON Lines; arrays are read from files, by "
+                         "their names"}});
+    }
     options.format = chunks.first() == '{' ? RecordFormat::json_lines : RecordFormat::csv;
   }
   const std::string header = options.format == RecordFormat::csv ? chunks.header() : std::string();
   const LineJudges judges(options, header);
-  CertifySummary summary;
-  const auto write = [&](const Judged& judged) {
-    if (!judged.lines.empty()) output(judged.lines);
-    for (const auto& [record, judgement] : judged.judgements) options.judged(record, judgement);
-    summary.add(judged.summary);
-    if (judged.broken) throw InputError({*judged.broken});
-    if (progress) progress(summary.records);
-  };
-
-  if (options.threads == 1) {
-    Chunk chunk;
-    while (chunks.next(chunk)) write(judge_chunk(chunk, judges, options));
-    return summary;
-  }
-  const auto in_flight = 3 * static_cast<std::size_t>(thread_count(options.threads));
-  on_threads(options.threads, [&, token = StopScope::token()] {
-    tbb::parallel_pipeline(
-        in_flight,
-        tbb::make_filter<void, std::shared_ptr<Chunk>>(tbb::filter_mode::serial_in_order,
-                                                       [&](tbb::flow_control& control) {
-                                                         auto chunk = std::make_shared<Chunk>();
-                                                         if (!chunks.next(*chunk)) control.stop();
-                                                         return chunk;
-                                                       }) &
-            tbb::make_filter<std::shared_ptr<Chunk>, std::shared_ptr<Judged>>(
-                tbb::filter_mode::parallel,
-                [&](const std::shared_ptr<Chunk>& chunk) {
-                  const StopScope scope(token);
-                  return std::make_shared<Judged>(judge_chunk(*chunk, judges, options));
-                }) &
-            tbb::make_filter<std::shared_ptr<Judged>, void>(
-                tbb::filter_mode::serial_in_order, [&](const std::shared_ptr<Judged>& judged) { write(*judged); }));
-  });
-  return summary;
+  return judge_in_order<Chunk>(
+      options, output, progress, [&](Chunk& chunk) { return chunks.next(chunk); },
+      [&](const Chunk& chunk) { return judge_chunk(chunk, judges, options); });
 }
 
 CertifySummary certify(std::istream& input, const LineSink& output, const CertifyOptions& options,

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "certify/contact_file.hpp"
+#include "certify/table_records.hpp"
 #include "cli/certify_problem.hpp"
 #include "cli/command.hpp"
 #include "formats/read_files.hpp"
@@ -28,6 +29,7 @@ struct CertifyArguments {
   CertifyOptions certify;
   CertifyProblemArguments problem;
   std::string file, scene, mechanism, decimal = "nearest", broken = "report", format, summary;
+  TableOptions table;
   std::optional<double> tolerance;
   std::optional<Work> effort;
 };
@@ -97,8 +99,21 @@ bool is_one_problem(const CertifyArguments& options) {
   return false;
 }
 
+/// Of a table, or of lines of text.
+CertifySummary certify_records(const CertifyArguments& options, bool table, const LineSink& sink,
+                               const Progress& progress) {
+  if (table) return certify(open_table(options.file, options.table), sink, options.certify, progress);
+  if (!options.table.names.empty() || !options.table.place.empty()) {
+    throw InputError(
+        {{options.file, 0, 0, "found no table, expected one with --columns and --table: .npy, .npz or HDF5"}});
+  }
+  return certify(open_bytes(options.file), sink, options.certify, progress);
+}
+
 int run_certify(CertifyArguments& options) {
-  if (is_one_problem(options)) {
+  const bool table =
+      options.file != "-" && !options.problem.any() && options.format.empty() && is_table_file(options.file);
+  if (!table && is_one_problem(options)) {
     options.problem.file = options.file;
     options.problem.tolerance = options.tolerance;
     options.problem.effort = options.effort;
@@ -112,7 +127,6 @@ int run_certify(CertifyArguments& options) {
   options.certify.stop_at_broken = options.broken == "stop";
   options.certify.threads = options.common.threads;
   read_setting(options);
-  const ByteSource input = open_bytes(options.file);
   std::optional<OutputFile> summary_file;
   if (!options.summary.empty())
     summary_file.emplace(options.summary, Inputs{options.file == "-" ? "/dev/stdin" : options.file, options.scene});
@@ -121,7 +135,7 @@ int run_certify(CertifyArguments& options) {
   const LineSink sink = [&](std::string_view lines) {
     if (!quiet) print(lines);
   };
-  const CertifySummary summary = certify(input, sink, options.certify, progress);
+  const CertifySummary summary = certify_records(options, table, sink, progress);
   if (progress) std::cerr << "\r\033[K";
   if (summary_file) summary_file->write(R"({"schema":"slipproof/certify/1",)" + to_json(summary).substr(1) + '\n');
   if (!options.common.json) {
@@ -141,9 +155,10 @@ void add_certify(CLI::App& app, int& exit_code) {
       "certify",
       "Certify outputs of floating-point solvers, of scenes or of contact problems:\na line of JSON for each");
   command
-      .add_option("FILE", options->file,
-                  "CSV with a header, JSON Lines (- for standard input), or a contact\nproblem's file: FCLIB HDF5, "
-                  "Siconos text, MatrixMarket, JSON")
+      .add_option(
+          "FILE", options->file,
+          "CSV with a header, JSON Lines (- for standard input); NumPy's .npy or .npz,\nan HDF5 table; or a contact "
+          "problem's file: FCLIB HDF5, Siconos text,\nMatrixMarket, JSON")
       ->required();
   auto* scene = command.add_option("--scene", options->scene,
                                    "Scene file, of a bicycle or a mechanism, with what is the same for all records");
@@ -172,6 +187,11 @@ void add_certify(CLI::App& app, int& exit_code) {
                   fmt::format("What one record may take, in operations on words, {};\nof a contact problem's file {}",
                               JudgeOptions().effort, ContactJudgeOptions().effort))
       ->check(whole_number(1));
+  command
+      .add_option("--columns", options->table.names,
+                  "Names of the columns of an array that has none, as in --columns F,a,S2,S3,N2,N3")
+      ->delimiter(',');
+  command.add_option("--table", options->table.place, "Data set or group of an HDF5 file that holds several tables");
   command.add_flag("--ignore-unknown", options->certify.ignore_unknown, "Pass over columns that are no field");
   command.add_option("--summary", options->summary, "Write the counts to this file, as JSON");
   add_problem_options(command, options->problem);

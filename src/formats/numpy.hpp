@@ -6,10 +6,9 @@
 #include <string_view>
 #include <vector>
 
-namespace slipproof {
+#include "formats/npy_header.hpp"
 
-inline constexpr std::string_view npy_signature = "\x93NUMPY";
-inline constexpr std::string_view zip_signature = "PK\x03\x04";
+namespace slipproof {
 
 struct NamedNumbers {
   std::string name;

@@ -14,6 +14,7 @@
 #include "formats/numpy.hpp"
 #include "formats/siconos.hpp"
 #include "formats/words.hpp"
+#include "formats/zip_archive.hpp"
 #include "input/text_file.hpp"
 #include "input/utf8.hpp"
 

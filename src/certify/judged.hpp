@@ -1,0 +1,86 @@
+// What was found of a piece of the records, and writing pieces in their order.
+#pragma once
+
+#include <tbb/parallel_pipeline.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "certify/cells.hpp"
+#include "certify/certify.hpp"
+#include "certify/exact_judge.hpp"
+#include "parallel/in_parallel.hpp"
+
+namespace slipproof {
+
+struct Judged {
+  std::string lines;
+  std::vector<std::pair<std::uint64_t, RecordJudgement>> judgements;  ///< with `judged`
+  CertifySummary summary;
+  std::optional<Diagnostic> broken;  ///< the first one, with stop_at_broken
+
+  /// Counts a judgement and writes its line.
+  void add(std::uint64_t record, const RecordJudgement& judgement, bool is_broken, const CertifyOptions& options) {
+    if (is_broken) ++summary.broken;
+    summary.add(judgement);
+    append_line(lines, record, judgement);
+    if (options.judged) judgements.emplace_back(record, judgement);
+  }
+
+  /// The judgement of a record that cannot be read; false where that is the end. `line` is 0 where there are none.
+  bool take(const BrokenRecord& found, std::uint64_t line, std::uint64_t record, RecordJudgement& judgement,
+            const CertifyOptions& options) {
+    if (!options.stop_at_broken) {
+      judgement = invalid_judgement(place_text(line, found.column) + found.message);
+      return true;
+    }
+    const std::string where = line == 0 ? "record " + std::to_string(record) + ": " : "";
+    broken = {options.file, static_cast<std::size_t>(line), found.column, where + found.message};
+    return false;
+  }
+};
+
+/// next(piece) reads a piece, false at the end; judge(piece) says what is found of it, in any order and on many threads
+/// at once; what is found is written in the order of the pieces.
+template <class Piece, class Next, class Judge>
+CertifySummary judge_in_order(const CertifyOptions& options, const LineSink& output, const Progress& progress,
+                              const Next& next, const Judge& judge) {
+  CertifySummary summary;
+  const auto write = [&](const Judged& judged) {
+    if (!judged.lines.empty()) output(judged.lines);
+    for (const auto& [record, judgement] : judged.judgements) options.judged(record, judgement);
+    summary.add(judged.summary);
+    if (judged.broken) throw InputError({*judged.broken});
+    if (progress) progress(summary.records);
+  };
+  if (options.threads == 1) {
+    Piece piece;
+    while (next(piece)) write(judge(piece));
+    return summary;
+  }
+  const auto in_flight = 3 * static_cast<std::size_t>(thread_count(options.threads));
+  on_threads(options.threads, [&, token = StopScope::token()] {
+    tbb::parallel_pipeline(
+        in_flight,
+        tbb::make_filter<void, std::shared_ptr<Piece>>(tbb::filter_mode::serial_in_order,
+                                                       [&](tbb::flow_control& control) {
+                                                         auto piece = std::make_shared<Piece>();
+                                                         if (!next(*piece)) control.stop();
+                                                         return piece;
+                                                       }) &
+            tbb::make_filter<std::shared_ptr<Piece>, std::shared_ptr<Judged>>(
+                tbb::filter_mode::parallel,
+                [&](const std::shared_ptr<Piece>& piece) {
+                  const StopScope scope(token);
+                  return std::make_shared<Judged>(judge(*piece));
+                }) &
+            tbb::make_filter<std::shared_ptr<Judged>, void>(
+                tbb::filter_mode::serial_in_order, [&](const std::shared_ptr<Judged>& judged) { write(*judged); }));
+  });
+  return summary;
+}
+
+}  // namespace slipproof

@@ -1,0 +1,42 @@
+// How a number or a text lies in the bytes of a binary file.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace slipproof {
+
+struct CellType {
+  enum class Kind : std::uint8_t {
+    real,     ///< binary64 or binary32
+    integer,  ///< of 1, 2, 4 or 8 bytes, in two's complement
+    natural,  ///< the same without a sign
+    bytes,    ///< text, one byte a character, zero bytes after its end
+    utf32,    ///< text, four bytes a character
+    other     ///< nothing that is read here
+  };
+  Kind kind = Kind::other;
+  std::size_t size = 0;  ///< bytes
+  bool big_endian = false;
+  std::string name;  ///< as the file calls it
+
+  bool is_number() const { return kind <= Kind::natural; }
+  bool is_integer() const { return kind == Kind::integer || kind == Kind::natural; }
+  bool is_text() const { return kind == Kind::bytes || kind == Kind::utf32; }
+  /// The very bytes of a double of this machine.
+  bool is_native() const;
+};
+
+/// A number of the type: the nearest binary64 where an integer is none.
+double number_at(const CellType& type, const char* cell);
+/// Of an integer type; the largest where it is beyond int64.
+std::int64_t integer_at(const CellType& type, const char* cell);
+/// Of a text type, as UTF-8 without the zeros after it.
+std::string text_at(const CellType& type, const char* cell);
+
+/// The numbers of `count` cells that are `stride` bytes apart.
+void read_numbers(const CellType& type, const char* first, std::size_t stride, std::size_t count, double* to);
+
+}  // namespace slipproof
