@@ -3,11 +3,8 @@
 #include <cstdint>
 #include <limits>
 
-#ifdef SLIPPROOF_ZLIB
-#include <zlib.h>
-#endif
-
 #include "small_files.hpp"
+#include "support/zip_file.hpp"
 
 using namespace slipproof;
 using namespace slipproof::test;
@@ -19,14 +16,8 @@ SolverAnswer answer(const std::string& content, const std::string& name = "a") {
   return read_answer_file(folder.write(name, content));
 }
 
-std::string little(std::uint64_t value, std::size_t size) {
-  std::string bytes;
-  for (std::size_t k = 0; k < size; ++k) bytes += static_cast<char>(value >> (8 * k) & 0xff);
-  return bytes;
-}
-
 std::string npy(const std::string& header, const std::string& data, char version = 1) {
-  return "\x93NUMPY" + std::string{version, '\0'} + little(header.size(), version == 1 ? 2 : 4) + header + data;
+  return npy_with(header, data, version);
 }
 
 std::string header(const std::string& type, const std::string& order, const std::string& shape) {
@@ -45,45 +36,6 @@ std::string raw(const Numbers& numbers, std::size_t width = 8, bool big = false)
 }
 
 const std::string three = npy(header("<f8", "False", "(3,)"), raw({1, -2.5, 1e300}));
-
-struct Packed {
-  std::string name, bytes;
-  std::size_t size = bytes.size();
-  std::uint64_t method = 0, checksum = 0;
-};
-
-std::string zip(const std::vector<Packed>& files) {
-  std::string archive, directory;
-  for (const Packed& file : files) {
-    const std::string common = little(file.method, 2) + little(0, 4) + little(file.checksum, 4) +
-                               little(file.bytes.size(), 4) + little(file.size, 4) + little(file.name.size(), 2);
-    directory += "PK\x01\x02" + little(20, 2) + little(20, 2) + little(0, 2) + common + std::string(12, char{0}) +
-                 little(archive.size(), 4) + file.name;
-    // The sizes before the data may be left open: what counts is the directory.
-    archive += "PK\x03\x04" + little(20, 2) + little(0, 2) + little(file.method, 2) + little(0, 4) + little(0, 4) +
-               little(0xffffffff, 4) + little(0xffffffff, 4) + little(file.name.size(), 2) + little(4, 2) + file.name +
-               "more" + file.bytes;
-  }
-  return archive + directory + "PK\x05\x06" + little(0, 4) + little(files.size(), 2) + little(files.size(), 2) +
-         little(directory.size(), 4) + little(archive.size(), 4) + little(0, 2);
-}
-
-#ifdef SLIPPROOF_ZLIB
-Packed deflated(const std::string& name, const std::string& content) {
-  z_stream stream{};
-  REQUIRE(deflateInit2(&stream, 9, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY) == Z_OK);
-  std::string packed(content.size() + 100, '\0'), copy = content;
-  stream.next_in = reinterpret_cast<Bytef*>(copy.data());
-  stream.avail_in = static_cast<uInt>(copy.size());
-  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
-  stream.avail_out = static_cast<uInt>(packed.size());
-  REQUIRE(deflate(&stream, Z_FINISH) == Z_STREAM_END);
-  packed.resize(stream.total_out);
-  deflateEnd(&stream);
-  const auto checksum = crc32(0, reinterpret_cast<const Bytef*>(copy.data()), static_cast<uInt>(copy.size()));
-  return {name, packed, content.size(), 8, checksum};
-}
-#endif
 
 }  // namespace
 
@@ -156,16 +108,17 @@ TEST_CASE("malformed answers are refused") {
            "FILE:4:1: found the end of the file, expected a component"},
           {"%%MatrixMarket matrix array real general\n1099511627776 1\n1\n", "FILE:2:1: found '1099511627776'"},
           {"\x93NUMPY", "FILE: found no .npy array"},
-          {npy(header("<f8", "False", "(3,)"), numbers),
-           "FILE: found 16 bytes of data, expected 3 times 1 numbers of 8"},
-          {npy(header("<f8", "False", "(2,)"), numbers + "x"), "FILE: found 17 bytes of data, expected 2 times 1"},
-          {npy(header("<f8", "False", "(1099511627776,)"), numbers), "FILE: found the shape"},
+          {npy(header("<f8", "False", "(3,)"), numbers), "FILE: found 16 bytes of data, expected 3 items of 8"},
+          {npy(header("<f8", "False", "(2,)"), numbers + "x"), "FILE: found 17 bytes of data, expected 2 items"},
+          {npy(header("<f8", "False", "(1099511627776,)"), numbers), "FILE: found 16 bytes of data"},
           {npy(header("<f8", "False", "(99999999999999999999999,)"), numbers), "FILE: found the shape"},
-          {npy(header("<f8", "False", "(1, 2, 1)"), numbers), "FILE: found the shape"},
-          {npy(header("<f8", "False", "()"), numbers), "FILE: found the shape"},
-          {npy(header("<i8", "False", "(2,)"), numbers), "FILE: found the type ''<i8'', expected f8 or f4"},
-          {npy(header("|O", "False", "(2,)"), numbers), "FILE: found the type ''|O'', expected f8 or f4"},
-          {npy(header("<f8", "Maybe", "(2,)"), numbers), "FILE: found no fortran_order, expected True or False"},
+          {npy(header("<f8", "False", "(1, 2, 1)"), numbers), "FILE: found 3 dimensions, expected one or two"},
+          {npy(header("<f8", "False", "()"), numbers.substr(8)), "FILE: found 0 dimensions"},
+          {npy(header("<i8", "False", "(2,)"), numbers), "FILE: found the type '<i8', expected f8 or f4"},
+          {npy(header("|O", "False", "(2,)"), numbers),
+           "FILE: found Python objects ('|O'), which only Python could read"},
+          {npy(header("<f8", "Maybe", "(2,)"), numbers),
+           "FILE: found the fortran_order 'Maybe', expected True or False"},
           {npy("{'descr': '<f8'}", numbers), "FILE: found no 'fortran_order' in the header of an array"},
           {std::string("\x93NUMPY\x01\x00\xff\xff{'descr'", 18), "FILE: found a header that is cut off"},
           {zip({{"r.npy", three}}).substr(0, 200), "FILE: found no directory: the archive is cut off"},

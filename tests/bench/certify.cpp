@@ -1,0 +1,96 @@
+// Records of solvers from CSV, from .npy and from memory: the same ones, 26 columns, judged on one core.
+#include "certify/certify.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "certify/columns.hpp"
+#include "certify/table_records.hpp"
+#include "support/npy_file.hpp"
+#include "support/solver_records.hpp"
+
+namespace {
+
+using namespace slipproof;
+
+/// Records that repeat after a while, as CSV and as a structured array, in files.
+class RecordFiles {
+ public:
+  explicit RecordFiles(std::size_t count)
+      : csv_(std::filesystem::temp_directory_path() / ("slipproof-bench-" + std::to_string(count) + ".csv")),
+        npy_(csv_ + ".npy") {
+    constexpr std::size_t different = 2048;
+    test::SolverRecords records(17);
+    std::vector<test::Cells> cells;
+    while (cells.size() < different) {
+      cells.push_back(records.next());
+      if (cells.back()[test::j_cell].empty()) cells.pop_back();  // a column has J for all or for none
+    }
+    std::string text = test::header(), rows;
+    for (std::size_t i = 0; i < count; ++i) text += test::joined(cells[i % different]);
+    for (std::size_t i = 0; i < count; ++i) rows += test::npy_row(cells[i % different]);
+    std::ofstream(csv_, std::ios::binary) << text;
+    std::ofstream(npy_, std::ios::binary) << test::npy_file(test::npy_record_fields(), rows, count);
+  }
+  ~RecordFiles() {
+    std::filesystem::remove(csv_);
+    std::filesystem::remove(npy_);
+  }
+  const std::string& csv() const { return csv_; }
+  const std::string& npy() const { return npy_; }
+
+ private:
+  std::string csv_, npy_;
+};
+
+template <class Certify>
+void measure(benchmark::State& state, const Certify& certify_all) {
+  const RecordFiles files(static_cast<std::size_t>(state.range(0)));
+  for (auto _ : state) {
+    std::size_t bytes = 0;
+    CertifyOptions options;
+    options.threads = 1;
+    const CertifySummary summary = certify_all(files, options, [&](std::string_view lines) { bytes += lines.size(); });
+    if (!summary.all_certified()) state.SkipWithError("not certified");
+    benchmark::DoNotOptimize(bytes);
+  }
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+
+void certify_csv(benchmark::State& state) {
+  measure(state, [](const RecordFiles& files, const CertifyOptions& options, const LineSink& sink) {
+    return certify(open_bytes(files.csv()), sink, options);
+  });
+}
+void certify_npy(benchmark::State& state) {
+  measure(state, [](const RecordFiles& files, const CertifyOptions& options, const LineSink& sink) {
+    return certify(open_table(files.npy()), sink, options);
+  });
+}
+/// The rows of the file in memory, and answers in arrays: no text at all.
+void certify_columns(benchmark::State& state) {
+  measure(state, [](const RecordFiles& files, const CertifyOptions& options, const LineSink&) {
+    Table table = open_table(files.npy());
+    TableBlock block;
+    CertifySummary summary;
+    while (table.next(block)) {
+      RecordColumns columns{.records = block.rows};
+      for (const TableColumn& column : table.columns) {
+        if (const auto field = parse_field(column.name)) {
+          columns[*field] = {table.cells(block, column), static_cast<std::ptrdiff_t>(table.stride(column))};
+        }
+      }
+      columns.kinds = {table.cells(block, table.columns[test::kind_cell]),
+                       static_cast<std::ptrdiff_t>(table.stride(table.columns[test::kind_cell]))};
+      summary.add(certify(columns, {.judge = options.judge, .threads = 1}).summary);
+    }
+    return summary;
+  });
+}
+BENCHMARK(certify_csv)->Arg(4096)->Arg(1000000)->Unit(benchmark::kMillisecond);
+BENCHMARK(certify_npy)->Arg(4096)->Arg(1000000)->Unit(benchmark::kMillisecond);
+BENCHMARK(certify_columns)->Arg(4096)->Arg(1000000)->Unit(benchmark::kMillisecond);
+
+}  // namespace
