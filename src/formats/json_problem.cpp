@@ -243,7 +243,8 @@ bool begins_as_json_problem(std::istream& text) {
 
 bool is_json_problem(std::string_view line) {
   const auto has = [&](std::string_view word) { return line.find(word) != std::string_view::npos; };
-  if (!has("\"dimension\"") && !has("\"entries\"") && !has("\"H\"")) return false;
+  // The ends of keys: quotation marks are everywhere in a line, and begin nothing that is quickly looked for.
+  if (!has("dimension\"") && !has("entries\"") && !has("H\"")) return false;
   const JsonLine plain = without_words(line);
   JsonPeek peek;
   nlohmann::json::sax_parse(plain.text, &peek, nlohmann::json::input_format_t::json, false);
