@@ -16,6 +16,21 @@ std::string to_string(const Diagnostic& diagnostic) {
   return text + diagnostic.message;
 }
 
+FoundAndExpected found_and_expected(std::string_view message) {
+  constexpr std::string_view found = "found ", expected = "expected ";
+  FoundAndExpected parts;
+  const std::size_t second = message.rfind(expected);
+  if (second != std::string_view::npos) {
+    parts.expected = message.substr(second + expected.size());
+    message = message.substr(0, second);
+  }
+  const std::size_t first = message.find(found);
+  if (first == std::string_view::npos) return parts;
+  parts.found = message.substr(first + found.size());
+  if (parts.found.ends_with(", ")) parts.found.remove_suffix(2);
+  return parts;
+}
+
 namespace {
 
 std::string joined(const std::vector<Diagnostic>& diagnostics) {

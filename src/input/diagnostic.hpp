@@ -31,6 +31,12 @@ struct Diagnostic {
 /// `file:line:column: message`.
 std::string to_string(const Diagnostic& diagnostic);
 
+/// The parts of a message `found ..., expected ...`, without what stands before; empty where it has none.
+struct FoundAndExpected {
+  std::string_view found, expected;
+};
+FoundAndExpected found_and_expected(std::string_view message);
+
 /// All mistakes of one input, in the order of their places; the program's exit code is 3.
 class InputError : public std::runtime_error {
  public:

@@ -115,14 +115,8 @@ class SolveText {
   }
 
   void write_rejected(const RejectedMode& mode) {
-    std::string because;
-    for (const ViolatedCondition& c : mode.because) {
-      const std::string text = condition_name(mechanism_, c.element, c.state, c.condition);
-      if (!because.ends_with(text)) because += (because.empty() ? "" : " against ") + text;
-    }
-    if (mode.margin) because += "  " + number_text(*mode.margin, digits_);
-    if (because.empty()) because = "its equations have no solution";
-    fmt::format_to(out_, "    {:<12} {}\n", name(mode.mode), because);
+    fmt::format_to(out_, "    {:<12} {}{}\n", name(mode.mode), what_is_broken(mechanism_, mode),
+                   mode.margin ? "  " + number_text(*mode.margin, digits_) : "");
   }
 
   void write_motions(const MotionsAtLoad& found) {
@@ -184,6 +178,15 @@ class SolveText {
 };
 
 }  // namespace
+
+std::string what_is_broken(const Mechanism& mechanism, const RejectedMode& mode) {
+  std::string text;
+  for (const ViolatedCondition& c : mode.because) {
+    const std::string condition = condition_name(mechanism, c.element, c.state, c.condition);
+    if (!text.ends_with(condition)) text += (text.empty() ? "" : " against ") + condition;
+  }
+  return text.empty() ? "its equations have no solution" : text;
+}
 
 std::string solve_text(const SolvedMechanism& solved, int digits) {
   return SolveText(solved, digits).whole();

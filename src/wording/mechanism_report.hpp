@@ -22,6 +22,9 @@ struct SolvedMechanism {
   std::vector<LoadCell> cells;           ///< where the load has no value
 };
 
+/// What a mode without a motion breaks: `N1 >= 0`, `gap1 >= 0 against N2 >= 0`, or that its equations have no solution.
+std::string what_is_broken(const Mechanism& mechanism, const RejectedMode& mode);
+
 /// For people; `digits` is how many significant ones a decimal has.
 std::string solve_text(const SolvedMechanism& solved, int digits);
 /// The document slipproof/solve/2.

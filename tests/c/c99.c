@@ -1,0 +1,126 @@
+/* The C interface from C99: what the batch filter says of a bicycle is what its exact motions are; answers of a solver;
+ * mistakes. Prints what failed, and returns how much. */
+#include <math.h>
+#include <slipproof.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int failures = 0;
+
+static void expect(int holds, const char* what) {
+  if (holds) return;
+  printf("failed: %s\n", what);
+  ++failures;
+}
+
+static const char scene_format[] =
+    "[bicycle]\nR = 1\nh = 1\nb = 1\nI1 = 0\nI2 = 1\nI3 = 1\nr1 = 1\nr2 = 1\nL = 1\nM = 1\nJ = 2\n"
+    "[road]\nf = 4\ng = 1\n[force]\nkind = \"internal\"\nF = %d\n";
+
+/* The bits of the modes in which the bicycle has a motion at a force. */
+static unsigned modes_of_motions(int force) {
+  static const char* const states[] = {"stick", "slip+", "slip-", "lift"};
+  char scene[400];
+  slipproof_solution* solution = NULL;
+  unsigned bits = 0;
+  snprintf(scene, sizeof scene, scene_format, force);
+  expect(slipproof_solve_text(scene, "a text", &solution, NULL) == SLIPPROOF_OK, "a scene in a text is solved");
+  size_t motions = 0;
+  const slipproof_motion* motion = slipproof_solution_motions(solution, &motions);
+  for (size_t k = 0; k < motions; ++k) {
+    for (size_t m = 0; m < motion[k].mode_count; ++m) {
+      for (unsigned i = 0; i < 16; ++i) {
+        char name[20];
+        snprintf(name, sizeof name, "%s/%s", states[i / 4], states[i % 4]);
+        if (strcmp(name, motion[k].modes[m]) == 0) bits |= 1u << i;
+      }
+    }
+  }
+  slipproof_solution_free(solution);
+  return bits;
+}
+
+static void the_filter_agrees_with_the_motions(void) {
+  enum { count = 41 };
+  static const double zero = 0, one = 1, two = 2, four = 4;
+  const slipproof_column O = {&zero, 1}, I = {&one, 1};
+  double forces[count];
+  uint16_t modes[count], strict[count];
+  uint64_t tiers[3] = {0, 0, 0};
+  slipproof_bicycles bicycles = {I, I, I, I, I, O, I, I, I, I, I, {&two, 1}, {&four, 1}, I, {forces, count}, 0};
+  unsigned seen = 0;
+  for (int i = 0; i < count; ++i) forces[i] = i - 20;
+  expect(slipproof_consistent_modes(&bicycles, count, modes, strict, tiers, 1, NULL) == SLIPPROOF_OK, "a batch");
+  for (int i = 0; i < count; ++i) {
+    const unsigned expected = modes_of_motions(i - 20);
+    if (modes[i] != expected) printf("F = %d: 0x%x, and not 0x%x\n", i - 20, modes[i], expected);
+    expect(modes[i] == expected, "the filter has the modes of the motions");
+    expect((strict[i] & ~modes[i]) == 0, "strict modes are consistent");
+    seen |= expected;
+  }
+  expect((seen & (seen - 1)) != 0, "there are several modes");
+  expect(tiers[0] + tiers[1] + tiers[2] == count, "the tiers count every bicycle");
+}
+
+static void a_bicycle_outside_the_domain_is_refused(void) {
+  static const double numbers[] = {1, 1, -1}, one = 1;
+  const slipproof_column I = {&one, 1}, none = {NULL, 0};
+  slipproof_bicycles bicycles = {I, {numbers, 3}, I, I, I, I, I, I, I, I, I, none, I, I, I, 0};
+  uint16_t modes[3] = {7, 7, 7};
+  slipproof_error* error = NULL;
+  expect(slipproof_consistent_modes(&bicycles, 3, modes, NULL, NULL, 1, &error) == SLIPPROOF_BAD_ARGUMENT, "R < 0");
+  expect(strcmp(slipproof_error_message(error), "bicycle 3: R: expected a number > 0") == 0, "which bicycle is wrong");
+  expect(modes[0] == 7, "nothing is written where something is wrong");
+  slipproof_error_free(error);
+  bicycles.R.size = 2;
+  expect(slipproof_consistent_modes(&bicycles, 3, modes, NULL, NULL, 1, NULL) == SLIPPROOF_BAD_ARGUMENT,
+         "two of three");
+}
+
+static void answers_are_judged(void) {
+  static const double W[] = {2, 1, 1, 2}, q[] = {-5, -6};
+  const double right[] = {4.0 / 3, 7.0 / 3}, wrong[] = {2.5, 0}, none[] = {NAN, 0};
+  const double* const answers[] = {right, wrong, none};
+  const char* const verdicts[] = {"certified", "wrong", "invalid"};
+  for (int i = 0; i < 3; ++i) {
+    const slipproof_problem problem = {2, 1, W, q, NULL, answers[i], NULL};
+    slipproof_verdict* verdict = NULL;
+    expect(slipproof_certify(&problem, NULL, &verdict, NULL) == SLIPPROOF_OK, "an answer is judged");
+    const slipproof_judgement found = slipproof_verdict_judgement(verdict);
+    expect(strcmp(found.verdict, verdicts[i]) == 0, verdicts[i]);
+    expect(found.certified == (i == 0), "certified");
+    expect(i == 0 ? found.error < 1e-15 : isnan(found.error), "error");
+    slipproof_verdict_free(verdict);
+  }
+}
+
+static void mistakes_have_places(void) {
+  slipproof_solution* solution = NULL;
+  slipproof_error* error = NULL;
+  expect(slipproof_solve_text("[bicycle]\nR = 0\n", "s.toml", &solution, &error) == SLIPPROOF_BAD_INPUT, "R = 0");
+  expect(solution == NULL, "no solution");
+  expect(slipproof_error_count(error) > 3, "all mistakes are told");
+  const slipproof_mistake beyond = slipproof_error_mistake(error, slipproof_error_count(error));
+  expect(strcmp(beyond.message, "") == 0, "beyond the last mistake there is none");
+  int told = 0;
+  for (size_t i = 0; i < slipproof_error_count(error); ++i) {
+    const slipproof_mistake m = slipproof_error_mistake(error, i);
+    told = told || (m.line == 2 && m.column == 5 && strcmp(m.place, "s.toml") == 0 && strcmp(m.found, "'0'") == 0 &&
+                    strcmp(m.expected, "R > 0") == 0);
+  }
+  expect(told, "place, found, expected");
+  slipproof_error_free(error);
+  expect(slipproof_solve_file(NULL, &solution, NULL) == SLIPPROOF_BAD_ARGUMENT, "no path");
+  slipproof_solution_free(NULL);
+  slipproof_verdict_free(NULL);
+  slipproof_error_free(NULL);
+}
+
+int main(void) {
+  the_filter_agrees_with_the_motions();
+  a_bicycle_outside_the_domain_is_refused();
+  answers_are_judged();
+  mistakes_have_places();
+  return failures;
+}
