@@ -43,6 +43,7 @@ int run(int argc, char** argv) {
   cli::add_report(app, exit_code);
   cli::add_map(app, exit_code);
   cli::add_draw(app, exit_code);
+  cli::add_documentation(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
