@@ -19,6 +19,28 @@ if(NOT output STREQUAL "scene.toml:3:7: sigma is 1/4\n")
   message(FATAL_ERROR "the consumer printed: ${output}")
 endif()
 
+# The same from C, by CMake and by pkg-config: a scene that names a shipped mechanism.
+set(scene ${SCRATCH}/moved/share/slipproof/cases/mechanisms/scenes/block-on-incline.toml)
+function(expect_motions)
+  run(${ARGN} ${scene})
+  if(NOT output STREQUAL "stick/stick with ax = 0\nslip+/slip+ with ax = 2943/2500\n")
+    message(FATAL_ERROR "${ARGN} printed: ${output}")
+  endif()
+endfunction()
+expect_motions(${SCRATCH}/consumer/consumer_c)
+set(ENV{PKG_CONFIG_PATH} ${SCRATCH}/moved/${LIBDIR}/pkgconfig)
+run(sh -c "cc -std=c99 $(pkg-config --cflags slipproof) -o ${SCRATCH}/with_pc ${CMAKE_CURRENT_LIST_DIR}/consumer/main.c $(pkg-config --libs slipproof)")
+expect_motions(${CMAKE_COMMAND} -E env LD_LIBRARY_PATH=${SCRATCH}/moved/${LIBDIR} ${SCRATCH}/with_pc)
+
+# The program finds what was installed with it, and not the sources: it complains of what is spoiled there.
+run(${SCRATCH}/moved/bin/slipproof verify --only A5.1 --samples 20)
+file(APPEND ${SCRATCH}/moved/share/slipproof/proofs/rozenblat-yashin/claims.toml "spoiled")
+execute_process(COMMAND ${SCRATCH}/moved/bin/slipproof verify --only A5.1 RESULT_VARIABLE result ERROR_VARIABLE output)
+string(FIND "${output}" "${SCRATCH}/moved/share/slipproof/proofs/rozenblat-yashin/claims.toml:" place)
+if(NOT result EQUAL 3 OR NOT place EQUAL 0)
+  message(FATAL_ERROR "spoiled claims beside the program: ${result}\n${output}")
+endif()
+
 # The installed checker accepts the installed proofs.
 run(${SCRATCH}/moved/bin/slipproof-check ${SCRATCH}/moved/share/slipproof/proofs)
 if(NOT output MATCHES "\ns ACCEPTED [1-9][0-9]* accepted, 0 rejected, 0 missing, 0 undecided, 0 unreadable\n$")
