@@ -48,7 +48,10 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS
 if(python IN_LIST components)
   list(APPEND CPACK_COMPONENTS_ALL python)
   slipproof_package(python python3-slipproof python " (Python)" "This package has the module for Python.")
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3, python3-numpy")
+  find_package(Python3 REQUIRED COMPONENTS Interpreter)  # a module is of one minor version
+  math(EXPR next_minor "${Python3_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+      "python3 (>= 3.${Python3_VERSION_MINOR}~), python3 (<< 3.${next_minor}), python3-numpy")
 endif()
 
 # A native package's changelog, in Debian's form; SOURCE_DATE_EPOCH makes it the same again.

@@ -36,7 +36,7 @@ mkdir "$bare/new"
 cp "${packages[@]}" "$sources/tests/install/consumer/main.c" "$bare/new"
 inside() { chroot "$bare" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"; }
 quietly() { inside "$@" >"$scratch/log" 2>&1 || fail "$*: $(tail -20 "$scratch/log")"; }
-files() { (cd "$bare" && find . -xdev -path ./proc -prune -o -path ./var/lib/dpkg -prune -o -path ./var/log -prune -o -path ./var/cache -prune -o -print | sort); }
+files() { (cd "$bare" && find . -xdev -path ./proc -prune -o -path ./new -prune -o -path ./var/lib/dpkg -prune -o -path ./var/log -prune -o -path ./var/cache -prune -o -print | sort); }
 install() { quietly sh -c 'apt-get -q -y install --no-install-recommends /new/*.deb'; }
 
 quietly apt-get -q update
