@@ -56,7 +56,11 @@ DescribedOption described_option(const CLI::Option& option) {
 }
 
 void add_options(const CLI::App& from, DescribedCommand& to) {
-  for (const CLI::Option* option : from.get_options()) to.options.push_back(described_option(*option));
+  const bool is_group = from.get_name().empty() && from.get_parent() != nullptr;
+  for (const CLI::Option* option : from.get_options()) {
+    if (is_group && option == from.get_help_ptr()) continue;  // its command has one
+    to.options.push_back(described_option(*option));
+  }
   for (const CLI::App* group : from.get_subcommands([](const CLI::App* app) { return app->get_name().empty(); })) {
     add_options(*group, to);
   }

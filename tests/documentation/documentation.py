@@ -37,6 +37,8 @@ class Pages(unittest.TestCase):
             with self.subTest(command):
                 written = set(re.findall(r"--[\w-]+", page(f"{FOLDER}/man/slipproof-{command}.1")))
                 self.assertEqual(options_of(command) - written, set())
+                heads = re.findall(r"^\.B (-.*)", page(f"{FOLDER}/man/slipproof-{command}.1"), re.MULTILINE)
+                self.assertEqual(len(heads), len(set(heads)))
                 self.assertIn(f"slipproof-{command}(1)", page(SOURCES[0]))
 
     def test_a_choice_stands_with_its_default(self):
