@@ -2,7 +2,8 @@
 #include <limits>
 
 #include "c/call.hpp"
-#include "certify/record.hpp"
+#include "c/options.hpp"
+#include "certify/columns.hpp"
 #include "filter/batch.hpp"
 
 namespace slipproof::c {
@@ -20,16 +21,19 @@ double at(const slipproof_column& column, std::size_t i) {
   return column.values[column.size == 1 ? 0 : i];
 }
 
+void check_size(const slipproof_column& column, std::size_t count, Field field) {
+  const std::string symbol(field_names[index(field)]);
+  if (column.size != 1 && (column.size != count || count == 0)) {
+    throw BadArgument(symbol,
+                      "found " + std::to_string(column.size) + " numbers, expected 1 or " + std::to_string(count));
+  }
+  need(column.values, symbol.c_str());
+}
+
 void check_sizes(const Columns& columns, std::size_t count) {
   for (std::size_t i = 0; i < direct_count; ++i) {
-    const slipproof_column& column = *columns[i];
-    const std::string symbol(field_names[i]);
-    if (column.size == 0 && static_cast<Field>(i) == Field::J) continue;
-    if (column.size != 1 && (column.size != count || count == 0)) {
-      throw BadArgument(symbol,
-                        "found " + std::to_string(column.size) + " numbers, expected 1 or " + std::to_string(count));
-    }
-    need(column.values, symbol.c_str());
+    const auto field = static_cast<Field>(i);
+    if (columns[i]->size != 0 || field != Field::J) check_size(*columns[i], count, field);
   }
 }
 
@@ -83,6 +87,53 @@ ForcedScene<Column> scenes_of(const slipproof_bicycles& b) {
   return s;
 }
 
+/// All columns as the library takes them; one that is not given stays away.
+RecordColumns records_of(const slipproof_bicycles& bicycles, const slipproof_answers& answers, std::size_t count) {
+  RecordColumns records{.records = count};
+  const auto put = [&](Field field, const slipproof_column& column) {
+    if (column.size == 0) return;
+    check_size(column, count, field);
+    records[field] = {column.values, column.size == 1 ? 0 : static_cast<std::ptrdiff_t>(sizeof(double))};
+  };
+  const Columns parameters = columns_of(bicycles);
+  for (std::size_t i = 0; i < direct_count; ++i) put(static_cast<Field>(i), *parameters[i]);
+  const slipproof_answers& x = answers;
+  const std::array<const slipproof_column*, answer_count> given{&x.a,  &x.a_y, &x.phi, &x.eps2, &x.eps3,
+                                                                &x.S2, &x.S3,  &x.N2,  &x.N3};
+  for (std::size_t i = 0; i < answer_count; ++i) put(static_cast<Field>(parameter_count + i), *given[i]);
+  static constexpr std::array<std::uint8_t, 2> kinds{0, 1};
+  records.kinds = {&kinds[bicycles.external != 0 ? 1 : 0], 0};
+  if (answers.modes != nullptr) records.modes = {answers.modes, 1};
+  return records;
+}
+
+template <class T>
+std::span<T> wanted(T* array, std::size_t count) {
+  return {array, array == nullptr ? 0 : count};
+}
+
+/// An enumeration has a type of its own, which C does not know.
+template <class Enumeration>
+void copy_codes(const std::vector<Enumeration>& from, std::uint8_t* to) {
+  for (std::size_t i = 0; i < from.size(); ++i) to[i] = static_cast<std::uint8_t>(from[i]);
+}
+
+void certify_records(const RecordColumns& records, const ColumnsOptions& options, const slipproof_judgements& to) {
+  std::vector<RecordVerdict> verdicts(to.verdicts == nullptr ? 0 : records.records);
+  std::vector<Tier> tiers(to.tiers == nullptr ? 0 : records.records);
+  try {
+    certify(records, options,
+            {.verdicts = verdicts,
+             .modes = wanted(to.modes, records.records),
+             .errors = wanted(to.errors, records.records),
+             .tiers = tiers});
+  } catch (const std::invalid_argument& error) {
+    throw BadArgument("bicycles, answers", error.what());
+  }
+  copy_codes(verdicts, to.verdicts);
+  copy_codes(tiers, to.tiers);
+}
+
 }  // namespace
 
 }  // namespace slipproof::c
@@ -107,5 +158,20 @@ slipproof_status slipproof_consistent_modes(const slipproof_bicycles* bicycles, 
     }
     if (tiers == nullptr) return;
     for (std::size_t i = 0; i < tier_count; ++i) tiers[i] += counts[i];
+  });
+}
+
+slipproof_status slipproof_certify_bicycles(const slipproof_bicycles* bicycles, const slipproof_answers* answers,
+                                            size_t count, const slipproof_certify_options* options,
+                                            const slipproof_judgements* judgements, unsigned threads,
+                                            slipproof_error** error) {
+  using namespace slipproof;
+  return c::call(error, [&] {
+    c::need(bicycles, "bicycles");
+    c::need(answers, "answers");
+    c::need(judgements, "judgements");
+    if (count == 0) return;
+    const RecordColumns records = c::records_of(*bicycles, *answers, count);
+    c::certify_records(records, {.judge = c::options_of(options).exact, .threads = threads}, *judgements);
   });
 }

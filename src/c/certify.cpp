@@ -6,6 +6,7 @@
 #include <span>
 
 #include "c/call.hpp"
+#include "c/options.hpp"
 #include "certify/contact_file.hpp"
 #include "certify/exact_judge.hpp"
 #include "certify/problem_judge.hpp"
@@ -23,13 +24,6 @@ struct slipproof_verdict {
 
 namespace slipproof::c {
 
-namespace {
-
-struct Options {
-  JudgeOptions exact;
-  ContactFileOptions enclosure;
-};
-
 Options options_of(const slipproof_certify_options* given) {
   Options options;
   if (given == nullptr) return options;
@@ -44,6 +38,8 @@ Options options_of(const slipproof_certify_options* given) {
   options.enclosure.judge.refine = given->refine != 0;
   return options;
 }
+
+namespace {
 
 void check_shape(const slipproof_problem& p) {
   const auto refuse = [](const char* argument, std::size_t found, const std::string& expected) {

@@ -190,6 +190,39 @@ typedef struct slipproof_bicycles {
   int external; /* somebody beside the bicycle pushes the pedal, and not its rider */
 } slipproof_bicycles;
 
+/* What a solver says of each bicycle: the acceleration of the frame and all forces, and what else it has. NaN and
+ * infinities are invalid answers, and no errors. */
+typedef struct slipproof_answers {
+  slipproof_column a, S2, S3, N2, N3;
+  slipproof_column a_y, phi, eps2, eps3; /* with `size` 0 where the solver has none */
+  const uint8_t* modes; /* of each bicycle the mode that is claimed, 4 i + j as below; 255, or NULL: none */
+} slipproof_answers;
+
+typedef enum slipproof_record_verdict {
+  SLIPPROOF_CERTIFIED = 0,  /* the answer is the one motion, within the tolerance */
+  SLIPPROOF_AMBIGUOUS = 1,  /* it is one of several motions */
+  SLIPPROOF_INACCURATE = 2, /* the right motion, with an error above the tolerance */
+  SLIPPROOF_WRONG = 3,      /* no motion is near */
+  SLIPPROOF_INVALID = 4,    /* NaN, infinity, a bicycle outside the domain */
+  SLIPPROOF_UNDECIDED = 5   /* it would take more work than the effort allows */
+} slipproof_record_verdict;
+
+/* Arrays of `count` elements that receive what was found; those that are NULL are not wanted. */
+typedef struct slipproof_judgements {
+  uint8_t* verdicts; /* of slipproof_record_verdict */
+  uint16_t* modes;   /* of the motion that the answer is, bits as below */
+  double* errors;    /* upper bound on the largest relative error, of certified, ambiguous and inaccurate ones */
+  uint8_t* tiers;    /* 0 to 2: what decided, as below */
+} slipproof_judgements;
+
+/* Is each answer the one motion of its bicycle? As `slipproof certify` judges the same numbers in a table. Of the
+ * options `tolerance` and `effort` count; they may be NULL. `threads`: 0 for all there are. */
+SLIPPROOF_API slipproof_status slipproof_certify_bicycles(const slipproof_bicycles* bicycles,
+                                                          const slipproof_answers* answers, size_t count,
+                                                          const slipproof_certify_options* options,
+                                                          const slipproof_judgements* judgements, unsigned threads,
+                                                          slipproof_error** error);
+
 /* Which contact modes each of `count` bicycles has a motion in: bit 4 i + j for the rear wheel in state i and the front
  * wheel in state j, of stick, slip+, slip-, lift. `strict` may be NULL: of these the modes in which a motion holds all
  * conditions strictly. Adds to `tiers` unless NULL how many were decided by binary64, by double-double, and by exact

@@ -63,6 +63,65 @@ static void the_filter_agrees_with_the_motions(void) {
   expect(tiers[0] + tiers[1] + tiers[2] == count, "the tiers count every bicycle");
 }
 
+static double value_of(const slipproof_motion* motion, const char* name) {
+  for (size_t i = 0; i < motion->value_count; ++i) {
+    if (strcmp(motion->values[i].name, name) == 0) return motion->values[i].range.nearest_lower;
+  }
+  expect(0, name);
+  return NAN;
+}
+
+/* The first motion at each force, rounded, is right; with a greater acceleration it is not. */
+static void motions_are_certified_as_answers(void) {
+  enum { count = 41 };
+  static const double zero = 0, one = 1, two = 2, four = 4;
+  static const char* const names[5] = {"a", "S2", "S3", "N2", "N3"};
+  const slipproof_column O = {&zero, 1}, I = {&one, 1}, none = {NULL, 0};
+  double forces[count], numbers[5][count];
+  uint8_t expected[count], verdicts[count], tiers[count];
+  uint16_t modes[count];
+  for (int i = 0; i < count; ++i) {
+    char scene[400];
+    slipproof_solution* solution = NULL;
+    size_t motions = 0;
+    forces[i] = i - 20;
+    snprintf(scene, sizeof scene, scene_format, i - 20);
+    expect(slipproof_solve_text(scene, "a text", &solution, NULL) == SLIPPROOF_OK, "a scene in a text is solved");
+    const slipproof_motion* motion = slipproof_solution_motions(solution, &motions);
+    for (int k = 0; k < 5; ++k) numbers[k][i] = motions == 0 ? 0 : value_of(motion, names[k]);
+    expected[i] = motions == 0 ? SLIPPROOF_WRONG : motions == 1 ? SLIPPROOF_CERTIFIED : SLIPPROOF_AMBIGUOUS;
+    slipproof_solution_free(solution);
+  }
+  const slipproof_bicycles bicycles = {I, I, I, I, I, O, I, I, I, I, I, {&two, 1}, {&four, 1}, I, {forces, count}, 0};
+  slipproof_answers answers = {{numbers[0], count},
+                               {numbers[1], count},
+                               {numbers[2], count},
+                               {numbers[3], count},
+                               {numbers[4], count},
+                               none,
+                               none,
+                               none,
+                               none,
+                               NULL};
+  const slipproof_judgements judgements = {verdicts, modes, NULL, tiers};
+  expect(slipproof_certify_bicycles(&bicycles, &answers, count, NULL, &judgements, 2, NULL) == SLIPPROOF_OK, "records");
+  for (int i = 0; i < count; ++i) {
+    if (verdicts[i] != expected[i]) printf("F = %d: %d, and not %d\n", i - 20, verdicts[i], expected[i]);
+    expect(verdicts[i] == expected[i], "a motion is a right answer");
+    expect(tiers[i] < 3, "a tier");
+    numbers[0][i] += 2 + fabs(numbers[0][i]);
+  }
+  expect(slipproof_certify_bicycles(&bicycles, &answers, count, NULL, &judgements, 1, NULL) == SLIPPROOF_OK,
+         "wrong ones");
+  for (int i = 0; i < count; ++i) expect(verdicts[i] == SLIPPROOF_WRONG, "a wrong acceleration is a wrong answer");
+  slipproof_error* error = NULL;
+  answers.S3 = none;
+  expect(slipproof_certify_bicycles(&bicycles, &answers, count, NULL, &judgements, 1, &error) == SLIPPROOF_BAD_ARGUMENT,
+         "an answer without S3");
+  expect(strstr(slipproof_error_message(error), "missing S3") != NULL, "what is missing is told");
+  slipproof_error_free(error);
+}
+
 static void a_bicycle_outside_the_domain_is_refused(void) {
   static const double numbers[] = {1, 1, -1}, one = 1;
   const slipproof_column I = {&one, 1}, none = {NULL, 0};
@@ -119,6 +178,7 @@ static void mistakes_have_places(void) {
 
 int main(void) {
   the_filter_agrees_with_the_motions();
+  motions_are_certified_as_answers();
   a_bicycle_outside_the_domain_is_refused();
   answers_are_judged();
   mistakes_have_places();

@@ -1,0 +1,18 @@
+// What a judgement may be told, from C.
+#pragma once
+
+#include "c/slipproof.h"
+#include "certify/contact_file.hpp"
+#include "certify/judge.hpp"
+
+namespace slipproof::c {
+
+struct Options {
+  JudgeOptions exact;            ///< for scenes and problems whose solutions are all computed
+  ContactFileOptions enclosure;  ///< for the others
+};
+
+/// NULL: the usual ones. Throws BadArgument.
+Options options_of(const slipproof_certify_options* given);
+
+}  // namespace slipproof::c
