@@ -1,0 +1,18 @@
+// The parts of the extension module slipproof._core. They are thin: what a person sees stands in the Python files
+// beside them, and what is computed in the library.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace slipproof::python {
+
+void bind_errors(pybind11::module_& module);
+void bind_calls(pybind11::module_& module);
+void bind_scenes(pybind11::module_& module);
+void bind_filter(pybind11::module_& module);
+void bind_contacts(pybind11::module_& module);
+void bind_records(pybind11::module_& module);
+void bind_papers(pybind11::module_& module);
+void bind_pictures(pybind11::module_& module);
+
+}  // namespace slipproof::python

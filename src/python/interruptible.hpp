@@ -1,0 +1,85 @@
+// Calls that may take long: Python goes on meanwhile, and Ctrl-C ends them.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <utility>
+
+namespace slipproof::python {
+
+/// Whether the work owns all that it uses, or looks into arrays that belong to Python.
+enum class Uses : std::uint8_t { its_own, arrays };
+
+/// What a call and the thread that works for it share.
+class Call {
+ public:
+  std::stop_source stop;
+
+  /// For the work: how far it is.
+  void at(std::uint64_t done, std::uint64_t all) {
+    all_.store(all, std::memory_order_relaxed);
+    done_.store(done, std::memory_order_relaxed);
+  }
+
+ private:
+  friend void wait_for(const std::shared_ptr<Call>&, std::function<void()>, const pybind11::object&, Uses);
+  void finish(std::exception_ptr error);
+  bool ended_within(std::chrono::milliseconds time);
+  void tell(const pybind11::object& progress);
+
+  std::atomic<std::uint64_t> done_ = 0, all_ = 0;
+  std::uint64_t told_ = 0;
+  std::mutex mutex_;
+  std::condition_variable ended_;
+  bool has_ended_ = false;
+  std::exception_ptr error_;
+};
+
+/// Runs `work` in a thread of its own and waits, without the lock of the interpreter. Every 20 ms signals are looked
+/// at and `progress(done, all)` is called, where it is not None. An exception of either, or of the work, is thrown.
+/// Then the work is told to stop, which takes milliseconds; what owns all that it uses, and still does not end within
+/// 100 ms, is left behind.
+void wait_for(const std::shared_ptr<Call>& call, std::function<void()> work, const pybind11::object& progress,
+              Uses uses);
+
+/// Throws KeyboardInterrupt, or what another signal's handler raises; also in a thread that is not the main one, where
+/// Ctrl-C was pressed since `since`, a value of interrupts().
+void check_signals(std::uint64_t since);
+/// How often Ctrl-C was pressed while Python's own handler was in place. The first call begins to count.
+std::uint64_t interrupts();
+
+/// work(call) as above, with its result.
+template <class Work>
+auto interruptible(const Work& work, const pybind11::object& progress = pybind11::none(), Uses uses = Uses::its_own) {
+  using Result = decltype(work(std::declval<Call&>()));
+  const auto call = std::make_shared<Call>();
+  const auto result = std::make_shared<std::optional<Result>>();
+  wait_for(
+      call, [call, result, work] { result->emplace(work(*call)); }, progress, uses);
+  return std::move(**result);
+}
+
+/// work() without the lock of the interpreter, for what is short. Unlike pybind11's guard it also outlives the
+/// interpreter: a daemon thread that comes back when the interpreter is gone has nowhere to go, and stays.
+class WithoutInterpreter {
+ public:
+  WithoutInterpreter() : state_(PyEval_SaveThread()) {}
+  ~WithoutInterpreter() noexcept(false);
+  WithoutInterpreter(const WithoutInterpreter&) = delete;
+  WithoutInterpreter& operator=(const WithoutInterpreter&) = delete;
+
+ private:
+  PyThreadState* state_;
+};
+
+}  // namespace slipproof::python

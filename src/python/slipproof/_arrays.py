@@ -1,0 +1,75 @@
+"""Arrays of numbers, checked before they are used: binary64, exactly as they are."""
+
+from __future__ import annotations
+
+from typing import Any, Optional, Tuple
+
+import numpy as np
+import numpy.typing as npt
+
+from ._errors import wrong_type, wrong_value
+
+Doubles = npt.NDArray[np.float64]
+_LARGEST = 2**53  # integers up to it are binary64, too
+
+
+def refuse_rounding(name: str, array: "npt.NDArray[Any]") -> None:
+    """Raises unless each of its numbers is a float64."""
+    kind = array.dtype.kind
+    if kind not in "fiu" or array.dtype.itemsize > 8:
+        raise TypeError(f"{name}: found an array of {array.dtype}, expected numbers that are float64 without rounding")
+    if kind in "iu" and array.dtype.itemsize == 8 and array.size and (array.max() > _LARGEST or array.min() < -_LARGEST):
+        raise wrong_value(name, "integers beyond 2**53", "numbers that are float64 without rounding")
+
+
+def doubles(name: str, value: Any, dimensions: Tuple[int, ...]) -> Doubles:
+    """An array with so many dimensions, rows side by side in memory; not copied where it is one already."""
+    if isinstance(value, np.ma.MaskedArray):
+        raise wrong_type(name, value, "an array without a mask")
+    try:
+        array = np.asarray(value)
+    except ValueError:
+        raise wrong_value(name, "rows of different lengths", "numbers in rows of one length") from None
+    if array.ndim not in dimensions:
+        expected = " or ".join(f"{d} dimension{'s' * (d != 1)}" for d in dimensions)
+        raise wrong_value(name, f"shape {array.shape}", expected)
+    refuse_rounding(name, array)
+    # ascontiguousarray makes a vector of a scalar
+    return np.ascontiguousarray(array, dtype=np.float64).reshape(array.shape)
+
+
+def shaped(name: str, value: Any, shape: Tuple[int, ...], why: str) -> Doubles:
+    """An array of one shape."""
+    array = doubles(name, value, (len(shape),))
+    if array.shape != shape:
+        raise wrong_value(name, f"shape {array.shape}", f"{shape} {why}")
+    return array
+
+
+def whole(name: str, value: Any, low: int, high: Optional[int] = None) -> int:
+    """A whole number in a range."""
+    if isinstance(value, (bool, np.bool_)) or not hasattr(value, "__index__"):
+        raise wrong_type(name, value, "a whole number")
+    number = int(value.__index__())
+    if number < low or (high is not None and number > high):
+        raise wrong_value(name, number, f"a whole number from {low}" + (f" to {high}" if high is not None else ""))
+    return number
+
+
+def real(name: str, value: Any, low: float, high: float) -> float:
+    """A float in a range."""
+    if isinstance(value, (bool, np.bool_, str)) or not hasattr(value, "__float__"):
+        raise wrong_type(name, value, "a number")
+    number = float(value)
+    if not low <= number <= high:
+        raise wrong_value(name, number, f"a number from {low:g} to {high:g}")
+    return number
+
+
+def one_of(name: str, value: Any, choices: Tuple[str, ...]) -> str:
+    """One of some texts."""
+    if not isinstance(value, str):
+        raise wrong_type(name, value, " or ".join(repr(c) for c in choices))
+    if value not in choices:
+        raise wrong_value(name, repr(value), " or ".join(repr(c) for c in choices))
+    return value

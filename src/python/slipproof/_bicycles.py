@@ -1,0 +1,178 @@
+"""Verdicts on many answers about bicycles, from columns in memory."""
+
+from __future__ import annotations
+
+import json
+from typing import Any, Dict, Iterator, List, Mapping, NamedTuple, Optional, Tuple
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._arrays import real, refuse_rounding, whole
+from ._certify import Verdict
+from ._errors import wrong_type, wrong_value
+from ._filter import MODES
+from ._html import table
+from ._progress import Progress, reporter
+from ._scene import as_scene
+
+#: The names of verdicts by their codes in an array.
+VERDICTS: Tuple[str, ...] = _core.record_verdicts
+_FIELDS = frozenset(_core.record_fields)
+_NO_MODE = 255
+_KINDS = ("internal", "external")
+
+
+class BicycleVerdicts:
+    """Verdicts on all records, as arrays; ``verdicts[i]`` is all that is known of one of them."""
+
+    __slots__ = ("codes", "modes", "errors", "tiers", "summary", "_records")
+
+    def __init__(self, records: "_core.RecordsInMemory", found: Tuple[Any, ...]):
+        self._records = records
+        self.codes: "npt.NDArray[np.uint8]" = found[0]
+        """of each record the index of its verdict in VERDICTS"""
+        self.modes: "npt.NDArray[np.uint16]" = found[1]
+        """the modes of the motion that the answer is, as bits"""
+        self.errors: "npt.NDArray[np.float64]" = found[2]
+        """an upper bound on the largest relative error of a component"""
+        self.tiers: "npt.NDArray[np.uint8]" = found[3]
+        """0 binary64 with error bounds, 1 double-double, 2 exact arithmetic"""
+        self.summary: Dict[str, Any] = json.loads(found[4])
+        """counts, as ``slipproof certify --summary`` writes them"""
+
+    @property
+    def verdicts(self) -> "npt.NDArray[np.str_]":
+        """Of each record its verdict as a text."""
+        return np.array(VERDICTS)[self.codes]
+
+    def counts(self) -> Dict[str, int]:
+        """How many records have each verdict."""
+        return {name: int(n) for name, n in zip(VERDICTS, np.bincount(self.codes, minlength=len(VERDICTS))) if n}
+
+    @property
+    def certified(self) -> bool:
+        """Whether there are records and all of them are certified."""
+        return bool(self.codes.size and not self.codes.any())
+
+    def __getitem__(self, record: int) -> Verdict:
+        return Verdict(self._records.line(range(len(self))[record]))
+
+    def __iter__(self) -> Iterator[Verdict]:
+        return (self[i] for i in range(len(self)))
+
+    def __len__(self) -> int:
+        return int(self.codes.size)
+
+    def __repr__(self) -> str:
+        return f"<slipproof.BicycleVerdicts {', '.join(f'{n} {name}' for name, n in self.counts().items()) or 'none'}>"
+
+    def _repr_html_(self) -> str:
+        return table(["verdict", "records"], [[name, str(n)] for name, n in self.counts().items()])
+
+
+class _Columns(NamedTuple):
+    names: List[str]
+    get: Any
+
+
+def _columns(records: Any) -> _Columns:
+    """The columns of a structured array, a mapping, or a frame."""
+    if isinstance(records, np.ndarray):
+        if records.dtype.names is None:
+            raise TypeError(f"records: found an array of {records.dtype}, expected one with fields by name")
+        if records.ndim != 1:
+            raise wrong_value("records", f"shape {records.shape}", "1 dimension")
+        return _Columns(list(records.dtype.names), lambda name: records[name])
+    if isinstance(records, Mapping):
+        return _Columns(list(records), lambda name: records[name])
+    if hasattr(records, "columns") and hasattr(records, "__getitem__"):
+        return _Columns(list(records.columns), lambda name: records[name])
+    raise wrong_type("records", records, "a structured array, a dict of columns, or a frame")
+
+
+def _numbers(name: str, value: Any) -> "npt.NDArray[np.float64]":
+    """A column of float64, not copied where it is one, whatever its stride."""
+    array = np.asarray(value)
+    if array.dtype == np.float64 and array.dtype.isnative:
+        return array
+    refuse_rounding(name, array)
+    return array.astype(np.float64)
+
+
+def _codes(name: str, value: Any, names: Tuple[str, ...], none: Optional[int]) -> "npt.NDArray[np.uint8]":
+    """Texts as their indices; of records that have none, `none`."""
+    array = np.asarray(value)
+    if array.dtype == np.uint8:
+        return array
+    if array.dtype.kind not in "USO":
+        raise TypeError(f"{name}: found an array of {array.dtype}, expected texts such as {names[0]!r}")
+    known: Dict[Any, int] = {text: i for i, text in enumerate(names)}
+    if none is not None:
+        known.update({"": none, None: none})
+    codes = np.empty(array.shape, dtype=np.uint8)
+    texts, places = np.unique(array.astype(str) if array.dtype.kind == "U" else _as_texts(array), return_inverse=True)
+    for i, text in enumerate(texts):
+        if text not in known:
+            raise wrong_value(name, repr(str(text)), f"one of {', '.join(names)}")
+        codes.reshape(-1)[places == i] = known[text]
+    return codes
+
+
+def _as_texts(array: "npt.NDArray[Any]") -> "npt.NDArray[np.str_]":
+    def text(x: Any) -> str:
+        missing = x is None or (isinstance(x, float) and x != x)  # as frames write it
+        return "" if missing else x.decode("utf-8", "replace") if isinstance(x, bytes) else str(x)
+
+    return np.array([text(x) for x in array.reshape(-1)], dtype=str)
+
+
+def certify_bicycles(records: Any, *, scene: Any = None, ignore_unknown: bool = False, tolerance: float = 1e-9,
+                     effort: Optional[int] = None, threads: int = 0, progress: Progress = None) -> BicycleVerdicts:
+    """Is each answer about a bicycle the one motion that there is?
+
+    ``records``: a structured array, a dict of columns, or a frame of pandas, with the names that ``slipproof certify``
+    knows: the scene's numbers, and of the answer ``a``, ``S2``, ``S3``, ``N2``, ``N3``, perhaps ``mode`` and others. What
+    is the same for all may be one number, or come from ``scene``. Columns of float64 are not copied, whatever their
+    strides. A NaN is an ``invalid`` answer. Raises TypeError, ValueError.
+
+    >>> import slipproof
+    >>> found = slipproof.certify_bicycles(dict(F=[3.27, 3.2], mode=["stick/stick", "stick/slip+"],
+    ...     a=[2.9727272727272727, 3], S2=[3.1213636363636363, 3.05], S3=[-0.14863636363636363, -0.05],
+    ...     N2=[9.642784090909091, 9.75], N3=[0.16721590909090908, 0.06]), scene="cases/ambiguous.toml")
+    >>> list(found.verdicts), found[1].violated
+    (['ambiguous', 'wrong'], 'N3 >= 0')
+    """
+    columns = _columns(records)
+    given: Dict[str, Any] = {}
+    for name in columns.names:
+        if not isinstance(name, str):
+            raise wrong_type("the name of a column", name, "str")
+        if name == "mode":
+            given[name] = _codes(name, columns.get(name), MODES, _NO_MODE)
+        elif name == "kind":
+            given[name] = _codes(name, columns.get(name), _KINDS, None)
+        elif name in _FIELDS:
+            given[name] = _numbers(name, columns.get(name))
+        elif not ignore_unknown:
+            raise wrong_value("records", f"the column {name!r}", f"one of {', '.join(sorted(_FIELDS))}, mode, kind")
+    size = _size(given)
+    scene_text = None if scene is None else as_scene(scene, {})._source()[0]
+    judged = _core.RecordsInMemory(given, size, scene_text, real("tolerance", tolerance, 0, 1),
+                                   None if effort is None else whole("effort", effort, 1, 2**63))
+    return BicycleVerdicts(judged, judged.certify(whole("threads", threads, 0, 4096), reporter(progress)))
+
+
+def _size(columns: Mapping[str, "npt.NDArray[Any]"]) -> int:
+    """How many records there are."""
+    size, of = 1, ""
+    for name, column in columns.items():
+        if column.ndim > 1:
+            raise wrong_value(name, f"shape {column.shape}", "1 dimension")
+        if column.size == 1 or (of and column.size == size):
+            continue
+        if of:
+            raise wrong_value(name, f"{column.size} values", f"{size} as in {of}, or 1")
+        size, of = column.size, name
+    return size

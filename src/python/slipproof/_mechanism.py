@@ -1,0 +1,148 @@
+"""Mechanisms: any planar system with dry friction."""
+
+from __future__ import annotations
+
+import json
+import os
+from typing import Any, Dict, List, Mapping, Optional, Tuple, Union
+
+from . import _core
+from ._arrays import one_of, whole
+from ._certify import _path
+from ._errors import wrong_type, wrong_value
+from ._html import table
+from ._numbers import Number
+from ._progress import Progress, reporter
+from ._scene import Scene
+from ._solution import Solution
+
+
+class Search:
+    """What a search found. ``verdict``: unique, not unique, found, not found, undecided."""
+
+    __slots__ = ("verdict", "_json", "_text")
+
+    def __init__(self, document: str, text: str, verdict: str):
+        self.verdict, self._json, self._text = verdict, document, text
+
+    def to_json(self) -> str:
+        """The document that ``slipproof search --json`` writes, byte for byte."""
+        return self._json
+
+    def to_dict(self) -> Dict[str, Any]:
+        """The same as a dict."""
+        return json.loads(self._json)  # type: ignore[no-any-return]
+
+    def text(self) -> str:
+        """What ``slipproof search`` prints."""
+        return self._text
+
+    def __repr__(self) -> str:
+        return f"<slipproof.Search {self.verdict}>"
+
+
+class Mechanism:
+    """A mechanism's file, or a shipped one; :meth:`load` reads it.
+
+    >>> import slipproof
+    >>> ladder = slipproof.Mechanism.load("ladder")
+    >>> ladder.parameters
+    ('m', 'l', 'I', 'd', 'mu_f', 'mu_w', 'g')
+    >>> s = ladder.solve(dict(m=12, l=2, I=16, d=1, mu_f="0.5", mu_w="0.2", g="9.81", theta={"tan_half": "1/2"}), load=100)
+    >>> s.motions[0].phi
+    Fraction(0, 1)
+    """
+
+    __slots__ = ("_path", "_about")
+
+    def __init__(self, path: str, about: Dict[str, Any]):
+        self._path, self._about = path, about
+
+    @classmethod
+    def load(cls, path: Union[str, "os.PathLike[str]"]) -> "Mechanism":
+        """The mechanism of a file, or the shipped one of this name. Raises InputError."""
+        name = _path("path", path)
+        return cls(os.fsdecode(name), _core.describe_mechanism(name))
+
+    @property
+    def name(self) -> str:
+        """As the file calls it."""
+        return self._about["name"]  # type: ignore[no-any-return]
+
+    @property
+    def parameters(self) -> Tuple[str, ...]:
+        """The symbols that a scene gives values to, apart from angles and the load."""
+        return tuple(p["symbol"] for p in self._about["parameters"])
+
+    @property
+    def angles(self) -> Tuple[str, ...]:
+        """The names of its angles; a value is {"tan_half": x}, {"cos": c, "sin": s}, {"tan": t} or {"degrees": d}."""
+        return tuple(self._about["angles"])
+
+    @property
+    def load_symbol(self) -> Optional[str]:
+        """How it calls its load; None where it has none."""
+        return self._about["load"]  # type: ignore[no-any-return]
+
+    @property
+    def elements(self) -> Tuple[str, ...]:
+        """Its contacts and friction elements, in the order of their states in a mode."""
+        return tuple(self._about["elements"])
+
+    def show(self) -> str:
+        """What was understood of it, and what looks wrong, as ``slipproof show`` prints it."""
+        return _core.show_mechanism(os.fsencode(self._path))
+
+    def scene(self, values: Mapping[str, Any], *, load: Optional[Number] = None, along: Optional[str] = None,
+              state: Optional[Mapping[str, str]] = None, name: Optional[str] = None) -> Scene:
+        """A scene of it: ``values`` of its parameters and angles, and of its load, which may be left open."""
+        if not isinstance(values, Mapping):
+            raise wrong_type("values", values, "a dict")
+        document: Dict[str, Any] = {"name": name or self.name, "mechanism": self._path, "values": dict(values)}
+        if along is not None:
+            document["along"] = along
+        if state is not None:
+            document["state"] = dict(state)
+        if load is not None:
+            symbol = along or self.load_symbol
+            if symbol is None:
+                raise wrong_value("load", load, "none: the mechanism has no load")
+            document["values"][symbol] = load
+        return Scene(document)
+
+    def solve(self, values: Mapping[str, Any], *, load: Optional[Number] = None, along: Optional[str] = None,
+              state: Optional[Mapping[str, str]] = None) -> Solution:
+        """Every motion at these values; without a load, at every load."""
+        return self.scene(values, load=load, along=along, state=state).solve()
+
+    def search(self, *, within: str = "", wanted: Optional[str] = None, samples: Optional[int] = None, seed: int = 1,
+               hysteresis: bool = False, threads: int = 0, progress: Progress = None) -> Search:
+        """Is it ever undecided what it does? Samples of its domain, each for every load at once.
+
+        ``within`` narrows the domain, ``"mu < 1"``; ``wanted`` (none, several, continuum) ends at the first such place.
+        """
+        if not isinstance(within, str):
+            raise wrong_type("within", within, "str")
+        return Search(*_core.search(
+            os.fsencode(self._path), within, None if samples is None else whole("samples", samples, 1, 1_000_000_000),
+            whole("seed", seed, 0, 2**64 - 1),
+            None if wanted is None else one_of("wanted", wanted, ("none", "several", "continuum")), bool(hysteresis),
+            whole("threads", threads, 0, 4096), reporter(progress)))
+
+    def __repr__(self) -> str:
+        return f"<slipproof.Mechanism {self.name!r}>"
+
+    def _repr_html_(self) -> str:
+        rows = [[p["symbol"], p["unit"], p["meaning"]] for p in self._about["parameters"]]
+        return table(["symbol", "unit", "meaning"], rows, self.name)
+
+
+def shipped_mechanisms() -> List[str]:
+    """The names of the mechanisms that come with slipproof."""
+    return _core.shipped_mechanisms()
+
+
+def search(mechanism: Union[str, "os.PathLike[str]", Mechanism], **options: Any) -> Search:
+    """:meth:`Mechanism.search` of a file, or of a shipped mechanism."""
+    found = mechanism if isinstance(mechanism, Mechanism) else Mechanism.load(mechanism)
+    return found.search(**options)

@@ -1,0 +1,131 @@
+"""Phase diagrams: which motions there are over a parameter and the load."""
+
+from __future__ import annotations
+
+import json
+from math import atan2, degrees
+from typing import Any, Dict, List, Mapping, Optional, Tuple
+
+from . import _core
+from ._arrays import whole
+from ._errors import wrong_type, wrong_value
+from ._numbers import Number, fraction, text_of
+from ._scene import as_scene
+
+_Ends = Optional[Tuple[Number, Number]]
+
+
+class PhaseDiagram:
+    """A phase diagram, exact in every column. ``svg`` is the picture; :meth:`draw` draws into axes of matplotlib."""
+
+    def __init__(self, svg: str, document: str):
+        self.svg, self._json = svg, document
+
+    def to_json(self) -> str:
+        """The document that ``slipproof map --json`` writes, byte for byte."""
+        return self._json
+
+    def to_dict(self) -> Dict[str, Any]:
+        """The same as a dict."""
+        return json.loads(self._json)  # type: ignore[no-any-return]
+
+    def save(self, path: str) -> None:
+        """Writes the SVG file."""
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self.svg)
+
+    def bands(self) -> Dict[str, List[Tuple[float, float, float]]]:
+        """For each set of motions (x, from, to), column by column, in floats: what a plotting program needs."""
+        document = self.to_dict()
+        of_mechanism = document["schema"] == "slipproof/map/2"
+        symbol = document["x"]["symbol"] if of_mechanism else document["x"]
+        low, high = _ends(document["load"]["range"] if of_mechanism else document["y_range"])
+        result: Dict[str, List[Tuple[float, float, float]]] = {}
+        for column in document["columns"]:
+            x = _across(column["x" if of_mechanism else symbol])
+            for cell in column["cells"]:
+                ends = cell["load" if of_mechanism else document["y"]]
+                bottom = low if ends[0] is None else max(low, float(fraction(ends[0])))
+                top = high if ends[1] is None else min(high, float(fraction(ends[1])))
+                if bottom < top:
+                    result.setdefault(_set_name(cell), []).append((x, bottom, top))
+        return result
+
+    def draw(self, ax: Any = None) -> Any:
+        """Draws the regions into axes of matplotlib, its current ones if none are given, and returns them."""
+        if ax is None:
+            import matplotlib.pyplot  # type: ignore[import]  # noqa: PLC0415 - not needed for anything else
+
+            ax = matplotlib.pyplot.gca()
+        document = self.to_dict()
+        of_mechanism = document["schema"] == "slipproof/map/2"
+        columns = sorted({x for bands in self.bands().values() for x, _, _ in bands})
+        for name, bands in self.bands().items():
+            left, width = _sides(columns, [x for x, _, _ in bands])
+            ax.bar(left, [top - bottom for _, bottom, top in bands], width, [bottom for _, bottom, _ in bands],
+                   align="edge", linewidth=0, label=name)
+        ax.set_xlabel(document["x"]["symbol"] if of_mechanism else document["x"])
+        ax.set_ylabel(document["load"]["symbol"] if of_mechanism else document["y"])
+        ax.set_title(document["scene"])
+        ax.legend()
+        return ax
+
+    def _repr_svg_(self) -> str:
+        return self.svg
+
+    def __repr__(self) -> str:
+        return f"<slipproof.PhaseDiagram, {len(self.to_dict()['columns'])} columns>"
+
+
+def _across(x: Any) -> float:
+    """A parameter's value, an angle's degrees."""
+    if isinstance(x, Mapping):
+        return degrees(atan2(float(fraction(x["sin"])), float(fraction(x["cos"]))))
+    return float(fraction(x))
+
+
+def _ends(texts: Any) -> Tuple[float, float]:
+    return float(fraction(texts[0])), float(fraction(texts[1]))
+
+
+def _set_name(cell: Mapping[str, Any]) -> str:
+    motions = []
+    for motion in cell["motions"]:
+        modes = motion if isinstance(motion, list) else motion["modes"] or motion["boundary_modes"]
+        motions.append(" = ".join(modes))
+    return ", ".join([*motions, *(f"continuum of {mode}" for mode in cell.get("continua", ()))]) or "no motion"
+
+
+def _sides(columns: List[float], xs: List[float]) -> Tuple[List[float], List[float]]:
+    """Where the bar of each column begins and how wide it is: half-way to its neighbours."""
+    middle = [(a + b) / 2 for a, b in zip(columns, columns[1:])]
+    left = dict(zip(columns, [columns[0], *middle]))
+    right = dict(zip(columns, [*middle, columns[-1]]))
+    return [left[x] for x in xs], [right[x] - left[x] for x in xs]
+
+
+def _range(name: str, ends: Any) -> Optional[Tuple[str, str]]:
+    if ends is None:
+        return None
+    if isinstance(ends, str) or not hasattr(ends, "__len__") or len(ends) != 2:
+        raise wrong_type(name, ends, "a pair of numbers")
+    first, last = ends
+    return text_of(first, f"{name}[0]"), text_of(last, f"{name}[1]")
+
+
+def phase_diagram(scene: Any, *, x: str = "", y: str = "", x_range: _Ends = None, y_range: _Ends = None,
+                  columns: int = 240, ax: Any = None) -> PhaseDiagram:
+    """The phase diagram of a scene: a parameter across, the load up.
+
+    ``scene`` as :func:`solve` takes it. ``x``: a parameter (an angle of a mechanism, in degrees), by default the
+    coefficient of friction; ``y``: another load. With ``ax`` it is drawn into these axes of matplotlib, too.
+    """
+    for name, symbol in (("x", x), ("y", y)):
+        if not isinstance(symbol, str):
+            raise wrong_type(name, symbol, "the symbol of a parameter")
+    made = as_scene(scene, {})
+    diagram = PhaseDiagram(*_core.phase_diagram(*made._source(), x, y, _range("x_range", x_range),
+                                                _range("y_range", y_range), whole("columns", columns, 2, 10_000)))
+    if ax is not None:
+        diagram.draw(ax)
+    return diagram

@@ -1,0 +1,231 @@
+"""Scenes: a bicycle, or any mechanism, with exact numbers."""
+
+from __future__ import annotations
+
+import os
+import tomllib
+from pathlib import Path
+from typing import Any, Dict, List, Mapping, Tuple, Union
+
+from . import _core
+from ._errors import Diagnostic, InputError, wrong_type
+from ._numbers import text_of
+from ._solution import Solution
+
+_TABLE_OF = {"f": "road", "g": "road", "kind": "force", "F": "force", "P": "force", "name": ""}
+_FILE = "scene"
+
+
+def _quoted(text: str) -> str:
+    escaped = "".join(c if c >= " " and c not in '"\\\x7f' else f"\\u{ord(c):04x}" for c in text)
+    return f'"{escaped}"'
+
+
+class _Toml:
+    """Writes a dict as a scene file of one key a line, and knows which line is which key."""
+
+    def __init__(self, document: Mapping[str, Any]):
+        self.lines: List[str] = []
+        self.keys: List[str] = []
+        for key, value in document.items():
+            if not isinstance(value, Mapping):
+                self._add(f"{_quoted(self._name(key, ''))} = {self._value(value, key)}", key)
+        for key, value in document.items():
+            if isinstance(value, Mapping):
+                self._table(self._name(key, ""), value)
+        self.text = "\n".join(self.lines) + "\n"
+
+    @staticmethod
+    def _name(key: object, path: str) -> str:
+        if isinstance(key, str):
+            return key
+        raise wrong_type(f"a key of {path or 'the scene'}", key, "str")
+
+    def _add(self, line: str, key: str) -> None:
+        self.lines.append(line)
+        self.keys.append(key)
+
+    def _table(self, name: str, table: Mapping[str, Any]) -> None:
+        self._add(f"[{_quoted(name)}]", name)
+        for key, value in table.items():
+            path = f"{name}.{self._name(key, name)}"
+            self._add(f"{_quoted(key)} = {self._value(value, path)}", path)
+
+    def _value(self, value: Any, path: str) -> str:
+        if isinstance(value, bool):
+            return "true" if value else "false"
+        if isinstance(value, Mapping):
+            inner = (f"{_quoted(self._name(k, path))} = {self._value(v, f'{path}.{k}')}" for k, v in value.items())
+            return "{ " + ", ".join(inner) + " }"
+        if isinstance(value, os.PathLike):
+            value = os.fspath(value)
+        return _quoted(text_of(value, path))
+
+    def place(self, line: int) -> str:
+        return self.keys[line - 1] if 0 < line <= len(self.keys) else ""
+
+
+def _bytes(text: str, file: str) -> Tuple[bytes, bytes]:
+    return text.encode("utf-8", "surrogateescape"), os.fsencode(file)
+
+
+def _tables(arguments: Mapping[str, Any]) -> Dict[str, Any]:
+    """Keyword arguments as the tables of a scene file; those of a mechanism stand at its top."""
+    if "mechanism" in arguments:
+        return dict(arguments)
+    document: Dict[str, Any] = {}
+    for key, value in arguments.items():
+        table = _TABLE_OF.get(key, "bicycle")
+        if isinstance(value, Mapping) or not table:
+            document[key] = value
+        else:
+            document.setdefault(table, {})[key] = value
+    return document
+
+
+class Scene:
+    """A bicycle or a mechanism with its numbers, read once and solved as often as needed. Immutable.
+
+    From keyword arguments, ``Scene(R="0.34", h=..., f="0.8", g="9.81", F=300)``; from a dict with the tables of a scene
+    file; from a file with :meth:`load`; from its text with :meth:`parse`. Numbers are int, float (exactly as it is),
+    Fraction, Decimal, or texts as in a file. Raises InputError with every mistake.
+    """
+
+    __slots__ = ("_scene", "_text", "_file")
+
+    def __init__(self, document: Union[Mapping[str, Any], None] = None, /, **arguments: Any):
+        if document is not None and not isinstance(document, Mapping):
+            raise wrong_type("scene", document, "a dict; Scene.load(path) reads a file")
+        toml = _Toml(_merged(document or {}, _tables(arguments)))
+        self._text, self._file = toml.text, _FILE
+        try:
+            self._scene = _core.Scene(*_bytes(toml.text, _FILE))
+        except InputError as error:
+            raise InputError([_in_dict(d, toml) for d in error.diagnostics]) from None
+
+    @classmethod
+    def load(cls, path: Union[str, "os.PathLike[str]"]) -> "Scene":
+        """Reads a scene file (TOML). Raises OSError where there is none, InputError for what stands in it."""
+        return cls._of(_read(path), os.fspath(path))
+
+    @classmethod
+    def parse(cls, text: str, file: str = _FILE) -> "Scene":
+        """Reads the text of a scene file; ``file`` is how messages call it."""
+        if not isinstance(text, str):
+            raise wrong_type("text", text, "str")
+        return cls._of(text, file)
+
+    @classmethod
+    def _of(cls, text: str, file: str) -> "Scene":
+        scene = cls.__new__(cls)
+        scene._text, scene._file, scene._scene = text, file, _core.Scene(*_bytes(text, file))
+        return scene
+
+    @property
+    def name(self) -> str:
+        """Its name, or that of its file."""
+        return self._scene.name
+
+    @property
+    def notes(self) -> List[str]:
+        """What was not written but understood."""
+        return self._scene.notes
+
+    @property
+    def is_mechanism(self) -> bool:
+        """Whether it is of a mechanism's file, and not the bicycle in its own form."""
+        return self._scene.is_mechanism
+
+    def _source(self) -> Tuple[bytes, bytes]:
+        return _bytes(self._text, self._file)
+
+    def to_toml(self) -> str:
+        """The scene as a file; numbers stay as they were given."""
+        return self._text
+
+    def to_dict(self) -> Dict[str, Any]:
+        """The scene as a dict; numbers are int, or texts as they were written."""
+        return tomllib.loads(self._text, parse_float=lambda text: text.replace("_", ""))
+
+    def replace(self, **changes: Any) -> "Scene":
+        """The same scene with other numbers: ``scene.replace(F=300)``; None takes one away."""
+        document = self.to_dict()
+        if self.is_mechanism:
+            tables = {k: v for k, v in changes.items() if k in ("name", "mechanism", "along", "values", "state")}
+            values = {k: v for k, v in changes.items() if k not in tables}
+            if values:
+                tables["values"] = {**tables.get("values", {}), **values}
+            if "mechanism" not in tables:
+                document["mechanism"] = _from_here(document["mechanism"], self._file)
+        else:
+            tables = _tables(changes)
+        return Scene(_merged(document, tables))
+
+    def solve(self) -> Solution:
+        """Every motion at its load, or, without one, the motions at every load."""
+        return Solution(self._scene.solve())
+
+    def __repr__(self) -> str:
+        return f"<slipproof.Scene {self.name!r}>"
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return Scene.parse, (self._text, self._file)
+
+
+def _in_dict(diagnostic: Diagnostic, toml: _Toml) -> Tuple[str, int, int, str]:
+    if diagnostic.file != _FILE:
+        return diagnostic
+    return (toml.place(diagnostic.line) or _FILE, 0, 0, diagnostic.message)
+
+
+def _merged(document: Mapping[str, Any], more: Mapping[str, Any]) -> Dict[str, Any]:
+    result = dict(document)
+    for key, value in more.items():
+        if isinstance(value, Mapping):
+            inner = _merged(result.get(key, {}), value)
+            result[key] = inner
+        elif value is None:
+            result.pop(key, None)
+        else:
+            result[key] = value
+    return result
+
+
+def _from_here(mechanism: str, file: str) -> str:
+    """A mechanism's file counts from the scene that names it."""
+    beside = Path(file).parent / mechanism
+    return str(beside) if beside.exists() else mechanism
+
+
+def _read(path: Union[str, "os.PathLike[str]"]) -> str:
+    if not isinstance(path, (str, os.PathLike)):
+        raise wrong_type("path", path, "a path")
+    with open(path, encoding="utf-8", errors="surrogateescape") as file:
+        return file.read()
+
+
+def as_scene(scene: Any, changes: Mapping[str, Any]) -> Scene:
+    """A scene from whatever stands for one."""
+    if scene is None:
+        return Scene(**changes)
+    if isinstance(scene, Mapping):
+        return Scene(scene, **changes)
+    made = scene if isinstance(scene, Scene) else Scene.load(scene)
+    return made.replace(**changes) if changes else made
+
+
+def solve(scene: Union[None, str, "os.PathLike[str]", Mapping[str, Any], Scene] = None, /, **numbers: Any) -> Solution:
+    """Every motion of a scene, exactly.
+
+    ``scene`` is a file, a dict as the file's tables, or a :class:`Scene`; keyword arguments are its numbers, or replace
+    some of them. Without a load every mode's loads are found. Raises InputError.
+
+    >>> import slipproof
+    >>> s = slipproof.solve(R="1/4", h=1, b="0.4", M2="1/20", M3="1/20", J="0.4", f=1, g="9.81",
+    ...     kind="internal", P="3.27")
+    >>> [m.modes[0] for m in s.motions]
+    ['stick/stick', 'stick/slip+', 'stick/lift']
+    >>> s.motions[0].a
+    Fraction(327, 110)
+    """
+    return as_scene(scene, numbers).solve()

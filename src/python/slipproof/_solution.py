@@ -1,0 +1,273 @@
+"""What a scene does: motions, ranges, the partition of the loads, continua."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+from functools import cached_property
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
+
+from . import _core
+from ._html import table, phase_line
+from ._numbers import Affine, Interval, Values, fraction, ratio, value
+
+#: The numbers of a bicycle's motion.
+QUANTITIES = ("a", "a_y", "phi", "eps2", "eps3", "S2", "S3", "N2", "N3", "gap2", "gap3", "slip2", "slip3")
+
+
+class Motion:
+    """One motion, with every mode that gives it.
+
+    Its numbers are attributes, ``motion.a``, and stand in ``values``: Fractions at one load, :class:`Affine` in a cell.
+    Of a mechanism ``values`` has its accelerations, gaps, slips and forces; a force that is undetermined is none of them:
+    its range stands in ``force_ranges``.
+    """
+
+    __slots__ = ("modes", "boundary_modes", "strict", "values", "force_ranges")
+
+    def __init__(self, modes: Sequence[str], boundary_modes: Sequence[str], strict: bool, values: Mapping[str, Any],
+                 force_ranges: Mapping[str, Tuple[Optional[Fraction], Optional[Fraction]]]):
+        self.modes = tuple(modes)
+        self.boundary_modes = tuple(boundary_modes)
+        self.strict = strict
+        self.values = values
+        self.force_ranges = force_ranges
+
+    @property
+    def status(self) -> str:
+        """``strict``: every condition of one of its modes holds strictly; otherwise ``boundary``."""
+        return "strict" if self.strict else "boundary"
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        try:
+            return self.values[name]
+        except KeyError:
+            raise AttributeError(f"a motion has no {name}; it has {', '.join(self.values)}") from None
+
+    def __dir__(self) -> List[str]:
+        return [*super().__dir__(), *self.values]
+
+    def __repr__(self) -> str:
+        return f"<Motion {' = '.join(self.modes or self.boundary_modes)} {self.status}>"
+
+    def _repr_html_(self) -> str:
+        return table(["", ""], [[name, str(self.values[name])] for name in self.values if self.values[name] != 0])
+
+
+class _Native(Values):
+    """The numbers of a bicycle's motion at its force, straight from the library."""
+
+    __slots__ = ("_solution", "_index")
+
+    def __init__(self, solution: "_core.Solution", index: int):
+        super().__init__(dict.fromkeys(QUANTITIES))
+        self._solution, self._index = solution, index
+
+    def __getitem__(self, name: str) -> Any:
+        made = self._made.get(name)
+        if made is None:
+            made = self._made[name] = ratio(self._solution.number(self._index, name))
+        return made
+
+
+class Continuum:
+    """A mode with infinitely many motions. ``ranges`` has the ends of what is not determined, ``details`` the rest."""
+
+    __slots__ = ("mode", "details")
+
+    def __init__(self, details: Mapping[str, Any]):
+        self.mode: str = details["mode"]
+        self.details = details
+
+    @property
+    def ranges(self) -> Any:
+        """Of each number, or of each free parameter, its ends; None where there is none."""
+        ranges = self.details.get("ranges", {})
+        if isinstance(ranges, dict):
+            return {name: tuple(value(x) for x in ends) for name, ends in ranges.items()}
+        return dict(zip(self.details["parameters"], (tuple(value(x) for x in ends) for ends in ranges)))
+
+    def __repr__(self) -> str:
+        return f"<Continuum {self.mode}>"
+
+
+class Range:
+    """The loads at which a mode is consistent."""
+
+    __slots__ = ("mode", "loads", "details")
+
+    def __init__(self, mode: str, loads: Interval, details: Mapping[str, Any]):
+        self.mode, self.loads, self.details = mode, loads, details
+
+    def __repr__(self) -> str:
+        return f"<Range {self.mode} {self.loads}>"
+
+
+class Cell:
+    """Loads with the same motions: a point or an open interval. The motions' numbers are affine in the load."""
+
+    __slots__ = ("loads", "motions", "continua")
+
+    def __init__(self, loads: Interval, motions: Sequence[Motion], continua: Sequence[str]):
+        self.loads, self.motions, self.continua = loads, tuple(motions), tuple(continua)
+
+    def __repr__(self) -> str:
+        modes = ", ".join(" = ".join(m.modes or m.boundary_modes) for m in self.motions)
+        return f"<Cell {self.loads} {modes or 'no motion'}>"
+
+
+class Rejected:
+    """A mode that has no motion at the load, and why."""
+
+    __slots__ = ("mode", "violated", "margin", "because")
+
+    def __init__(self, details: Mapping[str, Any]):
+        self.mode: str = details["mode"]
+        self.violated: Optional[str] = details["violated"]
+        self.margin: Optional[Fraction] = value(details.get("margin"))
+        self.because: Tuple[str, ...] = tuple(details.get("because", ()))
+
+    def __repr__(self) -> str:
+        return f"<Rejected {self.mode}: {self.violated or ' and '.join(self.because)}>"
+
+
+class Solution:
+    """The exact answer to a scene. Everything is made when it is asked for."""
+
+    def __init__(self, solution: "_core.Solution"):
+        self._solution = solution
+
+    @cached_property
+    def _document(self) -> Dict[str, Any]:
+        return json.loads(self.to_json())  # type: ignore[no-any-return]
+
+    def to_json(self) -> str:
+        """The document that ``slipproof solve --json`` writes, byte for byte."""
+        return self._solution.json()
+
+    def to_dict(self) -> Dict[str, Any]:
+        """The same as a dict of its own; exact numbers are texts in it."""
+        return json.loads(self.to_json())  # type: ignore[no-any-return]
+
+    def text(self, digits: int = 6) -> str:
+        """What ``slipproof solve`` prints; decimals have so many digits."""
+        return self._solution.text(digits)
+
+    @property
+    def name(self) -> str:
+        """Of the scene."""
+        return self._document["scene"]  # type: ignore[no-any-return]
+
+    @property
+    def notes(self) -> List[str]:
+        """What was not written in the scene but understood."""
+        return list(self._document["notes"])
+
+    @property
+    def load(self) -> Optional[Fraction]:
+        """The force F, or a mechanism's load; None where the scene has none: then every load was solved."""
+        load = self._document["load"] if self._is_mechanism else {"value": self._document["F"]}
+        return value(load["value"]) if load else None
+
+    @property
+    def load_symbol(self) -> Optional[str]:
+        """``F``, or how a mechanism calls its load; None where it has none."""
+        if not self._is_mechanism:
+            return "F"
+        load = self._document["load"]
+        return load["symbol"] if load else None
+
+    @property
+    def _is_mechanism(self) -> bool:
+        return bool(self._document["schema"] == "slipproof/solve/2")
+
+    @cached_property
+    def motions(self) -> Tuple[Motion, ...]:
+        """Every motion at the load. Raises ValueError where the scene has none: then there are ``cells``."""
+        native = self._solution.motions()
+        if native is not None:
+            return tuple(Motion(modes, (), strict, _Native(self._solution, i), {})
+                         for i, (modes, strict) in enumerate(native))
+        if "motions" not in self._document:
+            raise ValueError(f"found no {self.load_symbol} in the scene, expected one for motions; without it ask for "
+                             "cells and ranges")
+        return tuple(_motion(m) for m in self._document["motions"])
+
+    @cached_property
+    def rejected(self) -> Tuple[Rejected, ...]:
+        """The modes that have no motion at the load."""
+        return tuple(Rejected(r) for r in self._document.get("rejected", ()))
+
+    @cached_property
+    def continua(self) -> Tuple[Continuum, ...]:
+        """Modes with infinitely many motions at the load; without one, of a bicycle, at any."""
+        return tuple(Continuum(c) for c in self._document.get("continua", ()))
+
+    @property
+    def hysteresis(self) -> Tuple[str, ...]:
+        """Modes that there are only because static coefficients are larger than kinetic ones."""
+        return tuple(self._document.get("hysteresis", ()))
+
+    @cached_property
+    def ranges(self) -> Tuple[Range, ...]:
+        """For each mode that is consistent at some load, at which; nothing for a mechanism without a load."""
+        key = "load" if self._is_mechanism else "F"
+        return tuple(Range(r["mode"], Interval.read(r[key], r["closed"]), r) for r in self._document.get("ranges", ()))
+
+    @cached_property
+    def cells(self) -> Tuple[Cell, ...]:
+        """The line of all loads as points and open intervals with the same motions; nothing where the load is given."""
+        native = self._solution.cells()
+        if native is not None:
+            return tuple(_cell(*cell) for cell in native)
+        return tuple(Cell(Interval.read(c["F"], c["closed"]), [_motion(m) for m in c["motions"]], c["continua"])
+                     for c in self._document.get("cells", ()))
+
+    def phase_line(self) -> str:
+        """The loads of each mode as SVG."""
+        return phase_line([(r.mode, r.loads) for r in self.ranges], self.load, self.load_symbol or "")
+
+    def __repr__(self) -> str:
+        return f"<slipproof.Solution of {self.name!r}: {self.text().rstrip().splitlines()[-1]}>"
+
+    def _repr_html_(self) -> str:
+        if "motions" in self._document:
+            rows = [[" = ".join(m.modes or m.boundary_modes), m.status,
+                     ", ".join(f"{name} = {m.values[name]}" for name in m.values if m.values[name] != 0)]
+                    for m in self.motions]
+            head = ["modes", "", "what is not 0"]
+        else:
+            rows = [[r.mode, str(r.loads)] for r in self.ranges]
+            head = ["mode", self.load_symbol or ""]
+        return table(head, rows, self.name) + (self.phase_line() if self.ranges else "")
+
+
+def _motion(document: Mapping[str, Any]) -> Motion:
+    if "accelerations" in document:
+        values = {**document["accelerations"], **document["forces"]}
+        ranges = {name: (value(ends[0]), value(ends[1])) for name, ends in document["force_ranges"].items()}
+        return Motion(document["modes"], document["boundary_modes"], document["status"] == "strict", Values(values),
+                      ranges)
+    values = {name: document[name] for name in QUANTITIES}
+    return Motion(document["modes"], (), document["status"] == "strict", Values(values), {})
+
+
+class _Pairs(Values):
+    """Affine numbers of a mechanism's cell."""
+
+    __slots__ = ()
+
+    def _make(self, pairs: Any) -> Any:
+        return Affine(ratio(pairs[0]), ratio(pairs[1]))
+
+
+def _cell(lower: Any, upper: Any, lower_closed: bool, upper_closed: bool, motions: Any, continua: Any) -> Cell:
+    loads = Interval(lower and ratio(lower), upper and ratio(upper), lower_closed, upper_closed)
+    made = []
+    for modes, boundary_modes, accelerations, forces in motions:
+        undetermined = {name: (None, None) for name, x in forces.items() if x is None}
+        known = {**accelerations, **{name: x for name, x in forces.items() if x is not None}}
+        made.append(Motion(modes, boundary_modes, bool(modes), _Pairs(known), undetermined))
+    return Cell(loads, made, continua)
