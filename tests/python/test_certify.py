@@ -1,0 +1,135 @@
+"""Verdicts: the program's, from arrays."""
+
+import json
+
+import numpy as np
+import pytest
+
+import slipproof
+
+
+def problems(source):
+    for line in (source / "cases/contact-problems/examples.jsonl").read_text().splitlines():
+        yield json.loads(line)
+
+
+def test_every_example_gets_the_programs_verdict(source, program):
+    lines = program("certify", "cases/contact-problems/examples.jsonl", "--json", parse=False).splitlines()
+    compared = 0
+    for problem, line in zip(problems(source), map(json.loads, lines), strict=True):
+        numbers = [problem.get("W", problem.get("M")), problem["q"], problem["z"]]
+        if any(isinstance(x, str) for part in numbers for row in part for x in (row if isinstance(row, list) else [row])):
+            continue  # fractions, which no array of binary64 holds
+        if "mode" in problem:
+            continue  # of which arrays have none
+        verdict = slipproof.certify(*numbers, problem.get("mu"), w=problem.get("w"))
+        assert {**verdict.to_dict(), "record": 0} == {**line, "record": 0}
+        compared += 1
+    assert compared >= 5
+
+
+def test_a_file_gets_the_programs_lines(program):
+    for name, options in (("cases/contact-problems/examples.jsonl", {}),
+                          ("cases/contact-problems/pushed-block.json", {}),
+                          ("cases/solvers/plain-enumerator.csv", dict(ignore_unknown=True))):
+        flags = ["--ignore-unknown"] if options else []
+        lines = program("certify", name, "--json", *flags, parse=False).splitlines()
+        found = slipproof.certify_file(name, **options)
+        assert [v.to_dict() for v in found] == [json.loads(line) for line in lines]
+        assert len(found) == len(lines) and found[-1] == list(found)[-1]
+
+
+def lemke_cases(k, n, seed=3):
+    r = np.random.default_rng(seed)
+    B = r.integers(-3, 4, (k, n, n)).astype(float)
+    W = np.einsum("kij,klj->kil", B, B) + 2 * np.eye(n)
+    return W, r.integers(-5, 6, (k, n)).astype(float)
+
+
+def enumerated(W, q):
+    """All solutions of an LCP in floating point, by all 2^n modes."""
+    n = len(q)
+    for bits in range(2**n):
+        active = [i for i in range(n) if bits >> i & 1]
+        z = np.zeros(n)
+        if active:
+            z[active] = np.linalg.solve(W[np.ix_(active, active)], -q[active])
+        if (z >= -1e-12).all() and (W @ z + q >= -1e-12).all():
+            return z
+    raise AssertionError("a positive definite LCP has a solution")
+
+
+def test_a_batch_is_its_problems():
+    W, q = lemke_cases(20, 3)
+    z = np.array([enumerated(*problem) for problem in zip(W, q)])
+    z[5] += 1
+    z[6, 2] = np.nan
+    found = slipproof.certify(W, q, z)
+    assert isinstance(found, slipproof.Verdicts) and len(found) == 20
+    for i in range(20):
+        alone = slipproof.certify(W[i], q[i], z[i])
+        assert found[i].verdict == alone.verdict == {5: "wrong", 6: "invalid"}.get(i, "certified")
+    assert found.counts() == {"certified": 18, "wrong": 1, "invalid": 1}
+    assert found[6].reason == "z[2]: found nan, expected a finite number"
+    assert found[2:4][1] == found[3]
+
+
+def test_friction_in_the_plane_and_in_space():
+    W = np.eye(2)
+    assert slipproof.certify(W, [-9.81, 0.5], [9.81, -0.5], 0.3).verdict == "certified"
+    assert slipproof.certify(W, [-9.81, 5], [9.81, -5], 0.3).verdict == "wrong"
+    space = slipproof.certify(np.eye(3), [-9.81, 0.5, 0.5], [9.81, -0.5, -0.5], 0.3, dimension=3)
+    assert space.verdict == "solution within rho" and space.certified and space.unique == "locally"
+    assert slipproof.certify(np.eye(3), [-9.81, 0.5, 0.5], [9.81, -0.5, -0.5], [0.3]).verdict == space.verdict
+
+
+def test_at_real_size_there_is_more_to_ask():
+    W, q = lemke_cases(1, 80)
+    found = slipproof.certify(W[0], q[0], refine=True)
+    assert found.verdict in ("unique", "solution within rho", "eps-solution", "wrong")
+    refined = found.refined()
+    assert refined is not None
+    again = slipproof.certify(W[0], q[0], refined["r"])
+    assert again.verdict == "unique" and float(again.rho) < 1e-9
+    assert again.certificate() and "<html" in again.report() and "solution" in again.words()
+
+
+class Rows:
+    """A sparse matrix as SciPy's, without SciPy."""
+
+    def __init__(self, dense):
+        self.shape = dense.shape
+        self.indptr = np.concatenate([[0], np.cumsum((dense != 0).sum(axis=1))])
+        self.indices = np.nonzero(dense)[1]
+        self.data = dense[dense != 0]
+
+    def tocsr(self):
+        return self
+
+
+def test_a_sparse_matrix_is_the_dense_one():
+    W, q = lemke_cases(1, 12)
+    W = np.where(abs(W[0]) > 8, W[0], 0)
+    z = enumerated(W, q[0])
+    dense = slipproof.certify(W, q[0], z, method="enclosure")
+    assert slipproof.certify(Rows(W), q[0], z) == dense
+    scipy_sparse = pytest.importorskip("scipy.sparse")
+    for kind in ("csr_matrix", "csc_matrix", "coo_matrix", "lil_matrix"):
+        assert slipproof.certify(getattr(scipy_sparse, kind)(W), q[0], z) == dense
+
+
+def test_methods_are_what_they_are_called():
+    W, q, z = np.array([[2.0, 1], [1, 2]]), [-5, -6], [4 / 3, 7 / 3]
+    assert slipproof.certify(W, q, z, method="exact").verdict == "certified"
+    assert slipproof.certify(W, q, z, method="enclosure").verdict == "unique"
+    assert slipproof.certify(W, q, [1.3333, 2.3333], tolerance=1e-3).verdict == "certified"
+    assert slipproof.certify(W, q, [1.3333, 2.3333]).verdict == "inaccurate"
+    assert slipproof.certify(W, q, z, law="box").law == "box pyramid |t1| <= mu n, |t2| <= mu n"
+
+
+def test_verdicts_in_notebooks_and_in_conditions():
+    verdict = slipproof.certify([[1.0]], [-1.0], [1.0])
+    assert verdict and "<table>" in verdict._repr_html_() and repr(verdict) == "<slipproof.Verdict certified>"
+    with pytest.raises(AttributeError, match="this verdict has no rho; it has record, verdict"):
+        verdict.rho  # noqa: B018
+    assert not slipproof.certify([[1.0]], [-1.0], [2.0])
