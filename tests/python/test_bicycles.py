@@ -41,6 +41,9 @@ def test_arrays_frames_and_dicts_are_the_same(source):
     pandas = pytest.importorskip("pandas")
     found.append(slipproof.certify_bicycles(pandas.DataFrame(given)))
     found.append(slipproof.certify_bicycles(pandas.DataFrame(given).replace({"mode": {"": None}})))
+    nothing = {**given, "mode": np.full(len(expected), np.nan)}
+    without = slipproof.certify_bicycles({name: given[name] for name in numbers})
+    assert (slipproof.certify_bicycles(nothing).codes == without.codes).all()
     for other in found:
         assert (other.codes == expected.codes).all() and (other.modes == expected.modes).all()
         assert other.summary == expected.summary

@@ -106,6 +106,8 @@ def _codes(name: str, value: Any, names: Tuple[str, ...], none: Optional[int]) -
     array = np.asarray(value)
     if array.dtype == np.uint8:
         return array
+    if array.dtype.kind == "f" and none is not None and np.isnan(array).all():  # a frame's column of nothing
+        return np.full(array.shape, none, dtype=np.uint8)
     if array.dtype.kind not in "USO":
         raise TypeError(f"{name}: found an array of {array.dtype}, expected texts such as {names[0]!r}")
     known: Dict[Any, int] = {text: i for i, text in enumerate(names)}
