@@ -66,7 +66,7 @@ def test_others_run_meanwhile():
     assert len(ran) > 3
 
 
-def interrupted(code, after=0.7):
+def interrupted(code, after=0.3):
     """Starts a program, presses Ctrl-C; its exit, and how long it took to end."""
     child = subprocess.Popen([sys.executable, "-c", code], stderr=subprocess.PIPE, text=True)
     assert "ready" in child.stderr.readline()
