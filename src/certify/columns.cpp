@@ -1,15 +1,11 @@
 #include "certify/columns.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <bit>
 #include <mutex>
 #include <stdexcept>
 
-#include "parallel/thread_count.hpp"
+#include "parallel/in_parallel.hpp"
 
 namespace slipproof {
 
@@ -138,6 +134,7 @@ CertifySummary certify(const RecordColumns& columns, const ColumnsOptions& optio
   const auto judge_piece = [&](std::size_t begin, std::size_t end) {
     CertifySummary summary;
     judge.each(begin, end, [&](std::size_t i, const RecordJudgement& judgement) {
+      stop_if_asked();
       put(answers, i, judgement);
       summary.add(judgement);
     });
@@ -152,11 +149,7 @@ CertifySummary certify(const RecordColumns& columns, const ColumnsOptions& optio
     }
     return total;
   }
-  tbb::task_arena arena(thread_count(options.threads));
-  arena.execute([&] {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, columns.records, piece),
-                      [&](const tbb::blocked_range<std::size_t>& r) { judge_piece(r.begin(), r.end()); });
-  });
+  on_threads(options.threads, [&] { pieces_in_parallel(0, columns.records, piece, judge_piece); });
   return total;
 }
 
