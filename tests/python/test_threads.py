@@ -83,8 +83,10 @@ READY = "import slipproof, sys, threading; print('ready', file=sys.stderr, flush
 @pytest.mark.parametrize("call", [
     LONG,
     "slipproof.search('gripper', samples=10**6, threads=1)",
+    "import numpy as np; slipproof.certify_bicycles(dict(F=np.linspace(-9, 9, 10**7), a=3.0, S2=3.0, S3=0.0, N2=9.0, N3=0.1),"
+    " scene='cases/ambiguous.toml', threads=1)",
     "import numpy as np; n = 40; W = np.ones((n, n)); slipproof.certify(W, -np.ones(n), np.ones(n), effort=2**62)",
-], ids=["verify", "search", "certify"])
+], ids=["verify", "search", "bicycles", "certify"])
 def test_ctrl_c_ends_a_long_call(call):
     code, text, _ = interrupted(READY + call)
     assert code == -signal.SIGINT and "KeyboardInterrupt" in text
