@@ -56,7 +56,7 @@ bool is_short(const MechanismScene& scene) {
 /// A scene with all of its motions. Numbers are made when they are asked for.
 class Solution {
  public:
-  explicit Solution(SolvedScene solved) : solved_(std::make_unique<SolvedScene>(std::move(solved))) {}
+  explicit Solution(std::unique_ptr<const SolvedScene> solved) : solved_(std::move(solved)) {}
   explicit Solution(std::unique_ptr<const SolvedMechanism> solved) : solved_(std::move(solved)) {}
 
   std::string json() const {
@@ -142,7 +142,7 @@ py::object Solution::cells() const {
 Solution solve(const AnyScene& scene) {
   if (const Scene* bicycle = std::get_if<Scene>(&scene.of)) {
     const WithoutInterpreter released;
-    return Solution(SolvedScene(*bicycle));
+    return Solution(std::make_unique<const SolvedScene>(*bicycle));
   }
   const auto& mechanism = std::get<MechanismScene>(scene.of);
   const auto work = [scene = mechanism](Call&) { return std::make_unique<const SolvedMechanism>(scene); };
