@@ -71,12 +71,12 @@ CertifySummary judge_in_order(const CertifyOptions& options, const LineSink& out
                                                          if (!next(*piece)) control.stop();
                                                          return piece;
                                                        }) &
-            tbb::make_filter<std::shared_ptr<Piece>, std::shared_ptr<Judged>>(
-                tbb::filter_mode::parallel,
-                [&](const std::shared_ptr<Piece>& piece) {
-                  const StopScope scope(token);
-                  return std::make_shared<Judged>(judge(*piece));
-                }) &
+            tbb::make_filter<std::shared_ptr<Piece>, std::shared_ptr<Judged>>(tbb::filter_mode::parallel,
+                                                                              [&](const std::shared_ptr<Piece>& piece) {
+                                                                                const StopScope scope(token);
+                                                                                return std::make_shared<Judged>(
+                                                                                    judge(*piece));
+                                                                              }) &
             tbb::make_filter<std::shared_ptr<Judged>, void>(
                 tbb::filter_mode::serial_in_order, [&](const std::shared_ptr<Judged>& judged) { write(*judged); }));
   });

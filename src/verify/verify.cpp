@@ -151,7 +151,10 @@ class Run {
     const Sampler sampler(compiled_.settings[setting], options_.seed);
     pieces_in_parallel(0, options_.samples, 64, [&](std::size_t begin, std::size_t end) {
       std::vector<Tally> tallies(tasks_.size());
-      for (std::uint64_t i = begin; i != end; ++i) judge_sample(setting, i, sampler.at(i), tallies);
+      for (std::uint64_t i = begin; i != end; ++i) {
+        stop_if_asked();
+        judge_sample(setting, i, sampler.at(i), tallies);
+      }
       const std::scoped_lock lock(mutex_);
       for (std::size_t t = 0; t < tasks_.size(); ++t) tallies_[t].add(tallies[t]);
       tell(end - begin);
@@ -175,6 +178,7 @@ class Run {
     const Sampler sampler(compiled_.settings[setting], options_.seed);
     std::vector<std::vector<Rational>> found;
     for (std::uint64_t i = 0; i < options_.samples && found.size() < max_bases; ++i) {
+      stop_if_asked();
       auto values = sampler.at(i);
       if (!values.empty() && solved(setting, values)) found.push_back(std::move(values));
     }

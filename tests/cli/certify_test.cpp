@@ -230,7 +230,7 @@ TEST_CASE("headers, files and scenes that cannot be used exit with 3, all mistak
   CHECK(run({"certify", "--scene", bench.scene, "/nonexistent.csv"}).exit_code == 3);
   CHECK(run({"certify", "--scene", bench.scene, bench.folder.path()}).exit_code == 3);
   CHECK(run({"certify", "--scene", "/nonexistent.toml", "-"}).exit_code == 3);
-  const auto long_line = bench.certify(bench.answers(1) + std::string(3U << 20U, '1') + "\n");
+  const auto long_line = bench.certify(bench.answers(1) + std::string(9U << 20U, '1') + "\n");
   CHECK(long_line.exit_code == 3);
   CHECK(long_line.err.find("expected a record") != std::string::npos);
 }
