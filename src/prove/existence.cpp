@@ -1,6 +1,7 @@
 #include "prove/existence.hpp"
 
 #include "expression/parser.hpp"
+#include "input/diagnostic.hpp"
 #include "prove/cases.hpp"
 #include "prove/elimination.hpp"
 #include "prove/facts.hpp"
@@ -27,30 +28,39 @@ void keep_alternative(Formula& failure, std::size_t alternative) {
   }
 }
 
-/// By what values divide; nothing where they are longer than the format of certificates allows, and so no witness.
-std::optional<std::vector<Polynomial>> divisors_of(const Statement& statement, const std::vector<std::string>& values) {
+/// Values for the unknowns, and what there is to know of them: by what they divide, and what they would have to meet.
+struct Witness {
+  std::vector<std::string> values;
+  std::vector<Polynomial> divisors;
+  Formula shown;
+};
+
+/// Nothing where the values, or what is to be shown of them, are longer than the format of certificates allows.
+std::optional<Witness> witness_of(const Statement& statement, const std::vector<std::string>& values) {
   try {
-    return statement.divisors(values);
+    return Witness{values, statement.divisors(values), statement.shown(values)};
   } catch (const ExpressionError&) {
+    return std::nullopt;
+  } catch (const InputError&) {
     return std::nullopt;
   }
 }
 
 /// States the values as a witness: now they fail to be what the conclusion asks for, or are not defined. With an
 /// alternative of the conclusion it is made use of only that they fail for that one.
-bool add_witness(Context& context, State& state, const std::string& name, const std::vector<std::string>& values,
-                 const std::vector<Polynomial>& divisors, std::optional<std::size_t> alternative = std::nullopt) {
+bool add_witness(Context& context, State& state, const std::string& name, const Witness& witness,
+                 std::optional<std::size_t> alternative = std::nullopt) {
   const Statement& statement = context.statement();
   Step step;
   step.rule = Step::Rule::witness;
   step.name = name;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    step.values.emplace_back(statement.ring().name(statement.unknowns()[i]), values[i]);
+  for (std::size_t i = 0; i < witness.values.size(); ++i) {
+    step.values.emplace_back(statement.ring().name(statement.unknowns()[i]), witness.values[i]);
   }
   state.steps.push_back(step);
   std::vector<Formula> failures;
-  for (const Polynomial& divisor : divisors) failures.push_back(atom(divisor, Sign::zero));
-  Formula failure = negation(statement.shown(values));
+  for (const Polynomial& divisor : witness.divisors) failures.push_back(atom(divisor, Sign::zero));
+  Formula failure = negation(witness.shown);
   if (alternative) keep_alternative(failure, *alternative);
   failures.push_back(std::move(failure));
   return add_formula(context, state, step.name, combine(Formula::Kind::disjunction, std::move(failures)));
@@ -82,10 +92,10 @@ std::vector<std::string> texts(const std::vector<Quotient>& values, std::size_t 
 }  // namespace
 
 bool Existence::close_by_witness(State& state, const std::vector<std::string>& values) {
-  const auto divisors = divisors_of(statement(), values);
-  if (!divisors) return false;
+  const auto witness = witness_of(statement(), values);
+  if (!witness) return false;
   State attempt = state;
-  if (!add_witness(context_, attempt, "goal", values, *divisors) && !close_(attempt)) return false;
+  if (!add_witness(context_, attempt, "goal", *witness) && !close_(attempt)) return false;
   state = std::move(attempt);
   return true;
 }
@@ -121,10 +131,10 @@ bool Existence::close_by_alternatives(State& state, int splits) {
   for (std::size_t i = 0; i < count; ++i) {
     const auto& values = solutions[i].values;
     if (!values) continue;
-    const auto divisors = divisors_of(statement(), *values);
-    if (!divisors) continue;
+    const auto witness = witness_of(statement(), *values);
+    if (!witness) continue;
     const std::string name = context_.unused("goal" + std::to_string(i + 1));
-    if (add_witness(context_, state, name, *values, *divisors, i)) return true;
+    if (add_witness(context_, state, name, *witness, i)) return true;
   }
   return close_(state);
 }
