@@ -61,24 +61,28 @@ CertifySummary judge_in_order(const CertifyOptions& options, const LineSink& out
     while (next(piece)) write(judge(piece));
     return summary;
   }
-  const auto in_flight = 3 * static_cast<std::size_t>(thread_count(options.threads));
+  // Pieces stand in places that are used again, as they are written in their order: what the pipeline itself holds when
+  // an exception ends it is lost.
+  struct Place {
+    Piece piece;
+    Judged judged;
+  };
+  std::vector<Place> places(3 * static_cast<std::size_t>(thread_count(options.threads)));
+  std::size_t count = 0;
   on_threads(options.threads, [&, token = StopScope::token()] {
     tbb::parallel_pipeline(
-        in_flight,
-        tbb::make_filter<void, std::shared_ptr<Piece>>(tbb::filter_mode::serial_in_order,
-                                                       [&](tbb::flow_control& control) {
-                                                         auto piece = std::make_shared<Piece>();
-                                                         if (!next(*piece)) control.stop();
-                                                         return piece;
-                                                       }) &
-            tbb::make_filter<std::shared_ptr<Piece>, std::shared_ptr<Judged>>(tbb::filter_mode::parallel,
-                                                                              [&](const std::shared_ptr<Piece>& piece) {
-                                                                                const StopScope scope(token);
-                                                                                return std::make_shared<Judged>(
-                                                                                    judge(*piece));
-                                                                              }) &
-            tbb::make_filter<std::shared_ptr<Judged>, void>(
-                tbb::filter_mode::serial_in_order, [&](const std::shared_ptr<Judged>& judged) { write(*judged); }));
+        places.size(),
+        tbb::make_filter<void, Place*>(tbb::filter_mode::serial_in_order, [&](tbb::flow_control& control) {
+          Place* place = &places[count++ % places.size()];
+          if (!next(place->piece)) control.stop();
+          return place;
+        }) & tbb::make_filter<Place*, Place*>(tbb::filter_mode::parallel, [&](Place* place) {
+          const StopScope scope(token);
+          place->judged = judge(place->piece);
+          return place;
+        }) & tbb::make_filter<Place*, void>(tbb::filter_mode::serial_in_order, [&](Place* place) {
+          write(place->judged);
+        }));
   });
   return summary;
 }
