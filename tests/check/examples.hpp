@@ -6,6 +6,7 @@
 #include <string>
 
 #include "check/judge.hpp"
+#include "check/record.hpp"
 
 namespace slipproof::check {
 
@@ -18,6 +19,7 @@ inline std::string header(const std::string& statement) {
 /// "" if accepted, otherwise `S:` or `C:`, of statement or certificate, and `LINE: RULE: message`.
 inline std::string verdict(const std::string& statement, const std::string& certificate) {
   const Judgement judgement = judge(statement, certificate);
+  record(statement, certificate, judgement.verdict == Verdict::accepted);
   if (judgement.verdict == Verdict::accepted) return "";
   return (judgement.about_certificate ? "C:" : "S:") + judgement.message;
 }

@@ -15,6 +15,7 @@
 
 #include "check/examples.hpp"
 #include "check/files.hpp"
+#include "check/record.hpp"
 #include "check/second_reading.hpp"
 
 using namespace slipproof::check;
@@ -211,6 +212,17 @@ std::string mutant_of(std::vector<std::string> lines, std::mt19937_64& random) {
   return text;
 }
 
+/// SLIPPROOF_CHECK_MUTANTS asks for more than what a minute allows. The sanitizers see the same code with fewer.
+std::size_t wanted_mutants() {
+#if defined(__SANITIZE_ADDRESS__)
+  const std::size_t standard = 1'000;
+#else
+  const std::size_t standard = 4'000;
+#endif
+  const char* asked = std::getenv("SLIPPROOF_CHECK_MUTANTS");
+  return asked == nullptr ? standard : std::stoul(asked);
+}
+
 }  // namespace
 
 TEST_CASE("all shipped certificates are accepted") {
@@ -223,14 +235,7 @@ TEST_CASE("all shipped certificates are accepted") {
 }
 
 TEST_CASE("mutants of the shipped certificates are rejected, the same proof, or another one that is confirmed") {
-  // SLIPPROOF_CHECK_MUTANTS asks for more than what a minute allows. The sanitizers see the same code with fewer.
-#if defined(__SANITIZE_ADDRESS__)
-  const std::size_t standard = 1'000;
-#else
-  const std::size_t standard = 4'000;
-#endif
-  const char* asked = std::getenv("SLIPPROOF_CHECK_MUTANTS");
-  const std::size_t wanted = asked == nullptr ? standard : std::stoul(asked);
+  const std::size_t wanted = wanted_mutants();
   std::mt19937_64 random(20240607);
   const auto certificates = shipped();
   double weights = 0;  // long certificates take long: the number of mutants falls with the length
@@ -246,7 +251,9 @@ TEST_CASE("mutants of the shipped certificates are rejected, the same proof, or 
     const auto count = std::max(wanted / 1'000, static_cast<std::size_t>(share) + 1);
     for (std::size_t i = 0; i < count; ++i, ++mutants) {
       const std::string mutant = mutant_of(lines, random);
-      if (!statement.accepts(mutant)) continue;
+      const bool accepted = statement.accepts(mutant);
+      record(statement_text, mutant, accepted);
+      if (!accepted) continue;
       if (normal_form(mutant) == normal) {
         ++identical;
         continue;
@@ -268,4 +275,33 @@ TEST_CASE("mutants of the shipped certificates are rejected, the same proof, or 
   MESSAGE(mutants << " mutants: " << mutants - identical - others << " rejected, " << identical << " the same proof, "
                   << confirmed << " another proof, confirmed, " << others - confirmed << " unconfirmed");
   CHECK(mutants >= wanted);
+}
+
+TEST_CASE("of mutants of the shipped statements, only what a second reading confirms is accepted") {
+  std::mt19937_64 random(20261122);
+  const auto certificates = shipped();
+  const std::size_t wanted = wanted_mutants() / 10;
+  std::size_t accepted = 0;
+  for (std::size_t i = 0; i < wanted;) {
+    std::filesystem::path path = certificates[random() % certificates.size()];
+    const std::string certificate = content(path);
+    if (certificate.size() > 20'000) continue;  // the long ones would take all the time
+    ++i;
+    const std::string statement = content(path.replace_extension(".statement"));
+    const std::string mutant = mutant_of(lines_of(statement), random);
+    std::string own = certificate;  // with the mutant's fingerprint, where it has one
+    try {
+      own.replace(0, header(statement).size(), header(mutant));
+    } catch (const Rejection&) {
+      CHECK(verdict(mutant, certificate) != "");
+      continue;
+    }
+    if (verdict(mutant, own) != "") continue;
+    ++accepted;
+    CAPTURE(path);
+    CAPTURE(mutant);
+    CHECK(slipproof::test::unconfirmed(mutant, own) == "");
+  }
+  MESSAGE(wanted << " mutants of statements, " << accepted << " proved");
+  CHECK(accepted > 0);
 }

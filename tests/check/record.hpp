@@ -1,0 +1,20 @@
+// What the checker is asked in these tests, for another checker to judge alike.
+#pragma once
+
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
+namespace slipproof::check {
+
+/// Adds `VERDICT S C`, the S bytes of the statement and the C bytes of the certificate to the file, or pipe, that
+/// SLIPPROOF_CHECK_RECORD names, if it names one.
+inline void record(const std::string& statement, const std::string& certificate, bool accepted) {
+  static const char* const path = std::getenv("SLIPPROOF_CHECK_RECORD");
+  if (path == nullptr) return;
+  static std::ofstream file(path, std::ios::binary);
+  file << (accepted ? "accepted " : "rejected ") << statement.size() << ' ' << certificate.size() << '\n'
+       << statement << certificate;
+}
+
+}  // namespace slipproof::check
