@@ -6,7 +6,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "$1"
 cd "$1"
 cp "$here"/*.v "$here/main.ml" .
-for part in Text Syntax Meaning Print Parse Poly Normal Checker NormalSound Sound Literal Extract; do
+for part in Text Syntax Meaning Print Parse Poly Normal Checker NormalSound Sound Lossless Literal Extract; do
   coqc -q -Q . Slipproof $part.v
 done
 coqc -q -Q . Slipproof Assumptions.v >assumptions.txt

@@ -1,25 +1,29 @@
-(* slipproof-check-verified CERT|FOLDER...: the extracted checker on files. Exit codes: 0 if all certificates are
-   accepted, 5 if one is rejected, otherwise 3 if one cannot be read, 2 for wrong usage.
+(* slipproof-check-verified CERT|STATEMENT|FOLDER...: the extracted checker on files. Exit codes: 0 if all certificates
+   are accepted, 5 if one is rejected, otherwise 3 if one is missing or cannot be read; 2 for wrong usage.
    slipproof-check-verified --compare RECORD: on what the tests of slipproof-check recorded, `VERDICT S C`, then S bytes
    of a statement and C of a certificate, again and again; 5 if a verdict differs. *)
 
-let usage = "usage: slipproof-check-verified CERT|FOLDER...\n       slipproof-check-verified --compare RECORD\n"
+let usage = "usage: slipproof-check-verified CERT|STATEMENT|FOLDER...\n       slipproof-check-verified --compare RECORD\n"
 
-(* A check may allocate 32 GB in all and hold 4 GB; beyond that the certificate is rejected. The largest shipped proof needs a tenth. *)
+(* A check may allocate 8 GB in all and hold 1 GB; beyond that the certificate is rejected. The largest shipped proof
+   allocates 0.4 GB. *)
 exception Too_much
 
-let most_samples = 4_096
-let most_held = 1 lsl 29 (* words *)
-let samples = ref 0
+let most_samples = 1_024
+let most_held = 1 lsl 27 (* words *)
 
-let watch () =
+let bounded work =
+  let samples = ref 0 in
   let count _ =
     incr samples;
     if !samples > most_samples || (Gc.quick_stat ()).heap_words > most_held then raise Too_much;
     None
   in
   Gc.Memprof.start ~sampling_rate:1e-6 ~callstack_size:0
-    { Gc.Memprof.null_tracker with alloc_minor = count; alloc_major = count }
+    { Gc.Memprof.null_tracker with alloc_minor = count; alloc_major = count };
+  match Fun.protect ~finally:Gc.Memprof.stop work with
+  | result -> result
+  | exception (Stack_overflow | Too_much) -> Gc.compact (); false
 
 let explode text = List.init (String.length text) (String.get text)
 
@@ -31,43 +35,50 @@ let reading statement =
   snd !last
 
 let accepts statement certificate =
-  samples := 0;
-  match Option.fold ~none:false ~some:(fun read -> Checker.accepts_for read (explode certificate)) (reading statement) with
-  | accepted -> accepted
-  | exception (Stack_overflow | Too_much) -> false
+  bounded (fun () ->
+      Option.fold ~none:false ~some:(fun read -> Checker.accepts_for read (explode certificate)) (reading statement))
 
 let content path =
   let file = open_in_bin path in
   Fun.protect ~finally:(fun () -> close_in file) (fun () -> really_input_string file (in_channel_length file))
 
-let rec certificates path =
+let rec files path =
   if Sys.is_directory path then
     let entries = Sys.readdir path in
     Array.sort compare entries;
-    let kept below = Filename.check_suffix below ".cert" || Sys.is_directory below in
-    List.concat_map certificates (List.filter kept (List.map (Filename.concat path) (Array.to_list entries)))
+    let kept below = Sys.is_directory below || List.exists (Filename.check_suffix below) [ ".cert"; ".statement" ] in
+    List.concat_map files (List.filter kept (List.map (Filename.concat path) (Array.to_list entries)))
   else [ path ]
 
+let certificates path = List.sort_uniq compare (List.map (fun file -> Filename.remove_extension file ^ ".cert") (files path))
+
 let verdict path =
-  match content (Filename.remove_extension path ^ ".statement"), content path with
-  | statement, certificate -> if accepts statement certificate then "accepted" else "rejected"
+  match content (Filename.remove_extension path ^ ".statement") with
   | exception (Sys_error _ | End_of_file) -> "unreadable"
+  | _ when not (Sys.file_exists path) -> "missing"
+  | statement -> (
+      match content path with
+      | certificate -> if accepts statement certificate then "accepted" else "rejected"
+      | exception (Sys_error _ | End_of_file) -> "unreadable")
 
 let check paths =
-  let count = Hashtbl.create 3 in
+  let count = Hashtbl.create 4 in
   let counted verdict = Option.value ~default:0 (Hashtbl.find_opt count verdict) in
   let judge path =
     let found = verdict path in
     Hashtbl.replace count found (counted found + 1);
     Printf.printf "%s %s\n" found path
   in
-  let below path = try certificates path with Sys_error _ -> [ path ] in
+  let below path = match certificates path with [] | (exception Sys_error _) -> [ path ] | found -> found in
   List.iter (fun path -> List.iter judge (below path)) paths;
-  let accepted = counted "accepted" and rejected = counted "rejected" and unreadable = counted "unreadable" in
-  Printf.printf "s %s %d accepted, %d rejected, %d unreadable\n"
-    (if rejected + unreadable = 0 then "ACCEPTED" else "REJECTED")
-    accepted rejected unreadable;
-  if rejected > 0 then 5 else if unreadable > 0 then 3 else 0
+  let result, code =
+    if counted "rejected" > 0 then ("REJECTED", 5)
+    else if counted "unreadable" + counted "missing" > 0 then ("UNREADABLE", 3)
+    else ("ACCEPTED", 0)
+  in
+  Printf.printf "s %s %d accepted, %d rejected, %d missing, %d unreadable\n" result (counted "accepted")
+    (counted "rejected") (counted "missing") (counted "unreadable");
+  code
 
 let compare_with record =
   let input = open_in_bin record in
@@ -96,7 +107,6 @@ let compare_with record =
   if !different > 0 then 5 else 0
 
 let () =
-  watch ();
   match List.tl (Array.to_list Sys.argv) with
   | [ "--compare"; record ] -> exit (compare_with record)
   | first :: _ as paths when not (String.starts_with ~prefix:"-" first) -> exit (check paths)
