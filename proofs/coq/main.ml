@@ -23,7 +23,7 @@ let bounded work =
     { Gc.Memprof.null_tracker with alloc_minor = count; alloc_major = count };
   match Fun.protect ~finally:Gc.Memprof.stop work with
   | result -> result
-  | exception (Stack_overflow | Too_much) -> Gc.compact (); false
+  | exception (Stack_overflow | Too_much) -> Gc.compact (); None
 
 let explode text = List.init (String.length text) (String.get text)
 
@@ -34,9 +34,13 @@ let reading statement =
   if fst !last <> statement || snd !last = None then last := (statement, Checker.read_statement (explode statement));
   snd !last
 
-let accepts statement certificate =
-  bounded (fun () ->
-      Option.fold ~none:false ~some:(fun read -> Checker.accepts_for read (explode certificate)) (reading statement))
+let judge statement certificate =
+  match bounded (fun () -> reading statement) with
+  | None -> "unreadable"
+  | Some read -> (
+      match bounded (fun () -> Some (Checker.accepts_for read (explode certificate))) with
+      | Some true -> "accepted"
+      | Some false | None -> "rejected")
 
 let content path =
   let file = open_in_bin path in
@@ -58,19 +62,19 @@ let verdict path =
   | _ when not (Sys.file_exists path) -> "missing"
   | statement -> (
       match content path with
-      | certificate -> if accepts statement certificate then "accepted" else "rejected"
+      | certificate -> judge statement certificate
       | exception (Sys_error _ | End_of_file) -> "unreadable")
 
 let check paths =
   let count = Hashtbl.create 4 in
   let counted verdict = Option.value ~default:0 (Hashtbl.find_opt count verdict) in
-  let judge path =
+  let tell path =
     let found = verdict path in
     Hashtbl.replace count found (counted found + 1);
     Printf.printf "%s %s\n" found path
   in
   let below path = match certificates path with [] | (exception Sys_error _) -> [ path ] | found -> found in
-  List.iter (fun path -> List.iter judge (below path)) paths;
+  List.iter (fun path -> List.iter tell (below path)) paths;
   let result, code =
     if counted "rejected" > 0 then ("REJECTED", 5)
     else if counted "unreadable" + counted "missing" > 0 then ("UNREADABLE", 3)
@@ -83,22 +87,20 @@ let check paths =
 let compare_with record =
   let input = open_in_bin record in
   let pairs = ref 0 and accepted = ref 0 and different = ref 0 in
-  let judge verdict s c =
+  let compare_one verdict s c =
     let statement = really_input_string input s in
     let certificate = really_input_string input c in
-    let found = accepts statement certificate in
+    let found = judge statement certificate in
     incr pairs;
-    if found then incr accepted;
-    if found <> (verdict = "accepted") then begin
+    if found = "accepted" then incr accepted;
+    if found <> verdict then begin
       incr different;
-      Printf.printf "slipproof-check: %s; verified: %s\n%s%s\n" verdict
-        (if found then "accepted" else "rejected")
-        statement certificate
+      Printf.printf "slipproof-check: %s; verified: %s\n%s%s\n" verdict found statement certificate
     end
   in
   (try
      while true do
-       Scanf.sscanf (input_line input) "%s %d %d" judge
+       Scanf.sscanf (input_line input) "%s %d %d" compare_one
      done
    with End_of_file -> ());
   Printf.printf "s %s %d pairs, %d accepted, %d judged differently\n"

@@ -276,7 +276,7 @@ TEST_CASE("mutants of the shipped certificates are rejected, the same proof, or 
     for (std::size_t i = 0; i < count; ++i, ++mutants) {
       const std::string mutant = mutant_of(lines, random);
       const bool accepted = statement.accepts(mutant);
-      record(statement_text, mutant, accepted);
+      record(statement_text, mutant, accepted ? Verdict::accepted : Verdict::rejected);
       if (!accepted) continue;
       if (normal_form(mutant) == normal) {
         ++identical;
