@@ -9,6 +9,7 @@
 #include "mechanism/scene.hpp"
 #include "model/scene.hpp"
 #include "number/parse.hpp"
+#include "output/output_file.hpp"
 #include "picture/mechanism_plane.hpp"
 #include "picture/phase_points.hpp"
 #include "picture/phase_svg.hpp"
@@ -80,6 +81,7 @@ py::tuple draw(const std::string& text, const std::string& file, const std::stri
 
 void bind_pictures(py::module_& module) {
   module.def("phase_diagram", &draw);
+  module.def("write_file", [](const std::string& path, const std::string& text) { write_file(path, text); });
 }
 
 }  // namespace slipproof::python

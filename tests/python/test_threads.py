@@ -13,7 +13,7 @@ import pytest
 
 import slipproof
 
-CALLS = int(os.environ.get("SLIPPROOF_PYTHON_CALLS", "800"))
+CALLS = int(os.environ.get("SLIPPROOF_PYTHON_CALLS", "3200"))
 LONG = "import slipproof; slipproof.verify('proofs/rozenblat-yashin/claims.toml', samples=10**7, threads=1)"
 
 
@@ -34,10 +34,11 @@ def every_kind_of_call(random_scenes):
 def test_memory_is_flat(random_scenes):
     call = every_kind_of_call(random_scenes)
     pages = lambda: int(open("/proc/self/statm").read().split()[1])  # noqa: E731
-    for _ in range(CALLS // 4):
+    rounds = CALLS // 4  # a round is four calls
+    for _ in range(rounds // 4):
         call()
     before = pages()
-    for _ in range(CALLS // 4 * 3):
+    for _ in range(rounds // 4 * 3):
         call()
     grown = (pages() - before) * resource.getpagesize()
     assert grown < 4_000_000 + CALLS * 8, f"{grown} bytes more after {CALLS} calls"

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import json
 import os
 from typing import Any, Dict, List, Mapping, Optional, Tuple, Union
 
 from . import _core
 from ._arrays import one_of, whole
 from ._certify import _path
+from ._document import Report
 from ._errors import wrong_type, wrong_value
 from ._html import table
 from ._numbers import Number
@@ -17,25 +17,12 @@ from ._scene import Scene
 from ._solution import Solution
 
 
-class Search:
+class Search(Report):
     """What a search found. ``verdict``: unique, not unique, found, not found, undecided."""
 
-    __slots__ = ("verdict", "_json", "_text")
-
     def __init__(self, document: str, text: str, verdict: str):
-        self.verdict, self._json, self._text = verdict, document, text
-
-    def to_json(self) -> str:
-        """The document that ``slipproof search --json`` writes, byte for byte."""
-        return self._json
-
-    def to_dict(self) -> Dict[str, Any]:
-        """The same as a dict."""
-        return json.loads(self._json)  # type: ignore[no-any-return]
-
-    def text(self) -> str:
-        """What ``slipproof search`` prints."""
-        return self._text
+        super().__init__(document, text)
+        self.verdict = verdict
 
     def __repr__(self) -> str:
         return f"<slipproof.Search {self.verdict}>"

@@ -10,6 +10,7 @@ from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tup
 from . import _core
 from ._arrays import whole
 from ._certify import _path
+from ._document import Report
 from ._errors import wrong_type
 from ._html import table
 from ._numbers import Values
@@ -39,11 +40,12 @@ class ClaimVerdict:
         return f"<slipproof.ClaimVerdict {self.id} {self.reading}: {self.verdict}>"
 
 
-class Verification(Sequence[ClaimVerdict]):
+class Verification(Report, Sequence[ClaimVerdict]):
     """The verdicts on all claims of a paper. ``summary``: VERIFIED, REFUTED, UNDECIDED or REJECTED."""
 
     def __init__(self, document: str, text: str, summary: str):
-        self._json, self._text, self.summary = document, text, summary
+        super().__init__(document, text)
+        self.summary = summary
         self._claims = tuple(ClaimVerdict(c) for c in json.loads(document)["claims"])
 
     def __getitem__(self, index: Any) -> Any:
@@ -58,18 +60,6 @@ class Verification(Sequence[ClaimVerdict]):
             if claim.id == id and claim.reading == reading:
                 return claim
         raise KeyError(f"found no claim {id} ({reading})")
-
-    def to_json(self) -> str:
-        """The document that ``slipproof verify --json`` writes, byte for byte."""
-        return self._json
-
-    def to_dict(self) -> Dict[str, Any]:
-        """The same as a dict."""
-        return json.loads(self._json)  # type: ignore[no-any-return]
-
-    def text(self) -> str:
-        """What ``slipproof verify`` prints."""
-        return self._text
 
     def __repr__(self) -> str:
         return f"<slipproof.Verification {self._text.rstrip().splitlines()[-1]}>"

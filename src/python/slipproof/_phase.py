@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import json
+import os
 from math import atan2, degrees
 from typing import Any, Dict, List, Mapping, Optional, Tuple
 
 from . import _core
 from ._arrays import whole
+from ._document import Document
 from ._errors import wrong_type, wrong_value
 from ._numbers import Number, fraction, text_of
 from ._scene import as_scene
@@ -15,24 +16,16 @@ from ._scene import as_scene
 _Ends = Optional[Tuple[Number, Number]]
 
 
-class PhaseDiagram:
+class PhaseDiagram(Document):
     """A phase diagram, exact in every column. ``svg`` is the picture; :meth:`draw` draws into axes of matplotlib."""
 
     def __init__(self, svg: str, document: str):
-        self.svg, self._json = svg, document
+        super().__init__(document)
+        self.svg = svg
 
-    def to_json(self) -> str:
-        """The document that ``slipproof map --json`` writes, byte for byte."""
-        return self._json
-
-    def to_dict(self) -> Dict[str, Any]:
-        """The same as a dict."""
-        return json.loads(self._json)  # type: ignore[no-any-return]
-
-    def save(self, path: str) -> None:
-        """Writes the SVG file."""
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(self.svg)
+    def save(self, path: "str | os.PathLike[str]") -> None:
+        """Writes the SVG file: beside its place first, so that there is the old one or the new one, never a part."""
+        _core.write_file(os.fspath(path), self.svg)
 
     def bands(self) -> Dict[str, List[Tuple[float, float, float]]]:
         """For each set of motions (x, from, to), column by column, in floats: what a plotting program needs."""
