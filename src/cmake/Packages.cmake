@@ -52,6 +52,11 @@ if(python IN_LIST components)
   math(EXPR next_minor "${Python3_VERSION_MINOR} + 1")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
       "python3 (>= 3.${Python3_VERSION_MINOR}~), python3 (<< 3.${next_minor}), python3-numpy")
+  # What Python compiles beside a package belongs to no package: it is made at once, and cleaned away before removal.
+  file(CONFIGURE OUTPUT package/postinst CONTENT "#!/bin/sh\nset -e\npy3compile -p python3-slipproof\n")
+  file(CONFIGURE OUTPUT package/prerm CONTENT "#!/bin/sh\nset -e\npy3clean -p python3-slipproof\n")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+      ${PROJECT_BINARY_DIR}/package/postinst ${PROJECT_BINARY_DIR}/package/prerm)
 endif()
 
 # A native package's changelog, in Debian's form; SOURCE_DATE_EPOCH makes it the same again.
