@@ -18,7 +18,6 @@
 #include "certify/record_reader.hpp"
 #include "formats/json_problem.hpp"
 #include "formats/npy_header.hpp"
-#include "parallel/stop.hpp"
 
 namespace slipproof {
 
@@ -105,67 +104,22 @@ class LineJudges {
   std::optional<MechanismJudge> mechanism_judge_;
 };
 
-/// As many lines are judged before they are written.
-constexpr std::size_t lines_at_once = 64;
-
-class ChunkJudge {
- public:
-  ChunkJudge(LineJudge& judge, const CertifyOptions& options) : judge_(judge), options_(options) {}
-
-  Judged judge(const Chunk& chunk) {
-    std::uint64_t line_number = chunk.first_line, record = chunk.first_record;
-    each_line(chunk.text, [&](std::string_view line) {
-      const std::uint64_t at = line_number++;
-      if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-      if (blank(line)) return;
-      const std::uint64_t number = record++;
-      if (number < options_.first_record || result_.broken) return;
-      judge_one(line, at, number);
-      if (count_ == lines_at_once) write();
-    });
-    write();
-    return std::move(result_);
-  }
-
- private:
-  struct Entry {
-    std::uint64_t record = 0;
-    RecordJudgement judgement;
-    bool broken = false;
-  };
-
-  void judge_one(std::string_view line, std::uint64_t at, std::uint64_t number) {
-    Entry& entry = entries_[count_];
-    entry.record = number;
-    try {
-      entry.broken = false;
-      judge_.judge(line, at, entry.judgement);
-    } catch (const BrokenRecord& broken) {
-      entry.broken = true;
-      if (!result_.take(broken, at, number, entry.judgement, options_)) return;
-    }
-    ++count_;
-  }
-
-  void write() {
-    stop_if_asked();
-    judge_.finish();
-    for (std::size_t i = 0; i < count_; ++i) {
-      result_.add(entries_[i].record, entries_[i].judgement, entries_[i].broken, options_);
-    }
-    count_ = 0;
-  }
-
-  LineJudge& judge_;
-  const CertifyOptions& options_;
-  Judged result_;
-  std::array<Entry, lines_at_once> entries_;
-  std::size_t count_ = 0;
-};
-
 Judged judge_chunk(const Chunk& chunk, const LineJudges& judges, const CertifyOptions& options) {
   const auto judge = judges.make();
-  return ChunkJudge(*judge, options).judge(chunk);
+  const auto finish = [&] { judge->finish(); };
+  JudgedRecords records(options);
+  std::uint64_t line_number = chunk.first_line, record = chunk.first_record;
+  bool ended = false;
+  each_line(chunk.text, [&](std::string_view line) {
+    const std::uint64_t at = line_number++;
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    if (blank(line)) return;
+    const std::uint64_t number = record++;
+    if (number < options.first_record || ended) return;
+    ended = !records.add(
+        number, at, [&](RecordJudgement& to) { judge->judge(line, at, to); }, finish);
+  });
+  return records.result(finish);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <tbb/parallel_pipeline.h>
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -41,6 +42,58 @@ struct Judged {
     broken = {options.file, static_cast<std::size_t>(line), found.column, where + found.message};
     return false;
   }
+};
+
+/// Records of a piece, which are judged several at once and written in their order.
+class JudgedRecords {
+ public:
+  explicit JudgedRecords(const CertifyOptions& options) : options_(options) {}
+
+  /// judge(judgement) judges a record, at the latest by finish(), or throws BrokenRecord. False where that is the end.
+  /// `line` is 0 where there are none.
+  template <class Judge, class Finish>
+  bool add(std::uint64_t record, std::uint64_t line, const Judge& judge, const Finish& finish) {
+    Entry& entry = entries_[count_];
+    entry.record = record;
+    try {
+      entry.broken = false;
+      judge(entry.judgement);
+    } catch (const BrokenRecord& found) {
+      entry.broken = true;
+      if (!result_.take(found, line, record, entry.judgement, options_)) return false;
+    }
+    if (++count_ == entries_.size()) write(finish);
+    return true;
+  }
+
+  /// All of them; nothing is left.
+  template <class Finish>
+  Judged result(const Finish& finish) {
+    write(finish);
+    return std::move(result_);
+  }
+
+ private:
+  struct Entry {
+    std::uint64_t record = 0;
+    RecordJudgement judgement;
+    bool broken = false;
+  };
+
+  template <class Finish>
+  void write(const Finish& finish) {
+    stop_if_asked();
+    finish();
+    for (std::size_t i = 0; i < count_; ++i) {
+      result_.add(entries_[i].record, entries_[i].judgement, entries_[i].broken, options_);
+    }
+    count_ = 0;
+  }
+
+  const CertifyOptions& options_;
+  Judged result_;
+  std::array<Entry, 64> entries_;
+  std::size_t count_ = 0;
 };
 
 /// next(piece) reads a piece, false at the end; judge(piece) says what is found of it, in any order and on many threads

@@ -203,39 +203,23 @@ class MechanismTable {
   }
 
   Judged judge(const TableBlock& block) const {
-    constexpr std::size_t at_once = 64;
-    struct Entry {
-      RecordJudgement judgement;
-      bool broken = false;
-    };
-    std::array<Entry, at_once> entries;
-    Judged result;
+    JudgedRecords records(options_);
     MechanismBlock judging(judge_, options_.judge);
     MechanismRecord record;
-    for (std::size_t first = 0; first < block.rows && !result.broken; first += at_once) {
-      const std::size_t count = std::min(at_once, block.rows - first);
-      std::size_t done = 0;
-      for (; done < count; ++done) {
-        Entry& entry = entries[done];
-        entry.broken = false;
-        try {
-          read(block, first + done, record);
-          if (record.not_finite) {
-            entry.judgement = invalid_judgement(record.not_finite->reason);
-          } else {
-            judging.add(record, entry.judgement);
-          }
-        } catch (const BrokenRecord& broken) {
-          entry.broken = true;
-          if (!result.take(broken, 0, block.first + first + done + 1, entry.judgement, options_)) break;
-        }
+    const auto finish = [&] { judging.finish(); };
+    const auto judge_row = [&](std::size_t row, RecordJudgement& judgement) {
+      read(block, row, record);
+      if (record.not_finite) {
+        judgement = invalid_judgement(record.not_finite->reason);
+      } else {
+        judging.add(record, judgement);
       }
-      judging.finish();
-      for (std::size_t i = 0; i < done; ++i) {
-        result.add(block.first + first + i + 1, entries[i].judgement, entries[i].broken, options_);
-      }
+    };
+    for (std::size_t row = 0; row < block.rows; ++row) {
+      const auto judge = [&](RecordJudgement& to) { judge_row(row, to); };
+      if (!records.add(block.first + row + 1, 0, judge, finish)) break;
     }
-    return result;
+    return records.result(finish);
   }
 
  private:
