@@ -15,10 +15,8 @@ namespace slipproof::cli {
 
 namespace {
 
-struct ReportArguments {
-  CommonOptions common;
-  VerifyOptions verify;
-  std::string claims, trade, out;
+struct ReportArguments : JudgeArguments {
+  std::string out;
 };
 
 /// Of all papers in a folder: a page each, and one for all.
@@ -27,7 +25,7 @@ int report_papers(const std::vector<std::filesystem::path>& papers, const Report
     throw CLI::ValidationError(options.out == "-" ? "--out" : "--only",
                                "a folder of papers has a page for each, expected one claims.toml");
   }
-  const auto judged = judge_papers(papers, options.verify, options.common, options.trade, options.out);
+  const auto judged = judge_papers(papers, options, options.out);
   if (options.common.json) {
     print(papers_json(judged));
   } else {
@@ -47,7 +45,7 @@ void add_report(CLI::App& app, int& exit_code) {
   command.add_option("--out", options->out,
                      "The file to write, report.html if not given; - for standard output. Of a folder of papers: the "
                      "folder to write, report if not given");
-  auto* samples = add_sampling_options(command, options->verify);
+  auto* samples = add_judging_options(command, *options);
   command.add_option("--only", options->verify.only, "Only the claims whose id begins with this, such as A or E4.7");
   command.add_option("--trade", options->trade, "What slipproof trade --json wrote, for speed against accuracy");
   add_common_options(command, options->common);
@@ -62,10 +60,10 @@ void add_report(CLI::App& app, int& exit_code) {
     }
     const ClaimsFile file = read_claims(path);
     print_warnings(file, options->common);
-    options->verify.certificates = std::make_shared<Certificates>(path.parent_path());
+    options->verify.certificates = options->certificates_of(path);
     std::optional<OutputFile> out;
     if (options->out != "-") out.emplace(options->out, files_of(page_folders(path, options->trade)));
-    PageInput input = report_input(path, file, options->verify, options->common, options->trade);
+    PageInput input = report_input(path, file, *options, *options->verify.certificates);
     const VerifyResult result = run_verify(file, options->verify, options->common);
     input.result = &result;
     const std::string html = page_html(input);

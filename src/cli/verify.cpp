@@ -16,11 +16,9 @@ namespace slipproof::cli {
 
 namespace {
 
-struct VerifyArguments {
-  CommonOptions common;
-  VerifyOptions verify;
+struct VerifyArguments : JudgeArguments {
   MutationOptions mutation;
-  std::string claims, lemmas, report, trade;
+  std::string lemmas, report;
   bool mutants = false;
   bool errata = false, markdown = false, sarif = false, coverage = false;
 
@@ -71,7 +69,7 @@ int verify_papers(const std::vector<std::filesystem::path>& papers, const Verify
   if (const std::string flag = flag_about_one_paper(options); !flag.empty()) {
     throw CLI::ValidationError("CLAIMS", flag + " is about one paper; found a folder, expected its claims.toml");
   }
-  const auto judged = judge_papers(papers, options.verify, options.common, options.trade, options.report);
+  const auto judged = judge_papers(papers, options, options.report);
   print(options.common.json ? papers_json(judged) : papers_text(judged, options.common.quiet));
   return exit_of(summary(judged));
 }
@@ -84,7 +82,7 @@ void add_verify(CLI::App& app, int& exit_code) {
       *app.add_subcommand("verify", "The claims of a paper at sampled rational bicycles, every force at once");
   command.add_option("CLAIMS", options->claims,
                      "Claims file (TOML), or a folder of papers; default: the shipped paper");
-  auto* samples = add_sampling_options(command, options->verify);
+  auto* samples = add_judging_options(command, *options);
   auto* list = command.add_flag("--errata", options->errata, "List what is wrong with the paper");
   auto* markdown = command.add_flag("--markdown", options->markdown, "The errata in Markdown")->needs(list);
   auto* sarif = command.add_flag("--sarif", options->sarif, "The errata as SARIF 2.1.0, for editors and code hosts");
@@ -126,12 +124,12 @@ void add_verify(CLI::App& app, int& exit_code) {
       exit_code = judge_mutants(path, file, *options);
       return;
     }
-    options->verify.certificates = std::make_shared<Certificates>(path.parent_path());
+    options->verify.certificates = options->certificates_of(path);
     std::optional<OutputFile> report;
     PageInput input;
     if (!options->report.empty()) {
       report.emplace(options->report, files_of(page_folders(path, options->trade)));
-      input = report_input(path, file, options->verify, options->common, options->trade);
+      input = report_input(path, file, *options, *options->verify.certificates);
     }
     const VerifyResult result = run_verify(file, options->verify, options->common);
     input.result = &result;

@@ -34,7 +34,8 @@ VerifyResult run_verify(const ClaimsFile& file, VerifyOptions options, const Com
   return result;
 }
 
-CLI::Option* add_sampling_options(CLI::App& command, VerifyOptions& options) {
+CLI::Option* add_judging_options(CLI::App& command, JudgeArguments& arguments) {
+  VerifyOptions& options = arguments.verify;
   auto* samples = command.add_option("--samples", options.samples,
                                      "Bicycles, or points of a mechanism, for each setting of the paper; of a folder "
                                      "of papers: " +
@@ -44,6 +45,8 @@ CLI::Option* add_sampling_options(CLI::App& command, VerifyOptions& options) {
       .add_option("--lines", options.lines,
                   "Lines of bicycles for each claim, 0 for none; default: one for 200 samples")
       ->check(whole_number(0, 1'000'000));
+  command.add_option("--second-checker", arguments.second_checker,
+                     "A program that has to accept each certificate, too, such as slipproof-check-verified");
   return samples;
 }
 
@@ -77,15 +80,18 @@ PageFolders page_folders(const std::filesystem::path& claims, const std::filesys
   return folders;
 }
 
-PageInput report_input(const std::filesystem::path& claims, const ClaimsFile& file, const VerifyOptions& options,
-                       const CommonOptions& common, const std::filesystem::path& trade) {
-  PageInput input = gather(page_folders(claims, trade), file, *options.certificates);
+PageInput report_input(const std::filesystem::path& claims, const ClaimsFile& file, const JudgeArguments& arguments,
+                       Certificates& certificates) {
+  const VerifyOptions& options = arguments.verify;
+  const std::filesystem::path trade = arguments.trade;
+  PageInput input = gather(page_folders(claims, trade), file, certificates);
   input.command = "slipproof report" + (is_shipped(claims) ? "" : " " + claims.filename().string()) + " --samples " +
                   std::to_string(options.samples) +
                   (options.lines ? " --lines " + std::to_string(*options.lines) : "") + " --seed " +
-                  std::to_string(common.seed);
+                  std::to_string(arguments.common.seed);
   if (!options.only.empty()) input.command += " --only " + options.only;
   if (!trade.empty()) input.command += " --trade " + trade.filename().string();
+  if (const auto second = certificates.second_checker()) input.command += " --second-checker " + second->name;
   input.version = SLIPPROOF_VERSION;
   return input;
 }
@@ -107,28 +113,28 @@ std::vector<std::filesystem::path> papers_in(const std::filesystem::path& path) 
   throw InputError({{path.string(), 0, 0, "found no claims.toml in the folder, nor in the folders in it"}});
 }
 
-std::vector<JudgedPaper> judge_papers(const std::vector<std::filesystem::path>& papers, const VerifyOptions& options,
-                                      const CommonOptions& common, const std::filesystem::path& trade,
+std::vector<JudgedPaper> judge_papers(const std::vector<std::filesystem::path>& papers, const JudgeArguments& arguments,
                                       const std::filesystem::path& report) {
   std::vector<JudgedPaper> judged;
   Inputs inputs;
   for (const std::filesystem::path& path : papers) {
     judged.push_back({std::filesystem::absolute(path).parent_path().filename().string(), read_claims(path), {}});
-    print_warnings(judged.back().file, common);
-    for (const std::filesystem::path& file : files_of(page_folders(path, trade))) inputs.add(file);
+    print_warnings(judged.back().file, arguments.common);
+    for (const std::filesystem::path& file : files_of(page_folders(path, arguments.trade))) inputs.add(file);
   }
   std::optional<OutputFolder> pages;
   if (!report.empty()) pages.emplace(report, inputs);
-  std::vector<VerifyOptions> own(papers.size(), options);
+  std::vector<JudgeArguments> own(papers.size(), arguments);
   std::vector<PageInput> pages_of(papers.size());  // read before the work, so that bad input costs no result
   for (std::size_t i = 0; i < papers.size(); ++i) {
-    own[i].certificates = std::make_shared<Certificates>(papers[i].parent_path());
+    own[i].verify.certificates = arguments.certificates_of(papers[i]);
+    if (!is_shipped(papers[i])) own[i].trade.clear();
     if (!pages) continue;
-    pages_of[i] = report_input(papers[i], judged[i].file, own[i], common, is_shipped(papers[i]) ? trade : "");
+    pages_of[i] = report_input(papers[i], judged[i].file, own[i], *own[i].verify.certificates);
     pages_of[i].gallery = "index.html";
   }
   for (std::size_t i = 0; i < papers.size(); ++i) {
-    judged[i].result = run_verify(judged[i].file, own[i], common);
+    judged[i].result = run_verify(judged[i].file, own[i].verify, arguments.common);
     if (!pages) continue;
     pages_of[i].result = &judged[i].result;
     pages->write(page_name(judged[i]), page_html(pages_of[i]));

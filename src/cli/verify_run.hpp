@@ -3,6 +3,9 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "cli/command.hpp"
 #include "html/page.hpp"
@@ -11,6 +14,18 @@
 #include "wording/verify_report.hpp"
 
 namespace slipproof::cli {
+
+/// What both are asked for.
+struct JudgeArguments {
+  CommonOptions common;
+  VerifyOptions verify;
+  std::string claims, trade;
+  std::string second_checker;  ///< a program; empty: none is asked
+
+  std::shared_ptr<Certificates> certificates_of(const std::filesystem::path& file) const {
+    return std::make_shared<Certificates>(file.parent_path(), second_checker);
+  }
+};
 
 /// A bar on a terminal, and nowhere else.
 std::function<void(std::uint64_t, std::uint64_t)> progress_bar();
@@ -26,8 +41,8 @@ PageFolders page_folders(const std::filesystem::path& claims, const std::filesys
 
 /// What the page about a verification is made from, all but the result. It is read before the work, so that bad input
 /// costs no result. Throws InputError.
-PageInput report_input(const std::filesystem::path& claims, const ClaimsFile& file, const VerifyOptions& options,
-                       const CommonOptions& common, const std::filesystem::path& trade);
+PageInput report_input(const std::filesystem::path& claims, const ClaimsFile& file, const JudgeArguments& arguments,
+                       Certificates& certificates);
 
 /// The claims files of a folder: claims.toml in it, and in the folders in it, in the order of their names. Nothing
 /// where the path is no folder. Throws InputError where there are none.
@@ -36,12 +51,11 @@ std::vector<std::filesystem::path> papers_in(const std::filesystem::path& path);
 /// So many samples for each setting, where a folder is judged and no number is asked for.
 inline constexpr std::uint64_t samples_of_many = 2000;
 
-/// --samples, which is returned, and --lines.
-CLI::Option* add_sampling_options(CLI::App& command, VerifyOptions& options);
+/// --samples, which is returned, --lines, and --second-checker.
+CLI::Option* add_judging_options(CLI::App& command, JudgeArguments& arguments);
 
 /// Judges each of them, and writes the page of each and that of all into a folder, if there is one.
-std::vector<JudgedPaper> judge_papers(const std::vector<std::filesystem::path>& papers, const VerifyOptions& options,
-                                      const CommonOptions& common, const std::filesystem::path& trade,
+std::vector<JudgedPaper> judge_papers(const std::vector<std::filesystem::path>& papers, const JudgeArguments& arguments,
                                       const std::filesystem::path& report);
 
 }  // namespace slipproof::cli

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "html/sections.hpp"
+#include "wording/second_checker.hpp"
 
 namespace slipproof {
 
@@ -22,6 +23,7 @@ void add_certificates_section(const Element& main, const PageInput& input) {
           "Statements for all parameters, each with a certificate: case splits and polynomial identities that a small "
           "checker, which shares no code with the prover, has just checked. Anyone can check them again with "
           "slipproof-check.");
+  if (const auto& second = input.result->second_checker) section.add("p").text(in_words(*second) + ".");
   if (input.opinions) add_opinions_table(section, *input.opinions, input.certificates.size());
   const Element list = section.add("div", "certificates");
   for (const PageCertificate& certificate : input.certificates) {

@@ -4,6 +4,7 @@
 #include "html/verdict_bar.hpp"
 #include "number/format.hpp"
 #include "wording/errata.hpp"
+#include "wording/second_checker.hpp"
 
 namespace slipproof {
 
@@ -56,6 +57,7 @@ std::string gallery_html(const std::vector<JudgedPaper>& papers, const std::stri
       "Each formula is held against the equations of motion of its mechanism, in exact arithmetic: proved for all "
       "parameters with a certificate that a program of its own checks, or refuted by numbers that a person can "
       "follow. What the formulas leave open is stated and proved beside them.");
+  if (const auto second = second_checker(papers)) overview.add("p").text(in_words(*second) + ".");
   const VerdictTotals all = total(papers);
   add_verdict_bar(overview.add("div", "bars"),
                   counted(papers.size(), "paper") + ", " + counted(all.claims, "claim") + " as printed", all.printed);

@@ -170,7 +170,10 @@ void add_cards(const Element& section, const PageInput& input, const Errata& err
     const std::size_t accepted = count(input.certificates, CertificateState::accepted);
     const bool all = accepted == input.certificates.size();
     add_card(cards, all ? "good" : "bad", accepted, "certificates accepted",
-             all ? "all, by a checker of its own" : not_accepted(input.certificates), "#certificates");
+             !all                           ? not_accepted(input.certificates)
+             : input.result->second_checker ? "all, by two checkers, one of them proved correct"
+                                            : "all, by a checker of its own",
+             "#certificates");
   }
   if (input.opinions) add_opinions_card(cards, *input.opinions);
 }

@@ -7,6 +7,7 @@
 
 #include "check/files.hpp"
 #include "statements/refutation_text.hpp"
+#include "verify/second_checker.hpp"
 #include "verify/verify.hpp"
 
 namespace slipproof {
@@ -133,7 +134,24 @@ std::vector<CheckedCertificate> Certificates::all() {
   return result;
 }
 
-CheckedCertificate Certificates::checked(const std::string& name) const {
+std::optional<SecondChecker> Certificates::second_checker() {
+  if (second_checker_.empty()) return std::nullopt;
+  const std::scoped_lock lock(mutex_);
+  const auto accepted = [](const auto& known) { return known.second.state == CertificateState::accepted; };
+  return SecondChecker{std::filesystem::path(second_checker_).filename().string(),
+                       static_cast<std::size_t>(std::count_if(checked_.begin(), checked_.end(), accepted))};
+}
+
+void Certificates::ask_second_checker_about(CheckedCertificate& certificate) {
+  if (!second_verdicts_) second_verdicts_ = slipproof::ask_second_checker(second_checker_, folder_);
+  const auto found = second_verdicts_->find((folder_ / (certificate.name + ".cert")).lexically_normal());
+  const std::string verdict = found == second_verdicts_->end() ? "not judged" : found->second;
+  if (verdict == to_string(CertificateState::accepted)) return;
+  certificate.state = CertificateState::rejected;
+  certificate.message = certificate.name + ".cert: " + verdict + " by " + second_checker_;
+}
+
+CheckedCertificate Certificates::checked(const std::string& name) {
   const check::FileResult found = check::check_file(folder_ / (name + ".cert"));
   CheckedCertificate result{name, found.theorem, found.verdict, found.message};
   const std::string prefix = folder_.string() + "/";
@@ -142,6 +160,7 @@ CheckedCertificate Certificates::checked(const std::string& name) const {
   if (result.state == CertificateState::undecided && result.message.starts_with(file)) {
     result.message.erase(0, file.size());
   }
+  if (!second_checker_.empty() && result.state == CertificateState::accepted) ask_second_checker_about(result);
   return result;
 }
 

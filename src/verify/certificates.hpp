@@ -31,11 +31,19 @@ struct CheckedCertificate {
   std::string message;  ///< why it is not accepted; files are relative to the folder
 };
 
+/// A second checker, and how many certificates it and ours accept of those that were asked for.
+struct SecondChecker {
+  std::string name;  ///< of its file
+  std::size_t accepted = 0;
+};
+
 /// The certificates in the folder of a claims file and below. A certificate is checked when it is first asked for, and
 /// never again. May be used by several threads.
 class Certificates {
  public:
-  explicit Certificates(std::filesystem::path folder) : folder_(folder.empty() ? "." : std::move(folder)) {}
+  /// With a `second_checker` (see ask_second_checker()) a certificate that only ours accepts is rejected.
+  explicit Certificates(std::filesystem::path folder, std::string second_checker = "")
+      : folder_(folder.empty() ? "." : std::move(folder)), second_checker_(std::move(second_checker)) {}
 
   /// Of NAME.statement, there or not.
   const CheckedCertificate& check(const std::string& name);
@@ -44,11 +52,16 @@ class Certificates {
   /// The bytes of NAME.statement; nothing if there is no such file.
   std::optional<std::string> statement(const std::string& name) const;
   const std::filesystem::path& folder() const { return folder_; }
+  /// So far; nothing without a second checker.
+  std::optional<SecondChecker> second_checker();
 
  private:
-  CheckedCertificate checked(const std::string& name) const;
+  CheckedCertificate checked(const std::string& name);
+  void ask_second_checker_about(CheckedCertificate& certificate);
 
   std::filesystem::path folder_;
+  std::string second_checker_;
+  std::optional<std::map<std::filesystem::path, std::string>> second_verdicts_;  ///< once it was asked
   std::mutex mutex_;
   std::map<std::string, CheckedCertificate> checked_;
 };

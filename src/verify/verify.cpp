@@ -355,7 +355,9 @@ bool as_expected(const ClaimsFile& file, const ClaimResult& result) {
 
 VerifyResult verify(const ClaimsFile& file, const VerifyOptions& options) {
   VerifyResult result = Run(file, options).result();
-  if (options.certificates) find_certificates(file, result, *options.certificates);
+  if (!options.certificates) return result;
+  find_certificates(file, result, *options.certificates);
+  result.second_checker = options.certificates->second_checker();
   return result;
 }
 

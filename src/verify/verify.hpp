@@ -103,7 +103,8 @@ struct VerifyResult {
   std::uint64_t samples = 0;
   std::uint64_t lines = 0;
   std::uint64_t seed = 0;
-  std::vector<ClaimResult> claims;  ///< in the order of the file, printed before repaired
+  std::vector<ClaimResult> claims;                   ///< in the order of the file, printed before repaired
+  std::optional<SecondChecker> second_checker = {};  ///< that of VerifyOptions::certificates
 
   const ClaimResult* find(const ClaimsFile& file, std::string_view id, Reading reading) const;
 };

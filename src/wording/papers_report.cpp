@@ -11,6 +11,8 @@
 #include "wording/errata.hpp"
 #include "wording/exact_json.hpp"
 #include "wording/explain.hpp"
+#include "wording/second_checker.hpp"
+#include "wording/second_checker_json.hpp"
 
 namespace slipproof {
 
@@ -54,6 +56,7 @@ Json paper_json(const JudgedPaper& paper) {
   entry["vacuous"] = standing.vacuous;
   entry["as_expected"] = summary(paper.file, paper.result) == Summary::as_expected;
   entry["findings"] = std::move(findings);
+  if (paper.result.second_checker) entry["second_checker"] = to_json(*paper.result.second_checker);
   return entry;
 }
 
@@ -97,6 +100,8 @@ std::string papers_text(const std::vector<JudgedPaper>& papers, bool quiet) {
     if (!paper.file.paper.found.empty()) text += wrapped("      ", paper.file.paper.found);
     write_unexpected(out, paper);
   }
+  const auto second = second_checker(papers);
+  if (!quiet && second) text += "\n" + wrapped("  ", in_words(*second) + ".");
   fmt::format_to(out, "{}s {} {} {} proved {} hold {} refuted {} open, {}\n", quiet ? "" : "\n",
                  summary_word(summary(papers)), counted(papers.size(), "paper"), all.proved, all.held, all.refuted,
                  open, counted(findings, "finding"));

@@ -4,6 +4,7 @@
 #include "wording/explain.hpp"
 #include "wording/motion_json.hpp"
 #include "wording/motions_json.hpp"
+#include "wording/second_checker_json.hpp"
 #include "wording/verify_report.hpp"
 
 namespace slipproof {
@@ -64,6 +65,7 @@ std::string verify_json(const ClaimsFile& file, const VerifyResult& result) {
   document["samples"] = result.samples;
   document["lines"] = result.lines;
   document["seed"] = result.seed;
+  if (result.second_checker) document["second_checker"] = to_json(*result.second_checker);
   for (const ClaimResult& r : result.claims) {
     const Claim& claim = file.claims[r.claim];
     Json entry;

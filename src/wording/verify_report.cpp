@@ -10,6 +10,7 @@
 
 #include "number/format.hpp"
 #include "wording/explain.hpp"
+#include "wording/second_checker.hpp"
 
 namespace slipproof {
 
@@ -158,6 +159,7 @@ std::string verify_text(const ClaimsFile& file, const VerifyResult& result, bool
   }
   const Summary s = summary(file, result);
   if (result.claims.empty()) return text + (quiet ? "" : "\n") + "s UNDECIDED no claim was judged\n";
+  if (!quiet && result.second_checker) fmt::format_to(out, "\n  {}\n", in_words(*result.second_checker));
   fmt::format_to(out, "{}s {} holds {} refuted {} undecided {} unexpected {} proved {}{}\n", quiet ? "" : "\n",
                  summary_word(s), count[Verdict::holds], count[Verdict::refuted], count[Verdict::undecided], unexpected,
                  proved, count[Verdict::vacuous] == 0 ? "" : fmt::format(" vacuous {}", count[Verdict::vacuous]));

@@ -65,6 +65,11 @@ expect 1 '*slipproof <verify> <--report> <build/report> <--trade> <build/report/
 call "$project/run" verify --samples 5 'a b'
 expect 1 'cmake --preset ci*cmake --build --preset ci*slipproof <trade> <--quick> <--json>*slipproof <verify> <--report> <build/report/index.html> <--trade> <build/report/trade.json> <--samples> <5> <a b>' 's REFUTED'
 [[ $(cat "$project/build/report/verify.txt") == 's REFUTED' ]]
+# The checker that is proved right is asked where it is built.
+cp "$project/build/slipproof" "$project/build/slipproof-check-verified"
+call "$project/run" verify --samples 5
+expect 1 '*slipproof <verify> *<--second-checker> <build/slipproof-check-verified> <--samples> <5>' 's REFUTED'
+rm "$project/build/slipproof-check-verified"
 # No report is asked for where there are no verdicts, and no second one where one is asked for.
 for mode in --mutants --coverage --help; do
   call "$project/run" verify --samples 5 "$mode"

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "input/diagnostic.hpp"
 #include "prove/undecided.hpp"
 #include "support/run_program.hpp"
 #include "support/shipped.hpp"
@@ -49,8 +50,8 @@ class Folder : public test::TemporaryFolder {
     write("certificates/" + file, text.replace(at, from.size(), to));
   }
   std::filesystem::path certificate(const std::string& file) const { return path() / "certificates" / file; }
-  ClaimResult judge() const {
-    VerifyResult result = sampled("A1.1", std::make_shared<Certificates>(path()));
+  ClaimResult judge(const std::string& second_checker = "") const {
+    VerifyResult result = sampled("A1.1", std::make_shared<Certificates>(path(), second_checker));
     REQUIRE(result.claims.size() == 2);  // A1.1 and A1.1a
     return result.claims.front();
   }
@@ -128,6 +129,45 @@ TEST_CASE("certificates that prove nothing are rejected, whatever is wrong with 
     REQUIRE(result.unproved.size() == 1);
     CHECK(result.unproved.front().state == CertificateState::unreadable);
   }
+}
+
+TEST_CASE("a second checker has to accept what the first one accepts") {
+  const Folder folder;
+  const auto checker = [&](const std::string& commands) {
+    folder.write("second", "#!/bin/sh\n" + commands);
+    std::filesystem::permissions(folder.path() / "second", std::filesystem::perms::owner_all);
+    return (folder.path() / "second").string();
+  };
+  const std::string agrees = R"(for s in "$1"/certificates/*.statement; do echo "accepted ${s%.statement}.cert"; done
+)";
+  const std::string summary = "echo 's ACCEPTED'\n";
+  CHECK(folder.judge(checker(agrees + summary)).proved);
+
+  Certificates asked(folder.path(), checker(agrees + summary));
+  CHECK(asked.all().size() == 3);
+  REQUIRE(asked.second_checker());
+  CHECK(asked.second_checker()->name == "second");
+  CHECK(asked.second_checker()->accepted == 3);
+  CHECK_FALSE(Certificates(folder.path()).second_checker());
+
+  const ClaimResult rejected =
+      folder.judge(checker("{ " + agrees + "} | sed '/always/s/accepted/rejected/'\n" + summary + "exit 5\n"));
+  CHECK_FALSE(rejected.proved);
+  REQUIRE(rejected.rejections.size() == 1);
+  CHECK(rejected.rejections.front().starts_with("certificates/A1.1.always.cert: rejected by "));
+  CHECK(rejected.rejections.front().ends_with("/second"));
+  const ClaimResult silent = folder.judge(checker("{ " + agrees + "} | sed '/always/d'\n" + summary));
+  CHECK_FALSE(silent.proved);
+  REQUIRE(silent.rejections.size() == 1);
+  CHECK(silent.rejections.front().starts_with("certificates/A1.1.always.cert: not judged by "));
+
+  // What is no checker, or did not get to its end, is refused.
+  for (const std::string& commands : {agrees, agrees + summary + "exit 2\n", agrees + summary + "kill -9 $$\n",
+                                      "echo nonsense\n" + summary, "echo accepted A1.1.always\n" + summary}) {
+    CAPTURE(commands);
+    CHECK_THROWS_AS(folder.judge(checker(commands)), InputError);
+  }
+  CHECK_THROWS_AS(folder.judge("/nowhere/second"), InputError);
 }
 
 TEST_CASE("undecided, missing, unreadable, rejected and accepted are five things") {

@@ -1,0 +1,18 @@
+// Another program, run to its end.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace slipproof {
+
+struct ProgramRun {
+  std::string output;  ///< what it wrote to standard output
+  int exit_code = 0;   ///< of a program that a signal ended, the signal's number + 128, as shells tell it
+};
+
+/// Runs arguments[0], which is looked up in PATH where it has no slash, with the others, without a shell; standard
+/// input is empty, standard error is this program's. Throws std::system_error if it cannot be run.
+ProgramRun run_program(const std::vector<std::string>& arguments);
+
+}  // namespace slipproof
