@@ -45,6 +45,8 @@
 #include "prove/prove_files.hpp"
 #include "search/search.hpp"
 #include "statements/claim_statements.hpp"
+#include "uniqueness/ranges.hpp"
+#include "uniqueness/scene_setting.hpp"
 #include "verify/mutation.hpp"
 #include "verify/verify.hpp"
 #include "wording/errata.hpp"

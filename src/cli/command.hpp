@@ -44,6 +44,12 @@ inline void print(std::string_view text) {
   write_standard_output(text);
 }
 
+/// What --quiet leaves of a text.
+inline std::string last_line(const std::string& text) {
+  const std::size_t end = text.find_last_not_of('\n');
+  return text.substr(text.rfind('\n', end) + 1);
+}
+
 /// A file that comes with the program, by its path in the repository: beside the installed program, or in the sources
 /// it was built from.
 std::filesystem::path shipped(const std::filesystem::path& file);
@@ -54,6 +60,7 @@ std::filesystem::path claims_path(const std::string& argument);
 /// Each adds its subcommand; running it sets the exit code.
 void add_solve(CLI::App& app, int& exit_code);
 void add_show(CLI::App& app, int& exit_code);
+void add_critical(CLI::App& app, int& exit_code);
 void add_search(CLI::App& app, int& exit_code);
 void add_trade(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);

@@ -35,6 +35,7 @@ int run(int argc, char** argv) {
   cli::add_solve(app, exit_code);
   cli::add_show(app, exit_code);
   cli::add_search(app, exit_code);
+  cli::add_critical(app, exit_code);
   cli::add_certify(app, exit_code);
   cli::add_trade(app, exit_code);
   cli::add_verify(app, exit_code);

@@ -19,11 +19,6 @@ struct SolveArguments {
   std::string scene;
 };
 
-std::string last_line(const std::string& text) {
-  const std::size_t end = text.find_last_not_of('\n');
-  return text.substr(text.rfind('\n', end) + 1);
-}
-
 /// Scenes of mechanisms, and those of the bicycle in their old form.
 std::string answer(const SolveArguments& arguments) {
   const std::string scene = read_text_file(arguments.scene);

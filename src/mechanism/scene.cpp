@@ -30,4 +30,21 @@ MechanismScene with_load(const MechanismScene& scene, std::string_view parameter
   return changed;
 }
 
+std::string usual_parameter(const MechanismScene& scene) {
+  const auto given = [&](std::string_view symbol) {
+    const auto& all = scene.mechanism.parameters;
+    const auto found = std::find_if(all.begin(), all.end(), [&](const auto& p) { return p.symbol == symbol; });
+    return found != all.end() && scene.values.given[static_cast<std::size_t>(found - all.begin())];
+  };
+  for (const MechanismContact& contact : scene.mechanism.contacts) {
+    if (contact.frictionless()) continue;
+    const Expression& friction = contact.static_friction.expression;
+    if (friction->operation == Operation::symbol && given(friction->symbol)) return friction->symbol;
+  }
+  for (const MechanismParameter& parameter : scene.mechanism.parameters) {
+    if (given(parameter.symbol)) return parameter.symbol;
+  }
+  return scene.mechanism.angles.empty() ? std::string() : scene.mechanism.angles.front().name;
+}
+
 }  // namespace slipproof

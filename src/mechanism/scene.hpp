@@ -32,6 +32,10 @@ MechanismScene parse_mechanism_scene(std::string_view text, const std::string& f
 /// std::invalid_argument where the scene has no value of the load that becomes a parameter.
 MechanismScene with_load(const MechanismScene& scene, std::string_view parameter);
 
+/// The first parameter that is a contact's coefficient of friction; if there is none, the first that is given, or the
+/// first angle.
+std::string usual_parameter(const MechanismScene& scene);
+
 /// A scene file that reads back as the same scene, apart from its notes. `mechanism` and `along` are what it says
 /// there.
 std::string to_toml(const MechanismScene& scene, const std::string& mechanism, const std::string& along = {});

@@ -110,24 +110,6 @@ class MechanismColumns {
   const DomainSampler sampler_;
 };
 
-/// The first parameter that is a contact's coefficient of friction; if there is none, the first that is given.
-std::string usual_parameter(const MechanismScene& scene) {
-  const auto given = [&](std::string_view symbol) {
-    const auto& all = scene.mechanism.parameters;
-    const auto found = std::find_if(all.begin(), all.end(), [&](const auto& p) { return p.symbol == symbol; });
-    return found != all.end() && scene.values.given[static_cast<std::size_t>(found - all.begin())];
-  };
-  for (const MechanismContact& contact : scene.mechanism.contacts) {
-    if (contact.frictionless()) continue;
-    const Expression& friction = contact.static_friction.expression;
-    if (friction->operation == Operation::symbol && given(friction->symbol)) return friction->symbol;
-  }
-  for (const MechanismParameter& parameter : scene.mechanism.parameters) {
-    if (given(parameter.symbol)) return parameter.symbol;
-  }
-  return scene.mechanism.angles.empty() ? std::string() : scene.mechanism.angles.front().name;
-}
-
 AcrossVariable find_across(const MechanismScene& scene, const std::string& x) {
   std::vector<std::string_view> known;
   for (std::size_t i = 0; i < scene.mechanism.parameters.size(); ++i) {

@@ -146,9 +146,11 @@ std::size_t LinePoints::irrational() const {
       std::count_if(roots.begin(), roots.end(), [](const RealRoot& root) { return !root.is_rational(); }));
 }
 
-LinePoints points_on(const Line& line, const CompiledSetting& compiled, const ClaimParts& parts) {
+LinePoints points_on(const Line& line, const CompiledSetting& compiled, const ClaimParts& parts,
+                     const std::set<IntegerPolynomial>& beside) {
   const LinePart part = domain_part(line, compiled);
   CriticalSet found;
+  for (const IntegerPolynomial& p : beside) found.add(p);
   const auto look_from = [&](const Rational& here) {
     for (unsigned branches = 0; branches < 1U << std::min(found.branches(), max_branches); ++branches) {
       View(line, compiled, parts, here, branches, found).collect();

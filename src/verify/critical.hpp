@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "number/real_roots.hpp"
@@ -27,8 +28,9 @@ struct LinePoints {
 /// comparison that counts, the order of the ends of all intervals of forces and which modes are regular are the same
 /// throughout, and so is the judgement. Where a mode is singular all along the line, its continua are not looked into;
 /// comparisons whose difference is of a higher degree in the force have no value anyway, and only their coefficients
-/// count.
-LinePoints points_on(const Line& line, const CompiledSetting& compiled, const ClaimParts& parts);
+/// count. The zeros of `beside` are critical, too.
+LinePoints points_on(const Line& line, const CompiledSetting& compiled, const ClaimParts& parts,
+                     const std::set<IntegerPolynomial>& beside = {});
 
 /// The bicycles toward the upper end of a parameter, the others as in `values`: one for the last cell of the line in
 /// which there are any, and, where it belongs to the domain, the one at the end. In the cell the truth of `conditions`

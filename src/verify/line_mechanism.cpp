@@ -7,9 +7,6 @@ namespace slipproof {
 
 namespace {
 
-/// Over the unknowns, the force variable and 1.
-using PolynomialRow = std::vector<IntegerPolynomial>;
-
 /// Undetermined forces are eliminated from no more conditions than this.
 constexpr std::size_t max_forms = 400;
 
@@ -184,23 +181,29 @@ LineMechanism::LineMechanism(const CompiledSetting& setting, LineEvaluator& pape
   system_ = system_of(setting.mechanism(), compiled, setting.kinds(), at);
 }
 
-bool LineMechanism::add_mode(const MechanismMode& mode, const std::vector<std::size_t>& wanted, CriticalSet& found,
-                             LineEvaluator& paper) const {
-  const auto row_of = [&](const FormRow<LineFunction>& form) { return to_polynomials(form, load_, found).row; };
-  std::vector<PolynomialRow> equations, conditions;
-  for (const auto& equation : system_->equations) equations.push_back(row_of(equation));
+std::vector<PolynomialRow> LineMechanism::equations(const MechanismMode& mode, CriticalSet& found) const {
+  std::vector<PolynomialRow> rows;
+  const auto add = [&](const FormRow<LineFunction>& form) { rows.push_back(to_polynomials(form, load_, found).row); };
+  for (const auto& equation : system_->equations) add(equation);
   for (std::size_t i = 0; i < mode.size(); ++i) {
     const auto& element = system_->elements[i];
-    for (const StateEquation e : slipproof::equations(element.kind, mode[i])) {
-      equations.push_back(row_of(form_of(element, mode[i], e)));
-    }
+    for (const StateEquation e : slipproof::equations(element.kind, mode[i])) add(form_of(element, mode[i], e));
+  }
+  return rows;
+}
+
+bool LineMechanism::add_mode(const MechanismMode& mode, const std::vector<std::size_t>& wanted, CriticalSet& found,
+                             LineEvaluator& paper) const {
+  std::vector<PolynomialRow> conditions;
+  for (std::size_t i = 0; i < mode.size(); ++i) {
+    const auto& element = system_->elements[i];
     for (const StateCondition c : slipproof::conditions(element.kind, mode[i])) {
-      conditions.push_back(row_of(form_of(element, mode[i], c)));
+      conditions.push_back(to_polynomials(form_of(element, mode[i], c), load_, found).row);
     }
   }
   const std::size_t unknowns = setting_.unknowns();
   SolvedRows solved(unknowns, found);
-  solved.solve(std::move(equations));
+  solved.solve(equations(mode, found));
   if (!solved.solvable()) return false;
   for (PolynomialRow& condition : conditions) solved.reduce(condition);
   bool complete = true;

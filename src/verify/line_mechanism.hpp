@@ -18,6 +18,9 @@ namespace slipproof {
 
 using LineEvaluator = Evaluator<LineFunction, LineField>;
 
+/// Over the unknowns, the force variable and 1.
+using PolynomialRow = std::vector<IntegerPolynomial>;
+
 class LineMechanism {
  public:
   /// `paper` has the values of the setting's parameters along the line. What the coefficients divide by is found there.
@@ -30,6 +33,9 @@ class LineMechanism {
   /// eliminating undetermined forces takes too many forms.
   bool add_mode(const MechanismMode& mode, const std::vector<std::size_t>& wanted, CriticalSet& found,
                 LineEvaluator& paper) const;
+
+  /// The equations of a mode, each multiplied by a polynomial that is added to `found`.
+  std::vector<PolynomialRow> equations(const MechanismMode& mode, CriticalSet& found) const;
 
  private:
   const CompiledSetting& setting_;

@@ -1,0 +1,63 @@
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "cli/command.hpp"
+#include "cli/warnings.hpp"
+#include "input/diagnostic.hpp"
+#include "input/text_file.hpp"
+#include "model/scene.hpp"
+#include "uniqueness/scene_setting.hpp"
+#include "wording/uniqueness_report.hpp"
+
+namespace slipproof::cli {
+
+namespace {
+
+struct CriticalArguments {
+  CommonOptions common;
+  std::string scene, x;
+  int digits = 6;
+};
+
+MechanismScene read(const std::string& file) {
+  const std::string text = read_text_file(file);
+  if (is_mechanism_scene(text)) return parse_mechanism_scene(text, file);
+  return mechanism_scene(parse_scene(text, file));
+}
+
+std::string critical_text(const CriticalArguments& arguments) {
+  const MechanismScene scene = read(arguments.scene);
+  print_warnings(scene.mechanism, arguments.common);
+  try {
+    const UniquenessAlong along = uniqueness_along(scene, arguments.x.empty() ? usual_parameter(scene) : arguments.x);
+    return arguments.common.json ? uniqueness_json(scene, along) : uniqueness_text(scene, along, arguments.digits);
+  } catch (const std::invalid_argument& error) {
+    throw InputError({{arguments.scene, 0, 0, error.what()}});
+  } catch (const NoValue& error) {
+    throw InputError({{arguments.scene, 0, 0, error.what()}});
+  }
+}
+
+}  // namespace
+
+void add_critical(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<CriticalArguments>();
+  CLI::App& command = *app.add_subcommand(
+      "critical", "For which coefficients of friction each load has one motion, and which loads have several");
+  command.add_option("SCENE", options->scene, "Scene file (TOML), of a bicycle or of a mechanism")->required();
+  command.add_option("--x", options->x,
+                     "The parameter that is varied; default: f of a bicycle, or a mechanism's first coefficient of "
+                     "friction");
+  command.add_option("--digits", options->digits, "Significant digits of decimals")
+      ->check(whole_number(1, 1000))
+      ->capture_default_str();
+  add_common_options(command, options->common);
+  command.callback([options, &exit_code] {
+    const std::string text = critical_text(*options);
+    print(options->common.quiet && !options->common.json ? last_line(text) : text);
+    exit_code = as_it_should_be;
+  });
+}
+
+}  // namespace slipproof::cli

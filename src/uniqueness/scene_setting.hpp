@@ -1,0 +1,19 @@
+// One parameter of a scene left free, as the setting of a claims file has it: the line of scenes through it.
+#pragma once
+
+#include <string>
+
+#include "claims/claims_file.hpp"
+#include "mechanism/scene.hpp"
+#include "model/bicycle.hpp"
+
+namespace slipproof {
+
+/// The setting whose only parameter is `parameter`, which the scene gives; all else is as in the scene. Throws
+/// std::invalid_argument, with a message for people, for what is no parameter of the scene.
+Setting setting_along(const MechanismScene& scene, const std::string& parameter);
+
+/// A scene of the bicycle as one of its mechanism.
+MechanismScene mechanism_scene(const Scene& scene);
+
+}  // namespace slipproof

@@ -1,0 +1,96 @@
+// Along the coefficient of friction: what is said of a range is so at every number in it, by the table of modes.
+#include "uniqueness/along.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "model/scene.hpp"
+#include "modes/mode_table.hpp"
+#include "modes/motions.hpp"
+#include "support/random_scene.hpp"
+#include "uniqueness/ranges.hpp"
+#include "uniqueness/scene_setting.hpp"
+
+using namespace slipproof;
+
+namespace {
+
+/// The numbers of motions over all forces, from below, neighbours that are alike joined; a continuum counts as -1.
+std::vector<int> counts(const Scene& scene, const Rational& f) {
+  const ModeTable table(scene.bicycle, {f, scene.road.g}, scene.force_kind);
+  std::vector<int> result;
+  for (const Cell& cell : partition(table)) {
+    const int count = cell.continua.empty() ? static_cast<int>(cell.motions.size()) : -1;
+    if (result.empty() || result.back() != count) result.push_back(count);
+  }
+  return result;
+}
+
+std::vector<int> counts(const MotionsAtParameter& motions) {
+  std::vector<int> result;
+  std::optional<ForceInterval> last;
+  for (const LoadsApart& a : motions.apart) {
+    const bool adjacent =
+        last && last->upper() && a.loads.lower() == last->upper() && (last->upper_closed() || a.loads.lower_closed());
+    if (!adjacent && !(result.empty() && !a.loads.lower())) result.push_back(1);
+    result.push_back(a.continuum ? -1 : static_cast<int>(a.motions));
+    last = a.loads;
+  }
+  if (!last || last->upper()) result.push_back(1);
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("ranges of friction say what the table of modes finds at numbers in them") {
+  test::RandomScenes random(233);
+  int ambiguous = 0;
+  for (int i = 0; i < 12; ++i) {
+    Scene scene;
+    scene.bicycle = i % 2 == 0 ? random.bicycle(true) : random.reduced(true);
+    scene.road = random.road();
+    scene.force_kind = i % 3 == 0 ? ForceKind::external : ForceKind::internal;
+    const UniquenessAlong along = uniqueness_along(mechanism_scene(scene), "f");
+    CHECK(along.own == scene.road.f);
+    CHECK(counts(along.at_own) == counts(scene, scene.road.f));
+    const auto all = ranges(along);
+    REQUIRE_FALSE(all.empty());
+    CHECK(all.front().lower->lower == 0);
+    CHECK_FALSE(all.back().upper);
+    for (const ParameterRange& range : all) {
+      if (!range.motions.apart.empty()) ++ambiguous;
+      CAPTURE(range.sample);
+      CHECK(counts(scene, range.sample) == counts(range.motions));
+      if (!range.upper || !range.lower || range.lower->lower == range.upper->upper) continue;
+      for (int k = 1; k < 4; ++k) {
+        const Rational f = range.lower->upper + (range.upper->lower - range.lower->upper) * Rational(k, 4);
+        CHECK(counts(scene, f) == counts(range.motions));
+      }
+    }
+  }
+  CHECK(ambiguous > 5);
+}
+
+TEST_CASE("the ambiguous bicycle of the paper: from f = 21/25 on, a continuum there and then three motions") {
+  const Scene scene = read_scene(SLIPPROOF_SOURCE_DIR "/cases/ambiguous.toml");
+  const UniquenessAlong along = uniqueness_along(mechanism_scene(scene), "f");
+  REQUIRE(along.first_apart());
+  CHECK(along.first_apart()->lower == Rational(21, 25));
+  const auto all = ranges(along);
+  REQUIRE(all.size() == 4);
+  CHECK(all[0].motions.for_every_q->verdict == EveryLoad::Verdict::unique);
+  CHECK(all[0].unseen.empty());
+  CHECK(all[0].upper->lower == Rational(2, 5));
+  CHECK(all[1].motions.apart.empty());
+  CHECK(all[1].motions.for_every_q->verdict == EveryLoad::Verdict::not_unique);
+  REQUIRE(all[2].motions.apart.size() == 1);
+  CHECK(all[2].motions.apart.front().continuum);
+  REQUIRE(all[3].motions.apart.size() == 3);
+  CHECK(all[3].motions.apart[1].motions == 3);
+}
+
+TEST_CASE("what is no parameter of the scene is refused") {
+  const Scene scene = read_scene(SLIPPROOF_SOURCE_DIR "/cases/ambiguous.toml");
+  CHECK_THROWS_WITH_AS(uniqueness_along(mechanism_scene(scene), "ff"), doctest::Contains("ff"), std::invalid_argument);
+}
