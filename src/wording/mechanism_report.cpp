@@ -65,8 +65,7 @@ class SolveText {
     const double modes = mode_count(element_kinds(mechanism_, scene.values.starts, scene.values.given));
     fmt::format_to(out_, "{}: {}, {}\n", scene.name, mechanism_.name,
                    counted(static_cast<std::size_t>(modes), "contact mode"));
-    for (const std::string& note : solved_.scene.notes) fmt::format_to(out_, "note: {}\n", note);
-    write_not_modelled();
+    text_ += notes_text(scene);
     if (solved_.at_load) {
       write_motions(*solved_.at_load);
     } else {
@@ -77,15 +76,6 @@ class SolveText {
   }
 
  private:
-  void write_not_modelled() {
-    for (const MechanismContact& contact : mechanism_.contacts) {
-      for (const std::size_t parameter : missing_for_lift(contact, solved_.scene.values.given)) {
-        fmt::format_to(out_, "note: without {} the contact {} does not open: that is not modelled\n",
-                       mechanism_.parameters[parameter].symbol, contact.name);
-      }
-    }
-  }
-
   void write_value(const std::string& name, const Range& range) {
     if (range.is_point()) {
       fmt::format_to(out_, "    {:<{}} {}\n", name, width_, number_text(*range.lower, digits_));
@@ -178,6 +168,19 @@ class SolveText {
 };
 
 }  // namespace
+
+std::string notes_text(const MechanismScene& scene) {
+  std::string text;
+  Out out(text);
+  for (const std::string& note : scene.notes) fmt::format_to(out, "note: {}\n", note);
+  for (const MechanismContact& contact : scene.mechanism.contacts) {
+    for (const std::size_t parameter : missing_for_lift(contact, scene.values.given)) {
+      fmt::format_to(out, "note: without {} the contact {} does not open: that is not modelled\n",
+                     scene.mechanism.parameters[parameter].symbol, contact.name);
+    }
+  }
+  return text;
+}
 
 std::string what_is_broken(const Mechanism& mechanism, const RejectedMode& mode) {
   std::string text;

@@ -22,6 +22,9 @@ struct SolvedMechanism {
   std::vector<LoadCell> cells;           ///< where the load has no value
 };
 
+/// The notes of a scene, and what of it is not modelled; a line each.
+std::string notes_text(const MechanismScene& scene);
+
 /// What a mode without a motion breaks: `N1 >= 0`, `gap1 >= 0 against N2 >= 0`, or that its equations have no solution.
 std::string what_is_broken(const Mechanism& mechanism, const RejectedMode& mode);
 

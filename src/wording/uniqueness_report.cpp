@@ -10,6 +10,7 @@
 #include "number/format.hpp"
 #include "uniqueness/ranges.hpp"
 #include "wording/exact_json.hpp"
+#include "wording/mechanism_report.hpp"
 #include "wording/number_text.hpp"
 
 namespace slipproof {
@@ -104,7 +105,7 @@ class UniquenessText {
 
   std::string whole() {
     fmt::format_to(out_, "{}: {}\n", scene_.name, scene_.mechanism.name);
-    for (const std::string& note : scene_.notes) fmt::format_to(out_, "note: {}\n", note);
+    text_ += notes_text(scene_);
     fmt::format_to(out_, "\nAs it is, {} = {}\n", along_.parameter, short_text(along_.own, digits_));
     write(along_.at_own);
     fmt::format_to(out_, "\nAlong {}, all else as it is\n", along_.parameter);
