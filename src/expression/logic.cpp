@@ -100,4 +100,26 @@ Expression all_of(const std::vector<Expression>& truths) {
   return result;
 }
 
+namespace {
+
+void collect_conjuncts(const Expression& e, std::vector<Expression>& found) {
+  if (e->operation == Operation::logical_and) {
+    for (const Expression& operand : e->operands) collect_conjuncts(operand, found);
+  } else if (e->operation == Operation::compare) {
+    for (std::size_t i = 0; i < e->relations.size(); ++i) {
+      found.push_back(make_comparison({e->operands[i], e->operands[i + 1]}, {e->relations[i]}));
+    }
+  } else if (!is_true(e)) {
+    found.push_back(e);
+  }
+}
+
+}  // namespace
+
+std::vector<Expression> conjuncts(const std::vector<Expression>& truths) {
+  std::vector<Expression> found;
+  for (const Expression& truth : truths) collect_conjuncts(truth, found);
+  return found;
+}
+
 }  // namespace slipproof

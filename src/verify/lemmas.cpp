@@ -13,26 +13,11 @@ namespace slipproof {
 
 namespace {
 
-/// The comparisons that a conjunction consists of, and what else it consists of.
-void collect_conjuncts(const Expression& e, std::vector<Expression>& found) {
-  if (e->operation == Operation::logical_and) {
-    for (const Expression& operand : e->operands) collect_conjuncts(operand, found);
-  } else if (e->operation == Operation::compare) {
-    for (std::size_t i = 0; i < e->relations.size(); ++i) {
-      found.push_back(make_comparison({e->operands[i], e->operands[i + 1]}, {e->relations[i]}));
-    }
-  } else if (e->operation != Operation::truth || !e->truth) {
-    found.push_back(e);
-  }
-}
-
 /// `shown` without what stands in `given` already.
 Expression not_given(const Expression& shown, const std::vector<Expression>& given) {
-  std::vector<Expression> known, wanted;
-  for (const Expression& e : given) collect_conjuncts(e, known);
-  collect_conjuncts(shown, wanted);
+  const std::vector<Expression> known = conjuncts(given);
   Expression rest = make_truth(true);
-  for (const Expression& e : wanted) {
+  for (const Expression& e : conjuncts({shown})) {
     if (std::none_of(known.begin(), known.end(), [&](const Expression& k) { return same(k, e); })) rest = both(rest, e);
   }
   return rest;
@@ -106,8 +91,7 @@ bool Implications::implies(std::vector<Expression> given, const Expression& show
   if (rest->operation == Operation::truth && rest->truth) return true;
   if (prove(given, rest, lemmas, mode, obeying)) return true;
   // What differs from 0 is above or below: said first, that helps the search with all that comes after it.
-  std::vector<Expression> known;
-  for (const Expression& e : given) collect_conjuncts(e, known);
+  const std::vector<Expression> known = conjuncts(given);
   const auto unequal = std::find_if(known.begin(), known.end(), [](const Expression& e) {
     return e->operation == Operation::compare && e->relations.front() == Relation::not_equal;
   });
@@ -162,7 +146,7 @@ bool Implications::divides_alike(const std::vector<Expression>& given, const Exp
   };
   const auto before = divisors(x), after = divisors(y);
   std::vector<Expression> conditions;
-  if (sort(*y) == Sort::truth) collect_conjuncts(y, conditions);
+  if (sort(*y) == Sort::truth) conditions = conjuncts({y});
   return std::all_of(after.begin(), after.end(), [&](const Expression& divisor) {
     if (is_in(before, divisor)) return true;
     std::vector<Expression> context = given;  // where another condition is false, so is y, whatever it divides by

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "parallel/in_parallel.hpp"
+#include "verify/claim_lines.hpp"
 #include "verify/edges.hpp"
 #include "verify/reach.hpp"
 #include "verify/sampler.hpp"
@@ -36,6 +37,7 @@ using Samples = std::vector<std::unique_ptr<SolvedSample>>;
 /// What a claim comes to at a sample, unchanged.
 struct Baseline {
   Outcome outcome = Outcome::outside;
+  bool speaks = false;  ///< it holds, and is about some force
   std::vector<ForceInterval> reach;
 };
 
@@ -61,6 +63,10 @@ std::optional<Rational> some_force(const std::vector<ForceInterval>& x, const st
   return std::nullopt;
 }
 
+bool is_failure(Outcome outcome) {
+  return outcome == Outcome::refuted || outcome == Outcome::undecided;
+}
+
 /// Claims whose equations have to be solved take longest.
 bool is_costly(const Claim& claim) {
   return claim.is<Consequence>() || claim.is<System>();
@@ -80,6 +86,7 @@ class MutationRun {
     on_threads(options_.threads, [&] { judge_all(result); });
     result.samples = options_.samples;
     result.more_samples = options_.more_samples;
+    result.lines = options_.lines;
     result.seed = options_.seed;
     result.file = std::move(file_);
     return result;
@@ -137,7 +144,7 @@ class MutationRun {
     }
   }
 
-  /// What survived, at many more samples, and with proofs that are given more time.
+  /// What survived, at many more samples, along lines, and with proofs that are given more time.
   void judge_again(std::vector<MutantResult>& all) {
     std::vector<MutantResult*> rest;
     std::vector<std::vector<std::size_t>> claims(file_.settings.size());
@@ -157,7 +164,7 @@ class MutationRun {
       Workshop& shop = workshop();
       Order order = samples_from(m.mutant.setting, options_.samples);
       m.mutant.put(m.mutant.mutant.expression, shop.compiled);
-      if (!caught(shop, m, order)) settle(m, shop.thorough, shop.compiled);
+      if (!caught(shop, m, order) && !caught_on_lines(shop, m)) settle(m, shop.thorough, shop.compiled);
       m.mutant.put(m.mutant.original(file_), shop.compiled);
     });
   }
@@ -182,8 +189,11 @@ class MutationRun {
       if (!sample) return;
       for (const std::size_t c : claims) {
         if (file_.claims[c].setting != s) continue;
-        baselines_[c][i].outcome = judge(file_, compiled_, c, Reading::printed, *sample).outcome;
-        baselines_[c][i].reach = reach(file_, compiled_, c, *sample);
+        Baseline& baseline = baselines_[c][i];
+        baseline.outcome = judge(file_, compiled_, c, Reading::printed, *sample).outcome;
+        baseline.reach = reach(file_, compiled_, c, *sample);
+        baseline.speaks =
+            baseline.outcome == Outcome::holds && !sample->true_at(compiled_.claims[c].printed.forces).parts.empty();
       }
       sample->motions();  // solved once, before threads share it
       samples[i] = std::move(sample);
@@ -234,20 +244,37 @@ class MutationRun {
     return found;
   }
 
+  /// Whether the changed claim fails at a sample; if so, the mutant remembers how.
+  bool fails(const Workshop& shop, MutantResult& m, std::size_t c, SolvedSample& sample) const {
+    const Judgement j = judge(file_, shop.compiled, c, Reading::printed, sample);
+    if (!is_failure(j.outcome)) return false;
+    m.end = j.outcome == Outcome::refuted ? MutantEnd::refuted : MutantEnd::no_value;
+    m.claim = c;
+    m.reason = j.reason;
+    m.sample = sample.values();
+    if (j.witnesses && !j.witnesses->empty()) m.force = j.witnesses->sample();
+    return true;
+  }
+
+  /// Whether the changed claim speaks of other forces at a sample than before; if so, the mutant remembers of which.
+  bool reaches_elsewhere(const Workshop& shop, MutantResult& m, std::size_t c, SolvedSample& sample,
+                         const std::vector<ForceInterval>& before) const {
+    const auto force = some_force(reach(file_, shop.compiled, c, sample), before);
+    if (!force) return false;
+    m.end = MutantEnd::reach;
+    m.claim = c;
+    m.sample = sample.values();
+    m.force = force;
+    return true;
+  }
+
   bool fails(Workshop& shop, MutantResult& m, Order& order) const {
     for (auto i = order.begin(); i != order.end(); ++i) {
       SolvedSample& sample = changed(shop, m.mutant, *i);
       for (const std::size_t c : m.mutant.claims) {
         if (file_.claims[c].setting != m.mutant.setting) continue;
-        const Outcome before = baselines_[c][*i].outcome;
-        if (before == Outcome::refuted || before == Outcome::undecided) continue;
-        const Judgement j = judge(file_, shop.compiled, c, Reading::printed, sample);
-        if (j.outcome != Outcome::refuted && j.outcome != Outcome::undecided) continue;
-        m.end = j.outcome == Outcome::refuted ? MutantEnd::refuted : MutantEnd::no_value;
-        m.claim = c;
-        m.reason = j.reason;
-        m.sample = sample.values();
-        if (j.witnesses && !j.witnesses->empty()) m.force = j.witnesses->sample();
+        if (is_failure(baselines_[c][*i].outcome)) continue;
+        if (!fails(shop, m, c, sample)) continue;
         std::rotate(order.begin(), i, i + 1);
         return true;
       }
@@ -260,16 +287,54 @@ class MutationRun {
       SolvedSample& sample = changed(shop, m.mutant, i);
       for (const std::size_t c : m.mutant.claims) {
         if (file_.claims[c].setting != m.mutant.setting) continue;
-        const auto force = some_force(reach(file_, shop.compiled, c, sample), baselines_[c][i].reach);
-        if (!force) continue;
-        m.end = MutantEnd::reach;
-        m.claim = c;
-        m.sample = sample.values();
-        m.force = force;
-        return true;
+        if (reaches_elsewhere(shop, m, c, sample, baselines_[c][i].reach)) return true;
       }
     }
     return false;
+  }
+
+  /// What only a thin cell shows is on a line that crosses it, through bicycles of which the claim speaks.
+  bool caught_on_lines(Workshop& shop, MutantResult& m) const {
+    return std::any_of(m.mutant.claims.begin(), m.mutant.claims.end(), [&](std::size_t c) {
+      return file_.claims[c].setting == m.mutant.setting && !is_costly(file_.claims[c]) && caught_on_lines(shop, m, c);
+    });
+  }
+
+  bool caught_on_lines(Workshop& shop, MutantResult& m, std::size_t c) const {
+    const auto bases = speaks_at(c);
+    const auto lines = claim_lines(file_, shop.compiled, c, Reading::printed);
+    if (bases.empty() || !lines) return false;
+    // Lines through a surface leave it at once.
+    const std::vector<bool> along = on_surface(file_, shop.compiled, c, Reading::printed, lines->matters);
+    const bool some = std::find(along.begin(), along.end(), true) != along.end();
+    bool found = false;
+    for (std::uint64_t k = 0; k < options_.lines && !found; ++k) {
+      const Line line = line_number(k, options_.seed + c, bases, some && k % 4 < 2 ? along : lines->matters);
+      visit_line(line, compiled_.settings[m.mutant.setting], lines->parts, [&](SolvedSample& sample) {
+        found = caught(shop, m, c, sample);
+        return !found;
+      });
+    }
+    return found;
+  }
+
+  /// At a sample of the claims as they were.
+  bool caught(Workshop& shop, MutantResult& m, std::size_t c, SolvedSample& sample) const {
+    if (is_failure(judge(file_, compiled_, c, Reading::printed, sample).outcome)) return false;
+    const auto changed = sample.under(shop.compiled.settings[m.mutant.setting]);
+    return fails(shop, m, c, *changed) || reaches_elsewhere(shop, m, c, *changed, reach(file_, compiled_, c, sample));
+  }
+
+  /// The first bicycles among the samples at which a claim speaks of some force; if there are none, at which it holds.
+  std::vector<std::vector<Rational>> speaks_at(std::size_t c) const {
+    constexpr std::size_t enough = 64;
+    std::vector<std::vector<Rational>> speaks, holds;
+    const Samples& samples = samples_[file_.claims[c].setting];
+    for (std::size_t i = 0; i < samples.size() && speaks.size() < enough; ++i) {
+      const Baseline& here = baselines_[c][i];
+      if (here.outcome == Outcome::holds) (here.speaks ? speaks : holds).push_back(samples[i]->values());
+    }
+    return speaks.empty() ? holds : speaks;
   }
 
   static void settle(MutantResult& m, Settler& settler, const CompiledClaims& changed) {

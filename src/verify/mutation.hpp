@@ -42,6 +42,7 @@ struct MutantResult {
 struct MutationOptions {
   std::uint64_t samples = 400;        ///< of each setting, for every mutant
   std::uint64_t more_samples = 4000;  ///< for what survives those, and has no argument
+  std::uint64_t lines = 64;           ///< of each claim that it is about, for the same
   std::uint64_t seed = 1;
   unsigned threads = 0;     ///< 0: all cores
   std::uint64_t every = 1;  ///< judge one mutant in so many
@@ -50,10 +51,11 @@ struct MutationOptions {
 
 struct MutationResult {
   ClaimsFile file;  ///< in the reading that was mutated
-  std::uint64_t samples = 0, more_samples = 0, seed = 0;
-  std::vector<MutantResult> mutants;     ///< in the order of the file
-  std::vector<std::size_t> vacuous;      ///< claims about motions that are true whatever the motion
-  std::vector<std::size_t> not_mutated;  ///< claims that are refuted as they stand: nothing can be noticed about them
+  std::uint64_t samples = 0, more_samples = 0, lines = 0, seed = 0;
+  std::vector<MutantResult> mutants;  ///< in the order of the file
+  std::vector<std::size_t> vacuous;   ///< claims about motions that are true whatever the motion
+  /// Claims that are refuted or undecided as they stand, or hold at no sample: nothing can be noticed about them.
+  std::vector<std::size_t> not_mutated;
 
   std::uint64_t count(MutantEnd end) const;
 };

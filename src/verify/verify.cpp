@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "parallel/in_parallel.hpp"
+#include "verify/claim_lines.hpp"
 #include "verify/counterexample.hpp"
-#include "verify/critical.hpp"
 #include "verify/identity.hpp"
 #include "verify/simplify.hpp"
 #include "verify/vacuous.hpp"
@@ -102,8 +102,7 @@ struct Task {
 /// A claim whose lines are to be judged, and what that needs.
 struct LineTask {
   std::size_t task;
-  ClaimParts parts;
-  std::vector<bool> matters;                 ///< by parameter
+  ClaimLines lines;
   std::vector<std::vector<Rational>> bases;  ///< bicycles that the lines go through
 };
 
@@ -192,13 +191,9 @@ class Run {
     std::vector<std::vector<Rational>> anywhere;
     for (std::size_t t = 0; t < tasks_.size(); ++t) {
       if (file_.claims[tasks_[t].claim].setting != setting || !wants_lines(t)) continue;
-      LineTask task{t, parts_of(file_, compiled_, tasks_[t].claim, tasks_[t].reading), {}, {}};
-      if (task.parts.too_many_modes) continue;
-      std::vector<const Program*> programs = task.parts.conditions;
-      programs.insert(programs.end(), task.parts.of_motions.begin(), task.parts.of_motions.end());
-      task.matters =
-          parameters_of(compiled, programs, task.parts.modes.empty() ? Beside::nothing : Beside::the_bicycle);
-      if (std::find(task.matters.begin(), task.matters.end(), true) == task.matters.end()) continue;
+      auto lines = claim_lines(file_, compiled_, tasks_[t].claim, tasks_[t].reading);
+      if (!lines) continue;
+      LineTask task{t, std::move(*lines), {}};
       const FirstSamples& first = tallies_[t].speaks_at.numbers().empty() ? tallies_[t].held_at : tallies_[t].speaks_at;
       for (const std::uint64_t i : first.numbers()) task.bases.push_back(sampler.at(i));
       if (task.bases.empty()) {
@@ -234,7 +229,7 @@ class Run {
   /// region begins and ends.
   std::uint64_t lines_for(const LineTask& task) const {
     if (!tallies_[task.task].held_at.numbers().empty()) return lines_;
-    const auto matter = std::count(task.matters.begin(), task.matters.end(), true);
+    const auto matter = std::count(task.lines.matters.begin(), task.lines.matters.end(), true);
     return std::max(lines_, 9 * static_cast<std::uint64_t>(matter));
   }
 
@@ -242,19 +237,13 @@ class Run {
     const Task& task = tasks_[line_task.task];
     const std::size_t setting = setting_of(task);
     const CompiledSetting& compiled = compiled_.settings[setting];
-    const Line line = line_number(number, options_.seed + line_task.task, line_task.bases, line_task.matters);
-    const LinePoints points = points_on(line, compiled, line_task.parts);
+    const Line line = line_number(number, options_.seed + line_task.task, line_task.bases, line_task.lines.matters);
     Tally tally;
     tally.lines = 1;
-    tally.cells = points.cells();
-    for (const Rational& t : points.values) {
-      std::vector<Rational> values = line.at(t);
-      if (!in_domain(compiled, values)) continue;
-      const auto sample = solved(setting, std::move(values));
-      if (!sample) continue;
-      if (!line_task.parts.modes.empty()) sample->only_modes(line_task.parts.modes);
-      tally.add(judge(file_, compiled_, task.claim, task.reading, *sample).outcome, compiled, sample->values());
-    }
+    tally.cells = visit_line(line, compiled, line_task.lines.parts, [&](SolvedSample& sample) {
+      tally.add(judge(file_, compiled_, task.claim, task.reading, sample).outcome, compiled, sample.values());
+      return true;
+    });
     return tally;
   }
 

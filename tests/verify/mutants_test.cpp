@@ -131,6 +131,39 @@ TEST_CASE("how mutants end") {
   CHECK(ends("mode = \"stick/stick\"\nregion = \"b > 0\"\nholds = \"a > 0\"").at("b >= 0") == MutantEnd::equivalent);
 }
 
+TEST_CASE("what no sample meets, a line does") {
+  const ClaimsFile file = parse_claims(with_claim("holds = \"b != 1234567/1000 or f > 0\""), "t.toml");
+  const auto end_with = [&](std::uint64_t lines) {
+    MutationOptions options;
+    options.more_samples = 0;
+    options.lines = lines;
+    for (const MutantResult& m : judge_mutants(file, options).mutants) {
+      if (to_string(m.mutant.mutant.expression) == "b != 1234567 / 1000 or f < 0") return m;
+    }
+    return MutantResult{};
+  };
+  CHECK(end_with(0).end == MutantEnd::survivor);
+  const MutantResult found = end_with(64);
+  REQUIRE(found.end == MutantEnd::refuted);
+  CHECK(found.sample.front() == Rational(1234567, 1000));
+}
+
+TEST_CASE("what one of several motions has to obey is no condition") {
+  ClaimsFile brake = read_claims(SLIPPROOF_SOURCE_DIR "/proofs/short-shoe-brake/claims.toml");
+  std::erase_if(brake.claims, [](const Claim& claim) { return claim.id != "U9"; });
+  REQUIRE(brake.claims.size() == 1);
+  MutationOptions options;
+  options.samples = 200;
+  options.more_samples = 0;
+  options.lines = 0;
+  const MutationResult judged = judge_mutants(brake, options);
+  const auto dropped = std::find_if(judged.mutants.begin(), judged.mutants.end(), [](const MutantResult& m) {
+    return m.mutant.mutant.description == "F = 0 dropped";
+  });
+  REQUIRE(dropped != judged.mutants.end());
+  CHECK(dropped->end == MutantEnd::equivalent);  // a shoe that rubs at mu c = b bears no force
+}
+
 TEST_CASE("a limit's mutant is settled by leading coefficients") {
   const auto mutants = ends("parameter = \"f\"\nholds = \"b < f\"", "limit");
   CHECK(mutants.at("b <= f") == MutantEnd::theorem);
