@@ -97,20 +97,24 @@ struct Settler::State {
     }
     const Claim& c = file.claims[claim];
     const Modes modes = slipproof::modes(before.says);
-    if (modes.size() != 1 || !(c.is<Formula>() || c.is<Exists>())) return std::nullopt;
-    lemmas.clear();
-    const auto within = [&](const Expression& e, const Expression& other) {
-      if (in().implies({e}, other, lemmas)) return true;
-      // What the mode's motions obey in this region anyhow.
-      const bool original = same(other, x);
-      if (original && same(before.region, after.region) && in().implies({before.region}, forces, lemmas, modes[0])) {
-        return true;
-      }
-      return in().implies({e}, other, lemmas, modes[0]);
-    };
-    if (!within(x, y) || !within(y, x) || !in().divides_alike({}, x, y, lemmas)) return std::nullopt;
-    return made(Kind::equivalent, claim, "before and after are true of the same motions in " + name(modes[0]),
-                std::move(lemmas));
+    if (modes.empty() || !(c.is<Exists>() || (c.is<Formula>() && modes.size() == 1))) return std::nullopt;
+    // Of several modes all have a motion there: what the motions of one obey is so.
+    for (const MechanismMode& mode : modes) {
+      lemmas.clear();
+      const auto within = [&](const Expression& e, const Expression& other) {
+        if (in().implies({e}, other, lemmas)) return true;
+        // What the mode's motions obey in this region anyhow.
+        const bool original = same(other, x);
+        if (original && same(before.region, after.region) && in().implies({before.region}, forces, lemmas, mode)) {
+          return true;
+        }
+        return in().implies({e}, other, lemmas, mode);
+      };
+      if (!within(x, y) || !within(y, x) || !in().divides_alike({}, x, y, lemmas)) continue;
+      return made(Kind::equivalent, claim, "before and after are true of the same motions in " + name(mode),
+                  std::move(lemmas));
+    }
+    return std::nullopt;
   }
 
   bool is_vacuous(const ClaimBody& body, Lemmas& lemmas) const {
