@@ -154,9 +154,11 @@ class FormulaEnumeration {
         break;
       case Operation::logical_and:
         swap_operation(Operation::logical_or);
+        drop_operands(node);
         break;
       default:
         swap_operation(Operation::logical_and);
+        drop_operands(node);
         break;
     }
   }
@@ -184,6 +186,13 @@ class FormulaEnumeration {
       std::vector<Relation> relations = node.relations;
       relations[link] = other;
       becomes(make_comparison(node.operands, std::move(relations), node.column));
+    }
+  }
+
+  // One of the conditions may say nothing beside the others.
+  void drop_operands(const Node& node) {
+    for (const std::size_t kept : {1U, 0U}) {
+      add(node.operands[kept], to_string(node.operands[1 - kept]) + " dropped");
     }
   }
 

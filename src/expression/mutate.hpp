@@ -18,7 +18,7 @@ struct Mutant {
 /// All trees that differ from `expression` in one place, none twice and none the same as it:
 /// a coefficient changed (also an unwritten 1), a sign flipped, an operator swapped, operands of - and / exchanged, an
 /// exponent changed, a symbol swapped with each of `symbols`, a comparison made strict or not strict or turned round,
-/// a link of a chain dropped, `and` and `or` swapped, `not` dropped.
+/// a link of a chain dropped, `and` and `or` swapped, an operand of them dropped, `not` dropped.
 std::vector<Mutant> mutants(const Expression& expression, const std::vector<std::string>& symbols);
 
 }  // namespace slipproof
