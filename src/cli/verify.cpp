@@ -121,6 +121,8 @@ void add_verify(CLI::App& app, int& exit_code) {
       return;
     }
     if (options->mutants) {
+      if (!samples->empty()) options->mutation.more_samples = options->verify.samples;
+      if (options->verify.lines) options->mutation.lines = *options->verify.lines;
       exit_code = judge_mutants(path, file, *options);
       return;
     }

@@ -39,11 +39,11 @@ CLI::Option* add_judging_options(CLI::App& command, JudgeArguments& arguments) {
   auto* samples = command.add_option("--samples", options.samples,
                                      "Bicycles, or points of a mechanism, for each setting of the paper; of a folder "
                                      "of papers: " +
-                                         std::to_string(samples_of_many));
+                                         std::to_string(samples_of_many) + "; of mutants: for those that survive 400");
   samples->check(whole_number(1, 1'000'000'000))->capture_default_str();
   command
       .add_option("--lines", options.lines,
-                  "Lines of bicycles for each claim, 0 for none; default: one for 200 samples")
+                  "Lines of bicycles for each claim, 0 for none; default: one for 200 samples, and 64 for a mutant")
       ->check(whole_number(0, 1'000'000));
   command.add_option("--second-checker", arguments.second_checker,
                      "A program that has to accept each certificate, too, such as slipproof-check-verified");

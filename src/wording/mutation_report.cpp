@@ -90,10 +90,12 @@ std::string mutation_text(const MutationResult& result, bool quiet) {
   const Numbers numbers = numbered(result);
   std::string text;
   Out out(text);
-  fmt::format_to(out, "{}\n{} bicycles for each setting, {} more for what survives them, seed {}\n",
-                 result.file.paper.title, result.samples, result.more_samples, result.seed);
+  fmt::format_to(out,
+                 "{}\n{} bicycles for each setting, {} more and {} lines a claim for what survives them, seed {}\n",
+                 result.file.paper.title, result.samples, result.more_samples, result.lines, result.seed);
   if (!result.not_mutated.empty()) {
-    fmt::format_to(out, "left out, as they are refuted or undecided unchanged:{}\n", ids(result, result.not_mutated));
+    fmt::format_to(out, "left out, as they are refuted or undecided unchanged, or hold at none of these bicycles:{}\n",
+                   ids(result, result.not_mutated));
   }
   if (!result.vacuous.empty()) {
     fmt::format_to(out, "true whatever the motion, so that they say nothing of it:{}\n", ids(result, result.vacuous));
@@ -118,6 +120,7 @@ std::string mutation_json(const MutationResult& result) {
   document["paper"] = result.file.paper.title;
   document["samples"] = result.samples;
   document["more_samples"] = result.more_samples;
+  document["lines"] = result.lines;
   document["seed"] = result.seed;
   for (const MutantEnd end : all_mutant_ends) counts[std::string(name(end))] = result.count(end);
   document["counts"] = std::move(counts);
