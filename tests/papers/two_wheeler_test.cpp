@@ -120,6 +120,7 @@ bool several(const std::vector<Cell>& cells) {
   return false;
 }
 
+/// SLIPPROOF_TWO_WHEELERS: how many bicycles and coefficients of friction for each kind of force.
 int wanted() {
   const char* count = std::getenv("SLIPPROOF_TWO_WHEELERS");
   return count == nullptr ? 600 : static_cast<int>(std::strtod(count, nullptr));
@@ -185,8 +186,8 @@ TEST_CASE("a force of the rider makes several motions where the two-wheeler's th
 
 TEST_CASE("a force from outside makes several motions where the two-wheeler's theorem says so") {
   const Theorems theorems("external force");
-  const std::vector<std::string_view> says{"X1.some",    "X2.some",      "X3.some.1", "X3.some.2",
-                                           "X3.touch.1", "X3.continuum", "X4.some"};
+  const std::vector<std::string_view> says{"X1.some",    "X2.some",   "X3.some.1",    "X3.some.2",
+                                           "X3.touch.1", "X3.wall.1", "X3.continuum", "X4.some"};
   RandomScenes random(2);
   int ambiguous = 0, unique = 0;
   for (int i = 0; i < wanted() / 4; ++i) {
