@@ -7,8 +7,8 @@
 #include "cli/command.hpp"
 #include "cli/verify_run.hpp"
 #include "cli/warnings.hpp"
-#include "html/sha256.hpp"
 #include "output/output_file.hpp"
+#include "system/sha256.hpp"
 #include "wording/exact_json.hpp"
 
 namespace slipproof::cli {

@@ -7,10 +7,10 @@
 #include "check/files.hpp"
 #include "html/assets.hpp"
 #include "html/sections.hpp"
-#include "html/sha256.hpp"
 #include "html/trade_data.hpp"
 #include "input/text_file.hpp"
 #include "picture/palette.hpp"
+#include "system/sha256.hpp"
 
 namespace slipproof {
 

@@ -1,4 +1,4 @@
-#include "html/sha256.hpp"
+#include "system/sha256.hpp"
 
 #include <sha2.h>
 
