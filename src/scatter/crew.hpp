@@ -1,0 +1,75 @@
+// Many ranks at one work: rank 0 hands out requests as the others are free, computes too, and has the results in order.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scatter/journal.hpp"
+#include "scatter/pool.hpp"
+#include "scatter/transport.hpp"
+
+namespace slipproof {
+
+struct CrewOptions {
+  unsigned threads = 0;                   ///< of this rank; 0: all its cores
+  Journal* journal = nullptr;             ///< of rank 0: what is in it is not asked again
+  std::function<bool()> stop_asked = {};  ///< of rank 0, looked at every few milliseconds: a signal came
+  std::chrono::seconds flush_after{60};   ///< the journal is flushed that often
+};
+
+/// The work was asked to stop: some requests have no result yet.
+class Unfinished : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Ranks that answer requests with the same service. On rank 0 each() may be called as often as is wanted; on the
+/// others serve() returns when the crew of rank 0 is gone. Used from one thread.
+class Crew {
+ public:
+  Crew(Transport& transport, CrewOptions options, Service service);
+  /// Of rank 0: dismisses the others.
+  ~Crew();
+  Crew(const Crew&) = delete;
+  Crew& operator=(const Crew&) = delete;
+
+  bool leads() const { return transport_.rank() == 0; }
+
+  /// Of the other ranks: answers until they are dismissed.
+  void serve();
+
+  /// Of rank 0: take(i, result) for each request(i), i = 0, 1, ... count - 1, in this order, whoever answers when.
+  /// Memory holds a bounded number of results. Throws InputError and std::runtime_error as the service did, for the
+  /// first request in the order that has no result; Unfinished, with the missing requests named, where a stop is asked
+  /// for; what take() throws. After a throw each() is not called again.
+  void each(std::uint64_t count, const std::function<std::string(std::uint64_t)>& request,
+            const std::function<void(std::uint64_t, std::string)>& take);
+
+ private:
+  class Stage;
+  void hand_out(Stage& stage);
+  void collect(Stage& stage);
+  void heard(Stage& stage, const Message& message);
+  void answered(Stage& stage, Reply answer);
+  void look_after(const Stage& stage);
+
+  Transport& transport_;
+  CrewOptions options_;
+  Service service_;
+  std::vector<std::size_t> free_;  ///< by rank: requests it can have at once, and has not
+  std::chrono::steady_clock::time_point flushed_ = std::chrono::steady_clock::now();
+  Pool pool_;
+};
+
+/// "3-17, 20": numbers in order, from 1, for who reads; at most ten ranges, then how many more.
+std::string ranges_text(const std::vector<std::uint64_t>& numbers);
+
+}  // namespace slipproof
