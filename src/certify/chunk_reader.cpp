@@ -1,7 +1,6 @@
 #include "certify/chunk_reader.hpp"
 
 #include "certify/certify.hpp"
-#include "input/diagnostic.hpp"
 
 namespace slipproof {
 
@@ -10,6 +9,11 @@ namespace {
 constexpr std::size_t chunk_size = 1U << 18U;
 
 }  // namespace
+
+InputError too_long_line(const std::string& file, std::uint64_t line) {
+  return InputError({{file, static_cast<std::size_t>(line), 0,
+                      "found a line of more than " + std::to_string(max_record_line) + " bytes, expected a record"}});
+}
 
 char ChunkReader::first() {
   constexpr std::string_view blanks = "\xEF\xBB\xBF \t\r\n";  // the mark of UTF-8, too
@@ -58,13 +62,11 @@ bool ChunkReader::next(Chunk& chunk) {
 bool ChunkReader::fill(std::string& text) {
   if (at_end_) return false;
   const std::size_t size = text.size(), newline = text.rfind('\n');
-  if (size - (newline == std::string::npos ? 0 : newline) > max_record_line) {
-    throw InputError({{file_, static_cast<std::size_t>(line_), 0,
-                       "found a line of more than " + std::to_string(max_record_line) + " bytes, expected a record"}});
-  }
+  if (size - (newline == std::string::npos ? 0 : newline) > max_record_line) throw too_long_line(file_, line_);
   text.resize(size + chunk_size);
   const std::size_t count = source_(text.data() + size, chunk_size);
   text.resize(size + count);
+  filled_ += count;
   at_end_ = count == 0;
   return !at_end_;
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "input/byte_source.hpp"
+#include "input/diagnostic.hpp"
 
 namespace slipproof {
 
@@ -32,6 +33,9 @@ void each_line(std::string_view text, const See& see) {
   }
 }
 
+/// What is said of a line beyond max_record_line.
+InputError too_long_line(const std::string& file, std::uint64_t line);
+
 /// A piece ends where no more of the source is there yet: whoever waits for an answer before the next line gets it.
 /// Throws InputError for a line beyond max_record_line and for what cannot be read.
 class ChunkReader {
@@ -44,6 +48,10 @@ class ChunkReader {
   /// The first line that is not blank, without its end; empty at the end of the input.
   std::string header();
 
+  /// Where what is not given yet begins: bytes from the beginning, and the number of the line.
+  std::uint64_t offset() const { return filled_ - rest_.size(); }
+  std::uint64_t line() const { return line_; }
+
   /// False at the end of the input. A chunk that is used again keeps its memory.
   bool next(Chunk& chunk);
 
@@ -52,7 +60,7 @@ class ChunkReader {
 
   ByteSource source_;
   std::string file_, rest_;  ///< read, and not yet given
-  std::uint64_t line_ = 1, record_ = 1;
+  std::uint64_t line_ = 1, record_ = 1, filled_ = 0;
   bool at_end_ = false;
 };
 

@@ -96,19 +96,24 @@ class JudgedRecords {
   std::size_t count_ = 0;
 };
 
+/// The next of what was found, in order: its lines go out, its counts into the summary. Throws InputError for what is
+/// broken in it.
+inline void write_judged(const Judged& judged, CertifySummary& summary, const CertifyOptions& options,
+                         const LineSink& output, const Progress& progress) {
+  if (!judged.lines.empty()) output(judged.lines);
+  for (const auto& [record, judgement] : judged.judgements) options.judged(record, judgement);
+  summary.add(judged.summary);
+  if (judged.broken) throw InputError({*judged.broken});
+  if (progress) progress(summary.records);
+}
+
 /// next(piece) reads a piece, false at the end; judge(piece) says what is found of it, in any order and on many threads
 /// at once; what is found is written in the order of the pieces.
 template <class Piece, class Next, class Judge>
 CertifySummary judge_in_order(const CertifyOptions& options, const LineSink& output, const Progress& progress,
                               const Next& next, const Judge& judge) {
   CertifySummary summary;
-  const auto write = [&](const Judged& judged) {
-    if (!judged.lines.empty()) output(judged.lines);
-    for (const auto& [record, judgement] : judged.judgements) options.judged(record, judgement);
-    summary.add(judged.summary);
-    if (judged.broken) throw InputError({*judged.broken});
-    if (progress) progress(summary.records);
-  };
+  const auto write = [&](const Judged& judged) { write_judged(judged, summary, options, output, progress); };
   if (options.threads == 1) {
     Piece piece;
     while (next(piece)) write(judge(piece));

@@ -6,13 +6,13 @@
 #include <pugixml.hpp>
 #include <set>
 
-#include "html/sha256.hpp"
 #include "html/trade_data.hpp"
 #include "input/diagnostic.hpp"
 #include "prove/undecided.hpp"
 #include "support/run_program.hpp"
 #include "support/shipped.hpp"
 #include "support/small_claims.hpp"
+#include "system/sha256.hpp"
 #include "wording/explain.hpp"
 #include "wording/trade_report.hpp"
 

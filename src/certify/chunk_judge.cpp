@@ -1,0 +1,137 @@
+#include "certify/chunk_judge.hpp"
+
+#include <optional>
+
+#include "certify/contact_record.hpp"
+#include "certify/exact_judge.hpp"
+#include "certify/mechanism_judge.hpp"
+#include "certify/mechanism_reader.hpp"
+#include "certify/problem_reader.hpp"
+#include "certify/record_reader.hpp"
+#include "formats/json_problem.hpp"
+#include "formats/npy_header.hpp"
+
+namespace slipproof {
+
+namespace {
+
+RecordJudgement judge_line(std::string_view line, std::uint64_t at, const RecordReader& reader,
+                           const CertifyOptions& options) {
+  const auto not_finite = [at](const NotFinite& found) {
+    return invalid_judgement(place_text(at, found.column) + found.reason);
+  };
+  if (options.format == RecordFormat::json_lines && is_json_problem(line)) return judge_contact_line(line, options);
+  if (options.format != RecordFormat::json_lines || !is_problem(line)) {
+    const Record record = reader.read(line);
+    return record.not_finite ? not_finite(*record.not_finite) : judge(record, options.judge);
+  }
+  const ProblemRecord record = read_problem(line, options.decimal_exact, options.ignore_unknown);
+  return record.not_finite ? not_finite(*record.not_finite)
+                           : judge_problem(record.problem, record.answer, options.judge);
+}
+
+/// Judges the lines of a chunk, whatever they are records of.
+class LineJudge {
+ public:
+  virtual ~LineJudge() = default;
+  /// Throws BrokenRecord. A judgement may come later, but before finish() returns.
+  virtual void judge(std::string_view line, std::uint64_t at, RecordJudgement& judgement) = 0;
+  virtual void finish() {}
+};
+
+/// Of bicycles and contact problems.
+class SceneLines final : public LineJudge {
+ public:
+  SceneLines(const RecordReader& reader, const CertifyOptions& options) : reader_(reader), options_(options) {}
+  void judge(std::string_view line, std::uint64_t at, RecordJudgement& judgement) override {
+    judgement = judge_line(line, at, reader_, options_);
+  }
+
+ private:
+  const RecordReader& reader_;
+  const CertifyOptions& options_;
+};
+
+class MechanismLines final : public LineJudge {
+ public:
+  MechanismLines(const MechanismReader& reader, const MechanismJudge& judge, const CertifyOptions& options)
+      : reader_(reader), block_(judge, options.judge) {}
+  void judge(std::string_view line, std::uint64_t at, RecordJudgement& judgement) override {
+    reader_.read(line, record_);
+    if (record_.not_finite) {
+      judgement = invalid_judgement(place_text(at, record_.not_finite->column) + record_.not_finite->reason);
+    } else {
+      block_.add(record_, judgement);
+    }
+  }
+  void finish() override { block_.finish(); }
+
+ private:
+  const MechanismReader& reader_;
+  MechanismBlock block_;
+  MechanismRecord record_;
+};
+
+/// The format, where the options leave it to the first byte.
+CertifyOptions with_format(CertifyOptions options, ChunkReader& chunks) {
+  if (options.format != RecordFormat::by_first_byte) return options;
+  if (chunks.first() == npy_signature[0]) {
+    throw InputError({{options.file, 0, 0,
+                       "found a NumPy array in a stream, expected CSV or JSON Lines; arrays are read from files, by "
+                       "their names"}});
+  }
+  options.format = chunks.first() == '{' ? RecordFormat::json_lines : RecordFormat::csv;
+  return options;
+}
+
+}  // namespace
+
+/// What is made once for all chunks.
+class ChunkJudge::Judges {
+ public:
+  Judges(const CertifyOptions& options, std::string_view header) : options_(options) {
+    if (!options.mechanism) {
+      records_.emplace(options, header);
+      return;
+    }
+    mechanism_records_.emplace(options, header);
+    mechanism_judge_.emplace(*options.mechanism, mechanism_records_->fields());
+  }
+
+  std::unique_ptr<LineJudge> make() const {
+    if (records_) return std::make_unique<SceneLines>(*records_, options_);
+    return std::make_unique<MechanismLines>(*mechanism_records_, *mechanism_judge_, options_);
+  }
+
+ private:
+  const CertifyOptions& options_;
+  std::optional<RecordReader> records_;
+  std::optional<MechanismReader> mechanism_records_;
+  std::optional<MechanismJudge> mechanism_judge_;
+};
+
+ChunkJudge::ChunkJudge(const CertifyOptions& options, ChunkReader& chunks)
+    : options_(with_format(options, chunks)),
+      judges_(std::make_unique<Judges>(options_, options_.format == RecordFormat::csv ? chunks.header() : "")) {}
+
+ChunkJudge::~ChunkJudge() = default;
+
+Judged ChunkJudge::judge(const Chunk& chunk) const {
+  const auto judge = judges_->make();
+  const auto finish = [&] { judge->finish(); };
+  JudgedRecords records(options_);
+  std::uint64_t line_number = chunk.first_line, record = chunk.first_record;
+  bool ended = false;
+  each_line(chunk.text, [&](std::string_view line) {
+    const std::uint64_t at = line_number++;
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    if (blank(line)) return;
+    const std::uint64_t number = record++;
+    if (number < options_.first_record || ended) return;
+    ended = !records.add(
+        number, at, [&](RecordJudgement& to) { judge->judge(line, at, to); }, finish);
+  });
+  return records.result(finish);
+}
+
+}  // namespace slipproof

@@ -1,0 +1,41 @@
+// Certifying one file by many ranks: each reads its own ranges of it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "certify/certify.hpp"
+#include "scatter/crew.hpp"
+
+namespace slipproof {
+
+/// A file of lines in pieces of a fixed number of bytes: a line is of the piece that it begins in. The same on each
+/// rank, which must see the same file.
+class RecordPieces {
+ public:
+  static constexpr std::uint64_t usual_size = 1U << 20U;
+
+  /// Reads the header of options.file, CSV or JSON Lines. options.judged is passed over. Throws InputError.
+  explicit RecordPieces(const CertifyOptions& options, std::uint64_t piece_size = usual_size);
+  ~RecordPieces();
+
+  std::uint64_t pieces() const;
+  /// What the results depend on beside the options: the file's name, size and time of change.
+  std::string input() const;
+
+  /// The service of a crew: counts the lines of a piece, or judges them. From many threads at once. Throws InputError.
+  std::string answer(std::string_view request) const;
+
+  /// What certify() does, by a crew whose service is answer(): all lines are counted before the first is judged, so
+  /// that each is called by its number. Throws as certify() and Crew::each() do.
+  CertifySummary certify(Crew& crew, const LineSink& output, const Progress& progress = {}) const;
+
+ private:
+  class File;
+  class Places;
+  std::unique_ptr<const File> file_;
+};
+
+}  // namespace slipproof
