@@ -9,9 +9,11 @@
 #include <optional>
 
 #include "certify/contact_file.hpp"
+#include "certify/pieces.hpp"
 #include "certify/table_records.hpp"
 #include "cli/certify_problem.hpp"
 #include "cli/command.hpp"
+#include "cli/crew_run.hpp"
 #include "formats/read_files.hpp"
 #include "input/text_file.hpp"
 #include "mechanism/scene.hpp"
@@ -19,6 +21,7 @@
 #include "model/scene.hpp"
 #include "number/format.hpp"
 #include "output/output_file.hpp"
+#include "system/sha256.hpp"
 
 namespace slipproof::cli {
 
@@ -30,6 +33,7 @@ struct CertifyArguments {
   CertifyProblemArguments problem;
   std::string file, scene, mechanism, decimal = "nearest", broken = "report", format, summary;
   TableOptions table;
+  CrewArguments crew;
   std::optional<double> tolerance;
   std::optional<Work> effort;
 };
@@ -110,10 +114,47 @@ CertifySummary certify_records(const CertifyArguments& options, bool table, cons
   return certify(open_bytes(options.file), sink, options.certify, progress);
 }
 
+/// Everything that a line of the output may depend on.
+std::string work_of(const CertifyArguments& options, const RecordPieces& pieces) {
+  const auto digest = [](const std::string& file) {
+    std::error_code error;
+    return std::filesystem::is_regular_file(file, error) ? sha256(read_text_file(file)) : file;
+  };
+  const CertifyOptions& c = options.certify;
+  return fmt::format(
+      "certify {}\nscene {} mechanism {}\nformat {} decimal {} broken {} unknown {} from {}\n"
+      "tolerance {} {} effort {} {}\n",
+      pieces.input(), options.scene.empty() ? "" : digest(options.scene),
+      c.mechanism ? digest(c.mechanism->mechanism.file) : "", static_cast<int>(c.format), options.decimal,
+      options.broken, c.ignore_unknown, c.first_record, c.judge.tolerance, c.contact.tolerance, c.judge.effort,
+      c.contact.effort);
+}
+
+/// By a crew; nothing on the ranks that only answer.
+std::optional<CertifySummary> certify_shared(const CertifyArguments& options, const LineSink& sink,
+                                             const Progress& progress) {
+  const RecordPieces pieces(options.certify);
+  CrewRun run(options.crew, options.common.threads, work_of(options, pieces), Inputs{options.file, options.scene},
+              [&](std::string_view request) { return pieces.answer(request); });
+  if (options.crew.leads()) return pieces.certify(run.crew(), sink, progress);
+  run.crew().serve();
+  return std::nullopt;
+}
+
+/// A crew shares out the lines of a file, and nothing else yet.
+void refuse_crew(const CertifyArguments& options, const char* found) {
+  if (!options.crew.wanted()) return;
+  throw CLI::ValidationError(
+      "FILE", std::string("found ") + found + ", expected a file of CSV or JSON Lines for --checkpoint or many ranks");
+}
+
 int run_certify(CertifyArguments& options) {
   const bool table =
       options.file != "-" && !options.problem.any() && options.format.empty() && is_table_file(options.file);
+  if (options.file == "-") refuse_crew(options, "standard input");
+  if (table) refuse_crew(options, "a table");
   if (!table && is_one_problem(options)) {
+    refuse_crew(options, "one contact problem");
     options.problem.file = options.file;
     options.problem.tolerance = options.tolerance;
     options.problem.effort = options.effort;
@@ -135,7 +176,10 @@ int run_certify(CertifyArguments& options) {
   const LineSink sink = [&](std::string_view lines) {
     if (!quiet) print(lines);
   };
-  const CertifySummary summary = certify_records(options, table, sink, progress);
+  const std::optional<CertifySummary> found =
+      options.crew.wanted() ? certify_shared(options, sink, progress) : certify_records(options, table, sink, progress);
+  if (!found) return as_it_should_be;
+  const CertifySummary& summary = *found;
   if (progress) std::cerr << "\r\033[K";
   if (summary_file) summary_file->write(R"({"schema":"slipproof/certify/1",)" + to_json(summary).substr(1) + '\n');
   if (!options.common.json) {
@@ -149,8 +193,9 @@ int run_certify(CertifyArguments& options) {
 
 }  // namespace
 
-void add_certify(CLI::App& app, int& exit_code) {
+void add_certify(CLI::App& app, int& exit_code, Transport& transport) {
   auto options = std::make_shared<CertifyArguments>();
+  options->crew.transport = &transport;
   CLI::App& command = *app.add_subcommand(
       "certify",
       "Certify outputs of floating-point solvers, of scenes or of contact problems:\na line of JSON for each");
@@ -195,6 +240,7 @@ void add_certify(CLI::App& app, int& exit_code) {
   command.add_flag("--ignore-unknown", options->certify.ignore_unknown, "Pass over columns that are no field");
   command.add_option("--summary", options->summary, "Write the counts to this file, as JSON");
   add_problem_options(command, options->problem);
+  add_crew_options(command, options->crew);
   add_common_options(command, options->common);
   command.callback([options, &exit_code, &command] {
     options->problem.refine = command.count("--refine") > 0;

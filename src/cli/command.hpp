@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "output/standard_output.hpp"
+#include "scatter/transport.hpp"
 
 namespace slipproof::cli {
 
@@ -65,7 +66,7 @@ void add_search(CLI::App& app, int& exit_code);
 void add_trade(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
 void add_prove(CLI::App& app, int& exit_code);
-void add_certify(CLI::App& app, int& exit_code);
+void add_certify(CLI::App& app, int& exit_code, Transport& transport);
 void add_verify(CLI::App& app, int& exit_code);
 void add_report(CLI::App& app, int& exit_code);
 void add_map(CLI::App& app, int& exit_code);

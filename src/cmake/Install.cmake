@@ -8,7 +8,7 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/slipproof)
 install(TARGETS slipproof EXPORT slipproof)
 # Installed headers include each other as <slipproof/...>, so that they need no folder of their own on the search path.
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/src/*.hpp)
-list(FILTER headers EXCLUDE REGEX "^(cli|c|python)/")
+list(FILTER headers EXCLUDE REGEX "^(cli|c|python|mpi)/")
 file(CONFIGURE OUTPUT InstallHeaders.cmake @ONLY CONTENT [=[
 foreach(header IN ITEMS @headers@)
   file(READ "@PROJECT_SOURCE_DIR@/src/${header}" text)

@@ -1,0 +1,97 @@
+#include "cli/program.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <exception>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/command.hpp"
+#include "input/diagnostic.hpp"
+#include "output/output_error.hpp"
+#include "scatter/crew.hpp"
+
+namespace slipproof::cli {
+
+namespace {
+
+/// No file that is opened later takes the place of a standard stream that whoever started the program has closed: a
+/// result would be written into it. What stands there instead can be opened, and neither read nor written.
+void keep_standard_streams_apart() {
+  while (true) {
+    const int unusable = open("/", O_PATH);
+    if (unusable > 2) {
+      close(unusable);
+      return;
+    }
+    if (unusable < 0) return;
+  }
+}
+
+/// Of many ranks, each would do the whole of these.
+void refuse_alone(CLI::App& app, const std::vector<std::string>& shared) {
+  for (CLI::App* command : app.get_subcommands({})) {
+    if (std::ranges::find(shared, command->get_name()) != shared.end()) continue;
+    command->preparse_callback([command](std::size_t) {
+      throw CLI::ValidationError(command->get_name(), "found more than one rank, expected one: this is not shared out");
+    });
+  }
+}
+
+int run(int argc, char** argv, Transport& transport) {
+  CLI::App app("Exact, provable answers about dry friction", "slipproof");
+  app.set_version_flag("--version", "slipproof " SLIPPROOF_VERSION);
+  app.require_subcommand(1);
+  int exit_code = as_it_should_be;
+  add_solve(app, exit_code);
+  add_show(app, exit_code);
+  add_search(app, exit_code);
+  add_critical(app, exit_code);
+  add_certify(app, exit_code, transport);
+  add_trade(app, exit_code);
+  add_verify(app, exit_code);
+  add_prove(app, exit_code);
+  add_check(app, exit_code);
+  add_report(app, exit_code);
+  add_map(app, exit_code);
+  add_draw(app, exit_code);
+  add_documentation(app, exit_code);
+  if (transport.ranks() > 1) refuse_alone(app, {"certify"});
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    std::ostringstream out;
+    exit_code = app.exit(error, out) == 0 ? as_it_should_be : usage;
+    print(out.str());
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv, Transport& transport) {
+  keep_standard_streams_apart();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit is an error like any other
+  try {
+    return run(argc, argv, transport);
+  } catch (const InputError& error) {
+    std::cerr << error.what() << '\n';
+    return bad_input;
+  } catch (const Unfinished& error) {
+    std::cerr << error.what() << '\n';
+    return not_written;
+  } catch (const OutputError& error) {
+    std::cerr << error.what() << '\n';
+    return not_written;
+  } catch (const std::exception& error) {
+    std::cerr << "slipproof: " << error.what() << '\n';
+    return refuted_or_not_certified;
+  }
+}
+
+}  // namespace slipproof::cli
