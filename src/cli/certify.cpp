@@ -21,7 +21,6 @@
 #include "model/scene.hpp"
 #include "number/format.hpp"
 #include "output/output_file.hpp"
-#include "system/sha256.hpp"
 
 namespace slipproof::cli {
 
@@ -115,17 +114,13 @@ CertifySummary certify_records(const CertifyArguments& options, bool table, cons
 }
 
 /// Everything that a line of the output may depend on.
-std::string work_of(const CertifyArguments& options, const RecordPieces& pieces) {
-  const auto digest = [](const std::string& file) {
-    std::error_code error;
-    return std::filesystem::is_regular_file(file, error) ? sha256(read_text_file(file)) : file;
-  };
+std::string certified_work(const CertifyArguments& options, const RecordPieces& pieces) {
   const CertifyOptions& c = options.certify;
   return fmt::format(
       "certify {}\nscene {} mechanism {}\nformat {} decimal {} broken {} unknown {} from {}\n"
       "tolerance {} {} effort {} {}\n",
-      pieces.input(), options.scene.empty() ? "" : digest(options.scene),
-      c.mechanism ? digest(c.mechanism->mechanism.file) : "", static_cast<int>(c.format), options.decimal,
+      pieces.input(), options.scene.empty() ? "" : digest_of(options.scene),
+      c.mechanism ? digest_of(c.mechanism->mechanism.file) : "", static_cast<int>(c.format), options.decimal,
       options.broken, c.ignore_unknown, c.first_record, c.judge.tolerance, c.contact.tolerance, c.judge.effort,
       c.contact.effort);
 }
@@ -134,11 +129,11 @@ std::string work_of(const CertifyArguments& options, const RecordPieces& pieces)
 std::optional<CertifySummary> certify_shared(const CertifyArguments& options, const LineSink& sink,
                                              const Progress& progress) {
   const RecordPieces pieces(options.certify);
-  CrewRun run(options.crew, options.common.threads, work_of(options, pieces), Inputs{options.file, options.scene},
-              [&](std::string_view request) { return pieces.answer(request); });
-  if (options.crew.leads()) return pieces.certify(run.crew(), sink, progress);
-  run.crew().serve();
-  return std::nullopt;
+  CrewRun run(
+      options.crew, options.common.threads, [&] { return certified_work(options, pieces); },
+      Inputs{options.file, options.scene}, [&](std::string_view request) { return pieces.answer(request); });
+  if (run.served()) return std::nullopt;
+  return pieces.certify(*run.crew(), sink, progress);
 }
 
 /// A crew shares out the lines of a file, and nothing else yet.

@@ -3,6 +3,9 @@
 #include <csignal>
 #include <utility>
 
+#include "input/text_file.hpp"
+#include "system/sha256.hpp"
+
 namespace slipproof::cli {
 
 namespace {
@@ -11,17 +14,23 @@ volatile std::sig_atomic_t asked_to_stop = 0;
 
 }  // namespace
 
+std::string digest_of(const std::filesystem::path& file) {
+  std::error_code error;
+  return std::filesystem::is_regular_file(file, error) ? sha256(read_text_file(file)) : file.string();
+}
+
 void add_crew_options(CLI::App& command, CrewArguments& arguments) {
   command.add_option("--checkpoint", arguments.checkpoint,
                      "Keep results in this file as they come: whatever ends the run, the same command\n"
                      "goes on from there, by any number of threads and ranks");
 }
 
-CrewRun::CrewRun(const CrewArguments& arguments, unsigned threads, const std::string& work, const Inputs& inputs,
-                 Service service) {
+CrewRun::CrewRun(const CrewArguments& arguments, unsigned threads, const std::function<std::string()>& work,
+                 const Inputs& inputs, Service service) {
+  if (!arguments.wanted()) return;
   if (arguments.leads() && !arguments.checkpoint.empty()) {
     inputs.refuse(arguments.checkpoint);
-    journal_.emplace(arguments.checkpoint, "slipproof " SLIPPROOF_VERSION "\n" + work);
+    journal_.emplace(arguments.checkpoint, "slipproof " SLIPPROOF_VERSION "\n" + work());
   }
   std::signal(SIGTERM, [](int) { asked_to_stop = 1; });
   crew_.emplace(*arguments.transport,
@@ -29,6 +38,12 @@ CrewRun::CrewRun(const CrewArguments& arguments, unsigned threads, const std::st
                             .journal = journal_ ? &*journal_ : nullptr,
                             .stop_asked = [] { return asked_to_stop != 0; }},
                 std::move(service));
+}
+
+bool CrewRun::served() {
+  if (!crew_ || crew_->leads()) return false;
+  crew_->serve();
+  return true;
 }
 
 }  // namespace slipproof::cli

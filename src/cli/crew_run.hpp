@@ -1,6 +1,7 @@
 // Commands whose work is shared by many ranks, or goes on from a checkpoint.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,11 +17,14 @@ struct CrewArguments {
   Transport* transport = nullptr;
   std::string checkpoint;
 
-  bool many() const { return transport->ranks() > 1; }
-  bool leads() const { return transport->rank() == 0; }
+  bool many() const { return transport != nullptr && transport->ranks() > 1; }
+  bool leads() const { return !many() || transport->rank() == 0; }
   /// Otherwise the work needs no crew.
   bool wanted() const { return many() || !checkpoint.empty(); }
 };
+
+/// The content of a file in few letters; of what is no file its name.
+std::string digest_of(const std::filesystem::path& file);
 
 void add_crew_options(CLI::App& command, CrewArguments& arguments);
 
@@ -29,10 +33,13 @@ class CrewRun {
  public:
   /// `work` says what the results depend on, as for Journal; `inputs` are not written over by the checkpoint. Throws as
   /// Journal does.
-  CrewRun(const CrewArguments& arguments, unsigned threads, const std::string& work, const Inputs& inputs,
-          Service service);
+  CrewRun(const CrewArguments& arguments, unsigned threads, const std::function<std::string()>& work,
+          const Inputs& inputs, Service service);
 
-  Crew& crew() { return *crew_; }
+  /// Of the ranks that only answer: they do, until rank 0 has all results. The others go on with false.
+  bool served();
+  /// Null where none is wanted.
+  Crew* crew() { return crew_ ? &*crew_ : nullptr; }
 
  private:
   std::optional<Journal> journal_;

@@ -50,18 +50,18 @@ int run(int argc, char** argv, Transport& transport) {
   int exit_code = as_it_should_be;
   add_solve(app, exit_code);
   add_show(app, exit_code);
-  add_search(app, exit_code);
+  add_search(app, exit_code, transport);
   add_critical(app, exit_code);
   add_certify(app, exit_code, transport);
   add_trade(app, exit_code);
-  add_verify(app, exit_code);
-  add_prove(app, exit_code);
+  add_verify(app, exit_code, transport);
+  add_prove(app, exit_code, transport);
   add_check(app, exit_code);
   add_report(app, exit_code);
   add_map(app, exit_code);
   add_draw(app, exit_code);
   add_documentation(app, exit_code);
-  if (transport.ranks() > 1) refuse_alone(app, {"certify"});
+  if (transport.ranks() > 1) refuse_alone(app, {"certify", "prove", "search", "verify"});
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <functional>
 #include <map>
 #include <memory>
@@ -5,6 +7,7 @@
 #include <vector>
 
 #include "cli/command.hpp"
+#include "cli/crew_run.hpp"
 #include "cli/prove_run.hpp"
 #include "export/coq.hpp"
 #include "export/smtlib.hpp"
@@ -20,6 +23,7 @@ namespace {
 struct ProveArguments {
   CommonOptions common;
   ProveOptions prove;
+  CrewArguments crew;
   std::vector<std::string> inputs;
   std::string out, smtlib, coq;
 };
@@ -149,7 +153,15 @@ std::vector<std::filesystem::path> files_of(const std::vector<StatementFile>& st
   return files;
 }
 
-Exit run_prove(const ProveArguments& options) {
+Exit run_prove(ProveArguments& options) {
+  const auto work = [&] {
+    return fmt::format("prove effort {} again {}\n", options.prove.limits.steps, options.prove.again);
+  };
+  CrewRun crew(options.crew, options.common.threads, work,
+               Inputs(std::vector<std::filesystem::path>(options.inputs.begin(), options.inputs.end())),
+               [&](std::string_view request) { return answer_statement(request, options.prove); });
+  if (crew.served()) return as_it_should_be;
+  options.prove.crew = crew.crew();
   const std::filesystem::path first = options.inputs.empty() ? "" : options.inputs.front();
   std::error_code error;
   const bool own =
@@ -179,8 +191,9 @@ Exit run_prove(const ProveArguments& options) {
 
 }  // namespace
 
-void add_prove(CLI::App& app, int& exit_code) {
+void add_prove(CLI::App& app, int& exit_code, Transport& transport) {
   auto options = std::make_shared<ProveArguments>();
+  options->crew.transport = &transport;
   CLI::App& command = *app.add_subcommand(
       "prove", "The claims of a paper, or statements of one's own, for all parameters;\nwrites a certificate for each");
   command.add_option("INPUT", options->inputs,
@@ -199,6 +212,7 @@ void add_prove(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}))
       ->capture_default_str();
   command.add_flag("--again", options->prove.again, "Search also for what has a certificate that is accepted");
+  add_crew_options(command, options->crew);
   add_common_options(command, options->common);
   command.callback([options, &exit_code] { exit_code = run_prove(*options); });
 }

@@ -64,7 +64,7 @@ void add_report(CLI::App& app, int& exit_code) {
     std::optional<OutputFile> out;
     if (options->out != "-") out.emplace(options->out, files_of(page_folders(path, options->trade)));
     PageInput input = report_input(path, file, *options, *options->verify.certificates);
-    const VerifyResult result = run_verify(file, options->verify, options->common);
+    const VerifyResult result = VerifyRun({{path, &file, options->verify}}, *options).result(0);
     input.result = &result;
     const std::string html = page_html(input);
     exit_code = exit_of(summary(file, result));

@@ -1,10 +1,13 @@
 #include "search/search.hpp"
 
+#include <fmt/format.h>
+
 #include <memory>
 #include <string>
 #include <utility>
 
 #include "cli/command.hpp"
+#include "cli/crew_run.hpp"
 #include "cli/verify_run.hpp"
 #include "cli/warnings.hpp"
 #include "mechanism/narrow.hpp"
@@ -18,9 +21,18 @@ namespace {
 struct SearchArguments {
   CommonOptions common;
   SearchOptions search;
+  CrewArguments crew;
   std::string mechanism, within, wanted;
   bool narrows = false;
 };
+
+/// Everything that a result may depend on.
+std::string searched_work(const SearchArguments& arguments, const Mechanism& mechanism) {
+  const SearchOptions& options = arguments.search;
+  return fmt::format("search {} within {} for {} hysteresis {} samples {} seed {}\n", digest_of(mechanism.file),
+                     arguments.within, arguments.wanted, options.hysteresis,
+                     options.samples.value_or(default_samples(mechanism)), options.seed);
+}
 
 Exit run_search(SearchArguments& arguments) {
   SearchOptions& options = arguments.search;
@@ -33,7 +45,12 @@ Exit run_search(SearchArguments& arguments) {
   Mechanism mechanism = open_mechanism(arguments.mechanism);
   print_warnings(mechanism, arguments.common);
   if (arguments.narrows) mechanism = narrowed(mechanism, arguments.within, "--within");
-  const SearchReport report{mechanism, options, arguments.within, search_motions(mechanism, options)};
+  MotionSearch search(mechanism, options);
+  CrewRun run(
+      arguments.crew, options.threads, [&] { return searched_work(arguments, mechanism); }, Inputs{mechanism.file},
+      [&](std::string_view request) { return search.answer(request); });
+  if (run.served()) return as_it_should_be;
+  const SearchReport report{mechanism, options, arguments.within, search.result(run.crew())};
   print(arguments.common.json ? search_json(report) : search_text(report, arguments.common.quiet));
   switch (verdict(report)) {
     case SearchVerdict::unique:
@@ -50,8 +67,9 @@ Exit run_search(SearchArguments& arguments) {
 
 }  // namespace
 
-void add_search(CLI::App& app, int& exit_code) {
+void add_search(CLI::App& app, int& exit_code, Transport& transport) {
   auto options = std::make_shared<SearchArguments>();
+  options->crew.transport = &transport;
   CLI::App& command =
       *app.add_subcommand("search", "Is it ever undecided what a mechanism does? No motion, several, a continuum");
   command.add_option("MECHANISM", options->mechanism, "Mechanism file (TOML), or the name of a shipped one")
@@ -65,6 +83,7 @@ void add_search(CLI::App& app, int& exit_code) {
       .add_option("--samples", options->search.samples,
                   "Points of the domain, each for every load; default: 30 to 2000, fewer where there are more modes")
       ->check(whole_number(1, 1'000'000'000));
+  add_crew_options(command, options->crew);
   add_common_options(command, options->common);
   command.callback([options, within, &exit_code] {
     options->narrows = within->count() > 0;

@@ -44,6 +44,13 @@ void refuse_report_without_verdicts(const VerifyArguments& options) {
                                              " out, or write the report in a call of its own");
 }
 
+/// A crew judges papers, and nothing else.
+void refuse_crew_without_verdicts(const VerifyArguments& options) {
+  if (!options.crew.wanted() || (!options.mutants && !options.coverage)) return;
+  throw CLI::ValidationError(options.mutants ? "--mutants" : "--coverage",
+                             "found --checkpoint or many ranks, expected one: this is not shared out");
+}
+
 int judge_mutants(const std::filesystem::path& claims, const ClaimsFile& file, VerifyArguments& options) {
   options.mutation.seed = options.common.seed;
   options.mutation.threads = options.common.threads;
@@ -70,14 +77,16 @@ int verify_papers(const std::vector<std::filesystem::path>& papers, const Verify
     throw CLI::ValidationError("CLAIMS", flag + " is about one paper; found a folder, expected its claims.toml");
   }
   const auto judged = judge_papers(papers, options, options.report);
+  if (!options.crew.leads()) return as_it_should_be;
   print(options.common.json ? papers_json(judged) : papers_text(judged, options.common.quiet));
   return exit_of(summary(judged));
 }
 
 }  // namespace
 
-void add_verify(CLI::App& app, int& exit_code) {
+void add_verify(CLI::App& app, int& exit_code, Transport& transport) {
   auto options = std::make_shared<VerifyArguments>();
+  options->crew.transport = &transport;
   CLI::App& command =
       *app.add_subcommand("verify", "The claims of a paper at sampled rational bicycles, every force at once");
   command.add_option("CLAIMS", options->claims,
@@ -104,10 +113,12 @@ void add_verify(CLI::App& app, int& exit_code) {
       command.add_option("--report", options->report,
                          "Also write the HTML report of the verdicts to this file; of a folder: to this folder");
   command.add_option("--trade", options->trade, "For the report: what slipproof trade --json wrote")->needs(report);
+  add_crew_options(command, options->crew);
   add_common_options(command, options->common);
   command.callback([options, samples, &exit_code] {
     refuse_report_without_verdicts(*options);
     const std::filesystem::path path = claims_path(options->claims);
+    refuse_crew_without_verdicts(*options);
     if (const auto papers = papers_in(path); !papers.empty()) {
       if (samples->empty()) options->verify.samples = samples_of_many;
       exit_code = verify_papers(papers, *options);
@@ -127,13 +138,15 @@ void add_verify(CLI::App& app, int& exit_code) {
       return;
     }
     options->verify.certificates = options->certificates_of(path);
+    VerifyRun run({{path, &file, options->verify}}, *options);
+    if (run.served()) return;
     std::optional<OutputFile> report;
     PageInput input;
     if (!options->report.empty()) {
       report.emplace(options->report, files_of(page_folders(path, options->trade)));
       input = report_input(path, file, *options, *options->verify.certificates);
     }
-    const VerifyResult result = run_verify(file, options->verify, options->common);
+    const VerifyResult result = run.result(0);
     input.result = &result;
     if (report) report->write(page_html(input));
     if (options->lists_findings()) {

@@ -1,5 +1,6 @@
 #include "cli/verify_run.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -23,11 +24,44 @@ std::function<void(std::uint64_t, std::uint64_t)> progress_bar() {
   };
 }
 
-VerifyResult run_verify(const ClaimsFile& file, VerifyOptions options, const CommonOptions& common) {
-  options.seed = common.seed;
-  options.threads = common.threads;
-  if (!common.quiet) options.progress = progress_bar();
-  const VerifyResult result = verify(file, options);
+namespace {
+
+std::string verified_work(const std::vector<VerifyRun::Paper>& papers) {
+  std::string text = "verify\n";
+  for (const auto& [path, file, options] : papers) {
+    text += fmt::format("{} samples {} lines {} seed {} only {}\n", digest_of(path), options.samples,
+                        options.line_count(), options.seed, options.only);
+    for (const Setting& setting : file->settings) text += "mechanism " + digest_of(setting.mechanism->file) + '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+VerifyRun::VerifyRun(std::vector<Paper> papers, const JudgeArguments& arguments)
+    : papers_(std::move(papers)), works_(papers_.size()) {
+  Inputs inputs;
+  for (Paper& paper : papers_) {
+    paper.options.seed = arguments.common.seed;
+    paper.options.threads = arguments.common.threads;
+    if (!arguments.common.quiet) paper.options.progress = progress_bar();
+    inputs.add(paper.path);
+  }
+  crew_.emplace(
+      arguments.crew, arguments.common.threads, [&] { return verified_work(papers_); }, inputs,
+      [this](std::string_view request) { return verification(Verification::paper_of(request)).answer(request); });
+}
+
+Verification& VerifyRun::verification(std::size_t paper) {
+  Work& work = works_.at(paper);
+  std::call_once(work.made, [&] {
+    work.verification = std::make_unique<Verification>(*papers_[paper].file, papers_[paper].options, paper);
+  });
+  return *work.verification;
+}
+
+VerifyResult VerifyRun::result(std::size_t paper) {
+  VerifyResult result = verification(paper).result(crew_->crew());
   for (const ClaimResult& claim : result.claims) {
     for (const std::string& objection : claim.rejections) std::cerr << "certificate rejected: " << objection << '\n';
   }
@@ -123,7 +157,7 @@ std::vector<JudgedPaper> judge_papers(const std::vector<std::filesystem::path>& 
     for (const std::filesystem::path& file : files_of(page_folders(path, arguments.trade))) inputs.add(file);
   }
   std::optional<OutputFolder> pages;
-  if (!report.empty()) pages.emplace(report, inputs);
+  if (!report.empty() && arguments.crew.leads()) pages.emplace(report, inputs);
   std::vector<JudgeArguments> own(papers.size(), arguments);
   std::vector<PageInput> pages_of(papers.size());  // read before the work, so that bad input costs no result
   for (std::size_t i = 0; i < papers.size(); ++i) {
@@ -133,8 +167,12 @@ std::vector<JudgedPaper> judge_papers(const std::vector<std::filesystem::path>& 
     pages_of[i] = report_input(papers[i], judged[i].file, own[i], *own[i].verify.certificates);
     pages_of[i].gallery = "index.html";
   }
+  std::vector<VerifyRun::Paper> work;
+  for (std::size_t i = 0; i < papers.size(); ++i) work.push_back({papers[i], &judged[i].file, own[i].verify});
+  VerifyRun run(std::move(work), arguments);
+  if (run.served()) return {};
   for (std::size_t i = 0; i < papers.size(); ++i) {
-    judged[i].result = run_verify(judged[i].file, own[i].verify, arguments.common);
+    judged[i].result = run.result(i);
     if (!pages) continue;
     pages_of[i].result = &judged[i].result;
     pages->write(page_name(judged[i]), page_html(pages_of[i]));

@@ -4,10 +4,13 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/command.hpp"
+#include "cli/crew_run.hpp"
 #include "html/page.hpp"
 #include "output/output_file.hpp"
 #include "wording/papers_report.hpp"
@@ -19,6 +22,7 @@ namespace slipproof::cli {
 struct JudgeArguments {
   CommonOptions common;
   VerifyOptions verify;
+  CrewArguments crew;
   std::string claims, trade;
   std::string second_checker;  ///< a program; empty: none is asked
 
@@ -30,9 +34,33 @@ struct JudgeArguments {
 /// A bar on a terminal, and nowhere else.
 std::function<void(std::uint64_t, std::uint64_t)> progress_bar();
 
-/// Verifies with the common options, and a progress bar on a terminal; says on standard error which certificates are
-/// rejected.
-VerifyResult run_verify(const ClaimsFile& file, VerifyOptions options, const CommonOptions& common);
+/// Verifies papers with the common options, and a progress bar on a terminal, by all ranks there are; says on standard
+/// error which certificates are rejected.
+class VerifyRun {
+ public:
+  struct Paper {
+    std::filesystem::path path;
+    const ClaimsFile* file;
+    VerifyOptions options;
+  };
+
+  VerifyRun(std::vector<Paper> papers, const JudgeArguments& arguments);
+
+  bool served() { return crew_->served(); }  ///< as CrewRun has it
+  /// Of each paper once.
+  VerifyResult result(std::size_t paper);
+
+ private:
+  struct Work {
+    std::once_flag made;
+    std::unique_ptr<Verification> verification;
+  };
+  Verification& verification(std::size_t paper);
+
+  std::vector<Paper> papers_;
+  std::vector<Work> works_;  ///< each is made when it is first asked for
+  std::optional<CrewRun> crew_;
+};
 
 Exit exit_of(Summary summary);
 
@@ -54,7 +82,7 @@ inline constexpr std::uint64_t samples_of_many = 2000;
 /// --samples, which is returned, --lines, and --second-checker.
 CLI::Option* add_judging_options(CLI::App& command, JudgeArguments& arguments);
 
-/// Judges each of them, and writes the page of each and that of all into a folder, if there is one.
+/// Judges each of them, on rank 0, and writes the page of each and that of all into a folder, if there is one.
 std::vector<JudgedPaper> judge_papers(const std::vector<std::filesystem::path>& papers, const JudgeArguments& arguments,
                                       const std::filesystem::path& report);
 

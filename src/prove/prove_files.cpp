@@ -8,6 +8,8 @@
 #include "input/text_file.hpp"
 #include "parallel/in_parallel.hpp"
 #include "prove/statement.hpp"
+#include "scatter/bytes.hpp"
+#include "scatter/share.hpp"
 
 namespace slipproof {
 
@@ -15,25 +17,52 @@ namespace {
 
 constexpr std::size_t max_certificate_size = std::size_t{1} << 28U;
 
-/// One statement a task: they differ by orders of magnitude.
-template <class Work>
-void for_each_index(std::size_t size, unsigned threads, const Work& work) {
-  on_threads(threads, [&] { each_in_parallel(0, size, work); });
-}
-
 /// Throws InputError with what is wrong with all of them.
 void refuse_malformed(const std::vector<std::filesystem::path>& statements, unsigned threads) {
   std::vector<std::vector<Diagnostic>> mistakes(statements.size());
-  for_each_index(statements.size(), threads, [&](std::size_t i) {
-    try {
-      prove::Statement(statements[i].string(), read_text_file(statements[i]));
-    } catch (const InputError& error) {
-      mistakes[i] = error.diagnostics();
-    }
+  on_threads(threads, [&] {
+    in_parallel(0, statements.size(), [&](std::size_t i) {
+      try {
+        prove::Statement(statements[i].string(), read_text_file(statements[i]));
+      } catch (const InputError& error) {
+        mistakes[i] = error.diagnostics();
+      }
+    });
   });
   std::vector<Diagnostic> all;
   for (const auto& some : mistakes) all.insert(all.end(), some.begin(), some.end());
   if (!all.empty()) throw InputError(std::move(all));
+}
+
+std::string outcome_bytes(const FileOutcome& file) {
+  const ProofOutcome& o = file.outcome;
+  ByteWriter bytes;
+  bytes.number(file.kept ? 1 : 0).text(o.theorem).number(static_cast<std::uint64_t>(o.verdict)).text(o.certificate);
+  bytes.number(o.vacuous ? 1 : 0).number(o.exhausted ? 1 : 0).number(o.steps).number(o.counterexample.size());
+  for (const auto& [name, value] : o.counterexample) bytes.text(name).rationals({value});
+  bytes.number(o.leftover.size());
+  for (const std::string& left : o.leftover) bytes.text(left);
+  return bytes.take();
+}
+
+FileOutcome read_outcome(std::string_view text) {
+  ByteReader bytes(text);
+  FileOutcome file;
+  ProofOutcome& o = file.outcome;
+  file.kept = bytes.number() != 0;
+  o.theorem = bytes.text();
+  o.verdict = static_cast<ProofOutcome::Verdict>(bytes.number());
+  o.certificate = bytes.text();
+  o.vacuous = bytes.number() != 0;
+  o.exhausted = bytes.number() != 0;
+  o.steps = bytes.number();
+  for (std::uint64_t left = bytes.number(); left > 0; --left) {
+    std::string name(bytes.text());
+    o.counterexample.emplace_back(std::move(name), bytes.rationals().at(0));
+  }
+  for (std::uint64_t left = bytes.number(); left > 0; --left) o.leftover.emplace_back(bytes.text());
+  bytes.end();
+  return file;
 }
 
 /// The outcome that an accepted certificate beside the statement stands for.
@@ -52,43 +81,63 @@ std::optional<FileOutcome> kept(const std::filesystem::path& statement) {
   return result;
 }
 
+FileOutcome outcome_of(const std::filesystem::path& statement, const std::string& text, const ProveOptions& options,
+                       const prove::Limits& limits) {
+  if (!options.again) {
+    if (auto old = kept(statement)) return *std::move(old);
+  }
+  FileOutcome result{.statement = statement, .outcome = prove_statement(statement.string(), text, limits)};
+  if (options.again && !result.outcome.proved()) {
+    if (auto old = kept(statement)) return *std::move(old);
+  }
+  return result;
+}
+
+std::string statement_request(const std::filesystem::path& statement) {
+  return ByteWriter().text(statement.string()).text(read_text_file(statement)).take();
+}
+
+std::string answer_within(std::string_view request, const ProveOptions& options, const prove::Limits& limits) {
+  ByteReader bytes(request);
+  const std::filesystem::path statement = bytes.text();
+  const std::string text(bytes.text());
+  bytes.end();
+  return outcome_bytes(outcome_of(statement, text, options, limits));
+}
+
 class Run {
  public:
   Run(const std::vector<std::filesystem::path>& statements, const ProveOptions& options)
       : statements_(statements), options_(options), outcomes_(statements.size()) {}
 
   std::vector<FileOutcome> outcomes() {
-    for_each_index(statements_.size(), options_.threads, [&](std::size_t i) {
-      outcomes_[i] = outcome(statements_[i]);
-      const std::scoped_lock lock(mutex_);
-      ++progress_.done;
-      if (options_.finished) options_.finished(i, outcomes_[i]);
-      tell();
+    const auto request = [&](std::uint64_t i) { return statement_request(statements_[i]); };
+    on_threads(options_.threads, [&] {
+      share(
+          options_.crew, [&](std::string_view asked) { return search(asked); }, statements_.size(), request,
+          [&](std::uint64_t i, const std::string& result) {
+            outcomes_[i] = read_outcome(result);
+            outcomes_[i].statement = statements_[i];
+            const std::scoped_lock lock(mutex_);
+            ++progress_.done;
+            if (options_.finished) options_.finished(i, outcomes_[i]);
+            tell();
+          });
     });
     return std::move(outcomes_);
   }
 
  private:
-  FileOutcome outcome(const std::filesystem::path& statement) {
-    if (!options_.again) {
-      if (auto old = kept(statement)) return *std::move(old);
-    }
-    FileOutcome result{.statement = statement, .outcome = search(statement)};
-    if (options_.again && !result.outcome.proved()) {
-      if (auto old = kept(statement)) return *std::move(old);
-    }
-    return result;
-  }
-
-  ProofOutcome search(const std::filesystem::path& statement) {
+  std::string search(std::string_view request) {
     prove::Limits limits = options_.limits;
+    const std::filesystem::path statement = ByteReader(request).text();
     limits.tick = [&](std::uint64_t steps) {
       const std::scoped_lock lock(mutex_);
       progress_.theorem = statement.stem().string();
       progress_.steps = steps;
       tell();
     };
-    return prove_statement(statement.string(), read_text_file(statement), limits);
+    return answer_within(request, options_, limits);
   }
 
   void tell() {
@@ -119,6 +168,10 @@ std::vector<std::filesystem::path> statements_in(const std::filesystem::path& fo
     throw InputError({{folder.string(), 0, 0, "found " + error.message() + ", expected a folder of statements"}});
   std::sort(result.begin(), result.end());
   return result;
+}
+
+std::string answer_statement(std::string_view request, const ProveOptions& options) {
+  return answer_within(request, options, options.limits);
 }
 
 std::vector<FileOutcome> prove_files(const std::vector<std::filesystem::path>& statements,

@@ -3,11 +3,15 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "prove/prove.hpp"
 
 namespace slipproof {
+
+class Crew;
 
 /// The statements in a folder and the folders in it, in the order of their names.
 std::vector<std::filesystem::path> statements_in(const std::filesystem::path& folder);
@@ -33,10 +37,15 @@ struct ProveOptions {
   prove::Limits limits;
   unsigned threads = 0;  ///< 0: all cores
   bool again = false;    ///< search also for what has an accepted certificate
+  Crew* crew = nullptr;  ///< does the searches, instead of threads; its service is answer_statement()
   /// Told of each file as soon as it is done, in whatever order; from one thread at a time.
   std::function<void(std::size_t index, const FileOutcome& outcome)> finished;
   std::function<void(const ProveProgress& progress)> progress;  ///< now and then, from one thread at a time
 };
+
+/// What many ranks are asked: a statement's path and text. Each rank reads the certificate beside it itself. Of
+/// `options` those count that the outcome depends on. Throws InputError.
+std::string answer_statement(std::string_view request, const ProveOptions& options);
 
 /// Proves each; the outcomes in the order of the files, the same at any number of threads. An accepted certificate is
 /// never given up: where `again` finds none, the old one is kept. Throws InputError before any search with the mistakes

@@ -19,6 +19,12 @@ ByteWriter& ByteWriter::text(std::string_view value) {
   return *this;
 }
 
+ByteWriter& ByteWriter::rationals(const std::vector<Rational>& values) {
+  number(values.size());
+  for (const Rational& value : values) text(value.str());
+  return *this;
+}
+
 std::string_view ByteReader::next(std::uint64_t size) {
   if (size > rest_.size()) throw BrokenBytes();
   const std::string_view found = rest_.substr(0, size);
@@ -39,6 +45,12 @@ double ByteReader::real() {
 
 std::string_view ByteReader::text() {
   return next(number());
+}
+
+std::vector<Rational> ByteReader::rationals() {
+  std::vector<Rational> values;
+  for (std::uint64_t left = number(); left > 0; --left) values.emplace_back(std::string(text()));
+  return values;
 }
 
 void ByteReader::end() const {

@@ -5,6 +5,9 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "number/rational.hpp"
 
 namespace slipproof {
 
@@ -20,6 +23,7 @@ class ByteWriter {
   ByteWriter& number(std::uint64_t value);
   ByteWriter& real(double value);  ///< the bits of it
   ByteWriter& text(std::string_view value);
+  ByteWriter& rationals(const std::vector<Rational>& values);  ///< how many, and each as it is written
   std::string take() { return std::move(bytes_); }
 
  private:
@@ -33,6 +37,7 @@ class ByteReader {
   std::uint64_t number();
   double real();
   std::string_view text();
+  std::vector<Rational> rationals();
   std::string_view rest() const { return rest_; }
   void end() const;  ///< throws where more follows
 

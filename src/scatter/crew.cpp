@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "parallel/stop.hpp"
 #include "scatter/bytes.hpp"
 
 namespace slipproof {
@@ -25,8 +26,11 @@ std::string with_word(Word word, std::string_view bytes = {}) {
 /// What is known of the requests of one call.
 class Crew::Stage {
  public:
-  Stage(std::uint64_t count, std::size_t window, const std::function<std::string(std::uint64_t)>& request)
-      : count_(count), window_(window), request_(request) {}
+  using Request = std::function<std::string(std::uint64_t)>;
+  using Take = std::function<void(std::uint64_t, std::string)>;
+
+  Stage(std::uint64_t count, std::size_t window, const Request& request, const Take& take, Taking taking)
+      : count_(count), window_(window), request_(request), take_(take), taking_(taking) {}
 
   bool done() const { return taken_ == count_; }
   /// The next one to hand out, while not too many results wait for an earlier one.
@@ -42,11 +46,19 @@ class Crew::Stage {
     if (request.empty()) throw BrokenBytes();
     return std::move(request.mapped());
   }
-  void put(Reply answer) { waiting_.emplace(answer.number, std::move(answer)); }
-  void take_in_order(const std::function<void(std::uint64_t, std::string)>& take) {
+  void put(Reply answer) {
+    const std::uint64_t number = answer.number;
+    if (taking_ == Taking::as_they_come && answer.kind == Reply::Kind::result) {
+      take_(number, std::move(answer).result());
+      waiting_.emplace(number, std::nullopt);
+    } else {
+      waiting_.emplace(number, std::move(answer));
+    }
+  }
+  void take_in_order() {
     for (auto first = waiting_.begin(); first != waiting_.end() && first->first == taken_; first = waiting_.begin()) {
-      Reply answer = std::move(waiting_.extract(first).mapped());
-      take(taken_, std::move(answer).result());
+      std::optional<Reply> answer = std::move(waiting_.extract(first).mapped());
+      if (answer) take_(taken_, std::move(*answer).result());
       ++taken_;
     }
   }
@@ -63,18 +75,21 @@ class Crew::Stage {
  private:
   std::uint64_t count_, next_ = 0, taken_ = 0;
   std::size_t window_;
-  const std::function<std::string(std::uint64_t)>& request_;
+  const Request& request_;
+  const Take& take_;
+  Taking taking_;
   std::map<std::uint64_t, std::string> out_;
-  std::map<std::uint64_t, Reply> waiting_;
+  std::map<std::uint64_t, std::optional<Reply>> waiting_;  ///< for an earlier one; nothing where it is taken already
 };
 
 Crew::Crew(Transport& transport, CrewOptions options, Service service)
     : transport_(transport),
       options_(std::move(options)),
       service_(std::move(service)),
-      free_(static_cast<std::size_t>(transport.ranks())),
+      slots_(static_cast<std::size_t>(transport.ranks())),
+      free_(slots_.size()),
       pool_(options_.threads, service_) {
-  free_[0] = pool_.slots();
+  if (transport.ranks() <= most_ranks_helped) slots_[0] = free_[0] = pool_.slots();
 }
 
 Crew::~Crew() {
@@ -104,13 +119,14 @@ void Crew::serve() {
 }
 
 void Crew::each(std::uint64_t count, const std::function<std::string(std::uint64_t)>& request,
-                const std::function<void(std::uint64_t, std::string)>& take) {
+                const std::function<void(std::uint64_t, std::string)>& take, Taking taking) {
   constexpr std::size_t results_a_slot = 16;
-  Stage stage(count, results_a_slot * pool_.slots() * free_.size(), request);
+  Stage stage(count, results_a_slot * pool_.slots() * free_.size(), request, take, taking);
   while (!stage.done()) {
+    stop_if_asked();
     hand_out(stage);
     collect(stage);
-    stage.take_in_order(take);
+    stage.take_in_order();
     look_after(stage);
   }
 }
@@ -159,7 +175,9 @@ void Crew::heard(Stage& stage, const Message& message) {
   const std::string_view bytes = std::string_view(message.bytes).substr(1);
   switch (static_cast<Word>(message.bytes.at(0))) {
     case Word::ready:
-      free_.at(from) = ByteReader(bytes).number();
+      // A rank that came late to an earlier crew may say so again: what it has been given counts.
+      free_.at(from) += ByteReader(bytes).number() - slots_.at(from);
+      slots_.at(from) = ByteReader(bytes).number();
       return;
     case Word::answer:
       ++free_.at(from);

@@ -25,11 +25,17 @@ struct CrewOptions {
   std::chrono::seconds flush_after{60};   ///< the journal is flushed that often
 };
 
+/// The order in which results are taken.
+enum class Taking : std::uint8_t { in_order, as_they_come };
+
 /// The work was asked to stop: some requests have no result yet.
 class Unfinished : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+/// Of more ranks than these rank 0 only hands out and takes, and does not compute besides.
+inline constexpr int most_ranks_helped = 32;
 
 /// Ranks that answer requests with the same service. On rank 0 each() may be called as often as is wanted; on the
 /// others serve() returns when the crew of rank 0 is gone. Used from one thread.
@@ -46,12 +52,13 @@ class Crew {
   /// Of the other ranks: answers until they are dismissed.
   void serve();
 
-  /// Of rank 0: take(i, result) for each request(i), i = 0, 1, ... count - 1, in this order, whoever answers when.
+  /// Of rank 0: take(i, result) for each request(i), i = 0, 1, ... count - 1, by default in this order, whoever answers
+  /// when. request() may be asked for the same number twice.
   /// Memory holds a bounded number of results. Throws InputError and std::runtime_error as the service did, for the
   /// first request in the order that has no result; Unfinished, with the missing requests named, where a stop is asked
-  /// for; what take() throws. After a throw each() is not called again.
+  /// for; Stopped; what take() throws. After a throw each() is not called again.
   void each(std::uint64_t count, const std::function<std::string(std::uint64_t)>& request,
-            const std::function<void(std::uint64_t, std::string)>& take);
+            const std::function<void(std::uint64_t, std::string)>& take, Taking taking = Taking::in_order);
 
  private:
   class Stage;
@@ -64,7 +71,8 @@ class Crew {
   Transport& transport_;
   CrewOptions options_;
   Service service_;
-  std::vector<std::size_t> free_;  ///< by rank: requests it can have at once, and has not
+  std::vector<std::size_t> slots_;  ///< by rank: requests it can have at once
+  std::vector<std::size_t> free_;   ///< and of them those that it has not
   std::chrono::steady_clock::time_point flushed_ = std::chrono::steady_clock::now();
   Pool pool_;
 };

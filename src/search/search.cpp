@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "parallel/in_parallel.hpp"
+#include "scatter/share.hpp"
+#include "search/search_bytes.hpp"
 
 namespace slipproof {
 
@@ -17,56 +19,68 @@ std::uint64_t default_samples(const Mechanism& mechanism) {
 
 namespace {
 
-/// What one sample shows.
-struct Shown {
-  enum class End : std::uint8_t { no_point, no_value, found } end = End::no_point;
-  bool one_everywhere = true, realisable = false;
-  std::set<MotionCount> counts;
-  std::vector<std::pair<FoundMotions, SearchPlace>> places;  ///< each set of motions once, by load
-};
+enum class SearchQuestion : std::uint64_t { sample, simplify };
 
-/// The simplest of some places, the first of equals.
-struct SimplestPlace {
-  std::optional<SearchPlace> place;
-  Complexity its_complexity;
+}  // namespace
 
-  void keep(const SearchPlace& other) {
-    Complexity c = complexity(other);
-    if (place && !(c < its_complexity)) return;
-    place = other;
-    its_complexity = std::move(c);
-  }
-};
-
-struct Kept {
-  std::uint64_t samples = 0;
-  SimplestPlace simplest, realisable;
-};
-
-class MotionSearch {
+class MotionSearch::Run {
  public:
-  MotionSearch(const Mechanism& mechanism, const SearchOptions& options)
+  Run(const Mechanism& mechanism, const SearchOptions& options)
       : options_(options),
         finder_(mechanism, !options.hysteresis),
         points_(mechanism, finder_.maker(), options.seed),
         samples_(options.samples.value_or(default_samples(mechanism))) {}
 
-  SearchResult result() {
+  SearchResult result(Crew* crew) {
     on_threads(options_.threads, [&] {
-      sample();
-      conclude();
+      sample(crew);
+      conclude(crew);
     });
     return std::move(result_);
   }
 
- private:
-  /// So many samples are drawn at once, and counted in their order.
-  static constexpr std::uint64_t batch = 64;
+  std::string answer(std::string_view request) const {
+    ByteReader bytes(request);
+    if (static_cast<SearchQuestion>(bytes.number()) == SearchQuestion::sample) return shown_bytes(show(bytes.number()));
+    const std::uint64_t budget = bytes.number();
+    return cell_bytes(simplified(read_cell(bytes.rest()), budget));
+  }
 
-  void sample() {
-    for (std::uint64_t first = 0; first < samples_ && !ended_; first += batch) {
-      std::vector<Shown> shown(std::min(batch, samples_ - first));
-      in_parallel(0, shown.size(), [&](std::size_t i) { shown[i] = show(first + i); });
+ private:
+  /// The simplest of some places, the first of equals.
+  struct SimplestPlace {
+    std::optional<SearchPlace> place;
+    Complexity its_complexity;
+
+    void keep(const SearchPlace& other) {
+      Complexity c = complexity(other);
+      if (place && !(c < its_complexity)) return;
+      place = other;
+      its_complexity = std::move(c);
+    }
+  };
+
+  struct Kept {
+    std::uint64_t samples = 0;
+    SimplestPlace simplest, realisable;
+  };
+
+  Service service() const {
+    return [this](std::string_view request) { return answer(request); };
+  }
+
+  /// So many samples are drawn at once, and counted in their order. Many ranks wait for each other after them, which is
+  /// worth less the more there are, but for a search that may end with any.
+  std::uint64_t batch(const Crew* crew) const { return crew != nullptr && !options_.wanted ? 4096 : 64; }
+
+  void sample(Crew* crew) {
+    for (std::uint64_t first = 0; first < samples_ && !ended_; first += batch(crew)) {
+      std::vector<Shown> shown(std::min(batch(crew), samples_ - first));
+      const auto request = [&](std::uint64_t i) {
+        return ByteWriter().number(static_cast<std::uint64_t>(SearchQuestion::sample)).number(first + i).take();
+      };
+      share(crew, service(), shown.size(), request,
+            [&](std::uint64_t i, const std::string& result) { shown[i] = read_shown(result); });
       for (std::size_t i = 0; i < shown.size() && !ended_; ++i) count(shown[i]);
       if (options_.progress) options_.progress(ended_ ? samples_ : first + shown.size(), samples_);
     }
@@ -116,7 +130,7 @@ class MotionSearch {
   }
 
   /// The cells, in the order in which they are told, with simpler places.
-  void conclude() {
+  void conclude(Crew* crew) {
     const auto rank = [](MotionCount count) {
       constexpr std::array<int, motion_counts> ranks{5, 0, 3, 1, 2, 4};
       return ranks[static_cast<std::size_t>(count)];
@@ -127,7 +141,13 @@ class MotionSearch {
     std::stable_sort(result_.cells.begin(), result_.cells.end(), [&](const SearchCell& x, const SearchCell& y) {
       return std::pair(rank(x.found.count), y.samples) < std::pair(rank(y.found.count), x.samples);
     });
-    in_parallel(0, result_.cells.size(), [&](std::size_t i) { simplify(result_.cells[i]); });
+    const std::vector<SearchCell> found = result_.cells;
+    const auto request = [&](std::uint64_t i) {
+      const auto question = static_cast<std::uint64_t>(SearchQuestion::simplify);
+      return ByteWriter().number(question).number(tries(found[i].found.count)).take() + cell_bytes(found[i]);
+    };
+    share(crew, service(), found.size(), request,
+          [&](std::uint64_t i, const std::string& result) { result_.cells[i] = read_cell(result); });
   }
 
   /// So often something simpler is tried for a cell: for all together about as often as there are samples, and for
@@ -141,14 +161,14 @@ class MotionSearch {
     return decided(count) ? std::clamp<std::size_t>(share / 4, 2, 100) : std::clamp<std::size_t>(share, least, 500);
   }
 
-  void simplify(SearchCell& cell) const {
-    const std::size_t budget = tries(cell.found.count);
+  SearchCell simplified(SearchCell cell, std::size_t budget) const {
     cell.simplest = simpler(std::move(cell.simplest), cell.found, finder_, points_.domain(), budget);
     if (points_.realisable().contains(cell.simplest.values)) {
       cell.realisable = cell.simplest;
     } else if (cell.realisable) {
       cell.realisable = simpler(std::move(*cell.realisable), cell.found, finder_, points_.realisable(), budget);
     }
+    return cell;
   }
 
   const SearchOptions& options_;
@@ -160,10 +180,22 @@ class MotionSearch {
   SearchResult result_;
 };
 
-}  // namespace
+MotionSearch::MotionSearch(const Mechanism& mechanism, const SearchOptions& options) {
+  refuse_too_many_modes(mechanism, element_kinds(mechanism));
+  run_ = std::make_unique<Run>(mechanism, options);
+}
+
+MotionSearch::~MotionSearch() = default;
+
+std::string MotionSearch::answer(std::string_view request) const {
+  return run_->answer(request);
+}
+
+SearchResult MotionSearch::result(Crew* crew) {
+  return run_->result(crew);
+}
 
 SearchResult search_motions(const Mechanism& mechanism, const SearchOptions& options) {
-  refuse_too_many_modes(mechanism, element_kinds(mechanism));
   return MotionSearch(mechanism, options).result();
 }
 

@@ -4,13 +4,18 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "mechanism/mechanism.hpp"
 #include "search/simpler_place.hpp"
 
 namespace slipproof {
+
+class Crew;
 
 struct SearchOptions {
   std::optional<std::uint64_t> samples;  ///< by default as many as take some seconds: default_samples()
@@ -45,6 +50,24 @@ struct SearchResult {
 
 /// Fewer for a mechanism with more modes.
 std::uint64_t default_samples(const Mechanism& mechanism);
+
+/// search_motions() in requests that any rank can answer.
+class MotionSearch {
+ public:
+  /// What is given must outlive it. Throws InputError for more modes than are tried.
+  MotionSearch(const Mechanism& mechanism, const SearchOptions& options);
+  ~MotionSearch();
+
+  /// The service of a crew, from many threads at once.
+  std::string answer(std::string_view request) const;
+
+  /// By the crew, whose service is answer(), or by threads where there is none; once.
+  SearchResult result(Crew* crew = nullptr);
+
+ private:
+  class Run;
+  std::unique_ptr<Run> run_;
+};
 
 /// The same result at any number of threads. Throws InputError, before the work, for more modes than are tried.
 SearchResult search_motions(const Mechanism& mechanism, const SearchOptions& options = {});

@@ -110,15 +110,18 @@ class Maker {
 
 }  // namespace
 
-Counterexamples counterexamples(const ClaimsFile& file, const CompiledClaims& compiled, std::size_t claim,
-                                Reading reading, const FailingSamples& failing, Showing showing, std::uint64_t seed) {
+SimplestFailures simplest_failures(const ClaimsFile& file, const CompiledClaims& compiled, std::size_t claim,
+                                   Reading reading, const FailingSamples& failing, Showing showing,
+                                   std::uint64_t seed) {
   const Maker maker(file, compiled, claim, reading);
   if (showing == Showing::as_found) {
     const auto& found = failing.realisable.empty() ? failing.simplest : failing.realisable;
-    return {maker.at({.values = found, .minimal = false}), std::nullopt};
+    return {{.values = found, .minimal = false}, std::nullopt};
   }
-  Counterexample simplest = maker.at(*maker.simplest(failing.simplest, Among::all));
-  if (simplest.unrealisable.empty()) return {std::move(simplest), std::nullopt};
+  Simplified simplest = *maker.simplest(failing.simplest, Among::all);
+  if (unrealisable(compiled.settings[file.claims[claim].setting], simplest.values).empty()) {
+    return {std::move(simplest), std::nullopt};
+  }
   std::optional<Simplified> built = maker.simplest(failing.simplest, Among::realisable);
   if (!built || !built->minimal) {
     for (const std::vector<Rational>& start : maker.realisable(failing.realisable, seed)) {
@@ -128,7 +131,13 @@ Counterexamples counterexamples(const ClaimsFile& file, const CompiledClaims& co
   }
   if (!built) return {std::move(simplest), std::nullopt};
   const bool worth_showing = much_simpler(simplest.values, built->values);
-  return {maker.at(std::move(*built)), worth_showing ? std::optional(std::move(simplest)) : std::nullopt};
+  return {*std::move(built), worth_showing ? std::optional(std::move(simplest)) : std::nullopt};
+}
+
+Counterexamples counterexamples(const ClaimsFile& file, const CompiledClaims& compiled, std::size_t claim,
+                                Reading reading, const SimplestFailures& failures) {
+  const Maker maker(file, compiled, claim, reading);
+  return {maker.at(failures.shown), failures.simpler ? std::optional(maker.at(*failures.simpler)) : std::nullopt};
 }
 
 }  // namespace slipproof

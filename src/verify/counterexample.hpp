@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "verify/simplify.hpp"
 #include "verify/verify.hpp"
 
 namespace slipproof {
@@ -26,8 +27,18 @@ enum class Showing : std::uint8_t {
   simplest   ///< simpler ones, too, and bicycles that can be built, drawn from the seed, where none of those given can
 };
 
+/// The samples of these, without what is shown of them.
+struct SimplestFailures {
+  Simplified shown;
+  std::optional<Simplified> simpler;
+};
+
+/// The search for them, which is what takes long.
+SimplestFailures simplest_failures(const ClaimsFile& file, const CompiledClaims& compiled, std::size_t claim,
+                                   Reading reading, const FailingSamples& failing, Showing showing, std::uint64_t seed);
+
 /// As ClaimResult has them.
 Counterexamples counterexamples(const ClaimsFile& file, const CompiledClaims& compiled, std::size_t claim,
-                                Reading reading, const FailingSamples& failing, Showing showing, std::uint64_t seed);
+                                Reading reading, const SimplestFailures& failures);
 
 }  // namespace slipproof

@@ -3,16 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <mutex>
-#include <span>
-#include <tuple>
 #include <utility>
 
 #include "parallel/in_parallel.hpp"
+#include "scatter/share.hpp"
 #include "verify/claim_lines.hpp"
 #include "verify/counterexample.hpp"
 #include "verify/identity.hpp"
-#include "verify/simplify.hpp"
+#include "verify/tally.hpp"
 #include "verify/vacuous.hpp"
 
 namespace slipproof {
@@ -24,140 +22,187 @@ std::string_view name(Verdict verdict) {
 
 namespace {
 
-/// Lines of a claim are laid through the first so many samples at which it held.
-constexpr std::size_t max_bases = 64;
+/// What a rank is asked about a paper.
+enum class VerifyQuestion : std::uint64_t { samples, line, conclusion };
 
-/// The least numbers of all that were added, in whatever order.
-class FirstSamples {
- public:
-  void add(std::uint64_t i) {
-    if (numbers_.size() < max_bases || i < numbers_.back()) add({&i, 1});
-  }
-  void add(std::span<const std::uint64_t> others) {
-    numbers_.insert(numbers_.end(), others.begin(), others.end());
-    std::sort(numbers_.begin(), numbers_.end());
-    if (numbers_.size() > max_bases) numbers_.resize(max_bases);
-  }
-  bool full() const { return numbers_.size() == max_bases; }
-  const std::vector<std::uint64_t>& numbers() const { return numbers_; }
-
- private:
-  std::vector<std::uint64_t> numbers_;
-};
-
-/// The simplest of some samples.
-struct Simplest {
-  std::vector<Rational> values;  ///< empty: there is none yet
-  Complexity its_complexity;
-
-  void keep(const std::vector<Rational>& other, const Complexity& c) {
-    if (!values.empty() && !(std::tie(c, other) < std::tie(its_complexity, values))) return;
-    values = other;
-    its_complexity = c;
-  }
-  void keep(const Simplest& other) {
-    if (!other.values.empty()) keep(other.values, other.its_complexity);
-  }
-};
-
-/// What one claim in one reading comes to over some samples; sums do not depend on their order.
-struct Tally {
-  std::uint64_t tried = 0, held = 0, refuted = 0, undecided = 0;
-  std::uint64_t lines = 0, cells = 0;
-  FirstSamples held_at, speaks_at;  ///< samples at which it held; those of them at which there is a force for it
-  Simplest simplest, realisable;    ///< of the failing samples, and of those of them that can be built
-
-  void add(Outcome outcome, const CompiledSetting& setting, const std::vector<Rational>& values) {
-    ++tried;
-    if (outcome == Outcome::holds) ++held;
-    if (outcome == Outcome::undecided) ++undecided;
-    if (outcome != Outcome::refuted) return;
-    ++refuted;
-    const Complexity c = complexity(values);
-    simplest.keep(values, c);
-    if (unrealisable(setting, values).empty()) realisable.keep(values, c);
-  }
-  void add(const Tally& other) {
-    tried += other.tried;
-    lines += other.lines;
-    cells += other.cells;
-    held_at.add(other.held_at.numbers());
-    speaks_at.add(other.speaks_at.numbers());
-    held += other.held;
-    refuted += other.refuted;
-    undecided += other.undecided;
-    simplest.keep(other.simplest);
-    realisable.keep(other.realisable);
-  }
-};
-
-struct Task {
-  std::size_t claim;
-  Reading reading;
-  std::optional<Identity> identity;
-  /// True or false of rational functions: where it is false, it is so nearly everywhere.
-  bool rational = false;
-};
-
-/// A claim whose lines are to be judged, and what that needs.
-struct LineTask {
-  std::size_t task;
-  ClaimLines lines;
-  std::vector<std::vector<Rational>> bases;  ///< bicycles that the lines go through
-};
-
-std::vector<Task> tasks_of(const ClaimsFile& file, const CompiledClaims& compiled, const std::string& only,
-                           LemmaBook& book) {
-  std::vector<Task> tasks;
-  for (std::size_t i = 0; i < file.claims.size(); ++i) {
-    const Claim& claim = file.claims[i];
-    if (!claim.id.starts_with(only)) continue;
-    for (const Reading reading : all_readings) {
-      if (reading == Reading::repaired && !claim.repaired) continue;
-      Task task{i, reading, find_identity(file, compiled, i, reading, &book)};
-      task.rational = task.identity || claim.is<Consequence>() || claim.is<System>();
-      tasks.push_back(std::move(task));
-    }
-  }
-  return tasks;
+/// A request is about so many samples of a setting: what rank 0 does for a result hardly grows with them.
+std::uint64_t samples_a_piece(std::uint64_t samples) {
+  constexpr std::uint64_t least = 32, most_pieces = 16'384;
+  return std::max(least, (samples + most_pieces - 1) / most_pieces);
 }
 
-class Run {
+/// What becomes of a claim, apart from what is quickly seen.
+struct Conclusion {
+  bool vacuous = false;  ///< or nowhere, of a claim of existence
+  std::optional<SimplestFailures> failures;
+};
+
+void write_simplified(ByteWriter& bytes, const std::optional<Simplified>& found) {
+  bytes.number(found && found->minimal ? 1 : 0).rationals(found ? found->values : std::vector<Rational>{});
+}
+
+std::optional<Simplified> read_simplified(ByteReader& bytes) {
+  const bool minimal = bytes.number() != 0;
+  std::vector<Rational> values = bytes.rationals();
+  return values.empty() ? std::nullopt : std::optional(Simplified{std::move(values), minimal});
+}
+
+std::string conclusion_bytes(const Conclusion& conclusion) {
+  ByteWriter bytes;
+  bytes.number(conclusion.vacuous ? 1 : 0);
+  write_simplified(bytes, conclusion.failures ? std::optional(conclusion.failures->shown) : std::nullopt);
+  write_simplified(bytes, conclusion.failures ? conclusion.failures->simpler : std::nullopt);
+  return bytes.take();
+}
+
+Conclusion read_conclusion(std::string_view text) {
+  ByteReader bytes(text);
+  Conclusion conclusion{.vacuous = bytes.number() != 0, .failures = {}};
+  std::optional<Simplified> shown = read_simplified(bytes), simpler = read_simplified(bytes);
+  if (shown) conclusion.failures.emplace(*std::move(shown), std::move(simpler));
+  bytes.end();
+  return conclusion;
+}
+
+}  // namespace
+
+class Verification::Run {
  public:
-  Run(const ClaimsFile& file, const VerifyOptions& options)
+  Run(const ClaimsFile& file, const VerifyOptions& options, std::uint64_t paper)
       : file_(file),
         compiled_(file),
         options_(options),
+        paper_(paper),
         lines_(options.line_count()),
         tasks_(tasks_of(file, compiled_, options.only, book_)),
         tallies_(tasks_.size()),
         total_(options.samples * file.settings.size() + lines_ * tasks_.size()) {}
 
-  VerifyResult result() {
+  VerifyResult result(Crew* crew) {
     VerifyResult result{options_.samples, lines_, options_.seed, std::vector<ClaimResult>(tasks_.size())};
     on_threads(options_.threads, [&] {
-      for (std::size_t s = 0; s < file_.settings.size(); ++s) sample(s);
-      judge_lines();
-      in_parallel(0, tasks_.size(), [&](std::size_t t) { result.claims[t] = conclude(t); });
+      sample(crew);
+      judge_lines(crew);
+      const std::vector<std::string> conclusions = conclude(crew);
+      in_parallel(0, tasks_.size(),
+                  [&](std::size_t t) { result.claims[t] = concluded(t, read_conclusion(conclusions[t])); });
     });
+    if (!options_.certificates) return result;
+    find_certificates(file_, result, *options_.certificates);
+    result.second_checker = options_.certificates->second_checker();
     return result;
   }
 
+  std::string answer(std::string_view request) {
+    ByteReader bytes(request);
+    bytes.number();  // the paper
+    const auto question = static_cast<VerifyQuestion>(bytes.number());
+    const std::size_t which = bytes.number();
+    if (question == VerifyQuestion::samples) {
+      const std::uint64_t begin = bytes.number();
+      return judge_samples({which, begin, bytes.number()});
+    }
+    if (question == VerifyQuestion::line) {
+      Line line{bytes.rationals(), bytes.rationals(), bytes.rationals().at(0)};
+      ByteWriter tally;
+      write_tally(tally, judge_line(which, line));
+      return tally.take();
+    }
+    return conclusion_bytes(conclusion(which, read_tally(bytes)));
+  }
+
  private:
-  void sample(std::size_t setting) {
-    const auto here = [&](const Task& task) { return file_.claims[task.claim].setting == setting; };
-    if (std::none_of(tasks_.begin(), tasks_.end(), here)) return;
-    const Sampler sampler(compiled_.settings[setting], options_.seed);
-    pieces_in_parallel(0, options_.samples, 64, [&](std::size_t begin, std::size_t end) {
-      std::vector<Tally> tallies(tasks_.size());
-      for (std::uint64_t i = begin; i != end; ++i) {
-        stop_if_asked();
-        judge_sample(setting, i, sampler.at(i), tallies);
+  struct SamplePiece {
+    std::size_t setting;
+    std::uint64_t begin, end;
+  };
+
+  struct Task {
+    std::size_t claim;
+    Reading reading;
+    std::optional<Identity> identity;
+    /// True or false of rational functions: where it is false, it is so nearly everywhere.
+    bool rational = false;
+  };
+
+  /// A claim whose lines are to be judged, and what that needs.
+  struct LineTask {
+    std::size_t task;
+    std::vector<bool> matters;                 ///< by parameter
+    std::vector<std::vector<Rational>> bases;  ///< bicycles that the lines go through
+  };
+
+  static std::vector<Task> tasks_of(const ClaimsFile& file, const CompiledClaims& compiled, const std::string& only,
+                                    LemmaBook& book) {
+    std::vector<Task> tasks;
+    for (std::size_t i = 0; i < file.claims.size(); ++i) {
+      const Claim& claim = file.claims[i];
+      if (!claim.id.starts_with(only)) continue;
+      for (const Reading reading : all_readings) {
+        if (reading == Reading::repaired && !claim.repaired) continue;
+        Task task{i, reading, find_identity(file, compiled, i, reading, &book)};
+        task.rational = task.identity || claim.is<Consequence>() || claim.is<System>();
+        tasks.push_back(std::move(task));
       }
-      const std::scoped_lock lock(mutex_);
-      for (std::size_t t = 0; t < tasks_.size(); ++t) tallies_[t].add(tallies[t]);
-      tell(end - begin);
+    }
+    return tasks;
+  }
+
+  ByteWriter about(VerifyQuestion question, std::uint64_t which) const {
+    ByteWriter request;
+    request.number(paper_).number(static_cast<std::uint64_t>(question)).number(which);
+    return request;
+  }
+  Service service() {
+    return [this](std::string_view request) { return answer(request); };
+  }
+
+  std::vector<SamplePiece> pieces() const {
+    std::vector<SamplePiece> result;
+    for (std::size_t s = 0; s < file_.settings.size(); ++s) {
+      const auto here = [&](const Task& task) { return setting_of(task) == s; };
+      if (std::none_of(tasks_.begin(), tasks_.end(), here)) continue;
+      const std::uint64_t size = samples_a_piece(options_.samples);
+      for (std::uint64_t begin = 0; begin < options_.samples; begin += size) {
+        result.push_back({s, begin, std::min(begin + size, options_.samples)});
+      }
+    }
+    return result;
+  }
+
+  void sample(Crew* crew) {
+    const std::vector<SamplePiece> all = pieces();
+    const auto request = [&](std::uint64_t i) {
+      return about(VerifyQuestion::samples, all[i].setting).number(all[i].begin).number(all[i].end).take();
+    };
+    share(crew, service(), all.size(), request, [&](std::uint64_t i, const std::string& result) {
+      ByteReader bytes(result);
+      for (std::uint64_t left = bytes.number(); left > 0; --left) {
+        const std::size_t t = bytes.number();
+        tallies_.at(t).add(read_tally(bytes));
+      }
+      tell(all[i].end - all[i].begin);
     });
+  }
+
+  /// The tallies of the claims that say something of the samples.
+  std::string judge_samples(const SamplePiece& piece) const {
+    const Sampler sampler(compiled_.settings.at(piece.setting), options_.seed);
+    std::vector<Tally> tallies(tasks_.size());
+    for (std::uint64_t i = piece.begin; i != piece.end; ++i) {
+      stop_if_asked();
+      judge_sample(piece.setting, i, sampler.at(i), tallies);
+    }
+    ByteWriter bytes;
+    const auto spoken =
+        std::count_if(tallies.begin(), tallies.end(), [](const Tally& tally) { return !tally.empty(); });
+    bytes.number(static_cast<std::uint64_t>(spoken));
+    for (std::size_t t = 0; t < tallies.size(); ++t) {
+      if (tallies[t].empty()) continue;
+      bytes.number(t);
+      write_tally(bytes, tallies[t]);
+    }
+    return bytes.take();
   }
 
   void tell(std::uint64_t done) {
@@ -193,7 +238,7 @@ class Run {
       if (file_.claims[tasks_[t].claim].setting != setting || !wants_lines(t)) continue;
       auto lines = claim_lines(file_, compiled_, tasks_[t].claim, tasks_[t].reading);
       if (!lines) continue;
-      LineTask task{t, std::move(*lines), {}};
+      LineTask task{t, std::move(lines->matters), {}};
       const FirstSamples& first = tallies_[t].speaks_at.numbers().empty() ? tallies_[t].held_at : tallies_[t].speaks_at;
       for (const std::uint64_t i : first.numbers()) task.bases.push_back(sampler.at(i));
       if (task.bases.empty()) {
@@ -207,7 +252,7 @@ class Run {
 
   std::size_t setting_of(const Task& task) const { return file_.claims[task.claim].setting; }
 
-  void judge_lines() {
+  void judge_lines(Crew* crew) {
     if (lines_ == 0) return;
     std::vector<LineTask> tasks;
     for (std::size_t s = 0; s < file_.settings.size(); ++s) std::ranges::move(line_tasks(s), std::back_inserter(tasks));
@@ -216,11 +261,15 @@ class Run {
       for (std::uint64_t number = 0; number < lines_for(task); ++number) lines.emplace_back(&task, number);
     }
     total_ = done_ + lines.size();  // exact from here on
-    in_parallel(0, lines.size(), [&](std::size_t i) {
+    const auto request = [&](std::uint64_t i) {
       const auto& [task, number] = lines[i];
-      const Tally tally = judge_line(*task, number);
-      const std::scoped_lock lock(mutex_);
-      tallies_[task->task].add(tally);
+      const Line line = line_number(number, options_.seed + task->task, task->bases, task->matters);
+      ByteWriter bytes = about(VerifyQuestion::line, task->task);
+      return bytes.rationals(line.origin).rationals(line.direction).rationals({line.inside}).take();
+    };
+    share(crew, service(), lines.size(), request, [&](std::uint64_t i, const std::string& result) {
+      ByteReader bytes(result);
+      tallies_[lines[i].first->task].add(read_tally(bytes));
       tell(1);
     });
   }
@@ -233,14 +282,14 @@ class Run {
     return std::max(lines_, 9 * static_cast<std::uint64_t>(matter));
   }
 
-  Tally judge_line(const LineTask& line_task, std::uint64_t number) const {
-    const Task& task = tasks_[line_task.task];
+  Tally judge_line(std::size_t t, const Line& line) const {
+    const Task& task = tasks_.at(t);
     const std::size_t setting = setting_of(task);
     const CompiledSetting& compiled = compiled_.settings[setting];
-    const Line line = line_number(number, options_.seed + line_task.task, line_task.bases, line_task.lines.matters);
     Tally tally;
     tally.lines = 1;
-    tally.cells = visit_line(line, compiled, line_task.lines.parts, [&](SolvedSample& sample) {
+    const ClaimParts parts = parts_of(file_, compiled_, task.claim, task.reading);
+    tally.cells = visit_line(line, compiled, parts, [&](SolvedSample& sample) {
       tally.add(judge(file_, compiled_, task.claim, task.reading, sample).outcome, compiled, sample.values());
       return true;
     });
@@ -273,7 +322,32 @@ class Run {
     if (!forces.parts.empty()) tally.speaks_at.add(i);
   }
 
-  ClaimResult conclude(std::size_t t) {
+  std::vector<std::string> conclude(Crew* crew) {
+    std::vector<std::string> conclusions(tasks_.size());
+    const auto request = [&](std::uint64_t t) {
+      ByteWriter bytes = about(VerifyQuestion::conclusion, t);
+      write_tally(bytes, tallies_[t]);
+      return bytes.take();
+    };
+    share(crew, service(), tasks_.size(), request,
+          [&](std::uint64_t t, std::string result) { conclusions[t] = std::move(result); });
+    return conclusions;
+  }
+
+  Conclusion conclusion(std::size_t t, const Tally& tally) {
+    const Task& task = tasks_.at(t);
+    if (tally.refuted > 0) {
+      return {.failures = simplest_failures(file_, compiled_, task.claim, task.reading,
+                                            {tally.simplest.values, tally.realisable.values},
+                                            options_.simplify ? Showing::simplest : Showing::as_found, options_.seed)};
+    }
+    if (tally.held > 0) return {};
+    if (file_.claims[task.claim].is<Exists>())
+      return {.vacuous = is_nowhere(file_, task.claim, task.reading, book_), .failures = {}};
+    return {.vacuous = tally.undecided == 0 && is_vacuous(file_, task.claim, task.reading, book_), .failures = {}};
+  }
+
+  ClaimResult concluded(std::size_t t, const Conclusion& conclusion) const {
     const Tally& tally = tallies_[t];
     const Task& task = tasks_[t];
     ClaimResult result;
@@ -288,19 +362,17 @@ class Run {
     if (task.identity) result.unless_zero = task.identity->unless_zero;
     if (tally.refuted > 0) {
       result.verdict = Verdict::refuted;
-      auto found =
-          counterexamples(file_, compiled_, task.claim, task.reading, {tally.simplest.values, tally.realisable.values},
-                          options_.simplify ? Showing::simplest : Showing::as_found, options_.seed);
+      auto found = counterexamples(file_, compiled_, task.claim, task.reading, conclusion.failures.value());
       result.counterexample = std::move(found.shown);
       result.simplest = std::move(found.simpler);
     } else if (file_.claims[task.claim].is<Exists>()) {
       result.verdict = tally.held > 0 ? Verdict::holds : Verdict::undecided;
       result.proved = tally.held > 0;
-      if (tally.held == 0 && is_nowhere(file_, task.claim, task.reading, book_)) result.verdict = Verdict::refuted;
+      if (conclusion.vacuous) result.verdict = Verdict::refuted;
     } else if (tally.undecided == 0 && tally.held > 0) {
       result.verdict = Verdict::holds;
       result.proved = task.identity && task.identity->proved();
-    } else if (tally.undecided == 0 && is_vacuous(file_, task.claim, task.reading, book_)) {
+    } else if (conclusion.vacuous) {
       result.verdict = Verdict::vacuous;
     }
     return result;
@@ -309,16 +381,14 @@ class Run {
   const ClaimsFile& file_;
   const CompiledClaims compiled_;
   const VerifyOptions& options_;
+  const std::uint64_t paper_;
   const std::uint64_t lines_;
   LemmaBook book_{
       {.split_depth = 1, .slack_attempts = 100, .products = 0, .quick_samples = 0, .samples = 0, .steps = 2'000'000}};
   const std::vector<Task> tasks_;
   std::vector<Tally> tallies_;
   std::uint64_t done_ = 0, total_;
-  std::mutex mutex_;
 };
-
-}  // namespace
 
 const ClaimResult* VerifyResult::find(const ClaimsFile& file, std::string_view id, Reading reading) const {
   for (const ClaimResult& result : claims) {
@@ -342,12 +412,25 @@ bool as_expected(const ClaimsFile& file, const ClaimResult& result) {
   return result.verdict == Verdict::holds;
 }
 
+Verification::Verification(const ClaimsFile& file, const VerifyOptions& options, std::uint64_t paper)
+    : run_(std::make_unique<Run>(file, options, paper)) {}
+
+Verification::~Verification() = default;
+
+std::string Verification::answer(std::string_view request) {
+  return run_->answer(request);
+}
+
+std::uint64_t Verification::paper_of(std::string_view request) {
+  return ByteReader(request).number();
+}
+
+VerifyResult Verification::result(Crew* crew) {
+  return run_->result(crew);
+}
+
 VerifyResult verify(const ClaimsFile& file, const VerifyOptions& options) {
-  VerifyResult result = Run(file, options).result();
-  if (!options.certificates) return result;
-  find_certificates(file, result, *options.certificates);
-  result.second_checker = options.certificates->second_checker();
-  return result;
+  return Verification(file, options).result();
 }
 
 }  // namespace slipproof

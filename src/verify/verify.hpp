@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "claims/claims_file.hpp"
@@ -16,6 +17,8 @@
 #include "verify/judge.hpp"
 
 namespace slipproof {
+
+class Crew;
 
 struct VerifyOptions {
   std::uint64_t samples = 10'000;  ///< of each setting
@@ -111,6 +114,28 @@ struct VerifyResult {
 
 /// Whether the verdict is the one that the file expects; a claim that expects nothing should hold.
 bool as_expected(const ClaimsFile& file, const ClaimResult& result);
+
+/// verify() in requests that any rank can answer.
+class Verification {
+ public:
+  /// `paper` tells the requests of several papers apart, of which a crew does one after the other. What is given must
+  /// outlive it.
+  Verification(const ClaimsFile& file, const VerifyOptions& options, std::uint64_t paper = 0);
+  ~Verification();
+
+  /// The service of a crew, from many threads at once.
+  std::string answer(std::string_view request);
+  /// The paper that a request is about.
+  static std::uint64_t paper_of(std::string_view request);
+
+  /// By the crew, whose service is answer(), or by threads where there is none; once. The certificates are checked by
+  /// rank 0.
+  VerifyResult result(Crew* crew = nullptr);
+
+ private:
+  class Run;
+  std::unique_ptr<Run> run_;
+};
 
 /// The same result at any number of threads.
 VerifyResult verify(const ClaimsFile& file, const VerifyOptions& options = {});

@@ -32,26 +32,58 @@ awk 'BEGIN {
     else print right
   }
 }' >records.csv
-arguments=(certify records.csv --scene "$sources/cases/ambiguous.toml")
-code=0
-"$slipproof" "${arguments[@]}" >expected || code=$?
-((code == 1)) || fail "one machine ends with $code"
+certify=(certify records.csv --scene "$sources/cases/ambiguous.toml")
+verify=(verify "$sources/proofs/wheelie-and-stoppie/claims.toml" --samples 200)
+papers=(verify papers --samples 20 --json)
+mkdir -p papers/first papers/second
+cp "$sources/proofs/wheelie-and-stoppie"/*.toml papers/first
+cp "$sources/proofs/block-on-incline"/*.toml papers/second
+search=(search ladder --samples 60)
+prove=(prove statements)
+mkdir statements
+for i in 1 2 3 4 5; do
+  printf 'slipproof-statement 1\ntheorem power%d\nreal x\nassume positive: x > 0\nshow x^%d + 1 > x\n' "$i" $((2 * i)) \
+    >"statements/power$i.statement"
+done
+printf 'slipproof-statement 1\ntheorem wrong\nreal x\nassume positive: x > 0\nshow x > 1\n' >statements/wrong.statement
 
-for number in 1 2 3; do
-  for threads in 1 2; do
-    found=0
-    ranks "$number" "${arguments[@]}" --threads "$threads" >found || found=$?
-    ((found == code)) || fail "$number ranks of $threads threads end with $found, expected $code"
-    cmp found expected || fail "$number ranks of $threads threads say something else"
-  done
+# same NAME RANKS THREADS: the command of that name says what it says on one machine.
+same() {
+  local -n arguments=$1
+  local found=0
+  [[ $1 != prove ]] || rm -f statements/*.cert
+  ranks "$2" "${arguments[@]}" --threads "$3" >found || found=$?
+  ((found == ${code[$1]})) || fail "$1: $2 ranks of $3 threads end with $found, expected ${code[$1]}"
+  cmp found "expected.$1" || fail "$1: $2 ranks of $3 threads say something else"
+  [[ $1 != prove ]] || cmp <(cat statements/*.cert) certificates || fail "$2 ranks of $3 threads write something else"
+}
+
+declare -A code
+for name in certify verify papers search prove; do
+  declare -n arguments=$name
+  code[$name]=0
+  "$slipproof" "${arguments[@]}" >"expected.$name" || code[$name]=$?
+  declare +n arguments
+done
+cat statements/*.cert >certificates
+((code[certify] == 1 && code[prove] == 1)) || fail "one machine ends with ${code[certify]} and ${code[prove]}"
+for number in 1 2 3 8; do
+  for threads in 1 2; do same certify "$number" "$threads"; done
+done
+for name in verify papers search prove; do
+  for number in 2 3 8; do same "$name" "$number" 1; done
+  same "$name" 2 2
 done
 
-if ranks 2 solve "$sources/cases/ambiguous.toml" >found 2>error; then fail "solve ran on two ranks"; fi
-grep -q "found more than one rank" error || fail "solve on two ranks was refused with: $(cat error)"
+for refused in "solve $sources/cases/ambiguous.toml" "verify --mutants" "trade --quick"; do
+  if ranks 2 $refused >found 2>error; then fail "$refused ran on two ranks"; fi
+  grep -q "found .*more than one rank\|found .*many ranks" error || fail "$refused was refused with: $(cat error)"
+done
 
-# goes_on KIND: a run that is hit at a random moment, then one of another number of ranks that ends.
+# goes_on KIND NAME: a run that is hit at a random moment, then one of another number of ranks that ends.
 goes_on() {
-  local kind=$1 number=$((2 + RANDOM % 3)) pid victim found=0 patience=100
+  local -n arguments=$2
+  local kind=$1 expected=expected.$2 number=$((2 + RANDOM % 3)) pid victim found=0 patience=100
   rm -f checkpoint
   become=exec ranks "$number" "${arguments[@]}" --threads 1 --checkpoint checkpoint >found 2>error &
   pid=$!
@@ -66,20 +98,22 @@ goes_on() {
   wait "$pid" || true
   # mpirun ends with 1 where it is hit itself, so that the last line alone tells a run that came to its end.
   if tail -n 1 found | grep -q "^s "; then
-    cmp found expected || fail "a run that was hit too late says something else"
+    cmp found "$expected" || fail "a run that was hit too late says something else"
     return
   fi
   interrupted=$((interrupted + 1))
-  cmp -n "$(stat -c %s found)" found expected || fail "$kind: what was printed is no beginning of the output"
+  cmp -n "$(stat -c %s found)" found "$expected" || fail "$kind: what was printed is no beginning of the output"
   ! grep -q "missing: " error || named=$((named + 1))
   until flock -n checkpoint true || ((--patience == 0)); do sleep 0.1; done # mpirun may end before its ranks do
   ranks "$((1 + RANDOM % 3))" "${arguments[@]}" --threads 1 --checkpoint checkpoint >found || found=$?
-  ((found == code)) || fail "$kind: the run that goes on ends with $found"
-  cmp found expected || fail "$kind: the run that goes on says something else"
+  ((found == code[$2])) || fail "$kind: the run that goes on ends with $found"
+  cmp found "$expected" || fail "$kind: the run that goes on says something else"
 }
 interrupted=0 named=0
 for ((i = 0; i < kills; ++i)); do
-  goes_on TERM
-  goes_on KILL
+  goes_on TERM certify
+  goes_on KILL certify
+  goes_on TERM verify
+  goes_on KILL verify
 done
-echo "$((2 * kills)) runs were hit, $interrupted before their end, $named of these named what was missing"
+echo "$((4 * kills)) runs were hit, $interrupted before their end, $named of these named what was missing"

@@ -14,6 +14,7 @@
 #include "prove/prove_files.hpp"
 #include "support/run_program.hpp"
 #include "support/shipped.hpp"
+#include "support/thread_ranks.hpp"
 
 using slipproof::test::read_file;
 using slipproof::test::shipped_certificates;
@@ -56,7 +57,7 @@ TEST_CASE("the limit on steps ends a search, the same way each time") {
   CHECK(slipproof::prove_statement("limited", text, limits).leftover == first.leftover);
 }
 
-TEST_CASE("the number of threads does not change a byte") {
+TEST_CASE("neither the number of threads nor that of ranks changes a byte") {
   std::vector<std::filesystem::path> statements = slipproof::statements_in(shipped_folder / "theorems");
   std::erase_if(statements,
                 [](const auto& path) { return path.filename().string().find("cell") != std::string::npos; });
@@ -65,8 +66,13 @@ TEST_CASE("the number of threads does not change a byte") {
   options.again = true;
   options.threads = 1;
   const auto one = slipproof::prove_files(statements, options);
-  options.threads = 4;
-  const auto several = slipproof::prove_files(statements, options);
+  std::vector<slipproof::FileOutcome> several;
+  slipproof::test::by_crew(
+      3, [&](std::string_view request) { return slipproof::answer_statement(request, options); },
+      [&](slipproof::Crew& crew) {
+        options.crew = &crew;
+        several = slipproof::prove_files(statements, options);
+      });
   REQUIRE(one.size() == several.size());
   for (std::size_t i = 0; i < one.size(); ++i) {
     INFO(one[i].outcome.theorem);

@@ -10,6 +10,7 @@
 #include "mechanism/narrow.hpp"
 #include "mechanism/read_mechanism.hpp"
 #include "mechanism/shipped.hpp"
+#include "support/thread_ranks.hpp"
 #include "wording/search_report.hpp"
 
 using namespace slipproof;
@@ -182,7 +183,7 @@ TEST_CASE("at every place that is told are the motions that are told, and what c
   }
 }
 
-TEST_CASE("the same bytes at any number of threads, and other samples for another seed") {
+TEST_CASE("the same bytes at any number of threads and ranks, and other samples for another seed") {
   const Mechanism mechanism = open_mechanism("ladder");
   const auto json = [&](unsigned threads, std::uint64_t seed) {
     SearchOptions options;
@@ -191,8 +192,17 @@ TEST_CASE("the same bytes at any number of threads, and other samples for anothe
     options.seed = seed;
     return search_json({mechanism, options, "", search_motions(mechanism, options)});
   };
-  CHECK(json(1, 1) == json(2, 1));
-  CHECK(json(1, 1) != json(1, 2));
+  const std::string one = json(1, 1);
+  CHECK(json(2, 1) == one);
+  SearchOptions options;
+  options.samples = 150;
+  MotionSearch search(mechanism, options);
+  test::by_crew(
+      3, [&](std::string_view request) { return search.answer(request); },
+      [&](Crew& crew) {
+        CHECK(search_json({mechanism, options, "", search.result(&crew)}) == one);
+      });
+  CHECK(json(1, 2) != one);
 }
 
 TEST_CASE("what is looked for alone ends the search at the first") {

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "scatter/transport.hpp"
+#include "scatter/crew.hpp"
 
 namespace slipproof::test {
 
@@ -55,5 +55,16 @@ class ThreadRanks {
 
   std::vector<std::unique_ptr<End>> ends_;
 };
+
+/// lead(crew) on rank 0 of so many ranks, of one thread each, that answer with the same service.
+inline void by_crew(int ranks, const Service& service, const std::function<void(Crew&)>& lead,
+                    Journal* journal = nullptr) {
+  ThreadRanks(ranks).run(
+      [&](Transport& transport) {
+        Crew crew(transport, {.threads = 1, .journal = journal}, service);
+        lead(crew);
+      },
+      [&](Transport& transport) { Crew(transport, {.threads = 1}, service).serve(); });
+}
 
 }  // namespace slipproof::test

@@ -1,0 +1,192 @@
+// What 10, 100 and 10,000 cores would take, from what one takes: scale verify CLAIMS SAMPLES | scale certify FILE
+// SCENE.
+#include "scatter/scale.hpp"
+
+#include <fmt/format.h>
+#include <time.h>
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "certify/pieces.hpp"
+#include "claims/claims_file.hpp"
+#include "model/scene.hpp"
+#include "scatter/bytes.hpp"
+#include "verify/verify.hpp"
+
+using namespace slipproof;
+
+namespace {
+
+double cpu_seconds(clockid_t clock) {
+  timespec t{};
+  clock_gettime(clock, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+/// CPU seconds of this process that the work takes.
+template <class Work>
+double seconds_of(const Work& work) {
+  const double begin = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
+  work();
+  return cpu_seconds(CLOCK_PROCESS_CPUTIME_ID) - begin;
+}
+
+/// What MPI adds, of which one machine shows nothing: a message, and a byte of it, as of a network of 10 Gbit/s.
+constexpr double a_message = 2e-6, a_byte = 0.8e-9;
+
+struct StageTimes {
+  std::vector<double> seconds;
+  double bytes = 0;
+};
+
+/// Answers of a first run, and what they took.
+struct Recorded {
+  std::map<std::string, std::string, std::less<>> results;
+  std::map<std::uint64_t, StageTimes> stages;  ///< by the number in the request that tells them apart
+};
+
+/// Runs the work with one thread that is timed, and again with the answers at hand, which leaves what rank 0 does.
+/// `stage_of` tells the stage of a request.
+template <class Answer, class Lead, class StageOf>
+std::vector<MeasuredWork> measured(const Answer& answer, const Lead& lead, const StageOf& stage_of) {
+  Recorded recorded;
+  Alone alone;
+  {
+    Crew crew(alone, {.threads = 1}, [&](std::string_view request) {
+      const double begin = cpu_seconds(CLOCK_THREAD_CPUTIME_ID);
+      std::string result = answer(request);
+      StageTimes& stage = recorded.stages[stage_of(request)];
+      stage.seconds.push_back(cpu_seconds(CLOCK_THREAD_CPUTIME_ID) - begin);
+      stage.bytes += static_cast<double>(result.size());
+      return recorded.results[std::string(request)] = result;
+    });
+    lead(crew, 0);
+  }
+  std::map<std::uint64_t, double> begins;
+  Crew crew(alone, {.threads = 1}, [&](std::string_view request) {
+    begins.try_emplace(stage_of(request), cpu_seconds(CLOCK_PROCESS_CPUTIME_ID));
+    return recorded.results.find(request)->second;
+  });
+  lead(crew, 1);
+  double end = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
+  std::vector<MeasuredWork> works;
+  for (auto stage = recorded.stages.rbegin(); stage != recorded.stages.rend(); ++stage) {
+    const auto count = static_cast<double>(stage->second.seconds.size());
+    works.push_back({.requests = stage->second.seconds,
+                     .bytes = stage->second.bytes / count,
+                     .handling = (end - begins[stage->first]) / count + 2 * a_message,
+                     .seconds_a_byte = a_byte,
+                     .count = stage->second.seconds.size()});
+    end = begins[stage->first];
+  }
+  std::reverse(works.begin(), works.end());
+  return works;
+}
+
+void show(const std::vector<MeasuredWork>& works) {
+  std::cout << "stage  requests     mean ms      max ms  bytes/result  rank 0 us/result\n";
+  for (std::size_t i = 0; i < works.size(); ++i) {
+    const MeasuredWork& w = works[i];
+    const double sum = std::accumulate(w.requests.begin(), w.requests.end(), 0.0);
+    std::cout << fmt::format("{:5}  {:8}  {:10.3f}  {:10.3f}  {:12.0f}  {:16.1f}\n", i + 1, w.count,
+                             1e3 * sum / static_cast<double>(w.requests.size()),
+                             1e3 * *std::max_element(w.requests.begin(), w.requests.end()), w.bytes, 1e6 * w.handling);
+  }
+}
+
+/// So many times the work, in no more requests of a stage than there would be: they are longer instead.
+std::vector<MeasuredWork> grown(std::vector<MeasuredWork> works, std::uint64_t times, std::uint64_t most_requests) {
+  for (MeasuredWork& work : works) {
+    work.count *= times;
+    if (work.count <= most_requests) continue;
+    for (double& seconds : work.requests)
+      seconds *= static_cast<double>(work.count) / static_cast<double>(most_requests);
+    work.count = most_requests;
+  }
+  return works;
+}
+
+/// All stages, one after the other.
+void show_predicted(const std::vector<MeasuredWork>& works, double alone) {
+  const auto run_of = [&](std::uint64_t cores) {
+    PredictedRun total{.seconds = alone, .bottleneck = Bottleneck::alone};
+    double longest = alone;
+    for (const MeasuredWork& work : works) {
+      const PredictedRun run = predict(work, cores);
+      total.seconds += run.seconds;
+      if (run.seconds > longest) total.bottleneck = run.bottleneck;
+      longest = std::max(longest, run.seconds);
+    }
+    return total;
+  };
+  const double one = run_of(1).seconds;
+  std::cout << " cores     seconds  efficiency  bounded by\n";
+  for (const std::uint64_t cores : {1U, 2U, 10U, 100U, 1'000U, 10'000U}) {
+    const PredictedRun run = run_of(cores);
+    std::cout << fmt::format("{:6}  {:10.2f}  {:9.1f}%  {}\n", cores, run.seconds,
+                             100 * one / (run.seconds * static_cast<double>(cores)), name(run.bottleneck));
+  }
+}
+
+constexpr std::uint64_t larger = 1000, any_number = std::uint64_t{1} << 60U;
+
+int scale_verify(const std::string& claims, std::uint64_t samples) {
+  const ClaimsFile file = read_claims(claims);
+  VerifyOptions options;
+  options.samples = samples;
+  Certificates certificates(std::filesystem::path(claims).parent_path());
+  std::vector<std::unique_ptr<Verification>> runs(2);
+  double alone = seconds_of([&] { runs[0] = std::make_unique<Verification>(file, options); });
+  runs[1] = std::make_unique<Verification>(file, options);
+  VerifyResult result;
+  const auto works = measured([&](std::string_view request) { return runs[0]->answer(request); },
+                              [&](Crew& crew, std::size_t run) { result = runs[run]->result(&crew); },
+                              [](std::string_view request) {
+                                ByteReader bytes(request);
+                                bytes.number();
+                                return bytes.number();
+                              });
+  alone += seconds_of([&] { find_certificates(file, result, certificates); });
+  show(works);
+  std::cout << fmt::format("rank 0 alone: {:.2f} s\n\n", alone);
+  show_predicted(works, alone);
+  std::cout << fmt::format("\n{} times the samples and lines, in pieces of 32 samples\n", larger);
+  std::vector<MeasuredWork> small = works, usual = works;
+  const auto conclusions = works.back();  // do not grow
+  small = grown(small, larger, any_number);
+  small.back() = conclusions;
+  show_predicted(small, alone);
+  std::cout << fmt::format("\n{} times the samples and lines, in at most 16384 pieces\n", larger);
+  usual.front() = grown({works.front()}, larger, 16'384).front();
+  if (usual.size() == 3) usual[1] = grown({works[1]}, larger, any_number).front();
+  show_predicted(usual, alone);
+  return 0;
+}
+
+int scale_certify(const std::string& file, const std::string& scene) {
+  CertifyOptions options;
+  options.file = file;
+  options.scene = read_scene(scene);
+  const RecordPieces pieces(options);
+  const auto works = measured([&](std::string_view request) { return pieces.answer(request); },
+                              [&](Crew& crew, std::size_t) { pieces.certify(crew, [](std::string_view) {}); },
+                              [](std::string_view request) { return ByteReader(request).number(); });
+  show(works);
+  show_predicted(grown(works, larger, any_number), 0);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> arguments(argv, argv + argc);
+  if (argc == 4 && arguments[1] == "verify") return scale_verify(arguments[2], std::stoull(arguments[3]));
+  if (argc == 4 && arguments[1] == "certify") return scale_certify(arguments[2], arguments[3]);
+  std::cerr << "usage: scale verify CLAIMS SAMPLES | scale certify FILE SCENE\n";
+  return 2;
+}

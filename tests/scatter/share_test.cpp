@@ -1,0 +1,84 @@
+// Work by index is done once each, by threads or by a crew.
+#include "scatter/share.hpp"
+
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <chrono>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include "parallel/in_parallel.hpp"
+#include "support/thread_ranks.hpp"
+
+using namespace slipproof;
+using namespace slipproof::test;
+
+namespace {
+
+std::string doubled(std::string_view request) {
+  return std::string(request) + std::string(request);
+}
+
+/// How often each result was taken.
+std::map<std::string, int> taken_by(Crew* crew, std::uint64_t count) {
+  std::map<std::string, int> taken;
+  on_threads(2, [&] {
+    share(
+        crew, doubled, count, [](std::uint64_t i) { return std::to_string(i); },
+        [&](std::uint64_t i, const std::string& result) {
+          CHECK(result == doubled(std::to_string(i)));
+          ++taken[result];
+        });
+  });
+  return taken;
+}
+
+}  // namespace
+
+TEST_CASE("each result is taken once, whoever answers") {
+  std::map<std::string, int> expected;
+  for (int i = 0; i < 300; ++i) expected[doubled(std::to_string(i))] = 1;
+  CHECK(taken_by(nullptr, 300) == expected);
+  for (const int ranks : {1, 3}) {
+    by_crew(ranks, doubled, [&](Crew& crew) {
+      CHECK(taken_by(&crew, 300) == expected);
+      CHECK(taken_by(&crew, 300) == expected);
+    });
+  }
+}
+
+TEST_CASE("results that come as they come do not wait for the first") {
+  std::atomic<bool> second_taken = false;
+  const Service service = [&](std::string_view request) {
+    for (int i = 0; request == "0" && !second_taken && i < 10'000; ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return std::string(request);
+  };
+  std::string order;
+  by_crew(2, service, [&](Crew& crew) {
+    share(
+        &crew, service, 2, [](std::uint64_t i) { return std::to_string(i); },
+        [&](std::uint64_t, const std::string& result) {
+          order += result;
+          second_taken = true;
+        });
+  });
+  CHECK(order == "10");
+}
+
+TEST_CASE("what is thrown is thrown on, and tells the first in the order") {
+  const Service service = [](std::string_view request) -> std::string {
+    if (request >= std::string_view("5")) throw std::runtime_error("no luck with " + std::string(request));
+    return {};
+  };
+  const auto work = [&](Crew* crew) {
+    share(
+        crew, service, 9, [](std::uint64_t i) { return std::to_string(i); }, [](std::uint64_t, const std::string&) {});
+  };
+  CHECK_THROWS_AS(work(nullptr), std::runtime_error);
+  by_crew(2, service, [&](Crew& crew) { CHECK_THROWS_WITH_AS(work(&crew), "no luck with 5", std::runtime_error); });
+}
