@@ -48,7 +48,7 @@ void refuse_report_without_verdicts(const VerifyArguments& options) {
 void refuse_crew_without_verdicts(const VerifyArguments& options) {
   if (!options.crew.wanted() || (!options.mutants && !options.coverage)) return;
   throw CLI::ValidationError(options.mutants ? "--mutants" : "--coverage",
-                             "found --checkpoint or many ranks, expected one: this is not shared out");
+                             "found --checkpoint or many ranks, expected neither: this is not shared out");
 }
 
 int judge_mutants(const std::filesystem::path& claims, const ClaimsFile& file, VerifyArguments& options) {
