@@ -3,14 +3,12 @@
 
 #include <doctest/doctest.h>
 
-#include <atomic>
-#include <chrono>
 #include <map>
 #include <stdexcept>
 #include <string>
-#include <thread>
 
 #include "parallel/in_parallel.hpp"
+#include "support/run_program.hpp"
 #include "support/thread_ranks.hpp"
 
 using namespace slipproof;
@@ -50,24 +48,18 @@ TEST_CASE("each result is taken once, whoever answers") {
   }
 }
 
-TEST_CASE("results that come as they come do not wait for the first") {
-  std::atomic<bool> second_taken = false;
-  const Service service = [&](std::string_view request) {
-    for (int i = 0; request == "0" && !second_taken && i < 10'000; ++i) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return std::string(request);
-  };
+TEST_CASE("results that are there are taken before the first is") {
+  const TemporaryFolder folder;
+  Journal journal(folder.path() / "journal", "work");
+  journal.keep("1", "of an earlier run");
   std::string order;
-  by_crew(2, service, [&](Crew& crew) {
+  const auto lead = [&](Crew& crew) {
     share(
-        &crew, service, 2, [](std::uint64_t i) { return std::to_string(i); },
-        [&](std::uint64_t, const std::string& result) {
-          order += result;
-          second_taken = true;
-        });
-  });
-  CHECK(order == "10");
+        &crew, doubled, 2, [](std::uint64_t i) { return std::to_string(i); },
+        [&](std::uint64_t, const std::string& result) { order += result + ' '; });
+  };
+  by_crew(1, doubled, lead, &journal);
+  CHECK(order == "of an earlier run 00 ");
 }
 
 TEST_CASE("what is thrown is thrown on, and tells the first in the order") {
