@@ -278,7 +278,7 @@ class Verification::Run {
   /// region begins and ends.
   std::uint64_t lines_for(const LineTask& task) const {
     if (!tallies_[task.task].held_at.numbers().empty()) return lines_;
-    const auto matter = std::count(task.lines.matters.begin(), task.lines.matters.end(), true);
+    const auto matter = std::count(task.matters.begin(), task.matters.end(), true);
     return std::max(lines_, 9 * static_cast<std::uint64_t>(matter));
   }
 
