@@ -10,6 +10,7 @@
 #include <map>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "certify/pieces.hpp"
@@ -50,10 +51,15 @@ struct Recorded {
   std::map<std::uint64_t, StageTimes> stages;  ///< by the number in the request that tells them apart
 };
 
+struct Measured {
+  std::vector<MeasuredWork> stages;
+  double alone = 0;  ///< between and after them
+};
+
 /// Runs the work with one thread that is timed, and again with the answers at hand, which leaves what rank 0 does.
 /// `stage_of` tells the stage of a request.
 template <class Answer, class Lead, class StageOf>
-std::vector<MeasuredWork> measured(const Answer& answer, const Lead& lead, const StageOf& stage_of) {
+Measured measured(const Answer& answer, const Lead& lead, const StageOf& stage_of) {
   Recorded recorded;
   Alone alone;
   {
@@ -67,25 +73,27 @@ std::vector<MeasuredWork> measured(const Answer& answer, const Lead& lead, const
     });
     lead(crew, 0);
   }
-  std::map<std::uint64_t, double> begins;
+  std::map<std::uint64_t, std::pair<double, double>> spans;  // of the first and the last request of a stage
   Crew crew(alone, {.threads = 1}, [&](std::string_view request) {
-    begins.try_emplace(stage_of(request), cpu_seconds(CLOCK_PROCESS_CPUTIME_ID));
+    const double now = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
+    spans.try_emplace(stage_of(request), now, now).first->second.second = now;
     return recorded.results.find(request)->second;
   });
-  lead(crew, 1);
-  double end = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
-  std::vector<MeasuredWork> works;
-  for (auto stage = recorded.stages.rbegin(); stage != recorded.stages.rend(); ++stage) {
-    const auto count = static_cast<double>(stage->second.seconds.size());
-    works.push_back({.requests = stage->second.seconds,
-                     .bytes = stage->second.bytes / count,
-                     .handling = (end - begins[stage->first]) / count + 2 * a_message,
-                     .seconds_a_byte = a_byte,
-                     .count = stage->second.seconds.size()});
-    end = begins[stage->first];
+  const double leading = seconds_of([&] { lead(crew, 1); });
+  Measured found;
+  found.alone = leading;
+  for (const auto& [stage, times] : recorded.stages) {
+    const auto count = times.seconds.size();
+    const double handled = spans[stage].second - spans[stage].first;
+    found.alone -= handled;
+    found.stages.push_back(
+        {.requests = times.seconds,
+         .bytes = times.bytes / static_cast<double>(count),
+         .handling = handled / static_cast<double>(std::max<std::size_t>(count - 1, 1)) + 2 * a_message,
+         .seconds_a_byte = a_byte,
+         .count = count});
   }
-  std::reverse(works.begin(), works.end());
-  return works;
+  return found;
 }
 
 void show(const std::vector<MeasuredWork>& works) {
@@ -144,14 +152,14 @@ int scale_verify(const std::string& claims, std::uint64_t samples) {
   double alone = seconds_of([&] { runs[0] = std::make_unique<Verification>(file, options); });
   runs[1] = std::make_unique<Verification>(file, options);
   VerifyResult result;
-  const auto works = measured([&](std::string_view request) { return runs[0]->answer(request); },
-                              [&](Crew& crew, std::size_t run) { result = runs[run]->result(&crew); },
-                              [](std::string_view request) {
-                                ByteReader bytes(request);
-                                bytes.number();
-                                return bytes.number();
-                              });
-  alone += seconds_of([&] { find_certificates(file, result, certificates); });
+  const auto [works, between] = measured([&](std::string_view request) { return runs[0]->answer(request); },
+                                         [&](Crew& crew, std::size_t run) { result = runs[run]->result(&crew); },
+                                         [](std::string_view request) {
+                                           ByteReader bytes(request);
+                                           bytes.number();
+                                           return bytes.number();
+                                         });
+  alone += between + seconds_of([&] { find_certificates(file, result, certificates); });
   show(works);
   std::cout << fmt::format("rank 0 alone: {:.2f} s\n\n", alone);
   show_predicted(works, alone);
@@ -173,11 +181,13 @@ int scale_certify(const std::string& file, const std::string& scene) {
   options.file = file;
   options.scene = read_scene(scene);
   const RecordPieces pieces(options);
-  const auto works = measured([&](std::string_view request) { return pieces.answer(request); },
-                              [&](Crew& crew, std::size_t) { pieces.certify(crew, [](std::string_view) {}); },
-                              [](std::string_view request) { return ByteReader(request).number(); });
+  const auto [works, between] =
+      measured([&](std::string_view request) { return pieces.answer(request); },
+               [&](Crew& crew, std::size_t) { pieces.certify(crew, [](std::string_view) {}); },
+               [](std::string_view request) { return ByteReader(request).number(); });
   show(works);
-  show_predicted(grown(works, larger, any_number), 0);
+  std::cout << fmt::format("rank 0 alone: {:.2f} s\n\n{} times as many records\n", between, larger);
+  show_predicted(grown(works, larger, any_number), between);
   return 0;
 }
 
