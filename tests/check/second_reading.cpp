@@ -52,9 +52,10 @@ class Expansion {
  public:
   explicit Expansion(const std::string& statement) {
     std::istringstream lines(statement);
-    for (std::string line; std::getline(lines, line) && !line.starts_with("exists");) {
+    for (std::string line; std::getline(lines, line);) {
       const SecondWords words = second_words(line);
       if (words.empty()) continue;
+      if (words[0] == "exists") break;
       if (words[0] == "real") variables_.insert(words.begin() + 1, words.end());
       if (words[0] == "let") abbreviations_[words.at(1)] = "(" + expression({words.begin() + 3, words.end()}) + ")";
     }
