@@ -8,6 +8,7 @@
 
 #include "enclosure/flint.hpp"
 #include "number/bareiss.hpp"
+#include "number/flint_memory.hpp"
 
 namespace slipproof {
 
@@ -26,11 +27,6 @@ Dyadic dyadic(double x) {
   const int zeros = std::countr_zero(static_cast<std::uint64_t>(m));
   return {m / (std::int64_t{1} << zeros), exponent - 53 + zeros};
 }
-
-/// FLINT keeps limbs for the thread, tens of megabytes of them here, and asks that it is told before a thread ends.
-struct EndOfThread {
-  ~EndOfThread() { flint_cleanup(); }
-};
 
 constexpr int no_exponent = std::numeric_limits<int>::max();
 
@@ -158,7 +154,7 @@ ExactVector exact_rows(const SparseMatrix& A, const ExactVector& x, std::span<co
 std::optional<ExactVector> exact_solution(const SparseMatrix& A, std::span<const double> c, Effort& effort) {
   const Work n = A.rows;
   if (n == 0) return ExactVector();
-  [[maybe_unused]] thread_local const EndOfThread at_end;
+  [[maybe_unused]] thread_local const FlintMemory at_end;  // tens of megabytes here
   effort.spend(times(n, n));
   IntegerSystem system(A, c);
   if (system.has_zeros()) return std::nullopt;

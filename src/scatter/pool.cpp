@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "number/flint_memory.hpp"
 #include "parallel/stop.hpp"
 #include "parallel/thread_count.hpp"
 #include "scatter/bytes.hpp"
@@ -73,6 +74,7 @@ std::optional<Reply> Pool::answer(std::chrono::milliseconds patience) {
 }
 
 void Pool::work(const std::stop_token& stop) {
+  const FlintMemory memory;  // of what the service computes with
   const StopScope scope(stop);
   while (true) {
     std::unique_lock lock(mutex_);
