@@ -82,7 +82,7 @@ TEST_CASE("mutants of the papers do not survive") {
     if (folder.filename() == "two-wheeler") continue;       // a few survive: its README, What remains open
     CAPTURE(folder.string());
     const auto outcome = run({"verify", folder / "claims.toml", "--mutants", "--samples", "200", "--every",
-                              every == nullptr ? "600" : every, "--quiet"});
+                              every == nullptr ? "1200" : every, "--quiet"});
     CHECK(outcome.exit_code == 0);
     CHECK(outcome.out.starts_with("s TIGHT mutants "));
   }
