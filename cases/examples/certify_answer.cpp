@@ -19,7 +19,7 @@ int main() {
                                   .road = {.f = 0.8, .g = 9.81},
                                   .F = 300};
   const Motion<Rational> motion = motions_at(scene).motions.at(0).values;
-  const auto nearest = [&](Quantity quantity) { return motion[quantity].convert_to<double>(); };
+  const auto nearest = [&](Quantity quantity) { return motion[quantity].to_double(); };
   SolverOutput answer{.a = nearest(Quantity::a),
                       .S2 = nearest(Quantity::S2),
                       .S3 = nearest(Quantity::S3),

@@ -33,13 +33,12 @@ std::uint64_t inverse_modulo(std::uint64_t x) {
 }
 
 std::uint64_t modulo(const Integer& x) {
-  Integer rest = x % Integer(prime);
-  if (rest < 0) rest += Integer(prime);
-  return rest.convert_to<std::uint64_t>();
+  const long rest = (x % prime).to_long();
+  return rest < 0 ? prime - static_cast<std::uint64_t>(-rest) : static_cast<std::uint64_t>(rest);
 }
 
 std::uint64_t modulo(const Rational& x) {
-  return times_modulo(modulo(Integer(numerator(x))), inverse_modulo(modulo(Integer(denominator(x)))));
+  return times_modulo(modulo(numerator(x)), inverse_modulo(modulo(denominator(x))));
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ std::size_t Context::line(const TableReader& table, std::string_view key, bool r
     table.refuse(key, "expected a line number, an integer from 1");
     return 0;
   }
-  return value->convert_to<std::size_t>();
+  return static_cast<std::size_t>(numerator(*value).to_long());
 }
 
 namespace {

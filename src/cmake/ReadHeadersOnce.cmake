@@ -6,7 +6,7 @@ option(SLIPPROOF_READ_HEADERS_ONCE "Precompile common headers and compile the fi
 function(slipproof_precompile target)  # slipproof_precompile(TARGET [HEADER...]): those and the common ones
   if(SLIPPROOF_READ_HEADERS_ONCE)
     target_precompile_headers(
-      ${target} PRIVATE <boost/multiprecision/gmp.hpp> <algorithm> <array> <filesystem> <fstream> <functional> <map>
+      ${target} PRIVATE <flint/fmpq.h> <algorithm> <array> <filesystem> <fstream> <functional> <map>
       <memory> <optional> <random> <set> <sstream> <string> <string_view> <utility> <vector> ${ARGN})
   endif()
 endfunction()

@@ -84,10 +84,10 @@ class IntegerSystem {
 
   std::optional<ExactVector> solution() {
     FlintMatrix residues(n_, 1);
-    FlintInteger modulus;
-    if (fmpz_mat_solve_dixon(residues.get(), modulus.get(), matrix_.get(), constant_.get()) == 0) return std::nullopt;
+    Integer modulus;
+    if (fmpz_mat_solve_dixon(residues.get(), modulus.flint(), matrix_.get(), constant_.get()) == 0) return std::nullopt;
     FlintRationalMatrix y(n_, 1);
-    if (fmpq_mat_set_fmpz_mat_mod_fmpz(y.get(), residues.get(), modulus.get()) == 0) return std::nullopt;
+    if (fmpq_mat_set_fmpz_mat_mod_fmpz(y.get(), residues.get(), modulus.flint()) == 0) return std::nullopt;
     std::vector<Rational> values;
     for (std::size_t j = 0; j < n_; ++j) values.push_back(y.at(j, 0));
     return unscaled(values);
@@ -109,7 +109,7 @@ class IntegerSystem {
   ExactVector unscaled(const std::vector<Rational>& y) const {
     ExactVector x;
     for (const Rational& value : y) {  // most have the same
-      const Integer d = denominator(value);
+      const Integer& d = denominator(value);
       if (!Integer(x.denominator % d).is_zero()) x.denominator = lcm(x.denominator, d);
     }
     int lowest = 0;
@@ -139,7 +139,7 @@ ExactVector exact_rows(const SparseMatrix& A, const ExactVector& x, std::span<co
   std::vector<Integer> sums(A.rows);
   const auto add = [&](std::size_t i, const Dyadic& factor, const Integer& to) {
     const Integer whole = Integer(factor.mantissa) << static_cast<unsigned>(factor.exponent - lowest[i]);
-    mpz_addmul(sums[i].backend().data(), whole.backend().data(), to.backend().data());
+    sums[i].add_product(whole, to);
   };
   each_entry(A, entries, [&](std::size_t i, std::size_t j, const Dyadic& a) { add(i, a, x.numerators[j]); });
   int least = 0;

@@ -141,7 +141,7 @@ std::optional<Enclosure> another_solution(const MixedProblem& problem, const Enc
     if (x[n] > 0) {
       for (std::size_t i = 0; i < problem.dimension; ++i) start[n + i] = 0;
     } else {  // pressed as hard as would stop what is leaving
-      start[n] = 2 * std::abs(exact_row(problem, n, x).convert_to<double>()) / scales[k] + 1e-6;
+      start[n] = 2 * std::abs(exact_row(problem, n, x).to_double()) / scales[k] + 1e-6;
     }
     if (auto found = from(std::move(start))) return found;
   }

@@ -1,4 +1,4 @@
-// Numbers and matrices of FLINT that free themselves.
+// Matrices of FLINT that free themselves.
 #pragma once
 
 #include <flint/fmpq_mat.h>
@@ -10,19 +10,6 @@
 #include "number/rational.hpp"
 
 namespace slipproof {
-
-class FlintInteger {
- public:
-  FlintInteger() { fmpz_init(value_); }
-  ~FlintInteger() { fmpz_clear(value_); }
-  FlintInteger(const FlintInteger&) = delete;
-  FlintInteger& operator=(const FlintInteger&) = delete;
-
-  fmpz* get() { return value_; }
-
- private:
-  fmpz_t value_;
-};
 
 /// Of integers, zeros at first.
 class FlintMatrix {
@@ -60,12 +47,11 @@ class FlintRationalMatrix {
 
   fmpq_mat_struct* get() { return value_; }
   Rational at(std::size_t i, std::size_t j) const {
-    Rational result;
-    fmpq_get_mpq(result.backend().data(), fmpq_mat_entry(value_, static_cast<slong>(i), static_cast<slong>(j)));
-    return result;
+    return Rational(fmpq_mat_entry(value_, static_cast<slong>(i), static_cast<slong>(j)));
   }
   void set(std::size_t i, std::size_t j, const Rational& x) {
-    fmpq_set_mpq(fmpq_mat_entry(value_, static_cast<slong>(i), static_cast<slong>(j)), x.backend().data());
+    const fmpq value = x.flint();
+    fmpq_set(fmpq_mat_entry(value_, static_cast<slong>(i), static_cast<slong>(j)), &value);
   }
 
  private:

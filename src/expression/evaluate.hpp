@@ -50,10 +50,7 @@ template <>
 struct FieldOf<Rational> {
   Rational constant(const Rational& value) const { return value; }
   bool is_zero(const Rational& x) const { return x.is_zero(); }
-  std::optional<int> compare(const Rational& x, const Rational& y) const {
-    const int order = x.compare(y);
-    return (order > 0) - (order < 0);
-  }
+  std::optional<int> compare(const Rational& x, const Rational& y) const { return x.compare(y); }
 };
 
 /// What the slots of programs stand for: given values, and definitions by other slots (without cycles).

@@ -10,7 +10,7 @@ namespace {
 double literal_terms(const Rational& value) {
   constexpr std::size_t bits_of_term = 64;
   if (value.is_zero()) return 1;
-  return 1.0 + static_cast<double>((msb(numerator(value)) + msb(denominator(value))) / bits_of_term);
+  return 1.0 + static_cast<double>((numerator(value).bits() + denominator(value).bits() - 2) / bits_of_term);
 }
 
 }  // namespace

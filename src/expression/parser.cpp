@@ -178,7 +178,7 @@ class Parser {
     const bool negative = accept("-");
     if (token().kind != Token::Kind::number) fail_expecting("an integer exponent");
     const Rational value = number();
-    if (boost::multiprecision::denominator(value) != 1) {
+    if (denominator(value) != 1) {
       throw ExpressionError(token().column,
                             "found the exponent " + std::string(token().text) + ", expected an integer");
     }
@@ -188,7 +188,7 @@ class Parser {
     }
     lexer_.advance();
     if (parentheses) expect(")");
-    const int magnitude = value.convert_to<int>();
+    const int magnitude = static_cast<int>(numerator(value).to_long());
     return negative ? -magnitude : magnitude;
   }
 

@@ -10,14 +10,13 @@ namespace {
 // A finite decimal reads back as the same literal; other values become a quotient in parentheses.
 std::string literal(const Rational& value) {
   constexpr unsigned longest = 1'000;
-  Integer denominator = boost::multiprecision::denominator(value);
-  const Integer numerator = boost::multiprecision::numerator(value);
-  if (denominator == 1) return numerator.str();
+  const Integer &dividend = numerator(value), &divisor = denominator(value);
+  if (divisor == 1) return dividend.str();
   unsigned digits = 0;
-  Integer scaled = numerator, rest = denominator;
+  Integer scaled = dividend, rest = divisor;
   while (rest != 1) {
-    const Integer factor = boost::multiprecision::gcd(rest, Integer(10));
-    if (factor == 1 || digits == longest) return "(" + numerator.str() + " / " + denominator.str() + ")";
+    const Integer factor = gcd(rest, Integer(10));
+    if (factor == 1 || digits == longest) return "(" + dividend.str() + " / " + divisor.str() + ")";
     scaled *= 10 / factor;
     rest /= factor;
     ++digits;

@@ -27,7 +27,7 @@ class Real {
 /// degrees * pi / 360
 void half_in_radians(const Rational& degrees, Real& result) {
   Real pi;
-  mpfr_set_q(result.value, degrees.backend().data(), MPFR_RNDN);
+  mpfr_set_q(result.value, GmpRational(degrees).get(), MPFR_RNDN);
   mpfr_const_pi(pi.value, MPFR_RNDN);
   mpfr_mul(result.value, result.value, pi.value, MPFR_RNDN);
   mpfr_div_ui(result.value, result.value, 360, MPFR_RNDN);
@@ -40,14 +40,14 @@ Rational to_three_digits(const Rational& x) {
 /// 360 / pi * arctan(tan_half) - degrees
 Rational difference_of_angle(const Rational& tan_half, const Rational& degrees) {
   Real angle, pi, asked;
-  mpfr_set_q(angle.value, tan_half.backend().data(), MPFR_RNDN);
+  mpfr_set_q(angle.value, GmpRational(tan_half).get(), MPFR_RNDN);
   mpfr_atan(angle.value, angle.value, MPFR_RNDN);
   mpfr_const_pi(pi.value, MPFR_RNDN);
   mpfr_mul_ui(angle.value, angle.value, 360, MPFR_RNDN);
   mpfr_div(angle.value, angle.value, pi.value, MPFR_RNDN);
-  mpfr_set_q(asked.value, degrees.backend().data(), MPFR_RNDN);
+  mpfr_set_q(asked.value, GmpRational(degrees).get(), MPFR_RNDN);
   mpfr_sub(angle.value, angle.value, asked.value, MPFR_RNDN);
-  return to_three_digits(Rational(mpfr_get_d(angle.value, MPFR_RNDN)));
+  return to_three_digits(to_rational(mpfr_get_d(angle.value, MPFR_RNDN)));
 }
 
 /// The angle in (-180, 180].
@@ -86,7 +86,7 @@ AngleFromDegrees angle_from_degrees(const Rational& degrees) {
   const double half = mpfr_get_d(tangent.value, MPFR_RNDN);
   const int side = sign(angle);
   if (!std::isfinite(half)) return {{-1, 0}, to_three_digits(Rational(side) * (Rational(180) - size))};
-  const Rational tan_half = side < 0 ? Rational(-Rational(half)) : Rational(half);
+  const Rational tan_half = to_rational(side < 0 ? -half : half);
   return {point_of_tan_half(tan_half), difference_of_angle(tan_half, angle)};
 }
 

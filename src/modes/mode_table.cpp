@@ -9,24 +9,14 @@ namespace slipproof {
 
 namespace {
 
-/// numerator / denominator in lowest terms, in the memory of the two.
-Rational quotient(Integer numerator, Integer denominator) {
-  Rational result;
-  mpq_ptr q = result.backend().data();
-  mpz_swap(mpq_numref(q), numerator.backend().data());
-  mpz_swap(mpq_denref(q), denominator.backend().data());
-  mpq_canonicalize(q);
-  return result;
-}
-
 Affine<Rational> to_rational(Quotient<Affine<Integer>, Integer> q, const Integer& unit) {
   const bool constant = q.numerator.beta.is_zero(), linear = q.numerator.alpha.is_zero();
   if (constant && linear) return {};
   q.denominator *= unit;
-  if (constant) return {quotient(std::move(q.numerator.alpha), std::move(q.denominator)), Rational()};
-  if (linear) return {Rational(), quotient(std::move(q.numerator.beta), std::move(q.denominator))};
-  return {quotient(std::move(q.numerator.alpha), q.denominator),
-          quotient(std::move(q.numerator.beta), std::move(q.denominator))};
+  if (constant) return {Rational(std::move(q.numerator.alpha), std::move(q.denominator)), Rational()};
+  if (linear) return {Rational(), Rational(std::move(q.numerator.beta), std::move(q.denominator))};
+  return {Rational(std::move(q.numerator.alpha), q.denominator),
+          Rational(std::move(q.numerator.beta), std::move(q.denominator))};
 }
 
 /// A closed interval of forces.
@@ -59,7 +49,7 @@ class Ends {
   }
   static std::optional<Rational> value(const RawFraction& end) {
     if (end.denominator.is_zero()) return std::nullopt;
-    return quotient(end.numerator, end.denominator);
+    return Rational(end.numerator, end.denominator);
   }
 
   RawFraction lower_, upper_;  ///< denominators > 0; 0 for an end that is not there

@@ -16,7 +16,7 @@ template <class Range>
 Integer common_denominator(const Range& values) {
   Integer result = 1;
   for (const Rational& value : values) {
-    const Integer d = denominator(value);
+    const Integer& d = denominator(value);
     if (d != 1) result = lcm(result, d);
   }
   return result;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "number/parse.hpp"
 
@@ -12,7 +14,7 @@ static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<doub
 
 namespace {
 
-constexpr long digits = 53;
+constexpr int digits = 53;
 constexpr long lowest_exponent = -1074;  // of the last place of subnormals
 constexpr long highest_exponent = 971;   // of the last place of DBL_MAX
 
@@ -25,43 +27,36 @@ struct Truncated {
   bool exact;             // remainder == 0
 };
 
-long bit_length(mpz_srcptr x) {
-  return static_cast<long>(mpz_sizeinbase(x, 2));
+long bit_length(const Integer& x) {
+  return static_cast<long>(x.bits());
 }
 
 Truncated truncate(const Rational& x) {
-  mpq_srcptr value = x.backend().data();
-  mpz_srcptr numerator = mpq_numref(value);
-  mpz_srcptr denominator = mpq_denref(value);
   // 2^(k-1) < |x| < 2^(k+1): the quotient below has 53 or 54 bits, or fewer for subnormals.
-  const long k = bit_length(numerator) - bit_length(denominator);
+  const long k = bit_length(numerator(x)) - bit_length(denominator(x));
   long exponent = std::max(k - digits, lowest_exponent);
-  Integer dividend;
-  Integer divisor;
-  mpz_abs(dividend.backend().data(), numerator);
-  divisor.backend() = denominator;
+  Integer dividend = abs(numerator(x));
+  Integer divisor = denominator(x);
   if (exponent < 0) {
     dividend <<= static_cast<unsigned long>(-exponent);
   } else {
     divisor <<= static_cast<unsigned long>(exponent);
   }
-  Integer quotient;
-  Integer remainder;
-  divide_qr(dividend, divisor, quotient, remainder);
-  if (bit_length(quotient.backend().data()) > digits) {
-    if (bit_test(quotient, 0)) remainder += divisor;
+  auto [quotient, remainder] = divide(dividend, divisor);
+  if (bit_length(quotient) > digits) {
+    if (quotient.is_odd()) remainder += divisor;
     quotient >>= 1;
     divisor <<= 1;
     ++exponent;
   }
-  const int remainder_vs_half = Integer(remainder << 1).compare(divisor);
-  return {quotient, exponent, (remainder_vs_half > 0) - (remainder_vs_half < 0), remainder.is_zero()};
+  const int remainder_vs_half = (remainder << 1).compare(divisor);
+  return {std::move(quotient), exponent, remainder_vs_half, remainder.is_zero()};
 }
 
 /// (quotient + up) * 2^exponent; exact up to overflow to infinity.
 double assemble(const Truncated& truncated, bool up) {
   if (truncated.exponent > highest_exponent) return std::numeric_limits<double>::infinity();
-  const double significand = static_cast<double>(mpz_get_ui(truncated.quotient.backend().data()) + (up ? 1UL : 0UL));
+  const double significand = static_cast<double>(truncated.quotient.to_long() + (up ? 1 : 0));
   return std::ldexp(significand, static_cast<int>(truncated.exponent));
 }
 
@@ -70,15 +65,17 @@ double assemble(const Truncated& truncated, bool up) {
 Rational to_rational(double x) {
   if (std::isnan(x)) throw NumberError(0, "NaN", "a finite number");
   if (std::isinf(x)) throw NumberError(0, "infinity", "a finite number");
-  Rational result;
-  mpq_set_d(result.backend().data(), x);
-  return result;
+  int exponent = 0;
+  const Integer significand = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &exponent), digits));
+  exponent -= digits;
+  if (exponent >= 0) return significand << static_cast<std::size_t>(exponent);
+  return Rational(significand, Integer(1) << static_cast<std::size_t>(-exponent));
 }
 
 double nearest_binary64(const Rational& x) {
   if (x.is_zero()) return 0.0;
   const Truncated truncated = truncate(x);
-  const bool odd = bit_test(truncated.quotient, 0);
+  const bool odd = truncated.quotient.is_odd();
   const bool up = truncated.remainder_vs_half > 0 || (truncated.remainder_vs_half == 0 && odd);
   return std::copysign(assemble(truncated, up), sign(x));
 }

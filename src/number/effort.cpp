@@ -1,5 +1,6 @@
 #include "number/effort.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace slipproof {
@@ -13,12 +14,11 @@ Work times(Work x, Work y) {
 }
 
 std::size_t bit_count(const Integer& x) {
-  return mpz_sizeinbase(x.backend().data(), 2);
+  return std::max<std::size_t>(x.bits(), 1);
 }
 
 std::size_t bit_count(const Rational& x) {
-  const mpq_srcptr q = x.backend().data();
-  return mpz_sizeinbase(mpq_numref(q), 2) + mpz_sizeinbase(mpq_denref(q), 2);
+  return bit_count(numerator(x)) + bit_count(denominator(x));
 }
 
 Work product_work(std::size_t bits) {

@@ -9,21 +9,22 @@ namespace {
 
 /// floor(log10 |x|), or one less: a first guess from the lengths in bits.
 long decimal_exponent_guess(const Rational& x) {
-  mpq_srcptr value = x.backend().data();
-  const long bits = static_cast<long>(mpz_sizeinbase(mpq_numref(value), 2)) -
-                    static_cast<long>(mpz_sizeinbase(mpq_denref(value), 2)) - 1;
+  const long bits = static_cast<long>(numerator(x).bits()) - static_cast<long>(denominator(x).bits()) - 1;
   // log10(2) = 0.30102999...; rounded down for both signs.
   return bits >= 0 ? bits * 30102 / 100000 : -((-bits * 30103 + 99999) / 100000);
 }
 
-/// |x| / 10^exponent as a quotient and remainder over a common divisor.
-void scale(const Rational& x, long exponent, Integer& quotient, Integer& remainder, Integer& divisor) {
-  Integer dividend = abs(numerator(x));
-  divisor = denominator(x);
-  const Integer power = pow(Integer(10), static_cast<unsigned>(std::labs(exponent)));
-  (exponent < 0 ? dividend : divisor) *= power;
-  divide_qr(dividend, divisor, quotient, remainder);
-}
+/// |x| / 10^exponent = quotient + remainder / divisor.
+struct Scaled {
+  Scaled(const Rational& x, long exponent) : divisor(denominator(x)) {
+    Integer dividend = abs(numerator(x));
+    (exponent < 0 ? dividend : divisor) *= pow(Integer(10), static_cast<unsigned long>(std::labs(exponent)));
+    parts = divide(dividend, divisor);
+  }
+
+  Integer divisor;
+  QuotientAndRemainder parts;
+};
 
 }  // namespace
 
@@ -34,15 +35,13 @@ std::string exact_text(const Rational& x) {
 std::string decimal_text(const Rational& x, int digits) {
   if (digits < 1) throw std::invalid_argument("decimal_text: at least one significant digit");
   if (x.is_zero()) return "0";
-  const Integer limit = pow(Integer(10), static_cast<unsigned>(digits));
+  const Integer limit = pow(Integer(10), static_cast<unsigned long>(digits));
   long exponent = decimal_exponent_guess(x);
-  Integer quotient;
-  Integer remainder;
-  Integer divisor;
-  scale(x, exponent + 1 - digits, quotient, remainder, divisor);
-  while (quotient >= limit) scale(x, ++exponent + 1 - digits, quotient, remainder, divisor);
-  const int half = Integer(remainder << 1).compare(divisor);
-  if (half > 0 || (half == 0 && bit_test(quotient, 0))) ++quotient;
+  Scaled scaled(x, exponent + 1 - digits);
+  while (scaled.parts.quotient >= limit) scaled = Scaled(x, ++exponent + 1 - digits);
+  auto& [quotient, remainder] = scaled.parts;
+  const int half = (remainder << 1).compare(scaled.divisor);
+  if (half > 0 || (half == 0 && quotient.is_odd())) ++quotient;
   if (quotient == limit) {
     quotient /= 10;
     ++exponent;

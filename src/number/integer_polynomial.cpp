@@ -6,29 +6,15 @@ namespace slipproof {
 
 namespace {
 
-/// An fmpz that frees itself.
-struct FlintInteger {
-  FlintInteger() { fmpz_init(value); }
-  explicit FlintInteger(const Integer& x) {
-    fmpz_init(value);
-    fmpz_set_mpz(value, x.backend().data());
-  }
-  ~FlintInteger() { fmpz_clear(value); }
-  FlintInteger(const FlintInteger&) = delete;
-  FlintInteger& operator=(const FlintInteger&) = delete;
-  fmpz_t value;
-};
-
 /// Coefficient k times factor^k, or factor^(degree - k).
 void scale(fmpz_poly_struct* p, const Integer& factor, bool downwards) {
   if (factor == 1) return;
-  const FlintInteger step(factor);
-  FlintInteger power(Integer(1));
+  Integer power = 1;
   const slong length = fmpz_poly_length(p);
   for (slong i = 0; i < length; ++i) {
     fmpz* coefficient = fmpz_poly_get_coeff_ptr(p, downwards ? length - 1 - i : i);
-    fmpz_mul(coefficient, coefficient, power.value);
-    fmpz_mul(power.value, power.value, step.value);
+    fmpz_mul(coefficient, coefficient, power.flint());
+    power *= factor;
   }
 }
 
@@ -37,34 +23,32 @@ void move(fmpz_poly_struct* p, const Rational& shift) {
   if (shift.is_zero()) return;
   // d^n p((s + n)/d) at s = d t: scaled, shifted by an integer, and scaled back.
   scale(p, denominator(shift), true);
-  fmpz_poly_taylor_shift(p, p, FlintInteger(numerator(shift)).value);
+  fmpz_poly_taylor_shift(p, p, numerator(shift).flint());
   scale(p, denominator(shift), false);
 }
 
 }  // namespace
 
 void IntegerPolynomial::set_coefficient(long power, const Integer& x) {
-  fmpz_poly_set_coeff_fmpz(value_, power, FlintInteger(x).value);
+  fmpz_poly_set_coeff_fmpz(value_, power, x.flint());
 }
 
 Integer IntegerPolynomial::coefficient(long power) const {
-  FlintInteger x;
-  fmpz_poly_get_coeff_fmpz(x.value, value_, power);
   Integer result;
-  fmpz_get_mpz(result.backend().data(), x.value);
+  fmpz_poly_get_coeff_fmpz(result.flint(), value_, power);
   return result;
 }
 
 int IntegerPolynomial::sign_at(const Rational& t) const {
-  const FlintInteger n(numerator(t)), d(denominator(t));
-  FlintInteger value, power(Integer(1));
+  const Integer &n = numerator(t), &d = denominator(t);
+  Integer value, power = 1;
   // d^degree p(n/d), from the leading coefficient down.
   for (slong i = degree(); i >= 0; --i) {
-    fmpz_mul(value.value, value.value, n.value);
-    fmpz_addmul(value.value, fmpz_poly_get_coeff_ptr(value_, i), power.value);
-    fmpz_mul(power.value, power.value, d.value);
+    value *= n;
+    fmpz_addmul(value.flint(), fmpz_poly_get_coeff_ptr(value_, i), power.flint());
+    power *= d;
   }
-  return fmpz_sgn(value.value);
+  return value.sign();
 }
 
 int IntegerPolynomial::sign_changes() const {
@@ -97,7 +81,7 @@ IntegerPolynomial IntegerPolynomial::between(const Rational& lower, const Ration
   scale(result.value_, numerator(width), false);
   scale(result.value_, denominator(width), true);
   fmpz_poly_reverse(result.value_, result.value_, degree() + 1);
-  fmpz_poly_taylor_shift(result.value_, result.value_, FlintInteger(Integer(1)).value);
+  fmpz_poly_taylor_shift(result.value_, result.value_, Integer(1).flint());
   return result;
 }
 

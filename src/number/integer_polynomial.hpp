@@ -41,10 +41,10 @@ class IntegerPolynomial {
   /// Of rational coefficients, from the constant up, times their common denominator.
   static IntegerPolynomial proportional_to(const std::vector<Rational>& coefficients) {
     Integer common = 1;
-    for (const Rational& c : coefficients) common = lcm(common, Integer(denominator(c)));
+    for (const Rational& c : coefficients) common = lcm(common, denominator(c));
     IntegerPolynomial result;
     for (std::size_t i = 0; i < coefficients.size(); ++i) {
-      result.set_coefficient(static_cast<long>(i), Integer(numerator(coefficients[i] * common)));
+      result.set_coefficient(static_cast<long>(i), numerator(coefficients[i] * common));
     }
     return result;
   }

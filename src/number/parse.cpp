@@ -65,7 +65,7 @@ class NumberReader {
     const bool has_exponent = peek() == 'p' || peek() == 'P';
     const int exponent = has_exponent ? read_exponent(max_binary_exponent) : 0;
     if (peek() == '/') refuse_fraction();
-    const Integer digits("0x" + significand.digits);
+    const Integer digits(significand.digits, 16);
     const int scale = exponent - 4 * significand.fraction_digits;
     const Integer power = Integer(1) << static_cast<unsigned>(std::abs(scale));
     return scale < 0 ? Rational(digits, power) : Rational(digits * power);
@@ -88,7 +88,7 @@ class NumberReader {
     return {Integer(numerator.digits), Integer(denominator.digits)};
   }
 
-  /// At least one digit, at most one point, leading zeros dropped (GMP would read them as the mark of octal).
+  /// At least one digit, at most one point, leading zeros dropped.
   Significand read_significand(int base) {
     Significand significand;
     bool any_digit = false;

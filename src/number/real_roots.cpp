@@ -3,6 +3,7 @@
 #include <flint/fmpz_poly_factor.h>
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "number/simplest.hpp"
@@ -53,12 +54,8 @@ class Isolation {
   explicit Isolation(const IntegerPolynomial& p) : p_(p) {}
 
   void isolate(const LinePart& part, std::vector<Found>& roots) {
-    fmpz_t bound;
-    fmpz_init(bound);
-    fmpz_poly_bound_roots(bound, p_.flint());
     Integer limit;
-    fmpz_get_mpz(limit.backend().data(), bound);
-    fmpz_clear(bound);
+    fmpz_poly_bound_roots(limit.flint(), p_.flint());
     Rational far(1);
     while (far <= Rational(limit)) far *= 2;
     Rational lower = -far, upper = far;

@@ -10,7 +10,7 @@ namespace slipproof {
 namespace {
 
 Integer floor_of(const Rational& x) {
-  const Integer n = numerator(x), d = denominator(x);
+  const Integer &n = numerator(x), &d = denominator(x);
   Integer q = n / d;  // towards zero
   if (n < 0 && q * d != n) --q;
   return q;

@@ -150,7 +150,7 @@ PhaseDiagram phase_diagram(Plane plane, std::size_t count) {
   }
   for (const Plane::Line& line : plane.lines) {
     const Rational place = (line.x - plane.x.from) / step;
-    const bool there = boost::multiprecision::denominator(place) == 1;
+    const bool there = denominator(place) == 1;
     if (plane.x.from < line.x && line.x < plane.x.to && !there) columns.add(line.x, false);
   }
   std::vector<PhaseColumn> all = columns.refined();

@@ -13,15 +13,10 @@ constexpr std::size_t products_a_step = 2, text_steps = 5, factor_steps = 40;
 /// An fmpq that frees itself.
 struct FlintRational {
   FlintRational() { fmpq_init(value); }
-  explicit FlintRational(const Rational& x) : FlintRational() { fmpq_set_mpq(value, x.backend().data()); }
   ~FlintRational() { fmpq_clear(value); }
   FlintRational(const FlintRational&) = delete;
   FlintRational& operator=(const FlintRational&) = delete;
-  Rational rational() const {
-    Rational result;
-    fmpq_get_mpq(result.backend().data(), value);
-    return result;
-  }
+  Rational rational() const { return Rational(value); }
   fmpq_t value;
 };
 
@@ -55,7 +50,8 @@ std::shared_ptr<MultiPolynomial::Value> MultiPolynomial::blank(const PolynomialR
 
 MultiPolynomial::MultiPolynomial(const PolynomialRing& ring, const Rational& constant) : ring_(&ring) {
   const auto value = blank(ring);
-  fmpq_mpoly_set_fmpq(value->polynomial, FlintRational(constant).value, ring.context_);
+  const fmpq flint = constant.flint();
+  fmpq_mpoly_set_fmpq(value->polynomial, &flint, ring.context_);
   value_ = value;
 }
 
@@ -193,7 +189,8 @@ bool MultiPolynomial::operator==(const MultiPolynomial& other) const {
 
 MultiPolynomial MultiPolynomial::scaled(const Rational& factor) const {
   const auto result = blank(*ring_);
-  fmpq_mpoly_scalar_mul_fmpq(result->polynomial, value_->polynomial, FlintRational(factor).value, ring_->context_);
+  const fmpq flint = factor.flint();
+  fmpq_mpoly_scalar_mul_fmpq(result->polynomial, value_->polynomial, &flint, ring_->context_);
   return MultiPolynomial(result);
 }
 
@@ -216,8 +213,8 @@ std::optional<MultiPolynomial> MultiPolynomial::common_divisor(const MultiPolyno
 Factorization MultiPolynomial::as_irreducible() const {
   Integer numerators = 0, denominators = 1;
   for (const Term& term : terms()) {
-    numerators = gcd(numerators, Integer(numerator(term.coefficient)));
-    denominators = lcm(denominators, Integer(denominator(term.coefficient)));
+    numerators = gcd(numerators, numerator(term.coefficient));
+    denominators = lcm(denominators, denominator(term.coefficient));
   }
   Rational content(numerators, denominators);
   if (leading_coefficient() < 0) content = -content;

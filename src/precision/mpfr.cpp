@@ -15,7 +15,7 @@ template <class T>
 struct Conversion {
   static T rounded(const Rational& x) {
     T result;
-    mpfr_set_q(result.backend().data(), x.backend().data(), MPFR_RNDN);
+    mpfr_set_q(result.backend().data(), GmpRational(x).get(), MPFR_RNDN);
     return result;
   }
   static std::optional<Rational> exactly(const T& x) { return exact_rational(x.backend().data()); }

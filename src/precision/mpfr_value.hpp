@@ -13,7 +13,7 @@ namespace slipproof {
 class MpfrValue {
  public:
   explicit MpfrValue(int bits) { mpfr_init2(value_, bits); }
-  MpfrValue(const Rational& x, int bits) : MpfrValue(bits) { mpfr_set_q(value_, x.backend().data(), MPFR_RNDN); }
+  MpfrValue(const Rational& x, int bits) : MpfrValue(bits) { mpfr_set_q(value_, GmpRational(x).get(), MPFR_RNDN); }
   MpfrValue(const MpfrValue&) = delete;
   MpfrValue& operator=(const MpfrValue&) = delete;
   ~MpfrValue() { mpfr_clear(value_); }
@@ -27,8 +27,11 @@ class MpfrValue {
 /// The value of a finite number; nothing for NaN and the infinities.
 inline std::optional<Rational> exact_rational(mpfr_srcptr x) {
   if (mpfr_number_p(x) == 0) return std::nullopt;
-  Rational result;
-  mpfr_get_q(result.backend().data(), x);
+  mpq_t value;
+  mpq_init(value);
+  mpfr_get_q(value, x);
+  const Rational result(value);
+  mpq_clear(value);
   return result;
 }
 

@@ -22,7 +22,7 @@ SignPattern Samples::signs(const Polynomial& p) const {
   Column sum{}, size{};
   for (const Term& term : p.terms()) {
     Column product;
-    product.fill(term.coefficient.convert_to<double>());
+    product.fill(term.coefficient.to_double());
     for (std::size_t variable = 0; variable < term.exponents.size(); ++variable) {
       for (unsigned long k = 0; k < term.exponents[variable]; ++k) {
         for (std::size_t i = 0; i < kSamples; ++i) product[i] *= values_[variable][i];

@@ -24,10 +24,9 @@ namespace {
 namespace py = pybind11;
 
 py::object integer(const Integer& x) {
-  if (x >= INT64_MIN && x <= INT64_MAX) return py::int_(static_cast<std::int64_t>(x));
+  if (x.fits_long()) return py::int_(x.to_long());
   // Base 16 is linear, and Python does not limit its length.
-  const std::string digits = (x < 0 ? "-" : "") + Integer(abs(x)).str(0, std::ios_base::hex);
-  return py::reinterpret_steal<py::object>(PyLong_FromString(digits.c_str(), nullptr, 16));
+  return py::reinterpret_steal<py::object>(PyLong_FromString(x.str(16).c_str(), nullptr, 16));
 }
 
 /// Of a bicycle, or of a mechanism; a struct, as pybind11 would take a variant apart.

@@ -196,15 +196,14 @@ void add_number(const Element& row, const Rational& value) {
   const Element inside = value < 0 ? row.add("mrow") : row;
   if (value < 0) add_operator(inside, "−");
   const Rational size = abs(value);
-  const Integer denominator = boost::multiprecision::denominator(size);
-  const std::string numerator = Integer(boost::multiprecision::numerator(size)).str();
-  if (denominator == 1) {
-    inside.add("mn").text(numerator);
+  const std::string dividend = numerator(size).str();
+  if (denominator(size) == 1) {
+    inside.add("mn").text(dividend);
     return;
   }
   const Element fraction = inside.add("mfrac");
-  fraction.add("mn").text(numerator);
-  fraction.add("mn").text(denominator.str());
+  fraction.add("mn").text(dividend);
+  fraction.add("mn").text(denominator(size).str());
 }
 
 void add_math(const Element& parent, const Expression& expression) {

@@ -33,8 +33,8 @@ ForcePolynomial constant_polynomial(const Integer& x) {
 }  // namespace
 
 LineFunction::LineFunction(const Rational& constant)
-    : numerator_(constant_polynomial(boost::multiprecision::numerator(constant))),
-      denominator_{IntegerPolynomial(boost::multiprecision::denominator(constant))} {}
+    : numerator_(constant_polynomial(slipproof::numerator(constant))),
+      denominator_{IntegerPolynomial(slipproof::denominator(constant))} {}
 
 LineFunction::LineFunction(IntegerPolynomial polynomial) : denominator_{IntegerPolynomial(1)} {
   if (!polynomial.is_zero()) numerator_.push_back(std::move(polynomial));
@@ -50,9 +50,9 @@ LineFunction::LineFunction(const Affine<IntegerPolynomial>& numerator, IntegerPo
     : LineFunction(ForcePolynomial{numerator.alpha, numerator.beta}, ForcePolynomial{std::move(denominator)}) {}
 
 LineFunction LineFunction::linear(const Rational& constant, const Rational& slope) {
-  const Integer n = boost::multiprecision::denominator(constant), m = boost::multiprecision::denominator(slope);
-  IntegerPolynomial line(boost::multiprecision::numerator(constant) * m, boost::multiprecision::numerator(slope) * n);
-  return {ForcePolynomial{std::move(line)}, ForcePolynomial{IntegerPolynomial(Integer(n * m))}};
+  const Integer &n = slipproof::denominator(constant), &m = slipproof::denominator(slope);
+  IntegerPolynomial line(slipproof::numerator(constant) * m, slipproof::numerator(slope) * n);
+  return {ForcePolynomial{std::move(line)}, ForcePolynomial{IntegerPolynomial(n * m)}};
 }
 
 void LineFunction::cancel() {

@@ -62,7 +62,7 @@ inline std::vector<BadInput> read_bad_inputs(const std::filesystem::path& path) 
       const TableReader row(*table, "[[case]]", case_keys, mistakes);
       BadInput input;
       if (row.require("what", "the mistake in words")) input.what = row.string("what")->text();
-      if (exit) input.exit = numerator(*exit).convert_to<int>();
+      if (exit) input.exit = static_cast<int>(numerator(*exit).to_long());
       if (row.has("text")) {
         input.text = row.string("text")->text();
       } else if (row.has("hex")) {
@@ -70,7 +70,7 @@ inline std::vector<BadInput> read_bad_inputs(const std::filesystem::path& path) 
       } else if (row.require("change", "text, hex or change") && good != nullptr) {
         std::string filling;
         if (const auto repeat = row.number("repeat")) {
-          for (auto n = numerator(*repeat).convert_to<long>(); n > 0; --n) filling += row.string("unit")->text();
+          for (long n = numerator(*repeat).to_long(); n > 0; --n) filling += row.string("unit")->text();
         }
         input.text = changed(good->text(), row.strings("change"), filling);
       }

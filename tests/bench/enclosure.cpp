@@ -62,7 +62,7 @@ BenchProblem banded_problem(std::size_t contacts, std::size_t band) {
   }
   made.problem.c.assign(n, 0);
   for (std::size_t i = 0; i < n; ++i) {
-    made.problem.c[i] = u[i] - exact_row(made.problem, i, made.x).convert_to<double>();
+    made.problem.c[i] = u[i] - exact_row(made.problem, i, made.x).to_double();
   }
   return made;
 }

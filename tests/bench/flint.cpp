@@ -18,7 +18,10 @@ class System {
     fmpq_mat_init(matrix_, n, n);
     fmpq_mat_init(right_, n, 2);
     fmpq_mat_init(solution_, n, 2);
-    const auto set = [](fmpq* entry, const Rational& x) { fmpq_set_mpq(entry, x.backend().data()); };
+    const auto set = [](fmpq* entry, const Rational& x) {
+      const fmpq value = x.flint();
+      fmpq_set(entry, &value);
+    };
     const auto rows = raw_system(e.bicycle, e.road, ForceKind::internal, mode);
     for (slong i = 0; i < n; ++i) {
       const auto& form = rows[static_cast<std::size_t>(i)];
@@ -40,11 +43,7 @@ class System {
   bool solve() { return fmpq_mat_solve(solution_, matrix_, right_) != 0; }
   /// The unknown with this index in Unknowns, as a function of F.
   Affine<Rational> unknown(slong index) const {
-    const auto get = [&](slong column) {
-      Rational x;
-      fmpq_get_mpq(x.backend().data(), fmpq_mat_entry(solution_, index, column));
-      return x;
-    };
+    const auto get = [&](slong column) { return Rational(fmpq_mat_entry(solution_, index, column)); };
     return {get(0), get(1)};
   }
 

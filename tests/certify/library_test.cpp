@@ -35,7 +35,7 @@ TEST_CASE("a scene of doubles is solved exactly, and its answer certified") {
   CHECK(found.motions[0].modes == std::vector{*parse_mode("stick/stick")});
   const Motion<Rational>& motion = found.motions[0].values;
   CHECK(motions_at(to_rational(typical)).motions[0].values == motion);
-  const auto value = [&](Quantity q) { return motion[q].convert_to<double>(); };
+  const auto value = [&](Quantity q) { return motion[q].to_double(); };
   const SolverOutput right{.mode = parse_mode("stick/stick"),
                            .a = value(Quantity::a),
                            .S2 = value(Quantity::S2),

@@ -2,12 +2,11 @@
 
 #include <doctest/doctest.h>
 
-#include <Eigen/Dense>
-#include <boost/multiprecision/eigen.hpp>
 #include <random>
 #include <set>
 
 #include "modes/motions.hpp"
+#include "support/eigen_rational.hpp"
 #include "support/random_scene.hpp"
 
 using namespace slipproof;

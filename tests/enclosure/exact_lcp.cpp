@@ -109,7 +109,7 @@ TEST_CASE("solutions are those that problems were built from") {
     for (std::size_t i = 0; i < n; ++i) x.push_back(Rational(std::max(0, draw.whole(-8, 8)), 16));
     for (std::size_t i = 0; i < n; ++i) {
       double sum = x[i] == 0 ? std::max(0, draw.whole(-2, 8)) : 0;  // a few have x_i = w_i = 0
-      for (std::size_t j = 0; j < n; ++j) sum -= A[i][j] * x[j].convert_to<double>();
+      for (std::size_t j = 0; j < n; ++j) sum -= A[i][j] * x[j].to_double();
       c.push_back(sum);
     }
     CHECK(exact_solution_from(problem(A, c), draw.set(n)) == x);

@@ -67,7 +67,7 @@ inline KnownProblem known_problem(Dice& dice, std::size_t contacts) {
   p.c.assign(n, 0);
   for (std::size_t i = 0; i < n; ++i) {
     const Rational q = Rational(static_cast<long>(u[i])) - exact_row(p, i, known.x);
-    p.c[i] = q.convert_to<double>();
+    p.c[i] = q.to_double();
   }
   return known;
 }

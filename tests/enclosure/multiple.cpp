@@ -112,8 +112,8 @@ TEST_CASE("random contacts with friction: each solution obeys the law, and one t
     const Rationals w = image(p, x);
     for (std::size_t k = 0; k < contacts; ++k) {
       const double gap = x[2 * k] == 0 ? draw.whole(0, 3) : 0, slip = -sign(x[2 * k + 1]) * draw.whole(0, 3);
-      p.c[2 * k] = gap - w[2 * k].convert_to<double>();
-      p.c[2 * k + 1] = slip - w[2 * k + 1].convert_to<double>();
+      p.c[2 * k] = gap - w[2 * k].to_double();
+      p.c[2 * k + 1] = slip - w[2 * k + 1].to_double();
     }
     REQUIRE(obeys_law(p, x));
     const SolutionCount found = all_solutions(p);

@@ -52,7 +52,7 @@ struct ErrorCount {
 
 /// log2 rounded up.
 inline long bits(const Integer& x) {
-  return x == 0 ? 0 : static_cast<long>(msb(x)) + 1;
+  return static_cast<long>(x.bits());
 }
 
 }  // namespace slipproof::test

@@ -227,16 +227,16 @@ TEST_CASE("forms are evaluated over other numbers") {
   for (const MechanismValues& values : samples) {
     const FrictionProblem problem = maker.problem(values);
     Evaluator<double> at(maker.compiled().scope());
-    for (std::size_t i = 0; i < values.parameters.size(); ++i) at.set(i, values.parameters[i].convert_to<double>());
-    at.set(maker.compiled().cosine(0), values.angles[0].cosine.convert_to<double>());
-    at.set(maker.compiled().sine(0), values.angles[0].sine.convert_to<double>());
+    for (std::size_t i = 0; i < values.parameters.size(); ++i) at.set(i, values.parameters[i].to_double());
+    at.set(maker.compiled().cosine(0), values.angles[0].cosine.to_double());
+    at.set(maker.compiled().sine(0), values.angles[0].sine.to_double());
     const auto gap = coefficients(maker.compiled().contacts[0].gap, at, m.unknowns.size());
     REQUIRE(gap);
     REQUIRE(gap->size() == m.unknowns.size() + 2);
     for (std::size_t i = 0; i < m.unknowns.size(); ++i) {
-      CHECK((*gap)[i] == doctest::Approx(problem.elements[0].gap.coefficients[i].convert_to<double>()));
+      CHECK((*gap)[i] == doctest::Approx(problem.elements[0].gap.coefficients[i].to_double()));
     }
-    CHECK(gap->back() == doctest::Approx(problem.elements[0].gap.constant.convert_to<double>()));
+    CHECK(gap->back() == doctest::Approx(problem.elements[0].gap.constant.to_double()));
   }
 }
 

@@ -52,10 +52,10 @@ TEST_CASE("degrees are the nearest rational angle, and the difference is told") 
     const Rational degrees(parse_rational(text));
     const AngleFromDegrees angle = angle_from_degrees(degrees);
     CHECK(Rational(angle.point.cosine * angle.point.cosine + angle.point.sine * angle.point.sine) == 1);
-    const double wanted = degrees.convert_to<double>() * std::acos(-1.0) / 180;
-    CHECK(angle.point.cosine.convert_to<double>() == doctest::Approx(std::cos(wanted)).epsilon(1e-12));
-    CHECK(angle.point.sine.convert_to<double>() == doctest::Approx(std::sin(wanted)).epsilon(1e-12));
-    CHECK(std::abs(angle.difference.convert_to<double>()) < 1e-13);
+    const double wanted = degrees.to_double() * std::acos(-1.0) / 180;
+    CHECK(angle.point.cosine.to_double() == doctest::Approx(std::cos(wanted)).epsilon(1e-12));
+    CHECK(angle.point.sine.to_double() == doctest::Approx(std::sin(wanted)).epsilon(1e-12));
+    CHECK(std::abs(angle.difference.to_double()) < 1e-13);
   }
   for (const int quarter : {0, 90, 180, -90, 270, 3690}) {
     const AngleFromDegrees angle = angle_from_degrees(quarter);

@@ -39,7 +39,7 @@ double mpfr_rounded(const Rational& x, mpfr_rnd_t direction) {
   mpfr_set_emax(1024);
   mpfr_t y;
   mpfr_init2(y, 53);
-  int ternary = mpfr_set_q(y, x.backend().data(), direction);
+  int ternary = mpfr_set_q(y, slipproof::GmpRational(x).get(), direction);
   ternary = mpfr_check_range(y, ternary, direction);
   mpfr_subnormalize(y, ternary, direction);
   const double result = mpfr_get_d(y, direction);

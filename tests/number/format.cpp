@@ -52,7 +52,7 @@ TEST_CASE("decimals far outside of binary64") {
   CHECK(decimal_text(parse_rational("-1.2345e5000"), 3) == "-1.23e+5000");
   CHECK(decimal_text(parse_rational("9.999e-5000"), 3) == "1e-4999");
   for (unsigned n = 1; n < 400; ++n) {
-    const Rational power(boost::multiprecision::pow(Integer(10), n));
+    const Rational power(pow(Integer(10), n));
     const std::string exponent = (n < 10 ? "0" : "") + std::to_string(n);
     CAPTURE(n);
     CHECK(decimal_text(power * 1000, 1) == "1e+" + (n + 3 < 10 ? "0" : std::string()) + std::to_string(n + 3));

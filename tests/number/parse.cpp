@@ -21,7 +21,7 @@ using slipproof::test::random_finite;
 namespace {
 
 Rational power_of_ten(unsigned n) {
-  return Rational(boost::multiprecision::pow(Integer(10), n));
+  return Rational(pow(Integer(10), n));
 }
 
 }  // namespace

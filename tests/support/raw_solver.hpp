@@ -1,11 +1,10 @@
 // An independent solver: Eigen's full-pivoting LU on the eleven raw equations of proofs/MODEL.md.
 #pragma once
 
-#include <Eigen/Dense>
-#include <boost/multiprecision/eigen.hpp>
 #include <optional>
 
 #include "model/linear_form.hpp"
+#include "support/eigen_rational.hpp"
 
 namespace slipproof::test {
 

@@ -128,7 +128,7 @@ TEST_CASE("planted errors: in thin windows of a parameter or ratio, and on surfa
                                    {"0.01 %", Rational(1, 10'000)},
                                    {"surface", Rational(0)}}};
   for (const auto& [name, width] : kinds) {
-    Gardener gardener(static_cast<std::uint64_t>(denominator(width)));
+    Gardener gardener(static_cast<std::uint64_t>(denominator(width).to_long()));
     int without = 0, with = 0;
     for (int i = 0; i < count; ++i) {
       const Planted planted = gardener.plant(width);
