@@ -7,6 +7,7 @@
 #include <set>
 #include <thread>
 
+#include "number/flint_memory.hpp"
 #include "parallel/stop.hpp"
 #include "python/bind.hpp"
 
@@ -123,6 +124,7 @@ void wait_for(const std::shared_ptr<Call>& call, std::function<void()> work, con
   const std::uint64_t since = interrupts();
   running().add(call);
   std::thread worker([call, work = std::move(work)]() mutable {
+    const FlintMemory memory;  // of what the work computes with
     std::exception_ptr error;
     try {
       const StopScope scope(call->stop.get_token());
