@@ -44,11 +44,13 @@ class Rational {
   explicit operator double() const { return to_double(); }  ///< for code that is written over any number type
 
   Rational& operator+=(const Rational& y) {
+    if (y.is_zero()) return *this;
     _fmpq_add(numerator_.flint(), denominator_.flint(), numerator_.flint(), denominator_.flint(), y.numerator_.flint(),
               y.denominator_.flint());
     return *this;
   }
   Rational& operator-=(const Rational& y) {
+    if (y.is_zero()) return *this;
     _fmpq_sub(numerator_.flint(), denominator_.flint(), numerator_.flint(), denominator_.flint(), y.numerator_.flint(),
               y.denominator_.flint());
     return *this;
@@ -76,6 +78,7 @@ class Rational {
   friend Rational operator-(Rational&& x, const Rational& y) { return std::move(x -= y); }
   friend Rational operator*(const Rational& x, const Rational& y) {
     Rational z;
+    if (x.is_zero() || y.is_zero()) return z;  // half of the products in eliminations
     _fmpq_mul(z.numerator_.flint(), z.denominator_.flint(), x.numerator_.flint(), x.denominator_.flint(),
               y.numerator_.flint(), y.denominator_.flint());
     return z;
