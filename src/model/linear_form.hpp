@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "model/equations.hpp"
@@ -37,7 +38,25 @@ LinearForm<T> operator*(const T& s, LinearForm<T> x) {
 }
 template <class T>
 LinearForm<T> operator-(const LinearForm<T>& x, const LinearForm<T>& y) {
-  return x + T(-1) * y;
+  LinearForm<T> result = x;
+  for (std::size_t i = 0; i < y.coefficients.size(); ++i) result.coefficients[i] -= y.coefficients[i];
+  result.constant -= y.constant;
+  return result;
+}
+template <class T>
+LinearForm<T> operator-(LinearForm<T> x) {
+  return T(-1) * std::move(x);
+}
+
+/// The unknowns and the force, as forms.
+template <class T>
+Unknowns<LinearForm<T>> unknown_forms() {
+  const auto x = [](std::size_t i) { return LinearForm<T>::variable(i); };
+  return {x(0), x(1), x(2), x(3), x(4), x(5), x(6), x(7), x(8), x(9), x(10)};
+}
+template <class T>
+LinearForm<T> force_form() {
+  return LinearForm<T>::variable(unknown_count);
 }
 
 /// The eleven equations of a mode: sum of row.coefficients[i] x_i + row.constant = 0, the raw system of
@@ -45,9 +64,8 @@ LinearForm<T> operator-(const LinearForm<T>& x, const LinearForm<T>& y) {
 template <class T>
 std::array<LinearForm<T>, unknown_count> raw_system(const Bicycle<T>& p, const Road<T>& road, ForceKind kind,
                                                     ContactMode mode) {
-  const auto x = [](std::size_t i) { return LinearForm<T>::variable(i); };
-  const Unknowns<LinearForm<T>> u{x(0), x(1), x(2), x(3), x(4), x(5), x(6), x(7), x(8), x(9), x(10)};
-  const auto motion = equations_of_motion(p, road, kind, u, x(unknown_count));
+  const auto u = unknown_forms<T>();
+  const auto motion = equations_of_motion(p, road, kind, u, force_form<T>());
   const auto rear = contact_equations(p, road, u, Wheel::rear, mode.rear);
   const auto front = contact_equations(p, road, u, Wheel::front, mode.front);
   return {motion[0], motion[1], motion[2], motion[3], motion[4], motion[5],

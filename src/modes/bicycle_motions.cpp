@@ -54,8 +54,7 @@ class BicycleMotions final : public MotionsOverLoads {
   std::optional<ModeOverLoads> find(const MechanismMode& mode) const override {
     const ModeSolution* s = solution(mode);
     if (s == nullptr) return std::nullopt;
-    if (is_continuum(*s)) return kernel().find(mode);
-    return ModeOverLoads{&s->closed(), &s->strict(), false};
+    return ModeOverLoads{&s->closed(), &s->strict(), is_continuum(*s) && !s->continuum().one_motion};
   }
 
   std::optional<ModeForms> forms(const MechanismMode& mode) const override {

@@ -1,5 +1,6 @@
 #include "modes/continuum.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "model/conditions.hpp"
@@ -12,6 +13,7 @@ namespace {
 /// Columns in the order of elimination: what a user would rather see as a free parameter comes last.
 /// Indices into Unknowns: a, a_y, phi, eps1, eps2, eps3, T, S2, S3, N2, N3.
 constexpr std::array<std::size_t, unknown_count> column_order{6, 3, 1, 2, 0, 7, 8, 4, 5, 9, 10};
+constexpr std::array<std::size_t, 6> columns_of_accelerations{1, 2, 3, 4, 7, 8};
 constexpr std::array<Quantity, unknown_count> quantity_of_unknown{
     Quantity::a,  Quantity::a_y, Quantity::phi, Quantity::eps2, Quantity::eps2, Quantity::eps3,
     Quantity::S2, Quantity::S2,  Quantity::S3,  Quantity::N2,   Quantity::N3};
@@ -35,28 +37,23 @@ Unknowns<V> from_array(std::array<V, unknown_count> x) {
   return {x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], x[10]};
 }
 
-/// The conditions of a mode are linear in the unknowns: what each of them does alone.
-std::vector<AffineForm> condition_forms(const Bicycle<Rational>& bicycle, const Rational& friction, ContactMode mode) {
-  std::vector<AffineForm> forms;
-  for (const Condition& condition : conditions(mode)) {
-    AffineForm& form = forms.emplace_back();
-    for (const std::size_t column : column_order) {
-      std::array<Rational, unknown_count> alone;
-      alone[column] = 1;
-      form.coefficients.push_back(condition_value(condition, motion_of(bicycle, from_array(alone)), friction));
-    }
-    form.coefficients.emplace_back(0);
-  }
-  return forms;
-}
-
 }  // namespace
 
-std::optional<Continuum> solve_singular(const Bicycle<Rational>& bicycle, const Road<Rational>& road, ForceKind kind,
-                                        ContactMode mode) {
-  AffineSpace space(unknown_count, true);
-  for (const LinearForm<Rational>& form : raw_system(bicycle, road, kind, mode)) {
-    if (!space.require(to_form(form))) return std::nullopt;
+SingularModes::SingularModes(const Bicycle<Rational>& bicycle, const Road<Rational>& road, ForceKind kind)
+    : bicycle_(bicycle), road_(road), in_every_mode_(unknown_count, true) {
+  const auto equations = equations_of_motion(bicycle, road, kind, unknown_forms<Rational>(), force_form<Rational>());
+  solvable_ = std::all_of(equations.begin(), equations.end(),
+                          [&](const LinearForm<Rational>& form) { return in_every_mode_.require(to_form(form)); });
+}
+
+std::optional<Continuum> SingularModes::solve(ContactMode mode) const {
+  if (!solvable_) return std::nullopt;
+  const auto unknowns = unknown_forms<Rational>();
+  AffineSpace space = in_every_mode_;
+  for (const Wheel wheel : {Wheel::rear, Wheel::front}) {
+    for (const auto& form : contact_equations(bicycle_, road_, unknowns, wheel, mode[wheel])) {
+      if (!space.require(to_form(form))) return std::nullopt;
+    }
   }
   Continuum result;
   result.mode = mode;
@@ -68,22 +65,28 @@ std::optional<Continuum> solve_singular(const Bicycle<Rational>& bicycle, const 
     solution[column] = space.on(unknown(column));
     base[column_order[column]] = {solution[column].constant, solution[column].coefficients.back()};
   }
-  result.base = motion_of(bicycle, from_array(base));
+  result.base = motion_of(bicycle_, from_array(base));
   for (const std::size_t free : space.free_unknowns()) {
     std::array<Rational, unknown_count> direction;
     for (std::size_t column = 0; column < unknown_count; ++column) {
       direction[column_order[column]] = solution[column].coefficients[free];
     }
-    result.directions.push_back(motion_of(bicycle, from_array(direction)));
+    result.directions.push_back(motion_of(bicycle_, from_array(direction)));
     result.parameters.push_back(quantity_of_unknown[column_order[free]]);
     result.free_.push_back(unknown(free));
   }
 
-  for (const AffineForm& form : condition_forms(bicycle, road.f, mode)) result.conditions_.push_back(space.on(form));
+  const Motion<LinearForm<Rational>> motion = motion_of(bicycle_, unknowns);
+  for (const Condition& condition : slipproof::conditions(mode)) {
+    result.conditions_.push_back(space.on(to_form(condition_value(condition, motion, road_.f))));
+  }
   Narrowed narrowed = narrow(std::move(space), result.conditions_, ForceInterval());
   if (auto* solutions = std::get_if<Polyhedron>(&narrowed)) {
     result.closed = solutions->loads;
     result.strict = strict_loads(*solutions);
+    result.one_motion = std::all_of(columns_of_accelerations.begin(), columns_of_accelerations.end(), [&](auto column) {
+      return is_free_of_unknowns(solutions->space.on(unknown(column)));
+    });
     result.solutions_ = std::move(*solutions);
   } else {
     result.closed = result.strict = ForceInterval::nothing();

@@ -21,6 +21,7 @@ class Continuum {
   std::vector<Quantity> parameters;          ///< the quantity that is its free parameter: base is 0 there
   ForceInterval closed;                      ///< forces for which some solution meets all conditions
   ForceInterval strict;                      ///< the same with all conditions strict
+  bool one_motion = false;                   ///< at a force all of those are one motion: only forces vary
 
   /// The range of each parameter over the consistent motions at a force; nothing if there are none.
   std::optional<std::vector<ForceInterval>> parameter_ranges(const Rational& force) const;
@@ -30,16 +31,26 @@ class Continuum {
   std::vector<Quantity> undetermined() const;
 
  private:
-  friend std::optional<Continuum> solve_singular(const Bicycle<Rational>&, const Road<Rational>&, ForceKind,
-                                                 ContactMode);
+  friend class SingularModes;
   std::vector<AffineForm> conditions_;
   std::vector<AffineForm> free_;         ///< the unknowns that are free parameters
   std::optional<Polyhedron> solutions_;  ///< those that meet the conditions
 };
 
-/// Solves the raw equations of a mode by elimination; nothing if they have no solution for any force. Meant for
-/// singular modes; a regular mode comes back with no directions.
-std::optional<Continuum> solve_singular(const Bicycle<Rational>& bicycle, const Road<Rational>& road, ForceKind kind,
-                                        ContactMode mode);
+/// The modes of a scene by elimination in its raw equations. What all modes share is eliminated once.
+class SingularModes {
+ public:
+  SingularModes(const Bicycle<Rational>& bicycle, const Road<Rational>& road, ForceKind kind);
+
+  /// Nothing if the equations of a mode have no solution for any force. Meant for singular modes; a regular mode comes
+  /// back with no directions.
+  std::optional<Continuum> solve(ContactMode mode) const;
+
+ private:
+  Bicycle<Rational> bicycle_;
+  Road<Rational> road_;
+  AffineSpace in_every_mode_;  ///< the solutions of the equations of motion
+  bool solvable_ = true;
+};
 
 }  // namespace slipproof

@@ -92,20 +92,21 @@ ModeTable::ModeTable(const Bicycle<Rational>& bicycle, const Road<Rational>& roa
   const Affine<Integer> F(Integer(0), scene.force_unit());
   auto dynamics = reduce<Integer, Affine<Integer>>(scene.bicycle, scene.road, kind, F, scene.friction_denominator);
   ground_ = std::make_unique<const Ground>(Ground{std::move(scene), std::move(dynamics)});
+  std::optional<const SingularModes> made;  // for the first mode that needs it
+  const auto singular = [&]() -> const SingularModes& { return made ? *made : made.emplace(bicycle, road, kind); };
   for (const ContactMode mode : modes) {
-    if (mode.on_road() || bicycle.J) solutions_.push_back(solve(mode, bicycle, road, kind));
+    if (mode.on_road() || bicycle.J) solutions_.push_back(solve(mode, singular));
   }
 }
 
-ModeSolution ModeTable::solve(ContactMode mode, const Bicycle<Rational>& bicycle, const Road<Rational>& road,
-                              ForceKind kind) const {
+ModeSolution ModeTable::solve(ContactMode mode, const std::function<const SingularModes&()>& singular) const {
   ModeSolution s;
   s.mode_ = mode;
   ReducedMotion<Integer, Affine<Integer>> reduced(ground_->dynamics, mode);
   const bool spins_freely = (mode.rear != ContactState::stick && reduced.rear_spin_inertia().is_zero()) ||
                             (mode.front != ContactState::stick && reduced.front_spin_inertia().is_zero());
   if (spins_freely || reduced.determinant().is_zero()) {
-    if (auto continuum = solve_singular(bicycle, road, kind, mode)) {
+    if (auto continuum = singular().solve(mode)) {
       s.kind_ = ModeSolution::Kind::continuum;
       s.closed_ = continuum->closed;
       s.strict_ = continuum->strict;

@@ -1,6 +1,7 @@
 // Every contact mode of a scene, solved exactly for every force at once.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -66,7 +67,7 @@ class ModeTable {
     IntegerScene scene;
     ReducedDynamics<Integer, Affine<Integer>> dynamics;
   };
-  ModeSolution solve(ContactMode mode, const Bicycle<Rational>&, const Road<Rational>&, ForceKind) const;
+  ModeSolution solve(ContactMode mode, const std::function<const SingularModes&()>& singular) const;
 
   std::unique_ptr<const Ground> ground_;  ///< a stable address: the solutions point into it
   bool detachment_ = false;

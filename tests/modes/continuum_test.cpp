@@ -114,7 +114,7 @@ TEST_CASE("a regular mode solved as if it were singular gives the same motion an
     const ModeTable table(p, road, ForceKind::external);
     for (const ModeSolution& s : table.solutions()) {
       if (s.kind() != ModeSolution::Kind::regular) continue;
-      const auto c = solve_singular(p, road, ForceKind::external, s.mode());
+      const auto c = SingularModes(p, road, ForceKind::external).solve(s.mode());
       REQUIRE(c);
       CHECK(c->directions.empty());
       CHECK(c->base == s.motion());
