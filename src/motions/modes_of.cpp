@@ -192,6 +192,7 @@ ForceInterval domain_for(const FrictionProblem& problem, const std::optional<Rat
 
 ConsistentMode consistent_mode(const FrictionProblem& problem, const MechanismMode& mode, Polyhedron solutions) {
   const bool determined =
+      solutions.space.dimension() == 0 ||
       std::all_of(problem.accelerations.begin(), problem.accelerations.end(),
                   [&](const AffineForm& form) { return is_free_of_unknowns(solutions.space.on(form)); });
   return {mode, std::move(solutions), determined};

@@ -72,13 +72,53 @@ std::vector<MechanismMode> hysteresis(const FrictionProblem& problem, const Moti
   return gone;
 }
 
-/// What a mode that holds for more than one load says of it.
-Affine<Rational> over_loads(const AffineForm& form) {
-  return {form.constant, form.coefficients.back()};
+using OverLoads = std::vector<Affine<Rational>>;
+using ForcesOverLoads = std::vector<std::optional<Affine<Rational>>>;
+
+/// Forms that are determined on a space, over the load; nothing for others.
+ForcesOverLoads values_on(const AffineSpace& space, const std::vector<AffineForm>& forms) {
+  ForcesOverLoads values;
+  for (const AffineForm& form : forms) {
+    const AffineForm whole = space.on(form);
+    if (is_free_of_unknowns(whole)) {
+      values.emplace_back(Affine<Rational>(whole.constant, whole.coefficients.back()));
+    } else {
+      values.emplace_back();
+    }
+  }
+  return values;
+}
+
+/// A mode for all its loads.
+struct ModeOfCells {
+  const ConsistentMode* found;
+  bool regular = false;     ///< its equations leave one solution for each load
+  OverLoads accelerations;  ///< of a determined mode
+  ForcesOverLoads forces;   ///< of such a one, too
+
+  ModeOfCells(const FrictionProblem& problem, const ConsistentMode& mode) : found(&mode) {
+    const AffineSpace& space = mode.solutions.space;
+    regular = space.dimension() == 0 && space.load_is_free();
+    if (!mode.determined) return;
+    for (auto& value : values_on(space, problem.accelerations)) accelerations.push_back(std::move(*value));
+    forces = values_on(space, problem.forces);
+  }
+};
+
+/// The same at one load.
+OverLoads at(const OverLoads& values, const Rational& load) {
+  OverLoads result;
+  for (const auto& value : values) result.emplace_back(value.at(load));
+  return result;
+}
+ForcesOverLoads at(const ForcesOverLoads& values, const Rational& load) {
+  ForcesOverLoads result;
+  for (const auto& value : values) result.push_back(value ? std::optional<Affine<Rational>>(value->at(load)) : value);
+  return result;
 }
 
 /// Where two motions that are affine in the load are the same, if at one load only.
-std::optional<Rational> crossing(const std::vector<Affine<Rational>>& x, const std::vector<Affine<Rational>>& y) {
+std::optional<Rational> crossing(const OverLoads& x, const OverLoads& y) {
   std::optional<Rational> load;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const Affine<Rational> d = x[i] - y[i];
@@ -96,16 +136,8 @@ std::optional<Rational> crossing(const std::vector<Affine<Rational>>& x, const s
 /// The cells of the loads, from the modes.
 class Cells {
  public:
-  Cells(const FrictionProblem& problem, const std::vector<ConsistentMode>& consistent)
-      : problem_(problem), consistent_(consistent) {
-    for (const ConsistentMode& mode : consistent) {
-      std::vector<Affine<Rational>> motion;
-      if (mode.determined) {
-        for (const AffineForm& form : problem.accelerations)
-          motion.push_back(over_loads(mode.solutions.space.on(form)));
-      }
-      motions_.push_back(std::move(motion));
-    }
+  Cells(const FrictionProblem& problem, const std::vector<ConsistentMode>& consistent) : problem_(problem) {
+    for (const ConsistentMode& mode : consistent) modes_.emplace_back(problem, mode);
   }
 
   std::vector<LoadCell> all() {
@@ -115,7 +147,7 @@ class Cells {
     std::optional<Rational> below = domain.lower();
     for (const Rational& point : breakpoints()) {
       if (below != point) add_open(cells, below, point);
-      if (domain.contains(point)) cells.push_back(at(point));
+      if (domain.contains(point)) cells.push_back(cell(ForceInterval::point(point)));
       below = point;
     }
     if (!below || below != domain.upper()) add_open(cells, below, domain.upper());
@@ -133,8 +165,8 @@ class Cells {
     std::vector<AffineForm> differences;
     for (std::size_t i = 0; i < problem_.accelerations.size(); ++i) {
       AffineForm form = problem_.accelerations[i];
-      form.constant -= motions_[other][i].alpha;
-      form.coefficients.back() -= motions_[other][i].beta;
+      form.constant -= modes_[other].accelerations[i].alpha;
+      form.coefficients.back() -= modes_[other].accelerations[i].beta;
       differences.push_back(std::move(form));
     }
     if (const auto common = with(continuum.solutions, differences)) add_ends(points, common->loads);
@@ -143,15 +175,16 @@ class Cells {
   std::vector<Rational> breakpoints() const {
     std::vector<Rational> points;
     add_ends(points, problem_.load_domain);
-    for (const ConsistentMode& mode : consistent_) add_ends(points, mode.solutions.loads);
-    for (std::size_t i = 0; i < consistent_.size(); ++i) {
+    for (const ModeOfCells& mode : modes_) add_ends(points, mode.found->solutions.loads);
+    for (std::size_t i = 0; i < modes_.size(); ++i) {
       stop_if_asked();
-      for (std::size_t j = 0; j < consistent_.size(); ++j) {
-        if (!consistent_[j].determined || i == j) continue;
-        if (!consistent_[i].determined) {
-          add_containment(points, consistent_[i], j);
+      for (std::size_t j = 0; j < modes_.size(); ++j) {
+        if (!modes_[j].found->determined || i == j) continue;
+        if (!modes_[i].found->determined) {
+          add_containment(points, *modes_[i].found, j);
         } else if (j < i) {
-          if (auto load = crossing(motions_[i], motions_[j])) points.push_back(std::move(*load));
+          if (auto load = crossing(modes_[i].accelerations, modes_[j].accelerations))
+            points.push_back(std::move(*load));
         }
       }
     }
@@ -167,76 +200,66 @@ class Cells {
     return !(domain.lower() && load < *domain.lower()) && !(domain.upper() && load > *domain.upper());
   }
 
-  /// The modes at one load.
-  std::vector<ConsistentMode> slice(const Rational& load) const {
-    std::vector<ConsistentMode> result;
-    for (const ConsistentMode& mode : consistent_) {
-      if (!mode.solutions.loads.contains(load)) continue;
-      auto solutions = at_load(mode.solutions, load);
-      if (!solutions) continue;
-      result.push_back(consistent_mode(problem_, mode.mode, std::move(*solutions)));
-    }
-    return result;
-  }
-
-  LoadCell at(const Rational& load) const {
-    LoadCell cell{ForceInterval::point(load), {}, {}};
-    MotionsAtLoad found = gather(problem_, slice(load));
-    for (MotionAtLoad& motion : found.motions) {
-      MotionOverLoads over{std::move(motion.modes), std::move(motion.boundary_modes), {}, {}};
-      for (Rational& value : motion.accelerations) over.accelerations.emplace_back(std::move(value));
-      for (Range& force : motion.forces) {
-        over.forces.push_back(force.is_point() ? std::optional(Affine<Rational>(*force.lower)) : std::nullopt);
-      }
-      cell.motions.push_back(std::move(over));
-    }
-    for (ContinuumAtLoad& continuum : found.continua) cell.continua.push_back(std::move(continuum.mode));
-    return cell;
-  }
-
-  /// Inside a cell the motions at one load are those at all, and affine in it.
   void add_open(std::vector<LoadCell>& cells, const std::optional<Rational>& from,
                 const std::optional<Rational>& to) const {
-    LoadCell cell{ForceInterval::between(from, false, to, false), {}, {}};
-    if (cell.loads.empty()) return;
-    const Rational inside = cell.loads.sample();
-    const MotionsAtLoad found = gather(problem_, slice(inside));
-    for (const MotionAtLoad& motion : found.motions) cell.motions.push_back(over(motion));
-    for (const ContinuumAtLoad& continuum : found.continua) cell.continua.push_back(continuum.mode);
-    cells.push_back(std::move(cell));
+    const auto loads = ForceInterval::between(from, false, to, false);
+    if (!loads.empty()) cells.push_back(cell(loads));
   }
 
-  MotionOverLoads over(const MotionAtLoad& motion) const {
-    MotionOverLoads result{motion.modes, motion.boundary_modes, {}, {}};
-    std::vector<std::size_t> modes;
-    for (const auto* names : {&motion.modes, &motion.boundary_modes}) {
-      for (const MechanismMode& mode : *names) modes.push_back(place_of(mode));
+  /// The motions at one load, or at all loads of an open interval: inside they are those at one, and affine in it.
+  LoadCell cell(const ForceInterval& loads) const {
+    LoadCell result{loads, {}, {}};
+    const Rational load = loads.sample();
+    std::vector<Polyhedron> continua;
+    for (const ModeOfCells& mode : modes_) {
+      const ConsistentMode& found = *mode.found;
+      if (!found.solutions.loads.contains(load)) continue;
+      if (mode.regular) {
+        const bool strict = loads.is_point() ? strict_at(found.solutions, load) : found.solutions.strict;
+        add_motion(result, mode, strict);
+        continue;
+      }
+      auto solutions = at_load(found.solutions, load);
+      if (!solutions) continue;
+      ConsistentMode here = consistent_mode(problem_, found.mode, std::move(*solutions));
+      if (!here.determined) {
+        result.continua.push_back(here.mode);
+        continua.push_back(std::move(here.solutions));
+      } else {
+        add_motion(result, loads.is_point() ? ModeOfCells(problem_, here) : mode, here.solutions.strict);
+      }
     }
-    result.accelerations = motions_[modes.front()];
-    for (const AffineForm& force : problem_.forces) result.forces.push_back(common_value(force, modes));
+    std::erase_if(result.motions, [&](const MotionOverLoads& motion) {
+      std::vector<Rational> accelerations;
+      for (const auto& value : motion.accelerations) accelerations.push_back(value.at(load));
+      return std::any_of(continua.begin(), continua.end(), [&](const Polyhedron& solutions) {
+        return contains(problem_, solutions, accelerations, nullptr);
+      });
+    });
     return result;
   }
 
-  std::size_t place_of(const MechanismMode& mode) const {
-    const auto place =
-        std::find_if(consistent_.begin(), consistent_.end(), [&](const ConsistentMode& c) { return c.mode == mode; });
-    return static_cast<std::size_t>(place - consistent_.begin());
-  }
-
-  /// What a force is in all of some modes; nothing if they, or the solutions of one, differ.
-  std::optional<Affine<Rational>> common_value(const AffineForm& force, const std::vector<std::size_t>& modes) const {
-    std::optional<Affine<Rational>> value;
-    for (const std::size_t mode : modes) {
-      const AffineForm form = consistent_[mode].solutions.space.on(force);
-      if (!is_free_of_unknowns(form) || (value && *value != over_loads(form))) return std::nullopt;
-      value = over_loads(form);
+  /// A mode's motion, or the mode to those of the same motion; forces that differ among them are undetermined.
+  static void add_motion(LoadCell& cell, const ModeOfCells& mode, bool strict) {
+    const bool point = cell.loads.is_point();
+    const Rational load = point ? cell.loads.sample() : Rational();
+    OverLoads accelerations = point ? at(mode.accelerations, load) : mode.accelerations;
+    ForcesOverLoads forces = point ? at(mode.forces, load) : mode.forces;
+    auto motion = std::find_if(cell.motions.begin(), cell.motions.end(),
+                               [&](const MotionOverLoads& m) { return m.accelerations == accelerations; });
+    if (motion == cell.motions.end()) {
+      cell.motions.push_back({{}, {}, std::move(accelerations), std::move(forces)});
+      motion = cell.motions.end() - 1;
+    } else {
+      for (std::size_t k = 0; k < forces.size(); ++k) {
+        if (motion->forces[k] != forces[k]) motion->forces[k].reset();
+      }
     }
-    return value;
+    (strict ? motion->modes : motion->boundary_modes).push_back(mode.found->mode);
   }
 
   const FrictionProblem& problem_;
-  const std::vector<ConsistentMode>& consistent_;
-  std::vector<std::vector<Affine<Rational>>> motions_;  ///< of determined modes
+  std::vector<ModeOfCells> modes_;
 };
 
 }  // namespace

@@ -251,15 +251,22 @@ std::optional<Polyhedron> at_load(const Polyhedron& solutions, const Rational& l
   return with(solutions, {load_minus(load, solutions.space.unknowns())});
 }
 
+bool strict_at(const Polyhedron& solutions, const Rational& load) {
+  if (solutions.space.dimension() > 0 || !solutions.space.load_is_free()) return at_load(solutions, load)->strict;
+  return solutions.strict && std::all_of(solutions.sides.begin(), solutions.sides.end(), [&](const AffineForm& side) {
+           return (side.constant + side.coefficients.back() * load).sign() > 0;
+         });
+}
+
 ForceInterval strict_loads(const Polyhedron& solutions) {
   if (!solutions.strict) return ForceInterval::nothing();
   const ForceInterval& loads = solutions.loads;
   if (loads.is_point()) return loads;
-  const auto strict_at = [&](const std::optional<Rational>& end, bool closed) {
-    return closed && at_load(solutions, *end)->strict;
+  const auto strict = [&](const std::optional<Rational>& end, bool closed) {
+    return closed && strict_at(solutions, *end);
   };
-  return ForceInterval::between(loads.lower(), strict_at(loads.lower(), loads.lower_closed()), loads.upper(),
-                                strict_at(loads.upper(), loads.upper_closed()));
+  return ForceInterval::between(loads.lower(), strict(loads.lower(), loads.lower_closed()), loads.upper(),
+                                strict(loads.upper(), loads.upper_closed()));
 }
 
 std::vector<Range> ranges(const Polyhedron& solutions, const std::vector<AffineForm>& forms) {

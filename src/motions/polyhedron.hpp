@@ -43,6 +43,9 @@ std::optional<Conflict> find_conflict(const AffineSpace& space, const std::vecto
 /// The same solutions at one load.
 std::optional<Polyhedron> at_load(const Polyhedron& solutions, const Rational& load);
 
+/// Whether some solution at a load meets all conditions strictly; there must be one at that load.
+bool strict_at(const Polyhedron& solutions, const Rational& load);
+
 /// The loads for which some solution meets all conditions strictly: all, or all but ends.
 ForceInterval strict_loads(const Polyhedron& solutions);
 
