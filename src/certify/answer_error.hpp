@@ -24,7 +24,8 @@ Real largest_error(const ReducedDynamics<N, N>& dynamics, ContactMode mode, std:
     const Real distance = (absolute(Real(z - value)) * up + error) * up + 2 * unit_roundoff * absolute(z);
     const Real size = absolute(value) - error;
     const bool lifted = mode[i == 5 || i == 7 ? Wheel::rear : Wheel::front] == ContactState::lift;
-    const bool exactly_zero = i >= 5 ? lifted : (i == 1 || i == 2) && mode.on_road();
+    // Forces on a wheel in the air, and what only they turn: the front wheel. On the road C neither rises nor turns.
+    const bool exactly_zero = i >= 4 ? lifted : (i == 1 || i == 2) && mode.on_road();
     Real relative = unknown;
     if (exactly_zero) {
       const Real scale = i >= 5 ? weight : i == 1 ? number(Field::g) : number(Field::g) / number(Field::R);

@@ -22,7 +22,7 @@ class RecordFiles {
       : csv_(std::filesystem::temp_directory_path() / ("slipproof-bench-" + std::to_string(count) + ".csv")),
         npy_(csv_ + ".npy") {
     constexpr std::size_t different = 2048;
-    test::SolverRecords records(17);
+    test::SolverRecords records(17, false);
     std::vector<test::Cells> cells;
     while (cells.size() < different) {
       cells.push_back(records.next());

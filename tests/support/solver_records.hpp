@@ -32,13 +32,15 @@ inline std::string header() {
 
 class SolverRecords {
  public:
-  explicit SolverRecords(std::uint64_t seed) : random_(seed) {}
+  /// Of bicycles as they are built, or, every second one, of anything that a scene may be.
+  explicit SolverRecords(std::uint64_t seed, bool wide = true) : random_(seed), wide_(wide) {}
 
   /// The next record; scenes with several motions or none are passed over.
   Cells next() {
     while (true) {
       if (left_ == 0) {
-        scene_ = to_rational(nearest_binary64(random_.scene(random_.coin() ? Population::bicycles : Population::wide)));
+        scene_ = to_rational(
+            nearest_binary64(random_.scene(wide_ && !random_.coin() ? Population::wide : Population::bicycles)));
         table_.emplace(scene_.bicycle, scene_.road, scene_.force_kind);
         left_ = 8;
       }
@@ -82,6 +84,7 @@ class SolverRecords {
   ForcedScene<Rational> scene_;
   std::optional<ModeTable> table_;
   int left_ = 0;
+  bool wide_;
 };
 
 }  // namespace slipproof::test
