@@ -4,22 +4,22 @@
 // determinant, is that of W with the rows of T replaced by T = -mu N where the mode slips, and those of N and T by
 // N = T = 0 where it lifts. In a linear complementarity problem these are the principal minors of W.
 //
-// Planar friction, W symmetric and positive definite: there is one solution for every q if and only if all mode
-// determinants are positive. The solutions are the preimages of q under a map that is linear on each of the cones that
-// the modes' conditions cut out of the space, and continuous. With positive determinants it keeps the orientation on
-// each of them; its degree is 1, as it is for mu = 0, since z . W z = sum of T slip <= 0 has no solution but z = 0
-// whatever mu is, so that no preimage escapes to infinity while mu grows; hence it is one to one. A negative
-// determinant makes a generic q inside of that cone's image have three preimages, a zero one makes a continuum. (For q
-// in general: S. Scholtes, Introduction to Piecewise Differentiable Equations, section 2.3.)
-// proofs/two-wheeler/README.md has the proof with each step.
+// Planar friction, W positive definite, symmetric or not: there is one solution for every q if and only if all mode
+// determinants are positive; a contact without friction has none for stick, as its T is 0. The solutions are the
+// preimages of q under a map that is linear on each of the cones that the modes' conditions cut out of the space, and
+// continuous. With positive determinants it keeps the orientation on each of them; its degree is 1, as it is for mu =
+// 0, since z . W z = sum of T slip <= 0 has no solution but z = 0 whatever mu is, so that no preimage escapes to
+// infinity while mu grows; hence it is one to one. A negative determinant makes a generic q inside of that cone's image
+// have three preimages, a zero one makes a continuum. (For q in general: S. Scholtes, Introduction to Piecewise
+// Differentiable Equations, section 2.3.) proofs/two-wheeler/README.md has the proof with each step.
 //
 // Linear complementarity: W is a P-matrix or not (Samelson, Thrall, Wesler 1958); it need not be symmetric.
 //
-// Beyond so many contacts that their modes can be tried, with friction: let t_i be the sum of |W_jk| over the
-// tangential columns k in the tangential row j of contact i. If W with mu_i^2 t_i subtracted from the diagonal entry of
-// N_i is positive definite, the solution is unique for every q. Let x be a vector of the N of contacts that slip and
-// the N, T of those that stick, P x the force with T = 0 and C x that with T = -+mu N where contacts slip. In the norm
-// of W,
+// Beyond so many contacts that their modes can be tried, with friction and a symmetric W: let t_i be the sum of |W_jk|
+// over the tangential columns k in the tangential row j of contact i. If W with mu_i^2 t_i subtracted from the diagonal
+// entry of N_i is positive definite, the solution is unique for every q. Let x be a vector of the N of contacts that
+// slip and the N, T of those that stick, P x the force with T = 0 and C x that with T = -+mu N where contacts slip. In
+// the norm of W,
 // |(C - P) x|^2 <= sum of mu_i^2 t_i x_i^2 by Gershgorin, and what is asked for makes that less than |P x|^2, whatever
 // the T of sticking contacts. Then x . P^T W C x >= |P x| (|P x| - |(C - P) x|) > 0: a matrix with that property has a
 // positive determinant, in every mode.
@@ -37,13 +37,13 @@ struct EveryLoad {
   enum class Verdict : std::uint8_t {
     unique,      ///< one solution for every q
     not_unique,  ///< for some q several, infinitely many, or none
-    undecided    ///< W is not symmetric and positive definite, or there are too many modes and the bound says nothing
+    undecided    ///< W is not positive definite, or there are too many modes and the bound says nothing
   };
   enum class Reason : std::uint8_t {
     determinants,  ///< all mode determinants are positive; or one is not
     bound,         ///< the sufficient test on mu
     definite,      ///< of an LCP beyond the effort: W is positive definite
-    no_theorem,    ///< W is not symmetric and positive definite
+    no_theorem,    ///< with friction, W is not positive definite
     too_many       ///< modes
   };
   Verdict verdict = Verdict::undecided;
@@ -52,6 +52,7 @@ struct EveryLoad {
   Rational determinant;             ///< of it
 };
 std::string_view name(EveryLoad::Verdict verdict);  ///< `unique`, `not unique`, `undecided`
+std::string_view name(EveryLoad::Reason reason);    ///< `mode determinants`, `bound on mu`, ...
 
 /// Only W and mu count. The problem is one that mistake_in() finds nothing in. Takes an elimination of W for each mode.
 EveryLoad for_every_load(const ContactProblem& problem, Effort& effort);

@@ -54,7 +54,7 @@ std::string in_words(const EveryLoad& every) {
       break;
   }
   return every.reason == EveryLoad::Reason::no_theorem
-             ? "other forces: not told, the Delassus matrix is not symmetric and positive definite"
+             ? "other forces: not told, the Delassus matrix is not positive definite"
              : "other forces: undecided, there are too many modes";
 }
 

@@ -35,7 +35,7 @@ Rational critical_coefficient(const Bicycle<Rational>& p) {
   return least;
 }
 
-ContactProblem random_problem(test::RandomScenes& random, int contacts, bool frictional) {
+ContactProblem random_problem(test::RandomScenes& random, int contacts, bool frictional, bool skew = false) {
   ContactProblem problem;
   const auto n = static_cast<std::size_t>(frictional ? 2 * contacts : contacts);
   RationalMatrix A(n, std::vector<Rational>(n));
@@ -49,8 +49,13 @@ ContactProblem random_problem(test::RandomScenes& random, int contacts, bool fri
     }
     problem.W[i][i] += Rational(1, 2);
   }
+  for (std::size_t i = 1; skew && i < n; ++i) {  // the symmetric part stays
+    problem.W[i][i - 1] += 2, problem.W[i - 1][i] -= 2;
+  }
   if (!frictional) problem.W = A;  // of any sign
-  for (int i = 0; frictional && i < contacts; ++i) problem.mu.push_back(random.fraction(0, 20));
+  for (int i = 0; frictional && i < contacts; ++i) {
+    problem.mu.push_back(random.integer(0, 9) == 0 ? Rational(0) : random.fraction(0, 20));
+  }
   problem.q.assign(n, 0);
   return problem;
 }
@@ -116,7 +121,7 @@ TEST_CASE("one solution for every q, or a q with several, as all modes tell") {
   int unique = 0, several = 0;
   for (int i = 0; i < 150; ++i) {
     const bool frictional = i % 3 != 0;
-    ContactProblem problem = random_problem(random, 2, frictional);
+    ContactProblem problem = random_problem(random, 2, frictional, i % 5 == 0);
     const EveryLoad found = for_every_load(problem);
     REQUIRE(found.verdict != EveryLoad::Verdict::undecided);
     CHECK((found.verdict == EveryLoad::Verdict::unique || !is_unique_by_bound(problem)));
@@ -152,6 +157,18 @@ TEST_CASE("beyond all modes the bound on mu decides, or nothing does") {
   CHECK(found.reason == EveryLoad::Reason::bound);
   problem.mu.front() = 100;
   CHECK(for_every_load(problem).verdict == EveryLoad::Verdict::undecided);
-  problem.W[0][1] += 1;
+  problem.mu.front() = 0;
+  problem.W[0][1] += Rational(1, 100);
+  CHECK_FALSE(is_unique_by_bound(problem));  // it is one of symmetric matrices
+  problem.W[0][0] = -1;
   CHECK(for_every_load(problem).reason == EveryLoad::Reason::no_theorem);
+}
+
+TEST_CASE("a contact without friction has no determinant for stick") {
+  // T1 acts on N2 and T2, but is 0: what is left is the identity.
+  const Rational half(1, 2);
+  ContactProblem problem{{{1, 0, 0, 0}, {0, 1, half, half}, {0, half, 1, 0}, {0, half, 0, 1}}, {0, 0, 0, 0}, {0, 4}};
+  CHECK(for_every_load(problem).verdict == EveryLoad::Verdict::unique);
+  problem.mu = {1, 4};
+  CHECK(for_every_load(problem).verdict == EveryLoad::Verdict::not_unique);
 }
