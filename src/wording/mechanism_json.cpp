@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "mechanism/words.hpp"
+#include "wording/every_load.hpp"
 #include "wording/mechanism_report.hpp"
 #include "wording/mode_json.hpp"
 #include "wording/motions_json.hpp"
@@ -26,6 +27,7 @@ class SolveDocument {
     document["values"] = values_json(mechanism_, solved_.scene.values);
     document["load"] = load();
     document["notes"] = solved_.scene.notes;
+    document["every_q"] = every_load_json(solved_.for_every_q);
     if (solved_.at_load) put_motions(document, mechanism_, *solved_.at_load);
     document["not_modelled"] = not_modelled();
     if (mechanism_.load) document["ranges"] = ranges();

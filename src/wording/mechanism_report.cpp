@@ -9,6 +9,7 @@
 #include "input/diagnostic.hpp"
 #include "mechanism/words.hpp"
 #include "number/format.hpp"
+#include "wording/every_load.hpp"
 #include "wording/number_text.hpp"
 
 namespace slipproof {
@@ -40,6 +41,7 @@ SolvedMechanism::SolvedMechanism(MechanismScene given) : scene(std::move(given))
   } else {
     cells = cells_of(problem, modes);
   }
+  if (const auto contacts = contact_problem(problem)) for_every_q = for_every_load(*contacts);
 }
 
 namespace {
@@ -127,6 +129,7 @@ class SolveText {
     }
     if (!found.rejected.empty()) fmt::format_to(out_, "\nRejected, with what is violated\n");
     for (const RejectedMode& mode : found.rejected) write_rejected(mode);
+    write_every_q();
     const auto strict =
         std::count_if(found.motions.begin(), found.motions.end(), [](const auto& m) { return m.strict(); });
     fmt::format_to(out_, "\ns SOLVED motions {} strict {} continua {} rejected {}\n", found.motions.size(), strict,
@@ -155,7 +158,13 @@ class SolveText {
       fmt::format_to(out_, "    {:<28} {}\n", interval_text(mechanism_.load->symbol, cell.loads, digits_),
                      fmt::join(motions, "; "));
     }
+    write_every_q();
     fmt::format_to(out_, "\ns SOLVED modes {} cells {}\n", solved_.modes.size(), solved_.cells.size());
+  }
+
+  void write_every_q() {
+    const std::string line = every_load_line(solved_.for_every_q);
+    if (!line.empty()) text_ += '\n' + line;
   }
 
   const SolvedMechanism& solved_;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/every_load.hpp"
 #include "mechanism/scene.hpp"
 #include "motions/motions_of.hpp"
 
@@ -20,6 +21,7 @@ struct SolvedMechanism {
   std::vector<ConsistentMode> modes;     ///< for all loads; of a mechanism without a load empty
   std::optional<MotionsAtLoad> at_load;  ///< where the load has a value, or there is none
   std::vector<LoadCell> cells;           ///< where the load has no value
+  std::optional<EveryLoad> for_every_q;  ///< nothing where the contacts are none that the theorem is about
 };
 
 /// The notes of a scene, and what of it is not modelled; a line each.

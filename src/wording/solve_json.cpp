@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "wording/every_load.hpp"
 #include "wording/motion_json.hpp"
 #include "wording/solve_report.hpp"
 
@@ -47,6 +48,7 @@ std::string solve_json(const SolvedScene& solved, const SolveReportOptions& opti
   document["detachment"] = solved.table.detachment();
   document["F"] = to_json(solved.scene.F);
   document["notes"] = solved.scene.notes;
+  document["every_q"] = every_load_json(solved.for_every_q);
   if (solved.at_force) {
     put_motions(document, *solved.at_force, solved.scene, options.chain);
   } else {

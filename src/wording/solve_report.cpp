@@ -8,6 +8,7 @@
 
 #include "model/chain.hpp"
 #include "number/format.hpp"
+#include "wording/every_load.hpp"
 #include "wording/number_text.hpp"
 
 namespace slipproof {
@@ -18,6 +19,9 @@ SolvedScene::SolvedScene(Scene given) : scene(std::move(given)), table(scene.bic
   } else {
     cells = partition(table);
   }
+  if (!table.detachment()) return;
+  const auto contacts = contact_problem(scene.bicycle, scene.road, scene.force_kind, 0);
+  if (contacts) for_every_q = for_every_load(*contacts);
 }
 
 namespace {
@@ -54,6 +58,11 @@ void write_continuum(Out out, const Continuum& c, int digits) {
       out, "\n  {}  a continuum of motions for {}: {} free, not determined: {}\n", name(c.mode),
       c.closed.is_point() ? interval_text("F", c.closed, digits) : "F in " + interval_text("F", c.closed, digits),
       list(c.parameters), list(c.undetermined()));
+}
+
+void write_every_q(Out out, const SolvedScene& solved) {
+  const std::string line = every_load_line(solved.for_every_q);
+  if (!line.empty()) fmt::format_to(out, "\n{}", line);
 }
 
 void write_at_force(Out out, const SolvedScene& solved, const SolveReportOptions& options) {
@@ -112,6 +121,7 @@ std::string solve_text(const SolvedScene& solved, const SolveReportOptions& opti
   for (const std::string& note : solved.scene.notes) fmt::format_to(out, "note: {}\n", note);
   if (solved.at_force) {
     write_at_force(out, solved, options);
+    write_every_q(out, solved);
     const auto strict = std::count_if(solved.at_force->motions.begin(), solved.at_force->motions.end(),
                                       [](const auto& m) { return m.strict; });
     fmt::format_to(out, "\ns SOLVED motions {} strict {} continua {} rejected {}\n", solved.at_force->motions.size(),
@@ -128,6 +138,7 @@ std::string solve_text(const SolvedScene& solved, const SolveReportOptions& opti
     ++continua;
     write_continuum(out, s.continuum(), options.digits);
   }
+  write_every_q(out, solved);
   fmt::format_to(out, "\ns SOLVED modes {} cells {} continua {}\n", modes, solved.cells.size(), continua);
   return text;
 }

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "contact/every_load.hpp"
 #include "modes/motions.hpp"
 
 namespace slipproof {
@@ -13,6 +14,7 @@ struct SolvedScene {
   ModeTable table;
   std::optional<MotionsAtForce> at_force;  ///< when the scene gives F
   std::vector<Cell> cells;                 ///< the partition of the line of forces, when it does not
+  std::optional<EveryLoad> for_every_q;    ///< nothing without J, or where W is infinite
 
   explicit SolvedScene(Scene scene);
 };

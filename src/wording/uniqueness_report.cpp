@@ -9,6 +9,7 @@
 #include "input/utf8.hpp"
 #include "number/format.hpp"
 #include "uniqueness/ranges.hpp"
+#include "wording/every_load.hpp"
 #include "wording/exact_json.hpp"
 #include "wording/mechanism_report.hpp"
 #include "wording/number_text.hpp"
@@ -40,22 +41,6 @@ std::string range_text(const std::string& symbol, const ParameterRange& range, i
   if (is_point(range)) return symbol + " = " + end_text(range.lower, digits);
   return fmt::format("{} in {}{}{}, {}{}", symbol, range.lower_closed ? "[" : "(", range.lower ? "" : "-",
                      end_text(range.lower, digits), end_text(range.upper, digits), range.upper_closed ? "]" : ")");
-}
-
-/// What is said of every q, after what is said of the loads.
-std::string in_words(const EveryLoad& every) {
-  switch (every.verdict) {
-    case EveryLoad::Verdict::unique:
-      return "one motion whatever else pushes it";
-    case EveryLoad::Verdict::not_unique:
-      return "not one under all other forces: the determinant of " + name(*every.mode) +
-             (every.determinant.is_zero() ? " is 0" : " is negative");
-    case EveryLoad::Verdict::undecided:
-      break;
-  }
-  return every.reason == EveryLoad::Reason::no_theorem
-             ? "other forces: not told, the Delassus matrix is not positive definite"
-             : "other forces: undecided, there are too many modes";
 }
 
 /// Neighbouring loads without one motion: how many motions there are at most, where.
@@ -174,13 +159,6 @@ Json end_json(const std::optional<RealRoot>& end) {
   return Json::array({to_json(end->lower), to_json(end->upper)});
 }
 
-Json every_json(const std::optional<EveryLoad>& every) {
-  if (!every) return nullptr;
-  Json object{{"verdict", name(every->verdict)}};
-  if (every->mode) object["mode"] = name(*every->mode), object["determinant"] = to_json(every->determinant);
-  return object;
-}
-
 Json motions_json(const MotionsAtParameter& motions) {
   Json apart = Json::array();
   for (const LoadsApart& a : motions.apart) {
@@ -191,7 +169,7 @@ Json motions_json(const MotionsAtParameter& motions) {
   Json object;
   object["one_motion"] = motions.apart.empty();
   object["apart"] = std::move(apart);
-  object["every_q"] = every_json(motions.for_every_q);
+  object["every_q"] = every_load_json(motions.for_every_q);
   return object;
 }
 

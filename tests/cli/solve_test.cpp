@@ -42,6 +42,23 @@ TEST_CASE("every shipped scene is solved, in text and in JSON, the same bytes tw
   }
 }
 
+TEST_CASE("of every load solve says what critical says, where the theorem is about such contacts") {
+  const std::string folder = SLIPPROOF_SOURCE_DIR "/cases/";
+  for (const auto& [scene, verdict] : std::vector<std::pair<std::string, Json>>{
+           {"ambiguous.toml", "not unique"},
+           {"mechanisms/scenes/bicycle-two-radii.toml", "unique"},
+           {"mechanisms/scenes/ladder.toml", "undecided"},           // W is singular
+           {"mechanisms/scenes/block-on-incline.toml", nullptr}}) {  // it slides already
+    CAPTURE(scene);
+    const Json told = Json::parse(run({"solve", "--json", folder + scene}).out)["every_q"];
+    CHECK(told == Json::parse(run({"critical", "--json", folder + scene}).out)["at_value"]["every_q"]);
+    CHECK((told.is_null() ? told : told["verdict"]) == verdict);
+    const std::string text = run({"solve", folder + scene}).out;
+    CHECK((text.find("ther forces") != std::string::npos || text.find("whatever else") != std::string::npos) ==
+          !told.is_null());
+  }
+}
+
 TEST_CASE("--quiet prints the result line alone") {
   const auto quiet = run({"solve", "--quiet", cases().front()});
   CHECK(quiet.out.starts_with("s SOLVED "));

@@ -102,12 +102,33 @@ TEST_CASE("a continuum is reported with its free parameter and what it leaves un
   CHECK(text.find("continua 1") != std::string::npos);
 }
 
+TEST_CASE("whether there is one motion whatever else pushes the bicycle, as the threshold worked out by hand has it") {
+  Scene scene = ambiguous(Rational(7, 20));  // f < min(w/2, b2 + J/(M b2), b3 + J/(M b3))/h = 1/2
+  const auto told = [&](const Rational& f) {
+    scene.road.f = f;
+    return Json::parse(solve_json(SolvedScene(scene)))["every_q"];
+  };
+  CHECK(told(Rational(499, 1000)) == Json{{"verdict", "unique"}, {"by", "mode determinants"}});
+  CHECK(solve_text(SolvedScene(scene)).find("\nOne motion whatever else pushes it, by the mode determinants\n") !=
+        std::string::npos);
+  const Json on = told(Rational(1, 2));
+  CHECK(on["verdict"] == "not unique");
+  CHECK(on["determinant"] == "0");
+  CHECK(solve_text(SolvedScene(scene))
+            .find("\nNot one under all other forces: the determinant of " + on["mode"].get<std::string>() +
+                  " is 0\n") != std::string::npos);
+  scene.F.reset();
+  CHECK(told(4)["verdict"] == "not unique");
+  CHECK(solve_text(SolvedScene(scene)).find("\nNot one under all other forces") != std::string::npos);
+}
+
 TEST_CASE("without J the output says that motions with a wheel off the road are not modelled") {
   Scene scene = ambiguous(Rational(7, 20));
   scene.bicycle.J.reset();
   const SolvedScene solved(scene);
   const Json j = Json::parse(solve_json(solved));
   CHECK(j["detachment"] == false);
+  CHECK(j["every_q"].is_null());
   CHECK(j["motions"].size() + j["rejected"].size() == 9);
   CHECK(solve_text(solved).find("not modelled") != std::string::npos);
 }
