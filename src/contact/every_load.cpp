@@ -10,15 +10,6 @@ namespace slipproof {
 
 namespace {
 
-bool is_symmetric(const RationalMatrix& W) {
-  for (std::size_t i = 0; i < W.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (W[i][j] != W[j][i]) return false;
-    }
-  }
-  return true;
-}
-
 Rational determinant_of(const RationalMatrix& matrix) {
   Rational scale = 1;
   IntegerMatrix rows;
@@ -104,14 +95,20 @@ Rational mode_determinant(const ContactProblem& problem, const ProblemMode& mode
 }
 
 bool is_unique_by_bound(const ContactProblem& problem) {
-  if (!problem.frictional() || !is_symmetric(problem.W)) return false;
-  RationalMatrix W = problem.W;
+  if (!problem.frictional()) return false;
+  RationalMatrix lowered = problem.W;
   for (std::size_t i = 0; i < problem.mu.size(); ++i) {
-    Rational sum = 0;
-    for (std::size_t k = 1; k < W.size(); k += 2) sum += abs(problem.W[2 * i + 1][k]);
-    W[2 * i][2 * i] -= problem.mu[i] * problem.mu[i] * sum;
+    const std::size_t normal = 2 * i, tangent = normal + 1;
+    const Rational half_mu = problem.mu[i] / 2;
+    for (std::size_t j = 0; j < problem.size(); ++j) {
+      const Rational &a = problem.W[j][tangent], &b = problem.W[tangent][j];
+      const Rational skew = half_mu * abs(Rational(a - b));
+      lowered[j][j] -= skew;
+      lowered[normal][normal] -= skew;
+      if (j % 2 == 1) lowered[normal][normal] -= problem.mu[i] * half_mu * abs(Rational(a + b));
+    }
   }
-  return positive_definite(W);
+  return positive_definite(lowered);
 }
 
 EveryLoad for_every_load(const ContactProblem& problem, Effort& effort) {

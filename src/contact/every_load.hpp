@@ -15,14 +15,15 @@
 //
 // Linear complementarity: W is a P-matrix or not (Samelson, Thrall, Wesler 1958); it need not be symmetric.
 //
-// Beyond so many contacts that their modes can be tried, with friction and a symmetric W: let t_i be the sum of |W_jk|
-// over the tangential columns k in the tangential row j of contact i. If W with mu_i^2 t_i subtracted from the diagonal
-// entry of N_i is positive definite, the solution is unique for every q. Let x be a vector of the N of contacts that
-// slip and the N, T of those that stick, P x the force with T = 0 and C x that with T = -+mu N where contacts slip. In
-// the norm of W,
-// |(C - P) x|^2 <= sum of mu_i^2 t_i x_i^2 by Gershgorin, and what is asked for makes that less than |P x|^2, whatever
-// the T of sticking contacts. Then x . P^T W C x >= |P x| (|P x| - |(C - P) x|) > 0: a matrix with that property has a
-// positive determinant, in every mode.
+// Beyond so many contacts that their modes can be tried, with friction: let W = S + K, S symmetric and K skew, t_i the
+// sum of the |S_jk| over the tangential columns k in the tangential row j of contact i, and k_ij the |K_jk| in row j
+// and its tangential column k. If S is positive definite with mu_i^2 t_i + mu_i (sum of k_ij over j) subtracted from
+// the diagonal entry of each N_i, and the sum of mu_i k_ij over i from that of each row j, the solution is unique for
+// every q. Let x be a vector of the N of contacts that slip and the N, T of those that stick, y = P x the force with T
+// = 0 and C x that with T = -+mu N where contacts slip, d = (C - P) x. In the norm of S, |d|^2 is at most b, the sum of
+// mu_i^2 t_i x_i^2, by Gershgorin. |y . K d| is at most D, half the sum of mu_i k_ij (y_j^2 + x_i^2). What is asked for
+// says that |y|^2 - 2 D > b for y != 0, so that (|y|^2 - D)^2 >= |y|^2 (|y|^2 - 2 D) > |y|^2 b and |y|^2 > D. Then
+// x . P^T W C x >= |y|^2 - |y| |d| - D > 0: a matrix with that property has a positive determinant, in every mode.
 #pragma once
 
 #include <optional>

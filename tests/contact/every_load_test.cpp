@@ -157,11 +157,42 @@ TEST_CASE("beyond all modes the bound on mu decides, or nothing does") {
   CHECK(found.reason == EveryLoad::Reason::bound);
   problem.mu.front() = 100;
   CHECK(for_every_load(problem).verdict == EveryLoad::Verdict::undecided);
-  problem.mu.front() = 0;
-  problem.W[0][1] += Rational(1, 100);
-  CHECK_FALSE(is_unique_by_bound(problem));  // it is one of symmetric matrices
   problem.W[0][0] = -1;
   CHECK(for_every_load(problem).reason == EveryLoad::Reason::no_theorem);
+}
+
+TEST_CASE("the bound on mu, at its edge") {
+  // One contact, W = [1 c + k; c - k 1]: the bound asks for 1 - mu^2 - 2 mu |k| > c^2.
+  const auto bound = [](const Rational& c, const Rational& k, const Rational& mu) {
+    return is_unique_by_bound({{{1, c + k}, {c - k, 1}}, {0, 0}, {mu}});
+  };
+  const Rational little(1, 1000);
+  CHECK(bound(Rational(3, 5), 0, Rational(4, 5) - little));
+  CHECK_FALSE(bound(Rational(3, 5), 0, Rational(4, 5)));
+  for (const int sign : {1, -1}) {  // 1 - 9/25 - 3/10 = 34/100
+    CHECK(bound(Rational(58, 100), Rational(sign, 4), Rational(3, 5)));
+    CHECK_FALSE(bound(Rational(59, 100), Rational(sign, 4), Rational(3, 5)));
+  }
+}
+
+TEST_CASE("where the bound on mu holds all mode determinants are positive, W symmetric or not") {
+  test::RandomScenes random(233);
+  int held = 0;
+  for (int i = 0; i < 300; ++i) {
+    ContactProblem problem = random_problem(random, 2, true);
+    for (std::size_t r = 0; r < 4; ++r) {
+      problem.W[r][r] += random.fraction(0, 20);
+      for (std::size_t s = 0; i % 3 != 0 && s < r; ++s) {
+        const Rational skew = random.fraction(-8, 8);
+        problem.W[r][s] += skew, problem.W[s][r] -= skew;
+      }
+    }
+    for (Rational& mu : problem.mu) mu /= 4;
+    if (!is_unique_by_bound(problem)) continue;
+    ++held;
+    CHECK(for_every_load(problem).verdict == EveryLoad::Verdict::unique);
+  }
+  CHECK(held > 50);
 }
 
 TEST_CASE("a contact without friction has no determinant for stick") {
