@@ -161,21 +161,88 @@ inline Matrix remainder(const Matrix& A, const Matrix& L) {
   return result;
 }
 
+/// `bound`: A less what mu takes from its diagonal.
+inline Matrix lowered(const Problem& problem) {
+  Matrix result = problem.A;
+  for (std::size_t i = 0; i < problem.contacts(); ++i) {
+    const std::size_t normal = problem.normal(i), tangent = normal + 1;
+    const Number half_mu = problem.mu[i] / 2;
+    for (std::size_t j = 0; j < problem.size(); ++j) {
+      const Number a = problem.entry(j, tangent), b = problem.entry(tangent, j), skew = half_mu * abs(a - b);
+      result[j][j] += -skew;
+      result[normal][normal] += -skew;
+      if (j % 2 == 1) result[normal][normal] += -(problem.mu[i] * half_mu * abs(a + b));
+    }
+  }
+  return result;
+}
+
+/// A square matrix without its row and column p.
+inline std::vector<Vector> without(std::vector<Vector> m, std::size_t p) {
+  const auto place = static_cast<std::ptrdiff_t>(p);
+  m.erase(m.begin() + place);
+  for (Vector& row : m) row.erase(row.begin() + place);
+  return m;
+}
+
+/// What elimination leaves of it after its first row, whose pivot is to be positive.
+inline std::vector<Vector> eliminated(std::vector<Vector> m, std::size_t contact) {
+  require(m[0][0].sign() > 0, "contact", contact, "the determinant of a mode in which it is the last is not positive");
+  for (std::size_t i = 1; i < m.size(); ++i) {
+    const Number share = m[i][0] / m[0][0];
+    for (std::size_t j = 1; j < m.size(); ++j) m[i][j] += -(share * m[0][j]);
+  }
+  return without(std::move(m), 0);
+}
+
+/// All modes of the contacts k, k + 1, ..., where m is what elimination left of their rows and columns in one mode of
+/// those before: the determinant of a mode is the product of its pivots. For `stick` the first of its two is the mean
+/// of those of `slide+` and `slide-`.
+inline void check_modes(const Problem& problem, const std::vector<Vector>& m, std::size_t k) {
+  if (k == problem.contacts()) return;
+  check_modes(problem, without(without(m, 0), 0), k + 1);
+  for (const int direction : {1, -1}) {
+    std::vector<Vector> slides = m;
+    for (Vector& row : slides) row[0] += -(direction * problem.mu[k] * row[1]);
+    check_modes(problem, eliminated(without(std::move(slides), 1), k), k + 1);
+  }
+  if (problem.mu[k].sign() > 0) check_modes(problem, eliminated(eliminated(m, k), k), k + 1);
+}
+
+inline constexpr std::size_t kMaxDeterminantContacts = 8;  ///< there are 4^K modes
+
+inline void check_determinants(const Problem& problem) {
+  require(problem.contacts() <= kMaxDeterminantContacts, "there are more than 8 contacts");
+  std::vector<Vector> dense(problem.size());
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    for (std::size_t j = 0; j < problem.size(); ++j) dense[i].push_back(problem.entry(i, j));
+  }
+  check_modes(problem, dense, 0);
+}
+
 inline std::string unique(const Problem& problem, Reader& reader) {
+  std::string kind;
+  for (const char* name : {"dominant", "definite", "bound", "determinants"}) {
+    if (kind.empty() && reader.accept(name)) kind = name;
+  }
+  if (kind.empty()) reader.refuse("'dominant', 'definite', 'bound' or 'determinants'");
+  const bool planar = kind == "bound" || kind == "determinants";
   const std::size_t n = problem.size();
-  const bool is_definite = reader.accept("definite");
-  if (!is_definite && !reader.accept("dominant")) reader.refuse("'dominant' or 'definite'");
   Matrix L;
   Vector d(n, 1);
-  if (is_definite) L = reader.entries(n, n);
-  if (!is_definite) d = reader.numbers(n);
-  require(problem.free == 0 && problem.dimension == 1, "the problem has free unknowns or friction");
+  if (kind == "dominant") d = reader.numbers(n);
+  if (kind != "dominant") L = reader.entries(n, n);
+  require(problem.free == 0, "the problem has free unknowns");
+  require(problem.dimension == (planar ? 2 : 1), "the class is not one of this dimension");
   for (std::size_t i = 0; i < L.size(); ++i) {
     require(L[i].empty() || L[i].rbegin()->first <= i, "row", i, "an entry stands above the diagonal");
   }
-  check_dominant(is_definite ? remainder(problem.A, L) : problem.A, d);
-  return std::string("one solution, whatever the constant, by a ") + (is_definite ? "definite" : "dominant") +
-         " matrix";
+  const Matrix A = kind == "bound" ? lowered(problem) : problem.A;
+  check_dominant(kind == "dominant" ? A : remainder(A, L), d);
+  if (kind == "determinants") check_determinants(problem);
+  return "one solution, whatever the constant, by " + (kind == "bound" ? "a bound on mu"
+                                                       : planar        ? "the mode determinants"
+                                                                       : "a " + kind + " matrix");
 }
 
 }  // namespace slipproof::check_contact

@@ -51,6 +51,10 @@ class Number {
   friend Number operator+(Number x, Number y) { return x += std::move(y); }
   friend Number operator-(Number x, const Number& y) { return x += -y; }
   friend Number operator*(const Number& x, const Number& y) { return {x.n_ * y.n_, x.e_ + y.e_, x.d_ * y.d_}; }
+  /// y != 0.
+  friend Number operator/(const Number& x, const Number& y) {
+    return {sgn(y.n_) * x.n_ * y.d_, x.e_ - y.e_, x.d_ * abs(y.n_)};
+  }
   friend Number abs(const Number& x) { return x.sign() < 0 ? -x : x; }
   friend std::strong_ordering operator<=>(const Number& x, const Number& y) { return (x - y).sign() <=> 0; }
   friend bool operator==(const Number& x, const Number& y) { return (x - y).sign() == 0; }

@@ -47,6 +47,10 @@ struct Problem {
   std::size_t contacts() const { return mu.size(); }
   std::size_t size() const { return free + dimension * contacts(); }
   std::size_t normal(std::size_t k) const { return free + dimension * k; }
+  Number entry(std::size_t i, std::size_t j) const {
+    const auto found = A[i].find(j);
+    return found == A[i].end() ? Number() : found->second;
+  }
   Number motion(std::size_t i, const Vector& x) const { return dot(A[i], x) + c[i]; }
 
   const Vector& the_answer() const {

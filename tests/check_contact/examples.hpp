@@ -185,4 +185,29 @@ inline const std::string kDefinite =
     "unique definite 3  0 0 1  1 0 1/2  1 1 1\n"
     "end\n";
 
+/// One contact in the plane. Mode determinants: 1 -+ 3/2 * 1/2 where it slides, 2 where it sticks.
+inline const std::string kDeterminants =
+    "slipproof-contact 1\n"
+    "dimension 2 free 0 contacts 1\n"
+    "mu 3/2\n"
+    "matrix 3\n"
+    "0 0 1  0 1 1/2  1 1 2\n"
+    "constant 1 -1\n"
+    "no-answer\n"
+    "unique determinants 1  1 1 1\n"
+    "end\n";
+
+/// The bound takes 1/2 of a_00: mu^2 a_11 for the symmetric part, and mu/4 twice for the other. A + A^T less that is
+/// (1 1/2; 1/2 2).
+inline const std::string kBound =
+    "slipproof-contact 1\n"
+    "dimension 2 free 0 contacts 1\n"
+    "mu 1/2\n"
+    "matrix 4\n"
+    "0 0 1  0 1 1/2  1 0 0  1 1 1\n"
+    "constant 1 -1\n"
+    "no-answer\n"
+    "unique bound 2  0 0 1/2  1 1 1\n"
+    "end\n";
+
 }  // namespace slipproof::check_contact

@@ -40,6 +40,10 @@ TEST_CASE("what is established is told in words, with bounds rounded up") {
         "accepted: one solution, whatever the constant, by a dominant matrix, 2 contacts in dimension 1");
   CHECK(verdict(kDefinite) ==
         "accepted: one solution, whatever the constant, by a definite matrix, 2 contacts in dimension 1");
+  CHECK(verdict(kDeterminants) ==
+        "accepted: one solution, whatever the constant, by the mode determinants, 1 contacts in dimension 2");
+  CHECK(verdict(kBound) ==
+        "accepted: one solution, whatever the constant, by a bound on mu, 1 contacts in dimension 2");
 }
 
 TEST_CASE("eps: law, bound and distance") {
@@ -273,7 +277,8 @@ TEST_CASE("enclosure: where nothing is left, the box is a point or empty forces"
 }
 
 TEST_CASE("unique: classes of matrices") {
-  const std::string dominates = "the diagonal does not dominate", shape = "the problem has free unknowns or friction";
+  const std::string dominates = "the diagonal does not dominate", free = "the problem has free unknowns";
+  const std::string dimension = "the class is not one of this dimension";
   reject_all(kDominant, {{"dominant 2 1", "dominant 1 1", "row 0: " + dominates},
                          {"dominant 2 1", "dominant 3 2", "row 0: " + dominates},  // as much as the others
                          {"dominant 2 1", "dominant 2 0", "row 1: d is not positive"},
@@ -281,13 +286,79 @@ TEST_CASE("unique: classes of matrices") {
                          {"1 1 1\n", "1 1 -1\n", "row 1: " + dominates},
                          {"1 1 1\n", "1 0 1\n", "row 1: " + dominates},
                          {"mu 0 0", "mu 1 0", "contact 0: mu is not 0 in dimension 1"},
-                         {"free 0 contacts 2\nmu 0 0", "free 1 contacts 1\nmu 0", shape},
-                         {"dimension 1 free 0 contacts 2\nmu 0 0", "dimension 2 free 0 contacts 1\nmu 0", shape}});
+                         {"free 0 contacts 2\nmu 0 0", "free 1 contacts 1\nmu 0", free},
+                         {"dimension 1 free 0 contacts 2\nmu 0 0", "dimension 2 free 0 contacts 1\nmu 0", dimension}});
   reject_all(kDefinite, {{"1 1 1\nend", "1 1 6/5\nend", "row 1: " + dominates},
                          {"3  0 0 1", "3  0 0 7/5", "row 0: " + dominates},
                          {"0 1 3", "0 1 7/2", "row 0: " + dominates},
                          {"3  0 0 1  1 0 1/2", "3  0 0 1  0 1 1/2", "row 0: an entry stands above the diagonal"},
-                         {"free 0 contacts 2\nmu 0 0", "free 2 contacts 0\nmu", shape}});
+                         {"free 0 contacts 2\nmu 0 0", "free 2 contacts 0\nmu", free}});
+}
+
+TEST_CASE("unique with planar friction: determinants of all modes") {
+  const std::string dominates = "the diagonal does not dominate";
+  const auto mode = [](const char* contact) {
+    return std::string("contact ") + contact + ": the determinant of a mode in which it is the last is not positive";
+  };
+  reject_all(kDeterminants, {{"mu 3/2", "mu 2", mode("0")},  // slide+ has 1 - 2/2
+                             {"0 1 1/2", "0 1 -2/3", mode("0")},
+                             {"mu 3/2", "mu -3/2", "contact 0: mu is negative"},
+                             {"0 0 1  0 1", "0 0 5/8  0 1", mode("0")},
+                             {"1 1 1\n", "1 1 2\n", "row 1: " + dominates},
+                             {"1  1 1 1", "1  0 1 1", "row 0: an entry stands above the diagonal"},
+                             {"dimension 2 free 0 contacts 1\nmu 3/2", "dimension 1 free 0 contacts 2\nmu 0 0",
+                              "the class is not one of this dimension"},
+                             {"free 0 contacts 1\nmu 3/2", "free 2 contacts 0\nmu", "the problem has free unknowns"}});
+  // The force at contact 0 sticks to reach N_1 and T_1: with it slide- of contact 1 has 21/25 - 4/25 mu.
+  const std::string two =
+      "slipproof-contact 1 dimension 2 free 0 contacts 2 mu 1 5 matrix 8 0 0 1 1 1 1 2 2 1 3 3 1 1 2 2/5 2 1 2/5 1 3 "
+      "2/5 "
+      "3 1 2/5 constant 0 0 0 0 no-answer unique determinants 0 end";
+  reject_all(two, {{"mu 1 5", "mu 1 21/4", mode("1")}, {"mu 1 5", "mu 1 6", mode("1")}});
+  CHECK(verdict(replaced(two, "mu 1 5", "mu 0 6")).starts_with("accepted: "));  // nothing sticks at contact 0
+  // Contact 1 slides with 1 - mu/4 where contact 0 is open, and with more where it is not.
+  reject_all(
+      "slipproof-contact 1 dimension 2 free 0 contacts 2 mu 0 39/10 matrix 10 0 0 1 1 1 1 2 2 1 3 3 1 0 2 1/4 2 0 1/4 "
+      "0 3 1/4 3 0 1/4 2 3 1/4 3 2 1/4 constant 0 0 0 0 no-answer unique determinants 0 end",
+      {{"mu 0 39/10", "mu 0 4", mode("1")}});
+  // As many contacts as the limit allows, and one more.
+  const auto many = [](int contacts) {
+    std::string mu, matrix, constant;
+    for (int i = 0; i < 2 * contacts; ++i) {
+      if (i % 2 == 0) mu += " 1";
+      matrix += " " + std::to_string(i) + " " + std::to_string(i) + " 1";
+      constant += " 0";
+    }
+    return verdict("slipproof-contact 1 dimension 2 free 0 contacts " + std::to_string(contacts) + " mu" + mu +
+                   " matrix " + std::to_string(2 * contacts) + matrix + " constant" + constant +
+                   " no-answer unique determinants 0 end");
+  };
+  CHECK(many(0) ==
+        "accepted: one solution, whatever the constant, by the mode determinants, 0 contacts in dimension 2");
+  CHECK(many(5).starts_with("accepted: "));
+  CHECK(many(9) == "rejected: there are more than 8 contacts");
+}
+
+TEST_CASE("unique with planar friction: the bound on mu, with all that it takes from the diagonal") {
+  const std::string dominates = "the diagonal does not dominate";
+  reject_all(kBound, {{"mu 1/2", "mu 3/5", "row 0: " + dominates},
+                      {"mu 1/2", "mu -1/2", "contact 0: mu is negative"},
+                      {"0 0 1/2", "0 0 3/4", "row 0: " + dominates},
+                      {"0 1 1/2", "0 1 3/4", "row 0: " + dominates},
+                      {"dimension 2 free 0 contacts 1\nmu 1/2", "dimension 1 free 0 contacts 2\nmu 0 0",
+                       "the class is not one of this dimension"},
+                      {"free 0 contacts 1\nmu 1/2", "free 2 contacts 0\nmu", "the problem has free unknowns"}});
+  // N_0 gives up 1 for its own tangent, 1/4 for that of contact 1, and 1/4 because row 2 has 1/2 in column 1 that
+  // column 2 does not have in row 1; N_1 gives up 1/4 for that, too.
+  const std::string two =
+      "slipproof-contact 1 dimension 2 free 0 contacts 2 mu 1 0 matrix 7 0 0 2 1 1 1 2 2 1 3 3 1 2 1 1/2 1 3 1/4 3 1 "
+      "1/4 "
+      "constant 0 0 0 0 no-answer unique bound 0 end";
+  reject_all(two, {{"0 0 2", "0 0 3/2", "row 0: " + dominates},
+                   {"2 2 1 ", "2 2 1/2 ", "row 2: " + dominates},
+                   {"mu 1 0", "mu 6/5 0", "row 0: " + dominates}});
+  CHECK(verdict(replaced(two, "0 0 2", "0 0 1501/1000")).starts_with("accepted: "));
+  CHECK(verdict(replaced(two, "2 2 1 ", "2 2 501/1000 ")).starts_with("accepted: "));
 }
 
 TEST_CASE("a denominator that grows beyond its limit is rejected") {

@@ -197,3 +197,31 @@ TEST_CASE("an enclosure that is accepted has a solution in it") {
   }
   CHECK(accepted > 500);
 }
+
+TEST_CASE("where uniqueness with planar friction is accepted every constant leaves one solution") {
+  const auto quarters = [](int low, int high) -> mpq_class { return mpq_class(from_to(low, high)) / 4; };
+  int accepted = 0;
+  for (int i = 0; i < 3'000; ++i) {
+    Small problem{true, {}, {}};
+    for (int row = 0; row < 2; ++row) problem.A.push_back({quarters(-8, 8), quarters(-8, 8)});
+    for (std::size_t k = 0; k < 2; ++k) problem.A[k][k] += quarters(0, 16);
+    const std::string text = "slipproof-contact 1 dimension 2 free 0 contacts 1 mu 1 matrix " + listed(problem.A) +
+                             " constant 0 0 no-answer unique " + (i % 2 == 0 ? "determinants" : "bound") + " 3 0 0" +
+                             listed({quarters(0, 4)}) + " 1 0" + listed({quarters(-4, 4)}) + " 1 1" +
+                             listed({quarters(0, 4)}) + " end";
+    CAPTURE(text);
+    const std::string found = verdict(text);
+    CHECK(!found.starts_with("unreadable: "));
+    if (!found.starts_with("accepted: ")) continue;
+    ++accepted;
+    for (int k = 0; k < 10; ++k) {
+      problem.c = {from_to(-6, 6), from_to(-6, 6)};
+      bool complete = false;
+      const auto solutions = problem.solutions(complete);
+      REQUIRE(!solutions.empty());
+      for (const Numbers& x : solutions) CHECK(x == solutions.front());  // the same one at a border of its mode
+      CHECK(complete);
+    }
+  }
+  CHECK(accepted > 100);
+}

@@ -74,7 +74,8 @@ TEST_CASE("words and their order") {
               {"end\n", "", "line 19, column 1: found the end of the file, expected a claim or 'end'"},
               {"end\n", "fin\n", "line 19, column 1: found 'fin', expected a claim or 'end'"}});
   refuse_all(kDominant,
-             {{"dominant", "convex", "line 8, column 8: found 'convex', expected 'dominant' or 'definite'"}});
+             {{"dominant", "convex",
+               "line 8, column 8: found 'convex', expected 'dominant', 'definite', 'bound' or 'determinants'"}});
 }
 
 TEST_CASE("modes that a contact cannot have") {
