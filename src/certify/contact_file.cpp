@@ -7,6 +7,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "contact/every_load.hpp"
 #include "enclosure/answer.hpp"
 #include "enclosure/exact_lcp.hpp"
 #include "enclosure/find.hpp"
@@ -108,9 +109,18 @@ Json exact_texts(const std::vector<Rational>& values) {
 }
 
 std::string_view class_name(UniqueProof::Class kind) {
-  return kind == UniqueProof::Class::dominant   ? "H-matrix with positive diagonal"
-         : kind == UniqueProof::Class::definite ? "positive definite"
-                                                : "P-matrix";
+  switch (kind) {
+    case UniqueProof::Class::dominant:
+      return "H-matrix with positive diagonal";
+    case UniqueProof::Class::definite:
+      return name(EveryLoad::Reason::definite);
+    case UniqueProof::Class::bound:
+      return name(EveryLoad::Reason::bound);
+    case UniqueProof::Class::determinants:
+      return name(EveryLoad::Reason::determinants);
+    default:
+      return "P-matrix";
+  }
 }
 
 std::size_t undetermined(const ContactJudgement& j) {
@@ -197,6 +207,10 @@ std::vector<std::string> further_words(const ContactJudgement& j) {
   if (j.verdict == ContactVerdict::wrong && j.velocity_error > j.residual->change) {
     sentences.push_back(
         fmt::format("Its velocities differ from those of its forces by up to {}.", at_most(j.velocity_error)));
+  }
+  if (j.unique_by) {
+    sentences.push_back(
+        fmt::format("There is one solution for every constant, too ({}).", class_name(j.unique_by->kind)));
   }
   if (undetermined(j) == 1) {
     sentences.emplace_back("1 component of the forces is determined by nothing; it is held as it is.");

@@ -28,6 +28,9 @@ struct JudgeOptions {
   double near = 1e-2;
   /// What one record may take; beyond it the verdict is undecided.
   Work effort = ContactSolver::usual_effort;
+  /// Of contact problems also whether there is one solution for every q. It depends on W and mu alone, so that many
+  /// records of one system need not ask, and takes as long as the verdict, or twice.
+  bool every_q = false;
 };
 
 /// What was found, and what the reader needs to see of it.

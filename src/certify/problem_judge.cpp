@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "certify/exact_judge.hpp"
+#include "contact/every_load_json.hpp"
 #include "number/binary64.hpp"
 #include "number/format.hpp"
 
@@ -37,6 +38,7 @@ class Judge {
       } else {
         judge_alone();
       }
+      if (options_.every_q) tell_every_q();
     } catch (const TooMuchWork&) {
       result_ = RecordJudgement();
       result_.verdict = RecordVerdict::undecided;
@@ -78,7 +80,7 @@ class Judge {
     if (solver_.modes() <= few_modes) all = solver_.all(effort_);
     if (all) return all;
     if (auto only = solver_.only(looks_like_, effort_)) {
-      details_["unique_by"] = "positive definite";
+      details_["unique_by"] = name(EveryLoad::Reason::definite);
       all.emplace();
       all->solutions.push_back(std::move(*only));
       return all;
@@ -182,6 +184,12 @@ class Judge {
 
   bool near(const Distance& distance) const { return distance.scaled <= to_rational(options_.near); }
 
+  void tell_every_q() {
+    Effort again(options_.effort);
+    const EveryLoad found = for_every_load(problem_, again);
+    details_["every_q"] = slipproof::to_json(found, found.mode ? name(problem_, *found.mode) : "");
+  }
+
   /// All solutions are known.
   void judge_among(const ContactSolutions& all) {
     result_.motions = all.solutions.size();
@@ -220,9 +228,17 @@ class Judge {
       const Distance distance = distance_to(outcome.z);
       if (near(distance)) {
         // A continuum is many solutions for certain.
-        accept({looks_like_}, distance, outcome.continuum ? RecordVerdict::ambiguous : RecordVerdict::undecided);
+        const bool only = !outcome.continuum && is_unique_by_bound(problem_);
+        accept({looks_like_}, distance,
+               outcome.continuum ? RecordVerdict::ambiguous
+               : only            ? RecordVerdict::certified
+                                 : RecordVerdict::undecided);
         result_.motions = outcome.continuum ? 0 : 1;
         result_.continuum = outcome.continuum.has_value();
+        if (only) {
+          details_["unique_by"] = name(EveryLoad::Reason::bound);
+          return;
+        }
         details_["reason"] =
             outcome.continuum ? "in a mode with a continuum of solutions" : "near the solution of its mode";
         details_["unexamined"] = others_unexamined();

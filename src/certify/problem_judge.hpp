@@ -14,8 +14,9 @@ struct ProblemAnswer {
 
 /// Verdicts as for a scene. The relative error of a component that is exactly 0 is held against the largest component
 /// of its kind: of z in the solution, or, where z = 0, the largest |q_i / W_ii|; of w, the largest of w and q. If
-/// trying every mode is beyond the effort, and the matrix is not positive definite, the verdict on a right solution is
-/// `undecided`: it may not be the only one. mistake_in(problem) is empty; `answer` has its size.
+/// trying every mode is beyond the effort, and the matrix is not positive definite, or with friction mu not below the
+/// bound of contact/every_load.hpp, the verdict on a right solution is `undecided`: it may not be the only one.
+/// mistake_in(problem) is empty; `answer` has its size.
 RecordJudgement judge_problem(const ContactProblem& problem, const ProblemAnswer& answer, const JudgeOptions& options);
 
 }  // namespace slipproof

@@ -118,11 +118,11 @@ std::string certified_work(const CertifyArguments& options, const RecordPieces& 
   const CertifyOptions& c = options.certify;
   return fmt::format(
       "certify {}\nscene {} mechanism {}\nformat {} decimal {} broken {} unknown {} from {}\n"
-      "tolerance {} {} effort {} {}\n",
+      "tolerance {} {} effort {} {} every-q {}\n",
       pieces.input(), options.scene.empty() ? "" : digest_of(options.scene),
       c.mechanism ? digest_of(c.mechanism->mechanism.file) : "", static_cast<int>(c.format), options.decimal,
       options.broken, c.ignore_unknown, c.first_record, c.judge.tolerance, c.contact.tolerance, c.judge.effort,
-      c.contact.effort);
+      c.contact.effort, c.judge.every_q);
 }
 
 /// By a crew; nothing on the ranks that only answer.
@@ -234,6 +234,8 @@ void add_certify(CLI::App& app, int& exit_code, Transport& transport) {
   command.add_option("--table", options->table.place, "Data set or group of an HDF5 file that holds several tables");
   command.add_flag("--ignore-unknown", options->certify.ignore_unknown, "Pass over columns that are no field");
   command.add_option("--summary", options->summary, "Write the counts to this file, as JSON");
+  command.add_flag("--every-q", options->certify.judge.every_q,
+                   "Of each contact problem in a line: is there one solution whatever its q is?");
   add_problem_options(command, options->problem);
   add_crew_options(command, options->crew);
   add_common_options(command, options->common);

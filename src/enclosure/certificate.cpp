@@ -88,10 +88,16 @@ class CertificateWriter {
     if (proof.kind == UniqueProof::Class::dominant) {
       text_ += "unique ";
       vector("dominant", proof.scale);
-    } else if (proof.kind == UniqueProof::Class::definite) {
-      line("unique definite {}", proof.factor.entries());
+    } else if (proof.kind != UniqueProof::Class::p_matrix) {  // whose minors are computed again by whoever wants to
+      line("unique {} {}", class_word(proof.kind), proof.factor.entries());
       entries(proof.factor);
-    }  // principal minors are computed again by whoever wants to
+    }
+  }
+
+  static std::string_view class_word(UniqueProof::Class kind) {
+    return kind == UniqueProof::Class::bound          ? "bound"
+           : kind == UniqueProof::Class::determinants ? "determinants"
+                                                      : "definite";
   }
 
   void entries(const SparseMatrix& matrix) {

@@ -110,7 +110,7 @@ class ContactCase {
 
   void exclude_others() {
     if (certainly_several()) return;
-    if (is_complementarity(problem_)) j_.unique_by = prove_unique(problem_, effort_);
+    j_.unique_by = prove_unique(problem_, effort_);
     if (j_.unique_by || !j_.enclosure || !j_.enclosure->pinned.empty()) return;
     if (j_.enclosure->system.size() > options_.others_up_to) return;
     j_.other = another_solution(problem_, *j_.enclosure);

@@ -1,5 +1,6 @@
 #include "enclosure/mixed_problem.hpp"
 
+#include "number/binary64.hpp"
 #include "number/exact_sum.hpp"
 
 namespace slipproof {
@@ -52,6 +53,22 @@ MixedProblem mixed_problem(const ProblemFile& file) {
   result.A = sparse_matrix(n, n, std::move(entries), twice);
   result.mu = file.mu;
   result.mu.resize(file.contacts(), 0);
+  return result;
+}
+
+ContactProblem contact_problem(const MixedProblem& problem) {
+  ContactProblem result;
+  const std::size_t n = problem.size();
+  result.W.assign(n, std::vector<Rational>(n));
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = problem.A.starts[i]; k < problem.A.starts[i + 1]; ++k) {
+      result.W[i][problem.A.column[k]] = to_rational(problem.A.value[k]);
+    }
+    result.q.push_back(to_rational(problem.c[i]));
+  }
+  if (problem.dimension == 2) {
+    for (const double mu : problem.mu) result.mu.push_back(to_rational(mu));
+  }
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/problem.hpp"
 #include "formats/problem_file.hpp"
 #include "number/rational.hpp"
 #include "sparse/matrix.hpp"
@@ -30,6 +31,9 @@ struct MixedProblem {
 
 /// A problem as files hold it: free unknowns are lambda, or (v, lambda). Linear.
 MixedProblem mixed_problem(const ProblemFile& file);
+
+/// A problem without free unknowns in dimension 1 or 2, exactly as it is. Throws NumberError for NaN and infinities.
+ContactProblem contact_problem(const MixedProblem& problem);
 
 /// Row i of A x + c, exactly. Linear in its entries.
 Rational exact_row(const MixedProblem& problem, std::size_t row, std::span<const double> x);

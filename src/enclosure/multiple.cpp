@@ -5,28 +5,11 @@
 #include <utility>
 
 #include "contact/solutions.hpp"
-#include "number/binary64.hpp"
 #include "number/linear_program.hpp"
 
 namespace slipproof {
 
 namespace {
-
-ContactProblem contact_problem_of(const MixedProblem& problem) {
-  ContactProblem result;
-  const std::size_t n = problem.size();
-  result.W.assign(n, std::vector<Rational>(n));
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = problem.A.starts[i]; k < problem.A.starts[i + 1]; ++k) {
-      result.W[i][problem.A.column[k]] = to_rational(problem.A.value[k]);
-    }
-    result.q.push_back(to_rational(problem.c[i]));
-  }
-  if (problem.dimension == 2) {
-    for (const double mu : problem.mu) result.mu.push_back(to_rational(mu));
-  }
-  return result;
-}
 
 /// Two different points: some point, and one from which it differs in a coordinate by up to 1.
 std::vector<std::vector<Rational>> two_points(const ContactContinuum& continuum, Effort& effort) {
@@ -69,7 +52,7 @@ SolutionCount count_solutions(const MixedProblem& problem, Effort& effort) {
   if (problem.free != 0 || !is_planar || problem.size() > max_problem_size) return {};
   if (problem.size() == 0) return {SolutionCount::Kind::one, {{}}};
   try {
-    const ContactProblem small = contact_problem_of(problem);
+    const ContactProblem small = contact_problem(problem);
     const ContactSolver solver(small);
     const auto found = solver.all(effort);
     if (found) return counted(*found, effort);

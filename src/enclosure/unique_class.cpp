@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 
+#include "contact/every_load.hpp"
 #include "enclosure/definite.hpp"
 #include "enclosure/dominant.hpp"
 #include "number/bareiss.hpp"
 #include "number/binary64.hpp"
+#include "number/exact_sum.hpp"
 
 namespace slipproof {
 
@@ -57,6 +61,44 @@ IntegerMatrix integer_rows(const SparseMatrix& A) {
   return result;
 }
 
+/// Where row i of A or its column i has an entry, both of them.
+std::map<std::size_t, std::pair<double, double>> row_and_column(const SparseMatrix& A, const SparseMatrix& across,
+                                                                std::size_t i) {
+  std::map<std::size_t, std::pair<double, double>> result;
+  for (std::size_t k = A.starts[i]; k < A.starts[i + 1]; ++k) result[A.column[k]].first = A.value[k];
+  for (std::size_t k = across.starts[i]; k < across.starts[i + 1]; ++k) {
+    result[across.column[k]].second = across.value[k];
+  }
+  return result;
+}
+
+bool is_finite(const MixedProblem& problem) {
+  const auto all = [](const std::vector<double>& values) {
+    return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
+  };
+  return all(problem.A.value) && all(problem.c) && all(problem.mu);
+}
+
+/// For a definite A. Throws TooMuchWork.
+bool determinants_are_positive(const MixedProblem& problem, Effort& effort) {
+  if (problem.contacts() > max_determinant_contacts) return false;
+  if (problem.contacts() == 0) return true;
+  const EveryLoad found = for_every_load(contact_problem(problem), effort);
+  return found.verdict == EveryLoad::Verdict::unique && found.reason == EveryLoad::Reason::determinants;
+}
+
+/// Throws TooMuchWork.
+std::optional<UniqueProof> prove_planar(const MixedProblem& problem, Effort& effort) {
+  using Class = UniqueProof::Class;
+  const auto lowered = lowered_by_friction(problem);
+  auto factor = lowered ? definite_factor(*lowered, effort) : std::nullopt;
+  if (factor) return UniqueProof{Class::bound, {}, std::move(*factor)};
+  if (problem.contacts() > max_determinant_contacts) return std::nullopt;
+  factor = definite_factor(problem.A, effort);
+  if (!factor || !determinants_are_positive(problem, effort)) return std::nullopt;
+  return UniqueProof{Class::determinants, {}, std::move(*factor)};
+}
+
 }  // namespace
 
 std::optional<std::vector<std::size_t>> nonpositive_minor(const SparseMatrix& A) {
@@ -68,15 +110,56 @@ std::optional<std::vector<std::size_t>> nonpositive_minor(const SparseMatrix& A)
 }
 
 bool is_complementarity(const MixedProblem& problem) {
-  const auto finite = [](double x) { return std::isfinite(x); };
-  return problem.free == 0 && problem.dimension == 1 &&
-         std::all_of(problem.A.value.begin(), problem.A.value.end(), finite) &&
-         std::all_of(problem.c.begin(), problem.c.end(), finite);
+  return problem.free == 0 && problem.dimension == 1 && is_finite(problem);
+}
+
+bool is_planar_friction(const MixedProblem& problem) {
+  return problem.free == 0 && problem.dimension == 2 && is_finite(problem);
+}
+
+std::optional<SparseMatrix> lowered_by_friction(const MixedProblem& problem) {
+  if (!has_positive_diagonal(problem.A)) return std::nullopt;
+  const SparseMatrix across = transposed(problem.A);
+  std::vector<ExactSum> skew(problem.size());  // twice what it takes
+  std::vector<Rational> less(problem.size());  // the same of the symmetric part
+  for (std::size_t i = 0; i < problem.contacts(); ++i) {
+    const std::size_t normal = problem.normal(i);
+    const double mu = problem.mu[i];
+    ExactSum tangential;
+    for (const auto& [j, pair] : row_and_column(problem.A, across, normal + 1)) {
+      const auto [row, column] = pair;
+      const double sign = row < column ? -1 : 1;
+      for (ExactSum* sum : {&skew[j], &skew[normal]}) {
+        if (row != column) sum->add(mu, sign * row), sum->add(mu, -sign * column);
+      }
+      if (j % 2 == 0) continue;
+      const double together = row < -column ? -1 : 1;
+      tangential.add(together * row), tangential.add(together * column);
+    }
+    less[normal] = to_rational(mu) * to_rational(mu) * tangential.value();
+  }
+  SparseMatrix result = problem.A;
+  for (std::size_t j = 0; j < problem.size(); ++j) {
+    const auto columns = result.columns_of(j);
+    const auto place = std::lower_bound(columns.begin(), columns.end(), j) - columns.begin();
+    double& entry = result.value[result.starts[j] + static_cast<std::size_t>(place)];
+    entry = enclose(to_rational(entry) - (less[j] + skew[j].value()) / 2).lower;
+  }
+  return has_positive_diagonal(result) ? std::optional(std::move(result)) : std::nullopt;
 }
 
 bool proves(const UniqueProof& proof, const MixedProblem& problem) {
-  if (!is_complementarity(problem)) return false;
+  const bool planar = proof.kind == UniqueProof::Class::bound || proof.kind == UniqueProof::Class::determinants;
+  if (!(planar ? is_planar_friction(problem) : is_complementarity(problem))) return false;
   switch (proof.kind) {
+    case UniqueProof::Class::bound: {
+      const auto lowered = lowered_by_friction(problem);
+      return lowered && is_definite(*lowered, proof.factor);
+    }
+    case UniqueProof::Class::determinants: {
+      Effort effort(std::numeric_limits<Work>::max());
+      return is_definite(problem.A, proof.factor) && determinants_are_positive(problem, effort);
+    }
     case UniqueProof::Class::dominant:
       return is_dominant(problem.A, proof.scale);
     case UniqueProof::Class::definite:
@@ -88,8 +171,10 @@ bool proves(const UniqueProof& proof, const MixedProblem& problem) {
 }
 
 std::optional<UniqueProof> prove_unique(const MixedProblem& problem, Effort& effort) {
-  if (!is_complementarity(problem) || !has_positive_diagonal(problem.A)) return std::nullopt;
+  if (!has_positive_diagonal(problem.A)) return std::nullopt;
   try {
+    if (is_planar_friction(problem)) return prove_planar(problem, effort);
+    if (!is_complementarity(problem)) return std::nullopt;
     if (auto scale = dominant_scale(problem.A, effort)) {
       return UniqueProof{UniqueProof::Class::dominant, std::move(*scale), {}};
     }

@@ -148,6 +148,39 @@ TEST_CASE("where not every solution can be found, a right answer is undecided un
   CHECK(line["margin"].get<std::string>().starts_with("-"));
 }
 
+TEST_CASE("one solution for every q is told where it is asked for") {
+  CertifyOptions asked;
+  asked.judge.every_q = true;
+  // The determinant of slip- is 1 - mu/2.
+  const auto told = [&](const std::string& mu, const CertifyOptions& options) {
+    return judged(R"({"W":[[1,0.5],[0.5,1]],"q":[1,0],"mu":")" + mu + R"(","z":[0,0]})", options);
+  };
+  CHECK(told("1", asked)["every_q"] == Json{{"verdict", "unique"}, {"by", "mode determinants"}});
+  const Json several = told("5/2", asked);
+  CHECK(several["verdict"] == "certified");  // of this q
+  CHECK(several["every_q"] ==
+        Json{{"verdict", "not unique"}, {"by", "mode determinants"}, {"mode", "slip+"}, {"determinant", "-1/4"}});
+  CHECK_FALSE(told("1", {}).contains("every_q"));
+  CHECK(judged(three + R"("z":[1,0]})", asked)["every_q"]["mode"] == "zz");
+}
+
+TEST_CASE("with friction beyond all modes the bound on mu makes a right answer the only one") {
+  // 20 contacts that do not know of each other; each bears 1 and is pushed by 1/4.
+  const auto contacts = [](double mu) {
+    Json record{{"q", Json::array()}, {"z", Json::array()}, {"mu", mu}};
+    for (std::size_t i = 0; i < 40; ++i) {
+      record["W"].push_back(std::vector<double>(40));
+      record["W"][i][i] = 1;
+      record["q"].push_back(i % 2 == 0 ? -1 : 0.25);
+      record["z"].push_back(i % 2 == 0 ? 1 : -0.25);
+    }
+    return judged(record.dump());
+  };
+  CHECK(contacts(0.5)["verdict"] == "certified");
+  CHECK(contacts(0.5)["unique_by"] == "bound on mu");
+  CHECK(contacts(1)["verdict"] == "undecided");
+}
+
 TEST_CASE("recorded answers of Siconos get the same verdict as contact problems and as bicycles") {
   // A force of a wheel that all but leaves the road may have no right digit: there the scales of the two forms differ.
   std::size_t records = 0, several = 0;

@@ -88,6 +88,27 @@ TEST_CASE("an answer of its own file, an improved answer, a certificate and a re
   CHECK(read_file(answer) == "10 -1.5000001 -2\n");
 }
 
+TEST_CASE("planar contacts with one solution for every constant say so") {
+  const TemporaryFolder folder;
+  const auto said = [&](const std::string& mu) {
+    const std::string text = R"({"dimension": 2, "W": [[1,0.5],[0.5,1]], "q": [1,0], "mu": )" + mu + ", \"r\": [0,0]}";
+    return run({"certify", folder.write("p.json", text), "--certificate", folder.path() / ("mu" + mu)});
+  };
+  CHECK(line_of(said("0.75"))["unique_by"] == "bound on mu");
+  CHECK(said("1.5").out.find("There is one solution for every constant, too (mode determinants).") !=
+        std::string::npos);
+  CHECK(line_of(said("2.5"))["verdict"] == "unique");
+  CHECK_FALSE(line_of(said("2.5")).contains("unique_by"));
+  const auto checked = [&](const std::string& mu) {
+    return run({folder.path() / ("mu" + mu)}, "slipproof-check-contact").out;
+  };
+  CHECK(checked("0.75").find("one solution, whatever the constant, by a bound on mu, 1 contacts") != std::string::npos);
+  CHECK(checked("1.5").find("one solution, whatever the constant, by the mode determinants") != std::string::npos);
+  CHECK(checked("2.5").find("whatever the constant") == std::string::npos);
+  const auto lines = folder.write("p.jsonl", R"({"W": [[1,0.5],[0.5,1]], "q": [1,0], "mu": 1, "z": [0,0]})");
+  CHECK(line_of(run({"certify", lines, "--every-q"}))["every_q"]["verdict"] == "unique");
+}
+
 TEST_CASE("problems as JSON Lines, in space and in the plane, get a line each") {
   const TemporaryFolder folder;
   const std::string planar = R"({"dimension": 2, "W": [[1,0],[0,1]], "q": [-1, 0.75], "mu": 0.5, "z": [1, -0.5]})";

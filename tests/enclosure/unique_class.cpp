@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/every_load.hpp"
 #include "contact/solutions.hpp"
 #include "enclosure/definite.hpp"
 #include "enclosure/dominant.hpp"
@@ -102,6 +103,71 @@ TEST_CASE("where a proof was found every constant leaves one solution") {
   }
   CHECK(proved > 500);
   CHECK(others > 200);
+}
+
+TEST_CASE("planar friction has a proof where every constant leaves one solution, and nowhere else") {
+  Draw draw(6);
+  std::set<Class> seen;
+  int proved = 0, others = 0;
+  for (int i = 0; i < 600; ++i) {
+    const std::size_t contacts = draw.size(1, 3), n = 2 * contacts;
+    Matrix A = draw.definite(n, draw.whole(1, 30));
+    for (std::size_t r = 0; i % 2 == 0 && r < n; ++r) {  // symmetric
+      for (std::size_t s = 0; s < r; ++s) A[r][s] = A[s][r] = (A[r][s] + A[s][r]) / 2;
+    }
+    std::vector<double> mu(contacts);
+    for (double& x : mu) x = draw.whole(0, 40) / 8.0;
+    MixedProblem p = problem(A, std::vector<double>(n), mu);
+    Effort effort(1'000'000'000);
+    const auto proof = prove_unique(p, effort);
+    REQUIRE(proof.has_value() == (for_every_load(contact_problem(p)).verdict == EveryLoad::Verdict::unique));
+    (proof ? proved : others) += 1;
+    if (!proof) continue;
+    seen.insert(proof->kind);
+    CHECK(proves(*proof, p));
+    for (int k = 0; k < 3; ++k) {
+      p.c = draw.vector(n, -9, 9);
+      CHECK(ContactSolver(contact_problem(p)).all()->one());
+    }
+  }
+  CHECK(proved > 100);
+  CHECK(others > 100);
+  CHECK(seen == std::set<Class>{Class::bound, Class::determinants});
+}
+
+TEST_CASE("planar friction: known thresholds, and hundreds of contacts") {
+  // One contact, W = [1 c; c 1]: the determinant of slip is 1 -+ mu c. The bound asks for 1 - mu^2 > c^2.
+  const auto kind = [](double c, double mu) {
+    Effort effort(1'000'000'000);
+    const auto proof = prove_unique(problem({{1, c}, {c, 1}}, {0, 0}, {mu}), effort);
+    return proof ? std::optional(proof->kind) : std::nullopt;
+  };
+  CHECK(kind(0.5, 0.75) == Class::bound);
+  CHECK(kind(0.5, 0.875) == Class::determinants);
+  CHECK(kind(0.5, 1.9375) == Class::determinants);
+  CHECK(kind(0.5, 2) == std::nullopt);
+  CHECK(kind(0.6, 0.8) == Class::determinants);  // the bound holds with equality, but for rounding
+  CHECK(kind(1, 0) == std::nullopt);             // singular
+  // With a skew part k the bound asks for 1 - mu^2 - 2 mu |k| > c^2: 1/2 for k = 1/4 and mu = 1/2.
+  for (const double k : {0.25, -0.25}) {
+    for (const auto& [c, expected] : {std::pair(0.703125, Class::bound), std::pair(0.71875, Class::determinants)}) {
+      Effort effort(1'000'000'000);
+      const auto proof = prove_unique(problem({{1, c + k}, {c - k, 1}}, {0, 0}, {0.5}), effort);
+      REQUIRE(proof);
+      CHECK(proof->kind == expected);
+    }
+  }
+
+  MixedProblem chain = band_problem(1'000, {-1, 0, 3, 0, -1});
+  chain.dimension = 2;
+  chain.mu.assign(500, 0.25);  // 3 - 5 / 16 > 2
+  Effort effort(10'000'000'000);
+  const auto proof = prove_unique(chain, effort);
+  REQUIRE(proof);
+  CHECK(proof->kind == Class::bound);
+  chain.mu[250] = 1;
+  CHECK_FALSE(proves(*proof, chain));
+  CHECK_FALSE(proves({Class::determinants, {}, proof->factor}, chain));  // beyond what is looked at
 }
 
 TEST_CASE("known matrices have their classes") {
@@ -246,6 +312,19 @@ TEST_CASE("forged proofs fail") {
   UniqueProof smaller = proof;
   smaller.factor = sparse({{1}});
   CHECK(!proves(smaller, p));
+
+  const MixedProblem contact = problem({{1, 0.5}, {0.5, 1}}, {0, 0}, {0.75}),
+                     steep = problem({{1, 0.5}, {0.5, 1}}, {0, 0}, {2});
+  Effort effort(1'000'000);
+  const SparseMatrix lowered = prove_unique(contact, effort)->factor, whole = *definite_factor(contact.A, effort);
+  CHECK(proves({Class::bound, {}, lowered}, contact));
+  CHECK(proves({Class::determinants, {}, whole}, contact));
+  CHECK_FALSE(proves({Class::bound, {}, whole}, contact));
+  CHECK_FALSE(proves({Class::bound, {}, lowered}, steep));
+  CHECK_FALSE(proves({Class::determinants, {}, whole}, steep));
+  CHECK_FALSE(proves({Class::determinants, {}, sparse({{1, 0}, {0, 3}})}, contact));
+  CHECK_FALSE(proves({Class::definite, {}, whole}, contact));
+  CHECK_FALSE(proves({Class::bound, {}, lowered}, problem({{1, 0.75}, {0.25, 1}}, {0, 0}, {0.75})));
 
   const MixedProblem two = problem({{1, 2}, {2, 1}}, {-1, -1});
   for (const Class kind : {Class::dominant, Class::definite, Class::p_matrix}) {
