@@ -6,7 +6,6 @@
 #include "cli/warnings.hpp"
 #include "input/diagnostic.hpp"
 #include "input/text_file.hpp"
-#include "model/scene.hpp"
 #include "uniqueness/scene_setting.hpp"
 #include "wording/uniqueness_report.hpp"
 
@@ -20,14 +19,8 @@ struct CriticalArguments {
   int digits = 6;
 };
 
-MechanismScene read(const std::string& file) {
-  const std::string text = read_text_file(file);
-  if (is_mechanism_scene(text)) return parse_mechanism_scene(text, file);
-  return mechanism_scene(parse_scene(text, file));
-}
-
 std::string critical_text(const CriticalArguments& arguments) {
-  const MechanismScene scene = read(arguments.scene);
+  const MechanismScene scene = parse_any_scene(read_text_file(arguments.scene), arguments.scene);
   print_warnings(scene.mechanism, arguments.common);
   try {
     const UniquenessAlong along = uniqueness_along(scene, arguments.x.empty() ? usual_parameter(scene) : arguments.x);

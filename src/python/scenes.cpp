@@ -5,6 +5,7 @@
 #include <string>
 #include <variant>
 
+#include "input/diagnostic.hpp"
 #include "mechanism/checks.hpp"
 #include "mechanism/scene.hpp"
 #include "mechanism/shipped.hpp"
@@ -14,8 +15,10 @@
 #include "python/bind.hpp"
 #include "python/interruptible.hpp"
 #include "python/numbers.hpp"
+#include "uniqueness/scene_setting.hpp"
 #include "wording/mechanism_report.hpp"
 #include "wording/solve_report.hpp"
+#include "wording/uniqueness_report.hpp"
 
 namespace slipproof::python {
 
@@ -150,6 +153,21 @@ Solution solve(const AnyScene& scene) {
   return Solution(std::make_unique<const SolvedMechanism>(mechanism));
 }
 
+/// (document, text). `x` empty: the usual parameter.
+py::tuple critical(const std::string& text, const std::string& file, const std::string& x) {
+  const auto work = [text, file, x](Call&) {
+    const MechanismScene scene = parse_any_scene(text, file);
+    try {
+      const UniquenessAlong along = uniqueness_along(scene, x.empty() ? usual_parameter(scene) : x);
+      return std::pair(uniqueness_json(scene, along), uniqueness_text(scene, along, 6));
+    } catch (const NoValue& error) {
+      throw InputError({{file, 0, 0, error.what()}});
+    }
+  };
+  const auto [document, words] = interruptible(work);
+  return py::make_tuple(document, words);
+}
+
 void bind_scene(py::module_& module) {
   py::class_<AnyScene>(module, "Scene")
       .def(py::init<const std::string&, const std::string&>())
@@ -198,6 +216,7 @@ py::tuple to_python(const Rational& x) {
 
 void bind_scenes(py::module_& module) {
   bind_scene(module);
+  module.def("critical", &critical);
   module.def("describe_mechanism", [](const std::string& name) { return described(open_mechanism(name)); });
   module.def("show_mechanism", [](const std::string& name) {
     return interruptible([name](Call&) {

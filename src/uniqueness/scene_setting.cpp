@@ -61,4 +61,8 @@ MechanismScene mechanism_scene(const Scene& scene) {
           scene.notes};
 }
 
+MechanismScene parse_any_scene(const std::string& text, const std::string& file) {
+  return is_mechanism_scene(text) ? parse_mechanism_scene(text, file) : mechanism_scene(parse_scene(text, file));
+}
+
 }  // namespace slipproof

@@ -5,7 +5,7 @@
 
 #include "claims/claims_file.hpp"
 #include "mechanism/scene.hpp"
-#include "model/bicycle.hpp"
+#include "model/scene.hpp"
 
 namespace slipproof {
 
@@ -15,5 +15,8 @@ Setting setting_along(const MechanismScene& scene, const std::string& parameter)
 
 /// A scene of the bicycle as one of its mechanism.
 MechanismScene mechanism_scene(const Scene& scene);
+
+/// The text of a scene file, of a mechanism or of the bicycle in its old form. Throws InputError.
+MechanismScene parse_any_scene(const std::string& text, const std::string& file);
 
 }  // namespace slipproof

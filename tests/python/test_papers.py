@@ -1,5 +1,7 @@
 """Claims, proofs, certificates, searches, pictures: the program's, byte for byte."""
 
+from fractions import Fraction
+
 import pytest
 
 import slipproof
@@ -57,6 +59,27 @@ def test_pictures_are_the_programs(program, path, options, flags):
     assert diagram.to_json() == program("map", path, *flags, "--json", parse=False)
     bands = diagram.bands()
     assert bands and all(low < high for some in bands.values() for _, low, high in some)
+
+
+@pytest.mark.parametrize("path, x, every_q", [
+    ("cases/ambiguous.toml", "", "not unique"), ("cases/ambiguous.toml", "h", "not unique"),
+    ("cases/touring-bicycle.toml", "", "unique"), ("cases/mechanisms/scenes/ladder.toml", "", "undecided"),
+    ("cases/mechanisms/scenes/block-on-incline.toml", "", None)])
+def test_critical_values_are_the_programs(program, path, x, every_q):
+    found = slipproof.critical(path, x=x)
+    flags = ["--x", x] if x else []
+    assert found.text() == program("critical", path, *flags, parse=False)
+    assert found.to_json() == program("critical", path, *flags, "--json", parse=False)
+    assert found.every_q == every_q
+    at_own = slipproof.solve(path).to_dict()["every_q"]
+    assert (at_own and at_own["verdict"]) == every_q
+
+
+def test_critical_values_are_fractions():
+    found = slipproof.critical(slipproof.Scene.load("cases/ambiguous.toml"))
+    assert (found.parameter, found.value, found.critical, found.one_motion) == ("f", 1, Fraction(21, 25), False)
+    assert slipproof.critical("cases/mechanisms/scenes/ladder.toml").critical is None
+    assert slipproof.critical("cases/touring-bicycle.toml").one_motion
 
 
 def test_a_diagram_is_drawn_into_axes():

@@ -2,6 +2,7 @@
 
 Every motion of a bicycle or of any planar mechanism with dry friction (:func:`solve`, :class:`Mechanism`), verdicts on
 what solvers answer (:func:`certify`, :func:`certify_bicycles`, :func:`certify_file`), consistent modes of many scenes (:func:`consistent_modes`),
+from which friction on a scene has several motions (:func:`critical`),
 claims of papers and proofs (:func:`verify`, :func:`prove`, :func:`check`), pictures (:func:`phase_diagram`).
 
 Numbers go in as int, float, Fraction, Decimal or text, exactly as they are, and come out as Fractions. Functions are safe
@@ -20,11 +21,13 @@ from ._phase import PhaseDiagram, phase_diagram
 from ._progress import ProgressBar
 from ._scene import Scene, solve
 from ._solution import Cell, Continuum, Motion, Range, Rejected, Solution
+from ._uniqueness import Critical, critical
 
 __all__ = [
-    "MODES", "VERDICTS", "Affine", "BicycleVerdicts", "Cell", "Check", "CheckedCertificate", "ClaimVerdict", "ConsistentModes", "Continuum", "Diagnostic",
+    "MODES", "VERDICTS", "Affine", "BicycleVerdicts", "Cell", "Check", "CheckedCertificate", "ClaimVerdict", "ConsistentModes", "Continuum", "Critical",
+    "Diagnostic",
     "InputError", "Interval", "Mechanism", "Motion", "PhaseDiagram", "ProgressBar", "Proof", "Range", "Rejected", "Scene",
     "Search", "Solution", "TooMuchWork", "Verdict", "Verdicts", "Verification", "__version__", "certify",
     "certify_bicycles", "certify_file",
-    "check", "consistent_modes", "phase_diagram", "prove", "search", "shipped_mechanisms", "solve", "verify",
+    "check", "consistent_modes", "critical", "phase_diagram", "prove", "search", "shipped_mechanisms", "solve", "verify",
 ]

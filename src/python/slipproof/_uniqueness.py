@@ -1,0 +1,64 @@
+"""From which value of a parameter on a scene has several motions."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any, Optional, Tuple, Union
+
+from . import _core
+from ._document import Report
+from ._errors import wrong_type
+from ._numbers import fraction, value
+from ._scene import as_scene
+
+
+class Critical(Report):
+    """For which values of a parameter each load has one motion; ``to_dict()`` has all ranges of it."""
+
+    def __init__(self, document: str, text: str):
+        super().__init__(document, text)
+        self._dict = self.to_dict()
+
+    @property
+    def parameter(self) -> str:
+        """What is varied."""
+        return self._dict["parameter"]  # type: ignore[no-any-return]
+
+    @property
+    def value(self) -> Fraction:
+        """Of the scene itself."""
+        return fraction(self._dict["value"])
+
+    @property
+    def critical(self) -> Union[None, Fraction, Tuple[Fraction, Fraction]]:
+        """The least value above the first ones that have one motion at every load, from which on or above which some
+        load has none, several or infinitely many. An irrational one stands between the two that are returned; None:
+        there is no such value."""
+        end = self._dict["critical"]
+        return (fraction(end[0]), fraction(end[1])) if isinstance(end, list) else value(end)
+
+    @property
+    def one_motion(self) -> bool:
+        """Whether the scene itself has one motion at every load."""
+        return self._dict["at_value"]["one_motion"]  # type: ignore[no-any-return]
+
+    @property
+    def every_q(self) -> Optional[str]:
+        """``unique``: the scene itself has one motion whatever else pushes it. ``not unique``, ``undecided``; None where
+        the theorem is not about its contacts."""
+        told = self._dict["at_value"]["every_q"]
+        return told and told["verdict"]  # type: ignore[no-any-return]
+
+    def __repr__(self) -> str:
+        return f"<slipproof.Critical {self.text().rstrip().rpartition(chr(10))[2].removeprefix('s ')}>"
+
+
+def critical(scene: Any, *, x: str = "") -> Critical:
+    """For which values of a parameter each load has one motion, exactly, and which loads have several.
+
+    ``scene`` as :func:`solve` takes it. ``x``: the parameter that is varied, by default the coefficient of friction f of a
+    bicycle, or a mechanism's first. Raises ValueError for what is none, and for more than 32 modes.
+    """
+    if not isinstance(x, str):
+        raise wrong_type("x", x, "the symbol of a parameter")
+    return Critical(*_core.critical(*as_scene(scene, {})._source(), x))
