@@ -20,8 +20,9 @@ using prove::Ring;
 
 /// What the language or a solver has taken gets another name: bars alone would not make it another symbol.
 std::string symbol(const std::string& name) {
-  static constexpr std::array taken{"let",  "as",  "par",   "exists", "forall", "match", "and", "or",  "not",  "xor",
-                                    "true", "ite", "false", "abs",    "div",    "mod",   "pi",  "exp", "sqrt", "e"};
+  static constexpr std::array taken{"let",  "as",   "par",  "exists", "forall", "match", "and",   "or",    "not",
+                                    "xor",  "true", "ite",  "false",  "abs",    "div",   "mod",   "pi",    "exp",
+                                    "sqrt", "e",    "push", "pop",    "echo",   "exit",  "reset", "assert"};
   const bool renamed = std::find(taken.begin(), taken.end(), name) != taken.end();
   if (renamed) return "|the variable " + name + "|";
   return name.find('\'') == std::string::npos ? name : "|" + name + "|";

@@ -241,6 +241,16 @@ TEST_CASE("the text of a small statement") {
       "(check-sat)\n");
 }
 
+TEST_CASE("commands of the language are no names of variables") {
+  for (const std::string name : {"push", "pop", "echo", "exit", "reset", "assert"}) {
+    CAPTURE(name);
+    const std::string text =
+        smtlib_text("command", "slipproof-statement 1\ntheorem command\nreal " + name + "\nshow " + name + " >= 0\n");
+    CHECK(text.find("(declare-const |the variable " + name + "| Real)\n") != std::string::npos);
+    CHECK(text.find("(> (* (- 1) |the variable " + name + "|) 0)") != std::string::npos);
+  }
+}
+
 TEST_CASE("existence is a quantifier over the unknowns") {
   const std::string text = smtlib_text(
       "exists", "slipproof-statement 1\ntheorem t\nreal x\nassume a: x > 0\nexists y z\nshow y*z = x and y > 0\n");
