@@ -1,5 +1,6 @@
 #include "python/interruptible.hpp"
 
+#include <cxxabi.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -83,7 +84,12 @@ Running& running() {
 
 WithoutInterpreter::~WithoutInterpreter() noexcept(false) {
   while (interpreter_is_gone()) pause();
-  PyEval_RestoreThread(state_);
+  try {
+    PyEval_RestoreThread(state_);
+  } catch (abi::__forced_unwind&) {
+    // It went while this waited for its lock, and ends the thread: on the way out objects would go without that lock.
+    for (;;) pause();
+  }
 }
 
 std::uint64_t interrupts() {
