@@ -1,6 +1,7 @@
 // The theorems of proofs/two-wheeler, as its claims file states them, against all motions of random bicycles.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <string>
 #include <string_view>
@@ -212,6 +213,7 @@ TEST_CASE("between the ends of its modes a two-wheeler has a motion more than tw
                                                "S4.negative", "S5.negative", "S6.negative"};
   RandomScenes random(3);
   std::vector<int> found(8);
+  int on_border = 0;
   for (int i = 0; i < wanted() / 4; ++i) {
     const ForceKind kind = i % 2 == 0 ? ForceKind::internal : ForceKind::external;
     Bicycle<Rational> p = random.bicycle(true);
@@ -222,6 +224,12 @@ TEST_CASE("between the ends of its modes a two-wheeler has a motion more than tw
       const ModeTable table(q, road, kind);
       for (const Cell& cell : partition(table)) {
         if (cell.forces.is_point()) continue;
+        // On a border of its cone a motion counts as often as there are modes that have it. At an interval of forces
+        // one stays there where forces do nothing and a wheel at rest bears nothing, or along a wall (X3.wall).
+        if (std::any_of(cell.motions.begin(), cell.motions.end(), [](const auto& motion) { return !motion.strict; })) {
+          ++on_border;
+          continue;
+        }
         const Rational force = cell.forces.sample();
         Evaluator<Rational> values = theorems.at(reduced, force), mirror = theorems.at(reduced.mirrored(), -force);
         std::size_t modes = 0;
@@ -237,4 +245,5 @@ TEST_CASE("between the ends of its modes a two-wheeler has a motion more than tw
   CHECK(found[1] > wanted());
   CHECK(found[3] > wanted() / 10);
   CHECK(found[5] > 0);
+  CHECK(on_border < wanted() / 100);
 }
