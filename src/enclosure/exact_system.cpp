@@ -154,7 +154,7 @@ ExactVector exact_rows(const SparseMatrix& A, const ExactVector& x, std::span<co
 std::optional<ExactVector> exact_solution(const SparseMatrix& A, std::span<const double> c, Effort& effort) {
   const Work n = A.rows;
   if (n == 0) return ExactVector();
-  [[maybe_unused]] thread_local const FlintMemory at_end;  // tens of megabytes here
+  give_back_flint_memory_at_end();  // tens of megabytes here
   effort.spend(times(n, n));
   IntegerSystem system(A, c);
   if (system.has_zeros()) return std::nullopt;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "number/flint_memory.hpp"
 #include "number/parse.hpp"
 
 namespace slipproof {
@@ -65,6 +66,7 @@ double assemble(const Truncated& truncated, bool up) {
 Rational to_rational(double x) {
   if (std::isnan(x)) throw NumberError(0, "NaN", "a finite number");
   if (std::isinf(x)) throw NumberError(0, "infinity", "a finite number");
+  give_back_flint_memory_at_end();
   int exponent = 0;
   const Integer significand = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &exponent), digits));
   exponent -= digits;

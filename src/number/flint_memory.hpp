@@ -14,4 +14,9 @@ class FlintMemory {
   ~FlintMemory() { flint_cleanup(); }
 };
 
+/// For where numbers come into being: whatever thread this is, it gives its memory back when it ends.
+inline void give_back_flint_memory_at_end() {
+  [[maybe_unused]] thread_local const FlintMemory at_end;
+}
+
 }  // namespace slipproof

@@ -4,6 +4,8 @@
 #include <cctype>
 #include <utility>
 
+#include "number/flint_memory.hpp"
+
 namespace slipproof {
 
 NumberError::NumberError(std::size_t position, std::string found, std::string expected)
@@ -176,6 +178,7 @@ class NumberReader {
 }  // namespace
 
 Rational parse_rational(std::string_view text) {
+  give_back_flint_memory_at_end();
   return NumberReader(text).read();
 }
 
