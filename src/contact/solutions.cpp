@@ -142,7 +142,7 @@ bool positive_definite(const RationalMatrix& W) {
   for (std::size_t k = 0; k < n; ++k) {
     if (m[k][k].sign() <= 0) return false;
     for (std::size_t i = k + 1; i < n; ++i) {
-      for (std::size_t j = k + 1; j < n; ++j) m[i][j] = (m[k][k] * m[i][j] - m[i][k] * m[k][j]) / previous;
+      for (std::size_t j = k + 1; j < n; ++j) m[i][j] = exact_quotient(m[k][k] * m[i][j] - m[i][k] * m[k][j], previous);
     }
     previous = m[k][k];
   }

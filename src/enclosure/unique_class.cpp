@@ -41,7 +41,7 @@ class Minors {
     for (std::size_t i = k + 1; i < m.size(); ++i) {
       auto& row = result.emplace_back();
       for (std::size_t j = k + 1; j < m.size(); ++j) {
-        row.push_back((m[k][k] * m[i][j] - m[i][k] * m[k][j]) / previous);
+        row.push_back(exact_quotient(m[k][k] * m[i][j] - m[i][k] * m[k][j], previous));
       }
     }
     return result;

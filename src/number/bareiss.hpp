@@ -24,7 +24,7 @@ Integer common_denominator(const Range& values) {
 
 /// value * multiple, where `multiple` is one of the value's denominator.
 inline Integer integer_times(const Rational& value, const Integer& multiple) {
-  return numerator(value) * Integer(multiple / denominator(value));
+  return numerator(value) * exact_quotient(multiple, denominator(value));
 }
 
 /// A row times the common denominator of its entries.
@@ -66,8 +66,8 @@ inline Echelon eliminate(IntegerMatrix matrix, std::size_t columns) {
       const Integer factor = matrix[i][column];
       for (std::size_t j = 0; j < matrix[i].size(); ++j) {
         Integer value = pivot * matrix[i][j];
-        if (!factor.is_zero() && !pivot_row[j].is_zero()) value -= factor * pivot_row[j];
-        matrix[i][j] = value / previous;
+        value.subtract_product(factor, pivot_row[j]);
+        matrix[i][j] = exact_quotient(value, previous);
       }
     }
     previous = pivot;
