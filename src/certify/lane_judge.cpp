@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "certify/answer_error.hpp"
 #include "filter/batch.hpp"
 #include "filter/lanes.hpp"
-#include "filter/vector_clones.hpp"
+#include "filter/vector_kernel.hpp"
 
 namespace slipproof {
 
@@ -17,20 +18,27 @@ namespace {
 /// The answers of records side by side.
 using LaneAnswerNumbers = std::array<LaneNumbers, answer_count>;
 
-SLIPPROOF_VECTOR_CLONES("avx512f", "avx2")
-SLIPPROOF_FLATTEN void error_block(const ForcedScene<LaneNumbers>& scenes, const LaneAnswerNumbers& answers,
-                                   ContactMode mode, std::uint32_t present, LaneNumbers& errors) {
-  const auto s = convert<LaneNumbers, TrackedLanes>(
-      scenes, [](const LaneNumbers& numbers) { return TrackedLanes::input(load(numbers)); });
-  const auto dynamics = reduce<TrackedLanes, TrackedLanes>(s.bicycle, s.road, s.force_kind, s.F, TrackedLanes(1));
-  const auto number = [&](Field f) {
-    return f == Field::g   ? load(scenes.road.g)
-           : f == Field::R ? load(scenes.bicycle.R)
-                           : load(answers[index(f) - parameter_count]);
-  };
-  const Lanes weight = load(scenes.bicycle.M) * load(scenes.road.g);
-  reinterpret_cast<Lanes&>(errors) = largest_error<Lanes>(dynamics, mode, present, number, weight);
-}
+struct BoundErrors {
+  template <int width>
+  static void run(const ForcedScene<LaneNumbers>& scenes, const LaneAnswerNumbers& answers, ContactMode mode,
+                  std::uint32_t present, LaneNumbers& errors) {
+    using V = typename LaneTypes<width>::Numbers;
+    using N = TrackedLanes<V>;
+    for (std::size_t lane = 0; lane < lane_count; lane += width) {
+      const auto at = [lane](const LaneNumbers& numbers) { return load<V>(&numbers.of[lane]); };
+      const auto s = convert<LaneNumbers, N>(scenes, [&](const LaneNumbers& numbers) { return N::input(at(numbers)); });
+      const auto dynamics = reduce<N, N>(s.bicycle, s.road, s.force_kind, s.F, N(1));
+      const auto number = [&](Field f) {
+        return f == Field::g   ? at(scenes.road.g)
+               : f == Field::R ? at(scenes.bicycle.R)
+                               : at(answers[index(f) - parameter_count]);
+      };
+      const V weight = at(scenes.bicycle.M) * at(scenes.road.g);
+      const V error = largest_error<V>(dynamics, mode, present, number, weight);
+      std::memcpy(&errors.of[lane], &error, sizeof error);
+    }
+  }
+};
 
 }  // namespace
 
@@ -80,7 +88,8 @@ ForcedScene<LaneNumbers> LaneJudge::scenes(const LaneRecords& r, const std::uint
     for (std::size_t lane = 0; lane < lane_count; ++lane) x.of[lane] = column[rows[std::min(lane, count - 1)]];
     return x;
   };
-  const auto minus = [](LaneNumbers x, const LaneNumbers& y) {
+  const auto minus = [](const LaneNumbers& from, const LaneNumbers& y) {
+    LaneNumbers x = from;
     for (std::size_t lane = 0; lane < lane_count; ++lane) x.of[lane] -= y.of[lane];
     return x;
   };
@@ -139,7 +148,8 @@ void LaneJudge::bound_errors(const LaneRecords& r, const Rows& rows, std::size_t
       if (!has(static_cast<Field>(parameter_count + k))) continue;
       for (std::size_t lane = 0; lane < lane_count; ++lane) answers[k].of[lane] = column[at[std::min(lane, here - 1)]];
     }
-    error_block(scenes(r, at, here, kind), answers, all_modes()[mode], present_, errors);
+    const auto here_scenes = scenes(r, at, here, kind);
+    VectorKernel<BoundErrors>::run(widest_registers(), here_scenes, answers, all_modes()[mode], present_, errors);
     for (std::size_t lane = 0; lane < here; ++lane) found.errors[at[lane]] = errors.of[lane];
   }
 }

@@ -7,6 +7,7 @@
 
 #include "filter/filter.hpp"
 #include "filter/lane_numbers.hpp"
+#include "filter/vector_kernel.hpp"
 
 namespace slipproof {
 
@@ -29,6 +30,8 @@ class Column {
   /// 1: the same for all.
   std::size_t size() const { return size_; }
   double operator[](std::size_t scene) const { return size_ == 1 ? of_all_ : values_[scene]; }
+  /// The numbers themselves, where there is one for each scene.
+  const double* data() const { return values_; }
 
  private:
   double of_all_ = 0;
@@ -38,12 +41,13 @@ class Column {
 
 /// consistent_modes() of every scene, the numbers taken exactly. All columns have the length of `answers`, or 1; throws
 /// std::invalid_argument otherwise. `threads`: 0 for all there are. Adds to `counts` which tier decided how many
-/// scenes. Allocates only where a scene needs the exact tier or a second thread.
+/// scenes. Allocates only where a scene needs the exact tier or a second thread. Answers and counts are the same in all
+/// registers; those named have to be available().
 void consistent_modes(const ForcedScene<Column>& scenes, std::span<ConsistentModes> answers, TierCounts& counts,
-                      unsigned threads = 1);
+                      unsigned threads = 1, Registers registers = widest_registers());
 
-/// filter_modes() of scenes side by side. Scenes beyond the limit of a number are left undecided, those beyond the
-/// limit of their sum may be decided.
+/// filter_modes() of scenes side by side, all modes of a scene undecided if one is. Scenes beyond the limit of a number
+/// are left undecided, those beyond the limit of their sum may be decided.
 void filter_lanes(const ForcedScene<LaneNumbers>& scenes, std::array<ModeSets, lane_count>& sets);
 
 /// An answer for each scene, and which tier decided how many.

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 
 #include "filter/lane_numbers.hpp"
 
@@ -11,26 +12,56 @@ namespace slipproof {
 // The vectors stay inside one function; their calling convention does not matter.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
-typedef double Lanes __attribute__((vector_size(8 * lane_count)));
-typedef std::int64_t LaneBits __attribute__((vector_size(8 * lane_count)));
+/// `width` numbers side by side, and the bits of each. Where a register holds fewer, the compiler takes comparisons
+/// apart one by one: so functions that compare are compiled for the width of the registers (vector_kernel.hpp).
+template <int width>
+struct LaneTypes {
+  typedef double Numbers __attribute__((vector_size(8 * width)));
+  typedef std::int64_t Bits __attribute__((vector_size(8 * width)));
+  typedef std::uint64_t Words __attribute__((vector_size(8 * width)));
+};
+template <class V>
+using BitsOf = typename LaneTypes<sizeof(V) / 8>::Bits;
+template <class V>
+inline constexpr int width_of = sizeof(V) / 8;
 
-inline LaneBits bits(const Lanes& x) {
-  return reinterpret_cast<LaneBits>(x);
+using Lanes = LaneTypes<lane_count>::Numbers;
+using LaneBits = LaneTypes<lane_count>::Bits;
+
+inline double absolute(double x) {
+  return std::fabs(x);
 }
-inline Lanes from_bits(const LaneBits& x) {
-  return reinterpret_cast<Lanes>(x);
+template <class V>
+inline BitsOf<V> bits(const V& x) {
+  return reinterpret_cast<BitsOf<V>>(x);
 }
-inline LaneBits sign_bit() {
-  return bits(-Lanes{});  // of -0.0: 0.0 - 0.0 would be +0.0
+template <class B>
+inline auto from_bits(const B& x) {
+  return reinterpret_cast<typename LaneTypes<sizeof(B) / 8>::Numbers>(x);
 }
-inline Lanes absolute(const Lanes& x) {
-  return from_bits(bits(x) & ~sign_bit());
+template <class V>
+inline BitsOf<V> sign_bit() {
+  return bits(-V{});  // of -0.0: 0.0 - 0.0 would be +0.0
+}
+template <class V>
+inline V absolute(const V& x) {
+  return from_bits(BitsOf<V>(bits(x) & ~sign_bit<V>()));
+}
+/// Negative where a number is NaN, or larger in magnitude than `limit` >= 0: read as integers, magnitudes have the same
+/// order, and NaN comes last.
+template <class V>
+inline BitsOf<V> beyond(const V& x, double limit) {
+  return bits(V(V{} + limit)) - bits(absolute(x));
 }
 inline Lanes load(const LaneNumbers& numbers) {
   return reinterpret_cast<const Lanes&>(numbers);
 }
-inline double absolute(double x) {
-  return std::fabs(x);
+/// As many as V has, from one of them on.
+template <class V>
+inline V load(const double* numbers) {
+  V x;
+  std::memcpy(&x, numbers, sizeof x);
+  return x;
 }
 
 }  // namespace slipproof

@@ -1,4 +1,4 @@
-// Several scenes side by side in vector registers: Tracked for each lane.
+// Several scenes side by side in vector registers: the filter's numbers and decisions for each lane.
 #pragma once
 
 #include <cstdint>
@@ -6,20 +6,30 @@
 #include "filter/bounds.hpp"
 #include "filter/lane_vectors.hpp"
 #include "filter/mode_status.hpp"
+#include "filter/shared_bounds.hpp"
 
 namespace slipproof {
 
+// These numbers are copied member by member: GCC copies a struct in halves of a register, and to load from two stores
+// is what processors stall at.
+
 /// Tracked, lane by lane. Of positive inputs value and magnitude are the same register until something is subtracted.
+template <class V>
 struct TrackedLanes {
-  Lanes value{}, magnitude{};
+  V value{}, magnitude{};
 
   TrackedLanes() = default;
-  explicit TrackedLanes(int constant)
-      : value(Lanes{} + constant), magnitude(Lanes{} + (constant < 0 ? -constant : constant)) {}
-  TrackedLanes(Lanes v, Lanes m) : value(v), magnitude(m) {}
-  static TrackedLanes input(Lanes x) { return {x, absolute(x)}; }
+  TrackedLanes(const TrackedLanes& x) : value(x.value), magnitude(x.magnitude) {}
+  TrackedLanes& operator=(const TrackedLanes& x) {
+    value = x.value;
+    magnitude = x.magnitude;
+    return *this;
+  }
+  explicit TrackedLanes(int constant) : value(V{} + constant), magnitude(V{} + (constant < 0 ? -constant : constant)) {}
+  TrackedLanes(const V& v, const V& m) : value(v), magnitude(m) {}
+  static TrackedLanes input(const V& x) { return {x, absolute(x)}; }
 
-  Lanes error() const { return magnitude * (error_roundings * unit_roundoff) + underflow_error; }
+  V error() const { return magnitude * (error_roundings * unit_roundoff) + underflow_error; }
 
   friend TrackedLanes operator+(const TrackedLanes& x, const TrackedLanes& y) {
     return {x.value + y.value, x.magnitude + y.magnitude};
@@ -33,42 +43,121 @@ struct TrackedLanes {
   }
 };
 
-inline Lanes value_of(const TrackedLanes& x) {
+template <class V>
+inline V value_of(const TrackedLanes<V>& x) {
   return x.value;
 }
 
-/// ModeSets of each lane. Aligned for the widest registers, which the compiler expects of it in the functions compiled
-/// for them.
-struct LaneSets {
-  alignas(sizeof(LaneBits)) LaneBits consistent{};
-  alignas(sizeof(LaneBits)) LaneBits undecided{};
+/// binary64 lane by lane, for bounds that are known beforehand.
+template <class V>
+struct PlainLanes {
+  V value{};
+
+  PlainLanes() = default;
+  PlainLanes(const PlainLanes& x) : value(x.value) {}
+  PlainLanes& operator=(const PlainLanes& x) {
+    value = x.value;
+    return *this;
+  }
+  explicit PlainLanes(int constant) : value(V{} + constant) {}
+  static PlainLanes input(const V& x) {
+    PlainLanes lanes;
+    lanes.value = x;
+    return lanes;
+  }
+
+  friend PlainLanes operator+(const PlainLanes& x, const PlainLanes& y) { return input(x.value + y.value); }
+  friend PlainLanes operator-(const PlainLanes& x, const PlainLanes& y) { return input(x.value - y.value); }
+  friend PlainLanes operator*(const PlainLanes& x, const PlainLanes& y) { return input(x.value * y.value); }
+  friend PlainLanes operator-(const PlainLanes& x) { return input(-x.value); }
 };
 
-/// decide_modes() for every lane, without a branch on a value.
-template <class N>
-inline LaneSets decide_lanes(const ReducedDynamics<N, N>& dynamics, bool detachment) {
-  const LaneBits rear_spins = ~(dynamics.A.value > dynamics.A.error());
-  const LaneBits front_spins = ~(dynamics.I3.value > dynamics.I3.error());
-  LaneSets sets;
+template <class V>
+inline V smaller(const V& x, const V& y) {
+  return x < y ? x : y;
+}
+template <class V>
+inline V larger(const V& x, const V& y) {
+  return x > y ? x : y;
+}
+
+/// Where decide_lanes() has its error bounds from: each number's own,
+template <class V>
+struct OwnBounds {
+  using N = TrackedLanes<V>;
+
+  /// The conditions of a mode, their numbers as they are and with the sign of the condition.
+  class Conditions {
+   public:
+    void add(const N& number, const V& value) {
+      const V error = number.error();
+      least_ = smaller(least_, V(value - error));
+      most_ = smaller(most_, V(value + error));
+    }
+    /// Negative where it is sure that all hold strictly, or that one fails; of these negative where one fails.
+    BitsOf<V> sure() const { return bits(V(V{} - least_)) | bits(most_); }
+    BitsOf<V> fails() const { return bits(least_); }
+
+   private:
+    V least_ = V{} + HUGE_VAL, most_ = V{} + HUGE_VAL;
+  };
+
+  V A(const N& x) const { return x.error(); }
+  V I3(const N& x) const { return x.error(); }
+  V determinant(std::size_t, const N& x) const { return x.error(); }
+  Conditions conditions(std::size_t) const { return {}; }
+};
+
+/// or those of a scene that is larger than all, one for all conditions of a mode.
+template <class V>
+struct CommonBounds {
+  using N = PlainLanes<V>;
+  const SharedBounds& shared;
+
+  class Conditions {
+   public:
+    explicit Conditions(double error) : error_(V{} + error) {}
+    void add(const N&, const V& value) { least_ = smaller(least_, value); }
+    BitsOf<V> sure() const { return bits(V(error_ - absolute(least_))); }
+    BitsOf<V> fails() const { return bits(least_); }
+
+   private:
+    V error_, least_ = V{} + HUGE_VAL;
+  };
+
+  V A(const N&) const { return V{} + shared.A; }
+  V I3(const N&) const { return V{} + shared.I3; }
+  V determinant(std::size_t mode, const N&) const { return V{} + shared.modes[mode].determinant; }
+  Conditions conditions(std::size_t mode) const { return Conditions(shared.modes[mode].conditions); }
+};
+
+/// decide_modes() for every lane, without a branch on a value: negative where any mode is undecided, else the modes
+/// that are consistent, bit i for the mode with index i. What is sure is told by sign bits, those of differences:
+/// nothing may be NaN.
+template <class V, class Bounds>
+inline BitsOf<V> decide_lanes(const ReducedDynamics<typename Bounds::N, typename Bounds::N>& dynamics, bool detachment,
+                              const Bounds& bounds) {
+  using N = typename Bounds::N;
+  using Bits = BitsOf<V>;
+  using Words = typename LaneTypes<width_of<V>>::Words;
+  // A wheel that may have no inertia may spin as it likes.
+  Bits decided = bits(V(bounds.A(dynamics.A) - dynamics.A.value)) & bits(V(bounds.I3(dynamics.I3) - dynamics.I3.value));
+  Bits fail{};
+  std::int64_t modes = 0;
   const auto judge = [&]<std::size_t index>() {
     constexpr ContactMode mode = all_modes()[index];
     constexpr ConditionList list = condition_list(mode);
     const ReducedMotion<N, N> motion(dynamics, mode);
     const N determinant = motion.determinant();
-    LaneBits known = absolute(determinant.value) > determinant.error();
-    if (mode.rear != ContactState::stick) known &= ~rear_spins;
-    if (mode.front != ContactState::stick) known &= ~front_spins;
-    const LaneBits orientation = bits(determinant.value) & sign_bit();
-    LaneBits violated{}, strict = known;
-    for (int i = 0; i < list.count; ++i) {
-      const N side = motion.condition_value(list.items[static_cast<std::size_t>(i)]).numerator;
-      const Lanes value = from_bits(bits(side.value) ^ orientation), error = side.error();
-      violated |= value < -error;
-      strict &= value > error;
+    const Bits orientation = bits(determinant.value) & sign_bit<V>();
+    auto conditions = bounds.conditions(index);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(list.count); ++i) {
+      const N side = motion.condition_value(list.items[i]).numerator;
+      conditions.add(side, from_bits(Bits(bits(side.value) ^ orientation)));
     }
-    const LaneBits bit = LaneBits{} + (std::int64_t{1} << index);
-    sets.consistent |= strict & bit;
-    sets.undecided |= ~strict & ~(known & violated) & bit;
+    decided &= bits(V(bounds.determinant(index, determinant) - absolute(determinant.value))) & conditions.sure();
+    modes |= std::int64_t{1} << index;
+    fail |= reinterpret_cast<Bits>(Words(reinterpret_cast<Words>(conditions.fails()) >> 63 << index));
   };
   [&]<std::size_t... index>(std::index_sequence<index...>) {
     (
@@ -78,7 +167,7 @@ inline LaneSets decide_lanes(const ReducedDynamics<N, N>& dynamics, bool detachm
         ...);
   }
   (std::make_index_sequence<16>());
-  return sets;
+  return (modes & ~fail) | (~decided & sign_bit<V>());
 }
 
 }  // namespace slipproof

@@ -3,6 +3,7 @@
 
 // AddressSanitizer cannot run before that decision, and Clang 14 does not know the attribute.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+#define SLIPPROOF_HAS_VECTOR_CLONES
 #define SLIPPROOF_VECTOR_CLONES(...) [[gnu::target_clones(__VA_ARGS__, "default")]]
 #else
 #define SLIPPROOF_VECTOR_CLONES(...)

@@ -4,7 +4,9 @@
 #include <benchmark/benchmark.h>
 
 #include "filter/batch.hpp"
+#include "filter/lanes.hpp"
 #include "filter/vector_clones.hpp"
+#include "filter/vector_kernel.hpp"
 #include "number/binary64.hpp"
 #include "support/filter_scenes.hpp"
 
@@ -106,11 +108,61 @@ BENCHMARK(one_filtered)->ArgsProduct({{0, 1}, {0, 40}});
 BENCHMARK(one_double_double)->ArgsProduct({{0, 1}, {0}});
 BENCHMARK(one_exact)->ArgsProduct({{0, 1}, {0}});
 
-/// Arguments: detachment, threads.
-void batch(benchmark::State& state) {
-  const bool detachment = state.range(0) != 0;
-  const auto all = scenes(detachment, 0);
+/// As decide_lanes(), with a tolerance in place of bounds: nothing is undecided.
+template <class V>
+BitsOf<V> plain_lanes(const ReducedDynamics<PlainLanes<V>, PlainLanes<V>>& dynamics, bool detachment) {
+  using N = PlainLanes<V>;
+  using Words = typename LaneTypes<width_of<V>>::Words;
+  Words fail{};
+  std::uint64_t modes = 0;
+  const auto judge = [&]<std::size_t index>() {
+    constexpr ContactMode mode = all_modes()[index];
+    constexpr ConditionList list = condition_list(mode);
+    const ReducedMotion<N, N> motion(dynamics, mode);
+    const BitsOf<V> orientation = bits(motion.determinant().value) & sign_bit<V>();
+    V least = V{} + HUGE_VAL;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(list.count); ++i) {
+      const V side = motion.condition_value(list.items[i]).numerator.value;
+      least = smaller(least, from_bits(BitsOf<V>(bits(side) ^ orientation)));
+    }
+    modes |= std::uint64_t{1} << index;
+    fail |= reinterpret_cast<Words>(bits(V(1e-12 + least))) >> 63 << index;
+  };
+  [&]<std::size_t... index>(std::index_sequence<index...>) {
+    (
+        [&] {
+          if (all_modes()[index].on_road() || detachment) judge.template operator()<index>();
+        }(),
+        ...);
+  }
+  (std::make_index_sequence<16>());
+  return reinterpret_cast<BitsOf<V>>(Words(modes & ~fail));
+}
+
+struct PlainBatch {
+  template <int width>
+  static void run(const ForcedScene<Column>& scenes, std::span<ConsistentModes> answers) {
+    using V = typename LaneTypes<width>::Numbers;
+    using N = PlainLanes<V>;
+    for (std::size_t i = 0; i + width <= answers.size(); i += width) {
+      const auto s = convert<Column, N>(scenes, [i](const Column& column) {
+        return N::input(column.size() == 1 ? V{} + column[0] : load<V>(column.data() + i));
+      });
+      const auto dynamics = reduce<N, N>(s.bicycle, s.road, s.force_kind, s.F, N(1));
+      const auto modes = plain_lanes<V>(dynamics, s.bicycle.J.has_value());
+      for (int lane = 0; lane < width; ++lane) {
+        const auto set = static_cast<std::uint16_t>(modes[lane]);
+        answers[i + static_cast<std::size_t>(lane)] = {set, set, Tier::filter};
+      }
+    }
+  }
+};
+
+/// `solve` of many scenes, as columns; arguments: detachment, ...
+template <class Solve>
+void each_batch(benchmark::State& state, const Solve& solve) {
   test::SceneColumns columns;
+  const auto all = scenes(state.range(0) != 0, 0);
   while (columns.size() < (1U << 17U)) {
     for (auto s : all) {
       s.force_kind = ForceKind::internal;
@@ -119,10 +171,37 @@ void batch(benchmark::State& state) {
   }
   const ForcedScene<Column> scene = columns.scenes();
   std::vector<ConsistentModes> answers(columns.size());
-  TierCounts counts{};
-  for (auto _ : state) consistent_modes(scene, answers, counts, static_cast<unsigned>(state.range(1)));
+  for (auto _ : state) {
+    solve(scene, std::span<ConsistentModes>(answers));
+    benchmark::ClobberMemory();
+  }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(columns.size()));
 }
-BENCHMARK(batch)->ArgsProduct({{0, 1}, {1, 2}})->UseRealTime();
+
+/// More arguments: numbers in a register, threads. `skip` where the machine has no such registers.
+bool skip(benchmark::State& state, Registers registers) {
+  if (!available(registers)) state.SkipWithError("no such registers");
+  return !available(registers);
+}
+Registers registers_of(const benchmark::State& state) {
+  return state.range(1) == 8 ? Registers::eight : state.range(1) == 4 ? Registers::four : Registers::two;
+}
+void batch(benchmark::State& state) {
+  const Registers registers = registers_of(state);
+  if (skip(state, registers)) return;
+  each_batch(state, [&](const ForcedScene<Column>& scene, std::span<ConsistentModes> answers) {
+    TierCounts counts{};
+    consistent_modes(scene, answers, counts, static_cast<unsigned>(state.range(2)), registers);
+  });
+}
+void plain_batch(benchmark::State& state) {
+  const Registers registers = registers_of(state);
+  if (skip(state, registers)) return;
+  each_batch(state, [&](const ForcedScene<Column>& scene, std::span<ConsistentModes> answers) {
+    VectorKernel<PlainBatch>::run(registers, scene, answers);
+  });
+}
+BENCHMARK(batch)->ArgsProduct({{0, 1}, {2, 4, 8}, {1}})->Args({0, 8, 2})->Args({1, 8, 2})->UseRealTime();
+BENCHMARK(plain_batch)->ArgsProduct({{0, 1}, {2, 4, 8}, {1}})->UseRealTime();
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "filter/batch.hpp"
 #include "filter/lanes.hpp"
+#include "model/conditions.hpp"
 #include "support/filter_scenes.hpp"
 
 using namespace slipproof;
@@ -101,6 +102,14 @@ TEST_CASE(
     CHECK(one == many);
     CHECK(consistent_modes(batch).modes == one);
     CHECK(counts == counts_many);
+    for (const Registers registers : {Registers::two, Registers::four, Registers::eight}) {
+      if (!available(registers)) continue;
+      TierCounts counts_here{};
+      std::vector<ConsistentModes> here(count);
+      consistent_modes(batch, here, counts_here, 1, registers);
+      CHECK(here == one);
+      CHECK(counts_here == counts);
+    }
     CHECK(counts[0] + counts[1] + counts[2] == count);
     for (std::size_t k = 0; k < count; ++k) CHECK(one[k] == consistent_modes(scenes[k]));
 
@@ -165,19 +174,77 @@ TEST_CASE("inputs that are no numbers or too large are never decided by the fast
   }
 }
 
+ForcedScene<LaneNumbers> in_all_lanes(const ForcedScene<double>& s) {
+  return convert<double, LaneNumbers>(s, [](double x) {
+    LaneNumbers numbers;
+    numbers.of.fill(x);
+    return numbers;
+  });
+}
+
 TEST_CASE("the lanes of a batch decide for themselves what the first tier decides, with its magnitudes") {
-  CHECK(TrackedLanes::input(Lanes{} - 3).magnitude[0] == 3);
+  CHECK(TrackedLanes<Lanes>::input(Lanes{} - 3).magnitude[0] == 3);
   FilterScenes random(66);
+  std::array<ModeSets, lane_count> sets;
   for (int i = 0; i < 500; ++i) {
     auto s = nearest_binary64(random.scene(i % 2 == 0 ? Population::bicycles : Population::wide));
     s.F = random.signed_log(1, 3000);
-    const auto lanes = convert<double, TrackedLanes>(s, [](double x) { return TrackedLanes::input(Lanes{} + x); });
-    const auto dynamics =
-        reduce<TrackedLanes, TrackedLanes>(lanes.bicycle, lanes.road, lanes.force_kind, lanes.F, TrackedLanes(1));
-    const LaneSets sets = decide_lanes(dynamics, s.bicycle.J.has_value());
+    filter_lanes(in_all_lanes(s), sets);
     const ModeSets one = filter_modes(s);
-    CHECK(sets.consistent[i % lane_count] == one.consistent);
-    CHECK(sets.undecided[i % lane_count] == one.undecided);
+    const ModeSets& lane = sets[static_cast<std::size_t>(i % lane_count)];
+    CHECK((lane.undecided != 0) == (one.undecided != 0));
+    if (one.undecided == 0) CHECK(lane.consistent == one.consistent);
+  }
+}
+
+TEST_CASE("scenes that share their bounds are decided by them where they are alike, and by their own where not") {
+  FilterScenes random(68);
+  SceneColumns columns;
+  std::vector<ForcedScene<double>> scenes;
+  const auto add = [&](ForcedScene<double> s) {
+    s.bicycle.J = 10;
+    s.force_kind = ForceKind::internal;
+    if (random.next() % 3 == 0) s.F = std::nextafter(s.F, 0);
+    columns.add(s);
+    scenes.push_back(s);
+  };
+  for (int i = 0; i < 600; ++i) add(random.typical());
+  for (int i = 0; i < 600; ++i) {  // a number larger than all before, infinite or none, among the others
+    auto s = random.typical();
+    int at = 0;
+    const int changed = static_cast<int>(random.next() % 14);
+    const double factor = std::array{1e3, 1e11, HUGE_VAL, std::nan(""), -5.0}[random.next() % 5];
+    if (i % 7 == 0) s = convert<double, double>(s, [&](double x) { return at++ == changed ? x * factor : x; });
+    if (std::isfinite(factor)) add(s);
+  }
+  for (int i = 0; i < 600; ++i) {  // every number of another size
+    auto s = nearest_binary64(random.scene(Population::wide));
+    s.F = random.signed_log(1, 3000);
+    add(s);
+  }
+  TierCounts counts{};
+  std::vector<ConsistentModes> answers(scenes.size());
+  consistent_modes(columns.scenes(), answers, counts);
+  for (std::size_t i = 0; i < scenes.size(); ++i) CHECK(answers[i] == consistent_modes(scenes[i]));
+
+  // The bounds of a scene that is larger than all are larger than any's.
+  for (std::size_t i = 0; i + 8 < scenes.size(); i += 8) {
+    const ForcedScene<double>& s = scenes[i];
+    int at = 0;
+    const auto larger = convert<double, double>(s, [&](double x) { return x * (++at % 3 == 0 ? 1 : 1 + 0.01 * at); });
+    const SharedBounds own(tracked_dynamics<Magnitude>(s), true), shared(tracked_dynamics<Magnitude>(larger), true);
+    CHECK(own.A <= shared.A);
+    for (const ContactMode mode : all_modes()) {
+      const auto dynamics = tracked_dynamics<Tracked>(s);
+      const ReducedMotion<Tracked, Tracked> motion(dynamics, mode);
+      CHECK(motion.determinant().error() <= own.modes[mode.index()].determinant);
+      CHECK(own.modes[mode.index()].determinant <= shared.modes[mode.index()].determinant);
+      for (const Condition& c : conditions(mode)) {
+        const double error = motion.condition_value(c).numerator.error();
+        CHECK(error <= own.modes[mode.index()].conditions);
+        CHECK(own.modes[mode.index()].conditions <= shared.modes[mode.index()].conditions);
+      }
+    }
   }
 }
 
@@ -198,10 +265,9 @@ TEST_CASE("a wheel that may have no inertia leaves its slipping modes undecided,
     }
     CHECK((filter_modes(s).undecided & free) == free);
     CHECK((double_double_modes(s).undecided & free) == free);
-    const auto lanes = convert<double, TrackedLanes>(s, [](double x) { return TrackedLanes::input(Lanes{} + x); });
-    const auto dynamics =
-        reduce<TrackedLanes, TrackedLanes>(lanes.bicycle, lanes.road, lanes.force_kind, lanes.F, TrackedLanes(1));
-    CHECK((decide_lanes(dynamics, s.bicycle.J.has_value()).undecided[i % lane_count] & free) == free);
+    std::array<ModeSets, lane_count> sets;
+    filter_lanes(in_all_lanes(s), sets);
+    CHECK((sets[static_cast<std::size_t>(i % lane_count)].undecided != 0) == (free != 0));
     const ConsistentModes all = consistent_modes(s), exact = exact_modes(to_rational(s));
     CHECK(all.consistent == exact.consistent);
     CHECK(all.strict == exact.strict);

@@ -2,6 +2,7 @@
 // than its first tier.
 //   filter_soak RANDOM ADVERSARIAL [FIRST_CHUNK]
 //   filter_soak typical SCENES
+//   filter_soak registers SCENES    batches in each kind of registers that there is, against scenes one by one
 // Each chunk has its own seed, which is its number, so that a run can go on where another stopped. Exit 1 at the first
 // difference.
 #include <cstdio>
@@ -44,15 +45,21 @@ void print(const char* name, const Comparison& x) {
       Count{x.undecided_twice});
 }
 
+using Groups = std::array<SceneColumns, 4>;
+
+SceneColumns& group_of(Groups& groups, const ForcedScene<double>& s) {
+  return groups[(s.bicycle.J ? 2U : 0U) + (s.force_kind == ForceKind::external ? 1U : 0U)];
+}
+
 /// Every scene another bicycle, on another road, at another force.
 void count_tiers(double wanted) {
   FilterScenes random(7);
   TierCounts counts{};
   for (double done = 0; done < wanted;) {
-    std::array<SceneColumns, 4> groups;
+    Groups groups;
     for (int i = 0; i < 100000; ++i) {
-      ForcedScene<double> s = random.typical();
-      groups[(s.bicycle.J ? 2U : 0U) + (s.force_kind == ForceKind::external ? 1U : 0U)].add(s);
+      const ForcedScene<double> s = random.typical();
+      group_of(groups, s).add(s);
     }
     for (const SceneColumns& group : groups) {
       std::vector<ConsistentModes> answers(group.size());
@@ -65,6 +72,36 @@ void count_tiers(double wanted) {
   }
 }
 
+/// 99 typical scenes to one over six decades. False at a difference.
+bool compare_registers(double wanted) {
+  FilterScenes random(8);
+  std::array<Count, 3> compared{};
+  for (double done = 0; done < wanted; done += 100000) {
+    Groups groups;
+    std::array<std::vector<ConsistentModes>, 4> answers;
+    for (int i = 0; i < 100000; ++i) {
+      ForcedScene<double> s = random.typical();
+      if (i % 100 == 0) s = nearest_binary64(random.scene(Population::wide));
+      SceneColumns& group = group_of(groups, s);
+      group.add(s);
+      answers[static_cast<std::size_t>(&group - groups.data())].push_back(consistent_modes(s));
+    }
+    for (const Registers registers : {Registers::two, Registers::four, Registers::eight}) {
+      if (!available(registers)) continue;
+      for (std::size_t g = 0; g < groups.size(); ++g) {
+        std::vector<ConsistentModes> found(groups[g].size());
+        TierCounts counts{};
+        consistent_modes(groups[g].scenes(), found, counts, 1, registers);
+        if (found != answers[g]) return false;
+        compared[static_cast<std::size_t>(registers)] += found.size();
+      }
+    }
+  }
+  std::printf("the same one by one and in registers of 2, 4, 8 numbers: %llu, %llu, %llu scenes\n", compared[0],
+              compared[1], compared[2]);
+  return true;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -72,6 +109,7 @@ int main(int argc, char** argv) {
     count_tiers(std::atof(argv[2]));
     return 0;
   }
+  if (argc == 3 && std::string_view(argv[1]) == "registers") return compare_registers(std::atof(argv[2])) ? 0 : 1;
   const double wanted[2] = {argc > 1 ? std::atof(argv[1]) : 1e5, argc > 2 ? std::atof(argv[2]) : 1e5};
   std::uint64_t chunk = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
   Comparison found[2];

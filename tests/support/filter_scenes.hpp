@@ -179,13 +179,20 @@ class BatchComparison {
     group.columns.add(s);
     group.exact.push_back(exact);
   }
-  /// All tiers together must give the exact answer, boundaries included.
+  /// All tiers together must give the exact answer, boundaries included, in each kind of registers.
   void run(unsigned threads, Comparison& found) const {
+    for (const Registers registers : {Registers::two, Registers::four, Registers::eight}) {
+      if (available(registers)) run(threads, registers, found);
+    }
+  }
+
+ private:
+  void run(unsigned threads, Registers registers, Comparison& found) const {
     for (const Group& group : groups_) {
       if (group.exact.empty()) continue;
       std::vector<ConsistentModes> answers(group.exact.size());
       TierCounts counts{};
-      consistent_modes(group.columns.scenes(), answers, counts, threads);
+      consistent_modes(group.columns.scenes(), answers, counts, threads, registers);
       for (std::size_t i = 0; i < answers.size(); ++i) {
         const ConsistentModes &x = answers[i], &y = group.exact[i];
         if (x.consistent != y.consistent || x.strict != y.strict) ++found.differences;
@@ -194,7 +201,6 @@ class BatchComparison {
     }
   }
 
- private:
   struct Group {
     SceneColumns columns;
     std::vector<ConsistentModes> exact;
