@@ -30,14 +30,27 @@ bool may_have_roots(const IntegerPolynomial& p, const LinePart& part) {
   return true;
 }
 
+/// `p` without the factors that are known already: those of one line have most of them in common.
+IntegerPolynomial without(const std::set<IntegerPolynomial>& factors, IntegerPolynomial p) {
+  IntegerPolynomial quotient;
+  for (const IntegerPolynomial& factor : factors) {
+    while (factor.degree() <= p.degree() && fmpz_poly_divides(quotient.flint(), p.flint(), factor.flint()) != 0) {
+      std::swap(p, quotient);
+    }
+  }
+  return p;
+}
+
 void add_factors(const IntegerPolynomial& p, std::set<IntegerPolynomial>& factors) {
-  if (p.degree() == 1) {
-    factors.insert(p.primitive());
+  const IntegerPolynomial rest = without(factors, p);
+  if (rest.degree() < 1) return;
+  if (rest.degree() == 1) {
+    factors.insert(rest.primitive());
     return;
   }
   fmpz_poly_factor_t factored;
   fmpz_poly_factor_init(factored);
-  fmpz_poly_factor(factored, p.flint());
+  fmpz_poly_factor(factored, rest.flint());
   for (slong i = 0; i < factored->num; ++i) {
     IntegerPolynomial factor;
     fmpz_poly_set(factor.flint(), factored->p + i);
@@ -112,10 +125,13 @@ void separate(std::vector<Found>& roots) {
 }  // namespace
 
 std::vector<RealRoot> real_roots(const std::set<IntegerPolynomial>& polynomials, const LinePart& part) {
-  std::set<IntegerPolynomial> factors;
+  std::vector<const IntegerPolynomial*> with_roots;
   for (const IntegerPolynomial& p : polynomials) {
-    if (p.degree() > 0 && may_have_roots(p, part)) add_factors(p, factors);
+    if (p.degree() > 0 && may_have_roots(p, part)) with_roots.push_back(&p);
   }
+  std::ranges::stable_sort(with_roots, {}, &IntegerPolynomial::degree);
+  std::set<IntegerPolynomial> factors;
+  for (const IntegerPolynomial* p : with_roots) add_factors(*p, factors);
   std::vector<Found> found;
   for (const IntegerPolynomial& p : factors) {
     if (p.degree() > 1) {
