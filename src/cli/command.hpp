@@ -63,7 +63,7 @@ void add_solve(CLI::App& app, int& exit_code);
 void add_show(CLI::App& app, int& exit_code);
 void add_critical(CLI::App& app, int& exit_code);
 void add_search(CLI::App& app, int& exit_code, Transport& transport);
-void add_trade(CLI::App& app, int& exit_code);
+void add_trade(CLI::App& app, int& exit_code, Transport& transport);
 void add_check(CLI::App& app, int& exit_code);
 void add_prove(CLI::App& app, int& exit_code, Transport& transport);
 void add_certify(CLI::App& app, int& exit_code, Transport& transport);

@@ -53,7 +53,7 @@ int run(int argc, char** argv, Transport& transport) {
   add_search(app, exit_code, transport);
   add_critical(app, exit_code);
   add_certify(app, exit_code, transport);
-  add_trade(app, exit_code);
+  add_trade(app, exit_code, transport);
   add_verify(app, exit_code, transport);
   add_prove(app, exit_code, transport);
   add_check(app, exit_code);
@@ -61,7 +61,7 @@ int run(int argc, char** argv, Transport& transport) {
   add_map(app, exit_code);
   add_draw(app, exit_code);
   add_documentation(app, exit_code);
-  if (transport.ranks() > 1) refuse_alone(app, {"certify", "prove", "search", "verify"});
+  if (transport.ranks() > 1) refuse_alone(app, {"certify", "prove", "search", "trade", "verify"});
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

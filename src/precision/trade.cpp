@@ -3,18 +3,18 @@
 #include <time.h>
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
-#include "number/binary64.hpp"
-#include "parallel/stop.hpp"
+#include "parallel/in_parallel.hpp"
+#include "precision/accuracy.hpp"
 #include "precision/arithmetic.hpp"
 #include "precision/workload.hpp"
+#include "scatter/bytes.hpp"
+#include "scatter/share.hpp"
 
 namespace slipproof {
 
 namespace {
-
-constexpr int highest_decade = 40;
 
 /// Seconds that this thread has computed; other load on the machine does not count.
 double cpu_time() {
@@ -38,75 +38,35 @@ double scenes_per_second(const Arithmetic& arithmetic, std::size_t scenes, doubl
   return static_cast<double>(scenes * passes) / elapsed;
 }
 
-/// Digits lost by one type, by decade of the condition number.
-class Cancellations {
- public:
-  void add(double condition, double digits_lost) {
-    if (!(condition < std::pow(10.0, highest_decade + 1))) return;
-    const int decade = std::max(0, static_cast<int>(std::floor(std::log10(condition))));
-    Cancellation& c = decades_[static_cast<std::size_t>(decade)];
-    ++c.quantities;
-    c.digits_lost = std::max(c.digits_lost, digits_lost);
-    c.mean_digits_lost += digits_lost;
-  }
-  void append_to(std::vector<Cancellation>& all, const std::string& type) const {
-    for (std::size_t i = 0; i < decades_.size(); ++i) {
-      Cancellation c = decades_[i];
-      if (c.quantities == 0) continue;
-      c.type = type;
-      c.decade = static_cast<int>(i);
-      c.mean_digits_lost /= static_cast<double>(c.quantities);
-      all.push_back(std::move(c));
-    }
-  }
-
- private:
-  std::array<Cancellation, highest_decade + 1> decades_;
+/// The rows of all types over all workloads, and what they lost.
+struct JudgedTrade {
+  std::vector<std::vector<Accuracy>> workloads;
+  std::vector<Cancellations> cancellations;
 };
 
-/// Relative errors of the motion of the one consistent mode.
-void judge_motion(const Arithmetic& arithmetic, std::size_t scene, const Truth& truth, TradeRow& row,
-                  Cancellations& cancellations) {
-  const auto values = arithmetic.motion(scene, *truth.only);
-  if (std::any_of(values.begin(), values.end(), [](const auto& x) { return !x; })) {
-    ++row.undecided;
-    return;
-  }
-  ++row.judged;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (truth.values[i].is_zero()) continue;
-    const double error = nearest_binary64(Rational(abs((*values[i] - truth.values[i]) / truth.values[i])));
-    const double lost = arithmetic.type().bits == 0 || error == 0
-                            ? 0
-                            : std::max(0.0, std::log10(error) + arithmetic.type().bits * std::log10(2.0));
-    if (error > std::max(row.worst_acceleration, row.worst_force)) {
-      row.digits_lost = lost;
-      row.condition = truth.conditions[i];
+/// A request is the number of a piece: those of the first workload, of the second, ...
+JudgedTrade judge_pieces(const TradeOptions& options, const Workloads& workloads, const std::function<void()>& done,
+                         Crew* crew) {
+  JudgedTrade all;
+  all.workloads.resize(workloads.size());
+  const auto take = [&](std::uint64_t i, const std::string& result) {
+    std::vector<Accuracy> piece = read_accuracy(result);
+    std::vector<Accuracy>& sum = all.workloads[i / workloads.pieces()];
+    all.cancellations.resize(piece.size());
+    for (std::size_t t = 0; t < piece.size(); ++t) {
+      all.cancellations[t].add(piece[t].cancellations);
+      if (!sum.empty()) sum[t].add(piece[t]);
     }
-    double& worst = judged_quantities[i] == Quantity::a ? row.worst_acceleration : row.worst_force;
-    worst = std::max(worst, error);
-    cancellations.add(truth.conditions[i], lost);
-  }
-}
-
-TradeRow measure(Arithmetic& arithmetic, const Workload& workload, const std::vector<Truth>& truths, double seconds,
-                 Cancellations& cancellations) {
-  TradeRow row{.workload = workload.name, .type = arithmetic.type().name, .scenes = truths.size()};
-  arithmetic.load(workload.scenes);
-  for (std::size_t i = 0; i < truths.size(); ++i) {
-    const Truth& truth = truths[i];
-    const auto answer = arithmetic.answer(i);
-    if (answer.tier) ++row.tiers[static_cast<std::size_t>(*answer.tier)];
-    if (!answer.decided) ++row.undecided;
-    if (!answer.decided && !answer.tier) continue;
-    if (answer.consistent != truth.modes.consistent || (answer.strict && *answer.strict != truth.modes.strict)) {
-      ++row.wrong;
-    } else if (truth.only) {
-      judge_motion(arithmetic, i, truth, row, cancellations);
-    }
-  }
-  row.scenes_per_second = scenes_per_second(arithmetic, truths.size(), seconds);
-  return row;
+    if (sum.empty()) sum = std::move(piece);
+    done();
+  };
+  on_threads(options.threads, [&] {
+    share(
+        crew, [&](std::string_view request) { return trade_answer(options, request); },
+        workloads.size() * workloads.pieces(), [](std::uint64_t i) { return ByteWriter().number(i).take(); }, take,
+        Taking::in_order);
+  });
+  return all;
 }
 
 }  // namespace
@@ -125,24 +85,40 @@ std::vector<std::unique_ptr<Arithmetic>> all_arithmetics() {
   return all;
 }
 
-Trade measure_trade(const TradeOptions& options, const std::function<void(std::size_t, std::size_t)>& progress) {
+std::string trade_answer(const TradeOptions& options, std::string_view request) {
+  ByteReader bytes(request);
+  const std::uint64_t number = bytes.number();
+  bytes.end();
+  const Workloads workloads(options.scenes, options.seed);
+  return accuracy_bytes(judge_accuracy(workloads.make(number / workloads.pieces(), number % workloads.pieces())));
+}
+
+Trade measure_trade(const TradeOptions& options, const std::function<void(std::size_t, std::size_t)>& progress,
+                    Crew* crew) {
   Trade trade{options, this_machine(), {}, {}, {}, {}};
   const Workloads workloads(options.scenes, options.seed);
   const auto arithmetics = all_arithmetics();
-  std::vector<Cancellations> cancellations(arithmetics.size());
   for (const auto& arithmetic : arithmetics) trade.types.push_back(arithmetic->type());
+  std::size_t done = 0;
+  const auto one_more = [&] {
+    if (progress) progress(++done, (workloads.pieces() + arithmetics.size()) * workloads.size());
+  };
+  const JudgedTrade judged = judge_pieces(options, workloads, one_more, crew);
   for (std::size_t w = 0; w < workloads.size(); ++w) {
     const Workload workload = workloads.make(w);
     trade.workloads.push_back(workload);
-    std::vector<Truth> truths;
-    for (const auto& scene : workload.scenes) truths.push_back(truth_of(scene));
-    for (std::size_t i = 0; i < arithmetics.size(); ++i) {
-      trade.rows.push_back(measure(*arithmetics[i], workload, truths, options.seconds, cancellations[i]));
-      if (progress) progress(trade.rows.size(), arithmetics.size() * workloads.size());
+    for (std::size_t t = 0; t < arithmetics.size(); ++t) {
+      if (crew != nullptr) crew->stop_if_asked();
+      TradeRow& row = trade.rows.emplace_back(judged.workloads[w].at(t).row);
+      row.workload = workload.name;
+      row.type = trade.types[t].name;
+      arithmetics[t]->load(workload.scenes);
+      row.scenes_per_second = scenes_per_second(*arithmetics[t], workload.scenes.size(), options.seconds);
+      one_more();
     }
   }
-  for (std::size_t i = 0; i < arithmetics.size(); ++i) {
-    cancellations[i].append_to(trade.cancellations, arithmetics[i]->type().name);
+  for (std::size_t t = 0; t < arithmetics.size(); ++t) {
+    judged.cancellations[t].append_to(trade.cancellations, trade.types[t].name);
   }
   return trade;
 }

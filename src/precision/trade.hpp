@@ -1,20 +1,25 @@
 // Speed against accuracy over the number types, measured.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "filter/filter.hpp"
 
 namespace slipproof {
 
+class Crew;
+
 struct TradeOptions {
   std::size_t scenes = 300;  ///< for each workload, > 0
   std::uint64_t seed = 1;
   double seconds = 0.02;  ///< CPU time for each measurement of speed, at least; nothing else depends on it
+  unsigned threads = 0;   ///< for the errors; 0: all cores. Speed is that of one
 };
 
 /// Where the numbers come from.
@@ -38,7 +43,7 @@ struct TradeWorkload {
 struct TradeRow {
   std::string workload, type;
   std::size_t scenes = 0;
-  double scenes_per_second = 0;  ///< on one thread; bringing the scenes into the type does not count
+  double scenes_per_second = 0;  ///< on one thread, of 500 scenes at most; bringing them into the type does not count
   std::size_t wrong = 0;         ///< scenes whose set of consistent modes is decided, and not the exact one
   std::size_t undecided = 0;     ///< filter: scenes its first tier passes on; others: NaN or a division by 0 in the way
   TierCounts tiers{};            ///< filter and exact alone: which tier decided how many scenes
@@ -47,6 +52,8 @@ struct TradeRow {
   double worst_force = 0;         ///< the same of S2, S3, N2, N3
   double digits_lost = 0;         ///< decimal digits of the type that the worst of all these has lost
   double condition = 1;           ///< condition number of that quantity; infinite beyond binary64
+
+  double worst() const { return std::max(worst_acceleration, worst_force); }
 };
 
 /// Digits lost against the condition number, over all workloads.
@@ -71,7 +78,9 @@ struct Trade {
 };
 
 /// `progress(done, all)` is called after each measurement. Everything but scenes_per_second depends on the options
-/// alone.
-Trade measure_trade(const TradeOptions& options, const std::function<void(std::size_t, std::size_t)>& progress = {});
+/// alone: a crew whose service is trade_answer() shares it out. Then rank 0 measures speed, while the others wait.
+Trade measure_trade(const TradeOptions& options, const std::function<void(std::size_t, std::size_t)>& progress = {},
+                    Crew* crew = nullptr);
+std::string trade_answer(const TradeOptions& options, std::string_view request);
 
 }  // namespace slipproof

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -156,11 +157,12 @@ Workloads::Workloads(std::size_t count, std::uint64_t seed) : count_(count), see
   add({"subnormals", {}}, subnormal);
 }
 
-Workload Workloads::make(std::size_t index) const {
-  const auto& [workload, maker] = makers_[index];
-  SceneDraw draw(seed_ * 1000003 + index);
+Workload Workloads::make(std::size_t index, std::size_t piece) const {
+  const auto& [workload, maker] = makers_.at(index);
+  SceneDraw draw(seed_ * 1000003 + piece * makers_.size() + index);
   Workload result{workload, {}};
-  while (result.scenes.size() < count_) result.scenes.push_back(maker(draw));
+  const std::size_t count = std::min(piece_size, count_ - piece * piece_size);
+  while (result.scenes.size() < count) result.scenes.push_back(maker(draw));
   return result;
 }
 

@@ -9,13 +9,17 @@ struct Workload : TradeWorkload {
   std::vector<ForcedScene<Rational>> scenes;
 };
 
-/// The workloads of `slipproof trade`, with `count` scenes each; the same seed gives the same scenes.
+/// The workloads of `slipproof trade`, with `count` scenes each, in pieces of which each is drawn by itself; the same
+/// seed gives the same scenes.
 class Workloads {
  public:
+  static constexpr std::size_t piece_size = 500;
+
   Workloads(std::size_t count, std::uint64_t seed);
 
   std::size_t size() const { return makers_.size(); }
-  Workload make(std::size_t index) const;
+  std::size_t pieces() const { return (count_ + piece_size - 1) / piece_size; }  ///< of each workload
+  Workload make(std::size_t index, std::size_t piece = 0) const;
 
  private:
   using Maker = std::function<ForcedScene<Rational>(class SceneDraw&)>;

@@ -123,7 +123,7 @@ void Crew::each(std::uint64_t count, const std::function<std::string(std::uint64
   constexpr std::size_t results_a_slot = 16;
   Stage stage(count, results_a_slot * pool_.slots() * free_.size(), request, take, taking);
   while (!stage.done()) {
-    stop_if_asked();
+    slipproof::stop_if_asked();
     hand_out(stage);
     collect(stage);
     stage.take_in_order();
@@ -207,6 +207,11 @@ void Crew::look_after(const Stage& stage) {
   if (!options_.stop_asked || !options_.stop_asked() || stage.done()) return;
   if (options_.journal != nullptr) options_.journal->flush();
   throw Unfinished(stage.missing(options_.journal));
+}
+
+void Crew::stop_if_asked() const {
+  if (options_.stop_asked && options_.stop_asked())
+    throw Unfinished("stopped, as was asked, by rank 0 at its own work");
 }
 
 std::string ranges_text(const std::vector<std::uint64_t>& numbers) {

@@ -60,6 +60,9 @@ class Crew {
   void each(std::uint64_t count, const std::function<std::string(std::uint64_t)>& request,
             const std::function<void(std::uint64_t, std::string)>& take, Taking taking = Taking::in_order);
 
+  /// Of rank 0: throws Unfinished where a stop is asked for, while it works without the others.
+  void stop_if_asked() const;
+
  private:
   class Stage;
   void hand_out(Stage& stage);

@@ -48,6 +48,24 @@ TEST_CASE("each result is taken once, whoever answers") {
   }
 }
 
+TEST_CASE("results are taken in order where that is asked for") {
+  const auto in_order = [](Crew* crew) {
+    std::uint64_t taken = 0;
+    on_threads(2, [&] {
+      share(
+          crew, doubled, 500, [](std::uint64_t i) { return std::to_string(i); },
+          [&](std::uint64_t i, const std::string& result) {
+            CHECK(i == taken++);
+            CHECK(result == doubled(std::to_string(i)));
+          },
+          Taking::in_order);
+    });
+    CHECK(taken == 500);
+  };
+  in_order(nullptr);
+  by_crew(3, doubled, [&](Crew& crew) { in_order(&crew); });
+}
+
 TEST_CASE("results that are there are taken before the first is") {
   const TemporaryFolder folder;
   Journal journal(folder.path() / "journal", "work");
