@@ -208,7 +208,7 @@ std::string RecordPieces::input() const {
   return file_->input();
 }
 
-std::string RecordPieces::answer(std::string_view request) const {
+std::string RecordPieces::answer(std::string_view request, PartWriter* part) const {
   ByteReader bytes(request);
   const auto question = static_cast<PieceQuestion>(bytes.number());
   const std::uint64_t piece = bytes.number();
@@ -219,7 +219,15 @@ std::string RecordPieces::answer(std::string_view request) const {
   }
   const std::uint64_t first_line = bytes.number(), first_record = bytes.number();
   bytes.end();
-  return judged_bytes(file_->judge(piece, first_line, first_record));
+  Judged judged = file_->judge(piece, first_line, first_record);
+  if (part != nullptr && !judged.lines.empty()) judged.lines = part->add(judged.lines).to_bytes();
+  return judged_bytes(judged);
+}
+
+bool RecordPieces::stands(std::string_view request, std::string_view result, const PartSizes& parts) {
+  if (static_cast<PieceQuestion>(ByteReader(request).number()) == PieceQuestion::count) return true;
+  const std::string range = read_judged(result).lines;
+  return range.empty() || parts.hold(PartRange::from_bytes(range));
 }
 
 /// Where each piece begins, and how many can be judged: those up to a line that is too long.

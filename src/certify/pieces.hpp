@@ -8,6 +8,7 @@
 
 #include "certify/certify.hpp"
 #include "scatter/crew.hpp"
+#include "scatter/parts.hpp"
 
 namespace slipproof {
 
@@ -25,11 +26,15 @@ class RecordPieces {
   /// What the results depend on beside the options: the file's name, size and time of change.
   std::string input() const;
 
-  /// The service of a crew: counts the lines of a piece, or judges them. From many threads at once. Throws InputError.
-  std::string answer(std::string_view request) const;
+  /// The service of a crew: counts the lines of a piece, or judges them. From many threads at once. With a part the
+  /// lines of the output go there, and a PartRange stands for them. Throws InputError, and OutputError.
+  std::string answer(std::string_view request, PartWriter* part = nullptr) const;
+  /// Whether such an answer still has its lines.
+  static bool stands(std::string_view request, std::string_view result, const PartSizes& parts);
 
   /// What certify() does, by a crew whose service is answer(): all lines are counted before the first is judged, so
-  /// that each is called by its number. Throws as certify() and Crew::each() do.
+  /// that each is called by its number. Of answers that are in parts `output` is given the PartRange of each. Throws as
+  /// certify() and Crew::each() do.
   CertifySummary certify(Crew& crew, const LineSink& output, const Progress& progress = {}) const;
 
  private:

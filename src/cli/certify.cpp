@@ -30,7 +30,7 @@ struct CertifyArguments {
   CommonOptions common;
   CertifyOptions certify;
   CertifyProblemArguments problem;
-  std::string file, scene, mechanism, decimal = "nearest", broken = "report", format, summary;
+  std::string file, scene, mechanism, decimal = "nearest", broken = "report", format, summary, parts;
   TableOptions table;
   CrewArguments crew;
   std::optional<double> tolerance;
@@ -117,33 +117,67 @@ CertifySummary certify_records(const CertifyArguments& options, bool table, cons
 std::string certified_work(const CertifyArguments& options, const RecordPieces& pieces) {
   const CertifyOptions& c = options.certify;
   return fmt::format(
-      "certify {}\nscene {} mechanism {}\nformat {} decimal {} broken {} unknown {} from {}\n"
+      "certify {}\nparts {} scene {} mechanism {}\nformat {} decimal {} broken {} unknown {} from {}\n"
       "tolerance {} {} effort {} {} every-q {}\n",
-      pieces.input(), options.scene.empty() ? "" : digest_of(options.scene),
+      pieces.input(), !options.parts.empty(), options.scene.empty() ? "" : digest_of(options.scene),
       c.mechanism ? digest_of(c.mechanism->mechanism.file) : "", static_cast<int>(c.format), options.decimal,
       options.broken, c.ignore_unknown, c.first_record, c.judge.tolerance, c.contact.tolerance, c.judge.effort,
       c.contact.effort, c.judge.every_q);
+}
+
+Exit certified_exit(const CertifySummary& summary) {
+  if (summary.all_certified()) return as_it_should_be;
+  return summary.nothing_refuted() ? undecided : refuted_or_not_certified;
+}
+
+/// What a run without parts would say at its end.
+PartsEnd end_of(const CertifyArguments& options, const CertifySummary& summary, std::vector<PartRange> ranges) {
+  PartsEnd end{.ranges = std::move(ranges), .exit_code = certified_exit(summary)};
+  (options.common.json ? end.err : end.out) = summary_text(summary);
+  return end;
 }
 
 /// By a crew; nothing on the ranks that only answer.
 std::optional<CertifySummary> certify_shared(const CertifyArguments& options, const LineSink& sink,
                                              const Progress& progress) {
   const RecordPieces pieces(options.certify);
+  std::optional<PartWriter> part;
+  if (!options.parts.empty()) part.emplace(options.parts, options.crew.transport->rank());
   CrewRun run(
       options.crew, options.common.threads, [&] { return certified_work(options, pieces); },
-      Inputs{options.file, options.scene}, [&](std::string_view request) { return pieces.answer(request); });
+      Inputs{options.file, options.scene},
+      [&](std::string_view request) { return pieces.answer(request, part ? &*part : nullptr); });
   if (run.served()) return std::nullopt;
-  return pieces.certify(*run.crew(), sink, progress);
+  if (!part) return pieces.certify(*run.crew(), sink, progress);
+  std::vector<PartRange> ranges;
+  const CertifySummary summary = pieces.certify(
+      *run.crew(), [&](std::string_view range) { ranges.push_back(PartRange::from_bytes(range)); }, progress);
+  keep_end(*run.journal(), end_of(options, summary, std::move(ranges)));
+  return summary;
 }
 
 /// A crew shares out the lines of a file, and nothing else yet.
 void refuse_crew(const CertifyArguments& options, const char* found) {
   if (!options.crew.wanted()) return;
   throw CLI::ValidationError(
-      "FILE", std::string("found ") + found + ", expected a file of CSV or JSON Lines for --checkpoint or many ranks");
+      "FILE",
+      std::string("found ") + found + ", expected a file of CSV or JSON Lines for --checkpoint, --parts or many ranks");
+}
+
+/// The index of the parts is what their run goes on from.
+void prepare_parts(CertifyArguments& options) {
+  if (options.parts.empty()) return;
+  if (options.common.quiet)
+    throw CLI::ValidationError("--parts", "found --quiet, which prints no lines, expected one of both");
+  options.crew.checkpoint = parts_index(options.parts).string();
+  if (!options.crew.leads()) return;
+  options.crew.still_counts = [parts = PartSizes(options.parts)](std::string_view request, std::string_view result) {
+    return RecordPieces::stands(request, result, parts);
+  };
 }
 
 int run_certify(CertifyArguments& options) {
+  prepare_parts(options);
   const bool table =
       options.file != "-" && !options.problem.any() && options.format.empty() && is_table_file(options.file);
   if (options.file == "-") refuse_crew(options, "standard input");
@@ -182,8 +216,7 @@ int run_certify(CertifyArguments& options) {
   } else if (!quiet) {
     std::cerr << summary_text(summary);  // stdout has a line for each record and nothing else
   }
-  if (summary.all_certified()) return as_it_should_be;
-  return summary.nothing_refuted() ? undecided : refuted_or_not_certified;
+  return certified_exit(summary);
 }
 
 }  // namespace
@@ -237,7 +270,13 @@ void add_certify(CLI::App& app, int& exit_code, Transport& transport) {
   command.add_flag("--every-q", options->certify.judge.every_q,
                    "Of each contact problem in a line: is there one solution whatever its q is?");
   add_problem_options(command, options->problem);
-  add_crew_options(command, options->crew);
+  CLI::Option* checkpoint = add_crew_options(command, options->crew);
+  command
+      .add_option("--parts", options->parts,
+                  "Each rank writes its lines to files of its own, PREFIX.RANK.1, which slipproof join\nputs together; "
+                  "the same command goes on where a run ended")
+      ->type_name("PREFIX")
+      ->excludes(checkpoint);
   add_common_options(command, options->common);
   command.callback([options, &exit_code, &command] {
     options->problem.refine = command.count("--refine") > 0;

@@ -67,6 +67,7 @@ void add_trade(CLI::App& app, int& exit_code, Transport& transport);
 void add_check(CLI::App& app, int& exit_code);
 void add_prove(CLI::App& app, int& exit_code, Transport& transport);
 void add_certify(CLI::App& app, int& exit_code, Transport& transport);
+void add_join(CLI::App& app, int& exit_code);
 void add_verify(CLI::App& app, int& exit_code, Transport& transport);
 void add_report(CLI::App& app, int& exit_code);
 void add_map(CLI::App& app, int& exit_code);

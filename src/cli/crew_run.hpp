@@ -19,6 +19,7 @@ struct CrewArguments {
 
   bool many() const { return transport != nullptr && transport->ranks() > 1; }
   bool leads() const { return !many() || transport->rank() == 0; }
+  std::function<bool(std::string_view, std::string_view)> still_counts = {};  ///< as CrewOptions have it
   /// Otherwise the work needs no crew.
   bool wanted() const { return many() || !checkpoint.empty(); }
 };
@@ -26,7 +27,8 @@ struct CrewArguments {
 /// The content of a file in few letters; of what is no file its name.
 std::string digest_of(const std::filesystem::path& file);
 
-void add_crew_options(CLI::App& command, CrewArguments& arguments);
+/// --checkpoint, which is returned.
+CLI::Option* add_crew_options(CLI::App& command, CrewArguments& arguments);
 
 /// The crew of a command, while it runs: SIGTERM asks rank 0 to stop, and leaves the others to it.
 class CrewRun {
@@ -38,7 +40,8 @@ class CrewRun {
 
   /// Of the ranks that only answer: they do, until rank 0 has all results. The others go on with false.
   bool served();
-  /// Null where none is wanted.
+  /// Null where none is wanted, as the crew.
+  Journal* journal() { return journal_ ? &*journal_ : nullptr; }
   Crew* crew() { return crew_ ? &*crew_ : nullptr; }
 
  private:

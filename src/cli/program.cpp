@@ -53,6 +53,7 @@ int run(int argc, char** argv, Transport& transport) {
   add_search(app, exit_code, transport);
   add_critical(app, exit_code);
   add_certify(app, exit_code, transport);
+  add_join(app, exit_code);
   add_trade(app, exit_code, transport);
   add_verify(app, exit_code, transport);
   add_prove(app, exit_code, transport);

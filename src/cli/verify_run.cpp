@@ -156,21 +156,22 @@ std::vector<JudgedPaper> judge_papers(const std::vector<std::filesystem::path>& 
     print_warnings(judged.back().file, arguments.common);
     for (const std::filesystem::path& file : files_of(page_folders(path, arguments.trade))) inputs.add(file);
   }
-  std::optional<OutputFolder> pages;
-  if (!report.empty() && arguments.crew.leads()) pages.emplace(report, inputs);
   std::vector<JudgeArguments> own(papers.size(), arguments);
-  std::vector<PageInput> pages_of(papers.size());  // read before the work, so that bad input costs no result
+  std::vector<VerifyRun::Paper> work;
   for (std::size_t i = 0; i < papers.size(); ++i) {
     own[i].verify.certificates = arguments.certificates_of(papers[i]);
     if (!is_shipped(papers[i])) own[i].trade.clear();
-    if (!pages) continue;
+    work.push_back({papers[i], &judged[i].file, own[i].verify});
+  }
+  VerifyRun run(std::move(work), arguments);
+  if (run.served()) return {};
+  std::optional<OutputFolder> pages;
+  if (!report.empty()) pages.emplace(report, inputs);
+  std::vector<PageInput> pages_of(papers.size());  // read before the work, so that bad input costs no result
+  for (std::size_t i = 0; pages && i < papers.size(); ++i) {
     pages_of[i] = report_input(papers[i], judged[i].file, own[i], *own[i].verify.certificates);
     pages_of[i].gallery = "index.html";
   }
-  std::vector<VerifyRun::Paper> work;
-  for (std::size_t i = 0; i < papers.size(); ++i) work.push_back({papers[i], &judged[i].file, own[i].verify});
-  VerifyRun run(std::move(work), arguments);
-  if (run.served()) return {};
   for (std::size_t i = 0; i < papers.size(); ++i) {
     judged[i].result = run.result(i);
     if (!pages) continue;

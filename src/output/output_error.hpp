@@ -11,6 +11,8 @@ class OutputError : public std::runtime_error {
  public:
   OutputError(const std::string& place, const std::string& reason)
       : std::runtime_error(place + ": cannot be written: " + reason) {}
+  /// As it was said already, by another process.
+  explicit OutputError(const std::string& message) : std::runtime_error(message) {}
   /// With the system's words for its error number.
   OutputError(const std::string& place, int system_error);
 };

@@ -90,18 +90,28 @@ OutputFile::OutputFile(std::filesystem::path path, const Inputs& inputs)
 }
 
 void OutputFile::write(std::string_view contents) const {
+  write_by([contents](const Sink& sink) { sink(contents); });
+}
+
+void OutputFile::write_by(const std::function<void(const Sink&)>& contents) const {
   if (kind_ == Kind::file) return write_beside(contents);
   // A second name of an open file would begin at its start: a copy of the descriptor goes on where it is.
   const Descriptor file(kind_ == Kind::descriptor ? ::dup(*descriptor_named(target_))
                                                   : ::open(target_.c_str(), O_WRONLY | O_CLOEXEC));
   if (!file.open()) throw OutputError(path_.string(), errno);
-  if (const int error = write_all(file.number(), contents)) throw OutputError(path_.string(), error);
+  write_to(file.number(), contents);
 }
 
-void OutputFile::write_beside(std::string_view contents) const {
+void OutputFile::write_to(int descriptor, const std::function<void(const Sink&)>& contents) const {
+  contents([&](std::string_view text) {
+    if (const int error = write_all(descriptor, text)) throw OutputError(path_.string(), error);
+  });
+}
+
+void OutputFile::write_beside(const std::function<void(const Sink&)>& contents) const {
   try {
     TemporaryFile file(folder_of(target_));
-    if (const int error = write_all(file.descriptor(), contents)) throw OutputError(path_.string(), error);
+    write_to(file.descriptor(), contents);
     keep_permissions(file.descriptor(), target_);
     if (::fsync(file.descriptor()) != 0) throw OutputError(path_.string(), errno);
     file.become(target_);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string_view>
 
 #include "output/inputs.hpp"
@@ -22,13 +23,19 @@ class OutputFile {
   /// under whatever name: it would be lost.
   explicit OutputFile(std::filesystem::path path, const Inputs& inputs = {});
 
+  using Sink = std::function<void(std::string_view)>;
+
   /// Puts the contents there, as often as it is called. Throws OutputError.
   void write(std::string_view contents) const;
+  /// The same of whatever contents(sink) gives to the sink. What it throws is thrown on: of a file the older content
+  /// stands then.
+  void write_by(const std::function<void(const Sink&)>& contents) const;
 
  private:
   enum class Kind { file, descriptor, special };
 
-  void write_beside(std::string_view contents) const;
+  void write_to(int descriptor, const std::function<void(const Sink&)>& contents) const;
+  void write_beside(const std::function<void(const Sink&)>& contents) const;
 
   std::filesystem::path path_;    ///< as the caller says it
   std::filesystem::path target_;  ///< behind symbolic links

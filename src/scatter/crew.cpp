@@ -62,10 +62,10 @@ class Crew::Stage {
       ++taken_;
     }
   }
-  std::string missing(const Journal* journal) const {
+  std::string missing(const std::function<bool(const std::string&)>& is_kept) const {
     std::vector<std::uint64_t> missing;
     for (std::uint64_t i = taken_; i < count_; ++i) {
-      const bool kept = waiting_.contains(i) || (i >= next_ && journal != nullptr && journal->find(request_(i)));
+      const bool kept = waiting_.contains(i) || (i >= next_ && is_kept(request_(i)));
       if (!kept) missing.push_back(i + 1);
     }
     return fmt::format("stopped, as was asked: {} of {} pieces are there, missing: {}", count_ - missing.size(), count_,
@@ -92,14 +92,17 @@ Crew::Crew(Transport& transport, CrewOptions options, Service service)
   if (transport.ranks() <= most_ranks_helped) slots_[0] = free_[0] = pool_.slots();
 }
 
-Crew::~Crew() {
-  if (!leads()) return;
-  for (int rank = 1; rank < transport_.ranks(); ++rank) {
+void dismiss_others(Transport& transport) {
+  for (int rank = 1; rank < transport.ranks(); ++rank) {
     try {
-      transport_.send(rank, with_word(Word::dismissed));
+      transport.send(rank, with_word(Word::dismissed));
     } catch (const std::exception&) {  // a rank that is gone needs no dismissal
     }
   }
+}
+
+Crew::~Crew() {
+  if (leads()) dismiss_others(transport_);
 }
 
 void Crew::serve() {
@@ -140,7 +143,7 @@ void Crew::hand_out(Stage& stage) {
       if (free_[rank] == 0) continue;
       auto [number, request] = stage.next();
       some = true;
-      if (auto result = options_.journal != nullptr ? options_.journal->find(request) : std::nullopt) {
+      if (auto result = kept(request)) {
         stage.returned(number);
         stage.put({.number = number, .bytes = *std::move(result)});
         continue;
@@ -198,6 +201,13 @@ void Crew::answered(Stage& stage, Reply answer) {
   stage.put(std::move(answer));
 }
 
+std::optional<std::string> Crew::kept(std::string_view request) const {
+  if (options_.journal == nullptr) return std::nullopt;
+  auto result = options_.journal->find(request);
+  if (result && options_.still_counts && !options_.still_counts(request, *result)) return std::nullopt;
+  return result;
+}
+
 void Crew::look_after(const Stage& stage) {
   const auto now = std::chrono::steady_clock::now();
   if (options_.journal != nullptr && now - flushed_ >= options_.flush_after) {
@@ -206,7 +216,7 @@ void Crew::look_after(const Stage& stage) {
   }
   if (!options_.stop_asked || !options_.stop_asked() || stage.done()) return;
   if (options_.journal != nullptr) options_.journal->flush();
-  throw Unfinished(stage.missing(options_.journal));
+  throw Unfinished(stage.missing([this](const std::string& request) { return kept(request).has_value(); }));
 }
 
 void Crew::stop_if_asked() const {

@@ -19,8 +19,10 @@
 namespace slipproof {
 
 struct CrewOptions {
-  unsigned threads = 0;                   ///< of this rank; 0: all its cores
-  Journal* journal = nullptr;             ///< of rank 0: what is in it is not asked again
+  unsigned threads = 0;        ///< of this rank; 0: all its cores
+  Journal* journal = nullptr;  ///< of rank 0: what is in it is not asked again
+  /// Of rank 0: whether what the journal has of a request still counts; without it all does.
+  std::function<bool(std::string_view request, std::string_view result)> still_counts = {};
   std::function<bool()> stop_asked = {};  ///< of rank 0, looked at every few milliseconds: a signal came
   std::chrono::seconds flush_after{60};   ///< the journal is flushed that often
 };
@@ -36,6 +38,9 @@ class Unfinished : public std::runtime_error {
 
 /// Of more ranks than these rank 0 only hands out and takes, and does not compute besides.
 inline constexpr int most_ranks_helped = 32;
+
+/// The other ranks end: they wait for rank 0, also where it fails before it has a crew. Of rank 0, once.
+void dismiss_others(Transport& transport);
 
 /// Ranks that answer requests with the same service. On rank 0 each() may be called as often as is wanted; on the
 /// others serve() returns when the crew of rank 0 is gone. Used from one thread.
@@ -54,9 +59,9 @@ class Crew {
 
   /// Of rank 0: take(i, result) for each request(i), i = 0, 1, ... count - 1, by default in this order, whoever answers
   /// when. request() may be asked for the same number twice.
-  /// Memory holds a bounded number of results. Throws InputError and std::runtime_error as the service did, for the
-  /// first request in the order that has no result; Unfinished, with the missing requests named, where a stop is asked
-  /// for; Stopped; what take() throws. After a throw each() is not called again.
+  /// Memory holds a bounded number of results. Throws InputError, OutputError and std::runtime_error as the service
+  /// did, for the first request in the order that has no result; Unfinished, with the missing requests named, where a
+  /// stop is asked for; Stopped; what take() throws. After a throw each() is not called again.
   void each(std::uint64_t count, const std::function<std::string(std::uint64_t)>& request,
             const std::function<void(std::uint64_t, std::string)>& take, Taking taking = Taking::in_order);
 
@@ -69,6 +74,7 @@ class Crew {
   void collect(Stage& stage);
   void heard(Stage& stage, const Message& message);
   void answered(Stage& stage, Reply answer);
+  std::optional<std::string> kept(std::string_view request) const;
   void look_after(const Stage& stage);
 
   Transport& transport_;

@@ -1,11 +1,13 @@
 #include "scatter/journal.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <system_error>
 
 #include "input/diagnostic.hpp"
 #include "output/output_error.hpp"
@@ -37,8 +39,24 @@ Descriptor open_journal(const std::filesystem::path& path) {
   return file;
 }
 
-/// Up to `size` bytes from a place on: fewer at the end of the file.
-std::string bytes_at(int file, std::uint64_t offset, std::uint64_t size, const std::filesystem::path& path) {
+Descriptor journal_to_read(const std::filesystem::path& path) {
+  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file.open()) {
+    throw InputError({{path.string(), 0, 0, "cannot be read: " + std::generic_category().message(errno)}});
+  }
+  if (::flock(file.number(), LOCK_SH | LOCK_NB) != 0) {
+    throw InputError({{path.string(), 0, 0, "found a run that is writing it, expected one that has come to its end"}});
+  }
+  return file;
+}
+
+std::string record_digest(std::string_view request_digest, std::string_view result) {
+  return sha256(std::string(request_digest) + std::string(result));
+}
+
+}  // namespace
+
+std::string read_at(int file, std::uint64_t offset, std::uint64_t size, const std::filesystem::path& path) {
   std::string bytes(size, '\0');
   std::size_t done = 0;
   while (done < size) {
@@ -52,16 +70,10 @@ std::string bytes_at(int file, std::uint64_t offset, std::uint64_t size, const s
   return bytes;
 }
 
-std::string record_digest(std::string_view request_digest, std::string_view result) {
-  return sha256(std::string(request_digest) + std::string(result));
-}
-
-}  // namespace
-
 Journal::Journal(std::filesystem::path path, std::string_view work)
     : path_(std::move(path)), file_(open_journal(path_)) {
   const std::string head = journal_head(work);
-  const std::string found = bytes_at(file_.number(), 0, head.size(), path_);
+  const std::string found = read_at(file_.number(), 0, head.size(), path_);
   // What stands there of a head may be all that a killed run could write.
   if (found.size() < head.size() && head.starts_with(found)) {
     if (::ftruncate(file_.number(), 0) != 0) throw OutputError(path_.string(), errno);
@@ -78,6 +90,22 @@ Journal::Journal(std::filesystem::path path, std::string_view work)
                        "found a checkpoint of other work, expected one of the same arguments, version and input"}});
   }
   read_results(head.size());
+  if (::ftruncate(file_.number(), static_cast<off_t>(end_)) != 0) throw OutputError(path_.string(), errno);
+  if (::lseek(file_.number(), static_cast<off_t>(end_), SEEK_SET) < 0) throw OutputError(path_.string(), errno);
+}
+
+Journal::Journal(std::filesystem::path path) : path_(std::move(path)), file_(journal_to_read(path_)) {
+  const std::string found = read_at(file_.number(), 0, journal_signature.size() + 8, path_);
+  if (found.size() < journal_signature.size() + 8 || !found.starts_with(journal_signature)) {
+    throw InputError({{path_.string(), 0, 0, "found another file, or a part of it, expected what a run has kept"}});
+  }
+  const std::uint64_t work = ByteReader(std::string_view(found).substr(journal_signature.size())).number();
+  const std::uint64_t size = std::filesystem::file_size(path_);
+  if (work < size - found.size()) read_results(found.size() + work);
+  if (end_ != size) {
+    throw InputError(
+        {{path_.string(), 0, 0, fmt::format("found other bytes than were written, from byte {} on", end_ + 1)}});
+  }
 }
 
 void Journal::read_results(std::uint64_t at) {
@@ -85,7 +113,7 @@ void Journal::read_results(std::uint64_t at) {
   if (::fstat(file_.number(), &found) != 0) throw OutputError(path_.string(), errno);
   const auto size = static_cast<std::uint64_t>(found.st_size);
   while (size - at >= record_head) {
-    const std::string head = bytes_at(file_.number(), at, record_head, path_);
+    const std::string head = read_at(file_.number(), at, record_head, path_);
     if (head.size() < record_head) break;
     const std::string digest = head.substr(0, digest_size);
     ByteReader rest(std::string_view(head).substr(digest_size));
@@ -93,20 +121,18 @@ void Journal::read_results(std::uint64_t at) {
     std::string request = head.substr(digest_size + 8, digest_size);
     const std::uint64_t length = ByteReader(std::string_view(head).substr(digest_size + 8 + digest_size)).number();
     if (length > size - at - record_head) break;
-    if (record_digest(request, bytes_at(file_.number(), at + record_head, length, path_)) != digest) break;
+    if (record_digest(request, read_at(file_.number(), at + record_head, length, path_)) != digest) break;
     places_.insert_or_assign(std::move(request), ResultPlace{at + record_head, length, digest});
     at += record_head + length;
   }
   end_ = at;
-  if (::ftruncate(file_.number(), static_cast<off_t>(end_)) != 0) throw OutputError(path_.string(), errno);
-  if (::lseek(file_.number(), static_cast<off_t>(end_), SEEK_SET) < 0) throw OutputError(path_.string(), errno);
 }
 
 std::optional<std::string> Journal::find(std::string_view request) const {
   const std::string key = sha256(request);
   const auto place = places_.find(key);
   if (place == places_.end()) return std::nullopt;
-  std::string result = bytes_at(file_.number(), place->second.offset, place->second.size, path_);
+  std::string result = read_at(file_.number(), place->second.offset, place->second.size, path_);
   if (record_digest(key, result) != place->second.digest) {
     throw InputError({{path_.string(), 0, 0, "found a result that was changed while it was in use"}});
   }

@@ -13,6 +13,9 @@
 
 namespace slipproof {
 
+/// Up to `size` bytes of an open file from a place on, fewer at its end. Throws InputError.
+std::string read_at(int file, std::uint64_t offset, std::uint64_t size, const std::filesystem::path& path);
+
 /// A file with the results of requests, each found again by the request, so that neither the number of ranks nor the
 /// order of the work matters. A result is written at once; what a killed program, or a full disk, leaves of one is no
 /// result: it is noticed by its length or its digest and cut off.
@@ -25,6 +28,10 @@ class Journal {
   /// Throws InputError for a file that is no journal, or one of other work; OutputError where it cannot be written, or
   /// another run is writing it.
   Journal(std::filesystem::path path, std::string_view work);
+
+  /// One that is there, to be read and not kept in, of whatever work. Throws InputError for what is no journal, is
+  /// damaged, or is being written.
+  explicit Journal(std::filesystem::path path);
 
   /// The result of a request, if it is there. Throws InputError where the file has changed under it.
   std::optional<std::string> find(std::string_view request) const;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "number/flint_memory.hpp"
+#include "output/output_error.hpp"
 #include "parallel/stop.hpp"
 #include "parallel/thread_count.hpp"
 #include "scatter/bytes.hpp"
@@ -34,6 +35,7 @@ Reply Reply::from_bytes(std::string_view text) {
 
 std::string Reply::result() && {
   if (kind == Kind::bad_input) throw InputError(std::move(diagnostics));
+  if (kind == Kind::not_written) throw OutputError(bytes);
   if (kind == Kind::failure) throw std::runtime_error(bytes);
   return std::move(bytes);
 }
@@ -43,6 +45,8 @@ Reply reply_to(std::uint64_t number, std::string_view request, const Service& se
     return {.number = number, .bytes = service(request)};
   } catch (const InputError& error) {
     return {.number = number, .kind = Reply::Kind::bad_input, .diagnostics = error.diagnostics()};
+  } catch (const OutputError& error) {
+    return {.number = number, .kind = Reply::Kind::not_written, .bytes = error.what()};
   } catch (const Stopped&) {
     throw;
   } catch (const std::exception& error) {

@@ -24,7 +24,7 @@ using Service = std::function<std::string(std::string_view request)>;
 
 /// What came of a request: bytes, or why there are none.
 struct Reply {
-  enum class Kind : std::uint8_t { result, bad_input, failure };
+  enum class Kind : std::uint8_t { result, bad_input, not_written, failure };
 
   std::uint64_t number = 0;  ///< of the request, as who asked counts
   Kind kind = Kind::result;
@@ -33,7 +33,7 @@ struct Reply {
 
   std::string to_bytes() const;
   static Reply from_bytes(std::string_view bytes);
-  /// The result. Throws InputError, or std::runtime_error, where there is none.
+  /// The result. Throws InputError, OutputError, or std::runtime_error, where there is none.
   std::string result() &&;
 };
 

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <string>
 
@@ -29,6 +30,35 @@ FoundInPieces whole(const CertifyOptions& options) {
   } catch (const InputError& error) {
     found.error = error.what();
   }
+  return found;
+}
+
+/// The same, put together from parts.
+FoundInPieces in_parts(const CertifyOptions& options, std::uint64_t size, int ranks, Journal& index,
+                       const std::string& prefix) {
+  FoundInPieces found;
+  ThreadRanks all(ranks);
+  PartsEnd end;
+  all.run(
+      [&](Transport& transport) {
+        const RecordPieces pieces(options, size);
+        PartWriter part(prefix, 0);
+        CrewOptions crew_options{.threads = 1, .journal = &index};
+        crew_options.still_counts = [parts = PartSizes(prefix)](std::string_view request, std::string_view result) {
+          return RecordPieces::stands(request, result, parts);
+        };
+        Crew crew(transport, crew_options, [&](std::string_view request) { return pieces.answer(request, &part); });
+        found.summary = to_json(
+            pieces.certify(crew, [&](std::string_view range) { end.ranges.push_back(PartRange::from_bytes(range)); }));
+      },
+      [&](Transport& transport) {
+        const RecordPieces pieces(options, size);
+        PartWriter part(prefix, transport.rank());
+        Crew(transport, {.threads = 1}, [&](std::string_view request) {
+          return pieces.answer(request, &part);
+        }).serve();
+      });
+  read_parts(prefix, end, [&](std::string_view lines) { found.text += lines; });
   return found;
 }
 
@@ -71,6 +101,24 @@ std::string problem_lines() {
 }
 
 }  // namespace
+
+TEST_CASE("lines in parts are the lines of one stream, and those of a lost part are judged again") {
+  const TemporaryFolder folder;
+  CertifyOptions options;
+  options.file = folder.write("problems.jsonl", problem_lines()).string();
+  const FoundInPieces expected = whole(options);
+  const std::string prefix = (folder.path() / "out").string();
+  Journal index(parts_index(prefix), "work");
+  check_same(in_parts(options, 70, 3, index, prefix), expected);
+  const auto kept = index.size();
+  check_same(in_parts(options, 70, 2, index, prefix), expected);
+  CHECK_FALSE(std::filesystem::exists(prefix + ".0.2"));  // nothing was asked again
+  int lost = 0;
+  for (const char* part : {".0.1", ".1.1", ".2.1"}) lost += std::filesystem::remove(prefix + part) ? 1 : 0;
+  CHECK(lost > 0);
+  check_same(in_parts(options, 70, 4, index, prefix), expected);
+  CHECK(index.size() == kept);
+}
 
 TEST_CASE("records in pieces of any size are judged as from one stream") {
   const TemporaryFolder folder;
