@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Many ranks give the bytes of one; a run whose ranks are killed goes on from its checkpoint with another number of ranks.
+# Many ranks give the bytes of one; a run whose ranks are killed, as often as it is, goes on with another number of ranks.
 # Usage: mpi.sh SLIPPROOF SLIPPROOF_MPI MPIRUN SOURCES KILLS
 set -euo pipefail
 export LC_ALL=C OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
@@ -26,7 +26,7 @@ fail() {
 awk 'BEGIN {
   print "F,mode,a,S2,S3,N2,N3"
   right = "3.27,stick/stick,2.9727272727272727,3.1213636363636363,-0.14863636363636363,9.642784090909091,0.16721590909090908"
-  for (i = 1; i <= 24000; ++i) {
+  for (i = 1; i <= 48000; ++i) {
     if (i % 977 == 0) print "3.2,stick/slip+,3,3.05,-0.05,9.75,0.06\r\n"
     else if (i % 1009 == 0) print "no record"
     else print right
@@ -38,10 +38,11 @@ papers=(verify papers --samples 20 --json)
 mkdir -p papers/first papers/second
 cp "$sources/proofs/wheelie-and-stoppie"/*.toml papers/first
 cp "$sources/proofs/block-on-incline"/*.toml papers/second
-search=(search ladder --samples 60)
+search=(search ladder --samples 4000)
 trade=(trade --scenes 60 --seconds 0 --json) # the same but for its speeds
 prove=(prove statements)
 mkdir statements
+cp "$sources"/proofs/wheelie-and-stoppie/certificates/W1*.statement statements
 for i in 1 2 3 4 5; do
   printf 'slipproof-statement 1\ntheorem power%d\nreal x\nassume positive: x > 0\nshow x^%d + 1 > x\n' "$i" $((2 * i)) \
     >"statements/power$i.statement"
@@ -85,40 +86,90 @@ for refused in "solve $sources/cases/ambiguous.toml" "verify --mutants"; do
   grep -q "found .*more than one rank\|found .*many ranks" error || fail "$refused was refused with: $(cat error)"
 done
 
-# goes_on KIND NAME: a run that is hit at a random moment, then one of another number of ranks that ends.
-goes_on() {
-  local -n arguments=$2
-  local kind=$1 expected=expected.$2 number=$((2 + RANDOM % 3)) pid victim found=0 patience=100
-  rm -f checkpoint
-  become=exec ranks "$number" "${arguments[@]}" --threads 1 --checkpoint checkpoint >found 2>error &
-  pid=$!
-  sleep "$((RANDOM % 3)).$((RANDOM % 1000))"
-  case $kind in
-    TERM) kill -TERM "$pid" 2>/dev/null || true ;;
-    KILL)
-      mapfile -t victim < <(pgrep -P "$pid" || true)
-      ((${#victim[@]} == 0)) || kill -KILL "${victim[RANDOM % ${#victim[@]}]}" 2>/dev/null || true
-      ;;
-  esac
-  wait "$pid" || true
-  # mpirun ends with 1 where it is hit itself, so that the last line alone tells a run that came to its end.
-  if tail -n 1 found | grep -q "^s "; then
-    cmp found "$expected" || fail "a run that was hit too late says something else"
-    return
-  fi
-  interrupted=$((interrupted + 1))
-  cmp -n "$(stat -c %s found)" found "$expected" || fail "$kind: what was printed is no beginning of the output"
-  ! grep -q "missing: " error || named=$((named + 1))
-  until flock -n checkpoint true || ((--patience == 0)); do sleep 0.1; done # mpirun may end before its ranks do
-  ranks "$((1 + RANDOM % 3))" "${arguments[@]}" --threads 1 --checkpoint checkpoint >found || found=$?
-  ((found == code[$2])) || fail "$kind: the run that goes on ends with $found"
-  cmp found "$expected" || fail "$kind: the run that goes on says something else"
-}
-interrupted=0 named=0
-for ((i = 0; i < kills; ++i)); do
-  goes_on TERM certify
-  goes_on KILL certify
-  goes_on TERM verify
-  goes_on KILL verify
+# Output in parts is that of one machine, once it is joined; a part that is not as it was written is named.
+for number in 1 3; do
+  found=0
+  rm -f out.*
+  ranks "$number" "${certify[@]}" --threads 1 --parts out >found || found=$?
+  ((found == code[certify])) || fail "certify --parts: $number ranks end with $found"
+  cmp found <(tail -n 4 expected.certify) || fail "certify --parts: $number ranks say something else"
+  found=0
+  "$slipproof" join out -o joined || found=$?
+  ((found == code[certify])) || fail "join of $number parts ends with $found"
+  cmp joined expected.certify || fail "join of $number parts writes something else"
 done
-echo "$((4 * kills)) runs were hit, $interrupted before their end, $named of these named what was missing"
+part=$(find . -name 'out.*.1' | head -n 1)
+printf '?' | dd of="$part" bs=1 seek=5 conv=notrunc status=none
+if "$slipproof" join out >joined 2>error; then fail "a changed part was joined"; fi
+grep -q "^${part#./}: found other bytes" error || fail "a changed part gives: $(cat error)"
+[[ ! -s joined ]] || fail "of a changed part something was written"
+
+# Where rank 0 cannot begin, the others do not wait for it.
+for refused in "search ladder --checkpoint none/x" "certify records.csv --scene $sources/cases/ambiguous.toml --parts none/x" \
+  "verify papers --samples 5 --report records.csv"; do
+  found=0
+  become="timeout 60" ranks 2 $refused >found 2>error || found=$?
+  ((found == 6)) || fail "$refused ends with $found: $(cat error)"
+done
+
+milliseconds() { echo $((${EPOCHREALTIME/./} / 1000)); }
+
+# goes_on KIND NAME: runs that are hit at random moments, each with another number of ranks, until one comes to its end.
+# In parts, a run goes on from their index, and what is joined counts.
+goes_on() {
+  local kind=$1 name=$2 number=0 more pid victim delay found patience
+  local -n arguments=${name/parts/certify}
+  local expected=expected.${name/parts/certify} expects=${code[${name/parts/certify}]} checkpoint=checkpoint option=--checkpoint
+  [[ $name != parts ]] || checkpoint=out.index option=--parts
+  rm -f checkpoint out.*
+  [[ $name != prove ]] || rm -f statements/*.cert
+  for ((run = 0; ; ++run)); do
+    more=$((1 + RANDOM % 3)) found=0 patience=100
+    number=$((1 + (number + more - 1) % 4))
+    become=exec ranks "$number" "${arguments[@]}" --threads 1 "$option" "${checkpoint%.index}" >found 2>error &
+    pid=$!
+    if ((run == 0 || RANDOM % 2)); then
+      delay=$(((RANDOM * 32768 + RANDOM) % length[$name]))
+      sleep "$(printf '%d.%03d' $((delay / 1000)) $((delay % 1000)))"
+      hits=$((hits + 1))
+      case $kind in
+        TERM) kill -TERM "$pid" 2>/dev/null || true ;;
+        KILL)
+          mapfile -t victim < <(pgrep -P "$pid" || true)
+          ((${#victim[@]} == 0)) || kill -KILL "${victim[RANDOM % ${#victim[@]}]}" 2>/dev/null || true
+          ;;
+      esac
+    fi
+    wait "$pid" || found=$?
+    # mpirun ends with 1 where it is hit itself, so that the last line alone tells a run that came to its end.
+    if tail -n 1 found | grep -q "^s "; then break; fi
+    interrupted=$((interrupted + 1))
+    [[ $name == parts ]] || cmp -n "$(stat -c %s found)" found "$expected" || fail "$kind: $name has printed no beginning of the output"
+    ! grep -q "missing: " error || named=$((named + 1))
+    # mpirun may end before its ranks do
+    until [[ ! -e $checkpoint ]] || flock -n "$checkpoint" true || ((--patience == 0)); do sleep 0.1; done
+  done
+  if [[ $name == parts ]]; then
+    found=0
+    "$slipproof" join out >found || found=$?
+    ((found == expects)) || fail "$kind: what is joined ends with $found"
+  fi
+  cmp found "$expected" || fail "$kind: $name says something else after $run runs that were hit"
+  [[ $name != prove ]] || cmp <(cat statements/*.cert) certificates || fail "$kind: prove writes something else"
+}
+
+declare -A length
+for name in certify parts verify search prove; do
+  declare -n arguments=${name/parts/certify}
+  [[ $name != prove ]] || rm -f statements/*.cert
+  start=$(milliseconds)
+  ranks 2 "${arguments[@]}" --threads 1 >found || true
+  length[$name]=$(($(milliseconds) - start))
+  declare +n arguments
+  hits=0 interrupted=0 named=0
+  for ((i = 0; i < kills; ++i)); do
+    goes_on KILL "$name"
+    ((i % 4)) || goes_on TERM "$name"
+  done
+  echo "$name: $hits hits, $interrupted before the end of a run, $named of these named what was missing"
+done
