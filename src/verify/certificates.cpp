@@ -6,7 +6,9 @@
 #include <optional>
 
 #include "check/files.hpp"
+#include "scatter/bytes.hpp"
 #include "statements/refutation_text.hpp"
+#include "system/sha256.hpp"
 #include "verify/second_checker.hpp"
 #include "verify/verify.hpp"
 
@@ -110,6 +112,18 @@ void find_certificates(const ClaimsFile& file, ClaimResult& claim, Certificates&
   name_certificates(claim, proof);
 }
 
+CheckedCertificate checked_now(const std::filesystem::path& folder, const std::string& name) {
+  const check::FileResult found = check::check_file(folder / (name + ".cert"));
+  CheckedCertificate result{name, found.theorem, found.verdict, found.message};
+  const std::string prefix = folder.string() + "/";
+  if (result.message.starts_with(prefix)) result.message.erase(0, prefix.size());
+  const std::string file = name + ".cert: ";  // which search it was is said already
+  if (result.state == CertificateState::undecided && result.message.starts_with(file)) {
+    result.message.erase(0, file.size());
+  }
+  return result;
+}
+
 }  // namespace
 
 std::filesystem::path certificates_folder(const std::filesystem::path& claims) {
@@ -123,7 +137,47 @@ std::optional<std::string> Certificates::statement(const std::string& name) cons
 const CheckedCertificate& Certificates::check(const std::string& name) {
   const std::scoped_lock lock(mutex_);
   const auto known = checked_.find(name);
-  return known != checked_.end() ? known->second : checked_.emplace(name, checked(name)).first->second;
+  return known != checked_.end() ? known->second : add(checked_now(folder_, name));
+}
+
+const CheckedCertificate& Certificates::add(CheckedCertificate certificate) {
+  if (!second_checker_.empty() && certificate.state == CertificateState::accepted) {
+    ask_second_checker_about(certificate);
+  }
+  std::string name = certificate.name;
+  return checked_.emplace(std::move(name), std::move(certificate)).first->second;
+}
+
+void Certificates::take(std::string_view checked) {
+  const std::scoped_lock lock(mutex_);
+  ByteReader bytes(checked);
+  for (std::uint64_t left = bytes.number(); left > 0; --left) {
+    CheckedCertificate certificate;
+    certificate.name = bytes.text();
+    certificate.theorem = bytes.text();
+    certificate.state = static_cast<CertificateState>(bytes.number());
+    certificate.message = bytes.text();
+    if (!checked_.contains(certificate.name)) add(std::move(certificate));
+  }
+  bytes.end();
+}
+
+std::string Certificates::digest() const {
+  std::map<std::string, std::string> files;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_ / generated, error)) {
+    if (const auto text = bytes_of(entry.path())) files.emplace(entry.path().string(), sha256(*text));
+  }
+  std::string all;
+  for (const auto& [name, digest] : files) all += name + ' ' + digest + '\n';
+  return sha256(all);
+}
+
+std::vector<CheckedCertificate> Certificates::so_far() {
+  const std::scoped_lock lock(mutex_);
+  std::vector<CheckedCertificate> result;
+  for (const auto& [name, certificate] : checked_) result.push_back(certificate);
+  return result;
 }
 
 std::vector<CheckedCertificate> Certificates::all() {
@@ -151,17 +205,20 @@ void Certificates::ask_second_checker_about(CheckedCertificate& certificate) {
   certificate.message = certificate.name + ".cert: " + verdict + " by " + second_checker_;
 }
 
-CheckedCertificate Certificates::checked(const std::string& name) {
-  const check::FileResult found = check::check_file(folder_ / (name + ".cert"));
-  CheckedCertificate result{name, found.theorem, found.verdict, found.message};
-  const std::string prefix = folder_.string() + "/";
-  if (result.message.starts_with(prefix)) result.message.erase(0, prefix.size());
-  const std::string file = name + ".cert: ";  // which search it was is said already
-  if (result.state == CertificateState::undecided && result.message.starts_with(file)) {
-    result.message.erase(0, file.size());
+std::string check_certificates(const ClaimsFile& file, std::size_t claim, Reading reading,
+                               const std::filesystem::path& folder) {
+  Certificates certificates(folder);
+  ClaimResult asked;
+  asked.claim = claim;
+  asked.reading = reading;
+  find_certificates(file, asked, certificates);
+  const std::vector<CheckedCertificate> checked = certificates.so_far();
+  ByteWriter bytes;
+  bytes.number(checked.size());
+  for (const auto& [name, theorem, state, message] : checked) {
+    bytes.text(name).text(theorem).number(static_cast<std::uint64_t>(state)).text(message);
   }
-  if (!second_checker_.empty() && result.state == CertificateState::accepted) ask_second_checker_about(result);
-  return result;
+  return bytes.take();
 }
 
 void find_certificates(const ClaimsFile& file, VerifyResult& result, Certificates& certificates) {

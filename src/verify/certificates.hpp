@@ -47,6 +47,12 @@ class Certificates {
 
   /// Of NAME.statement, there or not.
   const CheckedCertificate& check(const std::string& name);
+  /// What check_certificates() found of some of them counts as checked here.
+  void take(std::string_view checked);
+  /// SHA-256 of all files of the claims' statements and certificates.
+  std::string digest() const;
+  /// Those that are checked.
+  std::vector<CheckedCertificate> so_far();
   /// Those of all statements, in the order of their names.
   std::vector<CheckedCertificate> all();
   /// The bytes of NAME.statement; nothing if there is no such file.
@@ -56,7 +62,7 @@ class Certificates {
   std::optional<SecondChecker> second_checker();
 
  private:
-  CheckedCertificate checked(const std::string& name);
+  const CheckedCertificate& add(CheckedCertificate certificate);
   void ask_second_checker_about(CheckedCertificate& certificate);
 
   std::filesystem::path folder_;
@@ -65,6 +71,11 @@ class Certificates {
   std::mutex mutex_;
   std::map<std::string, CheckedCertificate> checked_;
 };
+
+/// Checks the certificates that find_certificates() asks for of a claim, without a second checker: what a rank does for
+/// Certificates::take() of another.
+std::string check_certificates(const ClaimsFile& file, std::size_t claim, Reading reading,
+                               const std::filesystem::path& folder);
 
 /// Looks for the certificates of every claim of `result`. A claim that holds at every sample and whose statements, the
 /// same bytes as the claims file gives now, all have accepted certificates becomes `proved`, and its certificates are

@@ -23,7 +23,7 @@ std::string_view name(Verdict verdict) {
 namespace {
 
 /// What a rank is asked about a paper.
-enum class VerifyQuestion : std::uint64_t { samples, line, conclusion };
+enum class VerifyQuestion : std::uint64_t { samples, line, conclusion, certificates };
 
 /// A request is about so many samples of a setting: what rank 0 does for a result hardly grows with them.
 std::uint64_t samples_a_piece(std::uint64_t samples) {
@@ -81,6 +81,7 @@ class Verification::Run {
   VerifyResult result(Crew* crew) {
     VerifyResult result{options_.samples, lines_, options_.seed, std::vector<ClaimResult>(tasks_.size())};
     on_threads(options_.threads, [&] {
+      if (options_.certificates) check_certificates(crew);
       sample(crew);
       judge_lines(crew);
       const std::vector<std::string> conclusions = conclude(crew);
@@ -107,6 +108,10 @@ class Verification::Run {
       ByteWriter tally;
       write_tally(tally, judge_line(which, line));
       return tally.take();
+    }
+    if (question == VerifyQuestion::certificates) {
+      const Task& task = tasks_.at(which);
+      return slipproof::check_certificates(file_, task.claim, task.reading, options_.certificates->folder());
     }
     return conclusion_bytes(conclusion(which, read_tally(bytes)));
   }
@@ -168,6 +173,15 @@ class Verification::Run {
       }
     }
     return result;
+  }
+
+  /// A request names what stands in the folder: a run that goes on may find other certificates there.
+  void check_certificates(Crew* crew) {
+    const std::string digest = crew != nullptr ? options_.certificates->digest() : std::string();
+    share(
+        crew, service(), tasks_.size(),
+        [&](std::uint64_t t) { return about(VerifyQuestion::certificates, t).text(digest).take(); },
+        [&](std::uint64_t, const std::string& checked) { options_.certificates->take(checked); });
   }
 
   void sample(Crew* crew) {

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "input/diagnostic.hpp"
@@ -58,6 +59,29 @@ class Folder : public test::TemporaryFolder {
 };
 
 }  // namespace
+
+TEST_CASE("what another rank has checked counts as checked here, until a file changes") {
+  const Folder folder;
+  const ClaimsFile& file = test::shipped_paper();
+  const auto claim =
+      std::find_if(file.claims.begin(), file.claims.end(), [](const Claim& c) { return c.id == "A1.1"; });
+  const std::string checked =
+      check_certificates(file, static_cast<std::size_t>(claim - file.claims.begin()), Reading::printed, folder.path());
+  Certificates here(folder.path());
+  const std::string digest = here.digest();
+  CHECK(digest == Certificates(folder.path()).digest());
+  std::filesystem::remove(folder.certificate("A1.1.always.cert"));
+  CHECK(here.digest() != digest);
+  here.take(checked);
+  for (const char* theorem : {"A1.1.only-then", "A1.1.always", "A1.1.defined"}) {
+    const CheckedCertificate& found = here.check(std::string("certificates/") + theorem);
+    CHECK(found.state == CertificateState::accepted);
+    CHECK(found.theorem == theorem);
+  }
+  CHECK(Certificates(folder.path()).check("certificates/A1.1.always").state == CertificateState::missing);
+  Certificates asking(folder.path(), "/bin/false");  // which is asked about what was checked elsewhere, too
+  CHECK_THROWS_AS(asking.take(checked), InputError);
+}
 
 TEST_CASE("a claim is proved by the certificates of all its statements, and by nothing less") {
   const Folder folder;

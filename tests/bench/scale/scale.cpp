@@ -147,10 +147,13 @@ int scale_verify(const std::string& claims, std::uint64_t samples) {
   const ClaimsFile file = read_claims(claims);
   VerifyOptions options;
   options.samples = samples;
-  Certificates certificates(std::filesystem::path(claims).parent_path());
+  const auto checked_anew = [&] {
+    options.certificates = std::make_shared<Certificates>(std::filesystem::path(claims).parent_path());
+    return std::make_unique<Verification>(file, options);
+  };
   std::vector<std::unique_ptr<Verification>> runs(2);
-  double alone = seconds_of([&] { runs[0] = std::make_unique<Verification>(file, options); });
-  runs[1] = std::make_unique<Verification>(file, options);
+  double alone = seconds_of([&] { runs[0] = checked_anew(); });
+  runs[1] = checked_anew();
   VerifyResult result;
   const auto [works, between] = measured([&](std::string_view request) { return runs[0]->answer(request); },
                                          [&](Crew& crew, std::size_t run) { result = runs[run]->result(&crew); },
@@ -159,19 +162,18 @@ int scale_verify(const std::string& claims, std::uint64_t samples) {
                                            bytes.number();
                                            return bytes.number();
                                          });
-  alone += between + seconds_of([&] { find_certificates(file, result, certificates); });
+  alone += between;
   show(works);
   std::cout << fmt::format("rank 0 alone: {:.2f} s\n\n", alone);
   show_predicted(works, alone);
   std::cout << fmt::format("\n{} times the samples and lines, in pieces of 32 samples\n", larger);
-  std::vector<MeasuredWork> small = works, usual = works;
-  const auto conclusions = works.back();  // do not grow
-  small = grown(small, larger, any_number);
-  small.back() = conclusions;
+  std::vector<MeasuredWork> small = grown(works, larger, any_number), usual = works;
+  for (std::size_t i = works.size() - 2; i < works.size(); ++i)
+    small[i] = works[i];  // claims and certificates: no more
   show_predicted(small, alone);
   std::cout << fmt::format("\n{} times the samples and lines, in at most 16384 pieces\n", larger);
   usual.front() = grown({works.front()}, larger, 16'384).front();
-  if (usual.size() == 3) usual[1] = grown({works[1]}, larger, any_number).front();
+  if (usual.size() == 4) usual[1] = grown({works[1]}, larger, any_number).front();
   show_predicted(usual, alone);
   return 0;
 }
