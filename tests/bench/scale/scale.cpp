@@ -1,5 +1,5 @@
 // What 10, 100 and 10,000 cores would take, from what one takes: scale verify CLAIMS SAMPLES | scale certify FILE
-// SCENE.
+// SCENE [PREFIX of parts].
 #include "scatter/scale.hpp"
 
 #include <fmt/format.h>
@@ -178,13 +178,15 @@ int scale_verify(const std::string& claims, std::uint64_t samples) {
   return 0;
 }
 
-int scale_certify(const std::string& file, const std::string& scene) {
+/// With a prefix in parts, which are written in the time of a request.
+int scale_certify(const std::string& file, const std::string& scene, const std::string& prefix) {
   CertifyOptions options;
   options.file = file;
   options.scene = read_scene(scene);
   const RecordPieces pieces(options);
+  PartWriter part(prefix, 0);
   const auto [works, between] =
-      measured([&](std::string_view request) { return pieces.answer(request); },
+      measured([&](std::string_view request) { return pieces.answer(request, prefix.empty() ? nullptr : &part); },
                [&](Crew& crew, std::size_t) { pieces.certify(crew, [](std::string_view) {}); },
                [](std::string_view request) { return ByteReader(request).number(); });
   show(works);
@@ -198,7 +200,9 @@ int scale_certify(const std::string& file, const std::string& scene) {
 int main(int argc, char** argv) {
   const std::vector<std::string> arguments(argv, argv + argc);
   if (argc == 4 && arguments[1] == "verify") return scale_verify(arguments[2], std::stoull(arguments[3]));
-  if (argc == 4 && arguments[1] == "certify") return scale_certify(arguments[2], arguments[3]);
-  std::cerr << "usage: scale verify CLAIMS SAMPLES | scale certify FILE SCENE\n";
+  if ((argc == 4 || argc == 5) && arguments[1] == "certify") {
+    return scale_certify(arguments[2], arguments[3], argc == 5 ? arguments[4] : "");
+  }
+  std::cerr << "usage: scale verify CLAIMS SAMPLES | scale certify FILE SCENE [PREFIX]\n";
   return 2;
 }
