@@ -3,9 +3,12 @@
 #include <string>
 
 #include "cli/command.hpp"
+#include "cli/png.hpp"
 #include "cli/warnings.hpp"
 #include "input/diagnostic.hpp"
 #include "input/text_file.hpp"
+#include "output/output_file.hpp"
+#include "picture/uniqueness_svg.hpp"
 #include "uniqueness/scene_setting.hpp"
 #include "wording/uniqueness_report.hpp"
 
@@ -15,15 +18,27 @@ namespace {
 
 struct CriticalArguments {
   CommonOptions common;
-  std::string scene, x;
+  std::string scene, x, out;
   int digits = 6;
 };
+
+void expect_drawing_name(const std::string& out) {
+  if (out.empty() || out.ends_with(".svg") || out.ends_with(".png")) return;
+  throw CLI::ValidationError("--out", "found " + in_quotes(out) + ", expected a name that ends in .svg or .png");
+}
+
+void draw(const CriticalArguments& arguments, const MechanismScene& scene, const UniquenessAlong& along) {
+  const OutputFile out(arguments.out, {arguments.scene, scene.mechanism.file});
+  const std::string svg = uniqueness_svg(uniqueness_diagram(scene, along), along);
+  out.write(arguments.out.ends_with(".png") ? png_of(svg) : svg);
+}
 
 std::string critical_text(const CriticalArguments& arguments) {
   const MechanismScene scene = parse_any_scene(read_text_file(arguments.scene), arguments.scene);
   print_warnings(scene.mechanism, arguments.common);
   try {
     const UniquenessAlong along = uniqueness_along(scene, arguments.x.empty() ? usual_parameter(scene) : arguments.x);
+    if (!arguments.out.empty()) draw(arguments, scene, along);
     return arguments.common.json ? uniqueness_json(scene, along) : uniqueness_text(scene, along, arguments.digits);
   } catch (const std::invalid_argument& error) {
     throw InputError({{arguments.scene, 0, 0, error.what()}});
@@ -45,8 +60,10 @@ void add_critical(CLI::App& app, int& exit_code) {
   command.add_option("--digits", options->digits, "Significant digits of decimals")
       ->check(whole_number(1, 1000))
       ->capture_default_str();
+  command.add_option("-o,--out", options->out, "Also draw it, over the parameter and the load: a file .svg or .png");
   add_common_options(command, options->common);
   command.callback([options, &exit_code] {
+    expect_drawing_name(options->out);
     const std::string text = critical_text(*options);
     print(options->common.quiet && !options->common.json ? last_line(text) : text);
     exit_code = as_it_should_be;

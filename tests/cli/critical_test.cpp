@@ -29,3 +29,19 @@ TEST_CASE("critical refuses what it cannot vary") {
   CHECK(wrong.err.find("mu_wall") != std::string::npos);
   CHECK(run({"critical", "nowhere.toml"}).exit_code == 3);
 }
+
+TEST_CASE("critical draws what it tells over the parameter and the load") {
+  const std::string scene = SLIPPROOF_SOURCE_DIR "/cases/ambiguous.toml";
+  const slipproof::test::TemporaryFolder folder;
+  const auto drawn = [&](const std::string& from) {
+    const std::string file = (folder.path() / "critical.svg").string();
+    CHECK(run({"critical", from, "--quiet", "-o", file}).exit_code == 0);
+    return slipproof::test::read_file(file);
+  };
+  const std::string several = drawn(scene);
+  CHECK(several.find("f = 21/25") != std::string::npos);
+  CHECK(several.find("several motions") != std::string::npos);
+  CHECK(several.find("no motion") == std::string::npos);
+  CHECK(drawn(SLIPPROOF_SOURCE_DIR "/cases/mechanisms/scenes/ladder.toml").find("no motion") == std::string::npos);
+  CHECK(run({"critical", scene, "-o", "critical.txt"}).err.find(".svg") != std::string::npos);
+}
