@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <string>
 
 #include "html/sections.hpp"
@@ -9,8 +10,10 @@ namespace slipproof {
 
 namespace {
 
-/// The part of the paper that a claim is in, by its id.
-std::string part_of(const Claim& claim) {
+/// The part of the paper that a claim is in: by the paper's headings, or by its id where there are none.
+std::string part_of(const Paper& paper, const Claim& claim) {
+  const auto next = paper.headings.upper_bound(claim.line);
+  if (next != paper.headings.begin()) return std::prev(next)->second;
   std::size_t end = 1;
   while (end < claim.id.size() && std::isdigit(static_cast<unsigned char>(claim.id[end])) != 0) ++end;
   const std::string number = claim.id.substr(1, end - 1);
@@ -49,7 +52,7 @@ void add_claims_section(const Element& main, const PageInput& input) {
   for (const ClaimResult& result : input.result->claims) {
     if (result.claim == last) continue;
     last = result.claim;
-    const std::string here = part_of(input.claims->claims[result.claim]);
+    const std::string here = part_of(input.claims->paper, input.claims->claims[result.claim]);
     if (here != part) section.add("h3").text(here);
     part = here;
     add_claim_card(section, input, result.claim);
