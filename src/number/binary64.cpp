@@ -69,9 +69,7 @@ Rational to_rational(double x) {
   give_back_flint_memory_at_end();
   int exponent = 0;
   const Integer significand = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &exponent), digits));
-  exponent -= digits;
-  if (exponent >= 0) return significand << static_cast<std::size_t>(exponent);
-  return Rational(significand, Integer(1) << static_cast<std::size_t>(-exponent));
+  return times_power_of_two(significand, exponent - digits);
 }
 
 double nearest_binary64(const Rational& x) {

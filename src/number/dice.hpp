@@ -55,9 +55,4 @@ class Dice {
   Twister engine_;
 };
 
-inline Rational power_of_two(int exponent) {
-  const Integer power = Integer(1) << static_cast<unsigned>(exponent < 0 ? -exponent : exponent);
-  return exponent < 0 ? Rational(Integer(1), power) : Rational(power);
-}
-
 }  // namespace slipproof

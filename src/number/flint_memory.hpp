@@ -5,18 +5,12 @@
 
 namespace slipproof {
 
-/// Gives back what this thread has of it, at the latest where the thread ends.
-class FlintMemory {
- public:
-  FlintMemory() = default;
-  FlintMemory(const FlintMemory&) = delete;
-  FlintMemory& operator=(const FlintMemory&) = delete;
-  ~FlintMemory() { flint_cleanup(); }
-};
-
-/// For where numbers come into being: whatever thread this is, it gives its memory back when it ends.
+/// For where a thread begins, or numbers come into being in one of whoever calls: it gives its memory back when it ends.
 inline void give_back_flint_memory_at_end() {
-  [[maybe_unused]] thread_local const FlintMemory at_end;
+  struct Memory {
+    ~Memory() { flint_cleanup(); }
+  };
+  [[maybe_unused]] thread_local const Memory at_end;
 }
 
 }  // namespace slipproof

@@ -67,10 +67,7 @@ class NumberReader {
     const bool has_exponent = peek() == 'p' || peek() == 'P';
     const int exponent = has_exponent ? read_exponent(max_binary_exponent) : 0;
     if (peek() == '/') refuse_fraction();
-    const Integer digits(significand.digits, 16);
-    const int scale = exponent - 4 * significand.fraction_digits;
-    const Integer power = Integer(1) << static_cast<unsigned>(std::abs(scale));
-    return scale < 0 ? Rational(digits, power) : Rational(digits * power);
+    return times_power_of_two(Integer(significand.digits, 16), exponent - 4 * significand.fraction_digits);
   }
 
   Rational read_fraction(const Significand& numerator) {

@@ -28,6 +28,15 @@ double Rational::to_double() const {
   return mpq_get_d(x.get());
 }
 
+Rational times_power_of_two(Integer x, long exponent) {
+  if (exponent >= 0) return Rational(std::move(x) << static_cast<std::size_t>(exponent));
+  return Rational(std::move(x), Integer(1) << static_cast<std::size_t>(-exponent));
+}
+
+Rational power_of_two(long exponent) {
+  return times_power_of_two(1, exponent);
+}
+
 Rational abs(Rational x) {
   return x.sign() < 0 ? -std::move(x) : x;
 }

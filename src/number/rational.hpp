@@ -22,8 +22,8 @@ class Rational {
   Rational(T x) : numerator_(x) {}                   // NOLINT: integers are rational
   Rational(Integer x) : numerator_(std::move(x)) {}  // NOLINT: so are these
   Rational(Integer dividend, Integer divisor);
-  /// From digits, or digits / digits, with - before those of a negative one. Throws std::invalid_argument for another
-  /// text and std::overflow_error for a divisor 0.
+  /// What str() gave, of any length. Throws std::invalid_argument for another text and std::overflow_error for a divisor
+  /// 0. What people write is for parse_rational().
   explicit Rational(const std::string& text);
   /// FLINT's and GMP's, in lowest terms.
   explicit Rational(const fmpq_t x) : numerator_(&x->num), denominator_(&x->den) {}
@@ -121,6 +121,9 @@ inline Integer numerator(Rational&& x) {
 inline Integer denominator(Rational&& x) {
   return std::move(x.denominator_);
 }
+/// x 2^exponent.
+Rational times_power_of_two(Integer x, long exponent);
+Rational power_of_two(long exponent);
 Rational abs(Rational x);
 /// Throws std::overflow_error for 0 to a negative exponent.
 Rational pow(const Rational& base, long exponent);

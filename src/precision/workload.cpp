@@ -23,10 +23,6 @@ class SceneDraw {
   }
   bool coin() { return engine_() >> 63 != 0; }
   Rational sign() { return coin() ? 1 : -1; }
-  static Rational power_of_two(int e) {
-    const Rational p(Integer(1) << static_cast<unsigned>(std::abs(e)));
-    return e < 0 ? Rational(1 / p) : p;
-  }
   /// x times 1 + 2^-bits, or 1 - 2^-bits.
   Rational beside(const Rational& x, int bits) { return x * (1 + sign() * power_of_two(-bits)); }
 
@@ -113,7 +109,7 @@ Rational no_xi4_denominator(const ForcedScene<Rational>& s) {
 
 ForcedScene<Rational> scaled_inertias(SceneDraw& draw) {
   ForcedScene<Rational> s = draw.bicycle();
-  const Rational factor = SceneDraw::power_of_two(draw.integer(-996, 996));  // 10^-300 ... 10^300
+  const Rational factor = power_of_two(draw.integer(-996, 996));  // 10^-300 ... 10^300
   for (Rational* inertia : {&s.bicycle.I1, &s.bicycle.I2, &s.bicycle.I3}) *inertia *= factor;
   return s;
 }
@@ -134,7 +130,7 @@ Workloads::Workloads(std::size_t count, std::uint64_t seed) : count_(count), see
   const auto with_friction_times = [](int sign) {
     return [sign](SceneDraw& draw) {
       ForcedScene<Rational> s = draw.bicycle();
-      s.road.f *= SceneDraw::power_of_two(sign * draw.integer(10, 300));
+      s.road.f *= power_of_two(sign * draw.integer(10, 300));
       return s;
     };
   };

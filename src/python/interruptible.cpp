@@ -130,7 +130,7 @@ void wait_for(const std::shared_ptr<Call>& call, std::function<void()> work, con
   const std::uint64_t since = interrupts();
   running().add(call);
   std::thread worker([call, work = std::move(work)]() mutable {
-    const FlintMemory memory;  // of what the work computes with
+    give_back_flint_memory_at_end();  // of what the work computes with
     std::exception_ptr error;
     try {
       const StopScope scope(call->stop.get_token());

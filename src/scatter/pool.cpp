@@ -78,7 +78,7 @@ std::optional<Reply> Pool::answer(std::chrono::milliseconds patience) {
 }
 
 void Pool::work(const std::stop_token& stop) {
-  const FlintMemory memory;  // of what the service computes with
+  give_back_flint_memory_at_end();  // of what the service computes with
   const StopScope scope(stop);
   while (true) {
     std::unique_lock lock(mutex_);

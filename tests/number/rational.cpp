@@ -161,6 +161,9 @@ TEST_CASE("what is not a number, or has none as its value, is refused") {
   CHECK_THROWS_AS(Rational("1/"), std::invalid_argument);
   CHECK_THROWS_AS(Rational("1/2/3"), std::invalid_argument);
   CHECK_THROWS_AS(Rational("1/0"), std::overflow_error);
+  CHECK(times_power_of_two(3, -5) == Rational(3, 32));
+  CHECK(times_power_of_two(12, -3) == Rational(3, 2));
+  CHECK(times_power_of_two(-3, 70) == -3 * pow(Rational(2), 70));
   CHECK_THROWS_AS(Rational(1, 0), std::overflow_error);
   CHECK_THROWS_AS(Rational(1) / 0, std::overflow_error);
   CHECK_THROWS_AS(Integer(1) / 0, std::overflow_error);
