@@ -5,7 +5,8 @@
 
 namespace slipproof {
 
-/// For where a thread begins, or numbers come into being in one of whoever calls: it gives its memory back when it ends.
+/// For where a thread begins, or numbers come into being in one of whoever calls: it gives its memory back when it
+/// ends.
 inline void give_back_flint_memory_at_end() {
   struct Memory {
     ~Memory() { flint_cleanup(); }
