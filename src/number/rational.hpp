@@ -22,8 +22,8 @@ class Rational {
   Rational(T x) : numerator_(x) {}                   // NOLINT: integers are rational
   Rational(Integer x) : numerator_(std::move(x)) {}  // NOLINT: so are these
   Rational(Integer dividend, Integer divisor);
-  /// What str() gave, of any length. Throws std::invalid_argument for another text and std::overflow_error for a divisor
-  /// 0. What people write is for parse_rational().
+  /// What str() gave, of any length. Throws std::invalid_argument for another text and std::overflow_error for a
+  /// divisor 0. What people write is for parse_rational().
   explicit Rational(const std::string& text);
   /// FLINT's and GMP's, in lowest terms.
   explicit Rational(const fmpq_t x) : numerator_(&x->num), denominator_(&x->den) {}
