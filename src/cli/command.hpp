@@ -62,6 +62,7 @@ std::filesystem::path claims_path(const std::string& argument);
 void add_solve(CLI::App& app, int& exit_code);
 void add_show(CLI::App& app, int& exit_code);
 void add_critical(CLI::App& app, int& exit_code);
+void add_simulate(CLI::App& app, int& exit_code);
 void add_search(CLI::App& app, int& exit_code, Transport& transport);
 void add_trade(CLI::App& app, int& exit_code, Transport& transport);
 void add_check(CLI::App& app, int& exit_code);

@@ -52,6 +52,7 @@ int run(int argc, char** argv, Transport& transport) {
   add_show(app, exit_code);
   add_search(app, exit_code, transport);
   add_critical(app, exit_code);
+  add_simulate(app, exit_code);
   add_certify(app, exit_code, transport);
   add_join(app, exit_code);
   add_trade(app, exit_code, transport);
