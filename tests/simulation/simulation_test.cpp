@@ -104,7 +104,7 @@ TEST_CASE("without a load all stays at rest, to the last digits") {
 TEST_CASE(
     "contacts never make energy: a block thrown up and along loses it, and keeps it where nothing rubs or damps") {
   for (const double damping : {0.0, 0.3}) {
-    for (const Rational mu : {Rational(0), Rational(1) / 2}) {
+    for (const Rational& mu : {Rational(0), Rational(1) / 2}) {
       CAPTURE(damping);
       CAPTURE(mu.str());
       // The push that throws it ends: what rises is its going away.
