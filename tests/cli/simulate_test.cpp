@@ -33,7 +33,7 @@ TEST_CASE("simulate says what it is, and which motions its runs come to, as text
 }
 
 TEST_CASE("simulate takes a load, and refuses what it cannot simulate") {
-  const auto other = run({"simulate", simulated_scene, "--load", "16/5", "--rise", "0", "--damping", "0.5"});
+  const auto other = run({"simulate", simulated_scene, "--load", "16/5", "--rise", "100", "--damping", "0.5"});
   CHECK(last_line(other.out) == "s SIMULATED 3 runs: stick/stick 3\n");
   CHECK(run({"simulate", simulated_scene, "--load", "much"}).exit_code == 2);
   CHECK(run({"simulate", simulated_scene, "--damping", "-1"}).exit_code == 2);

@@ -165,10 +165,10 @@ TEST_CASE("of three motions the one with a negative determinant is never seen; h
   CHECK(modes_seen(100) == std::vector<std::string>(3, "stick/stick"));
 }
 
-TEST_CASE("beside the forces of several motions there is one, and it is seen") {
-  for (const auto& [force, mode] : {std::pair{"3.2", "stick/stick"}, {"3.35", "stick/lift"}, {"-30", "lift/slip-"}}) {
+TEST_CASE("beside the forces of several motions there is one, and a load that comes slowly shows it") {
+  for (const auto& [force, mode] : {std::pair{"3.2", "stick/stick"}, {"3.35", "stick/lift"}, {"-30", "lift/stick"}}) {
     CAPTURE(force);
-    const auto simulation = simulate(loaded_contacts(ambiguous(force)), kinds_of_contacts(0));
+    const auto simulation = simulate(loaded_contacts(ambiguous(force)), kinds_of_contacts(100));
     REQUIRE(simulation.exact.one());
     for (const SimulatedRun& run : simulation.runs) CHECK(run.seen.back().motion == 0);
     CHECK(name(simulation.exact.solutions[0].modes.front()) == mode);
