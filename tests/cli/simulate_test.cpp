@@ -37,7 +37,7 @@ TEST_CASE("simulate takes a load, and refuses what it cannot simulate") {
   CHECK(last_line(other.out) == "s SIMULATED 3 runs: stick/stick 3\n");
   CHECK(run({"simulate", simulated_scene, "--load", "much"}).exit_code == 2);
   CHECK(run({"simulate", simulated_scene, "--damping", "-1"}).exit_code == 2);
-  const auto without = run({"simulate", SLIPPROOF_SOURCE_DIR "/cases/city-bicycle.toml"});
+  const auto without = run({"simulate", SLIPPROOF_SOURCE_DIR "/cases/short-and-tall/mini-bike.toml"});
   CHECK(without.exit_code == 3);
   CHECK(without.err.find("found no value of the load F, expected one") != std::string::npos);
   const auto sliding = run({"simulate", SLIPPROOF_SOURCE_DIR "/cases/mechanisms/scenes/painleve-rod.toml"});
