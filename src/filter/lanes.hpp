@@ -131,6 +131,19 @@ struct CommonBounds {
   Conditions conditions(std::size_t mode) const { return Conditions(shared.modes[mode].conditions); }
 };
 
+/// judge<index>() for each mode that is modelled.
+template <class Judge>
+inline void each_modelled(bool detachment, const Judge& judge) {
+  [&]<std::size_t... index>(std::index_sequence<index...>) {
+    (
+        [&] {
+          if (all_modes()[index].on_road() || detachment) judge.template operator()<index>();
+        }(),
+        ...);
+  }
+  (std::make_index_sequence<16>());
+}
+
 /// decide_modes() for every lane, without a branch on a value: negative where any mode is undecided, else the modes
 /// that are consistent, bit i for the mode with index i. What is sure is told by sign bits, those of differences:
 /// nothing may be NaN.
@@ -159,14 +172,7 @@ inline BitsOf<V> decide_lanes(const ReducedDynamics<typename Bounds::N, typename
     modes |= std::int64_t{1} << index;
     fail |= reinterpret_cast<Bits>(Words(reinterpret_cast<Words>(conditions.fails()) >> 63 << index));
   };
-  [&]<std::size_t... index>(std::index_sequence<index...>) {
-    (
-        [&] {
-          if (all_modes()[index].on_road() || detachment) judge.template operator()<index>();
-        }(),
-        ...);
-  }
-  (std::make_index_sequence<16>());
+  each_modelled(detachment, judge);
   return (modes & ~fail) | (~decided & sign_bit<V>());
 }
 

@@ -33,12 +33,6 @@ Frequencies frequencies(const RowMatrix& W, const Eigen::VectorXd& stiffness) {
   return {std::sqrt(slowest), std::sqrt(fastest)};
 }
 
-std::vector<double> rounded(const std::vector<Rational>& numbers) {
-  std::vector<double> result;
-  for (const Rational& x : numbers) result.push_back(x.to_double());
-  return result;
-}
-
 /// Normal stiffness 1, tangential stiffness r.
 Eigen::VectorXd stiffnesses(std::size_t n, double ratio) {
   Eigen::VectorXd stiffness(static_cast<Eigen::Index>(n));
@@ -59,7 +53,8 @@ CompliantMotion::CompliantMotion(const LoadedContacts& contacts, const Complianc
       forces_(n_),
       mode_(mu_.size()) {
   for (const auto& row : contacts.problem.W) {
-    for (const Rational& entry : row) W_.push_back(entry.to_double());
+    const std::vector<double> entries = rounded(row);
+    W_.insert(W_.end(), entries.begin(), entries.end());
   }
   for (std::size_t i = 0; i < n_; ++i) push_[i] -= rest_[i];
   for (std::size_t i = 0; i < n_; i += 2) {

@@ -44,6 +44,12 @@ ContactProblem contacts_of(const FrictionProblem& problem) {
 
 }  // namespace
 
+std::vector<double> rounded(const std::vector<Rational>& numbers) {
+  std::vector<double> result;
+  for (const Rational& x : numbers) result.push_back(x.to_double());
+  return result;
+}
+
 LoadedContacts loaded_contacts(const MechanismScene& scene) {
   const FrictionProblem problem = friction_problem(scene.mechanism, scene.values);
   if (!problem.has_load) {

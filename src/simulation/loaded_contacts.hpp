@@ -16,4 +16,7 @@ struct LoadedContacts {
 /// coefficient of friction each, whose Delassus matrix is symmetric; NoValue where a coefficient has no value.
 LoadedContacts loaded_contacts(const MechanismScene& scene);
 
+/// As the simulation has them: in binary64.
+std::vector<double> rounded(const std::vector<Rational>& numbers);
+
 }  // namespace slipproof

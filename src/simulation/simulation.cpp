@@ -17,12 +17,6 @@ double distance(const std::vector<double>& x, const std::vector<double>& y) {
   return std::sqrt(sum);
 }
 
-std::vector<double> binary64s(const std::vector<Rational>& numbers) {
-  std::vector<double> result;
-  for (const Rational& x : numbers) result.push_back(x.to_double());
-  return result;
-}
-
 /// How many steps were in which mode.
 class ModeCounts {
  public:
@@ -79,9 +73,9 @@ SimulatedRun run(const LoadedContacts& contacts, const ContactSolutions& exact, 
 std::optional<std::size_t> motion_close_to(const std::vector<double>& accelerations, const ContactProblem& problem,
                                            const ContactSolutions& exact) {
   std::vector<std::vector<double>> motions;
-  for (const ContactSolution& solution : exact.solutions) motions.push_back(binary64s(solution.w));
+  for (const ContactSolution& solution : exact.solutions) motions.push_back(rounded(solution.w));
   for (std::size_t i = 0; i < motions.size(); ++i) {
-    double scale = distance(binary64s(problem.q), std::vector<double>(problem.size()));
+    double scale = distance(rounded(problem.q), std::vector<double>(problem.size()));
     for (std::size_t j = 0; j < motions.size(); ++j) {
       if (j != i) scale = std::min(scale, distance(motions[i], motions[j]));
     }

@@ -128,14 +128,7 @@ BitsOf<V> plain_lanes(const ReducedDynamics<PlainLanes<V>, PlainLanes<V>>& dynam
     modes |= std::uint64_t{1} << index;
     fail |= reinterpret_cast<Words>(bits(V(1e-12 + least))) >> 63 << index;
   };
-  [&]<std::size_t... index>(std::index_sequence<index...>) {
-    (
-        [&] {
-          if (all_modes()[index].on_road() || detachment) judge.template operator()<index>();
-        }(),
-        ...);
-  }
-  (std::make_index_sequence<16>());
+  each_modelled(detachment, judge);
   return reinterpret_cast<BitsOf<V>>(Words(modes & ~fail));
 }
 
