@@ -110,6 +110,19 @@ struct Cover {
   }
 };
 
+/// Each of the forces is one of those that one of the claims states: its region and its forces are true.
+struct ForceCover {
+  static constexpr std::string_view name = "force-cover";
+  References claims;
+  Expression forces = make_truth(true);
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("claims", self.claims, Need::required);
+    visit("forces", self.forces, Need::optional);
+  }
+};
+
 /// `forces` and `holds` are true of the same forces.
 struct Equivalence {
   static constexpr std::string_view name = "equivalence";
@@ -181,8 +194,8 @@ struct System : LinearEquations {
 };
 
 /// In the order in which messages list them.
-using ClaimKind = std::variant<Interval, Impossible, Formula, Motions, Unique, Cover, Equivalence, Limit, Exists,
-                               Consequence, System>;
+using ClaimKind = std::variant<Interval, Impossible, Formula, Motions, Unique, Cover, ForceCover, Equivalence, Limit,
+                               Exists, Consequence, System>;
 
 /// The parts of a claim that are conditions or equations about parameters, forces and motions.
 enum class BodyPart : std::uint8_t { region, forces, holds, equations, assume };

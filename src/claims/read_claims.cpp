@@ -200,7 +200,8 @@ class ClaimsReader {
       using Field = std::decay_t<decltype(field)>;
       if constexpr (std::is_same_v<Field, References>) {
         references_.push_back({context_.file.claims.size(), reading, key, table.strings(key)});
-        if (key == "claims" && claim.is<Cover>()) refuse_empty(table, key, "at least one claim");
+        if (key == "claims" && (claim.is<Cover>() || claim.is<ForceCover>()))
+          refuse_empty(table, key, "at least one claim");
       } else if constexpr (std::is_same_v<Field, Equations>) {
         read_equations(table, key, claim.setting, field);
         if (key == "equations") refuse_empty(table, key, "at least one equation");
@@ -341,6 +342,7 @@ class ClaimsReader {
     if (has_equations(claim)) return has_equations(other) ? "" : "consequence or system";
     if (key == "except") return other.is<Motions>() ? "" : "motions";
     if (claim.is<Unique>()) return other.is<Interval>() ? "" : "interval";
+    if (claim.is<ForceCover>()) return other.is<Interval>() || other.is<Motions>() ? "" : "interval or motions";
     return other.is<Interval>() || other.is<Impossible>() ? "" : "interval or impossible";
   }
 

@@ -141,6 +141,12 @@ struct FormalText {
     add_claims(p, input, c.claims);
   }
 
+  void operator()(const ForceCover& c) const {
+    add_where(p, region, c.forces);
+    p.text("each force is one of those that are stated by one of ");
+    add_claims(p, input, c.claims);
+  }
+
   void operator()(const Exists& c) const {
     add_where(p, region, c.forces);
     p.text("somewhere there is a motion in ");

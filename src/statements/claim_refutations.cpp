@@ -65,6 +65,10 @@ void refute(ClaimWriter& writer, const Cover& claim) {
   writer.somewhere(suffix, truths, {});
 }
 
+void refute(ClaimWriter& writer, const ForceCover& claim) {
+  writer.somewhere(suffix, {writer.body().region, claim.forces, opposite(writer.in_one_of(claim.claims, true))}, {});
+}
+
 /// A motion in none of the modes; gives up where they are all modes there are. Strict motions are in one mode only; a
 /// boundary motion may be in one that is listed, too, so that the conditions of these have to fail.
 void refute(ClaimWriter& writer, const Motions& claim) {

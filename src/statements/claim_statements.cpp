@@ -47,13 +47,12 @@ void write(ClaimWriter& writer, const Formula& claim) {
 }
 
 void write(ClaimWriter& writer, const Cover& claim) {
-  Expression regions;
-  for (const std::size_t other : claim.claims) {
-    const Expression& region = writer.claims().claims[other].body(writer.reading()).region;
-    regions = regions ? make(Operation::logical_or, {regions, region}) : region;
-  }
-  writer.implied({"", {{"region", writer.body().region}}, {}, false}, regions);
+  writer.implied({"", {{"region", writer.body().region}}, {}, false}, writer.in_one_of(claim.claims, false));
   writer.have_values(".defined", writer.body().region, make_truth(true));
+}
+
+void write(ClaimWriter& writer, const ForceCover& claim) {
+  implied_of_each(writer, {}, claim.forces, writer.in_one_of(claim.claims, true));
 }
 
 void write(ClaimWriter& writer, const Motions& claim) {

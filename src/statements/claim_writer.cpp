@@ -194,6 +194,17 @@ std::string ClaimWriter::hint(const Boundary& boundary) const {
   return value ? fmt::format("# split: {} - ({})\n", boundary.symbol, *value) : std::string();
 }
 
+Expression ClaimWriter::in_one_of(const References& others, bool stated) const {
+  Expression result;
+  for (const std::size_t other : others) {
+    const ClaimBody& body = claims_.claims[other].body(reading());
+    const auto forces = parts(body, BodyPart::forces);
+    const Expression here = stated && !forces.empty() ? both(body.region, *forces.front()) : body.region;
+    result = result ? make(Operation::logical_or, {result, here}) : here;
+  }
+  return result;
+}
+
 std::string ClaimWriter::hints_to_numbers() const {
   std::string result;
   for (const Boundary& boundary : setting().boundaries) {

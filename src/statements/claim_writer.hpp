@@ -56,6 +56,8 @@ class ClaimWriter : public SettingWriter {
   /// Between the boundaries of the setting that `regions` name, all of one parameter, in the order in which the setting
   /// lists them; a boundary belongs to the cell above it. Whatever their order, every value lies in one.
   std::vector<Expression> cells(const std::vector<Expression>& regions) const;
+  /// In the region of one of the claims; with `stated`, one of the forces that it states there.
+  Expression in_one_of(const References& others, bool stated) const;
   /// Hints to split at the boundaries that are numbers.
   std::string hints_to_numbers() const;
   /// Some parameters, force and motion with all of `truths`.

@@ -73,6 +73,7 @@ class ClaimJudge {
   Judgement of(const Motions& claim);
   Judgement of(const Unique& claim);
   Judgement of(const Cover& claim);
+  Judgement of(const ForceCover& claim);
   Judgement of(const Equivalence& claim);
   Judgement of(const Limit& claim);
   Judgement of(const Exists& claim);

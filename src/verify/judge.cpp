@@ -254,6 +254,32 @@ Judgement ClaimJudge::of(const Cover& claim) {
   return j;
 }
 
+Judgement ClaimJudge::of(const ForceCover& claim) {
+  const auto where = sample_.true_at(programs_.forces);
+  Intervals rest = where.parts, unsure;  // where nothing is stated, and where something may be
+  for (const std::size_t other : claim.claims) {
+    const CompiledBody& programs = compiled_.claims[other].body(reading_);
+    const Truth inside = sample_.region(programs.region);
+    if (inside == Truth::no) continue;
+    const auto stated = sample_.true_at(programs.forces);
+    if (no_value(inside)) {
+      unsure.insert(unsure.end(), stated.parts.begin(), stated.parts.end());
+    } else {
+      for (const ForceInterval& part : stated.parts) rest = difference(rest, part);
+    }
+    unsure.insert(unsure.end(), stated.unvalued.begin(), stated.unvalued.end());
+  }
+  Intervals bare = rest;
+  for (const ForceInterval& part : unsure) bare = difference(bare, part);
+  if (!bare.empty()) {
+    Judgement j = refuted(Reason::uncovered);
+    j.witnesses = std::move(bare.front());
+    return j;
+  }
+  if (!rest.empty() || !where.valued()) return undecided();
+  return where.parts.empty() ? Judgement{} : holds();
+}
+
 Judgement judge(const ClaimsFile& file, const CompiledClaims& compiled, std::size_t claim, Reading reading,
                 SolvedSample& sample) {
   return ClaimJudge(file, compiled, claim, reading, sample).judge();

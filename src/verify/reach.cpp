@@ -38,10 +38,11 @@ std::vector<ForceInterval> reach(const ClaimsFile& file, const CompiledClaims& c
   };
   return std::visit(Cases{[&](const Formula& f) { return some(f.modes.size() == 1 ? f.modes : Modes{}); },
                           [&](const Exists& e) { return some(e.modes); }, [&](const Impossible&) { return some({}); },
-                          [&](const Motions&) { return some({}); }, [&](const Unique&) { return some({}); },
-                          [&](const Interval&) { return all(); }, [&](const Cover&) { return all(); },
-                          [&](const Equivalence&) { return all(); }, [&](const Limit&) { return all(); },
-                          [&](const Consequence&) { return all(); }, [&](const System&) { return all(); }},
+                          [&](const ForceCover&) { return some({}); }, [&](const Motions&) { return some({}); },
+                          [&](const Unique&) { return some({}); }, [&](const Interval&) { return all(); },
+                          [&](const Cover&) { return all(); }, [&](const Equivalence&) { return all(); },
+                          [&](const Limit&) { return all(); }, [&](const Consequence&) { return all(); },
+                          [&](const System&) { return all(); }},
                     c.printed.says);
 }
 

@@ -27,6 +27,7 @@ bool is_vacuous(const ClaimsFile& file, std::size_t claim, Reading reading, Lemm
                           [&](const Impossible& one) { return no_force(one.forces); },
                           [&](const Motions& one) { return no_force(one.forces); },
                           [&](const Unique& one) { return no_force(one.forces); },
+                          [&](const ForceCover& one) { return no_force(one.forces); },
                           [&](const Formula& one) {
                             if (one.modes.empty()) return no_force(one.forces);
                             return std::all_of(one.modes.begin(), one.modes.end(), [&](const MechanismMode& mode) {

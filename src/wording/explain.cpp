@@ -126,6 +126,9 @@ class Explanation {
     return fmt::format("{} is {}", which, exact_text(value));
   }
   std::string uncovered() const {
+    if (std::holds_alternative<ForceCover>(body_.says)) {
+      return fmt::format("none of the claims that it names states what happens {}", for_forces(F_, *j_.witnesses));
+    }
     const std::string none = fmt::format("no case of the claim covers this {}", noun(setting_));
     if (!j_.mode) return none;
     if (j_.real && !j_.real->empty()) {
@@ -181,7 +184,7 @@ std::string explain(const ClaimsFile& file, const ClaimResult& result) {
 }
 
 bool is_about_motions(const Claim& claim) {
-  return !modes(claim.printed.says).empty() || claim.is<Unique>() || claim.is<Cover>();
+  return !modes(claim.printed.says).empty() || claim.is<Unique>() || claim.is<Cover>() || claim.is<ForceCover>();
 }
 
 std::vector<std::pair<std::string, Rational>> place_of(const ClaimsFile& file, const ClaimResult& result,

@@ -115,6 +115,29 @@ TEST_CASE("1: a cover is about its own region") {
         Verdict::refuted);
 }
 
+TEST_CASE("forces are covered by what claims state, in their regions, and an end that none has is missed") {
+  const auto interval = [](const char* id, const std::string& forces, const std::string& region = "true") {
+    return "[[claim]]\nid = \"" + std::string(id) + "\"\nkind = \"interval\"\nmode = \"stick/stick\"\nregion = \"" +
+           region + "\"\nforces = \"" + forces + "\"\n";
+  };
+  const std::string cover = claim("kind = \"force-cover\"\nclaims = [\"i\", \"j\"]\nforces = \"F*sigma > 1\"");
+  const OwnClaims whole{interval("i", "F*sigma < 2") + interval("j", "F*sigma >= 2") + cover};
+  CHECK(verdict(whole).verdict == Verdict::holds);
+  CHECK(proved(whole));
+  const OwnClaims end_missing{interval("i", "F*sigma < 2") + interval("j", "F*sigma > 2") + cover};
+  CHECK(verdict(end_missing).verdict == Verdict::refuted);
+  CHECK(disproved(end_missing));
+  const OwnClaims elsewhere{interval("i", "F*sigma < 2") + interval("j", "F*sigma >= 2", "b > b0") + cover};
+  CHECK(verdict(elsewhere).verdict == Verdict::refuted);
+  const OwnClaims no_value{interval("i", "F*sigma < 2") + interval("j", "1/(b - b) > 0 or F*sigma > 3") + cover};
+  CHECK(verdict(no_value).verdict == Verdict::undecided);
+  CHECK(mistakes({claim("kind = \"force-cover\"\nclaims = []")}).find("expected at least one claim") !=
+        std::string::npos);
+  CHECK(mistakes({interval("i", "F > 0") + claim("kind = \"formula\"\nholds = \"b > 0\"") +
+                  "[[claim]]\nid = \"d\"\nkind = \"force-cover\"\nclaims = [\"c\"]\n"})
+            .find("expected a claim of kind interval or motions in the same setting") != std::string::npos);
+}
+
 TEST_CASE("2: at a border the same motion in a second mode is no other motion, whatever is expected") {
   for (const char* expect : {"holds", "refuted"}) {
     const OwnClaims own{

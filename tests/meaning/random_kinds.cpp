@@ -14,6 +14,7 @@ void RandomKinds::add(const std::string& kind) {
   if (kind == "motions") motions(claim);
   if (kind == "unique") unique(claim);
   if (kind == "cover") cover(claim);
+  if (kind == "force-cover") force_cover(claim);
   if (kind == "limit") limit(claim);
   if (kind == "exists") exists(claim);
   if (kind == "consequence") consequence(claim);
@@ -131,6 +132,15 @@ void RandomKinds::cover(Claim& claim) {
     Tree& region = file_.claims.back().region;
     while (!region) region = trees_.region();
   }
+}
+
+/// By the intervals of modes that have motions at some force, most often.
+void RandomKinds::force_cover(Claim& claim) {
+  for (const ContactMode m : all_modes()) {
+    if (world_.solutions(m) != nullptr && !dice_.one_in(8)) claim.claims.push_back(add_interval(m));
+  }
+  if (claim.claims.empty()) claim.claims.push_back(add_interval(mode()));
+  if (dice_.one_in(2)) claim.forces = trees_.nearly(file_.claims[claim.claims.front()].forces);
 }
 
 void RandomKinds::limit(Claim& claim) {

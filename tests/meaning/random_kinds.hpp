@@ -8,8 +8,9 @@
 
 namespace slipproof::meaning {
 
-inline const std::vector<std::string> kinds = {"interval",    "impossible", "formula", "motions",     "unique", "cover",
-                                               "equivalence", "limit",      "exists",  "consequence", "system"};
+inline const std::vector<std::string> kinds = {"interval", "impossible", "formula",     "motions",
+                                               "unique",   "cover",      "force-cover", "equivalence",
+                                               "limit",    "exists",     "consequence", "system"};
 
 /// Adds claims to a file, near what is true at a bicycle.
 class RandomKinds {
@@ -29,6 +30,7 @@ class RandomKinds {
   void motions(Claim& claim);
   void unique(Claim& claim);
   void cover(Claim& claim);
+  void force_cover(Claim& claim);
   void limit(Claim& claim);
   void exists(Claim& claim);
   void consequence(Claim& claim);

@@ -66,6 +66,7 @@ Says SecondJudge::judge(std::size_t index) const {
   if (claim.kind == "formula") return claim.modes.empty() ? formula(claim) : formula_of_motions(claim);
   if (claim.kind == "motions") return motions(claim);
   if (claim.kind == "unique") return unique(claim);
+  if (claim.kind == "force-cover") return force_cover(claim);
   if (claim.kind == "equivalence") return equivalence(claim);
   if (claim.kind == "exists") return exists(claim);
   return claim.kind == "consequence" ? consequence(claim) : system(claim);
@@ -183,6 +184,22 @@ bool SecondJudge::near_one_of(const std::vector<std::size_t>& claims, const Rati
 bool SecondJudge::exactly_one_in(const Motions& found, const std::vector<ContactMode>& modes) const {
   if (found.none()) return !all_modelled(modes);
   return found.exactly_one() && found.all_in(modes);
+}
+
+Says SecondJudge::force_cover(const Claim& claim) const {
+  std::vector<Tree> conditions = {or_true(claim.forces)};
+  for (const std::size_t i : claim.claims) conditions.push_back(or_true(file_.claims[i].forces));
+  return force_by_force(claim, forces(conditions), [&](const Rational& x) {
+    std::vector<Truth> truths;
+    for (const std::size_t i : claim.claims) {
+      const Truth region = truth_of(or_true(file_.claims[i].region), world_.names());
+      const Truth stated = at(or_true(file_.claims[i].forces), x);
+      const bool never = (region && !*region) || (stated && !*stated);
+      truths.push_back(never ? Truth(false) : region && stated ? Truth(true) : Truth());
+    }
+    if (any(truths, true)) return Says::right;
+    return any(truths, {}) ? Says::no_value : Says::wrong;
+  });
 }
 
 Says SecondJudge::equivalence(const Claim& claim) const {

@@ -41,6 +41,7 @@ class SecondJudge {
   Says formula_of_motions(const Claim& claim) const;
   Says motions(const Claim& claim) const;
   Says unique(const Claim& claim) const;
+  Says force_cover(const Claim& claim) const;
   Says equivalence(const Claim& claim) const;
   Says exists(const Claim& claim) const;
   Says consequence(const Claim& claim) const;
