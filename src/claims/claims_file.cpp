@@ -149,8 +149,8 @@ void read_paper(const TableReader& root, Context& context) {
   if (!root.require("paper", "the table [paper]")) return;
   const TomlValue* table = root.table("paper");
   if (table == nullptr) return;
-  static constexpr std::array<std::string_view, 7> keys{"title",  "authors",   "reference", "found",
-                                                        "source", "equations", "headings"};
+  static constexpr std::array<std::string_view, 10> keys{"title",     "authors",  "reference", "found", "source",
+                                                         "equations", "headings", "question",  "open",  "scenes"};
   const TableReader paper(*table, "[paper]", keys, context.mistakes);
   context.file.paper.title = context.text(paper, "title", "the title of the paper");
   context.file.paper.source = context.text(paper, "source", "the name of the file that line numbers refer to");
@@ -162,6 +162,11 @@ void read_paper(const TableReader& root, Context& context) {
   }
   if (paper.has("found"))
     context.file.paper.found = context.text(paper, "found", "what the claims show, in a sentence");
+  if (paper.has("question")) {
+    context.file.paper.question = context.text(paper, "question", "what the paper asks, in a few sentences");
+  }
+  for (const PlacedText* open : paper.strings("open")) context.file.paper.open.push_back(open->text());
+  for (const PlacedText* scene : paper.strings("scenes")) context.file.paper.scenes.push_back(scene->text());
   if (const TomlValue* headings = paper.table("headings")) read_headings(*headings, context);
   if (const TomlValue* equations = paper.table("equations")) {
     std::vector<std::string_view> numbers;

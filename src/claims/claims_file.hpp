@@ -28,9 +28,12 @@ std::string_view name(Reading reading);
 struct Paper {
   std::string title;
   std::vector<std::string> authors;
-  std::string reference;  ///< where it is published; may be empty
-  std::string found;      ///< what the claims show of it, in a sentence; may be empty
-  std::string source;     ///< file name of the text that line numbers refer to
+  std::string reference;            ///< where it is published; may be empty
+  std::string found;                ///< what the claims show of it, in a sentence; may be empty
+  std::string source;               ///< file name of the text that line numbers refer to
+  std::string question;             ///< what the paper asks, in a few sentences; may be empty
+  std::vector<std::string> open;    ///< what it leaves open, a sentence or more each
+  std::vector<std::string> scenes;  ///< scene files that its report has numbers of, relative to the claims file
   struct Equation {
     std::string number;
     std::size_t line = 0;

@@ -6,10 +6,9 @@
 #include "cli/png.hpp"
 #include "cli/warnings.hpp"
 #include "input/diagnostic.hpp"
-#include "input/text_file.hpp"
 #include "output/output_file.hpp"
 #include "picture/uniqueness_svg.hpp"
-#include "uniqueness/scene_setting.hpp"
+#include "uniqueness/scene_along.hpp"
 #include "wording/uniqueness_report.hpp"
 
 namespace slipproof::cli {
@@ -27,24 +26,22 @@ void expect_drawing_name(const std::string& out) {
   throw CLI::ValidationError("--out", "found " + in_quotes(out) + ", expected a name that ends in .svg or .png");
 }
 
-void draw(const CriticalArguments& arguments, const MechanismScene& scene, const UniquenessAlong& along) {
-  const OutputFile out(arguments.out, {arguments.scene, scene.mechanism.file});
-  const std::string svg = uniqueness_svg(uniqueness_diagram(scene, along), along);
-  out.write(arguments.out.ends_with(".png") ? png_of(svg) : svg);
+void draw(const CriticalArguments& arguments, const SceneAlong& found) {
+  const OutputFile out(arguments.out, {arguments.scene, found.scene.mechanism.file});
+  try {
+    const std::string svg = uniqueness_svg(uniqueness_diagram(found.scene, found.along), found.along);
+    out.write(arguments.out.ends_with(".png") ? png_of(svg) : svg);
+  } catch (const std::invalid_argument& error) {
+    throw InputError({{arguments.scene, 0, 0, error.what()}});
+  }
 }
 
 std::string critical_text(const CriticalArguments& arguments) {
-  const MechanismScene scene = parse_any_scene(read_text_file(arguments.scene), arguments.scene);
-  print_warnings(scene.mechanism, arguments.common);
-  try {
-    const UniquenessAlong along = uniqueness_along(scene, arguments.x.empty() ? usual_parameter(scene) : arguments.x);
-    if (!arguments.out.empty()) draw(arguments, scene, along);
-    return arguments.common.json ? uniqueness_json(scene, along) : uniqueness_text(scene, along, arguments.digits);
-  } catch (const std::invalid_argument& error) {
-    throw InputError({{arguments.scene, 0, 0, error.what()}});
-  } catch (const NoValue& error) {
-    throw InputError({{arguments.scene, 0, 0, error.what()}});
-  }
+  const SceneAlong found = read_scene_along(arguments.scene, arguments.x);
+  print_warnings(found.scene.mechanism, arguments.common);
+  if (!arguments.out.empty()) draw(arguments, found);
+  return arguments.common.json ? uniqueness_json(found.scene, found.along)
+                               : uniqueness_text(found.scene, found.along, arguments.digits);
 }
 
 }  // namespace

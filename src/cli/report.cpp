@@ -62,7 +62,7 @@ void add_report(CLI::App& app, int& exit_code) {
     print_warnings(file, options->common);
     options->verify.certificates = options->certificates_of(path);
     std::optional<OutputFile> out;
-    if (options->out != "-") out.emplace(options->out, files_of(page_folders(path, options->trade)));
+    if (options->out != "-") out.emplace(options->out, files_of(page_folders(path, options->trade), file));
     PageInput input = report_input(path, file, *options, *options->verify.certificates);
     const VerifyResult result = VerifyRun({{path, &file, options->verify}}, *options).result(0);
     input.result = &result;

@@ -143,7 +143,7 @@ void add_verify(CLI::App& app, int& exit_code, Transport& transport) {
     std::optional<OutputFile> report;
     PageInput input;
     if (!options->report.empty()) {
-      report.emplace(options->report, files_of(page_folders(path, options->trade)));
+      report.emplace(options->report, files_of(page_folders(path, options->trade), file));
       input = report_input(path, file, *options, *options->verify.certificates);
     }
     const VerifyResult result = run.result(0);

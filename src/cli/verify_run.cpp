@@ -154,7 +154,7 @@ std::vector<JudgedPaper> judge_papers(const std::vector<std::filesystem::path>& 
   for (const std::filesystem::path& path : papers) {
     judged.push_back({std::filesystem::absolute(path).parent_path().filename().string(), read_claims(path), {}});
     print_warnings(judged.back().file, arguments.common);
-    for (const std::filesystem::path& file : files_of(page_folders(path, arguments.trade))) inputs.add(file);
+    for (const auto& file : files_of(page_folders(path, arguments.trade), judged.back().file)) inputs.add(file);
   }
   std::vector<JudgeArguments> own(papers.size(), arguments);
   std::vector<VerifyRun::Paper> work;

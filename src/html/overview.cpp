@@ -55,13 +55,22 @@ std::string mechanisms_in_words(const ClaimsFile& claims) {
 void add_problem(const Element& section, const PageInput& input) {
   const Element columns = section.add("div", "halves");
   const Element text = columns.add("div", "problem");
-  text.add("h2", "sub").text("The problem");
   const bool bicycles = noun(*input.claims) == "bicycle";
-  text.add("p").text(bicycles
-                         ? "A vehicle with two wheels, seen from the side, stands on a road with dry friction, and "
-                           "a force acts on its pedal. What does each wheel do: roll, slip, or leave the road? The "
-                           "paper answers with formulas."
-                         : mechanisms_in_words(*input.claims));
+  const std::string& question = input.claims->paper.question;
+  text.add("h2", "sub").text(question.empty() ? "The problem" : "The question");
+  const Element asked = text.add("p");
+  if (!question.empty()) {
+    add_prose(asked, input, question);
+    if (!input.claims->paper.found.empty()) {
+      text.add("h2", "sub").text("The answer in short");
+      add_prose(text.add("p"), input, input.claims->paper.found);
+    }
+  } else {
+    asked.text(bicycles ? "A vehicle with two wheels, seen from the side, stands on a road with dry friction, and "
+                          "a force acts on its pedal. What does each wheel do: roll, slip, or leave the road? The "
+                          "paper answers with formulas."
+                        : mechanisms_in_words(*input.claims));
+  }
   text.add("p").text(
       "For given parameters and a given load, each combination of these states is a system of linear equations with "
       "conditions that its solution has to meet. Here all of them are solved in exact arithmetic, and what the paper "

@@ -81,10 +81,12 @@ void add_header(const Element& body, const PageInput& input) {
   if (!input.gallery.empty()) links.emplace_back(input.gallery, "All papers");
   links.emplace_back("#overview", "Overview");
   if (!input.figures.empty() || !input.scenes.empty()) links.emplace_back("#phase", "Phase diagrams");
+  if (!input.machines.empty()) links.emplace_back("#machines", "Numbers");
   links.insert(links.end(), {{"#claims", "Claims"}, {"#errata", "Errata"}});
   if (!input.certificates.empty()) links.emplace_back("#certificates", "Certificates");
   if (input.trade) links.emplace_back("#trade", "Speed");
   if (!input.solvers.empty()) links.emplace_back("#solvers", "Solvers");
+  if (!input.claims->paper.open.empty()) links.emplace_back("#open", "Open");
   links.emplace_back("#notation", "Notation");
   links.emplace_back("#reproduce", "Reproduce");
   for (const auto& [target, text] : links) list.add("li").add("a").set("href", target).text(text);
@@ -92,12 +94,13 @@ void add_header(const Element& body, const PageInput& input) {
 
 }  // namespace
 
-std::vector<std::filesystem::path> files_of(const PageFolders& folders) {
+std::vector<std::filesystem::path> files_of(const PageFolders& folders, const ClaimsFile& claims) {
   const std::filesystem::path beside = folder_of_claims(folders);
   std::vector<std::filesystem::path> files{folders.claims, beside / "figures.toml", beside / "second-opinions.csv"};
   for (const auto& file : {folders.trade, folders.model}) {
     if (!file.empty()) files.push_back(file);
   }
+  for (const std::string& scene : claims.paper.scenes) files.push_back(beside / scene);
   for (std::filesystem::path file : check::certificates_in(beside)) {
     files.push_back(file);
     files.push_back(file.replace_extension(".statement"));
@@ -123,6 +126,10 @@ PageInput gather(const PageFolders& folders, const ClaimsFile& claims, Certifica
   gathering.certificates(certificates);
   gathering.second_opinions(beside / "second-opinions.csv");
   if (!folders.model.empty()) input.model = read_scene(folders.model);
+  for (const std::string& scene : claims.paper.scenes) {
+    input.machines.push_back(read_scene_along(beside / scene));
+    gathering.source(beside / scene, std::filesystem::path(scene).filename().string());
+  }
   for (const auto& file : files_in(folders.cases, ".toml")) {
     input.scenes.push_back(read_scene(file));
     gathering.source(file, "cases/" + file.filename().string());
@@ -190,11 +197,13 @@ std::string page_html(const PageInput& input) {
   const Element main = body.add("main");
   add_overview(main, input);
   add_phase_section(main, input);
+  add_machines_section(main, input);
   add_claims_section(main, input);
   add_errata_section(main, input);
   add_certificates_section(main, input);
   add_trade_section(main, input);
   add_solvers_section(main, input);
+  add_open_section(main, input);
   add_notation_section(main, input);
   add_reproduce_section(main, input);
   body.add("footer").add("p").text("Made by slipproof " + input.version +

@@ -11,6 +11,7 @@
 #include "model/scene.hpp"
 #include "picture/figures.hpp"
 #include "precision/trade.hpp"
+#include "uniqueness/scene_along.hpp"
 #include "verify/verify.hpp"
 
 namespace slipproof {
@@ -40,6 +41,7 @@ struct PageInput {
   std::optional<SecondOpinions> opinions;  ///< by the theorems of `certificates`
   std::optional<Scene> model;              ///< the bicycle of the labelled figure
   std::vector<Scene> scenes;               ///< a plane of f and F is drawn for each
+  std::vector<SceneAlong> machines;        ///< the paper's scenes, and which friction makes several motions there
   std::vector<SolverVerdicts> solvers;
   std::optional<Trade> trade;
   std::vector<PageSource> sources;
@@ -56,7 +58,7 @@ struct PageFolders {
 };
 
 /// The files that gather() reads.
-std::vector<std::filesystem::path> files_of(const PageFolders& folders);
+std::vector<std::filesystem::path> files_of(const PageFolders& folders, const ClaimsFile& claims);
 
 /// All but the result: reads the files and certifies the solvers' outputs; `certificates` are those of the claims'
 /// folder. Names of files are relative to the folders, so that the page is the same wherever they stand. Throws

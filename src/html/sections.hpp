@@ -20,6 +20,8 @@ Element add_section(const Element& main, const char* id, std::string_view headin
 
 void add_overview(const Element& main, const PageInput& input);
 void add_phase_section(const Element& main, const PageInput& input);
+/// From which friction on the paper's scenes have several motions.
+void add_machines_section(const Element& main, const PageInput& input);
 void add_claims_section(const Element& main, const PageInput& input);
 void add_errata_section(const Element& main, const PageInput& input);
 void add_certificates_section(const Element& main, const PageInput& input);
@@ -27,6 +29,8 @@ void add_trade_section(const Element& main, const PageInput& input);
 /// One picture: speed against errors, or against wrong verdicts.
 void add_trade_plot(const Element& parent, const Trade& trade, bool errors, bool small);
 void add_solvers_section(const Element& main, const PageInput& input);
+/// What the paper leaves open, in its own words.
+void add_open_section(const Element& main, const PageInput& input);
 /// What each symbol means: those of the model, and those of the paper's settings.
 void add_notation_section(const Element& main, const PageInput& input);
 void add_reproduce_section(const Element& main, const PageInput& input);

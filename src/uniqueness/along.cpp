@@ -185,6 +185,15 @@ std::optional<RealRoot> UniquenessAlong::first_apart() const {
   return found == cells.end() ? std::nullopt : found->lower;
 }
 
+std::optional<RealRoot> UniquenessAlong::first_apart_for_some_q() const {
+  const auto apart = [](const ParameterCell& cell) {
+    return cell.motions && cell.motions->for_every_q &&
+           cell.motions->for_every_q->verdict == EveryLoad::Verdict::not_unique;
+  };
+  const auto found = std::find_if(cells.begin(), cells.end(), apart);
+  return found == cells.end() ? std::nullopt : found->lower;
+}
+
 UniquenessAlong uniqueness_along(const MechanismScene& scene, const std::string& parameter) {
   const SceneLine line(scene, parameter);
   return {parameter, line.own(), line.motions(line.own()), line.cells()};

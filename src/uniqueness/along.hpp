@@ -53,6 +53,8 @@ struct UniquenessAlong {
   /// The least value above the first ones that have one motion at every load, from which on or above which some load
   /// has none, several, or infinitely many; nothing if there is no such value. An irrational one is enclosed.
   std::optional<RealRoot> first_apart() const;
+  /// The same of what would be pushed otherwise: from which on or above which not every q has one motion.
+  std::optional<RealRoot> first_apart_for_some_q() const;
 };
 
 /// At most so many modes are followed along a line.

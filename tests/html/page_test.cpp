@@ -272,6 +272,50 @@ TEST_CASE("the page of a paper with open claims and no finding is no all-clear")
   CHECK(html.find("Speed and accuracy") == html.npos);
 }
 
+TEST_CASE("a paper of one's own asks, answers, has numbers of its scenes, and says what it leaves open") {
+  const std::string root = SLIPPROOF_SOURCE_DIR;
+  test::SmallClaims small;
+  small.parameters = "b = { domain = \"b > 0\", meaning = \"b\" }\n";
+  small.claims = "[[claim]]\nid = \"X\"\nline = 7\nstatement = \"s\"\nkind = \"formula\"\nholds = \"b > 0\"\n";
+  std::string text = small.text();
+  const std::string source = "[paper]\n";
+  text.insert(text.find(source) + source.size(),
+              "question = \"Why?\"\nfound = \"Because.\"\nopen = [\"Whether b is 1.\", \"What else.\"]\n"
+              "scenes = [\"ambiguous.toml\", \"motorcycle.toml\"]\n");
+  const test::TemporaryFolder folder;
+  const auto claims = folder.write("claims.toml", text);
+  for (const std::string scene : {"ambiguous.toml", "motorcycle.toml"})
+    folder.write(scene, test::read_file(root + "/cases/" + scene));
+  const ClaimsFile file = parse_claims(text, "claims.toml");
+  Certificates certificates(folder.path());
+  const PageFolders folders{claims, {}, {}, {}, {}};
+  PageInput input = gather(folders, file, certificates);
+  const auto inputs = files_of(folders, file);
+  CHECK(std::count(inputs.begin(), inputs.end(), folder.path() / "motorcycle.toml") == 1);
+  VerifyOptions options;
+  options.samples = 20;
+  const VerifyResult result = verify(file, options);
+  input.result = &result;
+  const auto tree = read(page_html(input));
+  CHECK(tree.select_node("//*[@id='overview']//p[.='Why?']"));
+  CHECK(tree.select_node("//*[@id='overview']//p[.='Because.']"));
+  CHECK(tree.select_nodes("//*[@id='open']//li").size() == 2);
+  REQUIRE(tree.select_nodes("//*[@id='machines']/div/table/tbody/tr").size() == 2);
+  const auto cell = [&](int row, int column) {
+    return std::string(tree.select_node(("//*[@id='machines']/div/table/tbody/tr[" + std::to_string(row) + "]/td[" +
+                                         std::to_string(column) + "]")
+                                            .c_str())
+                           .node()
+                           .child_value());
+  };
+  CHECK(cell(1, 1) == "0.4 = 2/5");     // theorem 1 of proofs/two-wheeler
+  CHECK(cell(1, 2) == "0.84 = 21/25");  // and theorem 3
+  CHECK(cell(1, 3) == "1");
+  CHECK(!tree.select_nodes("//*[@id='machines']//svg").empty());
+  std::filesystem::remove(folder.path() / "motorcycle.toml");
+  CHECK_THROWS_WITH_AS(gather(folders, file, certificates), doctest::Contains("motorcycle.toml"), InputError);
+}
+
 TEST_CASE("fingerprints are SHA-256") {
   CHECK(sha256("") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
   CHECK(sha256("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
