@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -246,4 +247,49 @@ TEST_CASE("between the ends of its modes a two-wheeler has a motion more than tw
   CHECK(found[3] > wanted() / 10);
   CHECK(found[5] > 0);
   CHECK(on_border < wanted() / 100);
+}
+
+TEST_CASE("motions occur together as the two-wheeler's theorems list them, and in all of these sets") {
+  const ClaimsFile file = read_claims(SLIPPROOF_SOURCE_DIR "/proofs/two-wheeler/claims.toml");
+  using Modes = std::set<std::string>;
+  const auto listed = [&](std::string_view prefix) {
+    std::set<Modes> sets;
+    for (const Claim& claim : file.claims) {
+      if (!claim.id.starts_with(prefix)) continue;
+      Modes modes;
+      for (const MechanismMode& mode : slipproof::modes(claim.printed.says)) modes.insert(name(mode));
+      sets.insert(modes);
+    }
+    return sets;
+  };
+  const std::set<Modes> riders = listed("L5."), outside = listed("O10.");
+  CHECK(riders.size() == 22);
+  CHECK(outside.size() == 21);
+  const Theorems internal("internal force"), external("external force");
+  RandomScenes random(4);
+  std::set<Modes> met;
+  for (int i = 0; i < wanted() / 4; ++i) {
+    const ForceKind kind = i % 2 == 0 ? ForceKind::internal : ForceKind::external;
+    Bicycle<Rational> p = between_the_wheels(random);
+    if (kind == ForceKind::external) {
+      p.r2 = p.r1;
+      p.L = p.L * random.integer(1, 4);
+      if (sign(p.h) <= 0) continue;
+    }
+    const bool rider = kind == ForceKind::internal;
+    on_and_beside(rider ? internal : external, p, random.road(), kind, random, [&](const auto& q, const auto& road) {
+      for (const Cell& cell : partition(ModeTable(q, road, kind))) {
+        const bool border =
+            std::any_of(cell.motions.begin(), cell.motions.end(), [](const auto& m) { return !m.strict; });
+        if (cell.forces.is_point() || border) continue;
+        Modes modes;
+        for (const auto& motion : cell.motions) modes.insert(name(motion.modes.front()));
+        CHECK(modes.size() == cell.motions.size());
+        if (modes.size() == 1) continue;
+        CHECK((rider ? riders : outside).contains(modes));
+        met.insert(modes);
+      }
+    });
+  }
+  CHECK(met.size() > 12);
 }
