@@ -4,7 +4,7 @@
 // an infinite error, or NaN in one of both: all questions below are answered no then.
 #pragma once
 
-#include "batch/bounds.hpp"
+#include "number/running_bounds.hpp"
 #include "filter/lanes.hpp"
 
 namespace slipproof {

@@ -62,8 +62,8 @@ class Integer {
   /// How many bits |x| has; 0 for 0.
   std::size_t bits() const { return fmpz_bits(&value_); }
   /// Whether to_long() has it.
-  bool fits_long() const { return fmpz_fits_si(&value_) != 0; }
-  long to_long() const { return fmpz_get_si(&value_); }
+  bool fits_long() const { return is_short() || fmpz_fits_si(&value_) != 0; }
+  long to_long() const { return is_short() ? value_ : fmpz_get_si(&value_); }
   /// The nearest binary64 that is not further from 0.
   double to_double() const;
   /// In base 10 or 16.
