@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "expression/filtered.hpp"
 #include "number/dice.hpp"
 
 namespace slipproof {
@@ -16,10 +17,11 @@ class SamplePoint {
   explicit SamplePoint(const CompiledSetting& setting) : setting_(setting), evaluator_(setting.scope()) {}
 
   SamplePoint& at(const std::vector<Rational>& values) {
-    evaluator_.reset();
-    for (std::size_t k = 0; k < values.size(); ++k) evaluator_.set(CompiledSetting::parameter_slot(k), values[k]);
+    evaluator_.set(CompiledSetting::parameter_slot(0), values);
     return *this;
   }
+  /// One of them is another one now.
+  void changed(std::size_t parameter) { evaluator_.changed(parameter); }
   bool allows(std::size_t parameter) { return is_true(setting_.domains()[parameter]); }
   bool in_domain() {
     return std::all_of(setting_.domains().begin(), setting_.domains().end(),
@@ -38,18 +40,33 @@ class SamplePoint {
   bool is_true(const Program& program) { return evaluator_.truth(program) == Truth::yes; }
 
   const CompiledSetting& setting_;
-  Evaluator<Rational> evaluator_;
+  FilteredEvaluator evaluator_;
 };
 
 enum class Kind { integers, fractions, on_boundary, near_boundary, between_boundaries, extreme };
 constexpr std::array kinds{Kind::integers,           Kind::fractions, Kind::on_boundary, Kind::near_boundary,
                            Kind::between_boundaries, Kind::extreme,   Kind::fractions,   Kind::on_boundary};
 
+constexpr int largest_numerator = 12, largest_denominator = 8;
+
+/// In lowest terms once and for all: a sample may take thousands of them.
+const Rational& small_fraction(int numerator, int denominator) {
+  static const std::vector<Rational> all = [] {
+    std::vector<Rational> fractions;
+    for (int n = -largest_numerator; n <= largest_numerator; ++n) {
+      for (int d = 1; d <= largest_denominator; ++d) fractions.emplace_back(n, d);
+    }
+    return fractions;
+  }();
+  return all[static_cast<std::size_t>((numerator + largest_numerator) * largest_denominator + denominator - 1)];
+}
+
 Rational draw(Dice& dice, Kind kind) {
   const int sign = dice.chance(4) ? -1 : 1;
   if (dice.chance(10)) return 0;
   if (kind == Kind::integers) return sign * dice.number(1, 6);
-  const Rational small(sign * dice.number(1, 12), dice.number(1, 8));
+  const int denominator = dice.number(1, largest_denominator);
+  const Rational& small = small_fraction(sign * dice.number(1, largest_numerator), denominator);
   if (kind != Kind::extreme || dice.chance(2)) return small;
   return small * power_of_two(dice.number(-40, 40));
 }
@@ -62,11 +79,12 @@ std::vector<Rational> draw_all(SamplePoint& point, std::size_t parameters, Dice&
     // Domains of one parameter alone are met soonest by drawing it alone again.
     for (std::size_t k = 0; k < values.size(); ++k) {
       for (int again = 0; again < 20; ++again) {
-        if (point.at(values).allows(k)) break;
+        if (point.allows(k)) break;
         values[k] = draw(dice, kind);
+        point.changed(k);
       }
     }
-    if (point.at(values).in_domain()) return values;
+    if (point.in_domain()) return values;
   }
   return {};
 }
@@ -78,12 +96,15 @@ bool make_realisable(SamplePoint& point, Dice& dice, Kind kind, std::vector<Rati
   std::size_t unmet = point.at(values).unrealisable().size();
   for (int attempt = 0; attempt < 400 && unmet > 0; ++attempt) {
     Rational drawn = draw(dice, kind);
-    Rational& value = values[static_cast<std::size_t>(dice.number(0, last))];
+    const auto parameter = static_cast<std::size_t>(dice.number(0, last));
+    Rational& value = values[parameter];
     Rational before = std::exchange(value, std::move(drawn));
-    const bool inside = point.at(values).in_domain();
+    point.changed(parameter);
+    const bool inside = point.in_domain();
     const std::size_t still = inside ? point.unrealisable().size() : unmet;
     if (!inside || still > unmet) {
       value = std::move(before);
+      point.changed(parameter);
     } else {
       unmet = still;
     }

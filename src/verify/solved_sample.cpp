@@ -23,8 +23,8 @@ struct FieldAtInfinity : FieldOf<ForceFunction> {
 
 SolvedSample::SolvedSample(const CompiledSetting& setting, std::vector<Rational> values)
     : setting_(&setting), values_(std::move(values)), constants_(setting.scope()), functions_(setting.scope()) {
+  constants_.set(CompiledSetting::parameter_slot(0), values_);
   for (std::size_t k = 0; k < values_.size(); ++k) {
-    constants_.set(CompiledSetting::parameter_slot(k), values_[k]);
     functions_.set(CompiledSetting::parameter_slot(k), RationalFunction(values_[k]));
   }
   functions_.set(CompiledSetting::force_slot(), RationalFunction::variable());

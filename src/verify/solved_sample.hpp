@@ -7,6 +7,7 @@
 
 #include "claims/compiled.hpp"
 #include "claims/force_truth.hpp"
+#include "expression/filtered.hpp"
 #include "motions/over_loads.hpp"
 
 namespace slipproof {
@@ -77,7 +78,7 @@ class SolvedSample {
 
   const CompiledSetting* setting_;
   std::vector<Rational> values_;
-  Evaluator<Rational> constants_;
+  FilteredEvaluator constants_;
   Evaluator<ForceFunction> functions_;
   MechanismValues point_;
   Affine<Rational> load_{0, 1};

@@ -1,0 +1,79 @@
+#include "expression/filtered.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "expression/random_expression.hpp"
+#include "support/formula.hpp"
+
+using namespace slipproof;
+using namespace slipproof::test;
+
+namespace {
+
+const std::vector<std::string> letters{"a", "b", "c"};
+
+std::optional<std::size_t> place_of(std::string_view name) {
+  for (std::size_t i = 0; i < letters.size(); ++i) {
+    if (letters[i] == name) return i;
+  }
+  return letters.size();
+}
+
+/// a, b, c, and `d` as a definition, so that a change of a symbol has something to reach.
+Scope with_definition(const Expression& d) {
+  Scope scope;
+  for (const std::string& letter : letters) scope.slots.push_back({letter, std::nullopt});
+  scope.slots.push_back({"d", Program(d, place_of)});
+  return scope;
+}
+
+Truth exact_truth(const Scope& scope, const std::vector<Rational>& values, const Program& statement) {
+  Evaluator<Rational> evaluator(scope);
+  for (std::size_t k = 0; k < values.size(); ++k) evaluator.set(k, values[k]);
+  return evaluator.truth(statement);
+}
+
+}  // namespace
+
+TEST_CASE("what binary64 says of a statement is what exact arithmetic says, or nothing") {
+  testing::RandomExpressions random(64, {"a", "b", "c", "d"});
+  int said = 0, open = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Scope scope = with_definition(testing::RandomExpressions(static_cast<unsigned>(i), letters).number(2));
+    const Program statement(random.truth(4), place_of);
+    std::vector<Rational> values;
+    for (std::size_t k = 0; k < letters.size(); ++k) values.push_back(random.rational(-6, 7, 9));
+    FilteredEvaluator filtered(scope);
+    filtered.set(0, values);
+    CHECK(filtered.truth(statement) == exact_truth(scope, values, statement));
+    const auto changed = static_cast<std::size_t>(random.below(3));
+    values[changed] = random.rational(-6, 7, 9);
+    filtered.changed(changed);
+    const Truth exact = exact_truth(scope, values, statement);
+    CHECK(filtered.truth(statement) == exact);
+
+    Evaluator<Approximate> nearby(scope);
+    for (std::size_t k = 0; k < values.size(); ++k) nearby.set(k, Approximate(values[k]));
+    const Truth sure = nearby.truth(statement);
+    if (sure != Truth::undecided) CHECK(sure == exact);
+    (sure == Truth::undecided ? open : said) += 1;
+  }
+  CHECK(said > 4 * open);
+}
+
+TEST_CASE("an equation that holds but for roundings is left to exact arithmetic") {
+  const Scope scope = with_definition(make_number(0));
+  const Program equation(make_comparison({make(Operation::add, {make_symbol("a"), make_symbol("b")}), make_symbol("c")},
+                                         {Relation::equal}),
+                         place_of);
+  const std::vector<Rational> values{Rational(1, 3), Rational(1, 10), Rational(13, 30)};
+  Evaluator<Approximate> nearby(scope);
+  for (std::size_t k = 0; k < values.size(); ++k) nearby.set(k, Approximate(values[k]));
+  CHECK(nearby.truth(equation) == Truth::undecided);
+  FilteredEvaluator filtered(scope);
+  filtered.set(0, values);
+  CHECK(filtered.truth(equation) == Truth::yes);
+}
