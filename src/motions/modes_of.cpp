@@ -1,6 +1,7 @@
 #include "motions/modes_of.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -184,6 +185,12 @@ class ModeTree {
   ModeConditions conditions_;
 };
 
+std::vector<std::vector<ElementState>> only(const MechanismMode& mode) {
+  std::vector<std::vector<ElementState>> states;
+  for (const ElementState state : mode) states.push_back({state});
+  return states;
+}
+
 ForceInterval domain_for(const FrictionProblem& problem, const std::optional<Rational>& load) {
   return load || !problem.has_load ? ForceInterval() : problem.load_domain;
 }
@@ -223,8 +230,8 @@ FrictionProblem without_equations(const FrictionProblem& problem) {
 ModeSolver::ModeSolver(const FrictionProblem& problem, const std::optional<Rational>& load)
     : problem_(problem), load_(load), domain_(domain_for(problem, load)), regular_(problem, load) {}
 
-ModesOf ModeSolver::among(const std::vector<std::vector<ElementState>>& states, Rejected rejected,
-                          Effort* effort) const {
+ModesOf ModeSolver::among(const std::vector<std::vector<ElementState>>& states, Rejected rejected, Effort* effort,
+                          const ModeFilter* filter) const {
   using Kind = RegularModes::Outcome::Kind;
   const ModeNumbers numbers(states);
   NumberedModes result{{}, {}, rejected == Rejected::told};
@@ -232,6 +239,7 @@ ModesOf ModeSolver::among(const std::vector<std::vector<ElementState>>& states, 
   for (std::uint64_t number = 0; number < numbers.count(); ++number) {
     stop_if_asked();
     const MechanismMode mode = numbers.mode(number);
+    if (filter != nullptr && filter->excludes(mode)) continue;
     RegularModes::Outcome outcome = regular_.solve(mode, effort);
     if (outcome.kind == Kind::singular) {
       singular.push_back(number);
@@ -261,13 +269,22 @@ ModesOf ModeSolver::all(Effort* effort) const {
 }
 
 std::vector<ConsistentMode> ModeSolver::consistent(Effort* effort) const {
-  return among(all_states(), Rejected::left_out, effort).consistent;
+  if (effort != nullptr) return among(all_states(), Rejected::left_out, effort).consistent;
+  const ModeFilter sure = filter();
+  return among(all_states(), Rejected::left_out, nullptr, &sure).consistent;
+}
+
+std::vector<ConsistentMode> ModeSolver::consistent_among(const std::vector<MechanismMode>& modes) const {
+  const ModeFilter sure = filter();
+  std::vector<ConsistentMode> result;
+  for (const MechanismMode& mode : modes) {
+    std::ranges::move(among(only(mode), Rejected::left_out, nullptr, &sure).consistent, std::back_inserter(result));
+  }
+  return result;
 }
 
 ModesOf ModeSolver::one(const MechanismMode& mode, Effort* effort) const {
-  std::vector<std::vector<ElementState>> one;
-  for (const ElementState state : mode) one.push_back({state});
-  return among(one, Rejected::told, effort);
+  return among(only(mode), Rejected::told, effort);
 }
 
 ModesOf modes_of(const FrictionProblem& problem, const std::optional<Rational>& load) {

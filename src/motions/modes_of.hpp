@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "motions/mode_filter.hpp"
 #include "motions/polyhedron.hpp"
 #include "motions/regular_modes.hpp"
 
@@ -47,8 +48,10 @@ class ModeSolver {
   /// equations leave something open are then tried state by state, with a few linear programs each: what already
   /// contradicts itself for the first elements is not gone into. Throws TooMuchWork beyond an effort.
   ModesOf all(Effort* effort = nullptr) const;
-  /// The same without the others and their reasons.
+  /// The same without the others and their reasons; unless it is charged, most of them are told in binary64.
   std::vector<ConsistentMode> consistent(Effort* effort = nullptr) const;
+  /// Those of some modes, with a state for each element, in the order in which they are given.
+  std::vector<ConsistentMode> consistent_among(const std::vector<MechanismMode>& modes) const;
   /// One mode, with a state for each element. A rejected one has a single condition with its margin if one fails for
   /// all forces; if not, no fewer of the conditions exclude each other.
   ModesOf one(const MechanismMode& mode, Effort* effort = nullptr) const;
@@ -58,7 +61,10 @@ class ModeSolver {
 
  private:
   enum class Rejected { told, left_out };
-  ModesOf among(const std::vector<std::vector<ElementState>>& states, Rejected rejected, Effort* effort) const;
+  /// What the filter excludes is rejected without a reason.
+  ModesOf among(const std::vector<std::vector<ElementState>>& states, Rejected rejected, Effort* effort,
+                const ModeFilter* filter = nullptr) const;
+  ModeFilter filter() const { return {problem_, load_, domain_}; }
   std::vector<std::vector<ElementState>> all_states() const;
 
   const FrictionProblem& problem_;

@@ -14,10 +14,9 @@ class KernelMotions final : public MotionsOverLoads {
       : problem_(without_equations(problem)) {
     const ModeSolver solver(problem_, std::nullopt);
     if (only) {
-      for (const MechanismMode& mode : *only) {
-        if (!is_modelled(mode)) continue;
-        for (ConsistentMode& found : solver.one(mode).consistent) consistent_.push_back(std::move(found));
-      }
+      std::vector<MechanismMode> modelled = *only;
+      std::erase_if(modelled, [&](const MechanismMode& mode) { return !is_modelled(mode); });
+      consistent_ = solver.consistent_among(modelled);
     } else {
       consistent_ = solver.consistent();
     }
