@@ -71,12 +71,13 @@ class BicycleMotions final : public MotionsOverLoads {
     return result;
   }
 
-  std::vector<LoadCell> cells() const override {
-    if (std::any_of(table_.solutions().begin(), table_.solutions().end(), is_continuum)) return kernel().cells();
+  std::vector<LoadCell> cells(Told told) const override {
+    if (std::any_of(table_.solutions().begin(), table_.solutions().end(), is_continuum)) return kernel().cells(told);
     std::vector<LoadCell> result;
     for (Cell& cell : partition(table_)) {
       LoadCell& over = result.emplace_back(LoadCell{std::move(cell.forces), {}, {}});
-      for (const FoundMotion<Affine<Rational>>& motion : cell.motions) over.motions.push_back(over_loads(motion, over));
+      for (const FoundMotion<Affine<Rational>>& motion : cell.motions)
+        over.motions.push_back(over_loads(motion, over, told));
     }
     return result;
   }
@@ -92,13 +93,14 @@ class BicycleMotions final : public MotionsOverLoads {
     return known ? table_.find(*known) : nullptr;
   }
 
-  MotionOverLoads over_loads(const FoundMotion<Affine<Rational>>& found, const LoadCell& cell) const {
+  MotionOverLoads over_loads(const FoundMotion<Affine<Rational>>& found, const LoadCell& cell, Told told) const {
     MotionOverLoads motion;
     const Rational inside = cell.loads.sample();
     for (const ContactMode mode : found.modes) {
       const bool strict = table_.find(mode)->strict().contains(inside);
       (strict ? motion.modes : motion.boundary_modes).push_back(mechanism_mode(mode));
     }
+    if (told == Told::modes) return motion;
     const auto chain = chain_over_loads(bicycle_, found.values);
     motion.accelerations = accelerations(found.values, chain);
     for (auto& force : slipproof::forces(found.values, chain)) motion.forces.emplace_back(std::move(force));

@@ -1,6 +1,7 @@
 #include "motions/motions_of.hpp"
 
 #include <algorithm>
+#include <list>
 #include <map>
 #include <utility>
 
@@ -75,34 +76,50 @@ std::vector<MechanismMode> hysteresis(const FrictionProblem& problem, const Moti
 using OverLoads = std::vector<Affine<Rational>>;
 using ForcesOverLoads = std::vector<std::optional<Affine<Rational>>>;
 
-/// Forms that are determined on a space, over the load; nothing for others.
-ForcesOverLoads values_on(const AffineSpace& space, const std::vector<AffineForm>& forms) {
-  ForcesOverLoads values;
-  for (const AffineForm& form : forms) {
-    const AffineForm whole = space.on(form);
-    if (is_free_of_unknowns(whole)) {
-      values.emplace_back(Affine<Rational>(whole.constant, whole.coefficients.back()));
-    } else {
-      values.emplace_back();
-    }
-  }
-  return values;
+/// A form on a space over the load; nothing where it is undetermined.
+std::optional<Affine<Rational>> value_on(const AffineSpace& space, const AffineForm& form) {
+  AffineForm whole = space.on(form);
+  if (!is_free_of_unknowns(whole)) return std::nullopt;
+  return Affine<Rational>(std::move(whole.constant), std::move(whole.coefficients.back()));
 }
 
-/// A mode for all its loads.
-struct ModeOfCells {
-  const ConsistentMode* found;
-  bool regular = false;     ///< its equations leave one solution for each load
-  OverLoads accelerations;  ///< of a determined mode
-  ForcesOverLoads forces;   ///< of such a one, too
+/// A mode for all its loads. Its numbers are computed when they are asked for: two motions mostly differ in the first.
+class ModeOfCells {
+ public:
+  ModeOfCells(const FrictionProblem& problem, const ConsistentMode& mode)
+      : problem_(&problem), found_(&mode), accelerations_(problem.accelerations.size()) {}
 
-  ModeOfCells(const FrictionProblem& problem, const ConsistentMode& mode) : found(&mode) {
-    const AffineSpace& space = mode.solutions.space;
-    regular = space.dimension() == 0 && space.load_is_free();
-    if (!mode.determined) return;
-    for (auto& value : values_on(space, problem.accelerations)) accelerations.push_back(std::move(*value));
-    forces = values_on(space, problem.forces);
+  const ConsistentMode& found() const { return *found_; }
+  /// Whether its equations leave one solution for each load.
+  bool regular() const { return space().dimension() == 0 && space().load_is_free(); }
+  /// Of a determined mode.
+  const Affine<Rational>& acceleration(std::size_t i) const {
+    auto& known = accelerations_[i];
+    if (!known) known = value_on(space(), problem_->accelerations[i]);
+    return *known;
   }
+  OverLoads accelerations() const {
+    OverLoads values;
+    for (std::size_t i = 0; i < accelerations_.size(); ++i) values.push_back(acceleration(i));
+    return values;
+  }
+  ForcesOverLoads forces() const {
+    ForcesOverLoads values;
+    for (const AffineForm& form : problem_->forces) values.push_back(value_on(space(), form));
+    return values;
+  }
+  std::vector<Rational> accelerations_at(const Rational& load) const {
+    std::vector<Rational> values;
+    for (std::size_t i = 0; i < accelerations_.size(); ++i) values.push_back(acceleration(i).at(load));
+    return values;
+  }
+
+ private:
+  const AffineSpace& space() const { return found_->solutions.space; }
+
+  const FrictionProblem* problem_;
+  const ConsistentMode* found_;
+  mutable std::vector<std::optional<Affine<Rational>>> accelerations_;
 };
 
 /// The same at one load.
@@ -117,11 +134,11 @@ ForcesOverLoads at(const ForcesOverLoads& values, const Rational& load) {
   return result;
 }
 
-/// Where two motions that are affine in the load are the same, if at one load only.
-std::optional<Rational> crossing(const OverLoads& x, const OverLoads& y) {
+/// Where two motions are the same, if at one load only, of so many accelerations.
+std::optional<Rational> crossing(const ModeOfCells& x, const ModeOfCells& y, std::size_t accelerations) {
   std::optional<Rational> load;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const Affine<Rational> d = x[i] - y[i];
+  for (std::size_t i = 0; i < accelerations; ++i) {
+    const Affine<Rational> d = x.acceleration(i) - y.acceleration(i);
     if (d.beta.is_zero()) {
       if (!d.alpha.is_zero()) return std::nullopt;
       continue;
@@ -136,7 +153,8 @@ std::optional<Rational> crossing(const OverLoads& x, const OverLoads& y) {
 /// The cells of the loads, from the modes.
 class Cells {
  public:
-  Cells(const FrictionProblem& problem, const std::vector<ConsistentMode>& consistent) : problem_(problem) {
+  Cells(const FrictionProblem& problem, const std::vector<ConsistentMode>& consistent, Told told)
+      : problem_(problem), told_(told) {
     for (const ConsistentMode& mode : consistent) modes_.emplace_back(problem, mode);
   }
 
@@ -165,8 +183,8 @@ class Cells {
     std::vector<AffineForm> differences;
     for (std::size_t i = 0; i < problem_.accelerations.size(); ++i) {
       AffineForm form = problem_.accelerations[i];
-      form.constant -= modes_[other].accelerations[i].alpha;
-      form.coefficients.back() -= modes_[other].accelerations[i].beta;
+      form.constant -= modes_[other].acceleration(i).alpha;
+      form.coefficients.back() -= modes_[other].acceleration(i).beta;
       differences.push_back(std::move(form));
     }
     if (const auto common = with(continuum.solutions, differences)) add_ends(points, common->loads);
@@ -175,15 +193,15 @@ class Cells {
   std::vector<Rational> breakpoints() const {
     std::vector<Rational> points;
     add_ends(points, problem_.load_domain);
-    for (const ModeOfCells& mode : modes_) add_ends(points, mode.found->solutions.loads);
+    for (const ModeOfCells& mode : modes_) add_ends(points, mode.found().solutions.loads);
     for (std::size_t i = 0; i < modes_.size(); ++i) {
       stop_if_asked();
       for (std::size_t j = 0; j < modes_.size(); ++j) {
-        if (!modes_[j].found->determined || i == j) continue;
-        if (!modes_[i].found->determined) {
-          add_containment(points, *modes_[i].found, j);
+        if (!modes_[j].found().determined || i == j) continue;
+        if (!modes_[i].found().determined) {
+          add_containment(points, modes_[i].found(), j);
         } else if (j < i) {
-          if (auto load = crossing(modes_[i].accelerations, modes_[j].accelerations))
+          if (auto load = crossing(modes_[i], modes_[j], problem_.accelerations.size()))
             points.push_back(std::move(*load));
         }
       }
@@ -206,17 +224,27 @@ class Cells {
     if (!loads.empty()) cells.push_back(cell(loads));
   }
 
+  /// A mode of a cell at a point of which it has more than one solution for a load.
+  struct AtPoint {
+    ConsistentMode mode;
+    ModeOfCells of_cells;
+    AtPoint(const FrictionProblem& problem, ConsistentMode here) : mode(std::move(here)), of_cells(problem, mode) {}
+    AtPoint(const AtPoint&) = delete;
+  };
+
   /// The motions at one load, or at all loads of an open interval: inside they are those at one, and affine in it.
   LoadCell cell(const ForceInterval& loads) const {
     LoadCell result{loads, {}, {}};
     const Rational load = loads.sample();
     std::vector<Polyhedron> continua;
+    std::vector<const ModeOfCells*> first;  // by motion: its first mode
+    std::list<AtPoint> at_point;
     for (const ModeOfCells& mode : modes_) {
-      const ConsistentMode& found = *mode.found;
+      const ConsistentMode& found = mode.found();
       if (!found.solutions.loads.contains(load)) continue;
-      if (mode.regular) {
+      if (mode.regular()) {
         const bool strict = loads.is_point() ? strict_at(found.solutions, load) : found.solutions.strict;
-        add_motion(result, mode, strict);
+        add_motion(result, first, mode, strict);
         continue;
       }
       auto solutions = at_load(found.solutions, load);
@@ -225,40 +253,70 @@ class Cells {
       if (!here.determined) {
         result.continua.push_back(here.mode);
         continua.push_back(std::move(here.solutions));
-      } else {
-        add_motion(result, loads.is_point() ? ModeOfCells(problem_, here) : mode, here.solutions.strict);
+        continue;
       }
+      const bool strict = here.solutions.strict;
+      add_motion(result, first, loads.is_point() ? at_point.emplace_back(problem_, std::move(here)).of_cells : mode,
+                 strict);
     }
-    std::erase_if(result.motions, [&](const MotionOverLoads& motion) {
-      std::vector<Rational> accelerations;
-      for (const auto& value : motion.accelerations) accelerations.push_back(value.at(load));
-      return std::any_of(continua.begin(), continua.end(), [&](const Polyhedron& solutions) {
-        return contains(problem_, solutions, accelerations, nullptr);
-      });
-    });
+    if (!continua.empty()) leave_out_contained(result, first, continua, load);
     return result;
   }
 
+  void leave_out_contained(LoadCell& cell, const std::vector<const ModeOfCells*>& first,
+                           const std::vector<Polyhedron>& continua, const Rational& load) const {
+    std::vector<MotionOverLoads> left;
+    for (std::size_t k = 0; k < cell.motions.size(); ++k) {
+      const std::vector<Rational> accelerations = first[k]->accelerations_at(load);
+      const bool contained = std::any_of(continua.begin(), continua.end(), [&](const Polyhedron& solutions) {
+        return contains(problem_, solutions, accelerations, nullptr);
+      });
+      if (!contained) left.push_back(std::move(cell.motions[k]));
+    }
+    cell.motions = std::move(left);
+  }
+
   /// A mode's motion, or the mode to those of the same motion; forces that differ among them are undetermined.
-  static void add_motion(LoadCell& cell, const ModeOfCells& mode, bool strict) {
-    const bool point = cell.loads.is_point();
-    const Rational load = point ? cell.loads.sample() : Rational();
-    OverLoads accelerations = point ? at(mode.accelerations, load) : mode.accelerations;
-    ForcesOverLoads forces = point ? at(mode.forces, load) : mode.forces;
-    auto motion = std::find_if(cell.motions.begin(), cell.motions.end(),
-                               [&](const MotionOverLoads& m) { return m.accelerations == accelerations; });
-    if (motion == cell.motions.end()) {
-      cell.motions.push_back({{}, {}, std::move(accelerations), std::move(forces)});
-      motion = cell.motions.end() - 1;
-    } else {
-      for (std::size_t k = 0; k < forces.size(); ++k) {
-        if (motion->forces[k] != forces[k]) motion->forces[k].reset();
+  void add_motion(LoadCell& cell, std::vector<const ModeOfCells*>& first, const ModeOfCells& mode, bool strict) const {
+    std::size_t k = 0;
+    while (k < first.size() && !is_same(*first[k], mode, cell.loads)) ++k;
+    if (k == first.size()) {
+      first.push_back(&mode);
+      cell.motions.emplace_back();
+      if (told_ == Told::numbers) add_numbers(cell, mode);
+    } else if (told_ == Told::numbers) {
+      const ForcesOverLoads forces = forces_in(cell, mode);
+      for (std::size_t i = 0; i < forces.size(); ++i) {
+        if (cell.motions[k].forces[i] != forces[i]) cell.motions[k].forces[i].reset();
       }
     }
-    (strict ? motion->modes : motion->boundary_modes).push_back(mode.found->mode);
+    (strict ? cell.motions[k].modes : cell.motions[k].boundary_modes).push_back(mode.found().mode);
+  }
+
+  /// Whether two modes have the same motion at the loads of a cell.
+  bool is_same(const ModeOfCells& x, const ModeOfCells& y, const ForceInterval& loads) const {
+    for (std::size_t i = 0; i < problem_.accelerations.size(); ++i) {
+      const Affine<Rational>&a = x.acceleration(i), &b = y.acceleration(i);
+      if (loads.is_point() ? a.at(*loads.lower()) != b.at(*loads.lower()) : a != b) return false;
+    }
+    return true;
+  }
+
+  /// To the motion that was added last.
+  static void add_numbers(LoadCell& cell, const ModeOfCells& mode) {
+    OverLoads accelerations = mode.accelerations();
+    cell.motions.back().accelerations =
+        cell.loads.is_point() ? at(accelerations, *cell.loads.lower()) : std::move(accelerations);
+    cell.motions.back().forces = forces_in(cell, mode);
+  }
+
+  static ForcesOverLoads forces_in(const LoadCell& cell, const ModeOfCells& mode) {
+    ForcesOverLoads forces = mode.forces();
+    return cell.loads.is_point() ? at(forces, *cell.loads.lower()) : forces;
   }
 
   const FrictionProblem& problem_;
+  Told told_;
   std::vector<ModeOfCells> modes_;
 };
 
@@ -312,8 +370,9 @@ MotionsAtLoad motions_of(const FrictionProblem& problem, const std::optional<Rat
   return result;
 }
 
-std::vector<LoadCell> cells_of(const FrictionProblem& problem, const std::vector<ConsistentMode>& consistent) {
-  return Cells(problem, consistent).all();
+std::vector<LoadCell> cells_of(const FrictionProblem& problem, const std::vector<ConsistentMode>& consistent,
+                               Told told) {
+  return Cells(problem, consistent, told).all();
 }
 
 }  // namespace slipproof

@@ -4,6 +4,7 @@
 // whose forces are undetermined: a body on two contacts at rest. Only a mode whose accelerations vary is a continuum.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -59,7 +60,7 @@ MotionsAtLoad motions_of(const FrictionProblem& problem, const std::optional<Rat
 /// then are hysteresis.
 std::optional<FrictionProblem> without_hysteresis(const FrictionProblem& problem);
 
-/// A motion over a set of loads.
+/// A motion over a set of loads; without the numbers where they were not asked for.
 struct MotionOverLoads {
   std::vector<MechanismMode> modes, boundary_modes;
   std::vector<Affine<Rational>> accelerations;          ///< of the load
@@ -73,8 +74,12 @@ struct LoadCell {
   std::vector<MechanismMode> continua;
 };
 
+/// What is told of motions: with their modes only, without numbers, for who counts them.
+enum class Told : std::uint8_t { modes, numbers };
+
 /// The domain of the load as points and open intervals, from below, in each of which the motions are the same modes.
 /// `consistent` are the problem's modes for all loads; neighbours may be alike.
-std::vector<LoadCell> cells_of(const FrictionProblem& problem, const std::vector<ConsistentMode>& consistent);
+std::vector<LoadCell> cells_of(const FrictionProblem& problem, const std::vector<ConsistentMode>& consistent,
+                               Told told = Told::numbers);
 
 }  // namespace slipproof

@@ -46,7 +46,7 @@ class KernelMotions final : public MotionsOverLoads {
     return FormsOn(problem_, space).of(mode);
   }
 
-  std::vector<LoadCell> cells() const override { return cells_of(problem_, consistent_); }
+  std::vector<LoadCell> cells(Told told) const override { return cells_of(problem_, consistent_, told); }
 
  private:
   /// The forms of a problem over what a space leaves free.

@@ -34,7 +34,7 @@ class MotionsOverLoads {
   /// Nothing if its equations have no solution at any load.
   virtual std::optional<ModeForms> forms(const MechanismMode& mode) const = 0;
   /// The loads of the domain as points and open intervals, from below, in each of which the motions are the same modes.
-  virtual std::vector<LoadCell> cells() const = 0;
+  virtual std::vector<LoadCell> cells(Told told = Told::numbers) const = 0;
 };
 
 /// By the kernel. Without `only`, all modes, of which there must be at most max_modes; with it, only these, for who

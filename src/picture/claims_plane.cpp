@@ -107,7 +107,7 @@ class ColumnSolver {
     const auto sample = SolvedSample::make(setting_, values);
     if (!sample) return std::nullopt;
     PhaseColumn column;
-    column.cells = sample->cells();
+    column.cells = sample->cells_with_numbers();
     for (std::size_t c = 0; c < thresholds_.size(); ++c) column.curves.push_back(force_of(c, x));
     for (const std::size_t claim : judged_) {
       const Judgement judgement = judge(*claims_, compiled_, claim, reading_, *sample);

@@ -15,7 +15,9 @@ std::string_view name(MotionCount count) {
 namespace {
 
 std::vector<LoadCell> all_cells(const FrictionProblem& problem) {
-  if (problem.has_load) return cells_of(problem, ModeSolver(problem, std::nullopt).consistent());
+  if (problem.has_load) {
+    return cells_of(problem, ModeSolver(problem, std::nullopt).consistent(), Told::modes);
+  }
   MotionsAtLoad found = motions_of(problem, std::nullopt);
   LoadCell cell;
   for (MotionAtLoad& motion : found.motions) {

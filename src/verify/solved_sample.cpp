@@ -132,18 +132,20 @@ std::unique_ptr<SolvedSample> SolvedSample::under(const CompiledSetting& other) 
 }
 
 const std::vector<LoadCell>& SolvedSample::cells() {
-  if (!cells_) {
-    std::vector<LoadCell> cells = motions().cells();
-    const bool same = load_ == Affine<Rational>(0, 1);
-    for (LoadCell& cell : cells) {
-      if (same) break;
-      cell.loads = in_variable(cell.loads);
-      for (MotionOverLoads& motion : cell.motions) put_in_variable(motion);
-    }
-    if (load_.beta < 0) std::reverse(cells.begin(), cells.end());
-    cells_ = std::make_shared<const std::vector<LoadCell>>(std::move(cells));
-  }
+  if (!cells_) cells_ = std::make_shared<const std::vector<LoadCell>>(cells_told(Told::modes));
   return *cells_;
+}
+
+std::vector<LoadCell> SolvedSample::cells_told(Told told) {
+  std::vector<LoadCell> cells = motions().cells(told);
+  const bool same = load_ == Affine<Rational>(0, 1);
+  for (LoadCell& cell : cells) {
+    if (same) break;
+    cell.loads = in_variable(cell.loads);
+    for (MotionOverLoads& motion : cell.motions) put_in_variable(motion);
+  }
+  if (load_.beta < 0) std::reverse(cells.begin(), cells.end());
+  return cells;
 }
 
 void SolvedSample::put_in_variable(MotionOverLoads& motion) const {

@@ -41,8 +41,10 @@ class SolvedSample {
   Rational load(const Rational& x) const { return load_.at(x); }
   /// Loads as the force variable sees them.
   ForceInterval in_variable(const ForceInterval& loads) const;
-  /// The partition of the line of the force variable; made when first asked for.
+  /// The partition of the line of the force variable, motions with their modes only; made when first asked for.
   const std::vector<LoadCell>& cells();
+  /// The same with the motions' numbers; made anew each time.
+  std::vector<LoadCell> cells_with_numbers() { return cells_told(Told::numbers); }
   /// The equations that hold in every mode, with no contact open; in a mode, with the equations of its states.
   LinearRows equations(const std::optional<MechanismMode>& mode);
   /// Where the paper stands: the domain of the force variable.
@@ -52,7 +54,9 @@ class SolvedSample {
   Truth eventually(const Program& statement, std::size_t parameter) const;
   Truth region(const Program& region) { return constants_.truth(region); }
   /// Over all numbers, in the domain or not.
-  std::vector<TruthCell> over_forces(const Program& statement) { return truth_over_forces(statement, functions_); }
+  std::vector<TruthCell> over_forces(const Program& statement) {
+    return truth_over_forces(statement, functions_);
+  }
   /// The forces in the domain at which a statement is true, and those at which it has no value.
   struct TrueForces {
     std::vector<ForceInterval> parts, unvalued;  ///< ascending, none empty
@@ -74,6 +78,7 @@ class SolvedSample {
   SolvedSample(const CompiledSetting& setting, std::vector<Rational> values);
   bool read_scene();
   bool read_load();
+  std::vector<LoadCell> cells_told(Told told);
   void put_in_variable(MotionOverLoads& motion) const;
 
   const CompiledSetting* setting_;
