@@ -85,6 +85,7 @@ CompiledSetting::CompiledSetting(const Setting& setting) {
       if (!slot.definition) slot.definition = compile(names.definition(i, reading), reading);
     }
   }
+  find_varying();
 
   for (const Parameter& parameter : setting.parameters) domains_.push_back(compile(parameter.domain, Reading::printed));
   for (const Realisable& one : setting.realisable) realisable_.push_back(compile(one.condition, Reading::repaired));
@@ -174,6 +175,28 @@ Program CompiledSetting::compile_equation(const Expression& equation, Reading re
 void CompiledSetting::redefine(std::size_t index, const Expression& expression) {
   definitions_[0][index] = expression;
   scope_.slots[definition_slot(index, Reading::printed)].definition = compile(expression, Reading::printed);
+  find_varying();
+}
+
+bool CompiledSetting::varies(const Program& program) const {
+  return std::any_of(program.code().begin(), program.code().end(), [&](const Program::Instruction& instruction) {
+    return instruction.operation == Operation::symbol && varying_[instruction.first];
+  });
+}
+
+/// Definitions may stand in any order: until no more of them is found to vary.
+void CompiledSetting::find_varying() {
+  varying_.assign(scope_.slots.size(), false);
+  varying_[force_slot()] = true;
+  for (std::size_t i = 0; i < quantities_; ++i) varying_[quantity_slot(i)] = true;
+  for (bool more = true; more;) {
+    more = false;
+    for (std::size_t slot = 0; slot < varying_.size(); ++slot) {
+      const auto& definition = scope_.slots[slot].definition;
+      if (varying_[slot] || !definition || !varies(*definition)) continue;
+      varying_[slot] = more = true;
+    }
+  }
 }
 
 CompiledClaims::CompiledClaims(const ClaimsFile& file) {

@@ -61,6 +61,8 @@ class CompiledSetting {
   };
   /// The values at which parameters are on a boundary, those of both readings where they differ.
   const std::vector<Boundary>& boundaries() const { return boundaries_; }
+  /// Whether a program of the setting depends on the force or on a quantity.
+  bool varies(const Program& program) const;
   /// What a point that can be built has to meet, in the order of Setting::realisable.
   const std::vector<Program>& realisable() const { return realisable_; }
   /// By parameter.
@@ -88,10 +90,12 @@ class CompiledSetting {
   /// Conditions, with functions of what varies as cases, so that the truth over all forces can be told; what takes too
   /// many cases stays, and is undecided.
   Expression prepared(const Expression& e, Reading reading) const;
+  void find_varying();
   /// With the definitions written out that have functions of what varies.
   Expression written_out(const Expression& e, Reading reading) const;
 
   Scope scope_;
+  std::vector<bool> varying_;  ///< by slot
   std::size_t first_quantity_ = 0, quantities_ = 0;
   std::vector<std::size_t> unknown_slots_;
   std::map<std::string, std::size_t, std::less<>> slots_;  ///< of what is no definition

@@ -85,17 +85,23 @@ class RationalFunction {
   /// Written without the variable: then numerator().coefficient(0) is the value.
   bool is_constant() const { return numerator_.degree() == 0 && denominator_.degree() == 0; }
 
+  /// Of a constant, most of what claims compare among them: its denominator is 1.
+  Rational value() const { return numerator_.coefficient(0); }
+
   friend RationalFunction operator+(const RationalFunction& x, const RationalFunction& y) {
+    if (x.is_constant() && y.is_constant()) return x.value() + y.value();
     if (x.denominator_ == y.denominator_) return {x.numerator_ + y.numerator_, x.denominator_};
     return {x.numerator_ * y.denominator_ + y.numerator_ * x.denominator_, x.denominator_ * y.denominator_};
   }
   friend RationalFunction operator-(const RationalFunction& x) { return {-x.numerator_, x.denominator_}; }
   friend RationalFunction operator-(const RationalFunction& x, const RationalFunction& y) { return x + -y; }
   friend RationalFunction operator*(const RationalFunction& x, const RationalFunction& y) {
+    if (x.is_constant() && y.is_constant()) return x.value() * y.value();
     return {x.numerator_ * y.numerator_, x.denominator_ * y.denominator_};
   }
   /// y must not be zero.
   friend RationalFunction operator/(const RationalFunction& x, const RationalFunction& y) {
+    if (x.is_constant() && y.is_constant()) return x.value() / y.value();
     return {x.numerator_ * y.denominator_, x.denominator_ * y.numerator_};
   }
   friend bool operator==(const RationalFunction& x, const RationalFunction& y) { return (x - y).is_zero(); }

@@ -55,6 +55,7 @@ class SolvedSample {
   Truth region(const Program& region) { return constants_.truth(region); }
   /// Over all numbers, in the domain or not.
   std::vector<TruthCell> over_forces(const Program& statement) {
+    if (!setting_->varies(statement)) return {{ForceInterval(), constants_.truth(statement)}};
     return truth_over_forces(statement, functions_);
   }
   /// The forces in the domain at which a statement is true, and those at which it has no value.
