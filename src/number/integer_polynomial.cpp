@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "number/approximate.hpp"
+
 namespace slipproof {
 
 namespace {
@@ -40,6 +42,10 @@ Integer IntegerPolynomial::coefficient(long power) const {
 }
 
 int IntegerPolynomial::sign_at(const Rational& t) const {
+  const Approximate near(t);
+  Approximate sum;
+  for (long i = degree(); i >= 0; --i) sum = sum * near + Approximate(coefficient(i));
+  if (const auto sure = sure_sign(sum)) return *sure;
   const Integer &n = numerator(t), &d = denominator(t);
   Integer value, power = 1;
   // d^degree p(n/d), from the leading coefficient down.

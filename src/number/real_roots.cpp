@@ -16,6 +16,7 @@ namespace {
 struct Found {
   RealRoot place;
   const IntegerPolynomial* polynomial;
+  int sign_below = 0;  ///< of it below the root, once it was asked for
 };
 
 bool inside(const Rational& t, const LinePart& part) {
@@ -94,12 +95,13 @@ class Isolation {
   const IntegerPolynomial& p_;
 };
 
-/// Half of the interval.
+/// Half of the interval. The sign at its lower end stays what it is.
 void refine(Found& root) {
   RealRoot& place = root.place;
   if (place.is_rational()) return;
   Rational middle = (place.lower + place.upper) / 2;
-  const bool below = root.polynomial->sign_at(middle) == root.polynomial->sign_at(place.lower);
+  if (root.sign_below == 0) root.sign_below = root.polynomial->sign_at(place.lower);
+  const bool below = root.polynomial->sign_at(middle) == root.sign_below;
   (below ? place.lower : place.upper) = std::move(middle);
 }
 

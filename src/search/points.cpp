@@ -34,7 +34,8 @@ class SymbolDraw {
     if (dice_.chance(10)) return 0;
     if (kind == Kind::integers) return sign * dice_.number(1, 6);
     if (kind == Kind::ones) return {sign * dice_.number(1, 3), dice_.number(1, 3)};
-    const Rational small(sign * dice_.number(1, 12), dice_.number(1, 8));
+    const int denominator = dice_.number(1, 8);
+    const Rational small(sign * dice_.number(1, 12), denominator);
     if (kind != Kind::wide || dice_.chance(2)) return small;
     return small * power_of_two(dice_.number(-20, 20));
   }
