@@ -4,6 +4,8 @@
 #include <memory>
 #include <utility>
 
+#include "number/bareiss.hpp"
+
 namespace slipproof {
 
 namespace {
@@ -82,6 +84,49 @@ std::vector<Side> ends_of(const AffineSpace& space, const ForceInterval& loads) 
   return ends;
 }
 
+/// Forms on a space in which the load alone is free. They come in integers, times positive numbers: where they vanish
+/// and which sign they have is all that is asked of those that vary, and greatest common divisors would be most of the
+/// work.
+class OverTheLoad {
+ public:
+  explicit OverTheLoad(const AffineSpace& space) {
+    AffineForm unknown{0, std::vector<Rational>(space.unknowns() + 1)};
+    std::vector<Rational> numbers;
+    for (std::size_t i = 0; i < space.unknowns(); ++i) {
+      unknown.coefficients[i] = 1;
+      const AffineForm value = space.on(unknown);
+      unknown.coefficients[i] = 0;
+      numbers.insert(numbers.end(), {value.constant, value.coefficients.back()});
+    }
+    denominator_ = common_denominator(numbers);
+    for (const Rational& x : numbers) values_.push_back(integer_times(x, denominator_));
+  }
+
+  AffineForm on(const AffineForm& form) const {
+    const std::size_t unknowns = form.coefficients.size() - 1;
+    std::vector<Rational> entries = form.coefficients;
+    entries.push_back(form.constant);
+    const Integer factor = common_denominator(entries);
+    Integer constant = integer_times(form.constant, factor) * denominator_,
+            slope = integer_times(form.coefficients.back(), factor) * denominator_;
+    for (std::size_t i = 0; i < unknowns; ++i) {
+      if (form.coefficients[i].is_zero()) continue;
+      const Integer entry = integer_times(form.coefficients[i], factor);
+      constant.add_product(entry, values_[2 * i]);
+      slope.add_product(entry, values_[2 * i + 1]);
+    }
+    AffineForm result{
+        slope.is_zero() ? Rational(std::move(constant), factor * denominator_) : Rational(std::move(constant)),
+        std::vector<Rational>(unknowns + 1)};
+    result.coefficients.back() = Rational(std::move(slope));
+    return result;
+  }
+
+ private:
+  Integer denominator_;
+  std::vector<Integer> values_;  ///< of each unknown constant and slope, times the denominator
+};
+
 /// One run of narrow().
 class Narrowing {
  public:
@@ -113,8 +158,10 @@ class Narrowing {
   std::optional<Conflict> collect() {
     sides_.clear();
     strict_ = true;
+    std::optional<OverTheLoad> over_load;
+    if (space_.dimension() == 0 && space_.load_is_free()) over_load.emplace(space_);
     for (std::size_t i = 0; i < conditions_.size(); ++i) {
-      AffineForm form = space_.on(conditions_[i]);
+      AffineForm form = over_load ? over_load->on(conditions_[i]) : space_.on(conditions_[i]);
       if (!is_constant(form)) {
         sides_.push_back({std::move(form), i});
       } else if (form.constant.sign() < 0) {
