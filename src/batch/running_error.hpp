@@ -4,8 +4,8 @@
 // an infinite error, or NaN in one of both: all questions below are answered no then.
 #pragma once
 
-#include "number/running_bounds.hpp"
 #include "filter/lanes.hpp"
+#include "number/running_bounds.hpp"
 
 namespace slipproof {
 
