@@ -118,6 +118,10 @@ class ReducedMotion {
   /// The same over its denominator, which has the sign of the determinant.
   Quotient<V, T> condition_value(const Condition& condition) const;
 
+  /// Divides by what the determinant and all numerators have in common, which changes no quotient and no sign: for a V
+  /// of affine integers.
+  void cancel();
+
  private:
   /// alpha a + beta y + sigma S = gamma: what the contact state says of a wheel's tangential force. What is not there
   /// is zero.
@@ -258,6 +262,14 @@ void ReducedMotion<T, V>::set_forces() {
   } else if (!lifted(Wheel::front)) {
     S3_ = (slip_direction(mode_.front) > 0 ? T(-d_.fn) : d_.fn) * N3_;
   }
+}
+
+template <class T, class V>
+void ReducedMotion<T, V>::cancel() {
+  T common = determinant_;
+  for (const T* x : {&a_.alpha, &a_.beta, &y_.alpha, &y_.beta}) common = gcd(common, *x);
+  divide_exactly({&determinant_, &a_.alpha, &a_.beta, &y_.alpha, &y_.beta}, common);
+  set_forces();
 }
 
 /// Over the determinant; with both wheels off the road, over M determinant.

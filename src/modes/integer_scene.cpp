@@ -39,10 +39,12 @@ IntegerScene to_integers(const Bicycle<Rational>& p, const Road<Rational>& road)
                .J = p.J ? std::optional<Integer>(integer_times(J, s.mass)) : std::nullopt};
   s.road = {.f = numerator(road.f), .g = numerator(g)};
   s.friction_denominator = denominator(road.f);
+  s.acceleration = s.length * s.rate;
+  s.force = s.mass * s.acceleration;
   return s;
 }
 
-Integer IntegerScene::unit(Quantity quantity) const {
+const Integer& IntegerScene::unit(Quantity quantity) const {
   switch (quantity) {
     case Quantity::phi:
     case Quantity::eps2:
@@ -52,9 +54,9 @@ Integer IntegerScene::unit(Quantity quantity) const {
     case Quantity::S3:
     case Quantity::N2:
     case Quantity::N3:
-      return force_unit();
+      return force;
     default:
-      return length * rate;
+      return acceleration;
   }
 }
 

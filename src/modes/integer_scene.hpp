@@ -16,11 +16,11 @@ struct IntegerScene {
   Integer length;                ///< units in a metre
   Integer mass;                  ///< units in a kilogram
   Integer rate;                  ///< units of 1/s^2 in one 1/s^2
+  Integer acceleration;          ///< units in one m/s^2: length rate
+  Integer force;                 ///< units in a newton: mass length rate
 
   /// Units of the quantity in its SI unit.
-  Integer unit(Quantity quantity) const;
-  /// Units of force in a newton.
-  Integer force_unit() const { return mass * length * rate; }
+  const Integer& unit(Quantity quantity) const;
 };
 
 IntegerScene to_integers(const Bicycle<Rational>& bicycle, const Road<Rational>& road);

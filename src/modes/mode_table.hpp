@@ -3,7 +3,7 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
+#include <variant>
 #include <vector>
 
 #include "model/bicycle.hpp"
@@ -12,8 +12,12 @@
 #include "modes/continuum.hpp"
 #include "modes/integer_scene.hpp"
 #include "motions/force_interval.hpp"
+#include "number/fixed_integer.hpp"
 
 namespace slipproof {
+
+/// Wide enough for the modes of a scene with parameters of two or three digits; others are solved in Integer.
+using ModeInteger = FixedInteger<4>;
 
 /// One contact mode over alpha + beta F.
 class ModeSolution {
@@ -40,10 +44,16 @@ class ModeSolution {
 
  private:
   friend class ModeTable;
+  template <class Read>
+  auto read(const Read& read) const;
+
   ContactMode mode_;
   Kind kind_ = Kind::none;
   ForceInterval closed_ = ForceInterval::nothing(), strict_ = ForceInterval::nothing();
-  std::optional<ReducedMotion<Integer, Affine<Integer>>> reduced_;
+  template <class T>
+  using Reduced = ReducedMotion<T, Affine<T>>;
+  /// Of a regular mode; nothing is in lowest terms before it is read.
+  std::variant<std::monostate, Reduced<ModeInteger>, Reduced<Integer>> reduced_;
   const IntegerScene* units_ = nullptr;
   std::shared_ptr<const Continuum> continuum_;
 };
@@ -65,9 +75,11 @@ class ModeTable {
  private:
   struct Ground {
     IntegerScene scene;
-    ReducedDynamics<Integer, Affine<Integer>> dynamics;
+    std::variant<ReducedDynamics<ModeInteger, Affine<ModeInteger>>, ReducedDynamics<Integer, Affine<Integer>>> dynamics;
   };
   ModeSolution solve(ContactMode mode, const std::function<const SingularModes&()>& singular) const;
+  template <class T>
+  bool solve_regular(const ReducedDynamics<T, Affine<T>>& dynamics, ModeSolution& solution) const;
 
   std::unique_ptr<const Ground> ground_;  ///< a stable address: the solutions point into it
   bool detachment_ = false;
