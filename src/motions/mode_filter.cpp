@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motions/state_rows.hpp"
+
 namespace slipproof {
 
 class ModeFilter::Elimination {
@@ -74,19 +76,9 @@ ModeFilter::ModeFilter(const FrictionProblem& problem, const std::optional<Ratio
   if (domain.lower()) above_.emplace_back(*domain.lower());
   if (domain.upper()) below_.emplace_back(*domain.upper());
   for (const AffineForm& form : problem.equations) equations_.push_back(row_of(form));
-  for (const ProblemElement& element : problem.elements) {
-    std::vector<StateRows>& of_element = states_.emplace_back();
-    for (const ElementState state : states(element.kind)) {
-      const auto number = static_cast<std::size_t>(state);
-      if (of_element.size() <= number) of_element.resize(number + 1);
-      for (const StateEquation e : slipproof::equations(element.kind, state)) {
-        of_element[number].equations.push_back(row_of(form_of(element, state, e)));
-      }
-      for (const StateCondition c : slipproof::conditions(element.kind, state)) {
-        of_element[number].conditions.push_back(row_of(form_of(element, state, c)));
-      }
-    }
-  }
+  states_ = rows_by_state<StateRows>(
+      problem, [&](StateRows& rows, const AffineForm& form) { rows.equations.push_back(row_of(form)); },
+      [&](StateRows& rows, const AffineForm& form, StateCondition) { rows.conditions.push_back(row_of(form)); });
 }
 
 ModeFilter::Row ModeFilter::row_of(const AffineForm& form) const {

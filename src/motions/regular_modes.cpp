@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "motions/state_rows.hpp"
+
 namespace slipproof {
 
 /// The equations of one mode. An unknown is y_k times the factor that column k has for it; those that are in no column
@@ -113,19 +115,11 @@ class RegularModes::Elimination {
 RegularModes::RegularModes(const FrictionProblem& problem, const std::optional<Rational>& load)
     : unknowns_(problem.unknowns), load_(problem.has_load ? load : Rational(0)), right_sides_(load_ ? 1 : 2) {
   for (const AffineForm& form : problem.equations) equations_.push_back(row_of(form));
-  for (const ProblemElement& element : problem.elements) {
-    std::vector<StateRows>& of_element = states_.emplace_back();
-    for (const ElementState state : states(element.kind)) {
-      const auto number = static_cast<std::size_t>(state);
-      if (of_element.size() <= number) of_element.resize(number + 1);
-      for (const StateEquation e : slipproof::equations(element.kind, state)) {
-        of_element[number].equations.push_back(row_of(form_of(element, state, e)));
-      }
-      for (const StateCondition c : slipproof::conditions(element.kind, state)) {
-        of_element[number].conditions.emplace_back(row_of(form_of(element, state, c)), c);
-      }
-    }
-  }
+  states_ = rows_by_state<StateRows>(
+      problem, [&](StateRows& rows, const AffineForm& form) { rows.equations.push_back(row_of(form)); },
+      [&](StateRows& rows, const AffineForm& form, StateCondition c) {
+        rows.conditions.emplace_back(row_of(form), c);
+      });
 }
 
 RegularModes::Row RegularModes::row_of(const AffineForm& form) {

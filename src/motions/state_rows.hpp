@@ -1,0 +1,30 @@
+// What each state of each element asks for, kept in a form of a solver's own.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "motions/friction_problem.hpp"
+
+namespace slipproof {
+
+/// By element and state: each equation of the state is given to equation(rows, form), each condition to
+/// condition(rows, form, which). Empty for states that an element does not have.
+template <class StateRows, class AddEquation, class AddCondition>
+std::vector<std::vector<StateRows>> rows_by_state(const FrictionProblem& problem, const AddEquation& equation,
+                                                  const AddCondition& condition) {
+  std::vector<std::vector<StateRows>> result;
+  for (const ProblemElement& element : problem.elements) {
+    std::vector<StateRows>& of_element = result.emplace_back();
+    for (const ElementState state : states(element.kind)) {
+      const auto number = static_cast<std::size_t>(state);
+      if (of_element.size() <= number) of_element.resize(number + 1);
+      StateRows& rows = of_element[number];
+      for (const StateEquation e : equations(element.kind, state)) equation(rows, form_of(element, state, e));
+      for (const StateCondition c : conditions(element.kind, state)) condition(rows, form_of(element, state, c), c);
+    }
+  }
+  return result;
+}
+
+}  // namespace slipproof
