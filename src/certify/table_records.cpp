@@ -91,7 +91,7 @@ CellCode kind_code(const CellType& type, const char* cell) {
     return {0, "kind: found " + std::to_string(code) + ", expected 0 (internal) or 1 (external)"};
   }
   const std::string text = text_at(type, cell);
-  if (text == "internal" || text == "external") return {static_cast<std::uint8_t>(text == "external"), {}};
+  if (const auto kind = parse_force_kind(text)) return {static_cast<std::uint8_t>(*kind == ForceKind::external), {}};
   return {0, "found the kind " + in_quotes(text) + ", expected internal or external"};
 }
 

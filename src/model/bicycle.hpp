@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "number/rational.hpp"
@@ -35,6 +36,12 @@ struct Road {
 
 /// Internal: the rider on the bicycle pushes the pedal (Problem 1). External: somebody beside it does (Problem 2).
 enum class ForceKind { internal, external };
+
+/// "internal" or "external", as files have it.
+constexpr std::optional<ForceKind> parse_force_kind(std::string_view text) {
+  if (text == "internal") return ForceKind::internal;
+  return text == "external" ? std::optional(ForceKind::external) : std::nullopt;
+}
 
 /// What a scene file says, read exactly.
 struct Scene {

@@ -159,9 +159,9 @@ class SceneReader {
   void read_kind(const TableReader& force) {
     force.require("kind", "\"internal\" or \"external\"");
     const PlacedText* kind = force.string("kind");
-    if (kind == nullptr || kind->text() == "internal") return;
-    if (kind->text() == "external") {
-      scene_.force_kind = ForceKind::external;
+    if (kind == nullptr) return;
+    if (const auto found = parse_force_kind(kind->text())) {
+      scene_.force_kind = *found;
     } else {
       force.refuse("kind", "found " + in_quotes(kind->text()) + ", expected \"internal\" or \"external\"");
     }
