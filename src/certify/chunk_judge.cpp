@@ -52,6 +52,50 @@ class SceneLines final : public LineJudge {
   const CertifyOptions& options_;
 };
 
+/// Of bicycles in CSV, most of which are read into lanes and certified there; the others are judged one by one.
+class LaneLines final : public LineJudge {
+ public:
+  LaneLines(const RecordReader& reader, const LaneJudge& lanes, const CertifyOptions& options)
+      : reader_(reader), lanes_(lanes), options_(options), usual_(reader.usual_lines()) {
+    reader.fill_constants(records_);
+    records_.count = 0;
+  }
+  void judge(std::string_view line, std::uint64_t at, RecordJudgement& judgement) override {
+    if (!reader_.read_usual({line}, usual_, records_)) {
+      judgement = judge_line(line, at, reader_, options_);
+      return;
+    }
+    lines_[records_.count++] = {line, at, &judgement};
+    if (records_.count == lane_records) finish();
+  }
+  void finish() override {
+    lanes_.answers(records_, found_);
+    for (std::size_t i = 0; i < records_.count; ++i) {
+      const Line& line = lines_[i];
+      if (!found_.certified(i, options_.judge.tolerance, *line.judgement)) {
+        *line.judgement = judge_line(line.text, line.at, reader_, options_);
+      }
+    }
+    records_.count = 0;
+    usual_.forget();
+  }
+
+ private:
+  struct Line {
+    std::string_view text;
+    std::uint64_t at = 0;
+    RecordJudgement* judgement = nullptr;
+  };
+
+  const RecordReader& reader_;
+  const LaneJudge& lanes_;
+  const CertifyOptions& options_;
+  UsualLines usual_;
+  LaneRecords records_;
+  CertifiedLanes found_;
+  std::array<Line, lane_records> lines_;
+};
+
 class MechanismLines final : public LineJudge {
  public:
   MechanismLines(const MechanismReader& reader, const MechanismJudge& judge, const CertifyOptions& options)
@@ -92,6 +136,7 @@ class ChunkJudge::Judges {
   Judges(const CertifyOptions& options, std::string_view header) : options_(options) {
     if (!options.mechanism) {
       records_.emplace(options, header);
+      lanes_ = records_->lanes();
       return;
     }
     mechanism_records_.emplace(options, header);
@@ -99,6 +144,7 @@ class ChunkJudge::Judges {
   }
 
   std::unique_ptr<LineJudge> make() const {
+    if (lanes_) return std::make_unique<LaneLines>(*records_, *lanes_, options_);
     if (records_) return std::make_unique<SceneLines>(*records_, options_);
     return std::make_unique<MechanismLines>(*mechanism_records_, *mechanism_judge_, options_);
   }
@@ -106,6 +152,7 @@ class ChunkJudge::Judges {
  private:
   const CertifyOptions& options_;
   std::optional<RecordReader> records_;
+  std::optional<LaneJudge> lanes_;
   std::optional<MechanismReader> mechanism_records_;
   std::optional<MechanismJudge> mechanism_judge_;
 };

@@ -105,19 +105,17 @@ void ColumnsJudge::each(std::size_t begin, std::size_t end,
   }
   LaneRecords records;
   CertifiedLanes answers;
-  RecordJudgement certified{RecordVerdict::certified, Tier::filter, 0, 1, false, 0, false, {}, {}};
+  RecordJudgement certified;
   fill_constants(records);
   for (std::size_t first = begin; first < end; first += lane_records) {
     fill(records, first, std::min(first + lane_records, end));
     lanes_->answers(records, answers);
     for (std::size_t i = 0; i < records.count; ++i) {
-      if (answers.modes[i] == no_mode || !(answers.errors[i] <= options_.tolerance)) {
+      if (answers.certified(i, options_.tolerance, certified)) {
+        see(first + i, certified);
+      } else {
         see(first + i, (*this)(first + i));
-        continue;
       }
-      certified.modes = static_cast<std::uint16_t>(1U << answers.modes[i]);
-      certified.max_error = answers.errors[i];
-      see(first + i, certified);
     }
   }
 }

@@ -13,6 +13,7 @@
 #include "certify/cells.hpp"
 #include "certify/certify.hpp"
 #include "certify/exact_judge.hpp"
+#include "certify/lane_judge.hpp"
 #include "parallel/in_parallel.hpp"
 
 namespace slipproof {
@@ -92,7 +93,7 @@ class JudgedRecords {
 
   const CertifyOptions& options_;
   Judged result_;
-  std::array<Entry, 64> entries_;
+  std::array<Entry, lane_records> entries_;
   std::size_t count_ = 0;
 };
 

@@ -40,7 +40,52 @@ struct BoundErrors {
   }
 };
 
+/// Certainly in the domain, and small enough in sum for the filter, whichever way the sum is rounded: not negative.
+/// What stands behind the last record is looked at, too.
+struct SurelyInside {
+  template <int width>
+  static void run(const LaneRecords& r, std::uint32_t present, bool exact, LaneMarks& marks) {
+    using V = typename LaneTypes<width>::Numbers;
+    constexpr double largest = std::numeric_limits<double>::max();
+    for (std::size_t row = 0; row < r.count; row += width) {
+      const auto at = [&](Field f) { return load<V>(&r.numbers[index(f)][row]); };
+      BitsOf<V> outside{};
+      V sum{};
+      for (auto rest = present; rest != 0; rest &= rest - 1) {
+        const auto f = static_cast<Field>(std::countr_zero(rest));
+        const V x = at(f);
+        outside |= beyond(x, largest);
+        if (lowest_inside(f) > -largest) outside |= bits(V(x - lowest_inside(f)));
+        if (index(f) < parameter_count) sum += absolute(x);
+      }
+      outside |= bits(V(input_limit / 4 - sum));  // b, mu and h0 stand for up to two numbers each
+      const auto above = [&](Field f, Field other) {
+        if ((present & bit(f)) == 0) return;
+        outside |= exact ? ~bits(V(-at(other) - at(f))) : ~(bits(V(V{} - at(f))) & bits(V(V{} - at(other))));
+      };
+      above(Field::h, Field::R);
+      above(Field::b2, Field::b3);
+      std::memcpy(&marks[row], &outside, sizeof outside);
+    }
+  }
+};
+
 }  // namespace
+
+bool CertifiedLanes::certified(std::size_t i, double tolerance, RecordJudgement& judgement) const {
+  if (modes[i] == no_mode || !(errors[i] <= tolerance)) return false;
+  judgement.verdict = RecordVerdict::certified;
+  judgement.tier = Tier::filter;
+  judgement.modes = static_cast<std::uint16_t>(1U << modes[i]);
+  judgement.motions = 1;
+  judgement.continuum = judgement.contact_problem = false;
+  judgement.max_error = errors[i];
+  judgement.rho = 0;
+  judgement.mode_names.clear();
+  judgement.details.clear();
+  judgement.members.clear();
+  return true;
+}
 
 LaneJudge::LaneJudge(std::uint32_t present, std::uint32_t own, const Record& base) : present_(present) {
   std::uint32_t rounded = 0;
@@ -54,29 +99,8 @@ LaneJudge::LaneJudge(std::uint32_t present, std::uint32_t own, const Record& bas
   able_ = !vanishes && !has(Field::M2) && !has(Field::P) && (exact_ || !has(Field::h0));
 }
 
-/// Certainly in the domain, and small enough in sum for the filter, whichever way the sum is rounded.
-void LaneJudge::inside(const LaneRecords& r, std::array<bool, lane_records>& ok) const {
-  const std::size_t count = r.count;
-  std::array<double, lane_records> sums{};
-  std::fill_n(ok.begin(), count, true);
-  for (auto rest = present_; rest != 0; rest &= rest - 1) {
-    const auto field = static_cast<std::size_t>(std::countr_zero(rest));
-    const double lowest = lowest_inside(static_cast<Field>(field));
-    const auto& x = r.numbers[field];
-    for (std::size_t i = 0; i < count; ++i) {
-      ok[i] = ok[i] & (x[i] >= lowest) & (x[i] <= std::numeric_limits<double>::max());
-    }
-    if (field >= parameter_count) continue;
-    for (std::size_t i = 0; i < count; ++i) sums[i] += std::fabs(x[i]);
-  }
-  // b, mu and h0 stand for up to two numbers each.
-  for (std::size_t i = 0; i < count; ++i) ok[i] = ok[i] & (sums[i] <= input_limit / 4);
-  const auto above = [&](Field f, Field other) {
-    const auto &x = r.numbers[index(f)], &y = r.numbers[index(other)];
-    for (std::size_t i = 0; i < count; ++i) ok[i] = ok[i] & (exact_ ? x[i] > -y[i] : (x[i] > 0) & (y[i] > 0));
-  };
-  if (has(Field::h)) above(Field::h, Field::R);
-  if (has(Field::b2)) above(Field::b2, Field::b3);
+void LaneJudge::inside(const LaneRecords& r, LaneMarks& marks) const {
+  VectorKernel<SurelyInside>::run(widest_registers(), r, present_, exact_, marks);
 }
 
 /// As rounded_scene() makes each; the last one again where there are no more.
@@ -155,8 +179,8 @@ void LaneJudge::bound_errors(const LaneRecords& r, const Rows& rows, std::size_t
 }
 
 void LaneJudge::answers(const LaneRecords& r, CertifiedLanes& found) const {
-  std::array<bool, lane_records> ok;
-  inside(r, ok);
+  LaneMarks marks;
+  inside(r, marks);
   std::fill_n(found.modes.begin(), r.count, no_mode);
   Rows rows;
   for (const ForceKind kind : {ForceKind::internal, ForceKind::external}) {
@@ -168,7 +192,7 @@ void LaneJudge::answers(const LaneRecords& r, CertifiedLanes& found) const {
       }
       return count;
     };
-    find_modes(r, rows, select([&](std::size_t i) { return ok[i]; }), kind, found);
+    find_modes(r, rows, select([&](std::size_t i) { return marks[i] >= 0; }), kind, found);
     unsigned occur = 0;
     for (std::size_t i = 0; i < r.count; ++i) {
       if (found.modes[i] != no_mode) occur |= 1U << found.modes[i];

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "certify/record.hpp"
+#include "certify/judge.hpp"
 #include "filter/lane_numbers.hpp"
 
 namespace slipproof {
@@ -14,14 +14,21 @@ inline constexpr std::size_t lane_records = 256;
 
 struct LaneRecords {
   std::size_t count = 0;
-  std::array<std::array<double, lane_records>, field_count> numbers;  ///< by Field, of those that records have
-  std::array<std::uint8_t, lane_records> modes;                       ///< that the solver claims; no_mode
+  /// By Field, of those that records have. Rows lie in different lines of a cache for each field.
+  std::array<std::array<double, lane_records + 8>, field_count> numbers{};
+  std::array<std::uint8_t, lane_records> modes;  ///< that the solver claims; no_mode
   std::array<ForceKind, lane_records> kinds;
 };
+
+/// Negative for no, anything else for yes; as long as the numbers, for the sake of vectors.
+using LaneMarks = std::array<std::int64_t, lane_records>;
 
 /// The one mode of each scene and a bound on the answer's error in it, as the first tier finds them; no_mode for what
 /// judge() has to look at.
 struct CertifiedLanes {
+  /// Whether record i is certified here within the tolerance, as judge() would; it is put into `judgement` then.
+  bool certified(std::size_t i, double tolerance, RecordJudgement& judgement) const;
+
   std::array<std::uint8_t, lane_records> modes;
   std::array<double, lane_records> errors;
 };
@@ -40,7 +47,7 @@ class LaneJudge {
  private:
   using Rows = std::array<std::uint16_t, lane_records>;
 
-  void inside(const LaneRecords& records, std::array<bool, lane_records>& ok) const;
+  void inside(const LaneRecords& records, LaneMarks& marks) const;
   ForcedScene<LaneNumbers> scenes(const LaneRecords& records, const std::uint16_t* rows, std::size_t count,
                                   ForceKind kind) const;
   void find_modes(const LaneRecords& records, const Rows& rows, std::size_t count, ForceKind kind,

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "certify/csv_line.hpp"
 #include "certify/json_object.hpp"
 
 namespace slipproof {
@@ -20,11 +19,10 @@ void RecordReader::read_header(std::string_view header) {
     if (name == "mode") return std::optional(mode_column);
     return name == "kind" ? std::optional(kind_column) : std::nullopt;
   });
-  std::uint32_t seen = 0;
   for (const int column : columns_) {
-    if (column >= 0) seen |= bit(static_cast<Field>(column));
+    if (column >= 0) own_ |= bit(static_cast<Field>(column));
   }
-  complete_ = over_scene(base_, seen);
+  complete_ = over_scene(base_, own_);
   if (const std::string reason = incomplete(complete_); !reason.empty()) mistakes.add({1, 1}, reason);
   mistakes.refuse_if_any();
 }
@@ -38,10 +36,9 @@ void RecordReader::put(Record& record, int column, std::string_view text, std::s
     return;
   }
   if (column == kind_column) {
-    if (text != "internal" && text != "external") {
-      throw BrokenRecord{place, "found the kind " + in_quotes(text) + ", expected internal or external"};
-    }
-    record.force_kind = text == "internal" ? ForceKind::internal : ForceKind::external;
+    const auto kind = parse_force_kind(text);
+    if (!kind) throw BrokenRecord{place, "found the kind " + in_quotes(text) + ", expected internal or external"};
+    record.force_kind = *kind;
     return;
   }
   const auto field = static_cast<Field>(column);
@@ -54,7 +51,45 @@ void RecordReader::put(Record& record, int column, std::string_view text, std::s
   if (!record.not_finite) record.not_finite = slipproof::not_finite(field_names[index(field)], record[field], place);
 }
 
-Record RecordReader::read_csv(std::string_view line) const {
+std::optional<LaneJudge> RecordReader::lanes() const {
+  if (!csv_ || options_.decimal_exact) return std::nullopt;
+  const LaneJudge lanes(complete_, own_, base_);
+  return lanes.able() ? std::optional(lanes) : std::nullopt;
+}
+
+void RecordReader::fill_constants(LaneRecords& records) const {
+  for (std::size_t k = 0; k < field_count; ++k) records.numbers[k].fill(base_.values[k]);
+  records.modes.fill(no_mode);
+  records.kinds.fill(base_.force_kind);
+}
+
+bool RecordReader::read_usual(const CsvLine& line, UsualLines& lines, LaneRecords& records) const {
+  const std::size_t row = records.count;
+  const auto numbers = [&](int column) { return records.numbers[static_cast<std::size_t>(column)].data(); };
+  const auto set = [&](int column, double value) { numbers(column)[row] = value; };
+  const auto put = [&](int column, std::string_view text) {
+    if (column == mode_column) {
+      const auto mode = parse_mode(text);
+      if (mode) records.modes[row] = static_cast<std::uint8_t>(mode->index());
+      return mode.has_value();
+    }
+    const auto kind = parse_force_kind(text);
+    if (kind) records.kinds[row] = *kind;
+    return kind.has_value();
+  };
+  const auto repeat = [&](int column) {
+    if (column >= 0) {
+      numbers(column)[row] = numbers(column)[row - 1];
+    } else if (column == mode_column) {
+      records.modes[row] = records.modes[row - 1];
+    } else if (column == kind_column) {
+      records.kinds[row] = records.kinds[row - 1];
+    }
+  };
+  return lines.read(line, columns_, set, put, repeat);
+}
+
+Record RecordReader::read_csv(const CsvLine& line) const {
   Record record = fresh_record(base_);
   read_cells(
       line, columns_, options_.decimal_exact,

@@ -132,6 +132,68 @@ TEST_CASE("the same bytes at any number of threads, in the order of the records,
   CHECK(one.substr(one.find("{\"record\":2001,")) == rest);
 }
 
+/// The same answer of a scene in other units of mass: too large a number for the filter.
+void make_heavy(Cells& cells) {
+  for (const std::size_t k : {0U, 5U, 6U, 7U, 13U, 14U, 22U, 23U, 24U, 25U}) {
+    if (!cells[k].empty()) cells[k] = fmt::format("{}", number(cells[k]) * 0x1p50);
+  }
+}
+
+/// Outside the domain, though only the ratio of the radii is in the equations.
+void turn_sprockets(Cells& cells) {
+  for (const std::size_t k : {8U, 9U}) cells[k] = "-" + cells[k];
+}
+
+TEST_CASE("a line of CSV is judged as if it stood alone, however many others there are and however it is written") {
+  SolverRecords records(96);
+  std::vector<std::string> lines, with_blanks;
+  for (std::size_t i = 0; i < 700; ++i) {
+    Cells cells = records.next();
+    if (i % 9 == 4) corrupt(cells, i / 9, records.random());
+    if (i % 17 == 1) make_heavy(cells);
+    if (i % 19 == 1) turn_sprockets(cells);
+    if (i % 31 == 3) cells[i % 26].clear();
+    if (i % 37 == 5) cells[mode_cell] = i % 2 == 0 ? "stick" : "";
+    if (i % 41 == 6) cells[kind_cell] = "intern";
+    if (i % 43 == 7) cells.pop_back();
+    if (i % 47 == 8) cells.emplace_back("1");
+    if (i % 53 == 9) cells[0] = "1e400";
+    const auto add = [&](Cells written) {
+      lines.push_back(joined(written));
+      for (std::string& cell : written) cell = "\t" + cell + ' ';
+      with_blanks.push_back(joined(written));
+    };
+    add(cells);
+    if (i % 5 != 2) continue;
+    add(cells);
+    std::string& parameter = cells[i % 14];  // and with a number that goes on: what was right is wrong
+    parameter += parameter.find('.') == std::string::npos ? ".5" : "";
+    parameter.insert(parameter.find('.'), "7");
+    add(cells);
+    parameter += "7777";
+    add(cells);
+    parameter.insert(parameter.find('.') + 2, "7");
+    add(cells);
+  }
+  std::string text = header();
+  for (const std::string& line : lines) text += line;
+  std::istringstream all(certified(text).text);
+  std::string judged;
+  std::size_t compared = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    REQUIRE(std::getline(all, judged));
+    const auto as_record = [&](const std::string& line) {
+      const std::string alone = certified(header() + std::string(i, '\n') + line).text;
+      return "{\"record\":" + std::to_string(i + 1) + alone.substr(alone.find(','));
+    };
+    REQUIRE(judged + '\n' == as_record(lines[i]));
+    if (judged.find(", column ") != std::string::npos) continue;  // blanks move the place
+    REQUIRE(judged + '\n' == as_record(with_blanks[i]));
+    ++compared;
+  }
+  CHECK(compared > lines.size() * 3 / 4);
+}
+
 TEST_CASE("JSON Lines give what CSV gives") {
   SolverRecords records(94);
   std::string csv = header(), json;
