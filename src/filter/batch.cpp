@@ -4,8 +4,10 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -17,20 +19,21 @@ namespace slipproof {
 
 namespace {
 
-/// What decide_lanes() says of lane_count scenes.
-using BlockSets = std::array<std::int64_t, lane_count>;
+/// Where what decide_lanes() says of scenes goes to.
+using FoundSets = std::span<std::int64_t>;
 
 /// Undecided also where a number is outside of what the bounds are for.
 template <class V>
-void store(const BitsOf<V>& sets, const BitsOf<V>& outside, std::int64_t* to) {
+BitsOf<V> store(const BitsOf<V>& sets, const BitsOf<V>& outside, std::int64_t* to) {
   const BitsOf<V> result = sets | (outside & sign_bit<V>());
   std::memcpy(to, &result, sizeof result);
+  return result;
 }
 
 /// A block of scenes, each with its own bounds.
 struct DecideBlock {
   template <int width>
-  static void run(const ForcedScene<LaneNumbers>& scenes, BlockSets& sets) {
+  static void run(const ForcedScene<LaneNumbers>& scenes, FoundSets sets) {
     using V = typename LaneTypes<width>::Numbers;
     using N = TrackedLanes<V>;
     for (std::size_t lane = 0; lane < lane_count; lane += width) {
@@ -75,41 +78,95 @@ struct LargestOfChunk {
       }
       double size = 0;
       for (int lane = 0; lane < width; ++lane) size = std::max(size, most[lane]);
-      return std::min(2 * size, input_limit);
+      return std::clamp(2 * size, std::numeric_limits<double>::min(), input_limit);
     });
   }
 };
 
-/// Bounds for all scenes that are no larger in any number than one, in the order in which convert() goes through them.
+/// The upper halves of what each number of scenes is smaller than, in the order in which convert() goes through them;
+/// of numbers that there are not, more than any.
+using Sizes = std::array<std::int32_t, 16>;
+
+/// Whether the numbers of scenes are smaller than sizes, told from the upper halves of their bits alone: read as
+/// integers, magnitudes have the same order, and NaN comes last. A register compares two numbers of each scene.
+template <class V>
+class SizeCheck {
+ public:
+  explicit SizeCheck(const Sizes& sizes) : sizes_(sizes) {}
+
+  void add(const V& x) {
+    if (count_++ % 2 == 0) {
+      even_ = x;
+    } else {
+      compare(even_, x);
+    }
+  }
+  /// Negative where a number of a scene is not smaller.
+  BitsOf<V> outside() {
+    if (count_ % 2 != 0) add(V{});
+    const auto inside = reinterpret_cast<BitsOf<V>>(inside_);
+    return ~(inside & inside << 32);
+  }
+
+ private:
+  using Halves = typename LaneTypes<width_of<V>>::Halves;
+
+  void compare(const V& x, const V& y) {
+    std::int64_t pair = 0;
+    std::memcpy(&pair, &sizes_[count_ - 2], sizeof pair);
+    inside_ &= (upper(x, y, std::make_integer_sequence<int, 2 * width_of<V>>()) & INT32_MAX) -
+               reinterpret_cast<Halves>(BitsOf<V>(BitsOf<V>{} + pair));
+  }
+  /// Of a scene those of x and y, one after the other.
+  template <int... half>
+  static Halves upper(const V& x, const V& y, std::integer_sequence<int, half...>) {
+    return __builtin_shufflevector(reinterpret_cast<Halves>(x), reinterpret_cast<Halves>(y),
+                                   (half % 2 == 0 ? half + 1 : 2 * width_of<V> + half)...);
+  }
+
+  const Sizes& sizes_;
+  std::size_t count_ = 0;
+  V even_{};
+  Halves inside_ = Halves{} - 1;
+};
+
+/// Bounds for all scenes that are smaller in every number than one.
 struct SizedBounds {
-  std::array<double, 15> sizes{};
+  Sizes sizes{};
   SharedBounds bounds;
 
   explicit SizedBounds(const ForcedScene<double>& largest)
       : bounds(tracked_dynamics<Magnitude>(largest), largest.bicycle.J.has_value()) {
+    sizes.fill(INT32_MAX);
     std::size_t number = 0;
-    convert<double, double>(largest, [&](double size) { return sizes[number++] = size; });
+    convert<double, double>(largest, [&](double size) {
+      sizes[number++] = static_cast<std::int32_t>(std::bit_cast<std::uint64_t>(size) >> 32U);
+      return size;
+    });
   }
 };
 
-/// The scenes of a chunk by bounds that they share; those that are larger are undecided.
+/// The scenes of a chunk by bounds that they share; those that are larger are undecided. And whether any is.
 struct DecideChunk {
   template <int width>
-  static void run(const Chunk& chunk, const SizedBounds& shared, std::span<BlockSets> sets) {
+  static void run(const Chunk& chunk, const SizedBounds& shared, FoundSets sets, bool& all_decided) {
     using V = typename LaneTypes<width>::Numbers;
     using N = PlainLanes<V>;
+    BitsOf<V> any{};
     for (std::size_t i = 0; i < chunk.blocks * lane_count; i += width) {
-      BitsOf<V> outside{};
-      std::size_t number = 0;
+      SizeCheck<V> check(shared.sizes);
       const auto s = convert<Column, N>(chunk.scenes, [&](const Column& column) {
         const V x = lanes_at<V>(column, chunk.first + i);
-        outside |= beyond(x, shared.sizes[number++]);
+        check.add(x);
         return N::input(x);
       });
       const auto dynamics = reduce<N, N>(s.bicycle, s.road, s.force_kind, s.F, N(1));
       const auto found = decide_lanes<V>(dynamics, s.bicycle.J.has_value(), CommonBounds<V>{shared.bounds});
-      store<V>(found, outside, &sets[i / lane_count][i % lane_count]);
+      any |= store<V>(found, check.outside(), &sets[i]);
     }
+    std::int64_t signs = 0;
+    for (int lane = 0; lane < width; ++lane) signs |= any[lane];
+    all_decided = signs >= 0;
   }
 };
 
@@ -151,51 +208,63 @@ class BatchFilter {
   /// left, by each number's own. What shared bounds decide the others would, too: they are never larger.
   void decide_chunk(std::size_t begin, std::size_t end) {
     const Chunk chunk{scenes_, begin, (end - begin) / lane_count};
-    const std::span<BlockSets> shared(sets_.data(), chunk.blocks);
-    if (bounds_) VectorKernel<DecideChunk>::run(registers_, chunk, *bounds_, shared);
-    if (!bounds_ || 4 * std::ranges::count_if(shared, has_undecided) > std::ssize(shared)) {
+    bool all = bounds_ && share_bounds(chunk);
+    if (!bounds_ || (!all && often_undecided(chunk))) {
       ForcedScene<double> sizes;
       VectorKernel<LargestOfChunk>::run(registers_, chunk, sizes);
       bounds_.emplace(sizes);
-      VectorKernel<DecideChunk>::run(registers_, chunk, *bounds_, shared);
+      all = share_bounds(chunk);
     }
-    for (std::size_t block = 0; block * lane_count < end - begin; ++block) {
-      const std::size_t first = begin + block * lane_count, count = std::min<std::size_t>(lane_count, end - first);
-      if (count < lane_count || has_undecided(sets_[block])) {
-        const auto numbers = block_of(scenes_, first, answers_.size());
-        VectorKernel<DecideBlock>::run(registers_, numbers, sets_[block]);
-      }
-      answer(sets_[block], first, count);
+    std::size_t first = begin;
+    if (all) {
+      first += chunk.blocks * lane_count;
+      pass_on(std::span(sets_).first(first - begin), begin);
+    }
+    for (; first < end; first += lane_count) {
+      decide_block(std::span(sets_).subspan(first - begin, lane_count), first,
+                   std::min<std::size_t>(lane_count, end - first));
     }
   }
 
-  static bool has_undecided(const BlockSets& sets) {
+  /// Whether all are decided.
+  bool share_bounds(const Chunk& chunk) {
+    bool all = false;
+    VectorKernel<DecideChunk>::run(registers_, chunk, *bounds_, FoundSets(sets_), all);
+    return all;
+  }
+  bool often_undecided(const Chunk& chunk) const {
+    std::size_t blocks = 0;
+    for (std::size_t i = 0; i < chunk.blocks; ++i) blocks += has_undecided(&sets_[i * lane_count]);
+    return 4 * blocks > chunk.blocks;
+  }
+  static bool has_undecided(const std::int64_t* block) {
     std::int64_t any = 0;
-    for (const std::int64_t modes : sets) any |= modes;
+    for (std::size_t lane = 0; lane < lane_count; ++lane) any |= block[lane];
     return any < 0;
   }
 
-  /// What the lanes know of a block's scenes, and the other tiers of the rest.
-  void answer(const BlockSets& sets, std::size_t first, std::size_t count) {
-    ConsistentModes* const answers = &answers_[first];
-    const auto put = [&](std::size_t lane) {
-      const auto modes = static_cast<std::uint16_t>(sets[lane]);
-      answers[lane] = {modes, modes, Tier::filter};
-    };
-    if (count == lane_count) {
-#pragma GCC unroll 8
-      for (std::size_t lane = 0; lane < lane_count; ++lane) put(lane);
-    } else {
-      for (std::size_t lane = 0; lane < count; ++lane) put(lane);
+  /// The first `count` scenes of a block that shared bounds may leave undecided, or that is cut.
+  void decide_block(FoundSets sets, std::size_t first, std::size_t count) {
+    if (count < lane_count || has_undecided(sets.data())) {
+      VectorKernel<DecideBlock>::run(registers_, block_of(scenes_, first, answers_.size()), sets);
     }
-    counts_[static_cast<std::size_t>(Tier::filter)] += count;
-    if (!has_undecided(sets)) return;
+    pass_on(sets.first(count), first);
     for (std::size_t lane = 0; lane < count; ++lane) {
       if (sets[lane] >= 0) continue;
       --counts_[static_cast<std::size_t>(Tier::filter)];
-      answers[lane] = consistent_modes(scene_at(scenes_, first + lane));
-      ++counts_[static_cast<std::size_t>(answers[lane].tier)];
+      answers_[first + lane] = consistent_modes(scene_at(scenes_, first + lane));
+      ++counts_[static_cast<std::size_t>(answers_[first + lane].tier)];
     }
+  }
+
+  /// As decided by the filter.
+  void pass_on(FoundSets sets, std::size_t first) {
+    ConsistentModes* const answers = &answers_[first];
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+      const auto modes = static_cast<std::uint16_t>(sets[i]);
+      answers[i] = {modes, modes, Tier::filter};
+    }
+    counts_[static_cast<std::size_t>(Tier::filter)] += sets.size();
   }
 
   const ForcedScene<Column>& scenes_;
@@ -203,7 +272,7 @@ class BatchFilter {
   Registers registers_;
   TierCounts counts_{};
   std::optional<SizedBounds> bounds_;  ///< of a chunk before
-  std::array<BlockSets, chunk_scenes / lane_count> sets_;
+  std::array<std::int64_t, chunk_scenes> sets_;
 };
 
 void check_lengths(const ForcedScene<Column>& scenes, std::size_t count) {
@@ -221,8 +290,8 @@ TierCounts sum(TierCounts x, const TierCounts& y) {
 }  // namespace
 
 void filter_lanes(const ForcedScene<LaneNumbers>& scenes, std::array<ModeSets, lane_count>& sets) {
-  BlockSets found;
-  VectorKernel<DecideBlock>::run(widest_registers(), scenes, found);
+  std::array<std::int64_t, lane_count> found;
+  VectorKernel<DecideBlock>::run(widest_registers(), scenes, FoundSets(found));
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
     sets[lane] = found[lane] < 0 ? all_undecided : ModeSets{static_cast<std::uint16_t>(found[lane]), 0};
   }

@@ -19,6 +19,7 @@ struct LaneTypes {
   typedef double Numbers __attribute__((vector_size(8 * width)));
   typedef std::int64_t Bits __attribute__((vector_size(8 * width)));
   typedef std::uint64_t Words __attribute__((vector_size(8 * width)));
+  typedef std::int32_t Halves __attribute__((vector_size(8 * width)));  ///< lower and upper ones of Bits
 };
 template <class V>
 using BitsOf = typename LaneTypes<sizeof(V) / 8>::Bits;

@@ -94,8 +94,11 @@ struct OwnBounds {
       least_ = smaller(least_, V(value - error));
       most_ = smaller(most_, V(value + error));
     }
-    /// Negative where it is sure that all hold strictly, or that one fails; of these negative where one fails.
-    BitsOf<V> sure() const { return bits(V(V{} - least_)) | bits(most_); }
+    /// Negative where it is sure that all hold strictly, or that one fails, and which sign the determinant has; of
+    /// these negative where one fails.
+    BitsOf<V> sure(const N& determinant) const {
+      return bits(V(determinant.error() - absolute(determinant.value))) & (bits(V(V{} - least_)) | bits(most_));
+    }
     BitsOf<V> fails() const { return bits(least_); }
 
    private:
@@ -104,11 +107,10 @@ struct OwnBounds {
 
   V A(const N& x) const { return x.error(); }
   V I3(const N& x) const { return x.error(); }
-  V determinant(std::size_t, const N& x) const { return x.error(); }
   Conditions conditions(std::size_t) const { return {}; }
 };
 
-/// or those of a scene that is larger than all, one for all conditions of a mode.
+/// or those of a scene that is larger than all, one for each mode.
 template <class V>
 struct CommonBounds {
   using N = PlainLanes<V>;
@@ -118,7 +120,9 @@ struct CommonBounds {
    public:
     explicit Conditions(double error) : error_(V{} + error) {}
     void add(const N&, const V& value) { least_ = smaller(least_, value); }
-    BitsOf<V> sure() const { return bits(V(error_ - absolute(least_))); }
+    BitsOf<V> sure(const N& determinant) const {
+      return bits(V(error_ - absolute(determinant.value))) & bits(V(error_ - absolute(least_)));
+    }
     BitsOf<V> fails() const { return bits(least_); }
 
    private:
@@ -127,8 +131,7 @@ struct CommonBounds {
 
   V A(const N&) const { return V{} + shared.A; }
   V I3(const N&) const { return V{} + shared.I3; }
-  V determinant(std::size_t mode, const N&) const { return V{} + shared.modes[mode].determinant; }
-  Conditions conditions(std::size_t mode) const { return Conditions(shared.modes[mode].conditions); }
+  Conditions conditions(std::size_t mode) const { return Conditions(shared.modes[mode]); }
 };
 
 /// judge<index>() for each mode that is modelled.
@@ -168,7 +171,7 @@ inline BitsOf<V> decide_lanes(const ReducedDynamics<typename Bounds::N, typename
       const N side = motion.condition_value(list.items[i]).numerator;
       conditions.add(side, from_bits(Bits(bits(side.value) ^ orientation)));
     }
-    decided &= bits(V(bounds.determinant(index, determinant) - absolute(determinant.value))) & conditions.sure();
+    decided &= conditions.sure(determinant);
     modes |= std::int64_t{1} << index;
     fail |= reinterpret_cast<Bits>(Words(reinterpret_cast<Words>(conditions.fails()) >> 63 << index));
   };

@@ -30,27 +30,21 @@ struct Magnitude {
   friend Magnitude operator-(Magnitude x) { return x; }
 };
 
-/// Bounds for the numbers whose signs a mode asks for: the largest for all conditions, as all of them are far from 0
-/// nearly always.
-struct ModeBounds {
-  double determinant = 0, conditions = 0;
-};
-
 /// Bounds for all scenes that are no larger in any number than one. Costs about as much as that scene.
 struct SharedBounds {
   double A = 0, I3 = 0;
-  std::array<ModeBounds, 16> modes{};
+  /// For the determinant of a mode and all its conditions the largest, as all of them are far from 0 nearly always.
+  std::array<double, 16> modes{};
 
   SharedBounds(const ReducedDynamics<Magnitude, Magnitude>& dynamics, bool detachment)
       : A(dynamics.A.error()), I3(dynamics.I3.error()) {
     for (const ContactMode mode : all_modes()) {
       if (!mode.on_road() && !detachment) continue;
-      ModeBounds& bounds = modes[mode.index()];
       const ReducedMotion<Magnitude, Magnitude> motion(dynamics, mode);
-      bounds.determinant = motion.determinant().error();
+      double& bound = modes[mode.index()] = motion.determinant().error();
       const ConditionList list = condition_list(mode);
       for (std::size_t i = 0; i < static_cast<std::size_t>(list.count); ++i) {
-        bounds.conditions = std::fmax(bounds.conditions, motion.condition_value(list.items[i]).numerator.error());
+        bound = std::fmax(bound, motion.condition_value(list.items[i]).numerator.error());
       }
     }
   }

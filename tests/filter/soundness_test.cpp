@@ -212,7 +212,7 @@ TEST_CASE("scenes that share their bounds are decided by them where they are ali
   for (int i = 0; i < 600; ++i) {  // a number larger than all before, infinite or none, among the others
     auto s = random.typical();
     int at = 0;
-    const int changed = static_cast<int>(random.next() % 14);
+    const int changed = static_cast<int>(random.next() % 15);
     const double factor = std::array{1e3, 1e11, HUGE_VAL, std::nan(""), -5.0}[random.next() % 5];
     if (i % 7 == 0) s = convert<double, double>(s, [&](double x) { return at++ == changed ? x * factor : x; });
     if (std::isfinite(factor)) add(s);
@@ -254,12 +254,10 @@ TEST_CASE("scenes that share their bounds are decided by them where they are ali
     for (const ContactMode mode : all_modes()) {
       const auto dynamics = tracked_dynamics<Tracked>(s);
       const ReducedMotion<Tracked, Tracked> motion(dynamics, mode);
-      CHECK(motion.determinant().error() <= own.modes[mode.index()].determinant);
-      CHECK(own.modes[mode.index()].determinant <= shared.modes[mode.index()].determinant);
+      CHECK(motion.determinant().error() <= own.modes[mode.index()]);
+      CHECK(own.modes[mode.index()] <= shared.modes[mode.index()]);
       for (const Condition& c : conditions(mode)) {
-        const double error = motion.condition_value(c).numerator.error();
-        CHECK(error <= own.modes[mode.index()].conditions);
-        CHECK(own.modes[mode.index()].conditions <= shared.modes[mode.index()].conditions);
+        CHECK(motion.condition_value(c).numerator.error() <= own.modes[mode.index()]);
       }
     }
   }
