@@ -60,7 +60,7 @@ struct Chunk {
 
 template <class V>
 V lanes_at(const Column& column, std::size_t scene) {
-  return column.size() == 1 ? V{} + column[0] : load<V>(column.data() + scene);
+  return column.size() == 1 ? in_all_lanes<V>(column[0]) : load<V>(column.data() + scene);
 }
 
 /// The largest magnitudes of a chunk, twice, so that they serve for scenes of the same kind, but within the limit.
@@ -73,7 +73,7 @@ struct LargestOfChunk {
       V most{};
       for (std::size_t i = chunk.first; i < end; i += width) {
         const V x = absolute(lanes_at<V>(column, i));
-        most = larger(smaller(x, V(V{} + input_limit)), most);
+        most = larger(smaller(x, in_all_lanes<V>(input_limit)), most);
         if (column.size() == 1) break;
       }
       double size = 0;

@@ -1,6 +1,7 @@
 // Numbers of several scenes side by side, in vector registers.
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -48,11 +49,16 @@ template <class V>
 inline V absolute(const V& x) {
   return from_bits(BitsOf<V>(bits(x) & ~sign_bit<V>()));
 }
+/// The same number in every lane, by its bits: as a number, GCC would add it to 0.0.
+template <class V>
+inline V in_all_lanes(double x) {
+  return from_bits(BitsOf<V>(BitsOf<V>{} + std::bit_cast<std::int64_t>(x)));
+}
 /// Negative where a number is NaN, or larger in magnitude than `limit` >= 0: read as integers, magnitudes have the same
 /// order, and NaN comes last.
 template <class V>
 inline BitsOf<V> beyond(const V& x, double limit) {
-  return bits(V(V{} + limit)) - bits(absolute(x));
+  return bits(in_all_lanes<V>(limit)) - bits(absolute(x));
 }
 inline Lanes load(const LaneNumbers& numbers) {
   return reinterpret_cast<const Lanes&>(numbers);

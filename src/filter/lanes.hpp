@@ -25,7 +25,7 @@ struct TrackedLanes {
     magnitude = x.magnitude;
     return *this;
   }
-  explicit TrackedLanes(int constant) : value(V{} + constant), magnitude(V{} + (constant < 0 ? -constant : constant)) {}
+  explicit TrackedLanes(int constant) : value(in_all_lanes<V>(constant)), magnitude(absolute(value)) {}
   TrackedLanes(const V& v, const V& m) : value(v), magnitude(m) {}
   static TrackedLanes input(const V& x) { return {x, absolute(x)}; }
 
@@ -59,7 +59,7 @@ struct PlainLanes {
     value = x.value;
     return *this;
   }
-  explicit PlainLanes(int constant) : value(V{} + constant) {}
+  explicit PlainLanes(int constant) : value(in_all_lanes<V>(constant)) {}
   static PlainLanes input(const V& x) {
     PlainLanes lanes;
     lanes.value = x;
@@ -102,7 +102,7 @@ struct OwnBounds {
     BitsOf<V> fails() const { return bits(least_); }
 
    private:
-    V least_ = V{} + HUGE_VAL, most_ = V{} + HUGE_VAL;
+    V least_ = in_all_lanes<V>(HUGE_VAL), most_ = least_;
   };
 
   V A(const N& x) const { return x.error(); }
@@ -118,7 +118,7 @@ struct CommonBounds {
 
   class Conditions {
    public:
-    explicit Conditions(double error) : error_(V{} + error) {}
+    explicit Conditions(double error) : error_(in_all_lanes<V>(error)) {}
     void add(const N&, const V& value) { least_ = smaller(least_, value); }
     BitsOf<V> sure(const N& determinant) const {
       return bits(V(error_ - absolute(determinant.value))) & bits(V(error_ - absolute(least_)));
@@ -126,11 +126,11 @@ struct CommonBounds {
     BitsOf<V> fails() const { return bits(least_); }
 
    private:
-    V error_, least_ = V{} + HUGE_VAL;
+    V error_, least_ = in_all_lanes<V>(HUGE_VAL);
   };
 
-  V A(const N&) const { return V{} + shared.A; }
-  V I3(const N&) const { return V{} + shared.I3; }
+  V A(const N&) const { return in_all_lanes<V>(shared.A); }
+  V I3(const N&) const { return in_all_lanes<V>(shared.I3); }
   Conditions conditions(std::size_t mode) const { return Conditions(shared.modes[mode]); }
 };
 

@@ -120,7 +120,7 @@ BitsOf<V> plain_lanes(const ReducedDynamics<PlainLanes<V>, PlainLanes<V>>& dynam
     constexpr ConditionList list = condition_list(mode);
     const ReducedMotion<N, N> motion(dynamics, mode);
     const BitsOf<V> orientation = bits(motion.determinant().value) & sign_bit<V>();
-    V least = V{} + HUGE_VAL;
+    V least = in_all_lanes<V>(HUGE_VAL);
     for (std::size_t i = 0; i < static_cast<std::size_t>(list.count); ++i) {
       const V side = motion.condition_value(list.items[i]).numerator.value;
       least = smaller(least, from_bits(BitsOf<V>(bits(side) ^ orientation)));
@@ -139,7 +139,7 @@ struct PlainBatch {
     using N = PlainLanes<V>;
     for (std::size_t i = 0; i + width <= answers.size(); i += width) {
       const auto s = convert<Column, N>(scenes, [i](const Column& column) {
-        return N::input(column.size() == 1 ? V{} + column[0] : load<V>(column.data() + i));
+        return N::input(column.size() == 1 ? in_all_lanes<V>(column[0]) : load<V>(column.data() + i));
       });
       const auto dynamics = reduce<N, N>(s.bicycle, s.road, s.force_kind, s.F, N(1));
       const auto modes = plain_lanes<V>(dynamics, s.bicycle.J.has_value());
