@@ -119,14 +119,18 @@ struct CommonBounds {
   class Conditions {
    public:
     explicit Conditions(double error) : error_(in_all_lanes<V>(error)) {}
-    void add(const N&, const V& value) { least_ = smaller(least_, value); }
+    void add(const N&, const V& value) {
+      least_ = any_ ? smaller(least_, value) : value;
+      any_ = true;
+    }
     BitsOf<V> sure(const N& determinant) const {
       return bits(V(error_ - absolute(determinant.value))) & bits(V(error_ - absolute(least_)));
     }
     BitsOf<V> fails() const { return bits(least_); }
 
    private:
-    V error_, least_ = in_all_lanes<V>(HUGE_VAL);
+    V error_, least_{};
+    bool any_ = false;
   };
 
   V A(const N&) const { return in_all_lanes<V>(shared.A); }

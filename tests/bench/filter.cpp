@@ -120,10 +120,11 @@ BitsOf<V> plain_lanes(const ReducedDynamics<PlainLanes<V>, PlainLanes<V>>& dynam
     constexpr ConditionList list = condition_list(mode);
     const ReducedMotion<N, N> motion(dynamics, mode);
     const BitsOf<V> orientation = bits(motion.determinant().value) & sign_bit<V>();
-    V least = in_all_lanes<V>(HUGE_VAL);
+    V least{};
     for (std::size_t i = 0; i < static_cast<std::size_t>(list.count); ++i) {
       const V side = motion.condition_value(list.items[i]).numerator.value;
-      least = smaller(least, from_bits(BitsOf<V>(bits(side) ^ orientation)));
+      const V value = from_bits(BitsOf<V>(bits(side) ^ orientation));
+      least = i == 0 ? value : smaller(least, value);
     }
     modes |= std::uint64_t{1} << index;
     fail |= reinterpret_cast<Words>(bits(V(1e-12 + least))) >> 63 << index;
