@@ -4,7 +4,6 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
 #include <functional>
 #include <limits>
@@ -12,6 +11,7 @@
 #include <stdexcept>
 
 #include "filter/lanes.hpp"
+#include "filter/size_check.hpp"
 #include "filter/vector_kernel.hpp"
 #include "parallel/in_parallel.hpp"
 
@@ -83,64 +83,16 @@ struct LargestOfChunk {
   }
 };
 
-/// The upper halves of what each number of scenes is smaller than, in the order in which convert() goes through them;
-/// of numbers that there are not, more than any.
-using Sizes = std::array<std::int32_t, 16>;
-
-/// Whether the numbers of scenes are smaller than sizes, told from the upper halves of their bits alone: read as
-/// integers, magnitudes have the same order, and NaN comes last. A register compares two numbers of each scene.
-template <class V>
-class SizeCheck {
- public:
-  explicit SizeCheck(const Sizes& sizes) : sizes_(sizes) {}
-
-  void add(const V& x) {
-    if (count_++ % 2 == 0) {
-      even_ = x;
-    } else {
-      compare(even_, x);
-    }
-  }
-  /// Negative where a number of a scene is not smaller.
-  BitsOf<V> outside() {
-    if (count_ % 2 != 0) add(V{});
-    const auto inside = reinterpret_cast<BitsOf<V>>(inside_);
-    return ~(inside & inside << 32);
-  }
-
- private:
-  using Halves = typename LaneTypes<width_of<V>>::Halves;
-
-  void compare(const V& x, const V& y) {
-    std::int64_t pair = 0;
-    std::memcpy(&pair, &sizes_[count_ - 2], sizeof pair);
-    inside_ &= (upper(x, y, std::make_integer_sequence<int, 2 * width_of<V>>()) & INT32_MAX) -
-               reinterpret_cast<Halves>(BitsOf<V>(BitsOf<V>{} + pair));
-  }
-  /// Of a scene those of x and y, one after the other.
-  template <int... half>
-  static Halves upper(const V& x, const V& y, std::integer_sequence<int, half...>) {
-    return __builtin_shufflevector(reinterpret_cast<Halves>(x), reinterpret_cast<Halves>(y),
-                                   (half % 2 == 0 ? half + 1 : 2 * width_of<V> + half)...);
-  }
-
-  const Sizes& sizes_;
-  std::size_t count_ = 0;
-  V even_{};
-  Halves inside_ = Halves{} - 1;
-};
-
 /// Bounds for all scenes that are smaller in every number than one.
 struct SizedBounds {
-  Sizes sizes{};
+  Sizes sizes;
   SharedBounds bounds;
 
   explicit SizedBounds(const ForcedScene<double>& largest)
       : bounds(tracked_dynamics<Magnitude>(largest), largest.bicycle.J.has_value()) {
-    sizes.fill(INT32_MAX);
     std::size_t number = 0;
     convert<double, double>(largest, [&](double size) {
-      sizes[number++] = static_cast<std::int32_t>(std::bit_cast<std::uint64_t>(size) >> 32U);
+      sizes.set(number++, size);
       return size;
     });
   }
