@@ -40,6 +40,7 @@ struct MultiPolynomial::Value {
 
   const PolynomialRing& ring;
   fmpq_mpoly_t polynomial;
+  mutable std::string text;  ///< once somebody has asked for it
 };
 
 MultiPolynomial::MultiPolynomial(std::shared_ptr<const Value> value) : ring_(&value->ring), value_(std::move(value)) {}
@@ -116,6 +117,15 @@ std::size_t MultiPolynomial::coefficient_bits() const {
   return bits;
 }
 
+bool MultiPolynomial::has_negative_coefficient() const {
+  const auto& [content, primitive] = *value_->polynomial;
+  const int sign = fmpq_sgn(content);
+  for (slong i = 0; i < primitive->length; ++i) {
+    if (fmpz_sgn(primitive->coeffs + i) * sign < 0) return true;
+  }
+  return false;
+}
+
 std::vector<std::size_t> MultiPolynomial::variables() const {
   std::vector<std::size_t> result;
   std::vector<slong> degrees(ring_->size());
@@ -147,14 +157,16 @@ MultiPolynomial MultiPolynomial::coefficient(std::size_t variable, std::size_t e
   return MultiPolynomial(result);
 }
 
-std::string MultiPolynomial::text() const {
+const std::string& MultiPolynomial::text() const {
   ring_->budget().spend(length() * text_steps + 1);
+  std::string& known = value_->text;
+  if (!known.empty()) return known;
   // The pretty-printer does not change the names, though it takes them as pointers to non-const.
   char* text =
       fmpq_mpoly_get_str_pretty(value_->polynomial, const_cast<const char**>(ring_->pointers_.data()), ring_->context_);
-  std::string result(text);
+  known = text;
   flint_free(text);
-  return result;
+  return known;
 }
 
 MultiPolynomial& MultiPolynomial::operator+=(const MultiPolynomial& other) {
@@ -173,6 +185,8 @@ MultiPolynomial& MultiPolynomial::operator-=(const MultiPolynomial& other) {
 
 MultiPolynomial& MultiPolynomial::operator*=(const MultiPolynomial& other) {
   ring_->budget().spend(length() * other.length() / products_a_step + 1);
+  if (other.is_one()) return *this;
+  if (is_one()) return *this = other;
   const auto result = blank(*ring_);
   fmpq_mpoly_mul(result->polynomial, value_->polynomial, other.value_->polynomial, ring_->context_);
   value_ = result;

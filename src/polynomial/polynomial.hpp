@@ -51,7 +51,8 @@ struct Term {
 
 struct Factorization;
 
-/// Copies are free. Products take as many steps as their terms have pairs, sums are not counted.
+/// Copies are free, and one thread at a time works with those of one ring. Products take as many steps as their terms
+/// have pairs, sums are not counted.
 class MultiPolynomial {
  public:
   explicit MultiPolynomial(const PolynomialRing& ring, const Rational& constant = 0);
@@ -68,12 +69,14 @@ class MultiPolynomial {
   std::size_t length() const;            ///< the number of its terms
   std::size_t degree(std::size_t variable) const;
   std::size_t coefficient_bits() const;  ///< of the largest, where all are integers
+  bool has_negative_coefficient() const;
   bool contains(std::size_t variable) const { return degree(variable) > 0; }
   std::vector<std::size_t> variables() const;
   std::vector<Term> terms() const;
   /// The coefficient of variable^exponent, a polynomial in the other variables.
   MultiPolynomial coefficient(std::size_t variable, std::size_t exponent) const;
-  std::string text() const;  ///< in the syntax of statements, certificates and claims
+  /// In the syntax of statements, certificates and claims; kept, so that copies have it, too.
+  const std::string& text() const;
 
   MultiPolynomial& operator+=(const MultiPolynomial& other);
   MultiPolynomial& operator-=(const MultiPolynomial& other);

@@ -30,7 +30,7 @@ std::optional<Fact> derive_positive(Context& context, State& state, const Polyno
 }  // namespace
 
 const KnownSign* sign_of(Context& context, State& state, const Polynomial& factor, Pass pass) {
-  const std::string text = factor.text();
+  const std::string& text = factor.text();
   const auto known = state.signs.find(text);
   const bool nothing_known = known == state.signs.end();
   if (!nothing_known && (known->second.strict || pass == Pass::quick)) return &known->second;

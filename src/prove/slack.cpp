@@ -1,5 +1,7 @@
 #include "prove/slack.hpp"
 
+#include <utility>
+
 namespace slipproof::prove {
 namespace {
 
@@ -15,6 +17,7 @@ struct Substitution {
   Polynomial numerator;
   Polynomial denominator;
   Product denominator_product;
+  std::size_t degree;  ///< of the polynomial that is looked at, before: so often it was multiplied by the denominator
 };
 
 struct Coordinates {
@@ -50,16 +53,19 @@ class SlackSearch {
       if (!slot || fact.sign == Sign::positive) slot = Slot{{{fact.name, 1}}, fact.sign == Sign::positive};
     }
     for (int d = 0; d <= depth && attempts_ > 0; ++d) {
-      if (auto found = extend(start, p, {}, outside, d)) return found;
+      if (auto found = extend(start, p, outside, d)) return found;
     }
     return std::nullopt;
   }
 
  private:
-  std::optional<SlackForm> read_off(const Coordinates& at, const Polynomial& p, const Product& multiplier) const {
-    SlackForm result{.multiplier = multiplier};
+  std::optional<SlackForm> read_off(const Coordinates& at, const Polynomial& p) const {
+    if (p.has_negative_coefficient()) return std::nullopt;
+    SlackForm result;
+    for (const Substitution& s : at.substitutions) {
+      if (s.degree > 0) multiply(result.multiplier, s.denominator_product, static_cast<unsigned>(s.degree));
+    }
     for (const Term& term : p.terms()) {
-      if (term.coefficient < 0) return std::nullopt;
       WeightedProduct product{term.coefficient, {}};
       bool strict = true;
       for (std::size_t i = 0; i < term.exponents.size(); ++i) {
@@ -76,6 +82,7 @@ class SlackSearch {
 
   /// The product that a denominator is, where every factor of it is known to be positive.
   std::optional<Product> positive_product(const Coordinates& at, const Polynomial& c) const {
+    if (c.is_one()) return Product();
     if (c.length() == 1) {
       Product result;
       const Term term = c.terms().front();
@@ -103,12 +110,12 @@ class SlackSearch {
     return false;
   }
 
-  std::optional<SlackForm> extend(const Coordinates& at, const Polynomial& p, const Product& multiplier,
-                                  const SampleSet& outside, int depth) {
+  /// The coordinates are the same afterwards.
+  std::optional<SlackForm> extend(Coordinates& at, const Polynomial& p, const SampleSet& outside, int depth) {
     if (depth == 0 && !outside.contains(negative_)) return std::nullopt;
     if (--attempts_ < 0) return std::nullopt;
     budget_.spend(p.length() + 1);
-    if (depth == 0) return read_off(at, p, multiplier);
+    if (depth == 0) return read_off(at, p);
     for (const Fact& fact : facts_) {
       budget_.spend(1);
       if (fact.sign == Sign::zero || fact.p.length() > 60) continue;
@@ -128,25 +135,24 @@ class SlackSearch {
         if (slack.length() == 1 && at.slots[variable]) continue;
         Polynomial c = slack.coefficient(variable, 1);
         Polynomial numerator = Polynomial::variable(p.ring(), variable) - slack.coefficient(variable, 0);
-        const bool negative = c.terms().front().coefficient < 0;
-        if (negative) {
-          c = -c;
-          numerator = -numerator;
+        Rational leading = c.leading_coefficient();
+        if (c.length() > 1) leading = leading < 0 ? -1 : 1;
+        if (leading != 1) {
+          c = c.scaled(1 / leading);
+          numerator = numerator.scaled(1 / leading);
         }
-        const Rational leading = c.length() == 1 ? c.terms().front().coefficient : Rational(1);
-        c = c.scaled(1 / leading);
-        numerator = numerator.scaled(1 / leading);
-        const auto denominator = positive_product(at, c);
+        auto denominator = positive_product(at, c);
         if (!denominator) continue;
-        Coordinates next = at;
-        next.substitutions.push_back({variable, numerator, c, *denominator});
-        next.slots[variable] = Slot{scale, fact.sign == Sign::positive};
-        next.slots[variable]->product[fact.name] += 1;
-        Product next_multiplier = multiplier;
-        const Polynomial next_p = substitute(next.substitutions.back(), p, next_multiplier);
+        const Polynomial next_p = substitute(p, variable, numerator, c);
         budget_.spend(next_p.length() + p.length());
         if (next_p.length() > 400) continue;
-        if (auto found = extend(next, next_p, next_multiplier, next_outside, depth - 1)) return found;
+        Slot slot{scale, fact.sign == Sign::positive};
+        slot.product[fact.name] += 1;
+        std::optional<Slot> before = std::exchange(at.slots[variable], std::move(slot));
+        at.substitutions.push_back({variable, std::move(numerator), c, *std::move(denominator), p.degree(variable)});
+        if (auto found = extend(at, next_p, next_outside, depth - 1)) return found;
+        at.slots[variable] = std::move(before);
+        at.substitutions.pop_back();
         if (attempts_ < 0) return std::nullopt;
       }
     }
