@@ -112,6 +112,16 @@ void find_certificates(const ClaimsFile& file, ClaimResult& claim, Certificates&
   name_certificates(claim, proof);
 }
 
+/// Of a claim of which nothing else is known.
+ClaimResult result_of_certificates(const ClaimsFile& file, std::size_t claim, Reading reading,
+                                   Certificates& certificates) {
+  ClaimResult result;
+  result.claim = claim;
+  result.reading = reading;
+  find_certificates(file, result, certificates);
+  return result;
+}
+
 CheckedCertificate checked_now(const std::filesystem::path& folder, const std::string& name) {
   const check::FileResult found = check::check_file(folder / (name + ".cert"));
   CheckedCertificate result{name, found.theorem, found.verdict, found.message};
@@ -208,10 +218,7 @@ void Certificates::ask_second_checker_about(CheckedCertificate& certificate) {
 std::string check_certificates(const ClaimsFile& file, std::size_t claim, Reading reading,
                                const std::filesystem::path& folder) {
   Certificates certificates(folder);
-  ClaimResult asked;
-  asked.claim = claim;
-  asked.reading = reading;
-  find_certificates(file, asked, certificates);
+  result_of_certificates(file, claim, reading, certificates);
   const std::vector<CheckedCertificate> checked = certificates.so_far();
   ByteWriter bytes;
   bytes.number(checked.size());
@@ -223,6 +230,10 @@ std::string check_certificates(const ClaimsFile& file, std::size_t claim, Readin
 
 void find_certificates(const ClaimsFile& file, VerifyResult& result, Certificates& certificates) {
   for (ClaimResult& claim : result.claims) find_certificates(file, claim, certificates);
+}
+
+bool settled_by_certificates(const ClaimsFile& file, std::size_t claim, Reading reading, Certificates& certificates) {
+  return result_of_certificates(file, claim, reading, certificates).verdict != Verdict::undecided;
 }
 
 }  // namespace slipproof

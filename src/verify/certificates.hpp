@@ -84,4 +84,7 @@ std::string check_certificates(const ClaimsFile& file, std::size_t claim, Readin
 /// so does a contradiction of samples and certificates. verify() calls it.
 void find_certificates(const ClaimsFile& file, VerifyResult& result, Certificates& certificates);
 
+/// Whether they decide a claim of which no sample says anything.
+bool settled_by_certificates(const ClaimsFile& file, std::size_t claim, Reading reading, Certificates& certificates);
+
 }  // namespace slipproof

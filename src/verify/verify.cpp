@@ -337,15 +337,28 @@ class Verification::Run {
   }
 
   std::vector<std::string> conclude(Crew* crew) {
-    std::vector<std::string> conclusions(tasks_.size());
-    const auto request = [&](std::uint64_t t) {
-      ByteWriter bytes = about(VerifyQuestion::conclusion, t);
-      write_tally(bytes, tallies_[t]);
+    std::vector<std::string> conclusions(tasks_.size(), conclusion_bytes({}));
+    std::vector<std::size_t> open;
+    for (std::size_t t = 0; t < tasks_.size(); ++t) {
+      if (!is_concluded(t)) open.push_back(t);
+    }
+    const auto request = [&](std::uint64_t i) {
+      ByteWriter bytes = about(VerifyQuestion::conclusion, open[i]);
+      write_tally(bytes, tallies_[open[i]]);
       return bytes.take();
     };
-    share(crew, service(), tasks_.size(), request,
-          [&](std::uint64_t t, std::string result) { conclusions[t] = std::move(result); });
+    share(crew, service(), open.size(), request,
+          [&](std::uint64_t i, std::string result) { conclusions[open[i]] = std::move(result); });
     return conclusions;
+  }
+
+  /// Whether nothing is left to find: what certificates say of existence needs no second proof.
+  bool is_concluded(std::size_t t) const {
+    const auto& [claim, reading, identity, rational] = tasks_[t];
+    if (tallies_[t].refuted > 0) return false;
+    if (tallies_[t].held > 0) return true;
+    return options_.certificates && file_.claims[claim].is<Exists>() &&
+           settled_by_certificates(file_, claim, reading, *options_.certificates);
   }
 
   Conclusion conclusion(std::size_t t, const Tally& tally) {
@@ -355,7 +368,6 @@ class Verification::Run {
                                             {tally.simplest.values, tally.realisable.values},
                                             options_.simplify ? Showing::simplest : Showing::as_found, options_.seed)};
     }
-    if (tally.held > 0) return {};
     if (file_.claims[task.claim].is<Exists>())
       return {.vacuous = is_nowhere(file_, task.claim, task.reading, book_), .failures = {}};
     return {.vacuous = tally.undecided == 0 && is_vacuous(file_, task.claim, task.reading, book_), .failures = {}};
