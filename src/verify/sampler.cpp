@@ -11,36 +11,74 @@ namespace slipproof {
 
 namespace {
 
-/// Points of a setting, one after the other in the same memory: many are looked at for each that is kept.
+bool is_true(FilteredEvaluator& evaluator, const Program& program) {
+  return evaluator.truth(program) == Truth::yes;
+}
+
+bool allows_all(FilteredEvaluator& evaluator, const std::vector<Program>& domains) {
+  return std::all_of(domains.begin(), domains.end(), [&](const Program& domain) { return is_true(evaluator, domain); });
+}
+
+std::vector<std::size_t> unmet_by(FilteredEvaluator& evaluator, const std::vector<Program>& conditions) {
+  std::vector<std::size_t> unmet;
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    if (!is_true(evaluator, conditions[i])) unmet.push_back(i);
+  }
+  return unmet;
+}
+
+/// The values of the parameters, where a setting's programs are asked for theirs.
+FilteredEvaluator evaluator_at(const CompiledSetting& setting, const std::vector<Rational>& values) {
+  FilteredEvaluator evaluator(setting.scope());
+  evaluator.set(CompiledSetting::parameter_slot(0), values);
+  return evaluator;
+}
+
+/// Points of a setting, one after the other in the same memory: thousands are looked at for some that are kept.
 class SamplePoint {
  public:
-  explicit SamplePoint(const CompiledSetting& setting) : setting_(setting), evaluator_(setting.scope()) {}
+  SamplePoint(const CompiledSetting& setting, const std::vector<SureCondition>& domains)
+      : setting_(setting), domains_(domains), evaluator_(setting.scope()), near_(domains.size()) {}
 
   SamplePoint& at(const std::vector<Rational>& values) {
-    evaluator_.set(CompiledSetting::parameter_slot(0), values);
+    values_ = &values;
+    for (std::size_t k = 0; k < values.size(); ++k) near_[k] = Approximate(values[k]);
+    for (SureCondition& domain : domains_) domain.all_changed();
+    is_set_ = false;
     return *this;
   }
   /// One of them is another one now.
-  void changed(std::size_t parameter) { evaluator_.changed(parameter); }
-  bool allows(std::size_t parameter) { return is_true(setting_.domains()[parameter]); }
+  void changed(std::size_t parameter) {
+    near_[parameter] = Approximate((*values_)[parameter]);
+    for (SureCondition& domain : domains_) domain.changed(parameter);
+    is_set_ = false;
+  }
+  bool allows(std::size_t parameter) {
+    const Truth sure = domains_[parameter].truth(near_);
+    return sure == Truth::undecided ? is_true(evaluator(), setting_.domains()[parameter]) : sure == Truth::yes;
+  }
   bool in_domain() {
-    return std::all_of(setting_.domains().begin(), setting_.domains().end(),
-                       [&](const Program& domain) { return is_true(domain); });
-  }
-  std::vector<std::size_t> unrealisable() {
-    std::vector<std::size_t> unmet;
-    for (std::size_t i = 0; i < setting_.realisable().size(); ++i) {
-      if (!is_true(setting_.realisable()[i])) unmet.push_back(i);
+    for (std::size_t k = 0; k < domains_.size(); ++k) {
+      if (!allows(k)) return false;
     }
-    return unmet;
+    return true;
   }
-  std::optional<Rational> value(const Program& program) { return evaluator_.number(program).number; }
+  std::vector<std::size_t> unrealisable() { return unmet_by(evaluator(), setting_.realisable()); }
+  std::optional<Rational> value(const Program& program) { return evaluator().number(program).number; }
 
  private:
-  bool is_true(const Program& program) { return evaluator_.truth(program) == Truth::yes; }
+  FilteredEvaluator& evaluator() {
+    if (!is_set_) evaluator_.set(CompiledSetting::parameter_slot(0), *values_);
+    is_set_ = true;
+    return evaluator_;
+  }
 
   const CompiledSetting& setting_;
+  std::vector<SureCondition> domains_;
   FilteredEvaluator evaluator_;
+  std::vector<Approximate> near_;
+  const std::vector<Rational>* values_ = nullptr;
+  bool is_set_ = false;  ///< the evaluator, to the values
 };
 
 enum class Kind { integers, fractions, on_boundary, near_boundary, between_boundaries, extreme };
@@ -139,20 +177,30 @@ Rational placed(const std::vector<Rational>& boundaries, Dice& dice, Kind kind) 
 }  // namespace
 
 bool allows(const CompiledSetting& setting, std::size_t parameter, const std::vector<Rational>& values) {
-  return SamplePoint(setting).at(values).allows(parameter);
+  FilteredEvaluator evaluator = evaluator_at(setting, values);
+  return is_true(evaluator, setting.domains()[parameter]);
 }
 
 bool in_domain(const CompiledSetting& setting, const std::vector<Rational>& values) {
-  return SamplePoint(setting).at(values).in_domain();
+  FilteredEvaluator evaluator = evaluator_at(setting, values);
+  return allows_all(evaluator, setting.domains());
 }
 
 std::vector<std::size_t> unrealisable(const CompiledSetting& setting, const std::vector<Rational>& values) {
-  return SamplePoint(setting).at(values).unrealisable();
+  FilteredEvaluator evaluator = evaluator_at(setting, values);
+  return unmet_by(evaluator, setting.realisable());
 }
 
 std::optional<Rational> boundary_value(const CompiledSetting& setting, const CompiledSetting::Boundary& boundary,
                                        const std::vector<Rational>& values) {
-  return SamplePoint(setting).at(values).value(boundary.value);
+  return evaluator_at(setting, values).number(boundary.value).number;
+}
+
+Sampler::Sampler(const CompiledSetting& setting, std::uint64_t seed, Among among)
+    : setting_(&setting), seed_(seed), among_(among) {
+  for (const Program& domain : setting.domains()) {
+    domains_.emplace_back(setting.scope(), domain, CompiledSetting::parameter_slot(0), setting.domains().size());
+  }
 }
 
 std::vector<Rational> Sampler::at(std::uint64_t i) const {
@@ -160,7 +208,7 @@ std::vector<Rational> Sampler::at(std::uint64_t i) const {
   Kind kind = kinds[i % kinds.size()];
   // What can be built has fractions: wheels are smaller than the vehicle.
   if (among_ == Among::realisable && kind == Kind::integers) kind = Kind::fractions;
-  SamplePoint point(*setting_);
+  SamplePoint point(*setting_, domains_);
   std::vector<Rational> values = draw_all(point, setting_->domains().size(), dice, kind);
   if (!values.empty() && among_ == Among::realisable && !make_realisable(point, dice, kind, values)) return {};
   if (values.empty() || kind == Kind::integers || kind == Kind::fractions || setting_->boundaries().empty())

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "claims/compiled.hpp"
+#include "expression/sure_condition.hpp"
 
 namespace slipproof {
 
@@ -21,8 +22,7 @@ enum class Among : std::uint8_t {
 class Sampler {
  public:
   /// What is given must outlive the sampler.
-  Sampler(const CompiledSetting& setting, std::uint64_t seed, Among among = Among::all)
-      : setting_(&setting), seed_(seed), among_(among) {}
+  Sampler(const CompiledSetting& setting, std::uint64_t seed, Among among = Among::all);
 
   /// Values of the parameters, inside their domains and such as are wanted; empty if none was found in many tries.
   std::vector<Rational> at(std::uint64_t i) const;
@@ -31,6 +31,7 @@ class Sampler {
   const CompiledSetting* setting_;
   std::uint64_t seed_;
   Among among_;
+  std::vector<SureCondition> domains_;  ///< of the setting
 };
 
 /// Whether the values are inside the domain of one parameter, of all parameters.

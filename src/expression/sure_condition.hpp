@@ -1,0 +1,51 @@
+// A condition in straight-line code over binary64 with bounds, for points that come by the thousand and mostly differ
+// in one coordinate: what does not depend on that one keeps its value.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "expression/evaluate.hpp"
+#include "number/approximate.hpp"
+
+namespace slipproof {
+
+/// Not shared between threads.
+class SureCondition {
+ public:
+  /// The point has so many coordinates, with slots from `first` on.
+  SureCondition(const Scope& scope, const Program& condition, std::size_t first, std::size_t coordinates);
+
+  /// Before the truth is asked for again: all coordinates are others, or one.
+  void all_changed() { stale_ = coordinates_; }
+  void changed(std::size_t coordinate);
+
+  /// Yes or no where that is sure; undecided where the bounds leave it open or something has no value.
+  Truth truth(const std::vector<Approximate>& point);
+
+ private:
+  struct Step {
+    Operation operation;
+    Relation relation;
+    int exponent;
+    std::uint32_t first, second;  ///< other steps, or a coordinate
+  };
+  struct Result {
+    Approximate number{0, std::numeric_limits<double>::infinity()};  ///< nothing is sure of it
+    Truth truth = Truth::undecided;
+  };
+  class Writer;
+
+  Approximate number(const Step& step) const;
+  Truth truth(const Step& step) const;
+
+  std::size_t coordinates_;
+  std::vector<Step> steps_;
+  std::vector<Result> results_;  ///< by step
+  /// The steps that depend on a coordinate, on any, and on none: to be done when it changed.
+  std::vector<std::vector<std::uint32_t>> behind_;
+  std::size_t stale_;
+};
+
+}  // namespace slipproof
