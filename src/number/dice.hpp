@@ -17,10 +17,12 @@ class Twister {
 
   std::uint64_t operator()() {
     if (seeded_ < size) seed_to(next_ + middle + 1);
-    const std::uint64_t both = (state_[next_] & ~low_bits) | (state_[(next_ + 1) % size] & low_bits);
-    std::uint64_t x = state_[(next_ + middle) % size] ^ both >> 1 ^ (both % 2 != 0 ? 0xB5026F5AA96619E9U : 0U);
+    const std::size_t after = next_ + 1 == size ? 0 : next_ + 1;
+    const std::uint64_t both = (state_[next_] & ~low_bits) | (state_[after] & low_bits);
+    const std::uint64_t far = state_[next_ < size - middle ? next_ + middle : next_ + middle - size];
+    std::uint64_t x = far ^ both >> 1 ^ ((0 - (both & 1U)) & 0xB5026F5AA96619E9U);
     state_[next_] = x;
-    next_ = (next_ + 1) % size;
+    next_ = after;
     x ^= x >> 29 & 0x5555555555555555U;
     x ^= x << 17 & 0x71D67FFFEDA60000U;
     x ^= x << 37 & 0xFFF7EEE000000000U;
