@@ -24,6 +24,8 @@ class AffineSpace {
   /// The form on the space: its coefficients of unknowns that are fixed are 0, and so is that of a fixed load.
   AffineForm on(const AffineForm& form) const;
 
+  /// What a variable is that is not free.
+  const AffineForm& fixed(std::size_t variable) const { return fixed_[variable]; }
   bool is_free(std::size_t variable) const { return free_[variable]; }
   /// The unknowns that are free, in order; the load is none of them.
   std::vector<std::size_t> free_unknowns() const;

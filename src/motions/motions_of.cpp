@@ -1,10 +1,12 @@
 #include "motions/motions_of.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <list>
 #include <map>
 #include <utility>
 
+#include "number/approximate.hpp"
 #include "parallel/stop.hpp"
 
 namespace slipproof {
@@ -83,11 +85,42 @@ std::optional<Affine<Rational>> value_on(const AffineSpace& space, const AffineF
   return Affine<Rational>(std::move(whole.constant), std::move(whole.coefficients.back()));
 }
 
-/// A mode for all its loads. Its numbers are computed when they are asked for: two motions mostly differ in the first.
+/// Forms in binary64, coefficient by coefficient and then the constant.
+using NearForms = std::vector<std::vector<Approximate>>;
+
+NearForms near(const std::vector<AffineForm>& forms) {
+  NearForms result;
+  for (const AffineForm& form : forms) {
+    std::vector<Approximate>& numbers = result.emplace_back();
+    for (const Rational& coefficient : form.coefficients) numbers.emplace_back(coefficient);
+    numbers.emplace_back(form.constant);
+  }
+  return result;
+}
+
+/// A mode for all its loads. Its numbers are computed when they are asked for: binary64 mostly tells two motions apart.
 class ModeOfCells {
  public:
   ModeOfCells(const FrictionProblem& problem, const ConsistentMode& mode)
       : problem_(&problem), found_(&mode), accelerations_(problem.accelerations.size()) {}
+
+  /// The accelerations with their errors, from those forms of them; none unless the mode is regular.
+  void set_near(const NearForms& accelerations) {
+    if (!regular()) return;
+    std::vector<Affine<Approximate>> unknowns;
+    for (std::size_t i = 0; i < space().unknowns(); ++i) {
+      const AffineForm& value = space().fixed(i);
+      unknowns.emplace_back(Approximate(value.constant), Approximate(value.coefficients.back()));
+    }
+    for (const std::vector<Approximate>& form : accelerations) {
+      Affine<Approximate>& sum = near_.emplace_back(form[unknowns.size() + 1], form[unknowns.size()]);
+      for (std::size_t i = 0; i < unknowns.size(); ++i) {
+        if (!form[i].is_zero()) sum = sum + form[i] * unknowns[i];
+      }
+    }
+  }
+  /// As many as there are accelerations, or none.
+  const std::vector<Affine<Approximate>>& near() const { return near_; }
 
   const ConsistentMode& found() const { return *found_; }
   /// Whether its equations leave one solution for each load.
@@ -120,7 +153,36 @@ class ModeOfCells {
   const FrictionProblem* problem_;
   const ConsistentMode* found_;
   mutable std::vector<std::optional<Affine<Rational>>> accelerations_;
+  std::vector<Affine<Approximate>> near_;
 };
+
+/// Whether two motions surely differ: at a load, or as functions of it.
+bool surely_differ(const ModeOfCells& x, const ModeOfCells& y, const std::optional<Rational>& load) {
+  const auto is_nonzero = [](const Approximate& d) { return std::fabs(d.value) > d.error; };
+  for (std::size_t i = 0; i < std::min(x.near().size(), y.near().size()); ++i) {
+    const Affine<Approximate> d = x.near()[i] - y.near()[i];
+    if (load ? is_nonzero(d.at(Approximate(*load))) : is_nonzero(d.alpha) || is_nonzero(d.beta)) return true;
+  }
+  return false;
+}
+
+/// Whether two motions surely are the same at no load, or at all.
+bool surely_never_meet(const ModeOfCells& x, const ModeOfCells& y) {
+  std::optional<Approximate> load;
+  for (std::size_t i = 0; i < std::min(x.near().size(), y.near().size()); ++i) {
+    const Affine<Approximate> d = x.near()[i] - y.near()[i];
+    const auto slope = sure_sign(d.beta);
+    if (!slope) continue;
+    if (*slope == 0) {
+      if (sure_sign(d.alpha).value_or(0) != 0) return true;
+      continue;
+    }
+    const Approximate root = -d.alpha / d.beta;
+    if (load && sure_sign(*load - root).value_or(0) != 0) return true;
+    load = root;
+  }
+  return false;
+}
 
 /// The same at one load.
 OverLoads at(const OverLoads& values, const Rational& load) {
@@ -136,6 +198,7 @@ ForcesOverLoads at(const ForcesOverLoads& values, const Rational& load) {
 
 /// Where two motions are the same, if at one load only, of so many accelerations.
 std::optional<Rational> crossing(const ModeOfCells& x, const ModeOfCells& y, std::size_t accelerations) {
+  if (surely_never_meet(x, y)) return std::nullopt;
   std::optional<Rational> load;
   for (std::size_t i = 0; i < accelerations; ++i) {
     const Affine<Rational> d = x.acceleration(i) - y.acceleration(i);
@@ -155,7 +218,8 @@ class Cells {
  public:
   Cells(const FrictionProblem& problem, const std::vector<ConsistentMode>& consistent, Told told)
       : problem_(problem), told_(told) {
-    for (const ConsistentMode& mode : consistent) modes_.emplace_back(problem, mode);
+    const NearForms accelerations = near(problem.accelerations);
+    for (const ConsistentMode& mode : consistent) modes_.emplace_back(problem, mode).set_near(accelerations);
   }
 
   std::vector<LoadCell> all() {
@@ -295,6 +359,7 @@ class Cells {
 
   /// Whether two modes have the same motion at the loads of a cell.
   bool is_same(const ModeOfCells& x, const ModeOfCells& y, const ForceInterval& loads) const {
+    if (surely_differ(x, y, loads.is_point() ? loads.lower() : std::nullopt)) return false;
     for (std::size_t i = 0; i < problem_.accelerations.size(); ++i) {
       const Affine<Rational>&a = x.acceleration(i), &b = y.acceleration(i);
       if (loads.is_point() ? a.at(*loads.lower()) != b.at(*loads.lower()) : a != b) return false;
