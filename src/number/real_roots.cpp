@@ -1,8 +1,11 @@
 #include "number/real_roots.hpp"
 
 #include <flint/fmpz_poly_factor.h>
+#include <flint/nmod_poly.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <tuple>
 #include <utility>
 
@@ -42,10 +45,49 @@ IntegerPolynomial without(const std::set<IntegerPolynomial>& factors, IntegerPol
   return p;
 }
 
+/// Which degrees factors of a polynomial may have, bit by bit, as those modulo a prime have it.
+std::uint64_t factor_degrees(const IntegerPolynomial& p, ulong prime) {
+  std::uint64_t possible = ~std::uint64_t{0};
+  if (fmpz_fdiv_ui(fmpz_poly_lead(p.flint()), prime) == 0) return possible;
+  nmod_poly_t reduced;
+  nmod_poly_init(reduced, prime);
+  fmpz_poly_get_nmod_poly(reduced, p.flint());
+  if (nmod_poly_is_squarefree(reduced) != 0) {
+    nmod_poly_make_monic(reduced, reduced);
+    std::vector<slong> degrees(static_cast<std::size_t>(p.degree()));
+    slong* const first = degrees.data();
+    nmod_poly_factor_t products;  // of the factors of one degree
+    nmod_poly_factor_init(products);
+    nmod_poly_factor_distinct_deg(products, reduced, &first);
+    possible = 1;
+    for (slong i = 0; i < products->num; ++i) {
+      const slong degree = degrees[static_cast<std::size_t>(i)];
+      for (slong left = nmod_poly_degree(products->p + i); left > 0; left -= degree) possible |= possible << degree;
+    }
+    nmod_poly_factor_clear(products);
+  }
+  nmod_poly_clear(reduced);
+  return possible;
+}
+
+/// Nearly all that come are irreducible, and a few primes show it: no degree of a factor is possible modulo all of
+/// them.
+bool surely_irreducible(const IntegerPolynomial& p) {
+  constexpr std::array<ulong, 6> primes{101, 103, 107, 109, 113, 127};
+  const long degree = p.degree();
+  if (degree < 4 || degree > 63) return false;  // FLINT solves those of low degree
+  std::uint64_t possible = (std::uint64_t{1} << degree) - 2;
+  for (const ulong prime : primes) {
+    possible &= factor_degrees(p, prime);
+    if (possible == 0) return true;
+  }
+  return false;
+}
+
 void add_factors(const IntegerPolynomial& p, std::set<IntegerPolynomial>& factors) {
   const IntegerPolynomial rest = without(factors, p);
   if (rest.degree() < 1) return;
-  if (rest.degree() == 1) {
+  if (rest.degree() == 1 || surely_irreducible(rest)) {
     factors.insert(rest.primitive());
     return;
   }
