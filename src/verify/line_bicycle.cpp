@@ -12,20 +12,16 @@ namespace {
 
 using Values = std::initializer_list<std::reference_wrapper<const LineFunction>>;
 
-IntegerPolynomial common_multiple(const IntegerPolynomial& x, const IntegerPolynomial& y) {
-  return exact_quotient(x * y, gcd(x, y));
-}
-
 IntegerPolynomial common_denominator(const Values& values) {
   IntegerPolynomial result(1);
-  for (const LineFunction& value : values) result = common_multiple(result, value.denominator().front());
+  for (const LineFunction& value : values) result = least_common_multiple(result, value.denominator().front());
   return result;
 }
 
 /// The coefficient of a power of the force, times a multiple of the denominator.
 IntegerPolynomial times(const LineFunction& value, const IntegerPolynomial& multiple, std::size_t power = 0) {
   if (power >= value.numerator().size()) return 0;
-  return exact_quotient(value.numerator()[power] * multiple, value.denominator().front());
+  return scaled(value.numerator()[power], multiple, value.denominator().front());
 }
 
 }  // namespace

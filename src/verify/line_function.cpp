@@ -90,4 +90,14 @@ LineFunction operator/(const LineFunction& x, const LineFunction& y) {
   return {product(x.numerator_, y.denominator_), product(x.denominator_, y.numerator_)};
 }
 
+IntegerPolynomial least_common_multiple(const IntegerPolynomial& x, const IntegerPolynomial& y) {
+  return y.is_one() ? x : x.is_one() ? y : exact_quotient(x * y, gcd(x, y));
+}
+
+IntegerPolynomial scaled(const IntegerPolynomial& x, const IntegerPolynomial& multiple,
+                         const IntegerPolynomial& divisor) {
+  if (divisor.is_one()) return multiple.is_one() ? x : x * multiple;
+  return x.is_zero() ? x : exact_quotient(x * multiple, divisor);
+}
+
 }  // namespace slipproof

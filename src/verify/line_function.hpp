@@ -47,4 +47,10 @@ class LineFunction {
   ForcePolynomial numerator_, denominator_;
 };
 
+/// Most denominators are 1.
+IntegerPolynomial least_common_multiple(const IntegerPolynomial& x, const IntegerPolynomial& y);
+/// x multiple / divisor, where the divisor divides the multiple.
+IntegerPolynomial scaled(const IntegerPolynomial& x, const IntegerPolynomial& multiple,
+                         const IntegerPolynomial& divisor);
+
 }  // namespace slipproof

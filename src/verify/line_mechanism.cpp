@@ -10,10 +10,6 @@ namespace {
 /// Undetermined forces are eliminated from no more conditions than this.
 constexpr std::size_t max_forms = 400;
 
-IntegerPolynomial least_common_multiple(const IntegerPolynomial& x, const IntegerPolynomial& y) {
-  return exact_quotient(x * y, gcd(x, y));
-}
-
 struct ScaledRow {
   PolynomialRow row;
   IntegerPolynomial factor;  ///< by which the form is multiplied
@@ -23,21 +19,26 @@ struct ScaledRow {
 /// critical.
 ScaledRow to_polynomials(const FormRow<LineFunction>& form, const LineFunction& load, CriticalSet& found) {
   const std::size_t unknowns = form.entries.size() - 2;
-  std::vector<LineFunction> all = form.entries;
-  const LineFunction of_load = all[unknowns] * load;  // alpha + beta x, without x in its denominator
-  const auto part = [&](std::size_t power) {
-    if (power >= of_load.numerator().size()) return LineFunction();
-    return LineFunction(ForcePolynomial{of_load.numerator()[power]}, ForcePolynomial{of_load.denominator().front()});
-  };
-  all[unknowns] = part(1);
-  all[unknowns + 1] = all[unknowns + 1] + part(0);
+  LineFunction slope, constant = form.entries[unknowns + 1];
+  if (!form.entries[unknowns].is_zero()) {
+    const LineFunction of_load = form.entries[unknowns] * load;  // alpha + beta x, without x in its denominator
+    const auto part = [&](std::size_t power) {
+      if (power >= of_load.numerator().size()) return LineFunction();
+      return LineFunction(ForcePolynomial{of_load.numerator()[power]}, ForcePolynomial{of_load.denominator().front()});
+    };
+    slope = part(1);
+    constant = constant + part(0);
+  }
+  std::vector<const LineFunction*> all;
+  for (std::size_t j = 0; j < unknowns; ++j) all.push_back(&form.entries[j]);
+  all.insert(all.end(), {&slope, &constant});
   IntegerPolynomial common(1);
-  for (const LineFunction& x : all) common = least_common_multiple(common, x.denominator().front());
+  for (const LineFunction* x : all) common = least_common_multiple(common, x->denominator().front());
   found.add(common);
   PolynomialRow row;
-  for (const LineFunction& x : all) {
-    row.push_back(x.is_zero() ? IntegerPolynomial(0)
-                              : exact_quotient(x.numerator().front() * common, x.denominator().front()));
+  for (const LineFunction* x : all) {
+    row.push_back(x->is_zero() ? IntegerPolynomial(0)
+                               : scaled(x->numerator().front(), common, x->denominator().front()));
   }
   return {std::move(row), std::move(common)};
 }
@@ -114,7 +115,10 @@ class SolvedRows {
   static IntegerPolynomial subtract_from(PolynomialRow& row, const PolynomialRow& pivot, std::size_t column) {
     const IntegerPolynomial common = gcd(row[column], pivot[column]);
     const IntegerPolynomial mine = exact_quotient(pivot[column], common), other = exact_quotient(row[column], common);
-    for (std::size_t j = 0; j < row.size(); ++j) row[j] = mine * row[j] - other * pivot[j];
+    for (std::size_t j = 0; j < row.size(); ++j) {
+      if (!mine.is_one() && !row[j].is_zero()) row[j] = mine * row[j];
+      if (!pivot[j].is_zero()) row[j] = std::move(row[j]) - other * pivot[j];
+    }
     return mine;
   }
 
