@@ -83,12 +83,6 @@ class Evaluator {
   /// Forgets all values.
   void reset() {
     for (Cell& cell : cells_) cell.known = false;
-    evaluated_.clear();
-  }
-  /// Forgets those of definitions, after a symbol was given another one.
-  void forget_definitions() {
-    for (const std::size_t slot : evaluated_) cells_[slot].known = false;
-    evaluated_.clear();
   }
 
   /// The value of a symbol.
@@ -127,7 +121,6 @@ class Evaluator {
       cell.number = std::move(value.number);
       cell.failure = value.failure;
       cell.known = true;
-      evaluated_.push_back(slot);
     }
     return cell.number ? &*cell.number : fail(cell.failure);
   }
@@ -244,7 +237,6 @@ class Evaluator {
   const Scope* scope_;
   Field field_;
   std::vector<Cell> cells_;
-  std::vector<std::size_t> evaluated_;  ///< the definitions that have their values
   Failure failure_ = Failure::undefined;
 };
 

@@ -32,13 +32,6 @@ class FilteredEvaluator {
     is_exact_ = false;
   }
 
-  /// One of these values, by its place among them, is another one now.
-  void changed(std::size_t k) {
-    approximate_.forget_definitions();
-    approximate_.set(first_ + k, Approximate((*values_)[k]));
-    is_exact_ = false;
-  }
-
   Truth truth(const Program& program) {
     const Truth truth = approximate_.truth(program);
     return truth == Truth::undecided ? exact().truth(program) : truth;

@@ -98,16 +98,11 @@ class SureCondition::Writer {
 };
 
 SureCondition::SureCondition(const Scope& scope, const Program& condition, std::size_t first, std::size_t coordinates)
-    : coordinates_(coordinates), behind_(coordinates + 2), stale_(coordinates) {
+    : coordinates_(coordinates), behind_(coordinates + 1), stale_(coordinates) {
   Writer(*this, scope, first).write(condition);
 }
 
-void SureCondition::changed(std::size_t coordinate) {
-  if (stale_ == coordinate || behind_[coordinate].empty()) return;
-  stale_ = stale_ == coordinates_ + 1 ? coordinate : coordinates_;
-}
-
-Truth SureCondition::truth(const std::vector<Approximate>& point) {
+void SureCondition::run(const std::vector<Approximate>& point) {
   for (const std::uint32_t i : behind_[stale_]) {
     const Step& step = steps_[i];
     if (step.operation == Operation::symbol) {
@@ -118,8 +113,7 @@ Truth SureCondition::truth(const std::vector<Approximate>& point) {
       results_[i].truth = truth(step);
     }
   }
-  stale_ = coordinates_ + 1;
-  return results_.back().truth;
+  stale_ = nothing();
 }
 
 Approximate SureCondition::number(const Step& step) const {
@@ -159,7 +153,8 @@ Truth SureCondition::truth(const Step& step) const {
     case Operation::logical_or:
       return combine(x, y, Truth::yes, Truth::no);
     default: {
-      const auto order = sure_sign(results_[step.first].number - results_[step.second].number);
+      const Approximate &left = results_[step.first].number, &right = results_[step.second].number;
+      const auto order = sure_sign(right.is_zero() ? left : left - right);
       if (!order) return Truth::undecided;
       return holds(step.relation, *order) ? Truth::yes : Truth::no;
     }

@@ -19,10 +19,16 @@ class SureCondition {
 
   /// Before the truth is asked for again: all coordinates are others, or one.
   void all_changed() { stale_ = coordinates_; }
-  void changed(std::size_t coordinate);
+  void changed(std::size_t coordinate) {
+    if (stale_ == coordinate || behind_[coordinate].empty()) return;
+    stale_ = stale_ == nothing() ? coordinate : coordinates_;
+  }
 
   /// Yes or no where that is sure; undecided where the bounds leave it open or something has no value.
-  Truth truth(const std::vector<Approximate>& point);
+  Truth truth(const std::vector<Approximate>& point) {
+    if (stale_ != nothing()) run(point);
+    return results_.back().truth;
+  }
 
  private:
   struct Step {
@@ -37,15 +43,17 @@ class SureCondition {
   };
   class Writer;
 
+  std::size_t nothing() const { return coordinates_ + 1; }
+  void run(const std::vector<Approximate>& point);
   Approximate number(const Step& step) const;
   Truth truth(const Step& step) const;
 
   std::size_t coordinates_;
   std::vector<Step> steps_;
   std::vector<Result> results_;  ///< by step
-  /// The steps that depend on a coordinate, on any, and on none: to be done when it changed.
+  /// The steps to be done when a coordinate changed; and last when several did.
   std::vector<std::vector<std::uint32_t>> behind_;
-  std::size_t stale_;
+  std::size_t stale_;  ///< its place there, or nothing()
 };
 
 }  // namespace slipproof
