@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "number/approximate.hpp"
+#include "number/bareiss.hpp"
 #include "parallel/stop.hpp"
 
 namespace slipproof {
@@ -85,6 +86,39 @@ std::optional<Affine<Rational>> value_on(const AffineSpace& space, const AffineF
   return Affine<Rational>(std::move(whole.constant), std::move(whole.coefficients.back()));
 }
 
+/// A space in which at most the load is free, in integers: a value on it takes one greatest common divisor.
+class IntegerSpace {
+ public:
+  explicit IntegerSpace(const AffineSpace& space) {
+    std::vector<Rational> numbers;
+    for (std::size_t i = 0; i < space.unknowns(); ++i) {
+      const AffineForm& value = space.fixed(i);
+      numbers.insert(numbers.end(), {value.constant, value.coefficients.back()});
+    }
+    denominator_ = common_denominator(numbers);
+    for (const Rational& x : numbers) values_.push_back(integer_times(x, denominator_));
+  }
+
+  Affine<Rational> on(const AffineForm& form) const {
+    const std::size_t unknowns = values_.size() / 2;
+    std::vector<Rational> entries = form.coefficients;
+    entries.push_back(form.constant);
+    const Integer factor = common_denominator(entries), all = factor * denominator_;
+    Integer constant = integer_times(form.constant, all), slope = integer_times(form.coefficients.back(), all);
+    for (std::size_t i = 0; i < unknowns; ++i) {
+      if (form.coefficients[i].is_zero()) continue;
+      const Integer entry = integer_times(form.coefficients[i], factor);
+      constant.add_product(entry, values_[2 * i]);
+      slope.add_product(entry, values_[2 * i + 1]);
+    }
+    return {Rational(std::move(constant), all), Rational(std::move(slope), all)};
+  }
+
+ private:
+  Integer denominator_;
+  std::vector<Integer> values_;  ///< of each unknown constant and slope, times the denominator
+};
+
 /// Forms in binary64, coefficient by coefficient and then the constant.
 using NearForms = std::vector<std::vector<Approximate>>;
 
@@ -128,7 +162,7 @@ class ModeOfCells {
   /// Of a determined mode.
   const Affine<Rational>& acceleration(std::size_t i) const {
     auto& known = accelerations_[i];
-    if (!known) known = value_on(space(), problem_->accelerations[i]);
+    if (!known) known = exact(problem_->accelerations[i]);
     return *known;
   }
   OverLoads accelerations() const {
@@ -138,7 +172,7 @@ class ModeOfCells {
   }
   ForcesOverLoads forces() const {
     ForcesOverLoads values;
-    for (const AffineForm& form : problem_->forces) values.push_back(value_on(space(), form));
+    for (const AffineForm& form : problem_->forces) values.push_back(exact(form));
     return values;
   }
   std::vector<Rational> accelerations_at(const Rational& load) const {
@@ -149,10 +183,16 @@ class ModeOfCells {
 
  private:
   const AffineSpace& space() const { return found_->solutions.space; }
+  std::optional<Affine<Rational>> exact(const AffineForm& form) const {
+    if (!regular()) return value_on(space(), form);
+    if (!integers_) integers_.emplace(space());
+    return integers_->on(form);
+  }
 
   const FrictionProblem* problem_;
   const ConsistentMode* found_;
   mutable std::vector<std::optional<Affine<Rational>>> accelerations_;
+  mutable std::optional<IntegerSpace> integers_;
   std::vector<Affine<Approximate>> near_;
 };
 
