@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motions/state_rows.hpp"
-
 namespace slipproof {
 
 class ModeFilter::Elimination {
@@ -70,14 +68,15 @@ class ModeFilter::Elimination {
   std::vector<std::size_t> pivot_row_;  ///< by unknown
 };
 
-ModeFilter::ModeFilter(const FrictionProblem& problem, const std::optional<Rational>& load, const ForceInterval& domain)
+ModeFilter::ModeFilter(const FrictionProblem& problem, const std::optional<Rational>& load, const ForceInterval& domain,
+                       const StatesOfElements& states)
     : unknowns_(problem.unknowns) {
   if (load && problem.has_load) load_ = Approximate(*load);
   if (domain.lower()) above_.emplace_back(*domain.lower());
   if (domain.upper()) below_.emplace_back(*domain.upper());
   for (const AffineForm& form : problem.equations) equations_.push_back(row_of(form));
   states_ = rows_by_state<StateRows>(
-      problem, [&](StateRows& rows, const AffineForm& form) { rows.equations.push_back(row_of(form)); },
+      problem, states, [&](StateRows& rows, const AffineForm& form) { rows.equations.push_back(row_of(form)); },
       [&](StateRows& rows, const AffineForm& form, StateCondition) { rows.conditions.push_back(row_of(form)); });
 }
 

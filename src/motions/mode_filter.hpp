@@ -9,15 +9,16 @@
 #include <optional>
 #include <vector>
 
-#include "motions/friction_problem.hpp"
+#include "motions/state_rows.hpp"
 #include "number/approximate.hpp"
 
 namespace slipproof {
 
 class ModeFilter {
  public:
-  /// At a load, or for all of the domain.
-  ModeFilter(const FrictionProblem& problem, const std::optional<Rational>& load, const ForceInterval& domain);
+  /// At a load, or for all of the domain; modes of these states.
+  ModeFilter(const FrictionProblem& problem, const std::optional<Rational>& load, const ForceInterval& domain,
+             const StatesOfElements& states);
 
   /// Whether the mode surely has no solution.
   bool excludes(const MechanismMode& mode) const;

@@ -14,7 +14,7 @@ namespace {
 /// The modes that elements with these states have, by their numbers in the order of enumeration.
 class ModeNumbers {
  public:
-  explicit ModeNumbers(const std::vector<std::vector<ElementState>>& states) : states_(states) {
+  explicit ModeNumbers(const StatesOfElements& states) : states_(states) {
     below_.assign(states.size() + 1, 1);
     for (std::size_t i = states.size(); i > 0; --i) below_[i - 1] = below_[i] * states[i - 1].size();
   }
@@ -32,7 +32,7 @@ class ModeNumbers {
   }
 
  private:
-  const std::vector<std::vector<ElementState>>& states_;
+  const StatesOfElements& states_;
   std::vector<std::uint64_t> below_;
 };
 
@@ -94,8 +94,8 @@ class ModeTree {
  public:
   using Numbers = std::vector<std::uint64_t>;
 
-  ModeTree(const FrictionProblem& problem, const std::vector<std::vector<ElementState>>& states,
-           const ModeNumbers& numbers, const ForceInterval& domain, Effort* effort, NumberedModes& result)
+  ModeTree(const FrictionProblem& problem, const StatesOfElements& states, const ModeNumbers& numbers,
+           const ForceInterval& domain, Effort* effort, NumberedModes& result)
       : problem_(problem), states_(states), numbers_(numbers), domain_(domain), effort_(effort), result_(result) {}
 
   /// `left` are the modes to try, in order.
@@ -176,7 +176,7 @@ class ModeTree {
   }
 
   const FrictionProblem& problem_;
-  const std::vector<std::vector<ElementState>>& states_;
+  const StatesOfElements& states_;
   const ModeNumbers& numbers_;
   const ForceInterval& domain_;
   Effort* effort_;
@@ -185,10 +185,16 @@ class ModeTree {
   ModeConditions conditions_;
 };
 
-std::vector<std::vector<ElementState>> only(const MechanismMode& mode) {
-  std::vector<std::vector<ElementState>> states;
+StatesOfElements only(const MechanismMode& mode) {
+  StatesOfElements states;
   for (const ElementState state : mode) states.push_back({state});
   return states;
+}
+
+StatesOfElements all_states(const FrictionProblem& problem) {
+  StatesOfElements all;
+  for (const ProblemElement& element : problem.elements) all.push_back(states(element.kind));
+  return all;
 }
 
 ForceInterval domain_for(const FrictionProblem& problem, const std::optional<Rational>& load) {
@@ -227,10 +233,27 @@ FrictionProblem without_equations(const FrictionProblem& problem) {
   return result;
 }
 
-ModeSolver::ModeSolver(const FrictionProblem& problem, const std::optional<Rational>& load)
-    : problem_(problem), load_(load), domain_(domain_for(problem, load)), regular_(problem, load) {}
+StatesOfElements states_in(const std::vector<MechanismMode>& modes, std::size_t elements) {
+  StatesOfElements found(elements);
+  for (const MechanismMode& mode : modes) {
+    for (std::size_t i = 0; i < elements; ++i) {
+      if (std::find(found[i].begin(), found[i].end(), mode[i]) == found[i].end()) found[i].push_back(mode[i]);
+    }
+  }
+  return found;
+}
 
-ModesOf ModeSolver::among(const std::vector<std::vector<ElementState>>& states, Rejected rejected, Effort* effort,
+ModeSolver::ModeSolver(const FrictionProblem& problem, const std::optional<Rational>& load)
+    : ModeSolver(problem, load, all_states(problem)) {}
+
+ModeSolver::ModeSolver(const FrictionProblem& problem, const std::optional<Rational>& load, StatesOfElements states)
+    : problem_(problem),
+      load_(load),
+      domain_(domain_for(problem, load)),
+      states_(std::move(states)),
+      regular_(problem, load, states_) {}
+
+ModesOf ModeSolver::among(const StatesOfElements& states, Rejected rejected, Effort* effort,
                           const ModeFilter* filter) const {
   using Kind = RegularModes::Outcome::Kind;
   const ModeNumbers numbers(states);
@@ -250,7 +273,8 @@ ModesOf ModeSolver::among(const std::vector<std::vector<ElementState>>& states, 
     } else {
       ModeConditions conditions;
       for (std::size_t i = 0; i < mode.size(); ++i) conditions.add(problem_, i, mode[i]);
-      result.add(problem_, number, mode, narrow(std::move(*outcome.space), conditions.forms, domain_, effort),
+      result.add(problem_, number, mode,
+                 narrow(std::move(*outcome.space), conditions.forms, domain_, effort, std::move(outcome.conditions)),
                  conditions.labels);
     }
   }
@@ -258,20 +282,14 @@ ModesOf ModeSolver::among(const std::vector<std::vector<ElementState>>& states, 
   return std::move(result).in_order();
 }
 
-std::vector<std::vector<ElementState>> ModeSolver::all_states() const {
-  std::vector<std::vector<ElementState>> all;
-  for (const ProblemElement& element : problem_.elements) all.push_back(states(element.kind));
-  return all;
-}
-
 ModesOf ModeSolver::all(Effort* effort) const {
-  return among(all_states(), Rejected::told, effort);
+  return among(states_, Rejected::told, effort);
 }
 
 std::vector<ConsistentMode> ModeSolver::consistent(Effort* effort) const {
-  if (effort != nullptr) return among(all_states(), Rejected::left_out, effort).consistent;
+  if (effort != nullptr) return among(states_, Rejected::left_out, effort).consistent;
   const ModeFilter sure = filter();
-  return among(all_states(), Rejected::left_out, nullptr, &sure).consistent;
+  return among(states_, Rejected::left_out, nullptr, &sure).consistent;
 }
 
 std::vector<ConsistentMode> ModeSolver::consistent_among(const std::vector<MechanismMode>& modes) const {
@@ -292,7 +310,7 @@ ModesOf modes_of(const FrictionProblem& problem, const std::optional<Rational>& 
 }
 
 ModesOf mode_of(const FrictionProblem& problem, const MechanismMode& mode, const std::optional<Rational>& load) {
-  return ModeSolver(problem, load).one(mode);
+  return ModeSolver(problem, load, only(mode)).one(mode);
 }
 
 }  // namespace slipproof

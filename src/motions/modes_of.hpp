@@ -43,6 +43,8 @@ inline constexpr std::uint64_t max_modes = 65'536;
 class ModeSolver {
  public:
   ModeSolver(const FrictionProblem& problem, const std::optional<Rational>& load);
+  /// For modes of these states only.
+  ModeSolver(const FrictionProblem& problem, const std::optional<Rational>& load, StatesOfElements states);
 
   /// All modes; their number must be at most max_modes. Takes one elimination in integers for each. Those whose
   /// equations leave something open are then tried state by state, with a few linear programs each: what already
@@ -62,16 +64,19 @@ class ModeSolver {
  private:
   enum class Rejected { told, left_out };
   /// What the filter excludes is rejected without a reason.
-  ModesOf among(const std::vector<std::vector<ElementState>>& states, Rejected rejected, Effort* effort,
+  ModesOf among(const StatesOfElements& states, Rejected rejected, Effort* effort,
                 const ModeFilter* filter = nullptr) const;
-  ModeFilter filter() const { return {problem_, load_, domain_}; }
-  std::vector<std::vector<ElementState>> all_states() const;
+  ModeFilter filter() const { return {problem_, load_, domain_, states_}; }
 
   const FrictionProblem& problem_;
   std::optional<Rational> load_;
   ForceInterval domain_;
+  StatesOfElements states_;
   RegularModes regular_;
 };
+
+/// The states that so many elements have in some modes.
+StatesOfElements states_in(const std::vector<MechanismMode>& modes, std::size_t elements);
 
 /// By a solver for this once.
 ModesOf modes_of(const FrictionProblem& problem, const std::optional<Rational>& load);

@@ -12,13 +12,13 @@ class KernelMotions final : public MotionsOverLoads {
  public:
   KernelMotions(FrictionProblem problem, const std::optional<std::vector<MechanismMode>>& only)
       : problem_(without_equations(problem)) {
-    const ModeSolver solver(problem_, std::nullopt);
     if (only) {
       std::vector<MechanismMode> modelled = *only;
       std::erase_if(modelled, [&](const MechanismMode& mode) { return !is_modelled(mode); });
-      consistent_ = solver.consistent_among(modelled);
+      consistent_ =
+          ModeSolver(problem_, std::nullopt, states_in(modelled, problem_.elements.size())).consistent_among(modelled);
     } else {
-      consistent_ = solver.consistent();
+      consistent_ = ModeSolver(problem_, std::nullopt).consistent();
     }
     for (const ConsistentMode& mode : consistent_) strict_.push_back(strict_loads(mode.solutions));
   }

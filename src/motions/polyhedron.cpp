@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "number/bareiss.hpp"
+#include "number/approximate.hpp"
 
 namespace slipproof {
 
@@ -84,54 +84,16 @@ std::vector<Side> ends_of(const AffineSpace& space, const ForceInterval& loads) 
   return ends;
 }
 
-/// Forms on a space in which the load alone is free. They come in integers, times positive numbers: where they vanish
-/// and which sign they have is all that is asked of those that vary, and greatest common divisors would be most of the
-/// work.
-class OverTheLoad {
- public:
-  explicit OverTheLoad(const AffineSpace& space) {
-    AffineForm unknown{0, std::vector<Rational>(space.unknowns() + 1)};
-    std::vector<Rational> numbers;
-    for (std::size_t i = 0; i < space.unknowns(); ++i) {
-      unknown.coefficients[i] = 1;
-      const AffineForm value = space.on(unknown);
-      unknown.coefficients[i] = 0;
-      numbers.insert(numbers.end(), {value.constant, value.coefficients.back()});
-    }
-    denominator_ = common_denominator(numbers);
-    for (const Rational& x : numbers) values_.push_back(integer_times(x, denominator_));
-  }
-
-  AffineForm on(const AffineForm& form) const {
-    const std::size_t unknowns = form.coefficients.size() - 1;
-    std::vector<Rational> entries = form.coefficients;
-    entries.push_back(form.constant);
-    const Integer factor = common_denominator(entries);
-    Integer constant = integer_times(form.constant, factor) * denominator_,
-            slope = integer_times(form.coefficients.back(), factor) * denominator_;
-    for (std::size_t i = 0; i < unknowns; ++i) {
-      if (form.coefficients[i].is_zero()) continue;
-      const Integer entry = integer_times(form.coefficients[i], factor);
-      constant.add_product(entry, values_[2 * i]);
-      slope.add_product(entry, values_[2 * i + 1]);
-    }
-    AffineForm result{
-        slope.is_zero() ? Rational(std::move(constant), factor * denominator_) : Rational(std::move(constant)),
-        std::vector<Rational>(unknowns + 1)};
-    result.coefficients.back() = Rational(std::move(slope));
-    return result;
-  }
-
- private:
-  Integer denominator_;
-  std::vector<Integer> values_;  ///< of each unknown constant and slope, times the denominator
-};
-
 /// One run of narrow().
 class Narrowing {
  public:
-  Narrowing(AffineSpace space, const std::vector<AffineForm>& conditions, const ForceInterval& domain, Effort* effort)
-      : space_(std::move(space)), conditions_(conditions), domain_(domain), effort_(effort) {}
+  Narrowing(AffineSpace space, const std::vector<AffineForm>& conditions, const ForceInterval& domain, Effort* effort,
+            std::vector<AffineForm> on_space = {})
+      : space_(std::move(space)),
+        conditions_(conditions),
+        on_space_(std::move(on_space)),
+        domain_(domain),
+        effort_(effort) {}
 
   Narrowed run() {
     for (;;) {
@@ -158,10 +120,8 @@ class Narrowing {
   std::optional<Conflict> collect() {
     sides_.clear();
     strict_ = true;
-    std::optional<OverTheLoad> over_load;
-    if (space_.dimension() == 0 && space_.load_is_free()) over_load.emplace(space_);
     for (std::size_t i = 0; i < conditions_.size(); ++i) {
-      AffineForm form = over_load ? over_load->on(conditions_[i]) : space_.on(conditions_[i]);
+      AffineForm form = on_space_.empty() ? space_.on(conditions_[i]) : std::move(on_space_[i]);
       if (!is_constant(form)) {
         sides_.push_back({std::move(form), i});
       } else if (form.constant.sign() < 0) {
@@ -170,6 +130,7 @@ class Narrowing {
         strict_ = false;
       }
     }
+    on_space_.clear();  // as it was, before sides vanish
     if (!space_.load_is_free()) {
       if (!domain_.contains(space_.load())) return Conflict{conditions_among(vanished_), std::nullopt};
       return std::nullopt;
@@ -183,20 +144,35 @@ class Narrowing {
 
   /// Without free unknowns each side bounds the load.
   Step narrow_loads() {
-    std::optional<std::size_t> lower, upper;
-    std::vector<Rational> roots;
+    std::optional<Bound> lower, upper;
     for (std::size_t i = 0; i < sides_.size(); ++i) {
-      const AffineForm& form = sides_[i].form;
-      roots.push_back(-form.constant / form.coefficients.back());
-      auto& end = form.coefficients.back().sign() > 0 ? lower : upper;
-      const bool tighter = !end || (&end == &lower ? roots[i] > roots[*end] : roots[i] < roots[*end]);
-      if (tighter) end = i;
+      const Bound here(sides_[i].form, i);
+      const bool above = sides_[i].form.coefficients.back().sign() > 0;
+      auto& end = above ? lower : upper;
+      if (!end || (above ? compare(here, *end) > 0 : compare(here, *end) < 0)) end = here;
     }
-    if (lower && upper && roots[*lower] > roots[*upper]) return conflict_of({*lower, *upper});
-    if (lower && upper && roots[*lower] == roots[*upper]) return vanish({*lower, *upper});
-    loads_ = ForceInterval::between(lower ? std::optional(roots[*lower]) : std::nullopt, true,
-                                    upper ? std::optional(roots[*upper]) : std::nullopt, true);
+    const int order = lower && upper ? compare(*lower, *upper) : -1;
+    if (order > 0) return conflict_of({lower->side, upper->side});
+    if (order == 0) return vanish({lower->side, upper->side});
+    const auto load = [&](const auto& end) { return end ? std::optional(load_of(*end)) : std::nullopt; };
+    loads_ = ForceInterval::between(load(lower), true, load(upper), true);
     return Step::done;
+  }
+
+  /// The load at which a side is 0, with its error.
+  struct Bound {
+    std::size_t side;
+    Approximate near;
+    Bound(const AffineForm& form, std::size_t number)
+        : side(number), near(-Approximate(form.constant) / Approximate(form.coefficients.back())) {}
+  };
+  Rational load_of(const Bound& bound) const {
+    const AffineForm& form = sides_[bound.side].form;
+    return -form.constant / form.coefficients.back();
+  }
+  int compare(const Bound& x, const Bound& y) const {
+    const auto sure = sure_sign(x.near - y.near);
+    return sure ? *sure : load_of(x).compare(load_of(y));
   }
 
   Step narrow_all() {
@@ -258,6 +234,7 @@ class Narrowing {
 
   AffineSpace space_;
   const std::vector<AffineForm>& conditions_;
+  std::vector<AffineForm> on_space_;  ///< the conditions, where they are known
   const ForceInterval& domain_;
   Effort* effort_;
   std::vector<Side> sides_;
@@ -270,8 +247,8 @@ class Narrowing {
 }  // namespace
 
 Narrowed narrow(AffineSpace space, const std::vector<AffineForm>& conditions, const ForceInterval& domain,
-                Effort* effort) {
-  return Narrowing(std::move(space), conditions, domain, effort).run();
+                Effort* effort, std::vector<AffineForm> on_space) {
+  return Narrowing(std::move(space), conditions, domain, effort, std::move(on_space)).run();
 }
 
 std::optional<Conflict> find_conflict(const AffineSpace& space, const std::vector<AffineForm>& conditions,

@@ -32,9 +32,10 @@ struct Conflict {
 using Narrowed = std::variant<Polyhedron, Conflict>;
 
 /// The solutions in a space that meet the conditions at some load of the domain. Linear programs are charged to an
-/// effort; throws TooMuchWork beyond it.
+/// effort; throws TooMuchWork beyond it. `on_space` are the conditions on the space, where they are known, times
+/// positive numbers where they vary.
 Narrowed narrow(AffineSpace space, const std::vector<AffineForm>& conditions, const ForceInterval& domain,
-                Effort* effort = nullptr);
+                Effort* effort = nullptr, std::vector<AffineForm> on_space = {});
 
 /// Why there is none, for less: also nothing where all that is left is an end that the domain does not have.
 std::optional<Conflict> find_conflict(const AffineSpace& space, const std::vector<AffineForm>& conditions,

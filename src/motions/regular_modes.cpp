@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "motions/state_rows.hpp"
-
 namespace slipproof {
 
 /// The equations of one mode. An unknown is y_k times the factor that column k has for it; those that are in no column
@@ -44,7 +42,22 @@ class RegularModes::Elimination {
         }
       }
     }
+    cancel();
     return Outcome::Kind::regular;
+  }
+
+  /// Of a form for all loads.
+  AffineForm over_load(const Row& row) const {
+    Integer constant = row.entries[problem_.unknowns_] * pivot_, slope = row.entries[problem_.unknowns_ + 1] * pivot_;
+    for (const std::size_t i : row.unknowns) {
+      constant.add_product(row.entries[i], values_[0][i]);
+      slope.add_product(row.entries[i], values_[1][i]);
+    }
+    AffineForm form{
+        slope.is_zero() ? Rational(std::move(constant), row.factor * pivot_) : Rational(std::move(constant)),
+        std::vector<Rational>(problem_.unknowns_ + 1)};
+    form.coefficients.back() = Rational(std::move(slope));
+    return form;
   }
 
   /// Of a form at the only load.
@@ -67,6 +80,22 @@ class RegularModes::Elimination {
 
  private:
   using Column = std::vector<std::pair<std::size_t, Integer>>;
+
+  /// What the solution has in common, and the sign of the pivot: every form would be multiplied by it.
+  void cancel() {
+    Integer common = abs(pivot_);
+    for (const std::vector<Integer>& side : values_) {
+      for (const Integer& value : side) {
+        if (!(common == 1) && !value.is_zero()) common = gcd(common, value);
+      }
+    }
+    if (pivot_.sign() < 0) common = -common;
+    if (common == 1) return;
+    pivot_ = exact_quotient(pivot_, common);
+    for (std::vector<Integer>& side : values_) {
+      for (Integer& value : side) value = exact_quotient(value, common);
+    }
+  }
 
   /// Whether a row only says that an unknown is 0 or a multiple of another one; then it is done.
   bool substitutes(const Row& row) {
@@ -112,11 +141,12 @@ class RegularModes::Elimination {
   std::vector<std::vector<Integer>> values_;  ///< of the unknowns times the pivot, for each right-hand side
 };
 
-RegularModes::RegularModes(const FrictionProblem& problem, const std::optional<Rational>& load)
+RegularModes::RegularModes(const FrictionProblem& problem, const std::optional<Rational>& load,
+                           const StatesOfElements& states)
     : unknowns_(problem.unknowns), load_(problem.has_load ? load : Rational(0)), right_sides_(load_ ? 1 : 2) {
   for (const AffineForm& form : problem.equations) equations_.push_back(row_of(form));
   states_ = rows_by_state<StateRows>(
-      problem, [&](StateRows& rows, const AffineForm& form) { rows.equations.push_back(row_of(form)); },
+      problem, states, [&](StateRows& rows, const AffineForm& form) { rows.equations.push_back(row_of(form)); },
       [&](StateRows& rows, const AffineForm& form, StateCondition c) {
         rows.conditions.emplace_back(row_of(form), c);
       });
@@ -159,8 +189,12 @@ RegularModes::Outcome RegularModes::solve(const MechanismMode& mode, Effort* eff
   Outcome outcome;
   outcome.kind = elimination.solve();
   if (outcome.kind != Outcome::Kind::regular) return outcome;
-  for (std::size_t i = 0; load_ && i < mode.size(); ++i) {
+  for (std::size_t i = 0; i < mode.size(); ++i) {
     for (const auto& [row, condition] : states_[i][static_cast<std::size_t>(mode[i])].conditions) {
+      if (!load_) {
+        outcome.conditions.push_back(elimination.over_load(row));
+        continue;
+      }
       const RawFraction value = elimination.value(row);
       if (value.sign() >= 0) continue;
       outcome.kind = Outcome::Kind::violated;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "motions/affine_space.hpp"
+#include "motions/state_rows.hpp"
 #include "number/bareiss.hpp"
 #include "number/effort.hpp"
 #include "number/raw_fraction.hpp"
@@ -26,8 +27,8 @@ struct ViolatedCondition {
 
 class RegularModes {
  public:
-  /// At a load, or for all. The problem is copied into integers.
-  RegularModes(const FrictionProblem& problem, const std::optional<Rational>& load);
+  /// At a load, or for all. The problem is copied into integers, as far as modes of these states need it.
+  RegularModes(const FrictionProblem& problem, const std::optional<Rational>& load, const StatesOfElements& states);
 
   /// A condition that the one solution at a load violates, the first one.
   struct Violation {
@@ -44,6 +45,8 @@ class RegularModes {
     Kind kind = Kind::singular;
     std::optional<Violation> violation;
     std::optional<AffineSpace> space;  ///< regular: the solution
+    /// Regular, for all loads: the conditions on it, in integers times positive numbers where they vary.
+    std::vector<AffineForm> conditions;
   };
   /// A state for each element. Takes one elimination, with an effort: throws TooMuchWork beyond it.
   Outcome solve(const MechanismMode& mode, Effort* effort) const;

@@ -30,6 +30,12 @@ FrictionProblem in_odd_units(FrictionProblem problem) {
   return problem;
 }
 
+StatesOfElements all_states(const FrictionProblem& problem) {
+  StatesOfElements all;
+  for (const ProblemElement& element : problem.elements) all.push_back(states(element.kind));
+  return all;
+}
+
 struct FilterCounts {
   int excluded = 0, rejected = 0, ties = 0;
 };
@@ -37,7 +43,7 @@ struct FilterCounts {
 void compare(const FrictionProblem& problem, const std::optional<Rational>& load, FilterCounts& counts) {
   const ModesOf exact = modes_of(problem, load);
   const ForceInterval domain = load || !problem.has_load ? ForceInterval() : problem.load_domain;
-  const ModeFilter filter(problem, load, domain);
+  const ModeFilter filter(problem, load, domain, all_states(problem));
   for (const ConsistentMode& mode : exact.consistent) {
     CAPTURE(name(mode.mode));
     CHECK_FALSE(filter.excludes(mode.mode));
@@ -85,7 +91,7 @@ TEST_CASE("an end of the loads that is met exactly excludes nothing") {
   const MechanismMode touch{ElementState::touch};
   const auto excluded = [&](const Rational& most) {
     problem.load_domain = ForceInterval::between(std::nullopt, false, most, true);
-    return ModeFilter(problem, std::nullopt, problem.load_domain).excludes(touch);
+    return ModeFilter(problem, std::nullopt, problem.load_domain, all_states(problem)).excludes(touch);
   };
   CHECK_FALSE(excluded(-1));
   CHECK_FALSE(excluded(Rational(-1) - power_of_two(-80)));
