@@ -58,7 +58,7 @@ std::uint32_t Program::emit(const Expression& expression, const Resolver& resolv
     default:
       instruction.exponent = node.exponent;
       instruction.first = emit(node.operands[0], resolver);
-      if (node.operands.size() > 1) instruction.second = emit(node.operands[1], resolver);
+      instruction.second = node.operands.size() > 1 ? emit(node.operands[1], resolver) : instruction.first;
       return push(instruction);
   }
 }

@@ -22,7 +22,7 @@ class Program {
     bool truth = false;
     int exponent = 0;
     std::uint32_t first = 0;   ///< operand, or the slot of a symbol, or the constant of a number
-    std::uint32_t second = 0;  ///< second operand
+    std::uint32_t second = 0;  ///< second operand; the first where there is only one
   };
 
   const std::vector<Instruction>& code() const { return code_; }

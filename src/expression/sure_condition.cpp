@@ -1,5 +1,6 @@
 #include "expression/sure_condition.hpp"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -98,8 +99,23 @@ class SureCondition::Writer {
 };
 
 SureCondition::SureCondition(const Scope& scope, const Program& condition, std::size_t first, std::size_t coordinates)
-    : coordinates_(coordinates), behind_(coordinates + 1), stale_(coordinates) {
-  Writer(*this, scope, first).write(condition);
+    : coordinates_(coordinates), behind_(coordinates + 1), stale_(coordinates), demands_(coordinates) {
+  note_demands(Writer(*this, scope, first).write(condition));
+}
+
+/// Of a step that has to hold.
+void SureCondition::note_demands(std::uint32_t i) {
+  const Step& step = steps_[i];
+  if (step.operation == Operation::logical_and) {
+    note_demands(step.first);
+    note_demands(step.second);
+  }
+  if (step.operation != Operation::compare || step.relation != Relation::equal) return;
+  for (const auto& [side, other] : {std::pair(step.first, step.second), std::pair(step.second, step.first)}) {
+    if (steps_[side].operation != Operation::symbol) continue;
+    const std::size_t coordinate = steps_[side].first;
+    if (!std::ranges::binary_search(behind_[coordinate], other)) demands_[coordinate] = other;
+  }
 }
 
 void SureCondition::run(const std::vector<Approximate>& point) {

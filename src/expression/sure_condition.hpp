@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "expression/evaluate.hpp"
@@ -29,6 +30,11 @@ class SureCondition {
     if (stale_ != nothing()) run(point);
     return results_.back().truth;
   }
+  /// The only number that a coordinate may be for the condition to hold, where an equation in it says so, which does
+  /// not depend on that coordinate; null where there is none. Of the point at which the truth was asked for last.
+  const Approximate* demanded(std::size_t coordinate) const {
+    return demands_[coordinate] ? &results_[*demands_[coordinate]].number : nullptr;
+  }
 
  private:
   struct Step {
@@ -43,6 +49,7 @@ class SureCondition {
   };
   class Writer;
 
+  void note_demands(std::uint32_t i);
   std::size_t nothing() const { return coordinates_ + 1; }
   void run(const std::vector<Approximate>& point);
   Approximate number(const Step& step) const;
@@ -53,7 +60,8 @@ class SureCondition {
   std::vector<Result> results_;  ///< by step
   /// The steps to be done when a coordinate changed; and last when several did.
   std::vector<std::vector<std::uint32_t>> behind_;
-  std::size_t stale_;  ///< its place there, or nothing()
+  std::size_t stale_;                                  ///< its place there, or nothing()
+  std::vector<std::optional<std::uint32_t>> demands_;  ///< by coordinate, the step that it has to equal
 };
 
 }  // namespace slipproof

@@ -1,6 +1,7 @@
 #include "verify/sampler.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -57,6 +58,8 @@ class SamplePoint {
     const Truth sure = domains_[parameter].truth(near_);
     return sure == Truth::undecided ? is_true(evaluator(), setting_.domains()[parameter]) : sure == Truth::yes;
   }
+  /// After allows(): SureCondition::demanded() of its domain.
+  const Approximate* demanded(std::size_t parameter) const { return domains_[parameter].demanded(parameter); }
   bool in_domain() {
     for (std::size_t k = 0; k < domains_.size(); ++k) {
       if (!allows(k)) return false;
@@ -99,29 +102,66 @@ const Rational& small_fraction(int numerator, int denominator) {
   return all[static_cast<std::size_t>((numerator + largest_numerator) * largest_denominator + denominator - 1)];
 }
 
-Rational draw(Dice& dice, Kind kind) {
+/// numerator / denominator * 2^exponent.
+struct Drawn {
+  int numerator = 0, denominator = 1, exponent = 0;
+
+  Rational value() const {
+    const Rational& small = small_fraction(numerator, denominator);
+    return exponent == 0 ? small : small * power_of_two(exponent);
+  }
+};
+
+Drawn draw(Dice& dice, Kind kind) {
+  Drawn drawn;
   const int sign = dice.chance(4) ? -1 : 1;
-  if (dice.chance(10)) return 0;
-  if (kind == Kind::integers) return sign * dice.number(1, 6);
-  const int denominator = dice.number(1, largest_denominator);
-  const Rational& small = small_fraction(sign * dice.number(1, largest_numerator), denominator);
-  if (kind != Kind::extreme || dice.chance(2)) return small;
-  return small * power_of_two(dice.number(-40, 40));
+  if (dice.chance(10)) return drawn;
+  if (kind == Kind::integers) {
+    drawn.numerator = sign * dice.number(1, 6);
+    return drawn;
+  }
+  drawn.denominator = dice.number(1, largest_denominator);
+  drawn.numerator = sign * dice.number(1, largest_numerator);
+  if (kind == Kind::extreme && !dice.chance(2)) drawn.exponent = dice.number(-40, 40);
+  return drawn;
+}
+
+/// False where a number surely is none that may be drawn: no denominator makes it an integer, or one times a power of
+/// two, by far more than its error and what is rounded here.
+bool may_be_drawn(const Approximate& x, Kind kind) {
+  constexpr double margin = 1e-6;
+  for (int denominator = 1; denominator <= largest_denominator; ++denominator) {
+    double scale = denominator;
+    if (kind == Kind::extreme) {
+      int exponent = 0;
+      std::frexp(x.value * scale, &exponent);
+      scale = std::ldexp(scale, 4 - exponent);  // numerators have four bits
+    }
+    const double numerator = x.value * scale;
+    if (!(std::fabs(numerator - std::nearbyint(numerator)) > margin + x.error * scale)) return true;
+  }
+  return false;
+}
+
+/// Draws one parameter again, at most so often, until its domain allows it.
+void draw_again(SamplePoint& point, std::size_t parameter, int times, Dice& dice, Kind kind, Rational& value) {
+  if (point.allows(parameter)) return;
+  if (const Approximate* const demanded = point.demanded(parameter); demanded && !may_be_drawn(*demanded, kind)) {
+    for (; times > 1; --times) draw(dice, kind);  // in vain, all of them
+  }
+  for (; times > 0 && !point.allows(parameter); --times) {
+    value = draw(dice, kind).value();
+    point.changed(parameter);
+  }
 }
 
 std::vector<Rational> draw_all(SamplePoint& point, std::size_t parameters, Dice& dice, Kind kind) {
   std::vector<Rational> values(parameters);
   for (int attempt = 0; attempt < 200; ++attempt) {
-    for (Rational& value : values) value = draw(dice, kind);
+    for (Rational& value : values) value = draw(dice, kind).value();
     if (point.at(values).in_domain()) return values;
     // Domains of one parameter alone are met soonest by drawing it alone again.
-    for (std::size_t k = 0; k < values.size(); ++k) {
-      for (int again = 0; again < 20; ++again) {
-        if (point.allows(k)) break;
-        values[k] = draw(dice, kind);
-        point.changed(k);
-      }
-    }
+    for (std::size_t k = 0; k < values.size(); ++k) draw_again(point, k, 20, dice, kind, values[k]);
     if (point.in_domain()) return values;
   }
   return {};
@@ -133,7 +173,7 @@ bool make_realisable(SamplePoint& point, Dice& dice, Kind kind, std::vector<Rati
   const auto last = static_cast<int>(values.size()) - 1;
   std::size_t unmet = point.at(values).unrealisable().size();
   for (int attempt = 0; attempt < 400 && unmet > 0; ++attempt) {
-    Rational drawn = draw(dice, kind);
+    Rational drawn = draw(dice, kind).value();
     const auto parameter = static_cast<std::size_t>(dice.number(0, last));
     Rational& value = values[parameter];
     Rational before = std::exchange(value, std::move(drawn));

@@ -85,6 +85,29 @@ TEST_CASE("a condition in straight-line code is as exact arithmetic has it, or o
   CHECK(said > 4 * open);
 }
 
+TEST_CASE("an equation that has to hold says what a coordinate has to be, and no other does") {
+  const Scope scope = with_definition(make_number(0));
+  const auto demanded = [&](const char* text) {
+    SureCondition condition(scope, Program(parse_expression(text, Sort::truth), place_of), 0, letters.size());
+    condition.truth({Approximate(2), Approximate(3), Approximate(5)});
+    std::vector<double> all;
+    for (std::size_t k = 0; k < letters.size(); ++k) {
+      const Approximate* const number = condition.demanded(k);
+      all.push_back(number != nullptr ? number->value : 0);
+    }
+    return all;
+  };
+  CHECK(demanded("a = b + c") == std::vector<double>{8, 0, 0});
+  CHECK(demanded("a > 0 and (b*c = a and c > 1)") == std::vector<double>{15, 0, 0});
+  CHECK(demanded("a = -(b + c)/(b - c)") == std::vector<double>{4, 0, 0});
+  CHECK(demanded("a = b") == std::vector<double>{3, 2, 0});
+  CHECK(demanded("a = b and c = 7") == std::vector<double>{3, 2, 7});
+  for (const char* const none : {"a = a*b", "not a = b", "a = b or c > 0", "a > b", "a != b", "2*a = b + c"}) {
+    CAPTURE(none);
+    CHECK(demanded(none) == std::vector<double>{0, 0, 0});
+  }
+}
+
 TEST_CASE("an equation that holds but for roundings is left to exact arithmetic") {
   const Scope scope = with_definition(make_number(0));
   const Program equation(make_comparison({make(Operation::add, {make_symbol("a"), make_symbol("b")}), make_symbol("c")},
