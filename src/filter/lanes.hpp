@@ -124,7 +124,7 @@ struct CommonBounds {
       any_ = true;
     }
     BitsOf<V> sure(const N& determinant) const {
-      return bits(V(error_ - absolute(determinant.value))) & bits(V(error_ - absolute(least_)));
+      return bits(V(error_ - smaller(absolute(determinant.value), absolute(least_))));
     }
     BitsOf<V> fails() const { return bits(least_); }
 
