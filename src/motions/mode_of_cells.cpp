@@ -17,7 +17,7 @@ std::optional<Affine<Rational>> value_on(const AffineSpace& space, const AffineF
   return Affine<Rational>(std::move(whole.constant), std::move(whole.coefficients.back()));
 }
 
-/// Whether two motions surely are the same at no load, or at all.
+/// Whether there surely is no load at which two motions are the same.
 bool surely_never_meet(const ModeOfCells& x, const ModeOfCells& y) {
   std::optional<Approximate> load;
   for (std::size_t i = 0; i < std::min(x.near().size(), y.near().size()); ++i) {
