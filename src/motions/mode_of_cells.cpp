@@ -83,7 +83,8 @@ NearForms near(const std::vector<AffineForm>& forms) {
   return result;
 }
 
-void ModeOfCells::set_near(const NearForms& accelerations) {
+ModeOfCells::ModeOfCells(const FrictionProblem& problem, const ConsistentMode& mode, const NearForms& accelerations)
+    : problem_(&problem), found_(&mode), accelerations_(problem.accelerations.size()) {
   if (!regular()) return;
   std::vector<Affine<Approximate>> unknowns;
   for (std::size_t i = 0; i < space().unknowns(); ++i) {

@@ -38,12 +38,10 @@ NearForms near(const std::vector<AffineForm>& forms);
 /// between threads.
 class ModeOfCells {
  public:
-  ModeOfCells(const FrictionProblem& problem, const ConsistentMode& mode)
-      : problem_(&problem), found_(&mode), accelerations_(problem.accelerations.size()) {}
+  /// `accelerations` are the problem's, near(), or left out.
+  ModeOfCells(const FrictionProblem& problem, const ConsistentMode& mode, const NearForms& accelerations = {});
 
-  /// The accelerations with their errors, from those forms of them; none unless the mode is regular.
-  void set_near(const NearForms& accelerations);
-  /// As many as there are accelerations, or none.
+  /// The accelerations with their errors; none where they were left out or the mode is not regular.
   const std::vector<Affine<Approximate>>& near() const { return near_; }
 
   const ConsistentMode& found() const { return *found_; }

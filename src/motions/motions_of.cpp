@@ -80,7 +80,7 @@ class Cells {
   Cells(const FrictionProblem& problem, const std::vector<ConsistentMode>& consistent, Told told)
       : problem_(problem), told_(told) {
     const NearForms accelerations = near(problem.accelerations);
-    for (const ConsistentMode& mode : consistent) modes_.emplace_back(problem, mode).set_near(accelerations);
+    for (const ConsistentMode& mode : consistent) modes_.emplace_back(problem, mode, accelerations);
   }
 
   std::vector<LoadCell> all() {

@@ -63,7 +63,7 @@ class SlackSearch {
     if (p.has_negative_coefficient()) return std::nullopt;
     SlackForm result;
     for (const Substitution& s : at.substitutions) {
-      if (s.degree > 0) multiply(result.multiplier, s.denominator_product, static_cast<unsigned>(s.degree));
+      multiply(result.multiplier, s.denominator_product, static_cast<unsigned>(s.degree));
     }
     for (const Term& term : p.terms()) {
       WeightedProduct product{term.coefficient, {}};
@@ -110,7 +110,7 @@ class SlackSearch {
     return false;
   }
 
-  /// The coordinates are the same afterwards.
+  /// The coordinates are the same afterwards, unless a form is found.
   std::optional<SlackForm> extend(Coordinates& at, const Polynomial& p, const SampleSet& outside, int depth) {
     if (depth == 0 && !outside.contains(negative_)) return std::nullopt;
     if (--attempts_ < 0) return std::nullopt;
