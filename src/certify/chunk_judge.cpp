@@ -55,13 +55,13 @@ class SceneLines final : public LineJudge {
 /// Of bicycles in CSV, most of which are read into lanes and certified there; the others are judged one by one.
 class LaneLines final : public LineJudge {
  public:
-  LaneLines(const RecordReader& reader, const LaneJudge& lanes, const CertifyOptions& options)
-      : reader_(reader), lanes_(lanes), options_(options), usual_(reader.usual_lines()) {
+  LaneLines(const RecordReader& reader, const LaneJudge& lanes, const CertifyOptions& options, std::string_view chunk)
+      : reader_(reader), lanes_(lanes), options_(options), chunk_(chunk), usual_(reader.usual_lines()) {
     reader.fill_constants(records_);
     records_.count = 0;
   }
   void judge(std::string_view line, std::uint64_t at, RecordJudgement& judgement) override {
-    if (!reader_.read_usual({line}, usual_, records_)) {
+    if (!reader_.read_usual({line, chunk_}, usual_, records_)) {
       judgement = judge_line(line, at, reader_, options_);
       return;
     }
@@ -90,6 +90,7 @@ class LaneLines final : public LineJudge {
   const RecordReader& reader_;
   const LaneJudge& lanes_;
   const CertifyOptions& options_;
+  std::string_view chunk_;
   UsualLines usual_;
   LaneRecords records_;
   CertifiedLanes found_;
@@ -143,8 +144,8 @@ class ChunkJudge::Judges {
     mechanism_judge_.emplace(*options.mechanism, mechanism_records_->fields());
   }
 
-  std::unique_ptr<LineJudge> make() const {
-    if (lanes_) return std::make_unique<LaneLines>(*records_, *lanes_, options_);
+  std::unique_ptr<LineJudge> make(std::string_view chunk) const {
+    if (lanes_) return std::make_unique<LaneLines>(*records_, *lanes_, options_, chunk);
     if (records_) return std::make_unique<SceneLines>(*records_, options_);
     return std::make_unique<MechanismLines>(*mechanism_records_, *mechanism_judge_, options_);
   }
@@ -164,7 +165,7 @@ ChunkJudge::ChunkJudge(const CertifyOptions& options, ChunkReader& chunks)
 ChunkJudge::~ChunkJudge() = default;
 
 Judged ChunkJudge::judge(const Chunk& chunk) const {
-  const auto judge = judges_->make();
+  const auto judge = judges_->make(chunk.text);
   const auto finish = [&] { judge->finish(); };
   JudgedRecords records(options_);
   std::uint64_t line_number = chunk.first_line, record = chunk.first_record;

@@ -4,15 +4,18 @@
 #include <fast_float/fast_float.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
 #include "certify/cells.hpp"
+#include "certify/decimal_cells.hpp"
 #include "input/diagnostic.hpp"
 
 namespace slipproof {
@@ -46,6 +49,7 @@ std::vector<int> read_header(std::string_view header, bool ignore_unknown, Mista
 /// A line of CSV, by the places where its cells begin.
 struct CsvLine {
   std::string_view line;
+  std::string_view around = line;  ///< text that may be read, of which the line is a part
 
   const char* begin() const { return line.data(); }
   const char* end() const { return line.data() + line.size(); }
@@ -109,7 +113,10 @@ inline std::size_t common_length(std::string_view a, std::string_view b) {
 /// the same for a while; cells before the first byte in which a line differs from the one before are not read again.
 class UsualLines {
  public:
-  explicit UsualLines(std::size_t columns) : ends_(columns) {}
+  explicit UsualLines(const std::vector<int>& columns)
+      : columns_(columns), numbers_(columns.size() + 1), ends_(columns.size()) {
+    for (std::size_t i = columns.size(); i-- > 0;) numbers_[i] = columns[i] < 0 ? 0 : numbers_[i + 1] + 1;
+  }
 
   /// There is no line before the next one.
   void forget() { before_ = {}; }
@@ -118,37 +125,49 @@ class UsualLines {
   /// stands in the line before. False where anything is unusual, which read_cells() takes. The text has to outlive the
   /// next call.
   template <class Set, class Put, class Repeat>
-  bool read(const CsvLine& line, const std::vector<int>& columns, const Set& set, const Put& put,
-            const Repeat& repeat) {
+  bool read(const CsvLine& line, const Set& set, const Put& put, const Repeat& repeat) {
     const std::size_t same = common_length(line.line, before_);
     before_ = {};
+    if (!find_cell_ends(line.line, line.around, ends_)) return false;
     std::size_t i = 0;
-    for (; i + 1 < columns.size() && ends_[i] < same; ++i) repeat(columns[i]);
-    const char* at = line.begin() + (i == 0 ? 0 : ends_[i - 1] + 1);
-    for (; i < columns.size(); ++i) {
-      const bool last = i + 1 == columns.size();
-      const int column = columns[i];
-      const char* end = nullptr;
-      if (column >= 0) {
-        double value = 0;
-        end = line.number(at, last, value);
-        set(column, value);
+    for (; i + 1 < columns_.size() && ends_[i] < same; ++i) repeat(columns_[i]);
+    while (i < columns_.size()) {
+      if (numbers_[i] > 0) {
+        if (!read_numbers(line, i, set)) return false;
       } else {
-        const std::string_view text = line.cell(at);
-        const bool known = column == ignored_column || put(column, text);
-        if (known && (text.end() == line.line.end()) == last) end = text.end();
+        if (columns_[i] != ignored_column && !put(columns_[i], cell(line, i))) return false;
+        ++i;
       }
-      if (end == nullptr) return false;
-      ends_[i] = static_cast<std::size_t>(end - line.begin());
-      at = last ? end : end + 1;
     }
     before_ = line.line;
     return true;
   }
 
  private:
+  std::size_t begin(std::size_t i) const { return i == 0 ? 0 : ends_[i - 1] + 1; }
+  std::string_view cell(const CsvLine& line, std::size_t i) const {
+    return line.line.substr(begin(i), ends_[i] - begin(i));
+  }
+
+  /// Those from column i on, which becomes the one behind them.
+  template <class Set>
+  bool read_numbers(const CsvLine& line, std::size_t& i, const Set& set) {
+    const std::size_t count = std::min(numbers_[i], decimal_block);
+    Decimals values;
+    std::uint32_t unread = read_decimals(line.line, line.around, begin(i), std::span(ends_).subspan(i, count), values);
+    for (; unread != 0; unread &= unread - 1) {
+      const auto k = static_cast<std::size_t>(std::countr_zero(unread));
+      if (!line.number(line.begin() + begin(i + k), i + k + 1 == columns_.size(), values[k])) return false;
+    }
+    for (std::size_t k = 0; k < count; ++k) set(columns_[i + k], values[k]);
+    i += count;
+    return true;
+  }
+
+  const std::vector<int>& columns_;
+  std::vector<std::size_t> numbers_;  ///< how many columns of numbers there are from each on
   std::string_view before_;
-  std::vector<std::size_t> ends_;  ///< of its cells
+  std::vector<std::uint32_t> ends_;  ///< of its cells
 };
 
 }  // namespace slipproof

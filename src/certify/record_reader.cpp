@@ -86,7 +86,7 @@ bool RecordReader::read_usual(const CsvLine& line, UsualLines& lines, LaneRecord
       records.kinds[row] = records.kinds[row - 1];
     }
   };
-  return lines.read(line, columns_, set, put, repeat);
+  return lines.read(line, set, put, repeat);
 }
 
 Record RecordReader::read_csv(const CsvLine& line) const {

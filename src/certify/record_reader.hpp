@@ -25,7 +25,7 @@ class RecordReader {
   std::optional<LaneJudge> lanes() const;
   /// What is the same for all lines of CSV.
   void fill_constants(LaneRecords& records) const;
-  UsualLines usual_lines() const { return UsualLines(columns_.size()); }
+  UsualLines usual_lines() const { return UsualLines(columns_); }
   /// A line of CSV in which every number is a finite decimal and every text is known goes into the next row of the
   /// records. Lines before, of the same `lines`, are in the rows before. False for any other line, which read() takes.
   bool read_usual(const CsvLine& line, UsualLines& lines, LaneRecords& records) const;
