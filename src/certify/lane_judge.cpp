@@ -187,8 +187,9 @@ void LaneJudge::answers(const LaneRecords& r, CertifiedLanes& found) const {
     if (std::find(r.kinds.begin(), r.kinds.begin() + r.count, kind) == r.kinds.begin() + r.count) continue;
     const auto select = [&](const auto& wanted) {
       std::size_t count = 0;
-      for (std::size_t i = 0; i < r.count; ++i) {
-        if (r.kinds[i] == kind && wanted(i)) rows[count++] = static_cast<std::uint16_t>(i);
+      for (std::size_t i = 0; i < r.count; ++i) {  // no branch: which records are wanted is anyone's guess
+        rows[count] = static_cast<std::uint16_t>(i);
+        count += static_cast<std::size_t>(r.kinds[i] == kind) & static_cast<std::size_t>(wanted(i));
       }
       return count;
     };
