@@ -86,6 +86,8 @@ class MultiPolynomial {
   friend MultiPolynomial operator-(MultiPolynomial x, const MultiPolynomial& y) { return x -= y; }
   friend MultiPolynomial operator*(MultiPolynomial x, const MultiPolynomial& y) { return x *= y; }
   bool operator==(const MultiPolynomial& other) const;
+  /// The same for copies of one polynomial, and for no other one as long as any of them lives.
+  const void* identity() const { return value_.get(); }
 
   MultiPolynomial scaled(const Rational& factor) const;
   /// The quotient where it is a polynomial; the divisor must not be 0.

@@ -70,6 +70,23 @@ const SignPattern& Context::signs_at_samples(const Polynomial& p) {
   return entry->second;
 }
 
+const std::array<Polynomial, 2>& Context::both_signs(const Polynomial& p) {
+  const auto found = signed_.find(p.text());
+  return found != signed_.end() ? found->second : signed_.emplace(p.text(), std::array{p, -p}).first->second;
+}
+
+Polynomial Context::slope(const Polynomial& p, std::size_t variable) {
+  return slopes_.get([&] { return p.coefficient(variable, 1); }, variable, p);
+}
+
+Polynomial Context::without(std::size_t variable, const Polynomial& lower, const Polynomial& upper) {
+  const auto sum = [&] {
+    return lower.coefficient(variable, 0) * -slope(upper, variable) +
+           upper.coefficient(variable, 0) * slope(lower, variable);
+  };
+  return sums_.get(sum, variable, lower, upper);
+}
+
 SampleSet Context::fails(const Fact& fact) {
   const SignPattern& pattern = signs_at_samples(fact.p);
   return fact.sign == Sign::zero ? pattern.negative | pattern.positive : pattern.negative;

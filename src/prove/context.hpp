@@ -3,6 +3,7 @@
 // branch.
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
 
@@ -39,6 +40,14 @@ class Context {
   const Factorization& factored(const Polynomial& p);
   /// Where p is positive and where negative. The reference stays valid.
   const SignPattern& signs_at_samples(const Polynomial& p);
+  /// p and -p, the same ones at each call, by which replacements() know them. The reference stays valid.
+  const std::array<Polynomial, 2>& both_signs(const Polynomial& p);
+  Replacements& replacements() { return replacements_; }
+  /// The coefficient of a variable in p, which is linear in it, the same one at each call.
+  Polynomial slope(const Polynomial& p, std::size_t variable);
+  /// upper times the slope of lower, minus lower times the slope of upper: both are linear in the variable, which
+  /// drops out. The same one at each call.
+  Polynomial without(std::size_t variable, const Polynomial& lower, const Polynomial& upper);
   /// The samples for which the fact is false.
   SampleSet fails(const Fact& fact);
 
@@ -50,6 +59,10 @@ class Context {
   Samples samples_;
   std::map<std::string, SignPattern> patterns_;  ///< by the text of a polynomial, as what follows
   std::map<std::string, Factorization> factorizations_;
+  std::map<std::string, std::array<Polynomial, 2>> signed_;
+  Replacements replacements_;
+  Remembered<Polynomial, 1> slopes_;
+  Remembered<Polynomial, 2> sums_;
   int counter_ = 0;
 };
 

@@ -18,8 +18,6 @@ struct SignedProduct {
 struct Bound {
   const Fact* fact;
   SignedProduct coefficient;
-  Polynomial magnitude;  ///< of the coefficient
-  Polynomial rest;
 
   bool strict() const { return fact->sign == Sign::positive; }
 };
@@ -56,25 +54,23 @@ class PairSearch {
     std::vector<Bound> lower, upper;
     for (const Fact& fact : state_.facts) {
       if (fact.sign == Sign::zero || fact.p.degree(variable) != 1) continue;
-      const Polynomial c = fact.p.coefficient(variable, 1);
-      SignedProduct coefficient = signed_product(c);
+      SignedProduct coefficient = signed_product(context_.slope(fact.p, variable));
       open_.insert(open_.end(), coefficient.open.begin(), coefficient.open.end());
       if (!coefficient.open.empty() || coefficient.product.contains(fact.name)) continue;
       const bool positive = coefficient.constant > 0;
-      (positive ? lower : upper)
-          .push_back({&fact, std::move(coefficient), positive ? c : -c, fact.p.coefficient(variable, 0)});
+      (positive ? lower : upper).push_back({&fact, std::move(coefficient)});
     }
     for (const Bound& l : lower) {
       for (const Bound& u : upper) {
-        if (refute(l, u)) return true;
+        if (refute(l, u, variable)) return true;
       }
     }
     return false;
   }
 
   /// By l's fact times u's coefficient and u's fact times l's, which add up to something without the variable.
-  bool refute(const Bound& l, const Bound& u) {
-    const Polynomial sum = l.rest * u.magnitude + u.rest * l.magnitude;
+  bool refute(const Bound& l, const Bound& u, std::size_t variable) {
+    const Polynomial sum = context_.without(variable, l.fact->p, u.fact->p);
     Identity identity{{times_fact(u.coefficient, *l.fact), times_fact(l.coefficient, *u.fact)}, {}};
     const bool strict = (l.strict() && u.coefficient.strict) || (u.strict() && l.coefficient.strict);
     if (!sum.is_zero()) {

@@ -14,7 +14,7 @@ constexpr SlackEffort quick_for_signs{.depth = 2, .attempts = 300};
 std::optional<Fact> derive_positive(Context& context, State& state, const Polynomial& p, const SampleSet& negative,
                                     Pass pass, bool weak_too) {
   const SlackEffort effort = pass == Pass::thorough ? context.thorough_slack() : quick_for_signs;
-  auto form = find_slack_form(state.facts, state.derived, p, negative, effort, context.budget());
+  auto form = find_slack_form(state.facts, state.derived, p, negative, effort, context.replacements());
   if (!form && context.reach.product_degree > 1) form = find_dominated_form(state.facts, p, negative, context.budget());
   if (!form || (!form->strict && !weak_too)) return std::nullopt;
   const Fact fact{context.fresh(), p, form->strict ? Sign::positive : Sign::non_negative};
@@ -37,9 +37,11 @@ const KnownSign* sign_of(Context& context, State& state, const Polynomial& facto
   const auto unknown = state.unknown_signs.find(text);
   if (unknown == state.unknown_signs.end() || unknown->second < pass) {
     const SignPattern& pattern = context.signs_at_samples(factor);
+    const auto& [same, negated] = context.both_signs(factor);
     for (const int orientation : {1, -1}) {
       const SampleSet& negative = orientation > 0 ? pattern.negative : pattern.positive;
-      const auto fact = derive_positive(context, state, factor.scaled(orientation), negative, pass, nothing_known);
+      const auto fact =
+          derive_positive(context, state, orientation > 0 ? same : negated, negative, pass, nothing_known);
       if (!fact) continue;
       return &(state.signs[text] = KnownSign{orientation, fact->sign == Sign::positive, fact->name});
     }

@@ -29,9 +29,10 @@ bool refute_multiple(State& state) {
 bool refute_by_slack(Context& context, State& state, const Fact& fact, Pass pass) {
   const SlackEffort effort = pass == Pass::thorough ? context.thorough_slack() : quick_for_facts;
   const SampleSet& against = context.signs_at_samples(fact.p).positive;
-  auto form = find_slack_form(state.facts, state.derived, -fact.p, against, effort, context.budget());
+  const Polynomial& negated = context.both_signs(fact.p).back();
+  auto form = find_slack_form(state.facts, state.derived, negated, against, effort, context.replacements());
   if (!form && pass == Pass::thorough && context.reach.product_degree > 1)
-    form = find_dominated_form(state.facts, -fact.p, against, context.budget());
+    form = find_dominated_form(state.facts, negated, against, context.budget());
   if (!form || (!form->strict && fact.sign != Sign::positive)) return false;
   Identity identity{form->terms, {}};
   Product product = form->multiplier;

@@ -11,11 +11,9 @@ struct Slot {
   bool strict = true;
 };
 
-/// variable = numerator / denominator in the coordinates, where the variable's own name now stands for the slack.
+/// A replacement that is in use.
 struct Substitution {
-  std::size_t variable;
-  Polynomial numerator;
-  Polynomial denominator;
+  Replacement replacement;
   Product denominator_product;
   std::size_t degree;  ///< of the polynomial that is looked at, before: so often it was multiplied by the denominator
 };
@@ -25,19 +23,16 @@ struct Coordinates {
   std::vector<Substitution> substitutions;
 };
 
-/// p in new coordinates, times denominator^degree, which goes into `multiplier`.
-Polynomial substitute(const Substitution& s, const Polynomial& p, Product& multiplier) {
-  const std::size_t degree = p.degree(s.variable);
-  if (degree == 0) return p;
-  multiply(multiplier, s.denominator_product, static_cast<unsigned>(degree));
-  return substitute(p, s.variable, s.numerator, s.denominator);
-}
-
 class SlackSearch {
  public:
   SlackSearch(const std::vector<Fact>& facts, const std::vector<Fact>& derived, const SampleSet& negative, int attempts,
-              Budget& budget)
-      : facts_(facts), derived_(derived), negative_(negative), attempts_(attempts), budget_(budget) {}
+              Replacements& replacements, Budget& budget)
+      : facts_(facts),
+        derived_(derived),
+        negative_(negative),
+        attempts_(attempts),
+        replacements_(replacements),
+        budget_(budget) {}
 
   std::optional<SlackForm> run(const Polynomial& p, int depth) {
     Coordinates start;
@@ -110,6 +105,17 @@ class SlackSearch {
     return false;
   }
 
+  /// p in the new coordinates; its denominators go into `multiplier`.
+  Polynomial in_coordinates(const Coordinates& at, Polynomial p, Product& multiplier) const {
+    for (const Substitution& s : at.substitutions) {
+      const std::size_t degree = p.degree(s.replacement.variable);
+      if (degree == 0) continue;
+      multiply(multiplier, s.denominator_product, static_cast<unsigned>(degree));
+      p = replacements_.applied(s.replacement, p);
+    }
+    return p;
+  }
+
   /// The coordinates are the same afterwards, unless a form is found.
   std::optional<SlackForm> extend(Coordinates& at, const Polynomial& p, const SampleSet& outside, int depth) {
     if (depth == 0 && !outside.contains(negative_)) return std::nullopt;
@@ -122,34 +128,26 @@ class SlackSearch {
       const SampleSet next_outside = outside | fact.fails;
       if (depth == 1 ? !next_outside.contains(negative_) : !possible(next_outside)) continue;
       Product scale;
-      Polynomial slack = fact.p;
-      for (const Substitution& s : at.substitutions) slack = substitute(s, slack, scale);
+      const Polynomial slack = in_coordinates(at, fact.p, scale);
       for (const std::size_t variable : slack.variables()) {
         const bool replaced = [&] {
           for (const Substitution& s : at.substitutions) {
-            if (s.variable == variable) return true;
+            if (s.replacement.variable == variable) return true;
           }
           return false;
         }();
         if (replaced || slack.degree(variable) != 1 || !p.contains(variable)) continue;
         if (slack.length() == 1 && at.slots[variable]) continue;
-        Polynomial c = slack.coefficient(variable, 1);
-        Polynomial numerator = Polynomial::variable(p.ring(), variable) - slack.coefficient(variable, 0);
-        Rational leading = c.leading_coefficient();
-        if (c.length() > 1) leading = leading < 0 ? -1 : 1;
-        if (leading != 1) {
-          c = c.scaled(1 / leading);
-          numerator = numerator.scaled(1 / leading);
-        }
-        auto denominator = positive_product(at, c);
+        Replacement replacement = replacements_.solved(slack, variable);
+        auto denominator = positive_product(at, replacement.denominator);
         if (!denominator) continue;
-        const Polynomial next_p = substitute(p, variable, numerator, c);
+        const Polynomial next_p = replacements_.applied(replacement, p);
         budget_.spend(next_p.length() + p.length());
         if (next_p.length() > 400) continue;
         Slot slot{scale, fact.sign == Sign::positive};
         slot.product[fact.name] += 1;
         std::optional<Slot> before = std::exchange(at.slots[variable], std::move(slot));
-        at.substitutions.push_back({variable, std::move(numerator), c, *std::move(denominator), p.degree(variable)});
+        at.substitutions.push_back({std::move(replacement), *std::move(denominator), p.degree(variable)});
         if (auto found = extend(at, next_p, next_outside, depth - 1)) return found;
         at.slots[variable] = std::move(before);
         at.substitutions.pop_back();
@@ -163,6 +161,7 @@ class SlackSearch {
   const std::vector<Fact>& derived_;
   const SampleSet& negative_;
   int attempts_;
+  Replacements& replacements_;
   Budget& budget_;
 };
 
@@ -170,8 +169,8 @@ class SlackSearch {
 
 std::optional<SlackForm> find_slack_form(const std::vector<Fact>& facts, const std::vector<Fact>& derived,
                                          const Polynomial& p, const SampleSet& negative, SlackEffort effort,
-                                         Budget& budget) {
-  return SlackSearch(facts, derived, negative, effort.attempts, budget).run(p, effort.depth);
+                                         Replacements& replacements) {
+  return SlackSearch(facts, derived, negative, effort.attempts, replacements, p.ring().budget()).run(p, effort.depth);
 }
 
 }  // namespace slipproof::prove

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "prove/proof.hpp"
+#include "prove/replacements.hpp"
 #include "prove/samples.hpp"
 
 namespace slipproof::prove {
@@ -35,6 +36,6 @@ struct SlackEffort {
 /// negative at `negative`.
 std::optional<SlackForm> find_slack_form(const std::vector<Fact>& facts, const std::vector<Fact>& derived,
                                          const Polynomial& p, const SampleSet& negative, SlackEffort effort,
-                                         Budget& budget);
+                                         Replacements& replacements);
 
 }  // namespace slipproof::prove
