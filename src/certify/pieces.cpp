@@ -115,7 +115,10 @@ class RecordPieces::File {
   }
 
   std::uint64_t pieces() const { return (size_ - std::min(begin_, size_) + piece_size_ - 1) / piece_size_; }
-  std::string input() const { return options_.file + ' ' + std::to_string(size_) + " bytes of " + changed_; }
+  std::string input() const {
+    return options_.file + ' ' + std::to_string(size_) + " bytes of " + changed_ + ", in pieces of " +
+           std::to_string(piece_size_);
+  }
   std::uint64_t first_line() const { return reader_.line(); }
   const CertifyOptions& options() const { return options_; }
 

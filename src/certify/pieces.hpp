@@ -16,7 +16,7 @@ namespace slipproof {
 /// rank, which must see the same file.
 class RecordPieces {
  public:
-  static constexpr std::uint64_t usual_size = 1U << 20U;
+  static constexpr std::uint64_t usual_size = 1U << 18U;
 
   /// Reads the header of options.file, CSV or JSON Lines. options.judged is passed over. Throws InputError.
   explicit RecordPieces(const CertifyOptions& options, std::uint64_t piece_size = usual_size);
