@@ -167,7 +167,7 @@ ChunkJudge::~ChunkJudge() = default;
 Judged ChunkJudge::judge(const Chunk& chunk) const {
   const auto judge = judges_->make(chunk.text);
   const auto finish = [&] { judge->finish(); };
-  JudgedRecords records(options_);
+  JudgedRecords records(options_, chunk.text.size() / 4);
   std::uint64_t line_number = chunk.first_line, record = chunk.first_record;
   bool ended = false;
   each_line(chunk.text, [&](std::string_view line) {

@@ -20,6 +20,7 @@ struct Chunk {
 
 /// Blank lines are no records.
 inline bool blank(std::string_view line) {
+  if (!line.empty() && line.front() > ' ') return false;  // nearly always
   return line.find_first_not_of(" \t\r") == std::string_view::npos;
 }
 

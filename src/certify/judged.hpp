@@ -48,7 +48,10 @@ struct Judged {
 /// Records of a piece, which are judged several at once and written in their order.
 class JudgedRecords {
  public:
-  explicit JudgedRecords(const CertifyOptions& options) : options_(options) {}
+  /// What is written is expected to have so many bytes, or more.
+  explicit JudgedRecords(const CertifyOptions& options, std::size_t bytes = 0) : options_(options) {
+    result_.lines.reserve(bytes);
+  }
 
   /// judge(judgement) judges a record, at the latest by finish(), or throws BrokenRecord. False where that is the end.
   /// `line` is 0 where there are none.

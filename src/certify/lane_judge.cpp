@@ -152,8 +152,10 @@ void LaneJudge::find_modes(const LaneRecords& r, const Rows& rows, std::size_t c
     filter_lanes(scenes(r, rows.data() + first, here, kind), sets);
     for (std::size_t lane = 0; lane < here; ++lane) {
       const std::uint16_t row = rows[first + lane];
-      if (sets[lane].undecided != 0 || std::popcount(sets[lane].consistent) != 1) continue;
-      const auto mode = static_cast<std::uint8_t>(std::countr_zero(sets[lane].consistent));
+      const auto consistent = sets[lane].consistent;
+      const bool one = consistent != 0 && (consistent & (consistent - 1)) == 0;
+      if (sets[lane].undecided != 0 || !one) continue;
+      const auto mode = static_cast<std::uint8_t>(std::countr_zero(consistent));
       if (r.modes[row] == no_mode || r.modes[row] == mode) found.modes[row] = mode;
     }
   }

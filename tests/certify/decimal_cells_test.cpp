@@ -91,7 +91,7 @@ class RandomCells {
 TEST_CASE("Decimals are read to the nearest binary64, or not at all") {
   RandomCells random;
   std::size_t cells = 0, read = 0;
-  for (int n = 0; n < 20000; ++n) {
+  for (int n = 0; n < 6000; ++n) {
     std::vector<std::string> line(1 + random.below(decimal_block));
     const bool spoil = n % 4 == 0;
     for (auto& cell : line) cell = spoil ? random.spoiled() : random.decimal();
@@ -154,7 +154,7 @@ TEST_CASE("What does not stand far enough from the ends of the text is not read"
 
 TEST_CASE("Ends of cells are found wherever a line stands") {
   RandomCells random;
-  for (int n = 0; n < 4000; ++n) {
+  for (int n = 0; n < 1500; ++n) {
     std::vector<std::string> cells(1 + random.below(40));
     for (auto& cell : cells) cell = n % 3 == 0 ? std::string(random.below(90), 'x') : random.decimal();
     const Line line(cells, random.below(3), n % 2 == 0 ? 64 : random.below(64));
