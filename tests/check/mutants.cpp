@@ -251,7 +251,7 @@ std::size_t wanted_mutants() {
 
 TEST_CASE("all shipped certificates are accepted") {
 #if defined(__SANITIZE_ADDRESS__)
-  constexpr std::size_t step = 4;  // the checker is the same for all of them, and ten times as slow
+  constexpr std::size_t step = 4;  // the checker is the same for all of them, and several times as slow
 #else
   constexpr std::size_t step = 1;
 #endif
