@@ -61,18 +61,11 @@ const Factorization& Context::factored(const Polynomial& p) {
   return entry->second;
 }
 
-const SignPattern& Context::signs_at_samples(const Polynomial& p) {
-  const auto [entry, added] = patterns_.try_emplace(p.text());
-  if (added) {
-    budget().spend(p.length() * 4);
-    entry->second = samples_.signs(p);
-  }
-  return entry->second;
-}
-
-const std::array<Polynomial, 2>& Context::both_signs(const Polynomial& p) {
-  const auto found = signed_.find(p.text());
-  return found != signed_.end() ? found->second : signed_.emplace(p.text(), std::array{p, -p}).first->second;
+const BothSigns& Context::both_signs(const Polynomial& p) {
+  const std::string& text = p.text();
+  if (const auto found = signed_.find(text); found != signed_.end()) return found->second;
+  budget().spend(p.length() * 4);
+  return signed_.emplace(text, BothSigns{p, -p, samples_.signs(p)}).first->second;
 }
 
 Polynomial Context::slope(const Polynomial& p, std::size_t variable) {

@@ -3,7 +3,6 @@
 // branch.
 #pragma once
 
-#include <array>
 #include <map>
 #include <string>
 
@@ -17,6 +16,12 @@ namespace slipproof::prove {
 struct Reach {
   int split_depth = 0;          ///< nested splits
   unsigned product_degree = 1;  ///< of the products in linear programs; with 1 there are none
+};
+
+/// A polynomial and its negative, the same two whenever they are asked for, by which what is remembered knows them.
+struct BothSigns {
+  Polynomial p, negated;
+  SignPattern at_samples;  ///< where p is positive and where negative
 };
 
 /// One thread at a time, as the ring's budget.
@@ -38,10 +43,10 @@ class Context {
 
   /// The factors of p, short ones first. The reference stays valid. One that is too long counts as irreducible.
   const Factorization& factored(const Polynomial& p);
-  /// Where p is positive and where negative. The reference stays valid.
-  const SignPattern& signs_at_samples(const Polynomial& p);
-  /// p and -p, the same ones at each call, by which replacements() know them. The reference stays valid.
-  const std::array<Polynomial, 2>& both_signs(const Polynomial& p);
+  /// The reference stays valid.
+  const BothSigns& both_signs(const Polynomial& p);
+  /// The reference stays valid.
+  const SignPattern& signs_at_samples(const Polynomial& p) { return both_signs(p).at_samples; }
   Replacements& replacements() { return replacements_; }
   /// The coefficient of a variable in p, which is linear in it, the same one at each call.
   Polynomial slope(const Polynomial& p, std::size_t variable);
@@ -57,9 +62,8 @@ class Context {
   const Statement& statement_;
   Limits limits_;
   Samples samples_;
-  std::map<std::string, SignPattern> patterns_;  ///< by the text of a polynomial, as what follows
+  std::map<std::string, BothSigns> signed_;  ///< by the text of a polynomial, as what follows
   std::map<std::string, Factorization> factorizations_;
-  std::map<std::string, std::array<Polynomial, 2>> signed_;
   Replacements replacements_;
   Remembered<Polynomial, 1> slopes_;
   Remembered<Polynomial, 2> sums_;

@@ -36,8 +36,7 @@ const KnownSign* sign_of(Context& context, State& state, const Polynomial& facto
   if (!nothing_known && (known->second.strict || pass == Pass::quick)) return &known->second;
   const auto unknown = state.unknown_signs.find(text);
   if (unknown == state.unknown_signs.end() || unknown->second < pass) {
-    const SignPattern& pattern = context.signs_at_samples(factor);
-    const auto& [same, negated] = context.both_signs(factor);
+    const auto& [same, negated, pattern] = context.both_signs(factor);
     for (const int orientation : {1, -1}) {
       const SampleSet& negative = orientation > 0 ? pattern.negative : pattern.positive;
       const auto fact =

@@ -28,11 +28,10 @@ bool refute_multiple(State& state) {
 /// A fact p > 0, or p >= 0, while -p is positive by the others.
 bool refute_by_slack(Context& context, State& state, const Fact& fact, Pass pass) {
   const SlackEffort effort = pass == Pass::thorough ? context.thorough_slack() : quick_for_facts;
-  const SampleSet& against = context.signs_at_samples(fact.p).positive;
-  const Polynomial& negated = context.both_signs(fact.p).back();
-  auto form = find_slack_form(state.facts, state.derived, negated, against, effort, context.replacements());
+  const auto& [same, negated, pattern] = context.both_signs(fact.p);
+  auto form = find_slack_form(state.facts, state.derived, negated, pattern.positive, effort, context.replacements());
   if (!form && pass == Pass::thorough && context.reach.product_degree > 1)
-    form = find_dominated_form(state.facts, negated, against, context.budget());
+    form = find_dominated_form(state.facts, negated, pattern.positive, context.budget());
   if (!form || (!form->strict && fact.sign != Sign::positive)) return false;
   Identity identity{form->terms, {}};
   Product product = form->multiplier;
