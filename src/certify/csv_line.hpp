@@ -46,56 +46,45 @@ std::vector<int> read_header(std::string_view header, bool ignore_unknown, Mista
   }
 }
 
-/// A line of CSV, by the places where its cells begin.
 struct CsvLine {
   std::string_view line;
   std::string_view around = line;  ///< text that may be read, of which the line is a part
-
-  const char* begin() const { return line.data(); }
-  const char* end() const { return line.data() + line.size(); }
-  /// The end of the cell that begins at `at`, if it is the usual one: a finite decimal up to a comma, or to the end of
-  /// the line for the last one.
-  const char* number(const char* at, bool last, double& value) const {
-    const auto [stop, error] = fast_float::from_chars(at, end(), value);
-    const bool usual =
-        error == std::errc() && std::isfinite(value) && (last ? stop == end() : stop != end() && *stop == ',');
-    return usual ? stop : nullptr;
-  }
-  /// What stands from there to the next comma, or to the end.
-  std::string_view cell(const char* at) const {
-    const auto rest = std::string_view(at, static_cast<std::size_t>(end() - at));
-    return rest.substr(0, rest.find(','));
-  }
 };
+
+/// The number in a usual cell, a finite decimal and nothing else.
+inline std::optional<double> usual_number(std::string_view cell) {
+  double value = 0;
+  const auto [stop, error] = fast_float::from_chars(cell.data(), cell.data() + cell.size(), value);
+  const bool usual = error == std::errc() && stop == cell.data() + cell.size() && std::isfinite(value);
+  return usual ? std::optional(value) : std::nullopt;
+}
 
 /// The cells of a line: set(column, value) for the usual number, put(column, text, place) for all others that are not
 /// ignored; columns of numbers count from 0, and an empty cell of one is passed over. Throws BrokenRecord.
 template <class Set, class Put>
 void read_cells(const CsvLine& line, const std::vector<int>& columns, bool decimal_exact, const Set& set,
                 const Put& put) {
-  const char* at = line.begin();
+  std::size_t begin = 0;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const bool last = i + 1 == columns.size();
     const int column = columns[i];
-    double value = 0;
-    if (column >= 0 && !decimal_exact) {
-      if (const char* const stop = line.number(at, last, value); stop != nullptr) {
-        set(column, value);
-        at = last ? stop : stop + 1;
-        continue;
-      }
-    }
-    const std::string_view text = line.cell(at);
-    const std::size_t place = static_cast<std::size_t>(at - line.begin()) + 1;
-    if ((text.end() == line.line.end()) != last) {
+    const std::size_t comma = line.line.find(',', begin), place = begin + 1;
+    if ((comma == std::string_view::npos) != last) {
       throw BrokenRecord{place, "found " + std::string(last ? "more" : "fewer") + " cells, expected " +
                                     std::to_string(columns.size()) + " as in the header"};
+    }
+    const std::string_view text = line.line.substr(begin, comma - begin);
+    begin = comma + 1;
+    if (column >= 0 && !decimal_exact) {
+      if (const auto number = usual_number(text)) {
+        set(column, *number);
+        continue;
+      }
     }
     const std::string_view cell = trimmed(text);
     if (!cell.empty() || column < 0) {
       if (column != ignored_column) put(column, cell, place);
     }
-    if (!last) at = text.end() + 1;
   }
 }
 
@@ -157,7 +146,9 @@ class UsualLines {
     std::uint32_t unread = read_decimals(line.line, line.around, begin(i), std::span(ends_).subspan(i, count), values);
     for (; unread != 0; unread &= unread - 1) {
       const auto k = static_cast<std::size_t>(std::countr_zero(unread));
-      if (!line.number(line.begin() + begin(i + k), i + k + 1 == columns_.size(), values[k])) return false;
+      const auto number = usual_number(cell(line, i + k));
+      if (!number) return false;
+      values[k] = *number;
     }
     for (std::size_t k = 0; k < count; ++k) set(columns_[i + k], values[k]);
     i += count;
