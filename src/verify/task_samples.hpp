@@ -1,0 +1,30 @@
+// The claims of a paper at samples, and along one line.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "verify/line.hpp"
+#include "verify/paper_tasks.hpp"
+#include "verify/tally.hpp"
+
+namespace slipproof {
+
+/// The samples begin, ... end - 1 of a setting, given by its index.
+struct SamplePiece {
+  std::size_t setting;
+  std::uint64_t begin, end;
+};
+
+/// All samples of all settings that claims are judged in.
+std::vector<SamplePiece> sample_pieces(const PaperTasks& tasks);
+
+/// The tallies of the tasks that say something of the samples, for add_tallies().
+std::string judge_samples(const PaperTasks& tasks, const SamplePiece& piece);
+/// `tallies` are by task.
+void add_tallies(std::string_view judged, std::vector<Tally>& tallies);
+
+Tally judge_line(const PaperTasks& tasks, const ClaimTask& task, const Line& line);
+
+}  // namespace slipproof

@@ -1,0 +1,34 @@
+#include <array>
+
+#include "verify/verify.hpp"
+
+namespace slipproof {
+
+std::string_view name(Verdict verdict) {
+  constexpr std::array<std::string_view, 4> names{"holds", "refuted", "undecided", "vacuous"};
+  return names[static_cast<std::size_t>(verdict)];
+}
+
+const ClaimResult* VerifyResult::find(const ClaimsFile& file, std::string_view id, Reading reading) const {
+  for (const ClaimResult& result : claims) {
+    if (file.claims[result.claim].id == id && result.reading == reading) return &result;
+  }
+  return nullptr;
+}
+
+bool as_expected(const ClaimsFile& file, const ClaimResult& result) {
+  switch (file.claims[result.claim].body(result.reading).expect) {
+    case Expectation::refuted:
+      return result.verdict == Verdict::refuted;
+    case Expectation::undecided:
+      return result.verdict == Verdict::undecided;
+    case Expectation::vacuous:
+      return result.verdict == Verdict::vacuous;
+    case Expectation::none:
+    case Expectation::holds:
+      break;
+  }
+  return result.verdict == Verdict::holds;
+}
+
+}  // namespace slipproof
