@@ -14,9 +14,10 @@
 #include "input/utf8.hpp"
 #include "markup/number.hpp"
 #include "number/binary64.hpp"
-#include "number/format.hpp"
 #include "picture/drawing.hpp"
 #include "picture/label_placer.hpp"
+#include "picture/mechanism_geometry.hpp"
+#include "picture/motion_words.hpp"
 #include "picture/palette.hpp"
 #include "picture/polyline.hpp"
 #include "typeset/symbol.hpp"
@@ -29,116 +30,6 @@ using ShapeKind = MechanismShape::Kind;
 
 constexpr double drawn_width = 270, drawn_height = 220, least_width = 360, longest_force = 72, shortest_force = 12,
                  plain_force = 34, letter_width = 0.62, text_line = 17, value_gap = 4, free_margin = 10;
-
-/// Shapes and contacts in numbers, in the units of the file, y up.
-struct Geometry {
-  struct Outline {
-    ShapeKind kind;
-    std::vector<Point> points;
-    double radius = 0;
-    std::string text;
-  };
-  struct Contact {
-    std::size_t index;  ///< among the mechanism's
-    Point at;
-    Point normal, along;  ///< of length 1, or both 0: not known
-  };
-  std::vector<Outline> outlines;
-  std::vector<Contact> contacts;  ///< those that have a place
-};
-
-class GeometryReader {
- public:
-  explicit GeometryReader(const MechanismScene& scene)
-      : scene_(scene), maker_(scene.mechanism), at_(maker_.at(scene.values)) {
-    if (scene.load) at_.set(maker_.compiled().load(), *scene.load);
-  }
-
-  Geometry read() {
-    Geometry geometry;
-    for (const MechanismShape& shape : scene_.mechanism.shapes) {
-      Geometry::Outline outline{shape.kind, {}, 0, shape.text};
-      for (const auto& point : shape.points) outline.points.push_back(pair(point));
-      if (shape.radius) outline.radius = std::abs(number(shape.radius));
-      geometry.outlines.push_back(std::move(outline));
-    }
-    for (std::size_t i = 0; i < scene_.mechanism.contacts.size(); ++i) {
-      if (!scene_.mechanism.contacts[i].at.empty()) geometry.contacts.push_back(contact(i));
-    }
-    return geometry;
-  }
-
- private:
-  double number(const PlacedExpression& placed) {
-    const auto value = at_.number(maker_.compiled().compile(placed.expression));
-    if (value.number) return nearest_binary64(*value.number);
-    const Place place = placed.place();
-    throw InputError({{scene_.mechanism.file, place.line, place.column,
-                       "found " + in_quotes(placed.text.text()) + ", expected a coordinate that has a value there"}});
-  }
-  Point pair(const std::vector<PlacedExpression>& two) { return {number(two[0]), number(two[1])}; }
-
-  Geometry::Contact contact(std::size_t index) {
-    const MechanismContact& given = scene_.mechanism.contacts[index];
-    Geometry::Contact contact{index, pair(given.at), {0, 0}, {0, 0}};
-    if (!given.direction.empty()) contact.normal = unit(pair(given.direction));
-    // Slip counts positive to the right, or up, unless the file says where.
-    contact.along = {contact.normal[1], -contact.normal[0]};
-    const bool left = contact.along[0] < 0, down = contact.along[0] == 0 && contact.along[1] < 0;
-    if (left || down) contact.along = {-contact.along[0], -contact.along[1]};
-    if (!given.slip_direction.empty()) contact.along = unit(pair(given.slip_direction));
-    return contact;
-  }
-  static Point unit(Point vector) {
-    const double length = std::hypot(vector[0], vector[1]);
-    return length > 0 ? Point{vector[0] / length, vector[1] / length} : Point{0, 0};
-  }
-
-  const MechanismScene& scene_;
-  ProblemMaker maker_;
-  Evaluator<Rational> at_;
-};
-
-/// The value of a force in a picture: its own, or one of its range; nothing if all numbers are possible.
-std::optional<Rational> shown_value(const Range& range) {
-  if (range.lower && range.upper) return Rational((*range.lower + *range.upper) / 2);
-  return range.lower ? range.lower : range.upper;
-}
-
-std::string value_text(const Rational& x) {
-  const std::string value = label_value(x);
-  return value.starts_with("≈") ? value : "= " + value;
-}
-
-/// `= 3`, `≈ 3.142`, `in [0, 5/2]`.
-std::string range_text(const Range& range) {
-  if (range.is_point()) return value_text(*range.lower);
-  bool exact = true;
-  const auto end = [&](const Rational& x) {
-    std::string text = exact_text(x);
-    if (text.size() > 6) text = decimal_text(x, 3), exact = false;
-    if (text[0] == '-') text.replace(0, 1, "−");
-    return text;
-  };
-  const std::string ends =
-      (range.lower ? "[" + end(*range.lower) : "(−∞") + ", " + (range.upper ? end(*range.upper) + "]" : "∞)");
-  return (exact ? "in " : "in ≈ ") + ends;
-}
-
-/// What all modes of a motion say of an element; empty where they differ.
-std::string common_state(const MotionAtLoad& motion, std::size_t element) {
-  const auto& modes = motion.strict() ? motion.modes : motion.boundary_modes;
-  const auto same = [&](const MechanismMode& mode) { return mode[element] == modes.front()[element]; };
-  if (!std::all_of(modes.begin(), modes.end(), same)) return {};
-  return std::string(name(modes.front()[element]));
-}
-
-std::string modes_text(const MotionAtLoad& motion) {
-  std::vector<std::string> names;
-  for (const MechanismMode& mode : motion.strict() ? motion.modes : motion.boundary_modes) names.push_back(name(mode));
-  if (names.size() > 3) names.resize(3), names.emplace_back("…");
-  return fmt::format("{}{}", fmt::join(names, " = "), motion.strict() ? "" : " (boundary)");
-}
 
 /// Words in lines of a length, in characters.
 std::vector<std::string> joined_lines(const std::vector<std::string>& pieces, std::string_view between,
@@ -159,20 +50,20 @@ std::vector<std::string> joined_lines(const std::vector<std::string>& pieces, st
 class MechanismDrawing {
  public:
   MechanismDrawing(const Element& svg, const MechanismScene& scene, const MotionAtLoad* motion)
-      : svg_(svg), scene_(scene), motion_(motion), geometry_(GeometryReader(scene).read()) {
+      : svg_(svg), scene_(scene), motion_(motion), geometry_(geometry_of(scene)) {
     fit();
   }
 
   void draw() {
-    for (const Geometry::Contact& contact : geometry_.contacts) surface(contact);
-    for (const Geometry::Outline& outline : geometry_.outlines) this->outline(outline);
+    for (const MechanismGeometry::Contact& contact : geometry_.contacts) surface(contact);
+    for (const MechanismGeometry::Outline& outline : geometry_.outlines) this->outline(outline);
     set_force_scale();
-    for (const Geometry::Contact& contact : geometry_.contacts) forces(contact);
-    for (const Geometry::Outline& outline : geometry_.outlines) {
+    for (const MechanismGeometry::Contact& contact : geometry_.contacts) forces(contact);
+    for (const MechanismGeometry::Outline& outline : geometry_.outlines) {
       if (outline.kind == ShapeKind::label) text_label({pixel(outline.points[0])}, outline.text);
     }
     for (const auto& name : names_) place_force_name(name);
-    for (const Geometry::Contact& contact : geometry_.contacts) {
+    for (const MechanismGeometry::Contact& contact : geometry_.contacts) {
       text_label({pixel(contact.at)}, contact_text(contact.index));
     }
   }
@@ -223,10 +114,10 @@ class MechanismDrawing {
       *all = {std::min(all->left, p[0] - radius), std::min(all->top, p[1] - radius),
               std::max(all->right, p[0] + radius), std::max(all->bottom, p[1] + radius)};
     };
-    for (const Geometry::Outline& outline : geometry_.outlines) {
+    for (const MechanismGeometry::Outline& outline : geometry_.outlines) {
       for (const Point& p : outline.points) add(p, outline.radius);
     }
-    for (const Geometry::Contact& contact : geometry_.contacts) add(contact.at, 0);
+    for (const MechanismGeometry::Contact& contact : geometry_.contacts) add(contact.at, 0);
     const double across = all->right - all->left, up = all->bottom - all->top;
     middle_ = {(all->left + all->right) / 2, (all->top + all->bottom) / 2};
     if (across > 0 || up > 0) {
@@ -256,14 +147,14 @@ class MechanismDrawing {
   }
 
   /// What the body touches: a line across the direction of N, and the contact itself.
-  void surface(const Geometry::Contact& contact) {
+  void surface(const MechanismGeometry::Contact& contact) {
     const Point at = pixel(contact.at), across{contact.normal[1], -contact.normal[0]};
     if (across[0] != 0 || across[1] != 0) line(moved(at, across, -30), moved(at, across, 30), "frame", 0.5);
     svg_.add("circle", "ink").set("cx", at[0]).set("cy", at[1]).set("r", 3);
     labels_.avoid(LabelBox{at[0] - 4, at[1] - 4, at[0] + 4, at[1] + 4});
   }
 
-  void outline(const Geometry::Outline& outline) {
+  void outline(const MechanismGeometry::Outline& outline) {
     std::vector<Pixel> pixels;
     for (const Point& p : outline.points) pixels.push_back({pixel(p)[0], pixel(p)[1]});
     switch (outline.kind) {
@@ -303,14 +194,14 @@ class MechanismDrawing {
 
   const Range& range_of(std::size_t unknown) const { return motion_->forces[unknown - scene_.mechanism.accelerations]; }
   const std::string& symbol_of(std::size_t unknown) const { return scene_.mechanism.unknowns[unknown].symbol; }
-  static bool has_direction(const Geometry::Contact& contact) {
+  static bool has_direction(const MechanismGeometry::Contact& contact) {
     return contact.normal[0] != 0 || contact.normal[1] != 0;
   }
 
   void set_force_scale() {
     if (motion_ == nullptr) return;
     double largest = 0;
-    for (const Geometry::Contact& contact : geometry_.contacts) {
+    for (const MechanismGeometry::Contact& contact : geometry_.contacts) {
       const MechanismContact& given = scene_.mechanism.contacts[contact.index];
       for (const auto& force : {std::optional(given.normal), given.tangent}) {
         if (!force) continue;
@@ -321,7 +212,7 @@ class MechanismDrawing {
     if (largest > 0) unit_ = longest_force / largest;
   }
 
-  void forces(const Geometry::Contact& contact) {
+  void forces(const MechanismGeometry::Contact& contact) {
     const MechanismContact& given = scene_.mechanism.contacts[contact.index];
     std::string description = contact_text(contact.index);
     const auto draw = [&](std::size_t force, Point direction, bool pushes, std::string_view css) {
@@ -417,7 +308,7 @@ class MechanismDrawing {
   const Element svg_;
   const MechanismScene& scene_;
   const MotionAtLoad* motion_;
-  const Geometry geometry_;
+  const MechanismGeometry geometry_;
   Point middle_{0, 0};
   double scale_ = 1, unit_ = 1;
   LabelBox box_;
