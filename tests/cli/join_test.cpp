@@ -64,8 +64,8 @@ TEST_CASE("join prints what certify would have printed, and ends as that") {
 
 TEST_CASE("join writes nothing of parts that are not all there") {
   const Joined test;
-  const std::vector<std::string> in_order{"--parts", test.prefix, "--threads",
-                                          "1"};  // one thread fills a part in order
+  // One thread fills a part in order.
+  const std::vector<std::string> in_order{"--parts", test.prefix, "--threads", "1"};
   REQUIRE(test.certified(in_order).exit_code == 1);
   const std::string index = test.prefix + ".index", part = test.prefix + ".0.1", whole = read_file(part);
   CHECK(run({"join", test.prefix, "-o", part}).exit_code == 3);
