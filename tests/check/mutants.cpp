@@ -241,7 +241,7 @@ std::size_t wanted_mutants() {
 #if defined(__SANITIZE_ADDRESS__)
   const std::size_t standard = 1'000;
 #else
-  const std::size_t standard = 4'000;
+  const std::size_t standard = 2'000;
 #endif
   const char* asked = std::getenv("SLIPPROOF_CHECK_MUTANTS");
   return asked == nullptr ? standard : std::stoul(asked);
