@@ -9,43 +9,68 @@ namespace slipproof {
 
 namespace {
 
+/// The signs of a polynomial, which are asked for in one cell after another: that of a linear one, as most are, takes a
+/// comparison with its root.
+class Signs {
+ public:
+  explicit Signs(const Polynomial& p) : p_(p) {
+    if (p.degree() == 1) {
+      last_ = sign(p.coefficient(1));
+      root_ = -p.coefficient(0) / p.coefficient(1);
+    } else if (p.degree() == 0) {
+      last_ = sign(p.coefficient(0));
+    }
+  }
+
+  int at(const Rational& force) const {
+    if (p_.degree() == 0) return last_;
+    if (p_.degree() > 1) return sign(p_.at(force));
+    const auto order = force <=> root_;
+    return order == 0 ? 0 : order > 0 ? last_ : -last_;
+  }
+
+  /// Adds the real roots; whether all are rational.
+  bool add_roots(std::vector<Rational>& roots) const {
+    if (p_.degree() == 1) roots.push_back(root_);
+    if (p_.degree() <= 1) return true;
+    for (const RealRoot& root : real_roots({IntegerPolynomial::proportional_to(p_.coefficients())})) {
+      if (!root.is_rational()) return false;
+      roots.push_back(root.lower);
+    }
+    return true;
+  }
+
+ private:
+  Polynomial p_;
+  Rational root_;  ///< of a linear one
+  int last_ = 0;   ///< of a constant or linear one: for large forces
+};
+
 /// A comparison as the sign of numerator(F) / denominator(F), where no divisor is 0; or no such thing.
 struct Link {
   bool decided = false;
   Failure failure = Failure::undecided;
-  Polynomial numerator, denominator;
-  std::vector<Polynomial> divisors;
+  std::optional<Signs> numerator, denominator;
+  std::vector<Signs> divisors;
   std::vector<Rational> roots;  ///< of all of these, if none is irrational
 };
 
-/// Adds the real roots; whether all are rational.
-bool add_roots(const Polynomial& p, std::vector<Rational>& roots) {
-  if (p.degree() == 0) return true;
-  if (p.degree() == 1) {
-    roots.push_back(-p.coefficient(0) / p.coefficient(1));
-    return true;
-  }
-  for (const RealRoot& root : real_roots({IntegerPolynomial::proportional_to(p.coefficients())})) {
-    if (!root.is_rational()) return false;
-    roots.push_back(root.lower);
-  }
-  return true;
-}
-
 Link difference(const Program& statement, const Program::Instruction& comparison, Evaluator<ForceFunction>& evaluator) {
   const Value<ForceFunction> x = evaluator.number(statement, comparison.first);
-  if (!x.number) return {false, x.failure, {}, {}, {}, {}};
-  const Value<ForceFunction> y = evaluator.number(statement, comparison.second);
-  if (!y.number) return {false, y.failure, {}, {}, {}, {}};
-  const ForceFunction d = *x.number - *y.number;
+  const Value<ForceFunction> y = x.number ? evaluator.number(statement, comparison.second) : x;
   Link link;
+  if (!y.number) {
+    link.failure = y.failure;
+    return link;
+  }
+  const ForceFunction d = *x.number - *y.number;
   const bool same = d.value().is_zero();  // wherever both have a value
-  link.numerator = same ? Polynomial() : d.value().numerator();
-  link.denominator = same ? Polynomial({Rational(1)}) : d.value().denominator();
-  link.divisors = d.divisors();
-  link.decided = add_roots(link.numerator, link.roots) && add_roots(link.denominator, link.roots) &&
-                 std::all_of(link.divisors.begin(), link.divisors.end(),
-                             [&](const Polynomial& divisor) { return add_roots(divisor, link.roots); });
+  link.numerator.emplace(same ? Polynomial() : d.value().numerator());
+  link.denominator.emplace(same ? Polynomial({Rational(1)}) : d.value().denominator());
+  for (const Polynomial& divisor : d.divisors()) link.divisors.emplace_back(divisor);
+  link.decided =
+      link.numerator->add_roots(link.roots) && link.denominator->add_roots(link.roots) &&
+      std::all_of(link.divisors.begin(), link.divisors.end(), [&](const Signs& s) { return s.add_roots(link.roots); });
   return link;
 }
 
@@ -107,11 +132,11 @@ class OverForces {
 
   static Truth compare(const Link& link, Relation relation, const Rational& force) {
     if (!link.decided) return link.failure == Failure::undefined ? Truth::undefined : Truth::undecided;
-    const auto vanishes = [&](const Polynomial& divisor) { return divisor.at(force).is_zero(); };
+    const auto vanishes = [&](const Signs& divisor) { return divisor.at(force) == 0; };
     if (std::any_of(link.divisors.begin(), link.divisors.end(), vanishes)) return Truth::undefined;
-    const int denominator = sign(link.denominator.at(force));
+    const int denominator = link.denominator->at(force);
     if (denominator == 0) return Truth::undefined;
-    return holds(relation, sign(link.numerator.at(force)) * denominator) ? Truth::yes : Truth::no;
+    return holds(relation, link.numerator->at(force) * denominator) ? Truth::yes : Truth::no;
   }
 
   const Program& statement_;

@@ -59,12 +59,11 @@ IntegerSpace::IntegerSpace(const AffineSpace& space) {
 }
 
 Affine<Rational> IntegerSpace::on(const AffineForm& form) const {
-  const std::size_t unknowns = values_.size() / 2;
-  std::vector<Rational> entries = form.coefficients;
-  entries.push_back(form.constant);
-  const Integer factor = common_denominator(entries), all = factor * denominator_;
+  Integer factor = common_denominator(form.coefficients);
+  if (denominator(form.constant) != 1) factor = lcm(factor, denominator(form.constant));
+  const Integer all = factor * denominator_;
   Integer constant = integer_times(form.constant, all), slope = integer_times(form.coefficients.back(), all);
-  for (std::size_t i = 0; i < unknowns; ++i) {
+  for (std::size_t i = 0; i < values_.size() / 2; ++i) {
     if (form.coefficients[i].is_zero()) continue;
     const Integer entry = integer_times(form.coefficients[i], factor);
     constant.add_product(entry, values_[2 * i]);

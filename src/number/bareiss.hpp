@@ -17,7 +17,7 @@ Integer common_denominator(const Range& values) {
   Integer result = 1;
   for (const Rational& value : values) {
     const Integer& d = denominator(value);
-    if (d != 1) result = lcm(result, d);
+    if (d != 1 && d != result) result = lcm(result, d);
   }
   return result;
 }
