@@ -202,6 +202,7 @@ TEST_CASE("records that cannot be read are reported with place, found and expect
     CHECK(reason.find(message) != std::string::npos);
 
     const auto stopped = bench.certify(text, {"--broken", "stop"});
+    CAPTURE(stopped.err);
     CHECK(stopped.exit_code == 3);
     CHECK(lines_of(stopped.out).size() == 3);  // what was judged before is written
     CHECK(stopped.out.find("invalid") == std::string::npos);
