@@ -46,6 +46,7 @@ std::vector<int> read_header(std::string_view header, bool ignore_unknown, Mista
   }
 }
 
+/// A line of CSV, and the text in which it stands.
 struct CsvLine {
   std::string_view line;
   std::string_view around = line;  ///< text that may be read, of which the line is a part
@@ -62,18 +63,18 @@ inline std::optional<double> usual_number(std::string_view cell) {
 /// The cells of a line: set(column, value) for the usual number, put(column, text, place) for all others that are not
 /// ignored; columns of numbers count from 0, and an empty cell of one is passed over. Throws BrokenRecord.
 template <class Set, class Put>
-void read_cells(const CsvLine& line, const std::vector<int>& columns, bool decimal_exact, const Set& set,
+void read_cells(std::string_view line, const std::vector<int>& columns, bool decimal_exact, const Set& set,
                 const Put& put) {
   std::size_t begin = 0;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const bool last = i + 1 == columns.size();
     const int column = columns[i];
-    const std::size_t comma = line.line.find(',', begin), place = begin + 1;
+    const std::size_t comma = line.find(',', begin), place = begin + 1;
     if ((comma == std::string_view::npos) != last) {
       throw BrokenRecord{place, "found " + std::string(last ? "more" : "fewer") + " cells, expected " +
                                     std::to_string(columns.size()) + " as in the header"};
     }
-    const std::string_view text = line.line.substr(begin, comma - begin);
+    const std::string_view text = line.substr(begin, comma - begin);
     begin = comma + 1;
     if (column >= 0 && !decimal_exact) {
       if (const auto number = usual_number(text)) {

@@ -153,6 +153,7 @@ void LaneJudge::find_modes(const LaneRecords& r, const Rows& rows, std::size_t c
     for (std::size_t lane = 0; lane < here; ++lane) {
       const std::uint16_t row = rows[first + lane];
       const auto consistent = sets[lane].consistent;
+      // std::has_single_bit() counts all bits, by a call where that instruction may be missing.
       const bool one = consistent != 0 && (consistent & (consistent - 1)) == 0;
       if (sets[lane].undecided != 0 || !one) continue;
       const auto mode = static_cast<std::uint8_t>(std::countr_zero(consistent));

@@ -72,7 +72,7 @@ void MechanismReader::read(std::string_view line, MechanismRecord& record) const
   record.clear(fields_.size());
   if (csv_) {
     read_cells(
-        {line}, columns_, options_.decimal_exact,
+        line, columns_, options_.decimal_exact,
         [&](int column, double value) { record.set(static_cast<std::size_t>(column), value); },
         [&](int column, std::string_view text, std::size_t place) { put(record, column, text, place); });
     if (record.present == complete_) return;

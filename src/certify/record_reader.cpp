@@ -92,7 +92,7 @@ bool RecordReader::read_usual(const CsvLine& line, UsualLines& lines, LaneRecord
 Record RecordReader::read_csv(const CsvLine& line) const {
   Record record = fresh_record(base_);
   read_cells(
-      line, columns_, options_.decimal_exact,
+      line.line, columns_, options_.decimal_exact,
       [&](int column, double value) { record.set(static_cast<Field>(column), value); },
       [&](int column, std::string_view text, std::size_t place) { put(record, column, text, place); });
   // An empty cell leaves what the scene says, and may leave nothing.

@@ -13,13 +13,8 @@ namespace {
 /// comparison with its root.
 class Signs {
  public:
-  explicit Signs(const Polynomial& p) : p_(p) {
-    if (p.degree() == 1) {
-      last_ = sign(p.coefficient(1));
-      root_ = -p.coefficient(0) / p.coefficient(1);
-    } else if (p.degree() == 0) {
-      last_ = sign(p.coefficient(0));
-    }
+  explicit Signs(const Polynomial& p) : p_(p), last_(sign(p.coefficient(p.degree()))) {
+    if (p.degree() == 1) root_ = -p.coefficient(0) / p.coefficient(1);
   }
 
   int at(const Rational& force) const {
@@ -42,8 +37,8 @@ class Signs {
 
  private:
   Polynomial p_;
+  int last_;       ///< for large forces
   Rational root_;  ///< of a linear one
-  int last_ = 0;   ///< of a constant or linear one: for large forces
 };
 
 /// A comparison as the sign of numerator(F) / denominator(F), where no divisor is 0; or no such thing.

@@ -59,8 +59,7 @@ IntegerSpace::IntegerSpace(const AffineSpace& space) {
 }
 
 Affine<Rational> IntegerSpace::on(const AffineForm& form) const {
-  Integer factor = common_denominator(form.coefficients);
-  if (denominator(form.constant) != 1) factor = lcm(factor, denominator(form.constant));
+  const Integer factor = common_denominator(form.coefficients, denominator(form.constant));
   const Integer all = factor * denominator_;
   Integer constant = integer_times(form.constant, all), slope = integer_times(form.coefficients.back(), all);
   for (std::size_t i = 0; i < values_.size() / 2; ++i) {

@@ -11,10 +11,10 @@ namespace slipproof {
 
 using IntegerMatrix = std::vector<std::vector<Integer>>;
 
-/// The least common multiple of the denominators; `values` is a range of Rational, or of references to it.
+/// The least common multiple of the denominators, and of `result`; `values` is a range of Rational, or of references to
+/// it.
 template <class Range>
-Integer common_denominator(const Range& values) {
-  Integer result = 1;
+Integer common_denominator(const Range& values, Integer result = 1) {
   for (const Rational& value : values) {
     const Integer& d = denominator(value);
     if (d != 1 && d != result) result = lcm(result, d);

@@ -83,7 +83,7 @@ class LinearProgram::Dictionary {
  private:
   /// In integers, and what the form was multiplied by.
   static std::pair<Row, Integer> to_row(const AffineForm& form) {
-    Integer scale = lcm(common_denominator(form.coefficients), denominator(form.constant));
+    Integer scale = common_denominator(form.coefficients, denominator(form.constant));
     Row row{integer_times(form.constant, scale)};
     row.reserve(form.coefficients.size() + 1);
     for (const Rational& x : form.coefficients) row.push_back(integer_times(x, scale));
