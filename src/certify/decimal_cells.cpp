@@ -148,6 +148,14 @@ struct DigitBlock {
   return unclean;
 }
 
+[[SLIPPROOF_AVX2]] inline __m256i all(std::uint64_t x) {
+  return _mm256_set1_epi64x(static_cast<std::int64_t>(x));
+}
+[[SLIPPROOF_AVX2]] inline __m256d number(__m256i below_2_32) {
+  const __m256d bias = _mm256_set1_pd(0x1p52);
+  return _mm256_sub_pd(_mm256_castsi256_pd(_mm256_or_si256(below_2_32, _mm256_castpd_si256(bias))), bias);
+}
+
 /// The binary64 nearest to w / 10^n, w an integer below 10^19 and 10^n a binary64. w is the sum of two binary64, `sum`
 /// and what was `lost` when it was rounded, below 2^-52 w. A first quotient q, by a rounded inverse, is wrong by less
 /// than 2^-51 w / 10^n, so the remainder that a fused operation makes of it is small, and known up to 2^-100 w; from it
@@ -155,13 +163,6 @@ struct DigitBlock {
 /// to; where both are rounded to the same number, so is the quotient. Cells for which they are not are marked, as are
 /// those with more than 19 digits that count.
 [[SLIPPROOF_AVX2]] std::uint32_t divide(const DigitBlock& block, std::size_t count, Decimals& values) {
-  const auto all = [](std::uint64_t x) __attribute__((target("avx2"))) {
-    return _mm256_set1_epi64x(static_cast<std::int64_t>(x));
-  };
-  const auto number = [](__m256i below_2_32) __attribute__((target("avx2"))) {
-    const __m256d bias = _mm256_set1_pd(0x1p52);
-    return _mm256_sub_pd(_mm256_castsi256_pd(_mm256_or_si256(below_2_32, _mm256_castpd_si256(bias))), bias);
-  };
   constexpr std::uint64_t e8 = 100'000'000, e16 = e8 * e8, lower = 0xffffffff;
   std::uint32_t unsure = 0;
   for (std::size_t i = 0; i < count; i += 4) {
