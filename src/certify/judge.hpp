@@ -5,6 +5,7 @@
 
 #include "certify/record.hpp"
 #include "contact/solutions.hpp"
+#include "contact/yardstick.hpp"
 
 namespace slipproof {
 
@@ -46,12 +47,6 @@ struct RecordJudgement {
   std::string details;       ///< further JSON members, `,"violated":...`; empty for a certified record
   double rho = 0;            ///< of a contact problem with rho: from the answer to a solution, in each component
   std::string members = {};  ///< all JSON members after the record's number, where they are other ones
-};
-
-/// How far an answer is from a motion, or from a solution of a contact problem.
-struct Distance {
-  Rational relative;  ///< largest relative error of a component
-  Rational scaled;    ///< the same relative to the largest component of its kind
 };
 
 /// The record is complete (see incomplete()).
