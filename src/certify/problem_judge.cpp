@@ -14,12 +14,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Rational largest(const std::vector<Rational>& values) {
-  Rational result = 0;
-  for (const Rational& x : values) result = std::max(result, Rational(abs(x)));
-  return result;
-}
-
 class Judge {
  public:
   Judge(const ContactProblem& problem, const ProblemAnswer& answer, const JudgeOptions& options)
@@ -51,23 +45,58 @@ class Judge {
   }
 
  private:
-  Distance distance_to(const std::vector<Rational>& z) const {
-    Distance d{0, 0};
-    const auto compare = [&d](const std::vector<Rational>& found, const std::vector<Rational>& exact,
-                              const Rational& scale) {
-      for (std::size_t i = 0; i < exact.size(); ++i) {
-        const Rational distance = abs(found[i] - exact[i]);
-        if (distance.is_zero()) continue;
-        d.relative = std::max(d.relative, Rational(distance / (exact[i].is_zero() ? scale : Rational(abs(exact[i])))));
-        d.scaled = std::max(d.scaled, Rational(distance / scale));
+  /// A solution to hold the answer against, and which of its components a continuum leaves open.
+  struct Compared {
+    std::vector<Rational> z, w;
+    std::vector<bool> open_z, open_w;
+  };
+  /// The yardsticks of z and of w.
+  struct Sizes {
+    Rational z, w;
+  };
+
+  Compared determined(std::vector<Rational> z) const {
+    auto w = accelerations(problem_, z);
+    const std::vector<bool> none(problem_.size(), false);
+    return {std::move(z), std::move(w), none, none};
+  }
+
+  Compared at_base(const ContactContinuum& c) const {
+    Compared result = determined(c.base);
+    for (const auto& direction : c.directions) {
+      const auto slope = slope_of_w(direction);
+      for (std::size_t i = 0; i < problem_.size(); ++i) {
+        if (!direction[i].is_zero()) result.open_z[i] = true;
+        if (!slope[i].is_zero()) result.open_w[i] = true;
       }
-    };
-    const Rational size = largest(z);
-    compare(answer_.z, z, size.is_zero() ? force_ : size);
-    if (answer_.w) {
-      const auto w = accelerations(problem_, z);
-      const Rational scale = std::max(largest(w), largest(problem_.q));
-      compare(*answer_.w, w, scale.is_zero() ? Rational(1) : scale);
+    }
+    return result;
+  }
+
+  /// How w varies with z.
+  std::vector<Rational> slope_of_w(const std::vector<Rational>& direction) const {
+    std::vector<Rational> slope = accelerations(problem_, direction);
+    for (std::size_t i = 0; i < problem_.size(); ++i) slope[i] -= problem_.q[i];
+    return slope;
+  }
+
+  Sizes sizes(const Compared& to) const {
+    Yardsticks largest(2);
+    for (std::size_t i = 0; i < problem_.size(); ++i) {
+      largest.take(0, to.open_z[i] ? answer_.z[i] : to.z[i]);
+      largest.take(1, problem_.q[i]);
+      if (!to.open_w[i]) largest.take(1, to.w[i]);
+      if (to.open_w[i] && answer_.w) largest.take(1, (*answer_.w)[i]);
+    }
+    return {largest[0].is_zero() ? force_ : largest[0], largest[1]};
+  }
+
+  Distance distance_to(const Compared& to) const {
+    Distance d{0, 0};
+    const Sizes size = sizes(to);
+    for (std::size_t i = 0; i < problem_.size(); ++i) {
+      compare({answer_.z[i], to.z[i], size.z, to.open_z[i]}, d);
+      if (answer_.w) compare({(*answer_.w)[i], to.w[i], size.w, to.open_w[i]}, d);
     }
     return d;
   }
@@ -88,22 +117,26 @@ class Judge {
     return solver_.modes() > few_modes ? solver_.all(effort_) : std::nullopt;
   }
 
-  /// The solution of a continuum that is nearest to the answer's z, its largest distance of a component counting.
-  std::vector<Rational> nearest_member(const ContactContinuum& c) {
-    // Least s with |base + sum of t_k directions[k] - z| <= s in each component: variables t, then s.
-    std::vector<AffineForm> constraints = c.conditions;
-    for (AffineForm& form : constraints) form.coefficients.emplace_back(0);
+  /// The solution of a continuum that is nearest to the answer, by the largest error of a component.
+  Compared nearest_member(const ContactContinuum& c) {
+    Compared member = at_base(c);
+    const Sizes size = sizes(member);
+    std::vector<OpenComponent> open;
+    const auto add = [&](std::size_t i, const Rational& base, const RationalMatrix& slopes, const Rational& answer,
+                         const Rational& yardstick) {
+      AffineForm form{base, {}};
+      for (const auto& slope : slopes) form.coefficients.push_back(slope[i]);
+      open.push_back({std::move(form), answer, yardstick});
+    };
+    RationalMatrix slopes;
+    for (const auto& direction : c.directions) slopes.push_back(slope_of_w(direction));
     for (std::size_t i = 0; i < problem_.size(); ++i) {
-      for (const int sign : {1, -1}) {
-        AffineForm form{sign * (c.base[i] - answer_.z[i]), {}};
-        for (const auto& direction : c.directions) form.coefficients.push_back(sign * direction[i]);
-        form.coefficients.emplace_back(1);
-        constraints.push_back(std::move(form));
-      }
+      if (member.open_z[i]) add(i, member.z[i], c.directions, answer_.z[i], size.z);
+      if (member.open_w[i] && answer_.w) add(i, member.w[i], slopes, (*answer_.w)[i], size.w);
     }
-    AffineForm objective{0, std::vector<Rational>(c.directions.size() + 1)};
-    objective.coefficients.back() = 1;
-    return c.at(minimize(objective, constraints, effort_).x);
+    member.z = c.at(nearest_solution(open, c.conditions, c.directions.size(), effort_));
+    member.w = accelerations(problem_, member.z);
+    return member;
   }
 
   /// What the answer looks like, where the solver names no mode.
@@ -150,7 +183,7 @@ class Judge {
   Json to_json(const ContactContinuum& c) {
     return {{"mode", name(problem_, c.mode)},
             {"parameters", c.directions.size()},
-            {"nearest_z", exact_json(nearest_member(c))}};
+            {"nearest_z", exact_json(nearest_member(c).z)}};
   }
 
   /// What speaks against the mode that the answer claims, or looks like.
@@ -198,14 +231,14 @@ class Judge {
     std::vector<std::vector<ProblemMode>> continua;
     for (const auto& c : all.continua) continua.push_back({c.mode});
     Distance least;
-    const auto consider = [&](const std::vector<ProblemMode>& modes, const std::vector<Rational>& z) {
+    const auto consider = [&](const std::vector<ProblemMode>& modes, const Compared& to) {
       if (answer_.mode && std::find(modes.begin(), modes.end(), *answer_.mode) == modes.end()) return;
-      Distance d = distance_to(z);
+      Distance d = distance_to(to);
       if (best != nullptr && d.scaled >= least.scaled) return;
       best = &modes;
       least = std::move(d);
     };
-    for (const auto& s : all.solutions) consider(s.modes, s.z);
+    for (const auto& s : all.solutions) consider(s.modes, determined(s.z));
     for (std::size_t i = 0; i < continua.size(); ++i) consider(continua[i], nearest_member(all.continua[i]));
     if (best == nullptr || !near(least)) {
       result_.verdict = RecordVerdict::wrong;
@@ -223,9 +256,9 @@ class Judge {
   void judge_alone() {
     ModeOutcome outcome = solver_.solve(looks_like_, effort_);
     result_.verdict = answer_.mode ? RecordVerdict::wrong : RecordVerdict::undecided;
-    if (outcome.kind == ModeOutcome::Kind::continuum) outcome.z = nearest_member(*outcome.continuum);
     if (outcome.kind == ModeOutcome::Kind::solution || outcome.kind == ModeOutcome::Kind::continuum) {
-      const Distance distance = distance_to(outcome.z);
+      const Distance distance =
+          distance_to(outcome.continuum ? nearest_member(*outcome.continuum) : determined(outcome.z));
       if (near(distance)) {
         // A continuum is many solutions for certain.
         const bool only = !outcome.continuum && is_unique_by_bound(problem_);

@@ -102,6 +102,24 @@ TEST_CASE("each verdict on frictional contact") {
   CHECK(judged(rod + R"("z":[1.25,0,-0.25,0]})")["verdict"] == "wrong");
 }
 
+TEST_CASE("an answer among infinitely many solutions is held against the nearest one, whatever the sizes in it") {
+  // N + T = 1, |T| <= N: every size of T has a solution next to it.
+  const std::string sum = R"({"W":[[1,1],[1,1]],"q":[-1,-1],"mu":[1],)";
+  for (const char* tiny : {"1e-17", "-1e-17", "1e-30", "0", "1e-10"}) {
+    const Json line = judged(sum + R"("z":[1,)" + tiny + "]}");
+    CAPTURE(line.dump());
+    CHECK(line["verdict"] == "ambiguous");
+    CHECK(std::stod(line["max_relative_error"].get<std::string>()) <= 1e-10);
+  }
+  CHECK(judged(sum + R"("z":[1,1e-7]})")["verdict"] == "inaccurate");
+  CHECK(judged(sum + R"("z":[1,0.5]})")["verdict"] == "wrong");
+  // The same with w, and in thousandths of the unit of forces.
+  CHECK(judged(sum + R"("z":[1,1e-17],"w":[0,1e-17]})")["verdict"] == "ambiguous");
+  const std::string small = R"({"W":[["1/1000","1/1000"],["1/1000","1/1000"]],"q":[-1,-1],"mu":[1],)";
+  CHECK(judged(small + R"("z":[1000,1e-14]})")["verdict"] == "ambiguous");
+  CHECK(judged(small + R"("z":[1000,1e-4]})")["verdict"] == "inaccurate");
+}
+
 TEST_CASE("where not every solution can be found, a right answer is undecided unless it is the only one by theory") {
   // 20 components, each z_i + c z_(i+1) >= 1: definite for c = 1/2, not for c = 3.
   const auto chain = [](const std::string& c, const std::string& z, const std::string& more = "") {
