@@ -4,9 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
-#include "filter/vector_clones.hpp"
+#include "filter/vector_kernel.hpp"
 #include "number/binary64.hpp"
 
 namespace slipproof {
@@ -35,28 +36,35 @@ RunningError rounded(const Rational& value) {
   return {Lanes{} + nearest, Lanes{} + (to_rational(nearest) == value ? 0 : rounding_error(nearest))};
 }
 
-SLIPPROOF_VECTOR_CLONES("avx512f", "avx2")
-SLIPPROOF_FLATTEN void run(const TapeInstruction* code, const TapeInstruction* end, RunningError* results) {
-  for (; code != end; ++code) {
-    const RunningError &x = results[code->first], &y = results[code->second];
-    RunningError& result = results[code->target];
-    switch (code->operation) {
-      case TapeOperation::add:
-        result = x + y;
-        break;
-      case TapeOperation::subtract:
-        result = x - y;
-        break;
-      case TapeOperation::multiply:
-        result = x * y;
-        break;
-      case TapeOperation::divide:
-        result = x / y;
-        break;
-      default:
-        result = -x;
+/// The lanes are as many as the widest registers hold; the compiler splits them up for narrower ones.
+struct RunTape {
+  template <int width>
+  static void run(std::span<const TapeInstruction> code, RunningError* results) {
+    for (const TapeInstruction& step : code) {
+      const RunningError &x = results[step.first], &y = results[step.second];
+      RunningError& result = results[step.target];
+      switch (step.operation) {
+        case TapeOperation::add:
+          result = x + y;
+          break;
+        case TapeOperation::subtract:
+          result = x - y;
+          break;
+        case TapeOperation::multiply:
+          result = x * y;
+          break;
+        case TapeOperation::divide:
+          result = x / y;
+          break;
+        default:
+          result = -x;
+      }
     }
   }
+};
+
+void run_tape(std::span<const TapeInstruction> code, RunningError* results) {
+  VectorKernel<RunTape>::run(widest_registers(), code, results);
 }
 
 void add_form(std::vector<TapeRef>& wanted, const FreeForm& form) {
@@ -251,7 +259,7 @@ void ModeRun::compute_angles() {
 void ModeRun::decide() {
   const ModePrograms& programs = code_->programs();
   compute_angles();
-  run(code_->decision_.data(), code_->decision_.data() + code_->decision_.size(), results_.data());
+  run_tape(code_->decision_, results_.data());
   in_domain_ = in_load_domain_ = all_lanes();
   for (const TapeRef divisor : programs.divisors) in_domain_ &= surely_not_zero(at(divisor));
   for (const TruthProgram& truth : programs.domain) in_domain_ &= holds(truth);
@@ -366,11 +374,11 @@ std::optional<std::size_t> ModeRun::only_motion(std::size_t lane) const {
 
 void ModeRun::compute_values(std::size_t mode) {
   const auto& code = code_->values_[mode];
-  run(code.data(), code.data() + code.size(), results_.data());
+  run_tape(code, results_.data());
 }
 
 void ModeRun::compute_scales() {
-  run(code_->scales_.data(), code_->scales_.data() + code_->scales_.size(), results_.data());
+  run_tape(code_->scales_, results_.data());
 }
 
 }  // namespace slipproof

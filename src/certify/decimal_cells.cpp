@@ -5,7 +5,8 @@
 #include <cstring>
 #include <limits>
 
-// Clang 14 does not tell at run time whether there is LZCNT.
+#include "system/registers.hpp"
+
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 #define SLIPPROOF_READS_DECIMALS_IN_VECTORS
 #include <immintrin.h>
@@ -31,8 +32,7 @@ bool find_ends_one_by_one(std::string_view line, std::span<std::uint32_t> ends) 
 #define SLIPPROOF_AVX2 gnu::target("avx2,fma,lzcnt,popcnt,bmi")
 
 bool has_avx2() {
-  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("lzcnt") &&
-         __builtin_cpu_supports("popcnt") && __builtin_cpu_supports("bmi");
+  return machine_registers() >= Registers::four;
 }
 
 constexpr std::size_t register_size = 32;  // in bytes

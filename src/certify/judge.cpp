@@ -4,7 +4,7 @@
 
 #include "certify/answer_error.hpp"
 #include "certify/exact_judge.hpp"
-#include "filter/vector_clones.hpp"
+#include "filter/vector_kernel.hpp"
 
 namespace slipproof {
 
@@ -27,9 +27,8 @@ Verified verify_answer(const ReducedDynamics<N, N>& dynamics, const Record& r, c
                                dynamics, mode, r.present, [&](Field f) { return r[f]; }, s.bicycle.M * s.road.g)};
 }
 
-SLIPPROOF_VECTOR_CLONES("avx2")
-SLIPPROOF_FLATTEN Verified verify_by_filter(const Record& r, const ForcedScene<double>& s) {
-  return verify_answer(tracked_dynamics<Tracked>(s), r, s);
+Verified verify_by_filter(const Record& r, const ForcedScene<double>& s) {
+  return in_registers_of_four([&] { return verify_answer(tracked_dynamics<Tracked>(s), r, s); });
 }
 
 Verified verify_by_double_double(const Record& r, const ForcedScene<double>& s) {

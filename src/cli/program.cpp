@@ -8,6 +8,7 @@
 #include <exception>
 #include <iostream>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "input/diagnostic.hpp"
 #include "output/output_error.hpp"
 #include "scatter/crew.hpp"
+#include "system/registers.hpp"
 
 namespace slipproof::cli {
 
@@ -79,6 +81,12 @@ int run(int argc, char** argv, Transport& transport) {
 int run_program(int argc, char** argv, Transport& transport) {
   keep_standard_streams_apart();
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit is an error like any other
+  try {
+    machine_registers();
+  } catch (const std::invalid_argument& error) {
+    std::cerr << "slipproof: " << error.what() << '\n';
+    return usage;
+  }
   try {
     return run(argc, argv, transport);
   } catch (const InputError& error) {

@@ -1,6 +1,7 @@
 #include "enclosure/dense.hpp"
 
 #include "enclosure/dense_kernels.hpp"
+#include "system/registers.hpp"
 
 namespace slipproof {
 
@@ -13,9 +14,13 @@ struct DenseKernels {
 
 DenseKernels kernels_of_this_machine() {
 #ifdef SLIPPROOF_X86_KERNELS
-  if (__builtin_cpu_supports("avx512f") != 0) return {dense_avx512::invert, dense_avx512::defect};
-  if (__builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0) {
-    return {dense_avx2::invert, dense_avx2::defect};
+  switch (machine_registers()) {
+    case Registers::eight:
+      return {dense_avx512::invert, dense_avx512::defect};
+    case Registers::four:
+      return {dense_avx2::invert, dense_avx2::defect};
+    case Registers::two:
+      break;
   }
 #endif
   return {dense_baseline::invert, dense_baseline::defect};

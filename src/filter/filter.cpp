@@ -1,6 +1,6 @@
 #include "filter/filter.hpp"
 
-#include "filter/vector_clones.hpp"
+#include "filter/vector_kernel.hpp"
 #include "number/binary64.hpp"
 
 namespace slipproof {
@@ -33,10 +33,11 @@ ForcedScene<double> nearest_binary64(const ForcedScene<Rational>& scene) {
   return convert<Rational, double>(scene, [](const Rational& x) { return nearest_binary64(x); });
 }
 
-SLIPPROOF_VECTOR_CLONES("avx2")
-SLIPPROOF_FLATTEN ModeSets filter_modes(const ForcedScene<double>& scene) {
-  if (!within_input_limit(scene)) return all_undecided;
-  return decide_modes(tracked_dynamics<Tracked>(scene), scene.bicycle.J.has_value());
+ModeSets filter_modes(const ForcedScene<double>& scene) {
+  return in_registers_of_four([&] {
+    if (!within_input_limit(scene)) return all_undecided;
+    return decide_modes(tracked_dynamics<Tracked>(scene), scene.bicycle.J.has_value());
+  });
 }
 
 ModeSets double_double_modes(const ForcedScene<double>& exact) {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "filter/vector_clones.hpp"
+#include "filter/vector_kernel.hpp"
 #include "model/contact_mode.hpp"
 #include "model/reduction.hpp"
 

@@ -1,34 +1,62 @@
 // A kernel over vectors, compiled for each width of registers; which one runs is decided at each call.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <span>
 
-#include "filter/vector_clones.hpp"
+#include "system/registers.hpp"
+
+// Not for AddressSanitizer, under which it would take minutes to compile; Clang 14 inlines no function of other
+// registers.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+#define SLIPPROOF_COMPILED_FOR(registers) gnu::target(registers), gnu::noinline
+#define SLIPPROOF_HAS_VECTOR_KERNELS
+#else
+#define SLIPPROOF_COMPILED_FOR(registers) gnu::noinline
+#endif
+
+// Everything called is inlined, so that it is compiled for those registers too.
+#if defined(__SANITIZE_ADDRESS__)
+#define SLIPPROOF_FLATTEN
+#else
+#define SLIPPROOF_FLATTEN [[gnu::flatten]]
+#endif
 
 namespace slipproof {
 
-/// Vector registers, by how many binary64 one holds: 2, 4 (AVX2) and 8 (AVX-512).
-enum class Registers : std::uint8_t { two, four, eight };
-
-/// Whether this machine has them, and the compiler could compile for them.
-inline bool available(Registers registers) {
-#if defined(SLIPPROOF_HAS_VECTOR_CLONES)
-  switch (registers) {
-    case Registers::eight:
-      return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq");
-    case Registers::four:
-      return __builtin_cpu_supports("avx2");
-    case Registers::two:
-      break;
-  }
+/// The widest registers that this machine has, the user allows (`machine_registers`), and kernels are compiled for.
+inline Registers widest_registers() {
+#if defined(SLIPPROOF_HAS_VECTOR_KERNELS)
+  return machine_registers();
+#else
+  return Registers::two;
 #endif
-  return registers == Registers::two;
 }
 
-inline Registers widest_registers() {
-  return available(Registers::eight) ? Registers::eight : available(Registers::four) ? Registers::four : Registers::two;
+inline bool available(Registers registers) {
+  return registers <= widest_registers();
+}
+
+/// Calls of `f()`, all of it compiled for the registers that the name says.
+struct CompiledFor {
+  template <class F>
+  [[SLIPPROOF_COMPILED_FOR("avx512f,avx512dq")]] SLIPPROOF_FLATTEN static auto eight(const F& f) {
+    return f();
+  }
+  template <class F>
+  [[SLIPPROOF_COMPILED_FOR("avx2")]] SLIPPROOF_FLATTEN static auto four(const F& f) {
+    return f();
+  }
+  template <class F>
+  [[gnu::noinline]] SLIPPROOF_FLATTEN static auto two(const F& f) {
+    return f();
+  }
+};
+
+/// f() in registers of four where they are available: for what has one number at a time, and gains by AVX's
+/// instructions of three operands. What it returns is the same either way.
+template <class F>
+auto in_registers_of_four(const F& f) {
+  return available(Registers::four) ? CompiledFor::four(f) : CompiledFor::two(f);
 }
 
 /// Kernel::run<width>(arguments...) in registers of that width, which have to be available. Everything it calls is
@@ -40,37 +68,12 @@ class VectorKernel {
   static void run(Registers registers, Arguments&&... arguments) {
     switch (registers) {
       case Registers::eight:
-        return eight(arguments...);
+        return CompiledFor::eight([&] { Kernel::template run<8>(arguments...); });
       case Registers::four:
-        return four(arguments...);
+        return CompiledFor::four([&] { Kernel::template run<4>(arguments...); });
       case Registers::two:
-        return two(arguments...);
+        return CompiledFor::two([&] { Kernel::template run<2>(arguments...); });
     }
-  }
-
- private:
-#if defined(SLIPPROOF_HAS_VECTOR_CLONES)
-  template <class... Arguments>
-  [[gnu::target("avx512f,avx512dq"), gnu::noinline]] SLIPPROOF_FLATTEN static void eight(Arguments&... arguments) {
-    Kernel::template run<8>(arguments...);
-  }
-  template <class... Arguments>
-  [[gnu::target("avx2"), gnu::noinline]] SLIPPROOF_FLATTEN static void four(Arguments&... arguments) {
-    Kernel::template run<4>(arguments...);
-  }
-#else
-  template <class... Arguments>
-  static void eight(Arguments&... arguments) {
-    two(arguments...);
-  }
-  template <class... Arguments>
-  static void four(Arguments&... arguments) {
-    two(arguments...);
-  }
-#endif
-  template <class... Arguments>
-  SLIPPROOF_FLATTEN static void two(Arguments&... arguments) {
-    Kernel::template run<2>(arguments...);
   }
 };
 

@@ -1,6 +1,6 @@
 #include "number/binary64.hpp"
 
-#include "filter/vector_clones.hpp"
+#include "filter/vector_kernel.hpp"
 #include "precision/plain.hpp"
 
 namespace slipproof {
@@ -16,9 +16,8 @@ struct Conversion {
 };
 
 /// Inlined and compiled as the filter is, so that the two differ in nothing but what is believed.
-SLIPPROOF_VECTOR_CLONES("avx2")
-SLIPPROOF_FLATTEN [[gnu::noinline]] ModeSets modes(const ForcedScene<double>& s) {
-  return unrolled_modes(s);
+ModeSets modes(const ForcedScene<double>& s) {
+  return in_registers_of_four([&] { return unrolled_modes(s); });
 }
 
 }  // namespace

@@ -3,9 +3,10 @@
 
 #include <benchmark/benchmark.h>
 
+#include <string>
+
 #include "filter/batch.hpp"
 #include "filter/lanes.hpp"
-#include "filter/vector_clones.hpp"
 #include "filter/vector_kernel.hpp"
 #include "number/binary64.hpp"
 #include "support/filter_scenes.hpp"
@@ -69,9 +70,9 @@ void each(benchmark::State& state, const std::vector<ForcedScene<double>>& all, 
 }
 
 /// Inlined and compiled as the filter is, so that the two differ in nothing but the bounds.
-SLIPPROOF_VECTOR_CLONES("avx2")
-[[gnu::flatten, gnu::noinline]] unsigned plain(const ForcedScene<double>& s) {
-  return decide_modes(tracked_dynamics<Unchecked>(s), s.bicycle.J.has_value()).consistent;
+[[gnu::noinline]] unsigned plain(const ForcedScene<double>& s) {
+  return in_registers_of_four(
+      [&] { return unsigned{decide_modes(tracked_dynamics<Unchecked>(s), s.bicycle.J.has_value()).consistent}; });
 }
 
 [[gnu::noinline]] unsigned filtered(const ForcedScene<double>& s) {
@@ -172,30 +173,35 @@ void each_batch(benchmark::State& state, const Solve& solve) {
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(columns.size()));
 }
 
-/// More arguments: numbers in a register, threads. `skip` where the machine has no such registers.
-bool skip(benchmark::State& state, Registers registers) {
-  if (!available(registers)) state.SkipWithError("no such registers");
-  return !available(registers);
+Registers registers_of(std::int64_t numbers) {
+  return numbers == 8 ? Registers::eight : numbers == 4 ? Registers::four : Registers::two;
 }
-Registers registers_of(const benchmark::State& state) {
-  return state.range(1) == 8 ? Registers::eight : state.range(1) == 4 ? Registers::four : Registers::two;
-}
+/// More arguments: numbers in a register, threads.
 void batch(benchmark::State& state) {
-  const Registers registers = registers_of(state);
-  if (skip(state, registers)) return;
+  const Registers registers = registers_of(state.range(1));
   each_batch(state, [&](const ForcedScene<Column>& scene, std::span<ConsistentModes> answers) {
     TierCounts counts{};
     consistent_modes(scene, answers, counts, static_cast<unsigned>(state.range(2)), registers);
   });
 }
 void plain_batch(benchmark::State& state) {
-  const Registers registers = registers_of(state);
-  if (skip(state, registers)) return;
+  const Registers registers = registers_of(state.range(1));
   each_batch(state, [&](const ForcedScene<Column>& scene, std::span<ConsistentModes> answers) {
     VectorKernel<PlainBatch>::run(registers, scene, answers);
   });
 }
-BENCHMARK(batch)->ArgsProduct({{0, 1}, {2, 4, 8}, {1}})->Args({0, 8, 2})->Args({1, 8, 2})->UseRealTime();
-BENCHMARK(plain_batch)->ArgsProduct({{0, 1}, {2, 4, 8}, {1}})->UseRealTime();
+/// For each kind of registers that is available; what is left out stands in the context that is printed.
+void in_each_kind(benchmark::internal::Benchmark* measured, const std::vector<std::int64_t>& threads) {
+  for (const std::int64_t numbers : {2, 4, 8}) {
+    if (available(registers_of(numbers))) {
+      measured->ArgsProduct({{0, 1}, {numbers}, threads});
+    } else {
+      benchmark::AddCustomContext("registers of " + std::to_string(numbers) + " numbers", "not available, left out");
+    }
+  }
+  measured->UseRealTime();
+}
+BENCHMARK(batch)->Apply([](auto* measured) { in_each_kind(measured, {1, 2}); });
+BENCHMARK(plain_batch)->Apply([](auto* measured) { in_each_kind(measured, {1}); });
 
 }  // namespace
