@@ -304,3 +304,13 @@ Definition accepts_for (r : reading) (certificate : string) : bool :=
 (** The certificate proves the statement. *)
 Definition accepts (statement certificate : string) : bool :=
   match read_statement statement with Some r => accepts_for r certificate | None => false end.
+
+(** In the place of a certificate: a record that the search for one ended without, with its reasons, if any. *)
+Definition gives_reason (l : line) : bool := match words l with w :: _ :: _ => w =? "because" | _ => false end.
+
+Definition is_undecided (r : reading) (record : string) : bool :=
+  let reasons :=
+    let* ls := lines record in
+    let* ls := expect_raw "slipproof-undecided 1" ls in
+    expect_raw ("theorem " ++ theorem (read r)) ls in
+  match reasons with Some ls => forallb gives_reason ls | None => false end.

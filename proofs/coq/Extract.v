@@ -4,4 +4,4 @@ From Coq Require Import Extraction ExtrOcamlZBigInt ExtrOcamlString.
 From Slipproof Require Import Checker.
 
 Extraction Language OCaml.
-Extraction "checker.ml" read_statement accepts_for accepts.
+Extraction "checker.ml" read_statement accepts_for is_undecided accepts.

@@ -10,4 +10,4 @@ for part in Text Syntax Meaning Print Parse Poly Normal Checker NormalSound Soun
   coqc -q -Q . Slipproof $part.v
 done
 coqc -q -Q . Slipproof Assumptions.v >assumptions.txt
-ocamlfind ocamlopt -O3 -w -a -package zarith -linkpkg checker.mli checker.ml main.ml -o slipproof-check-verified
+ocamlfind ocamlopt -O3 -w -a -package unix,zarith -linkpkg checker.mli checker.ml main.ml -o slipproof-check-verified

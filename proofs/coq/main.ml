@@ -1,5 +1,6 @@
-(* slipproof-check-verified CERT|STATEMENT|FOLDER...: the extracted checker on files. Exit codes: 0 if all certificates
-   are accepted, 5 if one is rejected, otherwise 3 if one is missing or cannot be read; 2 for wrong usage.
+(* slipproof-check-verified CERT|STATEMENT|FOLDER...: the extracted checker on files, which it finds and names as
+   slipproof-check does. Exit codes: 0 if all certificates are accepted, 5 if one is rejected, otherwise 3 if one is
+   missing or cannot be read, 4 if the search for one ended without; 2 for wrong usage, 6 if the result cannot be written.
    slipproof-check-verified --compare RECORD: on what the tests of slipproof-check recorded, `VERDICT S C`, then S bytes
    of a statement and C of a certificate, again and again; 5 if a verdict differs. *)
 
@@ -34,54 +35,141 @@ let reading statement =
   if fst !last <> statement || snd !last = None then last := (statement, Checker.read_statement (explode statement));
   snd !last
 
+let judge_certificate read certificate =
+  let text = explode certificate in
+  match bounded (fun () -> Some (Checker.accepts_for read text)) with
+  | Some true -> "accepted"
+  | _ when bounded (fun () -> Some (Checker.is_undecided read text)) = Some true -> "undecided"
+  | _ -> "rejected"
+
 let judge statement certificate =
   match bounded (fun () -> reading statement) with
   | None -> "unreadable"
-  | Some read -> (
-      match bounded (fun () -> Some (Checker.accepts_for read (explode certificate))) with
-      | Some true -> "accepted"
-      | Some false | None -> "rejected")
+  | Some read -> judge_certificate read certificate
 
-let content path =
-  let file = open_in_bin path in
-  Fun.protect ~finally:(fun () -> close_in file) (fun () -> really_input_string file (in_channel_length file))
+(* Bytes; slipproof-check refuses longer files, too. *)
+let most_of_statement = 1_048_576
+let most_of_certificate = 50_000_000
 
-let rec files path =
-  if Sys.is_directory path then
-    let entries = Sys.readdir path in
-    Array.sort compare entries;
-    let kept below = Sys.is_directory below || List.exists (Filename.check_suffix below) [ ".cert"; ".statement" ] in
-    List.concat_map files (List.filter kept (List.map (Filename.concat path) (Array.to_list entries)))
-  else [ path ]
+type file = Text of string | Too_long | No_text
 
-let certificates path = List.sort_uniq compare (List.map (fun file -> Filename.remove_extension file ^ ".cert") (files path))
+(* Opens regular files only: others may have no end, or wait for a writer. *)
+let load path most =
+  let read file =
+    let text = Buffer.create 4096 in
+    (try Buffer.add_channel text file (most + 1) with End_of_file -> ());
+    if Buffer.length text > most then Too_long else Text (Buffer.contents text)
+  in
+  try
+    if (Unix.stat path).st_kind <> Unix.S_REG then No_text
+    else
+      let file = open_in_bin path in
+      Fun.protect ~finally:(fun () -> close_in_noerr file) (fun () -> read file)
+  with Unix.Unix_error _ | Sys_error _ -> No_text
+
+(* As std::filesystem does it: of `.cert` none, of `..cert` `.cert`. *)
+let split_extension path =
+  let name = Filename.basename path in
+  match String.rindex_opt name '.' with
+  | Some place when place > 0 && name <> ".." ->
+      let size = String.length path - String.length name + place in
+      (String.sub path 0 size, String.sub path size (String.length path - size))
+  | _ -> (path, "")
+
+let extension path = snd (split_extension path)
+let with_extension path other = fst (split_extension path) ^ other
 
 let verdict path =
-  match content (Filename.remove_extension path ^ ".statement") with
-  | exception (Sys_error _ | End_of_file) -> "unreadable"
-  | _ when not (Sys.file_exists path) -> "missing"
-  | statement -> (
-      match content path with
-      | certificate -> judge statement certificate
-      | exception (Sys_error _ | End_of_file) -> "unreadable")
+  match load (with_extension path ".statement") most_of_statement with
+  | _ when extension path <> ".cert" -> "unreadable"
+  | No_text | Too_long -> "unreadable"
+  | Text statement -> (
+      match bounded (fun () -> reading statement) with
+      | None -> "unreadable"
+      | Some read -> (
+          match Unix.lstat path with
+          | exception Unix.Unix_error (Unix.ENOENT, _, _) -> "missing"
+          | exception Unix.Unix_error _ -> "unreadable"
+          | _ -> (
+              match load path most_of_certificate with
+              | Text certificate -> judge_certificate read certificate
+              | Too_long -> "rejected"
+              | No_text -> "unreadable")))
+
+module Paths = Set.Make (struct
+  type t = string
+
+  let compare a b = compare (String.split_on_char '/' a) (String.split_on_char '/' b)
+end)
+
+let is_folder path = try Sys.is_directory path with Sys_error _ -> false
+let kind path = try Some (Unix.lstat path).st_kind with Unix.Unix_error _ -> None
+
+let is_below path root =
+  try
+    let root = Unix.realpath root and path = Unix.realpath path in
+    path = root || root = "/" || String.starts_with ~prefix:(root ^ "/") path
+  with Unix.Unix_error _ -> false
+
+(* The certificates of all statements in a folder and below, and those without a statement; and what `verdict` then
+   calls unreadable: what cannot be looked at, folders that cannot be listed, and links to folders elsewhere, which are
+   not followed. *)
+let rec find root folder found =
+  let add found name =
+    let path = Filename.concat folder name in
+    let kind = kind path in
+    if kind = Some Unix.S_DIR then find root path found
+    else if List.mem (extension path) [ ".cert"; ".statement" ] then Paths.add (with_extension path ".cert") found
+    else if kind = None || (is_folder path && not (is_below path root)) then Paths.add path found
+    else found
+  in
+  match Sys.readdir folder with
+  | exception Sys_error _ -> Paths.add folder found
+  | names -> Array.fold_left add found names
+
+(* Of an argument that is a folder without any, the folder. *)
+let certificates path =
+  if is_folder path then match Paths.elements (find path path Paths.empty) with [] -> [ path ] | found -> found
+  else if extension path = ".statement" then [ with_extension path ".cert" ]
+  else [ path ]
+
+(* How many bytes from a place are one character that can be shown, as in src/check/files.cpp. *)
+let shown_character text place =
+  let byte i = if place + i < String.length text then Char.code text.[place + i] else 0 in
+  let first = byte 0 and second = byte 1 in
+  if first < 0x80 then if first >= 0x20 && first <> 0x7f then 1 else 0
+  else
+    let size = if first >= 0xf0 then 4 else if first >= 0xe0 then 3 else 2 in
+    let follows i = byte i >= 0x80 && byte i < 0xc0 in
+    let control = first < 0xc2 || (first = 0xc2 && second < 0xa0) || first > 0xf4 in
+    let direction = first = 0xe2 && (second = 0x80 || second = 0x81) in
+    if control || direction || not (List.for_all follows (List.init (size - 1) succ)) then 0 else size
+
+(* A name in which a byte that cannot be shown is \xHH: otherwise it could pass for other lines. *)
+let printable text =
+  let result = Buffer.create (String.length text) in
+  let rec add place =
+    if place < String.length text then begin
+      let size = shown_character text place in
+      if size = 0 then Printf.bprintf result "\\x%02x" (Char.code text.[place])
+      else Buffer.add_string result (String.sub text place size);
+      add (place + max size 1)
+    end
+  in
+  add 0;
+  Buffer.contents result
+
+(* Each verdict, the summary's word if it is the worst, and the exit code then; the worst first. *)
+let worst = [ ("rejected", "REJECTED", 5); ("unreadable", "UNREADABLE", 3); ("missing", "MISSING", 3);
+              ("undecided", "UNDECIDED", 4); ("accepted", "ACCEPTED", 0) ]
 
 let check paths =
-  let count = Hashtbl.create 4 in
-  let counted verdict = Option.value ~default:0 (Hashtbl.find_opt count verdict) in
-  let tell path =
-    let found = verdict path in
-    Hashtbl.replace count found (counted found + 1);
-    Printf.printf "%s %s\n" found path
-  in
-  let below path = match certificates path with [] | (exception Sys_error _) -> [ path ] | found -> found in
-  List.iter (fun path -> List.iter tell (below path)) paths;
-  let result, code =
-    if counted "rejected" > 0 then ("REJECTED", 5)
-    else if counted "unreadable" + counted "missing" > 0 then ("UNREADABLE", 3)
-    else ("ACCEPTED", 0)
-  in
-  Printf.printf "s %s %d accepted, %d rejected, %d missing, %d unreadable\n" result (counted "accepted")
-    (counted "rejected") (counted "missing") (counted "unreadable");
+  let found = List.concat_map (fun path -> List.map (fun path -> (verdict path, path)) (certificates path)) paths in
+  List.iter (fun (verdict, path) -> Printf.printf "%s %s\n" verdict (printable path)) found;
+  let count verdict = List.length (List.filter (fun (other, _) -> other = verdict) found) in
+  let _, word, code = List.find (fun (verdict, _, _) -> count verdict > 0) worst in
+  Printf.printf "s %s %d accepted, %d rejected, %d missing, %d undecided, %d unreadable\n" word (count "accepted")
+    (count "rejected") (count "missing") (count "undecided") (count "unreadable");
   code
 
 let compare_with record =
@@ -108,8 +196,21 @@ let compare_with record =
     !pairs !accepted !different;
   if !different > 0 then 5 else 0
 
+let run = function
+  | [ "--compare"; record ] -> compare_with record
+  | first :: _ as paths when not (String.starts_with ~prefix:"-" first) -> check paths
+  | _ -> prerr_string usage; 2
+
+let say message = prerr_endline ("slipproof-check-verified: " ^ message)
+
 let () =
-  match List.tl (Array.to_list Sys.argv) with
-  | [ "--compare"; record ] -> exit (compare_with record)
-  | first :: _ as paths when not (String.starts_with ~prefix:"-" first) -> exit (check paths)
-  | _ -> prerr_string usage; exit 2
+  let code = try run (List.tl (Array.to_list Sys.argv)) with
+    | Sys_error message -> say message; 6
+    | failure -> say (Printexc.to_string failure); 70
+  in
+  match flush stdout with
+  | () -> exit code
+  | exception Sys_error _ ->
+      say "standard output cannot be written";
+      (* Of what could not be written nothing is left to try again at exit. *)
+      Unix._exit 6

@@ -30,21 +30,6 @@ std::size_t shown_character(std::string_view text) {
   return control || direction ? 0 : size;
 }
 
-/// The name of a file, in which a byte that cannot be shown is \xHH: otherwise it could pass for other lines.
-std::string printable(const fs::path& path) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  const std::string text = path.string();
-  std::string result;
-  for (std::string_view rest = text; !rest.empty();) {
-    const std::size_t size = shown_character(rest);
-    const auto byte = static_cast<unsigned char>(rest.front());
-    if (size == 0) ((result += "\\x") += digits[byte / 16]) += digits[byte % 16];
-    result += rest.substr(0, size);
-    rest.remove_prefix(std::max<std::size_t>(size, 1));
-  }
-  return result;
-}
-
 /// The bytes of a file, or why there are none.
 struct File {
   std::optional<std::string> text;
@@ -77,22 +62,40 @@ bool is_below(const fs::path& path, const fs::path& folder) {
   return !error && !inside.empty() && *inside.begin() != "..";
 }
 
+/// Each folder is read to its end before those in it are opened: nesting costs no open files.
 void find_certificates(const fs::path& folder, const fs::path& root, std::set<fs::path>& found) {
   std::error_code error, ignored;
+  std::vector<fs::path> below;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
     fs::path path = entry->path();
-    if (entry->symlink_status(ignored).type() == fs::file_type::directory) {
-      find_certificates(path, root, found);
+    const fs::file_type type = entry->symlink_status(ignored).type();
+    if (type == fs::file_type::directory) {
+      below.push_back(std::move(path));
     } else if (path.extension() == ".statement" || path.extension() == ".cert") {
       found.insert(path.replace_extension(".cert"));
-    } else if (fs::is_directory(path, ignored) && !is_below(path, root)) {
+    } else if (type == fs::file_type::none || (fs::is_directory(path, ignored) && !is_below(path, root))) {
       found.insert(path);
     }
   }
   if (error) found.insert(folder);
+  for (const fs::path& path : below) find_certificates(path, root, found);
 }
 
 }  // namespace
+
+std::string printable(const fs::path& path) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  const std::string text = path.string();
+  std::string result;
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::size_t size = shown_character(rest);
+    const auto byte = static_cast<unsigned char>(rest.front());
+    if (size == 0) ((result += "\\x") += digits[byte / 16]) += digits[byte % 16];
+    result += rest.substr(0, size);
+    rest.remove_prefix(std::max<std::size_t>(size, 1));
+  }
+  return result;
+}
 
 std::string_view to_string(Verdict verdict) {
   return kVerdicts.at(static_cast<std::size_t>(verdict));
@@ -106,12 +109,15 @@ FileResult check_file(const fs::path& certificate) {
     return result;
   };
   if (certificate.extension() != ".cert") {
-    std::error_code ignored;
-    const bool folder = fs::is_directory(certificate, ignored), link = fs::is_symlink(certificate, ignored);
+    std::error_code error, ignored;
+    const bool folder = fs::is_directory(certificate, ignored);
+    const bool link = fs::symlink_status(certificate, error).type() == fs::file_type::symlink;
+    const bool exists_unseen = error && error != std::errc::no_such_file_or_directory;
     return say(Verdict::unreadable, certificate,
-               !folder ? " expected NAME.cert, NAME.statement or a folder"
-               : link  ? " a link to a folder elsewhere, which is not followed"
-                       : " the folder cannot be listed");
+               exists_unseen ? " " + error.message()
+               : !folder     ? " expected NAME.cert, NAME.statement or a folder"
+               : link        ? " a link to a folder elsewhere, which is not followed"
+                             : " the folder cannot be listed");
   }
   const fs::path statement = fs::path(certificate).replace_extension(".statement");
   const File stated = load(statement, kMaxStatement);

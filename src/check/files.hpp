@@ -10,6 +10,9 @@
 
 namespace slipproof::check {
 
+/// The name of a file, in which a byte that cannot be shown is \xHH: otherwise it could pass for other lines.
+std::string printable(const std::filesystem::path& path);
+
 struct FileResult {
   std::filesystem::path certificate;
   Verdict verdict = Verdict::unreadable;
@@ -22,8 +25,8 @@ FileResult check_file(const std::filesystem::path& certificate);
 
 /// The certificates that an argument names, in the order of their names: itself; of a statement its certificate; of a
 /// folder those of all statements in it and below, there or not, and those without a statement. Links to files count
-/// as files. For check_file to complain of there are the folders in it that cannot be listed, and links to folders
-/// elsewhere, which are not followed.
+/// as files. For check_file to complain of there are what cannot be looked at, such as a path that is too long, folders
+/// that cannot be listed, and links to folders elsewhere, which are not followed.
 std::vector<std::filesystem::path> certificates_in(const std::filesystem::path& argument);
 
 struct Report {

@@ -1,5 +1,5 @@
 // slipproof-check CERT|STATEMENT|FOLDER...: checks certificates against the statements beside them. Exit codes: those
-// of Report::exit_code, 2 for wrong usage, and 6 where the result cannot be written.
+// of Report::exit_code, 2 for wrong usage, 6 where the result cannot be written, and 70 where the program itself fails.
 #include <iostream>
 
 #include "check/files.hpp"
@@ -25,5 +25,5 @@ int main(int argc, char** argv) try {
   return 6;
 } catch (const std::exception& error) {
   std::cerr << "slipproof-check: " << error.what() << '\n';
-  return 3;
+  return 70;
 }

@@ -11,10 +11,11 @@ struct ContactVerdict {
   enum class Kind : std::uint8_t {
     accepted,
     rejected,   ///< it does not prove its claim
-    unreadable  ///< the text is no certificate
+    missing,    ///< there is no such file
+    unreadable  ///< the text is no certificate, or the file cannot be read
   };
   Kind kind = Kind::unreadable;
-  /// What is established; why it is rejected; or `line L, column C: found ..., expected ...`.
+  /// What is established; why it is rejected or cannot be read, such as `line L, column C: found ..., expected ...`.
   std::string message;
 };
 

@@ -11,6 +11,8 @@ namespace {
 
 using Kind = ContactVerdict::Kind;
 
+constexpr std::array<std::string_view, 4> kKinds{"accepted", "rejected", "missing", "unreadable"};
+
 ContactVerdict check_stream(std::istream& stream) {
   std::string text;
   for (std::array<char, 1 << 16> block; text.size() <= kMaxFile && stream;) {
@@ -38,10 +40,9 @@ std::string printable(const std::string& path) {
 }
 
 std::string in_words(const ContactVerdict& verdict, const std::string& name) {
-  const char* kind = verdict.kind == Kind::accepted   ? "accepted\n"
-                     : verdict.kind == Kind::rejected ? "rejected: "
-                                                      : "unreadable: ";
-  return name + kind + (verdict.kind == Kind::accepted ? name : "") + verdict.message + "\n";
+  const std::string kind(kKinds.at(static_cast<std::size_t>(verdict.kind)));
+  const std::string after = verdict.kind == Kind::accepted ? "\n" + name : ": ";
+  return name + kind + after + verdict.message + "\n";
 }
 
 }  // namespace
@@ -50,7 +51,10 @@ ContactVerdict check_contact_file(const std::string& path) {
   if (path == "-") return check_stream(std::cin);
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
-  if (status.type() == std::filesystem::file_type::not_found) return {Kind::unreadable, "there is no such file"};
+  if (status.type() == std::filesystem::file_type::not_found) {
+    if (std::filesystem::is_symlink(path, error)) return {Kind::unreadable, "it is a link to nothing"};
+    return {Kind::missing, "there is no such file"};
+  }
   if (error) return {Kind::unreadable, error.message()};
   if (!std::filesystem::is_regular_file(status)) return {Kind::unreadable, "it is not a regular file"};
   std::ifstream file(path, std::ios::binary);
@@ -60,12 +64,20 @@ ContactVerdict check_contact_file(const std::string& path) {
 
 ContactReport check_contact_files(const std::vector<std::string>& paths) {
   ContactReport report;
+  std::array<std::size_t, kKinds.size()> count{};
   for (const std::string& path : paths) {
     const ContactVerdict verdict = check_contact_file(path);
     report.text += in_words(verdict, paths.size() > 1 ? printable(path) + ": " : "");
-    if (verdict.kind == Kind::rejected) report.exit_code = 5;
-    if (verdict.kind == Kind::unreadable && report.exit_code == 0) report.exit_code = 3;
+    ++count.at(static_cast<std::size_t>(verdict.kind));
   }
+  const auto [accepted, rejected, missing, unreadable] = count;
+  report.exit_code = rejected > 0 ? 5 : unreadable + missing > 0 ? 3 : 0;
+  const char* word = rejected > 0 ? "REJECTED" : unreadable > 0 ? "UNREADABLE" : missing > 0 ? "MISSING" : "ACCEPTED";
+  const auto counted = [](std::size_t number, const char* what) { return std::to_string(number) + what; };
+  // A search that ends without a certificate leaves no file: none is undecided.
+  report.summary = std::string("s ") + word + " " + counted(accepted, " accepted, ") +
+                   counted(rejected, " rejected, ") + counted(missing, " missing, 0 undecided, ") +
+                   counted(unreadable, " unreadable\n");
   return report;
 }
 

@@ -15,8 +15,9 @@ inline constexpr std::size_t kMaxFile = std::size_t{1} << 28;  ///< bytes
 ContactVerdict check_contact_file(const std::string& path);
 
 struct ContactReport {
-  std::string text;   ///< of each file `accepted` and a line in words, `rejected: ...` or `unreadable: ...`
-  int exit_code = 0;  ///< 0 all accepted, 5 some rejected, else 3 some unreadable
+  std::string text;     ///< of each file `accepted` and a line in words, or `VERDICT: REASON`
+  std::string summary;  ///< a line with the counts, as slipproof-check has it
+  int exit_code = 0;    ///< 0 all accepted, 5 some rejected, else 3 some unreadable or missing
 };
 
 /// Of several files each line begins with the name.

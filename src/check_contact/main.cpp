@@ -1,5 +1,6 @@
 // slipproof-check-contact FILE...: checks certificates about contact problems; `-` is standard input. Exit codes: those
-// of ContactReport::exit_code, 2 for wrong usage, and 6 where the result cannot be written.
+// of ContactReport::exit_code, 2 for wrong usage, 6 where the result cannot be written, and 70 where
+// the program itself fails.
 #include <iostream>
 
 #include "check_contact/files.hpp"
@@ -17,7 +18,7 @@ int main(int argc, char** argv) try {
                                     : "slipproof-check-contact " SLIPPROOF_VERSION "\n");
   } else {
     const auto report = slipproof::check_contact::check_contact_files({argv + 1, argv + argc});
-    std::cout << report.text;
+    std::cout << report.text << report.summary;
     exit_code = report.exit_code;
   }
   if (std::cout.flush()) return exit_code;
@@ -25,5 +26,5 @@ int main(int argc, char** argv) try {
   return 6;
 } catch (const std::exception& error) {
   std::cerr << "slipproof-check-contact: " << error.what() << '\n';
-  return 3;
+  return 70;
 }

@@ -208,7 +208,8 @@ std::optional<SecondChecker> Certificates::second_checker() {
 
 void Certificates::ask_second_checker_about(CheckedCertificate& certificate) {
   if (!second_verdicts_) second_verdicts_ = slipproof::ask_second_checker(second_checker_, folder_);
-  const auto found = second_verdicts_->find((folder_ / (certificate.name + ".cert")).lexically_normal());
+  const auto found =
+      second_verdicts_->find(check::printable((folder_ / (certificate.name + ".cert")).lexically_normal()));
   const std::string verdict = found == second_verdicts_->end() ? "not judged" : found->second;
   if (verdict == to_string(CertificateState::accepted)) return;
   certificate.state = CertificateState::rejected;

@@ -8,10 +8,10 @@
 
 namespace slipproof {
 
-/// What the program says of the certificates in a folder and below: `accepted`, `rejected`, ..., by their paths as the
-/// folder's path begins them. The program gets the folder as its argument and writes a line `VERDICT PATH` for each,
+/// What the program says of the certificates in a folder and below: `accepted`, `rejected`, ..., by their paths as
+/// check::printable shows them. The program gets the folder as its argument and writes a line `VERDICT PATH` for each,
 /// and one that begins with `s `, as slipproof-check-verified does. Throws InputError if it cannot be run, if it ends
-/// otherwise than with the exit codes 0, 3 and 5, and if its last line is no summary.
+/// otherwise than with the exit codes 0, 3, 4 and 5, and if its last line is no summary.
 std::map<std::filesystem::path, std::string> ask_second_checker(const std::string& program,
                                                                 const std::filesystem::path& folder);
 

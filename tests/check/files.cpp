@@ -95,6 +95,13 @@ TEST_CASE("what only looks like a record of an undecided search is rejected") {
     folder.write("t.cert", text);
     CAPTURE(text);
     CHECK(check_file(folder.certificate).verdict == Verdict::rejected);
+    CHECK(verdict(kStatement, text).starts_with("C:"));  // a second checker is asked the same
+  }
+  const std::string reasons =
+      "\n# why\n" + kUndecided + " because $10 are spent\nbecause=x\n#because\nbecause x >= 0 is left\n";
+  for (std::size_t size = 0; size <= reasons.size(); ++size) {
+    CHECK(verdict(kStatement, reasons.substr(0, size)).starts_with("C:"));
+    CHECK(verdict(kStatement, reasons.substr(size)).starts_with("C:"));
   }
 }
 

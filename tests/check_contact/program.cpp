@@ -11,6 +11,11 @@ slipproof::test::Outcome program(const std::vector<std::string>& arguments, cons
   return slipproof::test::run(arguments, "slipproof-check-contact", input);
 }
 
+std::string summary(const std::string& word, int accepted, int rejected, int missing, int unreadable) {
+  return "s " + word + " " + std::to_string(accepted) + " accepted, " + std::to_string(rejected) + " rejected, " +
+         std::to_string(missing) + " missing, 0 undecided, " + std::to_string(unreadable) + " unreadable\n";
+}
+
 }  // namespace
 
 TEST_CASE("the program's words and exit codes") {
@@ -20,15 +25,19 @@ TEST_CASE("the program's words and exit codes") {
                     broken = folder.write("broken", replaced(kRod, "end", "fin"));
   CHECK(program({good}).exit_code == 0);
   CHECK(program({good}).out ==
-        "accepted\na solution within 5.0e-1 of the answer, 2 contacts in dimension 1 and 1 free unknowns\n");
+        "accepted\na solution within 5.0e-1 of the answer, 2 contacts in dimension 1 and 1 free unknowns\n" +
+            summary("ACCEPTED", 1, 0, 0, 0));
   CHECK(program({bad}).exit_code == 5);
-  CHECK(program({bad}).out == "rejected: component 0: the solution may be farther than RHO from the answer\n");
+  CHECK(program({bad}).out == "rejected: component 0: the solution may be farther than RHO from the answer\n" +
+                                  summary("REJECTED", 0, 1, 0, 0));
   CHECK(program({broken}).exit_code == 3);
-  CHECK(program({broken}).out == "unreadable: line 16, column 1: found 'fin', expected a claim or 'end'\n");
+  CHECK(program({broken}).out ==
+        "unreadable: line 16, column 1: found 'fin', expected a claim or 'end'\n" + summary("UNREADABLE", 0, 0, 0, 1));
   CHECK(program({"-"}, kRod).exit_code == 0);
   CHECK(program({"-"}, "").exit_code == 3);
   CHECK(program({"-"}, "").out ==
-        "unreadable: line 1, column 1: found the end of the file, expected 'slipproof-contact'\n");
+        "unreadable: line 1, column 1: found the end of the file, expected 'slipproof-contact'\n" +
+            summary("UNREADABLE", 0, 0, 0, 1));
   CHECK(program({good, broken}).exit_code == 3);
   CHECK(program({bad, broken}).exit_code == 5);
   CHECK(program({good, good}).out.starts_with(good + ": accepted\n" + good + ": a solution within"));
@@ -41,11 +50,12 @@ TEST_CASE("the program's words and exit codes") {
 TEST_CASE("what is no file has a message, and a name cannot pass for another line") {
   const slipproof::test::TemporaryFolder folder;
   CHECK(program({folder.path() / "none"}).exit_code == 3);
-  CHECK(program({folder.path() / "none"}).out == "unreadable: there is no such file\n");
-  CHECK(program({folder.path()}).out == "unreadable: it is not a regular file\n");
-  CHECK(program({"/dev/zero"}).out == "unreadable: it is not a regular file\n");
+  CHECK(program({folder.path() / "none"}).out == "missing: there is no such file\n" + summary("MISSING", 0, 0, 1, 0));
+  const std::string no_file = "unreadable: it is not a regular file\n" + summary("UNREADABLE", 0, 0, 0, 1);
+  CHECK(program({folder.path()}).out == no_file);
+  CHECK(program({"/dev/zero"}).out == no_file);
   CHECK(check_contact_files({"a\naccepted\x1B", "b"}).text ==
-        "a\\x0aaccepted\\x1b: unreadable: there is no such file\nb: unreadable: there is no such file\n");
+        "a\\x0aaccepted\\x1b: missing: there is no such file\nb: missing: there is no such file\n");
 }
 
 TEST_CASE("what cannot be written is 6 with a message") {

@@ -185,6 +185,8 @@ TEST_CASE("a second checker has to accept what the first one accepts") {
   REQUIRE(silent.rejections.size() == 1);
   CHECK(silent.rejections.front().starts_with("certificates/A1.1.always.cert: not judged by "));
 
+  CHECK(folder.judge(checker(agrees + "echo \"undecided $1/u.cert\"\n" + summary + "exit 4\n")).proved);
+
   // What is no checker, or did not get to its end, is refused.
   for (const std::string& commands : {agrees, agrees + summary + "exit 2\n", agrees + summary + "kill -9 $$\n",
                                       "echo nonsense\n" + summary, "echo accepted A1.1.always\n" + summary}) {
