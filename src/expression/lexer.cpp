@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "input/look_alikes.hpp"
+#include "input/utf8.hpp"
+
 namespace slipproof {
 
 namespace {
@@ -53,6 +56,7 @@ void Lexer::advance() {
     length = 2;
   } else {
     token_.kind = one_character.find(rest[0]) == one_character.npos ? Token::Kind::unknown : Token::Kind::punctuation;
+    if (token_.kind == Token::Kind::unknown) length = std::max<std::size_t>(1, utf8_length(rest));
   }
   token_.text = rest.substr(0, length);
   position_ += length;
@@ -60,6 +64,7 @@ void Lexer::advance() {
 
 std::string describe(const Token& token) {
   if (token.kind == Token::Kind::end) return "the end";
+  if (const auto odd = first_odd_character(token.text)) return describe(*odd);
   const auto c = static_cast<unsigned char>(token.text.front());
   if (token.kind == Token::Kind::unknown && (c < 0x20 || c > 0x7e)) return "a byte of value " + std::to_string(c);
   constexpr std::size_t shown = 40;

@@ -14,7 +14,8 @@ struct Token {
   std::size_t column = 1;  ///< of its first byte, from 1
 };
 
-/// For a message: `b1`, the end, ...; bytes that are no printable ASCII are shown by their number.
+/// For a message: `b1`, the end, ...; a character beyond ASCII with what to write for
+/// it; bytes that are no character by their number.
 std::string describe(const Token& token);
 
 /// One token at a time. A number is as long as what could belong to one, so that `2b` is one (malformed) token.

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "input/look_alikes.hpp"
 #include "input/toml_guard.hpp"
 #include "input/utf8.hpp"
 #include "number/parse.hpp"
@@ -222,6 +223,12 @@ bool report_bare_number(const Source& source, std::size_t number, Mistakes& mist
   return true;
 }
 
+/// What to write in a bare key, which is ASCII.
+std::string written_in_ascii(std::string_view line) {
+  const auto odd = first_odd_character(line.substr(0, line.find_first_of("=\"'#")));
+  return odd ? ": found " + describe(*odd) : "";
+}
+
 }  // namespace
 
 std::optional<TomlValue> parse_toml(std::string_view text, Mistakes& mistakes) {
@@ -233,7 +240,7 @@ std::optional<TomlValue> parse_toml(std::string_view text, Mistakes& mistakes) {
     const toml::parse_error& error = result.error();
     const Place place = place_of(error.source().begin);
     if (!report_bare_number(source, place.line, mistakes)) {
-      mistakes.add(place, "not TOML: " + std::string(error.description()));
+      mistakes.add(place, "not TOML: " + std::string(error.description()) + written_in_ascii(source.line(place.line)));
     }
     return std::nullopt;
   }

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "expression/parser.hpp"
+#include "input/look_alikes.hpp"
 #include "input/near_match.hpp"
 #include "input/text_file.hpp"
 #include "mechanism/forms.hpp"
@@ -62,7 +63,8 @@ std::string Context::required(const TableReader& table, std::string_view key, st
 
 void Context::declare(const std::string& symbol, Place place) {
   if (!is_symbol_name(symbol)) {
-    mistakes.add(place, "found " + in_quotes(symbol) +
+    const auto odd = first_odd_character(symbol);
+    mistakes.add(place, "found " + in_quotes(symbol) + (odd ? " with " + describe(*odd) : "") +
                             ", expected a symbol: a letter, then letters, digits and underscores, and no word of the "
                             "language");
   } else if (std::find(symbols_.begin(), symbols_.end(), symbol) != symbols_.end()) {

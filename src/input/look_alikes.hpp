@@ -1,0 +1,25 @@
+// Characters that people write and that names and expressions do not know, and what to write instead: mu for a µ.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace slipproof {
+
+/// What the language has for a character beyond ASCII: `-` for U+2212, `mu` for U+00B5 and U+03BC; empty if nothing.
+std::string_view in_ascii(char32_t character);
+
+/// The first character of a text beyond ASCII and its code; nothing if there is none before the first malformed byte.
+struct OddCharacter {
+  std::size_t position;  ///< of its first byte
+  std::string_view bytes;
+  char32_t code;
+};
+std::optional<OddCharacter> first_odd_character(std::string_view text);
+
+/// "`µ` (U+00B5; write `mu`)"; of a character for which the language has nothing only its code, "U+202E".
+std::string describe(const OddCharacter& character);
+
+}  // namespace slipproof
