@@ -11,7 +11,10 @@ namespace {
 Linear scaled(const Linear& linear, const Expression& factor, bool factor_first) {
   const auto times = [&](const Expression& x) { return factor_first ? product_of(factor, x) : product_of(x, factor); };
   Linear result{times(linear.constant), {}};
-  for (const auto& [variable, coefficient] : linear.terms) result.terms.emplace(variable, times(coefficient));
+  for (const auto& [variable, coefficient] : linear.terms) {
+    const Expression product = times(coefficient);
+    if (!is_literal_zero(product)) result.terms.emplace(variable, product);
+  }
   return result;
 }
 

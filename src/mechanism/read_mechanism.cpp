@@ -161,6 +161,7 @@ Mechanism parse_mechanism(std::string_view text, const std::string& file) {
     read_root(TableReader(*document, "", mechanism_keys, mistakes), context);
     derive_forms(mechanism, mistakes);
     load_bounds(mechanism, mistakes);
+    if (mistakes.empty()) mechanism_reader::check_domain(context);
   }
   mistakes.refuse_if_any();
   return mechanism;

@@ -66,6 +66,9 @@ void check_uses(Context& context);
 /// What can be said only of the whole: accelerations that occur nowhere, the number of equations.
 void check_whole(Context& context);
 
+/// Conditions of the domain that exclude each other, as far as linear ones show it. Of what has no mistakes.
+void check_domain(Context& context);
+
 /// "rest", "slides+", "slides-", "open"; nothing, and a report "KEY: found ..." at the place, for anything else and for
 /// what the element cannot be.
 std::optional<ElementKind::Start> read_start(std::string_view text, std::string_view key, Place place,
