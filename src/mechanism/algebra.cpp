@@ -1,8 +1,10 @@
 #include "mechanism/algebra.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "expression/cases.hpp"
+#include "mechanism/mechanism.hpp"
 
 namespace slipproof {
 
@@ -89,6 +91,35 @@ Expression quotient_of(const Expression& x, const Expression& y) {
   if (is_literal(y, 1)) return x;
   if (is_negation(x)) return negative_of(quotient_of(x->operands[0], y));
   return make(Operation::divide, {x, y});
+}
+
+Expression derivative_of(const Expression& x, std::string_view symbol) {
+  const auto of = [&](std::size_t operand) { return derivative_of(x->operands[operand], symbol); };
+  switch (x->operation) {
+    case Operation::symbol:
+      return make_number(x->symbol == symbol ? 1 : 0);
+    case Operation::negate:
+      return negative_of(of(0));
+    case Operation::add:
+      return sum_of(of(0), of(1));
+    case Operation::subtract:
+      return difference_of(of(0), of(1));
+    case Operation::multiply:
+      return sum_of(product_of(of(0), x->operands[1]), product_of(x->operands[0], of(1)));
+    case Operation::power: {
+      const Expression& base = x->operands[0];
+      const Expression inner = of(0);
+      if (is_literal_zero(inner) || x->exponent == 0) return zero_literal();
+      const Expression lower = x->exponent == 2 ? base : make_power(base, x->exponent - 1, x->column);
+      return product_of(product_of(make_number(x->exponent), lower), inner);
+    }
+    default:
+      break;
+  }
+  const auto inside = symbols(x);
+  const bool depends = std::find(inside.begin(), inside.end(), symbol) != inside.end();
+  if (!depends) return zero_literal();
+  return x->operation == Operation::divide ? quotient_of(of(0), x->operands[1]) : x;
 }
 
 }  // namespace slipproof

@@ -13,5 +13,7 @@ Expression difference_of(const Expression& x, const Expression& y);
 Expression negative_of(const Expression& x);
 Expression product_of(const Expression& x, const Expression& y);
 Expression quotient_of(const Expression& x, const Expression& y);
+/// By a symbol that stands under no division and in no function; where it does, that part stands for its derivative.
+Expression derivative_of(const Expression& x, std::string_view symbol);
 
 }  // namespace slipproof

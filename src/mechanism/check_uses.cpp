@@ -11,6 +11,7 @@ namespace {
 using Kind = NameKind;
 constexpr NameKinds constants = Kind::parameter | Kind::angle;
 constexpr NameKinds derived = constants | Kind::definition;
+constexpr NameKinds velocities = derived | Kind::acceleration;
 constexpr NameKinds motion = derived | Kind::load | Kind::acceleration;
 constexpr NameKinds limit = derived | Kind::load | Kind::force | Kind::element_force;
 constexpr NameKinds applied = motion | Kind::force;
@@ -19,6 +20,7 @@ constexpr NameKinds anything = applied | Kind::element_force;
 std::string_view allowed_words(NameKinds allowed) {
   if (allowed == constants) return "parameters and angles";
   if (allowed == derived) return "parameters, angles and definitions";
+  if (allowed == velocities) return "accelerations and parameters";
   if (allowed == motion) return "accelerations, the load and parameters";
   if (allowed == limit) return "forces, the load and parameters";
   if (allowed == applied || allowed == anything) return "unknowns, the load and parameters";
@@ -59,6 +61,7 @@ class UseCheck {
       one(equation.left, equation.name, m.by_virtual_work ? applied : anything);
       one(equation.right, equation.name, m.by_virtual_work ? applied : anything);
     }
+    one(m.energy, "energy", velocities);
     for (MechanismShape& shape : m.shapes) {
       for (auto& point : shape.points) all(point, "points");
       one(shape.radius, "radius", derived);

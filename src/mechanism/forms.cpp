@@ -14,6 +14,22 @@ using mechanism_forms::Extraction;
 using mechanism_forms::Linear;
 using mechanism_forms::NotLinear;
 
+/// Whether it is 0 as it stands, over whatever it is divided by.
+bool vanishes(const Expression& x) {
+  switch (x->operation) {
+    case Operation::negate:
+    case Operation::divide:
+      return vanishes(x->operands[0]);
+    case Operation::add:
+    case Operation::subtract:
+      return vanishes(x->operands[0]) && vanishes(x->operands[1]);
+    case Operation::multiply:
+      return vanishes(x->operands[0]) || vanishes(x->operands[1]);
+    default:
+      return is_literal_zero(x);
+  }
+}
+
 /// The forms of one mechanism; what has mistakes keeps the form 0.
 class FormsOfMechanism {
  public:
@@ -34,6 +50,7 @@ class FormsOfMechanism {
     }
     for (MechanismLink& link : mechanism_.links) link.form = motion_form(link.zero, "zero");
     for (std::size_t i = 0; i < mechanism_.equations.size(); ++i) derive_equation(i);
+    derive_energy();
   }
 
  private:
@@ -86,6 +103,29 @@ class FormsOfMechanism {
     if (equation.contact_forces) {
       equation.form = combined(equation.form, extraction_.form(equation.contact_forces), difference_of);
     }
+  }
+
+  /// The derivatives of a quadratic form are linear without a constant.
+  void derive_energy() {
+    mechanism_.energy_slopes.clear();
+    const PlacedExpression& energy = mechanism_.energy;
+    if (!energy) return;
+    const auto refuse = [&](const Expression& where, const std::string& found) {
+      mistakes_.add(energy.place(where),
+                    "energy: " + found + ", expected a quadratic form such as \"m*(ax^2 + ay^2)/2\"");
+    };
+    for (std::size_t i = 0; i < mechanism_.accelerations; ++i) {
+      const std::string& velocity = mechanism_.unknowns[i].symbol;
+      try {
+        mechanism_.energy_slopes.push_back(extraction_.form(derivative_of(energy.expression, velocity)));
+      } catch (const NotLinear& error) {
+        return refuse(error.where, "not quadratic in " + velocity);
+      }
+      if (vanishes(mechanism_.energy_slopes.back().constant)) continue;
+      return refuse(energy.expression, "found a term that is linear in " + velocity);
+    }
+    const auto is_zero = [](const SymbolicForm& slope) { return std::ranges::all_of(slope.coefficients, vanishes); };
+    if (std::ranges::all_of(mechanism_.energy_slopes, is_zero)) refuse(energy.expression, "found no velocity");
   }
 
   template <class Combine>

@@ -152,6 +152,8 @@ struct Mechanism {
   std::vector<MechanismFriction> friction;
   std::vector<MechanismLink> links;
   std::vector<MechanismShape> shapes;
+  PlacedExpression energy;  ///< kinetic; accelerations' names stand for their velocities. Null: not given
+  std::vector<SymbolicForm> energy_slopes;  ///< its derivatives by each of them: rows of a symmetric matrix
 
   /// Contacts and friction elements: what has a state in a mode.
   std::size_t elements() const { return contacts.size() + friction.size(); }

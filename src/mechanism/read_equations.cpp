@@ -90,6 +90,10 @@ void read_equations(const TableReader& root, Context& context) {
     read_free_equations(*equations, context);
   }
   if (const TomlValue* units = root.table("units")) read_units(*units, context);
+  context.mechanism.energy = context.expression(root, "energy", Sort::number);
+  if (root.has("energy") && root.has("equations")) {
+    root.refuse("energy", "found together with [equations], whose rows may be any sums of others, expected [motion]");
+  }
 }
 
 }  // namespace slipproof::mechanism_reader

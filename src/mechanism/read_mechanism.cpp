@@ -128,10 +128,10 @@ namespace {
 using mechanism_reader::Context;
 
 constexpr std::string_view schema = "slipproof/mechanism/1";
-constexpr std::array<std::string_view, 19> mechanism_keys{
-    "schema",     "name",        "source",   "note", "reciprocal", "parameters", "assume",
-    "realisable", "definitions", "angles",   "load", "unknowns",   "units",      "motion",
-    "equations",  "contact",     "friction", "link", "shape"};
+constexpr std::array<std::string_view, 20> mechanism_keys{
+    "schema",     "name",        "source",  "note",     "reciprocal", "parameters", "assume",
+    "realisable", "definitions", "angles",  "load",     "unknowns",   "units",      "motion",
+    "equations",  "energy",      "contact", "friction", "link",       "shape"};
 
 void read_root(const TableReader& root, Context& context) {
   Mechanism& mechanism = context.mechanism;

@@ -58,7 +58,7 @@ bool within(std::size_t count, std::size_t limit, std::string_view key, Place pl
 void read_symbols(const TableReader& root, Context& context);
 /// [[contact]], [[friction]], [[link]], [[shape]]. After the symbols.
 void read_elements(const TableReader& root, Context& context);
-/// [motion] or [equations], [units]. After the elements.
+/// [motion] or [equations], [units], energy. After the elements.
 void read_equations(const TableReader& root, Context& context);
 /// Symbols that do not exist or must not be used where they are, and expressions too large to evaluate. Those become
 /// null. When everything is read.

@@ -19,6 +19,17 @@ Rational small_number(std::mt19937_64& random) {
   return pool[random() % pool.size()];
 }
 
+/// A small number; where several of them broke a condition, one near the ends of the conditions, or between two.
+Rational draw(const DomainSampler::Drawing& drawing, std::mt19937_64& random) {
+  constexpr int patience = 8;
+  Rational small = small_number(random);
+  if (drawing.roots->empty() || (drawing.attempt < patience && !drawing.fixed)) return small;
+  const std::vector<Rational>& roots = *drawing.roots;
+  if (drawing.fixed && drawing.attempt < patience) return roots.front();
+  const Rational &one = roots[random() % roots.size()], &other = roots[random() % roots.size()];
+  return one == other ? Rational(one + small) : Rational((one + other) / 2);
+}
+
 }  // namespace
 
 std::vector<MechanismValues> sample_values(const Mechanism& mechanism, const ProblemMaker& maker, std::size_t count,
@@ -28,24 +39,28 @@ std::vector<MechanismValues> sample_values(const Mechanism& mechanism, const Pro
   const std::vector<bool> given(mechanism.parameters.size(), true);
   std::vector<MechanismValues> result;
   for (std::size_t tries = 0; result.size() < count && tries < 20 * count; ++tries) {
-    auto values = sampler.sample(given, [&](const auto&) { return small_number(random); });
+    auto values = sampler.sample(given, [&](const auto& drawing) { return draw(drawing, random); });
     if (values) result.push_back(std::move(*values));
   }
   return result;
 }
 
-std::string values_text(const Mechanism& mechanism, const MechanismValues& values, std::size_t most) {
+std::string values_text(const Mechanism& mechanism, const MechanismValues& values, const ShownValues& shown) {
   std::string text;
-  for (std::size_t i = 0; i < values.parameters.size() && i < most; ++i) {
-    if (!values.given[i]) continue;
-    text += (text.empty() ? "" : ", ") + mechanism.parameters[i].symbol + " = " + exact_text(values.parameters[i]);
+  const auto add = [&](const std::string& value) { text += (text.empty() ? "" : ", ") + value; };
+  for (std::size_t i = 0; i < values.parameters.size(); ++i) {
+    if (shown.parameters[i]) add(mechanism.parameters[i].symbol + " = " + exact_text(values.parameters[i]));
   }
-  if (values.parameters.size() > most) text += ", ...";
   for (std::size_t i = 0; i < values.angles.size(); ++i) {
-    text += (text.empty() ? "" : ", ") + mechanism.angles[i].name + ": cos " + exact_text(values.angles[i].cosine) +
-            ", sin " + exact_text(values.angles[i].sine);
+    const MechanismValues::Circle& point = values.angles[i];
+    if (!shown.angles[i]) continue;
+    add(mechanism.angles[i].name + ": cos " + exact_text(point.cosine) + ", sin " + exact_text(point.sine));
   }
   return text;
+}
+
+std::string values_text(const Mechanism& mechanism, const MechanismValues& values) {
+  return values_text(mechanism, values, {values.given, std::vector<bool>(values.angles.size(), true)});
 }
 
 }  // namespace slipproof

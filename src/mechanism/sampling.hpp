@@ -13,7 +13,12 @@ namespace slipproof {
 std::vector<MechanismValues> sample_values(const Mechanism& mechanism, const ProblemMaker& maker, std::size_t count,
                                            std::uint64_t seed);
 
-/// `m = 1, b = 1/2, theta: cos 3/5, sin 4/5`: of the parameters that are given, at most the first ones.
-std::string values_text(const Mechanism& mechanism, const MechanismValues& values, std::size_t most = 8);
+/// Which values a text names.
+struct ShownValues {
+  std::vector<bool> parameters, angles;
+};
+/// `m = 1, b = 1/2, theta: cos 3/5, sin 4/5`; all that are given, if left out.
+std::string values_text(const Mechanism& mechanism, const MechanismValues& values, const ShownValues& shown);
+std::string values_text(const Mechanism& mechanism, const MechanismValues& values);
 
 }  // namespace slipproof

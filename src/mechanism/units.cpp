@@ -70,11 +70,16 @@ std::optional<Unit> Unit::power(int exponent) const {
   return raised == nullptr ? std::nullopt : std::optional(Unit(raised));
 }
 
-bool Unit::operator==(const Unit& other) const {
+bool Unit::same_dimension(const Unit& other) const {
   if (!unit_ || !other.unit_) return false;
   const Unit ratio = *this / other;
   const std::scoped_lock lock(library());
-  if (!ratio.unit_ || ut_is_dimensionless(of(ratio.unit_)) == 0) return false;
+  return ratio.unit_ && ut_is_dimensionless(of(ratio.unit_)) != 0;
+}
+
+bool Unit::operator==(const Unit& other) const {
+  if (!same_dimension(other)) return false;
+  const std::scoped_lock lock(library());
   cv_converter* const converter =
       ut_get_converter(static_cast<ut_unit*>(unit_.get()), static_cast<ut_unit*>(other.unit_.get()));
   if (converter == nullptr) return false;

@@ -21,6 +21,8 @@ class Unit {
   std::optional<Unit> power(int exponent) const;
   /// The same dimension and the same size: N and kg m/s^2, but not N and kN.
   bool operator==(const Unit& other) const;
+  /// The same dimension: N and kN.
+  bool same_dimension(const Unit& other) const;
   /// In base units, `m.kg.s-2`; 1 for a number.
   std::string text() const;
 

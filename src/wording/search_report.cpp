@@ -129,7 +129,7 @@ class SearchText {
   }
 
   std::string place_text(const SearchPlace& place) const {
-    std::string text = values_text(mechanism_, place.values, place.values.parameters.size());
+    std::string text = values_text(mechanism_, place.values);
     if (place.load) text += ", " + mechanism_.load->symbol + " = " + exact_text(*place.load);
     return text;
   }

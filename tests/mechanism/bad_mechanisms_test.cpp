@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bad-input/table.hpp"
+#include "mechanism/checks.hpp"
 #include "mechanism/read_mechanism.hpp"
 #include "mechanism/scene.hpp"
 #include "mechanism/shipped.hpp"
@@ -60,6 +61,19 @@ void read_good_scene(const std::string& text) {
 TEST_CASE("every malformed mechanism gets its messages") {
   check_table("bad_mechanisms.toml", 60, [](const std::string& text) { parse_mechanism(text, "bad.toml"); });
   CHECK_NOTHROW(parse_mechanism(good_text("bad_mechanisms.toml"), "good.toml"));
+}
+
+TEST_CASE("every suspicious mechanism gets its warnings") {
+  const auto warn = [](const std::string& text) {
+    const Mechanism m = parse_mechanism(text, "suspicious.toml");
+    std::vector<Diagnostic> warnings;
+    for (const MechanismFinding& finding : check_mechanism(m)) {
+      if (finding.checkable) warnings.push_back({m.file, finding.place.line, finding.place.column, finding.message});
+    }
+    if (!warnings.empty()) throw InputError(warnings);
+  };
+  check_table("suspicious_mechanisms.toml", 40, warn);
+  CHECK_NOTHROW(warn(good_text("suspicious_mechanisms.toml")));
 }
 
 TEST_CASE("every malformed scene of a mechanism gets its messages") {

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 
@@ -90,7 +91,7 @@ TEST_CASE("every shipped mechanism is found by name, has a scene, and is shown i
     const MechanismScene scene = read_mechanism_scene(mechanisms / "scenes" / (stem + ".toml"));
     CHECK(scene.mechanism.name == m.name);
     const auto findings = check_mechanism(m);
-    CHECK(findings.empty());
+    CHECK(std::ranges::none_of(findings, &MechanismFinding::checkable));
     const std::string text = show_text(m, findings);
     for (std::size_t start = 0; start < text.size();) {
       const std::size_t end = text.find('\n', start);
