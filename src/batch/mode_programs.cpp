@@ -135,6 +135,7 @@ class ProgramMaker {
   ProgramMaker(const Mechanism& mechanism, const std::vector<bool>& given)
       : mechanism_(mechanism),
         compiled_(mechanism),
+        result_(mechanism),
         tape_(input_signs(mechanism), circles(mechanism)),
         at_(compiled_.scope(), TapeField{&tape_, &result_.divisors}) {
     result_.given = given;
@@ -282,20 +283,18 @@ class ProgramMaker {
   }
 
   void add_scales() {
-    std::vector<TapeForm> rows = problem_.equations;
-    for (const auto& element : problem_.elements) {
-      if (element.kind.law != ElementKind::Law::limited) rows.push_back(element.normal);
-      if (element.kind.law != ElementKind::Law::frictionless) rows.push_back(element.tangent);
-    }
-    for (std::size_t i = 0; i < mechanism_.equations.size(); ++i) {
-      result_.applied.push_back(problem_.equations[i].constant);
-    }
-    const TapeSolution solution(tape_, std::move(rows), problem_.unknowns);
-    if (!solution.residuals().empty() || solution.free() > 0) return;
-    result_.loose_pivots = solution.pivots();
-    for (std::size_t i = 0; i < mechanism_.accelerations; ++i) {
-      result_.loose.push_back(solution.on(problem_.accelerations[i]).constant);
-    }
+    const MechanismKinds& kinds = result_.kinds;
+    const auto line = [&](std::size_t index) -> const TapeForm& {
+      return MechanismKinds::line(problem_, kinds.unknown_accelerations, index);
+    };
+    const auto coefficients_of = [&](const MechanismKinds::Quotient& quotient) {
+      std::vector<TapeRef> refs;
+      for (const auto& [index, unknown] : quotient.places) refs.push_back(line(index).coefficients[unknown]);
+      return refs;
+    };
+    for (std::size_t i = 0; i < kinds.lines.size(); ++i) result_.line_constants.push_back(line(i).constant);
+    for (const auto& inertia : kinds.inertias) result_.inertias.push_back(coefficients_of(inertia));
+    for (const auto& lever : kinds.levers) result_.levers.push_back(coefficients_of(lever));
   }
 
   const Mechanism& mechanism_;

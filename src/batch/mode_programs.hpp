@@ -8,6 +8,7 @@
 
 #include "batch/tape_form.hpp"
 #include "expression/evaluate.hpp"
+#include "mechanism/kinds.hpp"
 #include "mechanism/mechanism.hpp"
 
 namespace slipproof {
@@ -39,14 +40,18 @@ struct TruthProgram {
 };
 
 struct ModePrograms {
-  std::vector<MechanismMode> modes;          ///< in the order of enumeration: the last element fastest
-  std::vector<ModeProgram> programs;         ///< one for each
-  std::vector<TruthProgram> domain;          ///< parameters, angles, [assume]; all must hold
-  std::vector<TruthProgram> loads;           ///< the load's domain
-  std::vector<TapeRef> divisors;             ///< of the file's expressions: where one is 0 something has no value
-  std::vector<TapeRef> loose, loose_pivots;  ///< unknown accelerations without forces of contacts and friction elements
-  std::vector<TapeRef> applied;              ///< what the equations have without accelerations and forces
-  std::vector<bool> given;                   ///< parameters that have a value
+  explicit ModePrograms(const Mechanism& mechanism) : kinds(mechanism) {}
+
+  std::vector<MechanismMode> modes;   ///< in the order of enumeration: the last element fastest
+  std::vector<ModeProgram> programs;  ///< one for each
+  std::vector<TruthProgram> domain;   ///< parameters, angles, [assume]; all must hold
+  std::vector<TruthProgram> loads;    ///< the load's domain
+  std::vector<TapeRef> divisors;      ///< of the file's expressions: where one is 0 something has no value
+  std::vector<bool> given;            ///< parameters that have a value
+  MechanismKinds kinds;
+  std::vector<TapeRef> line_constants;  ///< of each line of the kinds
+  /// Of each of the kinds' inertias and levers the coefficients, by what they are divided.
+  std::vector<std::vector<TapeRef>> inertias, levers;
   std::size_t parameters = 0, angles = 0;
 
   std::vector<TapeNode> nodes;

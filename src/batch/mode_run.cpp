@@ -184,9 +184,10 @@ ModeCode::ModeCode(ModePrograms programs) : programs_(std::move(programs)), plac
     std::vector<bool> known = done;  // no other mode's numbers may have been computed
     return code_for(wanted, known);
   };
-  std::vector<TapeRef> scales = programs_.loose;
-  scales.insert(scales.end(), programs_.loose_pivots.begin(), programs_.loose_pivots.end());
-  scales.insert(scales.end(), programs_.applied.begin(), programs_.applied.end());
+  std::vector<TapeRef> scales = programs_.line_constants;
+  for (const auto* divisors : {&programs_.inertias, &programs_.levers}) {
+    for (const auto& refs : *divisors) scales.insert(scales.end(), refs.begin(), refs.end());
+  }
   scales_ = beyond(scales);
   for (const ModeProgram& program : programs_.programs) {
     std::vector<TapeRef> wanted;

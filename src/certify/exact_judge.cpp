@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "certify/mechanism_exact.hpp"
+#include "modes/bicycle_motions.hpp"
 #include "modes/motions.hpp"
 #include "number/binary64.hpp"
 #include "number/format.hpp"
@@ -13,79 +15,51 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A motion to hold the answer against: a motion of the scene, or the nearest one of a continuum.
-struct Candidate {
-  std::vector<ContactMode> modes;
-  Motion<Rational> values;
+/// Bicycles as records of the mechanism of their file.
+struct BicycleAsMechanism {
+  CertifiedMechanism certified{bicycle_mechanism()};
+  MechanismFields fields{certified.mechanism};
+  ProblemMaker maker{certified.mechanism};
+  MechanismKinds kinds{certified.mechanism};
+  std::array<std::size_t, answer_count> answers{};  ///< fields
+
+  BicycleAsMechanism() {
+    for (std::size_t i = 0; i < answer_count; ++i) answers[i] = *fields.find(name(answer_quantities[i]));
+  }
+  MechanismSetting setting() const { return {certified, fields, maker, kinds}; }
 };
 
-class Answer {
- public:
-  Answer(const Record& r, const ForcedScene<Rational>& s) : record_(r), g_(s.road.g), R_(s.bicycle.R) {
-    weight_ = s.bicycle.M * g_;
+const BicycleAsMechanism& as_mechanism() {
+  static const BicycleAsMechanism all;
+  return all;
+}
+
+MechanismRecord answer_of(const Record& record) {
+  const BicycleAsMechanism& bicycle = as_mechanism();
+  MechanismRecord result;
+  result.clear(bicycle.fields.size());
+  for (std::size_t i = 0; i < answer_count; ++i) {
+    const auto field = static_cast<Field>(parameter_count + i);
+    if (record.has(field)) result.set(bicycle.answers[i], record.exactly(field));
   }
+  if (record.mode) result.mode = bicycle.fields.find_mode(name(*record.mode));
+  return result;
+}
 
-  bool has(Quantity q) const { return field(q) && record_.has(*field(q)); }
-  Rational operator[](Quantity q) const { return record_.exactly(*field(q)); }
+MechanismVerdict judge_as_mechanism(const Record& record, const ForcedScene<Rational>& s, const JudgeOptions& options) {
+  const FrictionProblem problem = as_mechanism().maker.problem(bicycle_values(s.bicycle, s.road, s.force_kind));
+  return judge_at(as_mechanism().setting(), answer_of(record), problem, s.F, options);
+}
 
-  Distance to(const Motion<Rational>& m) const {
-    Rational force = weight_, acceleration = g_;
-    for (std::size_t i = 0; i < answer_count; ++i) {
-      const Rational size = abs(m[answer_quantities[i]]);
-      if (i >= 5) {
-        force = std::max(force, size);
-      } else {
-        acceleration = std::max(acceleration, i < 2 ? size : Rational(size * R_));
-      }
-    }
-    Distance d{0, 0};
-    for (std::size_t i = 0; i < answer_count; ++i) {
-      const Quantity q = answer_quantities[i];
-      if (!has(q)) continue;
-      const Rational distance = abs((*this)[q] - m[q]);
-      const Rational unit = i >= 5 ? weight_ : i < 2 ? g_ : Rational(g_ / R_);
-      const Rational scale = i >= 5 ? force : i < 2 ? acceleration : Rational(acceleration / R_);
-      d.relative = std::max(d.relative, Rational(distance / (m[q].is_zero() ? unit : Rational(abs(m[q])))));
-      d.scaled = std::max(d.scaled, Rational(distance / scale));
-    }
-    return d;
-  }
-
-  /// The mode that the answer looks like, where the solver does not name one.
-  ContactMode mode(const Rational& f) const {
-    const auto state = [&](Quantity normal, Quantity tangential) {
-      const Rational N = (*this)[normal], S = (*this)[tangential], limit = f * N;
-      if (N.is_zero() && S.is_zero()) return ContactState::lift;
-      if (abs(S) < limit * Rational(999999, 1000000)) return ContactState::stick;
-      return sign(S) < 0 ? ContactState::slip_forward : ContactState::slip_backward;
-    };
-    return {state(Quantity::N2, Quantity::S2), state(Quantity::N3, Quantity::S3)};
-  }
-
- private:
-  static std::optional<Field> field(Quantity q) {
-    const auto it = std::find(answer_quantities.begin(), answer_quantities.end(), q);
-    if (it == answer_quantities.end()) return std::nullopt;
-    return static_cast<Field>(parameter_count + static_cast<std::size_t>(it - answer_quantities.begin()));
-  }
-
-  const Record& record_;
-  Rational g_, R_, weight_;
-};
-
-/// The member of a continuum whose free parameters are the answer's, as far as their ranges allow.
-Motion<Rational> nearest_member(const FoundContinuum& c, const Answer& answer, const Rational& F) {
-  Motion<Rational> m;
-  for (const Quantity q : all_quantities()) m[q] = c.continuum->base[q].at(F);
-  for (std::size_t k = 0; k < c.parameters.size(); ++k) {
-    const ForceInterval& range = c.parameters[k];
-    const Quantity parameter = c.continuum->parameters[k];
-    Rational t = answer.has(parameter) ? answer[parameter] : range.sample();
-    if (range.lower() && t < *range.lower()) t = *range.lower();
-    if (range.upper() && t > *range.upper()) t = *range.upper();
-    for (const Quantity q : all_quantities()) m[q] += t * c.continuum->directions[k][q];
-  }
-  return m;
+/// The mode that the answer looks like, where the solver does not name one.
+ContactMode looks_like(const Record& record, const Rational& f) {
+  const auto state = [&](Field normal, Field tangential) {
+    const Rational N = record.exactly(normal), S = record.exactly(tangential), limit = f * N;
+    if (N.is_zero() && S.is_zero()) return ContactState::lift;
+    if (abs(S) < limit * Rational(999999, 1000000)) return ContactState::stick;
+    return sign(S) < 0 ? ContactState::slip_forward : ContactState::slip_backward;
+  };
+  return {state(Field::N2, Field::S2), state(Field::N3, Field::S3)};
 }
 
 Json modes_json(const std::vector<ContactMode>& modes) {
@@ -104,9 +78,9 @@ Json motions_json(const MotionsAtForce& found) {
   return motions;
 }
 
-std::uint16_t mode_bits(const std::vector<ContactMode>& modes) {
+std::uint16_t mode_bits(const std::vector<MechanismMode>& modes) {
   unsigned bits = 0;
-  for (const ContactMode mode : modes) bits |= 1U << mode.index();
+  for (const MechanismMode& mode : modes) bits |= 1U << contact_mode(mode)->index();
   return static_cast<std::uint16_t>(bits);
 }
 
@@ -180,44 +154,31 @@ std::string too_much_work(Work needed, Work effort) {
 RecordJudgement judge_exactly(const Record& record, const JudgeOptions& options) {
   if (const Work needed = work_of(record); needed > options.effort) return undecided_judgement(needed, options.effort);
   const ForcedScene<Rational> s = exact_scene(record);
-  const ModeTable table(s.bicycle, s.road, s.force_kind);
-  const MotionsAtForce found = motions_at(table, s.F);
-  const Answer answer(record, s);
-
-  std::vector<Candidate> candidates;
-  for (const auto& motion : found.motions) candidates.push_back({motion.modes, motion.values});
-  for (const auto& c : found.continua) {
-    candidates.push_back({{c.continuum->mode}, nearest_member(c, answer, s.F)});
+  MechanismVerdict judged;
+  try {
+    judged = judge_as_mechanism(record, s, options);
+  } catch (const TooMuchWork&) {
+    return undecided_judgement(endless, options.effort);
   }
-  const Candidate* best = nullptr;
-  Distance distance;
-  for (const Candidate& c : candidates) {
-    if (record.mode && std::find(c.modes.begin(), c.modes.end(), *record.mode) == c.modes.end()) continue;
-    const Distance d = answer.to(c.values);
-    if (best != nullptr && d.scaled >= distance.scaled) continue;
-    best = &c;
-    distance = d;
-  }
-
   RecordJudgement result;
-  result.motions = found.motions.size();
-  result.continuum = !found.continua.empty();
-  const bool several = result.motions > 1 || result.continuum;
-  Json details = Json::object();
-  if (best == nullptr || distance.scaled > to_rational(options.near)) {
-    result.verdict = RecordVerdict::wrong;
-    explain(details, found, table, record.mode ? *record.mode : answer.mode(s.road.f), record.mode.has_value());
-  } else {
-    result.modes = mode_bits(best->modes);
-    result.max_error = enclose(distance.relative).upper;
-    const bool accurate = distance.relative <= to_rational(options.tolerance);
-    result.verdict = !accurate ? RecordVerdict::inaccurate
-                     : several ? RecordVerdict::ambiguous
-                               : RecordVerdict::certified;
+  result.verdict = judged.verdict;
+  result.motions = judged.found.motions.size();
+  result.continuum = !judged.found.continua.empty();
+  if (result.verdict != RecordVerdict::wrong) {
+    const MotionAtLoad* motion = motion_with(judged.found, judged.nearest);
+    result.modes = mode_bits(motion == nullptr ? std::vector<MechanismMode>{judged.nearest} : motion->all_modes());
+    result.max_error = enclose(judged.distance.relative).upper;
   }
+  Json details = Json::object();
   if (result.verdict != RecordVerdict::certified) {
+    const ModeTable table(s.bicycle, s.road, s.force_kind);
+    const MotionsAtForce found = motions_at(table, s.F);
+    if (result.verdict == RecordVerdict::wrong) {
+      explain(details, found, table, record.mode ? *record.mode : looks_like(record, s.road.f),
+              record.mode.has_value());
+    }
     details["found"] = motions_json(found);
-    if (result.continuum) {
+    if (!found.continua.empty()) {
       Json continua = Json::array();
       for (const auto& c : found.continua) continua.push_back(name(c.continuum->mode));
       details["continua"] = std::move(continua);

@@ -24,7 +24,8 @@ Verified verify_answer(const ReducedDynamics<N, N>& dynamics, const Record& r, c
   const ContactMode mode = all_modes()[static_cast<std::size_t>(std::countr_zero(sets.consistent))];
   if (r.mode && *r.mode != mode) return {};
   return {sets.consistent, largest_error<double>(
-                               dynamics, mode, r.present, [&](Field f) { return r[f]; }, s.bicycle.M * s.road.g)};
+                               dynamics, mode, r.present, [&](Field f) { return r[f]; },
+                               zero_scales<double>(s, [](double x) { return x; }))};
 }
 
 Verified verify_by_filter(const Record& r, const ForcedScene<double>& s) {

@@ -21,11 +21,10 @@ inline constexpr std::size_t record_verdict_count = 6;
 std::string_view name(RecordVerdict verdict);
 
 struct JudgeOptions {
-  /// Largest relative error of a component. A component that is exactly 0 is held against M g (forces), g
-  /// (accelerations) or g / R (angular accelerations) instead of against itself.
+  /// Largest relative error of a component, as contact/yardstick.hpp defines it.
   double tolerance = 1e-9;
-  /// An answer of which each component is within this of a motion's, relative to the largest component of its kind (M g
-  /// and g included), is that motion, computed badly; beyond it the answer is wrong.
+  /// An answer of which each component is within this of a motion's, relative to the yardstick of its kind where that
+  /// is larger, is that motion, computed badly; beyond it the answer is wrong.
   double near = 1e-2;
   /// What one record may take; beyond it the verdict is undecided.
   Work effort = ContactSolver::usual_effort;

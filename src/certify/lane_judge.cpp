@@ -28,13 +28,8 @@ struct BoundErrors {
       const auto at = [lane](const LaneNumbers& numbers) { return load<V>(&numbers.of[lane]); };
       const auto s = convert<LaneNumbers, N>(scenes, [&](const LaneNumbers& numbers) { return N::input(at(numbers)); });
       const auto dynamics = reduce<N, N>(s.bicycle, s.road, s.force_kind, s.F, N(1));
-      const auto number = [&](Field f) {
-        return f == Field::g   ? at(scenes.road.g)
-               : f == Field::R ? at(scenes.bicycle.R)
-                               : at(answers[index(f) - parameter_count]);
-      };
-      const V weight = at(scenes.bicycle.M) * at(scenes.road.g);
-      const V error = largest_error<V>(dynamics, mode, present, number, weight);
+      const auto number = [&](Field f) { return at(answers[index(f) - parameter_count]); };
+      const V error = largest_error<V>(dynamics, mode, present, number, zero_scales<V>(scenes, at));
       std::memcpy(&errors.of[lane], &error, sizeof error);
     }
   }

@@ -25,7 +25,7 @@ struct RecordPoint {
 };
 
 RecordPoint point_of(const MechanismSetting& setting, const MechanismRecord& record) {
-  const auto& [certified, fields, maker] = setting;
+  const auto& [certified, fields, maker, kinds] = setting;
   RecordPoint point{certified.values, certified.load, {}};
   for (std::size_t i = 0; i < fields.parameters(); ++i) {
     if (!record.present[i]) continue;
@@ -89,106 +89,6 @@ Work work_of(const MechanismSetting& setting, const RecordPoint& point) {
   const Work unknowns = mechanism.unknowns.size();
   return times(times(modes, unknowns * unknowns), product_work(degree * bits));
 }
-
-/// What an answer is held against: a solution of one mode, as near to the answer as what it leaves free allows.
-struct NearestSolution {
-  std::vector<std::optional<Rational>> values;  ///< of each answer field that the record has
-  std::vector<bool> open;                       ///< whether the mode leaves it open
-};
-
-class RecordAnswer {
- public:
-  RecordAnswer(const MechanismSetting& setting, const MechanismRecord& record, const FrictionProblem& problem,
-               const std::optional<Rational>& load)
-      : setting_(setting), record_(record), problem_(problem) {
-    find_scales(load);
-  }
-
-  /// The answers that vary are taken over one by one, as far as their ranges allow.
-  NearestSolution nearest(const ConsistentMode& mode) const {
-    Polyhedron solutions = mode.solutions;
-    const std::size_t answers = setting_.fields.answers();
-    NearestSolution result{std::vector<std::optional<Rational>>(answers), std::vector<bool>(answers, false)};
-    for (std::size_t i = 0; i < answers; ++i) {
-      if (!has(i)) continue;
-      result.open[i] = !is_free_of_unknowns(mode.solutions.space.on(form(i)));
-      const Range range = ranges(solutions, {form(i)}).front();
-      Rational value = answer(i);
-      if (range.lower && value < *range.lower) value = *range.lower;
-      if (range.upper && value > *range.upper) value = *range.upper;
-      if (!range.is_point()) {
-        AffineForm taken = form(i);
-        taken.constant -= value;
-        solutions = *with(solutions, {taken});
-      }
-      result.values[i] = std::move(value);
-    }
-    return result;
-  }
-
-  /// `worst` is the field with the largest relative error.
-  Distance to(const NearestSolution& solution, std::size_t& worst) const {
-    std::array<Rational, 2> largest;
-    for (std::size_t i = 0; i < solution.values.size(); ++i) {
-      if (solution.values[i]) largest[kind(i)] = std::max(largest[kind(i)], Rational(abs(*solution.values[i])));
-    }
-    Distance d{0, 0};
-    for (std::size_t i = 0; i < solution.values.size(); ++i) {
-      if (!solution.values[i]) continue;
-      const Rational& value = *solution.values[i];
-      const Rational& scale = scales_[kind(i)];
-      const Rational unit = !scale.is_zero() ? scale : !largest[kind(i)].is_zero() ? largest[kind(i)] : Rational(1);
-      const Rational distance = abs(answer(i) - value);
-      Rational size = value.is_zero() ? unit : Rational(abs(value));
-      if (solution.open[i]) size = std::max(size, unit);  // the answer's errors are in it, of all sizes
-      const Rational relative = distance / size;
-      if (relative > d.relative) worst = i;
-      d.relative = std::max(d.relative, relative);
-      d.scaled = std::max(d.scaled, Rational(distance / std::max(unit, largest[kind(i)])));
-    }
-    return d;
-  }
-
- private:
-  bool has(std::size_t i) const { return record_.present[setting_.fields.first_answer() + i]; }
-  Rational answer(std::size_t i) const { return record_.exactly(setting_.fields.first_answer() + i); }
-  std::size_t kind(std::size_t i) const { return i < setting_.fields.accelerations() ? 0 : 1; }
-  const AffineForm& form(std::size_t i) const {
-    const std::size_t accelerations = setting_.fields.accelerations();
-    return i < accelerations ? problem_.accelerations[i] : problem_.forces[i - accelerations];
-  }
-
-  void find_scales(const std::optional<Rational>& load) {
-    AffineSpace space(problem_.unknowns, problem_.has_load);
-    bool solvable = !load || space.require(load_minus(*load, problem_.unknowns));
-    const std::size_t own = setting_.certified.mechanism.equations.size();
-    for (std::size_t i = 0; i < problem_.equations.size(); ++i) {
-      const AffineForm& equation = problem_.equations[i];
-      Rational applied = equation.constant;
-      if (load) applied += equation.coefficients.back() * *load;
-      if (i < own) scales_[1] = std::max(scales_[1], Rational(abs(applied)));
-      solvable = solvable && space.require(equation);
-    }
-    for (const ProblemElement& element : problem_.elements) {
-      for (const AffineForm* force : {&element.normal, &element.tangent}) {
-        if (!force->coefficients.empty()) solvable = solvable && space.require(*force);
-      }
-    }
-    if (!solvable) return;
-    Rational largest = 0;
-    for (std::size_t i = 0; i < setting_.certified.mechanism.accelerations; ++i) {
-      const AffineForm value = space.on(problem_.accelerations[i]);
-      if (!is_constant(value)) return;
-      largest = std::max(largest, Rational(abs(value.constant)));
-    }
-    scales_[0] = largest;
-  }
-
-  const MechanismSetting& setting_;
-  const MechanismRecord& record_;
-  const FrictionProblem& problem_;
-  std::array<Rational, 2> scales_;  ///< of accelerations, of forces; 0: there is none
-};
 
 Json names_of(const std::vector<MechanismMode>& modes) {
   Json names = Json::array();
@@ -299,7 +199,47 @@ std::string inner_text(const Json& json) {
   return text.substr(1, text.size() - 2);
 }
 
-/// The motion to which a mode belongs; null for one of a continuum.
+RecordJudgement judge_point(const MechanismSetting& setting, const MechanismRecord& record, const RecordPoint& point,
+                            const FrictionProblem& problem, const JudgeOptions& options) {
+  const MechanismVerdict judged = judge_at(setting, record, problem, point.load, options);
+  const MotionsAtLoad& found = judged.found;
+  RecordJudgement result;
+  result.verdict = judged.verdict;
+  result.motions = found.motions.size();
+  result.continuum = !found.continua.empty();
+  Json details = Json::object();
+  const FrictionProblem solved = without_equations(problem);
+  const Explanation explanation(setting, solved, found, point.load);
+  if (result.verdict == RecordVerdict::wrong) {
+    if (record.mode != nullptr) {
+      explanation.add_claimed(details, *record.mode, point.values);
+    } else {
+      details["reason"] = judged.nearest.empty() ? "there is no motion" : "no motion is near";
+    }
+  } else {
+    const MotionAtLoad* motion = motion_with(found, judged.nearest);
+    result.mode_names = inner_text(motion == nullptr  ? names_of({judged.nearest})
+                                   : motion->strict() ? names_of(motion->modes)
+                                                      : names_of(motion->boundary_modes));
+    result.max_error = enclose(judged.distance.relative).upper;
+    if (result.verdict == RecordVerdict::inaccurate) {
+      details["worst"] = setting.fields.name(setting.fields.first_answer() + judged.worst);
+    }
+  }
+  if (result.verdict != RecordVerdict::certified) explanation.add_motions(details);
+  if (!details.empty()) result.details = "," + inner_text(details);
+  return result;
+}
+
+RecordJudgement undecided_record(Work needed, const JudgeOptions& options) {
+  RecordJudgement result;
+  result.verdict = RecordVerdict::undecided;
+  result.details = "," + inner_text(Json{{"reason", too_much_work(needed, options.effort)}});
+  return result;
+}
+
+}  // namespace
+
 const MotionAtLoad* motion_with(const MotionsAtLoad& found, const MechanismMode& mode) {
   for (const MotionAtLoad& motion : found.motions) {
     for (const auto* modes : {&motion.modes, &motion.boundary_modes}) {
@@ -309,57 +249,30 @@ const MotionAtLoad* motion_with(const MotionsAtLoad& found, const MechanismMode&
   return nullptr;
 }
 
-RecordJudgement judge_point(const MechanismSetting& setting, const MechanismRecord& record, const RecordPoint& point,
-                            const FrictionProblem& problem, const JudgeOptions& options) {
-  const FrictionProblem solved = without_equations(problem);
-  const MotionsAtLoad found = motions_of(solved, point.load);
-  const RecordAnswer answer(setting, record, problem, point.load);
-  const MechanismMode* nearest = nullptr;
-  Distance distance;
-  std::size_t worst = 0;
-  const std::vector<ConsistentMode> modes = ModeSolver(problem, point.load).consistent();
-  for (const ConsistentMode& mode : modes) {
+MechanismVerdict judge_at(const MechanismSetting& setting, const MechanismRecord& record,
+                          const FrictionProblem& problem, const std::optional<Rational>& load,
+                          const JudgeOptions& options) {
+  MechanismVerdict result;
+  result.found = motions_of(without_equations(problem), load);
+  const MechanismAnswer answer(setting, record, problem, load);
+  const Rational tolerance = to_rational(options.tolerance);
+  Effort effort(options.effort);
+  for (const ConsistentMode& mode : ModeSolver(problem, load).consistent()) {
     if (record.mode != nullptr && mode.mode != *record.mode) continue;
-    std::size_t off = 0;
-    const Distance d = answer.to(answer.nearest(mode), off);
-    if (nearest != nullptr && d.scaled >= distance.scaled) continue;
-    nearest = &mode.mode;
-    distance = d;
-    worst = off;
+    std::size_t worst = 0;
+    Distance distance = answer.distance(mode, effort, worst);
+    if (!result.nearest.empty() && !is_nearer(distance, result.distance, tolerance)) continue;
+    result.nearest = mode.mode;
+    result.distance = std::move(distance);
+    result.worst = worst;
   }
-
-  RecordJudgement result;
-  result.motions = found.motions.size();
-  result.continuum = !found.continua.empty();
-  Json details = Json::object();
-  const Explanation explanation(setting, solved, found, point.load);
-  if (nearest == nullptr || distance.scaled > to_rational(options.near)) {
-    result.verdict = RecordVerdict::wrong;
-    if (record.mode != nullptr) {
-      explanation.add_claimed(details, *record.mode, point.values);
-    } else {
-      details["reason"] = nearest == nullptr ? "there is no motion" : "no motion is near";
-    }
-  } else {
-    const MotionAtLoad* motion = motion_with(found, *nearest);
-    result.mode_names = inner_text(motion == nullptr  ? names_of({*nearest})
-                                   : motion->strict() ? names_of(motion->modes)
-                                                      : names_of(motion->boundary_modes));
-    result.max_error = enclose(distance.relative).upper;
-    const bool several = result.motions > 1 || result.continuum;
-    result.verdict = distance.relative > to_rational(options.tolerance) ? RecordVerdict::inaccurate
-                     : several                                          ? RecordVerdict::ambiguous
-                                                                        : RecordVerdict::certified;
-    if (result.verdict == RecordVerdict::inaccurate) {
-      details["worst"] = setting.fields.name(setting.fields.first_answer() + worst);
-    }
-  }
-  if (result.verdict != RecordVerdict::certified) explanation.add_motions(details);
-  if (!details.empty()) result.details = "," + inner_text(details);
+  if (result.nearest.empty() || result.distance.scaled > to_rational(options.near)) return result;
+  const bool several = result.found.motions.size() > 1 || !result.found.continua.empty();
+  result.verdict = result.distance.relative > tolerance ? RecordVerdict::inaccurate
+                   : several                            ? RecordVerdict::ambiguous
+                                                        : RecordVerdict::certified;
   return result;
 }
-
-}  // namespace
 
 bool is_given(const MechanismSetting& setting, const MechanismRecord& record, std::size_t parameter) {
   return record.present[parameter] || setting.certified.values.given[parameter];
@@ -370,16 +283,13 @@ RecordJudgement judge_exactly(const MechanismSetting& setting, const MechanismRe
   const RecordPoint point = point_of(setting, record);
   if (!point.mistake.empty()) return invalid_judgement(point.mistake);
   if (const std::string reason = outside_domain(setting, point); !reason.empty()) return invalid_judgement(reason);
-  if (const Work needed = work_of(setting, point); needed > options.effort) {
-    RecordJudgement result;
-    result.verdict = RecordVerdict::undecided;
-    result.details = "," + inner_text(Json{{"reason", too_much_work(needed, options.effort)}});
-    return result;
-  }
+  if (const Work needed = work_of(setting, point); needed > options.effort) return undecided_record(needed, options);
   try {
     return judge_point(setting, record, point, setting.maker.problem(point.values), options);
   } catch (const NoValue& error) {
     return invalid_judgement(error.what());
+  } catch (const TooMuchWork&) {
+    return undecided_record(endless, options);
   }
 }
 

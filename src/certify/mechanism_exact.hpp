@@ -2,26 +2,33 @@
 #pragma once
 
 #include "certify/judge.hpp"
-#include "certify/mechanism_record.hpp"
+#include "certify/mechanism_answer.hpp"
+#include "motions/motions_of.hpp"
 
 namespace slipproof {
 
-/// What is judged, ready for many records; shared by threads.
-struct MechanismSetting {
-  const CertifiedMechanism& certified;
-  const MechanismFields& fields;
-  const ProblemMaker& maker;
+/// What an answer is, as one point of a mechanism has motions.
+struct MechanismVerdict {
+  MotionsAtLoad found;
+  MechanismMode nearest;  ///< the mode with the solution nearest to the answer; empty: none that the record claims
+  Distance distance;      ///< to it
+  std::size_t worst = 0;  ///< the answer's component with the largest relative error
+  RecordVerdict verdict = RecordVerdict::wrong;
 };
+
+/// The verdict that every way to judge a mechanism's answer gives, that of bicycles too. Throws TooMuchWork.
+MechanismVerdict judge_at(const MechanismSetting& setting, const MechanismRecord& record,
+                          const FrictionProblem& problem, const std::optional<Rational>& load,
+                          const JudgeOptions& options);
+
+/// The motion to which a mode belongs; null for one of a continuum.
+const MotionAtLoad* motion_with(const MotionsAtLoad& found, const MechanismMode& mode);
 
 /// A number of a record or, where that has none, of what is the same for all.
 bool is_given(const MechanismSetting& setting, const MechanismRecord& record, std::size_t parameter);
 
-/// Verdicts as for a bicycle; a record outside the domain is invalid. Undetermined forces are held against the solution
-/// that has the answer's own, one after the other as far as their exact ranges allow. The relative error of a component
-/// that is exactly 0 is held against the largest unknown acceleration without forces of contacts and friction elements,
-/// or the largest force that the equations apply; where that is 0, against the motion's largest component of its kind.
-/// So is that of an undetermined component, unless it is larger itself.
-/// The record is complete, and its numbers are finite.
+/// Verdicts as for a bicycle; a record outside the domain is invalid. Errors are relative as contact/yardstick.hpp and
+/// MechanismAnswer say. The record is complete, and its numbers are finite.
 RecordJudgement judge_exactly(const MechanismSetting& setting, const MechanismRecord& record,
                               const JudgeOptions& options);
 

@@ -32,14 +32,30 @@ LaneAnswers answers_in(const std::vector<MechanismRecord>& records, std::size_t 
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Upper bound on the relative error of an answer; `scale` is a lower bound on what an exact 0 is held against, and
-/// what is surely open unless it is larger itself.
-Lanes relative_error(const RunningError& answer, const RunningError& exact, const Lanes& scale, const LaneBits& open) {
+/// A lower bound on the size of what is known only by its bounds.
+Lanes least(const RunningError& x) {
+  return absolute(x.value) * (1 - 0x1p-50) - x.error;
+}
+
+Lanes larger(const Lanes& x, const Lanes& y) {
+  return chosen(y > x, y, x);
+}
+
+/// Upper bound on the relative error of an answer; `scale` is a lower bound on the yardstick of its kind without it.
+/// What varies is held against the answer where it is surely left open, and against the smaller of both where that is
+/// unsure.
+Lanes relative_error(const RunningError& answer, const RunningError& exact, const Lanes& scale, bool varies,
+                     const LaneBits& open) {
   constexpr double up = 1 + 0x1p-48;
   const RunningError difference = answer - exact;
   const Lanes distance = (absolute(difference.value) + difference.error) * up;
-  const Lanes size = absolute(exact.value) * (1 - 0x1p-50) - exact.error;
-  const Lanes unit = chosen(surely_zero(exact) | (open & (scale > size)), scale, size);
+  Lanes unit = least(exact);
+  if (varies) {
+    const Lanes own = least(answer);
+    unit = chosen(open, larger(own, scale), chosen(own < unit, own, unit));
+  } else {
+    unit = chosen(surely_zero(exact), scale, unit);
+  }
   const LaneBits both_zero = surely_zero(answer) & surely_zero(exact);
   const Lanes relative = chosen(unit > 0, distance / unit * up, Lanes{} + infinite);
   return chosen(both_zero, Lanes{}, relative);
@@ -47,17 +63,33 @@ Lanes relative_error(const RunningError& answer, const RunningError& exact, cons
 
 /// The larger one; NaN where one of them is.
 Lanes worse(const Lanes& x, const Lanes& y) {
-  const Lanes larger = chosen(x < y, y, x);
-  return chosen((x == x) & (y == y), larger, Lanes{} + infinite);
+  return chosen((x == x) & (y == y), larger(x, y), Lanes{} + infinite);
 }
 
-/// A lower bound on the largest of some numbers; 0 where nothing is sure.
-Lanes least_largest(const ModeRun& run, const std::vector<TapeRef>& refs) {
-  Lanes result{};
-  for (const TapeRef ref : refs) {
-    const RunningError& x = run.at(ref);
-    const Lanes size = absolute(x.value) * (1 - 0x1p-50) - x.error;
-    result = chosen(size > result, size, result);
+/// Lower bounds on the yardsticks of all kinds, by what is known without a solution; 0 where nothing is sure.
+std::vector<Lanes> least_yardsticks(const ModeRun& run, const ModePrograms& programs) {
+  const MechanismKinds& kinds = programs.kinds;
+  std::vector<Lanes> sizes(kinds.count);
+  // Of coefficients the sum, which is not below the largest, and NaN where one is not known.
+  const auto over = [&](const Lanes& x, const std::vector<TapeRef>& coefficients) {
+    Lanes sum{};
+    for (const TapeRef ref : coefficients) sum += absolute(run.at(ref).value) + run.at(ref).error;
+    return chosen(sum > 0, x / (sum * (1 + 0x1p-40)) * (1 - 0x1p-50), Lanes{});
+  };
+  const auto constant = [&](std::size_t line) { return least(run.at(programs.line_constants[line])); };
+  for (std::size_t i = 0; i < kinds.lines.size(); ++i) {
+    sizes[kinds.lines[i]] = larger(sizes[kinds.lines[i]], constant(i));
+  }
+  for (std::size_t i = 0; i < kinds.inertias.size(); ++i) {
+    Lanes& size = sizes[kinds.inertias[i].kind];
+    for (const auto& place : kinds.inertias[i].places) {
+      size = larger(size, over(constant(place.first), programs.inertias[i]));
+    }
+  }
+  std::vector<Lanes> result = sizes;
+  for (std::size_t i = 0; i < kinds.levers.size(); ++i) {
+    Lanes& size = result[kinds.levers[i].kind];
+    size = larger(size, over(sizes[kinds.levers[i].of], programs.levers[i]));
   }
   return result;
 }
@@ -117,7 +149,7 @@ class FreeForces {
 }  // namespace
 
 MechanismJudge::MechanismJudge(const CertifiedMechanism& certified, const MechanismFields& fields)
-    : certified_(certified), fields_(fields), maker_(certified.mechanism) {}
+    : certified_(certified), fields_(fields), maker_(certified.mechanism), kinds_(certified.mechanism) {}
 
 const MechanismBatch& MechanismJudge::batch(const std::vector<bool>& given) const {
   const std::lock_guard lock(mutex_);
@@ -257,25 +289,22 @@ Lanes MechanismBlock::answer_error(std::size_t mode) const {
   for (const FreeForm& condition : program.conditions) {
     inside &= ~free.asked() | surely_not_negative(run_->at(condition, free.values()));
   }
-  const auto compare = [&](const LaneAnswers& answer, const RunningError& exact, const Lanes& scale,
-                           const LaneBits& open) {
-    error = worse(error, chosen(answer.present, relative_error(answer.value, exact, scale, open), Lanes{}));
+  const std::vector<Lanes> yardsticks = least_yardsticks(*run_, programs);
+  const auto compare = [&](const LaneAnswers& answer, const RunningError& exact, std::size_t kind,
+                           const FreeForm& form) {
+    LaneBits open{};
+    for (const TapeRef slope : form.slopes) open |= surely_not_zero(run_->at(slope));
+    const Lanes relative = relative_error(answer.value, exact, yardsticks[kind], form.varies(), open);
+    error = worse(error, chosen(answer.present, relative, Lanes{}));
   };
-  const auto open = [&](const FreeForm& form) {
-    LaneBits varies{};
-    for (const TapeRef slope : form.slopes) varies |= surely_not_zero(run_->at(slope));
-    return varies;
-  };
-  LaneBits loose = LaneBits{} - 1;
-  for (const TapeRef pivot : programs.loose_pivots) loose &= surely_not_zero(run_->at(pivot));
-  const Lanes accelerations = chosen(loose, least_largest(*run_, programs.loose), Lanes{});
   for (std::size_t i = 0; i < program.accelerations.size(); ++i) {
-    compare(answers_in(records_, fields.first_answer() + i), run_->at(program.accelerations[i].constant), accelerations,
-            LaneBits{});
+    const FreeForm& form = program.accelerations[i];
+    compare(answers_in(records_, fields.first_answer() + i), run_->at(form.constant), programs.kinds.accelerations[i],
+            form);
   }
-  const Lanes applied = least_largest(*run_, programs.applied);
   for (std::size_t i = 0; i < program.forces.size(); ++i) {
-    compare(forces[i], run_->at(program.forces[i], free.values()), applied, open(program.forces[i]));
+    const FreeForm& form = program.forces[i];
+    compare(forces[i], run_->at(form, free.values()), programs.kinds.forces[i], form);
   }
   return chosen(inside, error, Lanes{} + infinite);
 }

@@ -18,7 +18,7 @@ class MechanismJudge {
  public:
   MechanismJudge(const CertifiedMechanism& certified, const MechanismFields& fields);
 
-  MechanismSetting setting() const { return {certified_, fields_, maker_}; }
+  MechanismSetting setting() const { return {certified_, fields_, maker_, kinds_}; }
   /// The mechanism with these parameters given, compiled when it is asked for first.
   const MechanismBatch& batch(const std::vector<bool>& given) const;
 
@@ -26,6 +26,7 @@ class MechanismJudge {
   const CertifiedMechanism& certified_;
   const MechanismFields& fields_;
   ProblemMaker maker_;
+  MechanismKinds kinds_;
   mutable std::mutex mutex_;
   mutable std::map<std::vector<bool>, std::unique_ptr<const MechanismBatch>> batches_;
 };

@@ -234,7 +234,7 @@ class Judge {
     const auto consider = [&](const std::vector<ProblemMode>& modes, const Compared& to) {
       if (answer_.mode && std::find(modes.begin(), modes.end(), *answer_.mode) == modes.end()) return;
       Distance d = distance_to(to);
-      if (best != nullptr && d.scaled >= least.scaled) return;
+      if (best != nullptr && !is_nearer(d, least, to_rational(options_.tolerance))) return;
       best = &modes;
       least = std::move(d);
     };

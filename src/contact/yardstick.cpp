@@ -4,6 +4,12 @@
 
 namespace slipproof {
 
+bool is_nearer(const Distance& solution, const Distance& other, const Rational& tolerance) {
+  const bool accurate = solution.relative <= tolerance;
+  if (accurate != (other.relative <= tolerance)) return accurate;
+  return solution.scaled < other.scaled;
+}
+
 void Yardsticks::take(std::size_t kind, const Rational& quantity) {
   largest_[kind] = std::max(largest_[kind], Rational(abs(quantity)));
 }

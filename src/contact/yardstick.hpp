@@ -24,6 +24,10 @@ struct Distance {
   Rational scaled;    ///< relative to the yardstick of its kind, if that is larger: tells inaccurate from wrong
 };
 
+/// Whether a solution is the one that an answer means, rather than another one: one within the tolerance before one
+/// that is not, then the nearest by `scaled`.
+bool is_nearer(const Distance& solution, const Distance& other, const Rational& tolerance);
+
 /// The largest quantity of each kind.
 class Yardsticks {
  public:

@@ -13,7 +13,9 @@
 #include "motions/motions_of.hpp"
 #include "number/binary64.hpp"
 #include "number/dice.hpp"
+#include "number/format.hpp"
 #include "support/certified.hpp"
+#include "support/unit_systems.hpp"
 
 using namespace slipproof;
 using namespace slipproof::test;
@@ -219,6 +221,83 @@ TEST_CASE("spoiled outputs of mechanisms are never certified") {
     CHECK(found.summary.count(RecordVerdict::certified) == 0);
     CHECK(found.summary.count(RecordVerdict::ambiguous) == 0);
   }
+}
+
+namespace {
+
+/// The units of a record's cells; nothing of what has none, and of friction elements.
+std::vector<std::optional<std::string>> units_of(const Mechanism& mechanism) {
+  std::vector<std::optional<std::string>> units;
+  for (const auto& parameter : mechanism.parameters) units.emplace_back(parameter.unit);
+  units.resize(units.size() + mechanism.angles.size());
+  if (mechanism.load) units.emplace_back(mechanism.load->unit);
+  units.emplace_back();
+  for (std::size_t i = 0; i < mechanism.accelerations; ++i) units.emplace_back(mechanism.unknowns[i].unit);
+  for (const auto& contact : mechanism.contacts) units.resize(units.size() + (contact.slip ? 2 : 1), "m/s^2");
+  units.resize(units.size() + mechanism.friction.size());
+  for (std::size_t i = mechanism.accelerations; i < mechanism.unknowns.size(); ++i) {
+    const MechanismUnknown& force = mechanism.unknowns[i];
+    units.emplace_back(force.unit.empty() ? "N" : force.unit);
+    if (force.unit.empty() && force.role == MechanismUnknown::Role::friction) units.back().reset();
+  }
+  return units;
+}
+
+/// Without answers whose units the file leaves open.
+MechanismCells in_units(const MechanismCells& cells, std::size_t first_answer,
+                        const std::vector<std::optional<std::string>>& units, const UnitSystem& system) {
+  MechanismCells result = cells;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const double x = std::strtod(cells[i].c_str(), nullptr);
+    if (units[i] && std::isfinite(x)) result[i] = exact_text(Rational(to_rational(x) * system.factor(*units[i])));
+    if (!units[i] && i >= first_answer) result[i].clear();
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("no verdict on outputs of a mechanism depends on units") {
+  std::size_t differences = 0;
+  const std::size_t wanted = std::min<std::size_t>(mechanism_records() / 4, 700);  // about 10^4 of all mechanisms
+  for (const ShippedMechanism& shipped : shipped_mechanisms()) {
+    CAPTURE(shipped.name);
+    const Mechanism mechanism = open_mechanism(std::string(shipped.name));
+    const MechanismTable table(mechanism);
+    const auto units = units_of(mechanism);
+    REQUIRE(units.size() == table.names.size());
+    MechanismAnswersMaker answers(mechanism, 11);
+    std::vector<MechanismCells> records;
+    for (std::size_t tries = 0; records.size() < wanted && tries < 20 * wanted; ++tries) {
+      std::size_t several = 0;
+      auto cells = answers.next(several);
+      if (!cells) continue;
+      // One component is wrong by little or much, zeros too.
+      const auto at = static_cast<std::size_t>(
+          answers.dice().number(static_cast<int>(table.mode) + 1, static_cast<int>(cells->size()) - 1));
+      const double x = std::strtod((*cells)[at].c_str(), nullptr);
+      const double error = std::pow(10.0, -answers.dice().number(0, 16));
+      if (units[at]) (*cells)[at] = cell_of(x == 0 || answers.dice().chance(2) ? x + 10 * error : x * (1 + error));
+      records.push_back(*cells);
+    }
+    std::vector<std::string> expected;
+    for (const UnitSystem& system : unit_systems()) {
+      std::string text = line_of(table.names);
+      for (const MechanismCells& cells : records) text += line_of(in_units(cells, table.mode + 1, units, system));
+      std::vector<std::string> found;
+      for (const auto& line : certified(text, options_for(mechanism)).lines()) {
+        found.push_back(line["verdict"].get<std::string>() + " " + line["modes"].dump());
+      }
+      if (expected.empty()) expected = found;
+      REQUIRE(found.size() == expected.size());
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        if (found[i] == expected[i]) continue;
+        ++differences;
+        MESSAGE(system.name, ": ", found[i], " for ", expected[i], "\n", line_of(table.names), line_of(records[i]));
+      }
+    }
+  }
+  CHECK(differences == 0);
 }
 
 namespace {

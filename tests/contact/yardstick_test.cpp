@@ -59,3 +59,36 @@ TEST_CASE("the nearest of many solutions is the best of them, whatever their siz
   CHECK(same == t);
   CHECK(nearest_solution({}, {{-3, {1}}}, 1, effort).at(0) >= 3);
 }
+
+TEST_CASE("no other solution is nearer than the nearest one") {
+  // Three forces with x + y + z = 3 and 0 <= x <= y: parameters x, y.
+  const std::vector<AffineForm> forms{{0, {1, 0}}, {0, {0, 1}}, {3, {-1, -1}}}, conditions{{0, {1, 0}}, {0, {-1, 1}}};
+  const std::vector<std::vector<Rational>> answers{
+      {1, 1, 1}, {2, 1, 0}, {Rational(1, 1000), 5, -2}, {-1, Rational(1, 7), 4}, {100, 100, -197}};
+  Effort effort(ContactSolver::usual_effort);
+  for (const auto& answer : answers) {
+    Yardsticks yardstick(1);
+    for (const Rational& x : answer) yardstick.take(0, x);
+    const auto distance = [&](const std::vector<Rational>& t) {
+      Distance d{0, 0};
+      for (std::size_t i = 0; i < 3; ++i) compare({answer[i], forms[i].at(t), yardstick[0], true}, d);
+      return d.relative;
+    };
+    std::vector<OpenComponent> open;
+    for (std::size_t i = 0; i < 3; ++i) open.push_back({forms[i], answer[i], yardstick[0]});
+    const auto best = nearest_solution(open, conditions, 2, effort);
+    for (const AffineForm& condition : conditions) CHECK(condition.at(best).sign() >= 0);
+    bool nearer = false;
+    for (int x = 0; x <= 40; ++x) {
+      for (int y = x; y <= 80; ++y) nearer = nearer || distance({Rational(x, 8), Rational(y, 8)}) < distance(best);
+    }
+    CHECK_FALSE(nearer);
+  }
+}
+
+TEST_CASE("a solution within the tolerance is meant before one that is nearer only for its largest components") {
+  const Distance accurate{Rational(1, 1000), Rational(1, 1000)}, near{1, Rational(1, 10000)};
+  CHECK(is_nearer(accurate, near, Rational(1, 100)));
+  CHECK_FALSE(is_nearer(near, accurate, Rational(1, 100)));
+  CHECK(is_nearer(near, accurate, Rational(1, 100000)));
+}
