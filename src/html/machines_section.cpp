@@ -31,8 +31,9 @@ void add_machines_section(const Element& main, const PageInput& input) {
   const Element section = add_section(main, "machines", "Numbers");
   section.add("p", "lead")
       .text(
-          "From which coefficient of friction on a machine has several motions, by the equations of its scene and "
-          "without the claims of this page: under some push whatever, and under some load of its own.");
+          "From which coefficient of friction on a machine has several motions (at that coefficient itself perhaps "
+          "infinitely many, or several under a single load), by the equations of its scene and without the claims of "
+          "this page: under some push whatever, and under some load of its own.");
   const Element scroll = section.add("div", "scroll").set("tabindex", 0).set("role", "region");
   scroll.set("aria-label", "Critical friction of machines");
   const Element table = scroll.add("table");

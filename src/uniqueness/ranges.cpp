@@ -1,19 +1,26 @@
 #include "uniqueness/ranges.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 namespace slipproof {
 
 namespace {
 
-bool same_kind(const MotionsAtParameter& x, const MotionsAtParameter& y) {
-  const auto alike = [](const LoadsApart& a, const LoadsApart& b) {
+/// What is said of every q, without the number that the determinant is.
+auto said_of_every_q(const MotionsAtParameter& motions) {
+  using Said = std::tuple<EveryLoad::Verdict, EveryLoad::Reason, std::optional<ProblemMode>, int>;
+  const auto& every = motions.for_every_q;
+  return every ? std::optional(Said(every->verdict, every->reason, every->mode, every->determinant.sign()))
+               : std::nullopt;
+}
+
+bool alike(const MotionsAtParameter& x, const MotionsAtParameter& y) {
+  const auto same = [](const LoadsApart& a, const LoadsApart& b) {
     return a.motions == b.motions && a.continuum == b.continuum;
   };
-  const auto verdict = [](const MotionsAtParameter& m) {
-    return m.for_every_q ? std::optional(m.for_every_q->verdict) : std::nullopt;
-  };
-  return std::equal(x.apart.begin(), x.apart.end(), y.apart.begin(), y.apart.end(), alike) && verdict(x) == verdict(y);
+  return std::equal(x.apart.begin(), x.apart.end(), y.apart.begin(), y.apart.end(), same) &&
+         said_of_every_q(x) == said_of_every_q(y);
 }
 
 }  // namespace
@@ -32,7 +39,7 @@ std::vector<ParameterRange> ranges(const UniquenessAlong& along) {
       unseen.clear();
       continue;
     }
-    if (joins && same_kind(result.back().motions, *cell.motions)) {
+    if (joins && alike(result.back().motions, *cell.motions)) {
       ParameterRange& range = result.back();
       range.upper = cell.upper;
       range.upper_closed = cell.is_point();

@@ -8,6 +8,7 @@
 #include "model/scene.hpp"
 #include "modes/mode_table.hpp"
 #include "modes/motions.hpp"
+#include "motions/modes_of.hpp"
 #include "support/random_scene.hpp"
 #include "uniqueness/ranges.hpp"
 #include "uniqueness/scene_setting.hpp"
@@ -41,6 +42,20 @@ std::vector<int> counts(const MotionsAtParameter& motions) {
   return result;
 }
 
+/// What is said of every q at a coefficient, without the size of the determinant.
+void check_every_q(const MechanismScene& scene, const Rational& f, const MotionsAtParameter& said) {
+  MechanismValues values = scene.values;
+  values.parameters[12] = f;
+  REQUIRE(scene.mechanism.parameters[12].symbol == "f");
+  const auto problem = contact_problem(without_equations(friction_problem(scene.mechanism, values)));
+  REQUIRE(problem.has_value() == said.for_every_q.has_value());
+  if (!problem) return;
+  const EveryLoad there = for_every_load(*problem);
+  CHECK(there.verdict == said.for_every_q->verdict);
+  CHECK(there.mode == said.for_every_q->mode);
+  CHECK(there.determinant.sign() == said.for_every_q->determinant.sign());
+}
+
 }  // namespace
 
 TEST_CASE("ranges of friction say what the table of modes finds at numbers in them") {
@@ -62,10 +77,12 @@ TEST_CASE("ranges of friction say what the table of modes finds at numbers in th
       if (!range.motions.apart.empty()) ++ambiguous;
       CAPTURE(range.sample);
       CHECK(counts(scene, range.sample) == counts(range.motions));
+      check_every_q(mechanism_scene(scene), range.sample, range.motions);
       if (!range.upper || !range.lower || range.lower->lower == range.upper->upper) continue;
       for (int k = 1; k < 4; ++k) {
         const Rational f = range.lower->upper + (range.upper->lower - range.lower->upper) * Rational(k, 4);
         CHECK(counts(scene, f) == counts(range.motions));
+        check_every_q(mechanism_scene(scene), f, range.motions);
       }
     }
   }
@@ -78,16 +95,19 @@ TEST_CASE("the ambiguous bicycle of the paper: from f = 21/25 on, a continuum th
   REQUIRE(along.first_apart());
   CHECK(along.first_apart()->lower == Rational(21, 25));
   const auto all = ranges(along);
-  REQUIRE(all.size() == 4);
+  REQUIRE(all.size() == 5);
   CHECK(all[0].motions.for_every_q->verdict == EveryLoad::Verdict::unique);
   CHECK(all[0].unseen.empty());
   CHECK(all[0].upper->lower == Rational(2, 5));
-  CHECK(all[1].motions.apart.empty());
-  CHECK(all[1].motions.for_every_q->verdict == EveryLoad::Verdict::not_unique);
-  REQUIRE(all[2].motions.apart.size() == 1);
-  CHECK(all[2].motions.apart.front().continuum);
-  REQUIRE(all[3].motions.apart.size() == 3);
-  CHECK(all[3].motions.apart[1].motions == 3);
+  CHECK(all[1].upper->lower == Rational(2, 5));  // the determinant is 0 there only
+  CHECK(all[1].motions.for_every_q->determinant.is_zero());
+  CHECK(all[2].motions.apart.empty());
+  CHECK(all[2].motions.for_every_q->verdict == EveryLoad::Verdict::not_unique);
+  CHECK(all[2].motions.for_every_q->determinant < 0);
+  REQUIRE(all[3].motions.apart.size() == 1);
+  CHECK(all[3].motions.apart.front().continuum);
+  REQUIRE(all[4].motions.apart.size() == 3);
+  CHECK(all[4].motions.apart[1].motions == 3);
 }
 
 TEST_CASE("what is no parameter of the scene is refused") {
