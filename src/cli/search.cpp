@@ -50,13 +50,12 @@ Exit run_search(SearchArguments& arguments) {
       arguments.crew, options.threads, [&] { return searched_work(arguments, mechanism); }, Inputs{mechanism.file},
       [&](std::string_view request) { return search.answer(request); });
   if (run.served()) return as_it_should_be;
-  const SearchReport report{mechanism, options, arguments.within, search.result(run.crew())};
+  const SearchReport report = searched(mechanism, options, arguments.within, search, run.crew());
   print(arguments.common.json ? search_json(report) : search_text(report, arguments.common.quiet));
   switch (verdict(report)) {
     case SearchVerdict::unique:
-    case SearchVerdict::not_found:
+    case SearchVerdict::none_found:
       return as_it_should_be;
-    case SearchVerdict::not_unique:
     case SearchVerdict::found:
       return refuted_or_not_certified;
     case SearchVerdict::undecided:

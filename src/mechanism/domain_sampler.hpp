@@ -33,9 +33,13 @@ class DomainSampler {
   };
   using Draw = std::function<Rational(const Drawing&)>;
 
-  /// Angles, then parameters that are given, each drawn until it breaks no condition that can be decided by then;
-  /// nothing where that does not come about.
-  std::optional<MechanismValues> sample(const std::vector<bool>& given, const Draw& draw) const;
+  enum class Way : std::uint8_t {
+    draw,  ///< parameters from the first to the last; where no drawn number is possible, as below
+    solve  ///< from the last to the first, each drawn between the roots of the conditions; none is known to the drawing
+  };
+  /// Angles, then parameters that are given, each so that it breaks no condition that can be decided by then; nothing
+  /// if no value of some symbol is found.
+  std::optional<MechanismValues> sample(const std::vector<bool>& given, const Draw& draw, Way way = Way::draw) const;
 
   /// Whether all conditions hold.
   bool contains(const MechanismValues& values) const;
@@ -53,14 +57,30 @@ class DomainSampler {
     std::vector<Rational> values;
     bool fixed = false;
   };
+  /// Which symbols have their values.
+  struct Known {
+    std::size_t angles = 0;  ///< the first ones
+    std::vector<bool> parameters;
+  };
+  /// A value of a symbol, or an open interval of values; without an end, infinite.
+  struct Place {
+    std::optional<Rational> lower, upper;
+    Rational inside;
+  };
   class Run;
 
   void add_comparisons(const Expression& condition, bool required = true);
   std::vector<const Program*> conditions(const std::vector<bool>& given) const;
-  Evaluator<Rational> evaluator(const MechanismValues& values, std::size_t angles, std::size_t parameters) const;
-  std::optional<Rational> root(const Program& difference, const MechanismValues& values, std::size_t parameters,
+  Known all_known(const MechanismValues& values) const;
+  template <class T, class Field = FieldOf<T>>
+  Evaluator<T, Field> evaluator(const MechanismValues& values, const Known& known) const;
+  std::optional<Rational> root(const Program& difference, const MechanismValues& values, const Known& known,
                                std::size_t unknown) const;
-  Roots roots(const MechanismValues& values, std::size_t parameter) const;
+  Roots roots(const MechanismValues& values, const Known& known, std::size_t parameter) const;
+  /// Where comparisons change along an unknown symbol: a parameter, or without one the tangent of half of the first
+  /// angle that is not known.
+  std::vector<Place> places(const MechanismValues& values, const Known& known,
+                            std::optional<std::size_t> parameter) const;
 
   const Mechanism* mechanism_;
   const CompiledMechanism* compiled_;

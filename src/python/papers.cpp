@@ -77,11 +77,12 @@ py::tuple check(const std::vector<std::string>& paths) {
   return py::make_tuple(std::move(results), report.text, report.summary);
 }
 
-Report searched(const std::string& name, const std::string& within, SearchOptions options, Call& call) {
+Report search_report(const std::string& name, const std::string& within, SearchOptions options, Call& call) {
   Mechanism mechanism = open_mechanism(name);
   if (!within.empty()) mechanism = narrowed(mechanism, within, "within");
   options.progress = [&call](std::uint64_t done, std::uint64_t all) { call.at(done, all); };
-  const SearchReport report{mechanism, options, within, search_motions(mechanism, options)};
+  MotionSearch search(mechanism, options);
+  const SearchReport report = searched(mechanism, options, within, search);
   return {search_json(report), search_text(report, false), std::string(slipproof::name(verdict(report)))};
 }
 
@@ -98,7 +99,7 @@ py::tuple search(const std::string& name, const std::string& within, std::option
                      : *wanted == "several" ? MotionCount::several
                                             : MotionCount::continuum;
   }
-  const Report report = interruptible([=](Call& call) { return searched(name, within, options, call); }, progress);
+  const Report report = interruptible([=](Call& call) { return search_report(name, within, options, call); }, progress);
   return py::make_tuple(report.json, report.text, report.summary);
 }
 

@@ -100,7 +100,9 @@ std::optional<MechanismValues> PointSampler::at(std::uint64_t i) const {
     if (auto values = realisable_.sample(given, draw_symbol)) return values;
   }
   for (int attempt = 0; attempt < attempts; ++attempt) {
-    if (auto values = domain_.sample(given, draw_symbol)) return values;
+    // Where a later parameter has another bound, it may be too narrow for what was drawn of the first.
+    const auto way = attempt < attempts / 2 ? DomainSampler::Way::draw : DomainSampler::Way::solve;
+    if (auto values = domain_.sample(given, draw_symbol, way)) return values;
   }
   return std::nullopt;
 }

@@ -25,6 +25,14 @@ Json cell_json(const Mechanism& mechanism, const SearchCell& cell) {
           {"simplest_realisable", cell.realisable ? place_json(mechanism, *cell.realisable) : Json(nullptr)}};
 }
 
+Json proof_json(const UniqueEverywhere& proof) {
+  Json statements = Json::array();
+  for (const CheckedStatement& one : proof.statements) {
+    statements.push_back({{"name", one.name}, {"statement", one.text}, {"certificate", one.certificate}});
+  }
+  return {{"by", "theorem 1 of proofs/two-wheeler"}, {"modes", proof.modes}, {"statements", std::move(statements)}};
+}
+
 }  // namespace
 
 std::string search_json(const SearchReport& report) {
@@ -36,6 +44,7 @@ std::string search_json(const SearchReport& report) {
   document["seed"] = report.options.seed;
   document["for"] = report.options.wanted ? Json(name(*report.options.wanted)) : Json(nullptr);
   document["verdict"] = name(verdict(report));
+  document["proof"] = report.proof ? proof_json(*report.proof) : Json(nullptr);
   document["tried"] = result.tried;
   document["samples"] = result.samples;
   document["without_value"] = result.without_value;

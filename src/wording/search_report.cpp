@@ -13,15 +13,30 @@
 
 namespace slipproof {
 
-SearchVerdict verdict(const SearchReport& report) {
+namespace {
+
+bool finds_something(const SearchReport& report) {
   const SearchResult& result = report.result;
-  if (result.samples == 0) return SearchVerdict::undecided;
-  if (report.options.wanted) return result.cells.empty() ? SearchVerdict::not_found : SearchVerdict::found;
-  return result.one_everywhere == result.samples ? SearchVerdict::unique : SearchVerdict::not_unique;
+  return report.options.wanted ? !result.cells.empty() : result.one_everywhere < result.samples;
+}
+
+}  // namespace
+
+SearchReport searched(const Mechanism& mechanism, const SearchOptions& options, std::string within,
+                      MotionSearch& search, Crew* crew) {
+  SearchReport report{mechanism, options, std::move(within), search.result(crew)};
+  if (report.result.samples > 0 && !finds_something(report)) report.proof = unique_everywhere(mechanism, !options.hysteresis);
+  return report;
+}
+
+SearchVerdict verdict(const SearchReport& report) {
+  if (report.result.samples == 0) return SearchVerdict::undecided;
+  if (finds_something(report)) return SearchVerdict::found;
+  return report.proof ? SearchVerdict::unique : SearchVerdict::none_found;
 }
 
 std::string_view name(SearchVerdict verdict) {
-  constexpr std::array<std::string_view, 5> names{"unique", "not unique", "found", "not found", "undecided"};
+  constexpr std::array<std::string_view, 4> names{"unique", "none found", "found", "undecided"};
   return names[static_cast<std::size_t>(verdict)];
 }
 
@@ -40,6 +55,13 @@ const char* title(MotionCount count) {
     default:
       return "One motion";
   }
+}
+
+std::string in_words(const UniqueEverywhere& proof) {
+  return fmt::format(
+      "one motion in the whole domain, whatever pushes, by theorem 1 of proofs/two-wheeler: the determinants of all {} "
+      "modes are positive, by {} checked certificates (--json has them)",
+      proof.modes, proof.statements.size());
 }
 
 std::string motions_text(const FoundMotions& found) {
@@ -77,14 +99,17 @@ class SearchText {
     const SearchVerdict verdict = slipproof::verdict(report_);
     std::string words(name(verdict));
     std::ranges::transform(words, words.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    std::string line = fmt::format("s {} samples {}", words, result_.samples);
     if (report_.options.wanted) {
-      return fmt::format("s {} {} samples {}\n", words, name(*report_.options.wanted), result_.samples);
+      line += fmt::format(" for {}", name(*report_.options.wanted));
+    } else {
+      line += fmt::format(" one {} none {} several {} continuum {} hysteresis {}", result_.one_everywhere,
+                          result_.count(MotionCount::none) + result_.count(MotionCount::none_modelled),
+                          result_.count(MotionCount::several), result_.count(MotionCount::continuum),
+                          result_.count(MotionCount::hysteresis));
     }
-    return fmt::format("s {} samples {} one {} none {} several {} continuum {} hysteresis {}\n", words, result_.samples,
-                       result_.one_everywhere,
-                       result_.count(MotionCount::none) + result_.count(MotionCount::none_modelled),
-                       result_.count(MotionCount::several), result_.count(MotionCount::continuum),
-                       result_.count(MotionCount::hysteresis));
+    if (verdict == SearchVerdict::unique) line += " by theorem 1 of two-wheeler";
+    return line + '\n';
   }
 
  private:
@@ -97,8 +122,9 @@ class SearchText {
       text_ += wrapped("", "no point of the domain was found in " + counted(result_.tried, "try") +
                                ": nothing is known, more --samples or another --seed may find some");
     } else {
-      text_ += wrapped("", samples + ": a search, no proof");
+      text_ += wrapped("", samples + (report_.proof ? "" : ": a search, no proof"));
     }
+    if (report_.proof) text_ += wrapped("", "proved: " + in_words(*report_.proof));
     if (result_.without_value > 0) {
       text_ += wrapped("", "at " + counted(result_.without_value, "more point") + " something divides by zero");
     }

@@ -10,6 +10,7 @@
 #include "mechanism/narrow.hpp"
 #include "mechanism/read_mechanism.hpp"
 #include "mechanism/shipped.hpp"
+#include "search/points.hpp"
 #include "support/thread_ranks.hpp"
 #include "wording/search_report.hpp"
 
@@ -243,6 +244,32 @@ TEST_CASE("a condition narrows parameters, angles and the load") {
     CHECK(v.angles[0].cosine < v.angles[0].sine);
     CHECK(*cell.simplest.load >= 1);
     CHECK(*cell.simplest.load < 3);
+  }
+}
+
+TEST_CASE("narrow domains are sampled inside, whatever bounds them") {
+  const std::vector<std::pair<std::string, std::string>> narrow{
+      {"painleve-rod", "mu > 4/3 and mu < 1.3334"},          // no small fraction
+      {"painleve-rod", "2 < mu^2 < 2.00001"},                // irrational bounds
+      {"painleve-rod", "1 < 1/(mu - 3) < 1 + 1/10^6"},       // a quotient
+      {"painleve-rod", "0.9999 < c < 1 and l < 1/10^9"},     // an angle
+      {"ladder", "mu_f < mu_w and mu_w < 1/10^7"},           // the first is bounded by the second
+      {"ladder", "10^7 < m*l < 10^7 + 1/100 and c = 3/5"}};  // a product
+  for (const auto& [name, condition] : narrow) {
+    CAPTURE(condition);
+    const Mechanism m = within(name, condition);
+    const SearchResult result = searched(m, 20);
+    CHECK(result.samples == 20);
+    const ProblemMaker maker(m);
+    const PointSampler points(m, maker, 1);
+    std::set<std::vector<Rational>> different;
+    for (std::uint64_t i = 0; i < 20; ++i) {
+      const auto values = points.at(i);
+      REQUIRE(values);
+      CHECK(maker.broken(*values).empty());
+      different.insert(values->parameters);
+    }
+    CHECK(different.size() > 10);
   }
 }
 

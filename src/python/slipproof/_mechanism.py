@@ -18,7 +18,8 @@ from ._solution import Solution
 
 
 class Search(Report):
-    """What a search found. ``verdict``: unique, not unique, found, not found, undecided."""
+    """What a search found. ``verdict``: ``found`` and ``none found`` say it of the samples; ``unique`` is proved of the
+    whole domain; ``undecided`` if no point of the domain was found."""
 
     def __init__(self, document: str, text: str, verdict: str):
         super().__init__(document, text)
