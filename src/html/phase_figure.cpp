@@ -80,16 +80,26 @@ void add_table(const Element& parent, const PhaseDiagram& diagram) {
   }
 }
 
-void add_legend(const Element& parent, const PhaseDiagram& diagram, const PhaseRegions& regions, bool words) {
+void add_legend(const Element& parent, const PhasePicture& picture, bool words) {
   const Element list = parent.add("ul", "legend");
-  for (std::size_t i = 0; i < regions.sets.size(); ++i) {
+  for (std::size_t i = 0; i < picture.regions.sets.size(); ++i) {
     const Element item = list.add("li");
-    add_swatch(item, diagram, regions, i);
-    const MotionSet& set = regions.sets[i];
+    add_swatch(item, picture, i);
+    const MotionSet& set = picture.regions.sets[i];
     const Element text = item.add("span");
     text.add("b").text(name(set));
-    if (words && set.motions.size() == 1) text.text(" " + diagram.plane.words(set.motions[0].front()));
+    if (words && set.motions.size() == 1) text.text(" " + picture.diagram.plane.words(set.motions[0].front()));
     if (set.motions.size() > 1) text.text(" ambiguous: " + std::to_string(set.motions.size()) + " motions");
+    if (const std::string note = thin_note(picture, i); !note.empty()) text.text(" " + note);
+  }
+}
+
+void add_enlargements(const Element& parent, const PhasePicture& picture) {
+  for (std::size_t i = 0; i < picture.thin.enlargements.size(); ++i) {
+    const Element box = parent.add("div", "plot enlarged");
+    const std::string title = enlargement_title(picture, i);
+    box.add("p").text(title);
+    add_enlargement(box, picture, i).set("role", "img").set("aria-label", title);
   }
 }
 
@@ -146,19 +156,21 @@ void add_hatch_switch(const Element& parent, const PhaseRegions& regions) {
 
 void add_phase_figure(const Element& parent, const PhaseFigure& figure) {
   const PhaseDiagram& diagram = figure.diagram;
-  const PhaseRegions regions = phase_regions(diagram);
+  PhaseSvgOptions options;
+  if (figure.small) options.width = 430, options.height = 320;
+  const PhasePicture picture = phase_picture(diagram, options);
+  const PhaseRegions& regions = picture.regions;
   const Element box = parent.add("figure", figure.small ? "phase small" : "phase").set("id", diagram.plane.id);
   const Element heading = box.add(figure.small ? "h4" : "h3").set("id", diagram.plane.id + "-title");
   heading.add("bdi").text(diagram.plane.title);
   add_hatch_switch(box, regions);
   const Element plot = box.add("div", "plot");
-  PhaseSvgOptions options;
-  if (figure.small) options.width = 430, options.height = 320;
-  const Element svg = add_phase_svg(plot, diagram, regions, options);
+  const Element svg = add_phase_svg(plot, picture);
   svg.set("role", "img").set("aria-labelledby", diagram.plane.id + "-title");
   const auto points = figure.small ? sample_points(diagram, 12, 9) : sample_points(diagram, 30, 20);
   box.add("script").set("type", "application/json").set("class", "points").text(points_json(diagram, points));
-  add_legend(box, diagram, regions, !figure.small);
+  add_enlargements(box, picture);
+  add_legend(box, picture, !figure.small);
   add_line_legend(box, diagram, regions);
   if (!figure.caption.empty()) add_sentence(box.add("figcaption"), figure.caption);
   add_table(box, diagram);

@@ -17,6 +17,8 @@ struct Frame {
 
   double left, top, width, height;
 
+  const Axis& across() const { return x_; }
+  const Axis& up() const { return y_; }
   double x_of(double x) const { return left + (x - x_from_) / (x_to_ - x_from_) * width; }
   double y_of(double y) const { return top + height - (y - y_from_) / (y_to_ - y_from_) * height; }
   std::vector<Pixel> to_picture(const std::vector<PlanePoint>& points) const;

@@ -33,6 +33,7 @@ class RegionDrawing {
       add_strips(run);
       add_edges(run);
     }
+    add_single_columns(all_runs);
     for (std::size_t r = 1; r < all_runs.size(); ++r) {
       if (!all_runs[r].after_gap) add_upright(all_runs[r - 1], all_runs[r]);
     }
@@ -146,6 +147,16 @@ class RegionDrawing {
     }
   }
 
+  /// What is only in one column is a line.
+  void add_single_columns(const std::vector<Run>& all_runs) {
+    std::vector<bool> drawn(columns_.size());
+    for (const Run& run : all_runs) std::fill_n(drawn.begin() + index(run.first), run.last - run.first + 1, true);
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      if (!drawn[i]) add_strips({i, i, x(i), x(i), false});
+    }
+  }
+  static std::ptrdiff_t index(std::size_t i) { return static_cast<std::ptrdiff_t>(i); }
+
   bool on_curve(const Rational& y, std::size_t column, std::size_t curve) const {
     return columns_[column].curves[curve] && *columns_[column].curves[curve] == y;
   }
@@ -252,8 +263,7 @@ class RegionDrawing {
     for (const Strip& strip : regions_.strips) {
       bool visible = false;
       for (std::size_t i = 0; i < strip.lower.size(); ++i) {
-        visible = visible || (strip.lower[i].y < high_ && strip.upper[i].y > low_ &&
-                              strip.upper[i].y - strip.lower[i].y > (high_ - low_) / 1000);
+        visible = visible || (strip.lower[i].y < high_ && strip.upper[i].y > low_);
       }
       if (visible) seen.push_back(&strip);
     }

@@ -15,7 +15,7 @@ struct PlanePoint {
 /// One cell followed through neighbouring columns.
 struct Strip {
   MotionSet set;
-  std::vector<PlanePoint> lower, upper;  ///< from left to right, at the same x
+  std::vector<PlanePoint> lower, upper;  ///< from left to right, at the same x; one point: only in that column
 };
 
 /// What separates two strips; or where one of the plane's curves is and nothing changes.
@@ -41,7 +41,7 @@ struct PhaseRegions {
   std::vector<PhaseLine> lines;
   std::vector<RefutedStrip> refuted;
 
-  /// The sets of motions that can be seen, from the bottom to the top, each once.
+  /// The sets of motions inside of the picture, however thin, from the bottom to the top, each once.
   std::vector<MotionSet> sets;
   /// Of a plane that finds its domain: whether the domain ends inside of the picture.
   bool leaves_domain = false;

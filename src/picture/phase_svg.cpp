@@ -10,6 +10,7 @@
 #include "number/binary64.hpp"
 #include "picture/axis.hpp"
 #include "picture/palette.hpp"
+#include "picture/phase_names.hpp"
 #include "picture/polyline.hpp"
 #include "typeset/symbol.hpp"
 
@@ -42,14 +43,18 @@ std::vector<MechanismMode> drawn_modes(const PhaseRegions& regions) {
   return modes;
 }
 
+Frame frame_of(const Plane& plane, const PhaseSvgOptions& options) {
+  const double left = left_of(plane);
+  return {left, 14, options.width - left - 18, options.height - 14 - 46, plane.x, plane.y};
+}
+
 class Picture {
  public:
   Picture(const PhaseDiagram& diagram, const PhaseRegions& regions, const PhaseSvgOptions& options)
       : plane_(diagram.plane),
         regions_(regions),
         colours_(drawn_modes(regions)),
-        frame_{left_of(plane_),          14,       options.width - left_of(plane_) - 18,
-               options.height - 14 - 46, plane_.x, plane_.y} {}
+        frame_(frame_of(diagram.plane, options)) {}
 
   /// Patterns for what one colour cannot show, and the clip of the plot.
   void add_definitions(const Element& svg) const {
@@ -81,11 +86,35 @@ class Picture {
     for (std::size_t i = 0; i < regions_.sets.size(); ++i) {
       std::string d;
       for (const Strip& strip : regions_.strips) {
-        if (strip.set == regions_.sets[i]) d += area(strip.lower, strip.upper);
+        if (strip.set == regions_.sets[i] && strip.lower.size() > 1) d += area(strip.lower, strip.upper);
       }
+      if (d.empty()) continue;
       const Element path = plot.add("path").set("d", d);
       paint(path, i);
       path.add("title").text(name(regions_.sets[i]));
+    }
+  }
+
+  /// Each column of a thin set as a bar, as wide and as high as can be seen.
+  void add_thin(const Element& plot, const std::vector<ThinRegion>& thin) const {
+    for (const ThinRegion& region : thin) {
+      std::string d;
+      for (const Strip& strip : regions_.strips) {
+        if (strip.set == regions_.sets[region.set]) d += widened(strip);
+      }
+      const Element path = plot.add("path", "thin").set("d", d);
+      paint(path, region.set);
+      path.add("title").text(name(regions_.sets[region.set]) + ", drawn wider than it is");
+    }
+  }
+
+  void add_rings(const Element& svg, const std::vector<ThinRegion>& thin) const {
+    for (std::size_t k = 0; k < thin.size(); ++k) {
+      const double x = frame_.x_of(thin[k].at.x), y = frame_.y_of(thin[k].at.y);
+      svg.add("circle", "new ring").set("cx", x).set("cy", y).set("r", 9);
+      const bool at_right = x > frame_.left + frame_.width - 30;
+      const Element number = svg.add("text", "ink halo").set("x", x + (at_right ? -12 : 12)).set("y", y - 8);
+      number.set("text-anchor", at_right ? "end" : "start").text(std::to_string(k + 1));
     }
   }
 
@@ -127,55 +156,10 @@ class Picture {
     }
   }
 
-  /// The names of vertical lines, at the top; of two that are too close, the second one is lower.
-  void add_line_names(const Element& plot) const {
-    std::vector<const Plane::Line*> lines;
-    for (const Plane::Line& line : plane_.lines) {
-      if (plane_.x.from < line.x && line.x < plane_.x.to) lines.push_back(&line);
-    }
-    std::sort(lines.begin(), lines.end(), [](const auto* a, const auto* b) { return a->x < b->x; });
-    double before = -1e9, y = 0;
-    for (const Plane::Line* line : lines) {
-      const double x = frame_.x_of(nearest_binary64(line->x));
-      y = x - before < 60 ? y + 16 : frame_.top + 15;
-      before = x;
-      const Element text = plot.add("text", "ink halo").set("x", x + 5).set("y", y).set("font-size", 13);
-      svg_symbol(text, line->symbol);
-      if (line->misprint) text.add("tspan").set("font-size", 11).text(" as printed");
-    }
-  }
-
-  /// The name of each curve at the middle of the longest piece where it is a border; of one that nowhere is, where it
-  /// can be seen.
-  void add_curve_names(const Element& plot) const {
-    for (std::size_t c = 0; c < plane_.curves.size(); ++c) {
-      std::vector<Pixel> best;
-      double longest = 0;
-      for (const PhaseLine& line : regions_.lines) {
-        if (line.curve != c) continue;
-        const auto visible = frame_.visible(frame_.to_picture(line.points));
-        const double length = length_of(visible) * (line.kind == PhaseLine::Kind::idle ? 0.2 : 1);
-        if (length > longest) longest = length, best = visible;
-      }
-      if (longest < 12) continue;
-      const Pixel at = best[best.size() / 2];
-      const Element text = plot.add("text", "ink halo").set("x", at.x + 5).set("y", at.y - 6).set("font-size", 15);
-      svg_symbol(text, plane_.curves[c]);
-    }
-  }
-
-  void add_region_names(const Element& plot) const {
-    for (const MotionSet& set : regions_.sets) {
-      const std::string label = set.motions.size() > 1 ? std::to_string(set.motions.size()) + " motions" : name(set);
-      const double width = 7.2 * static_cast<double>(label.size()) + 14;
-      Pixel best{0, 0};
-      double room = 1;
-      for (const Strip& strip : regions_.strips) {
-        if (strip.set == set) find_room(strip, width, room, best);
-      }
-      if (room <= 1) continue;
-      plot.add("text", "ink name").set("x", best.x).set("y", best.y + 4).set("text-anchor", "middle").text(label);
-    }
+  void add_names(const Element& plot, bool of_regions) const {
+    if (of_regions) add_region_names(plot, regions_, frame_);
+    add_curve_names(plot, plane_, regions_, frame_);
+    add_line_names(plot, plane_, frame_);
   }
 
   void add_axes(const Element& svg) const { frame_.draw(svg); }
@@ -233,21 +217,34 @@ class Picture {
     return closed_path_of(outline);
   }
 
-  /// The roomiest place for a label `width` wide: how many times it fits, if more often than before.
-  void find_room(const Strip& strip, double width, double& room, Pixel& best) const {
+  /// What of a strip is inside of the frame, widened across its direction and at its ends.
+  std::string widened(const Strip& strip) const {
     const auto lower = frame_.to_picture(strip.lower), upper = frame_.to_picture(strip.upper);
-    const double top = frame_.top, bottom = frame_.top + frame_.height;
+    const double top = frame_.top, bottom = top + frame_.height;
+    std::string path;
+    std::vector<Pixel> middle;
+    std::vector<double> heights;
     for (std::size_t i = 0; i < lower.size(); ++i) {
       const double high = std::max(upper[i].y, top), low = std::min(lower[i].y, bottom);
-      const double middle = (high + low) / 2;
-      double left = lower[i].x, right = lower[i].x;
-      const auto fits = [&](std::size_t k) { return upper[k].y < middle - 9 && lower[k].y > middle + 9; };
-      for (std::size_t k = i; k < lower.size() && fits(k); ++k) right = lower[k].x;
-      for (std::size_t k = i + 1; k-- > 0 && fits(k);) left = lower[k].x;
-      const double across = 2 * std::min(right - lower[i].x, lower[i].x - left) / width, up = (low - high) / 22;
-      const double here = std::min(across, up);
-      if (here > room) room = here, best = {lower[i].x, middle};
+      if (low > high) {
+        middle.push_back({lower[i].x, (low + high) / 2});
+        heights.push_back(low - high);
+      }
+      if (middle.empty() || (low > high && i + 1 < lower.size())) continue;
+      path += band(middle, heights);
+      middle.clear(), heights.clear();
     }
+    return path;
+  }
+
+  std::string band(const std::vector<Pixel>& middle, const std::vector<double>& heights) const {
+    constexpr double half = least_seen / 2;
+    if (middle.size() == 1) {
+      const double x = std::clamp(middle[0].x - half, frame_.left, frame_.left + frame_.width - 2 * half);
+      const double reach = std::max(heights[0] / 2, half), y = middle[0].y;
+      return closed_path_of({{x, y - reach}, {x + 2 * half, y - reach}, {x + 2 * half, y + reach}, {x, y + reach}});
+    }
+    return closed_path_of(band_of(middle, heights, least_seen));
   }
 
   const Plane& plane_;
@@ -256,75 +253,61 @@ class Picture {
   const Frame frame_;
 };
 
-}  // namespace
-
-Element add_phase_svg(const Element& parent, const PhaseDiagram& diagram, const PhaseRegions& regions,
-                      const PhaseSvgOptions& options) {
-  const Picture picture(diagram, regions, options);
-  const Element svg = parent.add("svg").set("xmlns", "http://www.w3.org/2000/svg");
+void draw(const Element& svg, const Picture& picture, const PhaseSvgOptions& options,
+          const std::vector<ThinRegion>& thin) {
+  svg.set("xmlns", "http://www.w3.org/2000/svg");
   svg.set("viewBox", fmt::format("0 0 {} {}", short_number(options.width), short_number(options.height)));
   picture.add_definitions(svg);
   const Element plot = picture.add_plot(svg);
   picture.add_regions(plot);
   picture.add_refuted(plot);
   picture.add_lines(plot);
-  if (options.labels) picture.add_region_names(plot);
-  picture.add_curve_names(plot);
-  picture.add_line_names(plot);
+  picture.add_thin(plot, thin);
+  picture.add_names(plot, options.labels);
   picture.add_axes(svg);
+  picture.add_rings(svg, thin);
   picture.add_mark(svg);
-  return svg;
 }
 
-Element add_swatch(const Element& parent, const PhaseDiagram& diagram, const PhaseRegions& regions, std::size_t index) {
-  const Element svg = parent.add("svg", "swatch").set("viewBox", "0 0 28 18").set("aria-hidden", "true");
-  Picture(diagram, regions, {}).paint_swatch(svg.add("rect"), index);
-  return svg;
-}
-
-namespace {
-
-std::string whole_note(const PhaseDiagram& diagram, const PhaseRegions& regions) {
-  const std::string& note = diagram.plane.note;
-  if (!regions.leaves_domain) return note;
-  return note + (note.empty() ? "" : " ") + "White is out of the domain.";
+Picture picture_of(const PhasePicture& picture) {
+  return {picture.diagram, picture.regions, picture.options};
 }
 
 }  // namespace
 
-std::string phase_svg_file(const PhaseDiagram& diagram, const PhaseSvgOptions& options) {
-  const PhaseRegions regions = phase_regions(diagram);
-  const double title = 34, legend = 16 + 24 * static_cast<double>(regions.sets.size());
-  const std::string note = whole_note(diagram, regions);
-  const double height = title + options.height + legend + (note.empty() ? 0 : 20);
-  const Document document("svg");
-  const Element svg = document.root().set("xmlns", "http://www.w3.org/2000/svg");
-  svg.set("width", options.width).set("height", height).set("role", "img");
-  svg.set("viewBox", fmt::format("0 0 {} {}", short_number(options.width), short_number(height)));
-  svg.set("font-family", "system-ui, 'DejaVu Sans', sans-serif").set("font-size", 12);
-  svg.add("title").text(diagram.plane.title);
-  svg.add("style").code(picture_style());
-  svg.add("rect", "paper").set("width", options.width).set("height", height);
-  svg.add("text", "ink").set("x", 60).set("y", 23).set("font-size", 16).text(diagram.plane.title);
-  add_phase_svg(svg.add("g").set("transform", "translate(0 " + short_number(title) + ")"), diagram, regions, options)
-      .set("width", options.width)
-      .set("height", options.height);
-  for (std::size_t i = 0; i < regions.sets.size(); ++i) {
-    const double y = title + options.height + 24 * static_cast<double>(i);
-    const Element entry = svg.add("g").set("transform", "translate(60 " + short_number(y) + ")");
-    Picture(diagram, regions, options).paint_swatch(entry.add("rect"), i);
-    std::string words = name(regions.sets[i]);
-    const auto& motions = regions.sets[i].motions;
-    std::string more;
-    if (motions.size() == 1) more = ": " + diagram.plane.words(motions[0].front());
-    if (motions.size() > 1) more = ": ambiguous, " + std::to_string(motions.size()) + " motions";
-    const auto room = static_cast<std::size_t>((options.width - 98) / 6.2);
-    if (words.size() > room) words = words.substr(0, room - 4) + "…";
-    if (words.size() + more.size() <= room) words += more;
-    entry.add("text", "ink").set("x", 38).set("y", 13).text(words);
-  }
-  if (!note.empty()) svg.add("text", "soft").set("x", 60).set("y", height - 16).text(note);
-  return document.xml();
+PhaseSvgOptions enlargement_options(const PhaseSvgOptions& options) {
+  return {.width = std::max(options.width / 2, 330.0), .height = 260, .labels = options.labels};
+}
+
+PhasePicture phase_picture(const PhaseDiagram& diagram, const PhaseSvgOptions& options) {
+  PhasePicture picture{diagram, options, phase_regions(diagram), {}};
+  picture.thin = thin_regions(diagram, picture.regions, frame_of(diagram.plane, options),
+                              frame_of(diagram.plane, enlargement_options(options)));
+  return picture;
+}
+
+Element add_phase_svg(const Element& parent, const PhasePicture& picture) {
+  const Element svg = parent.add("svg");
+  draw(svg, picture_of(picture), picture.options, picture.thin.regions);
+  return svg;
+}
+
+Element add_enlargement(const Element& parent, const PhasePicture& picture, std::size_t index) {
+  const Enlargement& enlarged = picture.thin.enlargements[index];
+  const PhaseSvgOptions options = enlargement_options(picture.options);
+  const Element svg = parent.add("svg");
+  draw(svg, {enlarged.diagram, enlarged.regions, options}, options, {});
+  return svg;
+}
+
+Element add_swatch(const Element& parent, const PhasePicture& picture, std::size_t set) {
+  const Element svg = parent.add("svg", "swatch").set("viewBox", "0 0 28 18").set("aria-hidden", "true");
+  paint_swatch(svg.add("rect"), picture, set);
+  return svg;
+}
+
+void paint_swatch(const Element& rect, const PhasePicture& picture, std::size_t set) {
+  picture_of(picture).paint_swatch(rect, set);
 }
 
 }  // namespace slipproof

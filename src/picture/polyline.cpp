@@ -1,5 +1,6 @@
 #include "picture/polyline.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "markup/number.hpp"
@@ -45,6 +46,23 @@ std::vector<Pixel> simplified(const std::vector<Pixel>& points) {
     if (kept[i]) rest.push_back(points[i]);
   }
   return rest;
+}
+
+std::vector<Pixel> band_of(const std::vector<Pixel>& middle, const std::vector<double>& heights, double least) {
+  const double half = least / 2;
+  std::vector<Pixel> above, below;
+  for (std::size_t i = 0; i < middle.size(); ++i) {
+    const Pixel &before = middle[i == 0 ? 0 : i - 1], &after = middle[std::min(i + 1, middle.size() - 1)];
+    const double dx = after.x - before.x, dy = after.y - before.y, length = std::max(std::hypot(dx, dy), 1e-9);
+    const double beyond = i == 0 ? -half : i + 1 == middle.size() ? half : 0;
+    const double x = middle[i].x + beyond * dx / length, y = middle[i].y + beyond * dy / length;
+    const bool high = heights[i] * dx / length >= least;
+    const Pixel reach = high ? Pixel{0, heights[i] / 2} : Pixel{-half * dy / length, half * dx / length};
+    above.push_back({x - reach.x, y - reach.y});
+    below.push_back({x + reach.x, y + reach.y});
+  }
+  above.insert(above.end(), below.rbegin(), below.rend());
+  return above;
 }
 
 double length_of(const std::vector<Pixel>& points) {

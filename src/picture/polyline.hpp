@@ -14,6 +14,10 @@ struct Pixel {
 /// Points that are nearer than a twelfth of a unit to the line without them are left out (Douglas and Peucker).
 std::vector<Pixel> simplified(const std::vector<Pixel>& points);
 
+/// The outline of a band around a line of two points or more: of the heights, and at least so thick across the line. It
+/// reaches half of that beyond both ends.
+std::vector<Pixel> band_of(const std::vector<Pixel>& middle, const std::vector<double>& heights, double least);
+
 double length_of(const std::vector<Pixel>& points);
 
 /// `M...L...` of a simplified line; closed_path_of takes the points as they are, and ends in `Z`.

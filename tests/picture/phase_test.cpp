@@ -10,6 +10,7 @@
 #include "input/diagnostic.hpp"
 #include "model/scene.hpp"
 #include "modes/bicycle_motions.hpp"
+#include "modes/motions.hpp"
 #include "number/binary64.hpp"
 #include "picture/axis.hpp"
 #include "picture/claims_plane.hpp"
