@@ -31,7 +31,7 @@ double left_of(const Plane& plane) {
   for (const Rational& y : {plane.y.from, plane.y.to}) {
     longest = std::max(longest, fmt::format("{:.0f}", nearest_binary64(y)).size());
   }
-  return std::max(60.0, 8.0 * static_cast<double>(longest) + 12);
+  return std::max(60.0, 7.0 * static_cast<double>(longest) + 28);
 }
 
 std::vector<MechanismMode> drawn_modes(const PhaseRegions& regions) {

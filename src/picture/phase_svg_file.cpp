@@ -72,7 +72,7 @@ std::string thin_note(const PhasePicture& picture, std::size_t set) {
   const auto& thin = picture.thin.regions;
   for (std::size_t k = 0; k < thin.size(); ++k) {
     if (thin[k].set != set) continue;
-    return fmt::format("({}, {})", k + 1, thin[k].line ? "only on this line" : "drawn wider than it is");
+    return fmt::format("({}, {})", k + 1, thin[k].line ? "in one column only" : "drawn wider than it is");
   }
   return {};
 }

@@ -95,7 +95,7 @@ class Window {
     left_ = end(spots, false);
     right_ = end(spots, true);
     const double more =
-        left_ < right_ ? (right_ - left_) / 3 : nearest_binary64((plane.x.to - plane.x.from) / Rational(500));
+        left_ < right_ ? (right_ - left_) / 3 : nearest_binary64((plane.x.to - plane.x.from) / Rational(4000));
     left_ = std::max(left_ - more, nearest_binary64(plane.x.from));
     right_ = std::min(right_ + more, nearest_binary64(plane.x.to));
   }
@@ -161,13 +161,14 @@ ThinRegions thin_regions(const PhaseDiagram& diagram, PhaseRegions& regions, con
     };
     auto& all = result.enlargements;
     auto found = std::find_if(all.begin(), all.end(), shows);
-    if (found == all.end() && all.size() < most_enlargements && !region.line) {
+    if (found == all.end() && all.size() < most_enlargements) {
       if (auto part = Window(diagram.plane, *spot, spots).of(diagram.plane, all.size() + 1)) {
         Enlargement enlarged{phase_diagram(std::move(*part), enlarged_columns), {}};
         enlarged.regions = phase_regions(enlarged.diagram);
         if (shows(enlarged)) found = all.insert(all.end(), std::move(enlarged));
       }
     }
+    region.line = region.line && found == all.end();
     if (found != all.end()) region.enlargement = static_cast<std::size_t>(found - all.begin());
     result.regions.push_back(region);
   }

@@ -15,7 +15,7 @@ inline constexpr double least_seen = 4;
 struct ThinRegion {
   std::size_t set = 0;  ///< of the regions' sets
   PlanePoint at;        ///< where it is thickest
-  bool line = false;    ///< it is only in single columns, which no enlargement makes wider
+  bool line = false;    ///< it is only in single columns, and no enlargement makes it wider
   std::optional<std::size_t> enlargement;
 };
 
