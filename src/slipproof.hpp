@@ -19,6 +19,7 @@
 #include "enclosure/judge.hpp"
 #include "enclosure/multiple.hpp"
 #include "enclosure/no_solution.hpp"
+#include "enclosure/problem_name.hpp"
 #include "export/coq.hpp"
 #include "export/smtlib.hpp"
 #include "filter/batch.hpp"

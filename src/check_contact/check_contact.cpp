@@ -20,7 +20,7 @@ std::string claim(const Problem& problem, Reader& reader, const char* expected) 
 
 /// What all claims of the file say, one after the other. A file that cannot be read to its end is that first of all:
 /// what is to be rejected in it waits.
-std::string established(Reader& reader) {
+std::string established(Reader& reader, std::string_view asked) {
   const Problem problem(reader);
   std::string result;
   std::optional<Rejected> rejected;
@@ -33,18 +33,19 @@ std::string established(Reader& reader) {
     }
   } while (!reader.at("end"));
   reader.finish();
+  const std::string name = problem.check_name(asked);
   if (rejected) throw Rejected(*rejected);
   problem.check_mu();
-  return result + ", " + problem.in_words();
+  return result + ", " + problem.in_words() + ", " + name;
 }
 
 }  // namespace
 
-ContactVerdict check_contact_certificate(std::string_view text) {
+ContactVerdict check_contact_certificate(std::string_view text, std::string_view asked) {
   using Kind = ContactVerdict::Kind;
   try {
     Reader reader(text);
-    return {Kind::accepted, established(reader)};
+    return {Kind::accepted, established(reader, asked)};
   } catch (const Rejected& rejected) {
     return {Kind::rejected, rejected.what()};
   } catch (const Unreadable& unreadable) {

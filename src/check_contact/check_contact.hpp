@@ -19,7 +19,8 @@ struct ContactVerdict {
   std::string message;
 };
 
-/// Never throws because of what the text contains.
-ContactVerdict check_contact_certificate(std::string_view text);
+/// One that is about another problem than the one `asked` about, by its name (FORMAT.md), is rejected; empty: any is
+/// right. Never throws because of what the text contains.
+ContactVerdict check_contact_certificate(std::string_view text, std::string_view asked = "");
 
 }  // namespace slipproof::check_contact

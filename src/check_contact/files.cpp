@@ -13,7 +13,7 @@ using Kind = ContactVerdict::Kind;
 
 constexpr std::array<std::string_view, 4> kKinds{"accepted", "rejected", "missing", "unreadable"};
 
-ContactVerdict check_stream(std::istream& stream) {
+ContactVerdict check_stream(std::istream& stream, std::string_view asked) {
   std::string text;
   for (std::array<char, 1 << 16> block; text.size() <= kMaxFile && stream;) {
     stream.read(block.data(), block.size());
@@ -21,7 +21,7 @@ ContactVerdict check_stream(std::istream& stream) {
   }
   if (stream.bad()) return {Kind::unreadable, "it cannot be read"};
   if (text.size() > kMaxFile) return {Kind::unreadable, "it has more than " + std::to_string(kMaxFile) + " bytes"};
-  return check_contact_certificate(text);
+  return check_contact_certificate(text, asked);
 }
 
 /// The name of a file, in which a byte that is not printable ASCII is \xHH: otherwise it could pass for other lines.
@@ -40,15 +40,19 @@ std::string printable(const std::string& path) {
 }
 
 std::string in_words(const ContactVerdict& verdict, const std::string& name) {
-  const std::string kind(kKinds.at(static_cast<std::size_t>(verdict.kind)));
+  const std::string kind(to_string(verdict.kind));
   const std::string after = verdict.kind == Kind::accepted ? "\n" + name : ": ";
   return name + kind + after + verdict.message + "\n";
 }
 
 }  // namespace
 
-ContactVerdict check_contact_file(const std::string& path) {
-  if (path == "-") return check_stream(std::cin);
+std::string_view to_string(Kind kind) {
+  return kKinds.at(static_cast<std::size_t>(kind));
+}
+
+ContactVerdict check_contact_file(const std::string& path, std::string_view asked) {
+  if (path == "-") return check_stream(std::cin, asked);
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (status.type() == std::filesystem::file_type::not_found) {
@@ -59,14 +63,14 @@ ContactVerdict check_contact_file(const std::string& path) {
   if (!std::filesystem::is_regular_file(status)) return {Kind::unreadable, "it is not a regular file"};
   std::ifstream file(path, std::ios::binary);
   if (!file) return {Kind::unreadable, "the file cannot be opened"};
-  return check_stream(file);
+  return check_stream(file, asked);
 }
 
-ContactReport check_contact_files(const std::vector<std::string>& paths) {
+ContactReport check_contact_files(const std::vector<std::string>& paths, std::string_view asked) {
   ContactReport report;
   std::array<std::size_t, kKinds.size()> count{};
   for (const std::string& path : paths) {
-    const ContactVerdict verdict = check_contact_file(path);
+    const ContactVerdict& verdict = report.verdicts.emplace_back(check_contact_file(path, asked));
     report.text += in_words(verdict, paths.size() > 1 ? printable(path) + ": " : "");
     ++count.at(static_cast<std::size_t>(verdict.kind));
   }

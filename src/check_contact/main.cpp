@@ -1,25 +1,41 @@
-// slipproof-check-contact FILE...: checks certificates about contact problems; `-` is standard input. Exit codes: those
-// of ContactReport::exit_code, 2 for wrong usage, 6 where the result cannot be written, and 70 where
-// the program itself fails.
+// slipproof-check-contact [--problem NAME] FILE...: checks certificates about contact problems; `-` is standard input.
+// Those about another problem than NAME are rejected. Exit codes: those of ContactReport::exit_code, 2 for wrong usage,
+// 6 where the result cannot be written, and 70 where the program itself fails.
 #include <iostream>
 
 #include "check_contact/files.hpp"
+#include "check_contact/reader.hpp"
 
-int main(int argc, char** argv) try {
-  const std::string first = argc > 1 ? argv[1] : "--";
-  const bool asks = argc == 2 && (first == "--help" || first == "--version");
-  if (first.starts_with("-") && first != "-" && !asks) {
-    std::cerr << "usage: slipproof-check-contact FILE...\n";
+namespace {
+
+constexpr const char* kUsage = "usage: slipproof-check-contact [--problem NAME] FILE...\n";
+
+int check(std::vector<std::string> arguments) {
+  std::string asked;
+  if (arguments.size() >= 3 && arguments[0] == "--problem" && slipproof::check_contact::is_name(arguments[1])) {
+    asked = arguments[1];
+    arguments.erase(arguments.begin(), arguments.begin() + 2);
+  }
+  if (arguments.empty() || (arguments[0].starts_with("-") && arguments[0] != "-")) {
+    std::cerr << kUsage;
     return 2;
   }
+  const auto report = slipproof::check_contact::check_contact_files(arguments, asked);
+  std::cout << report.text << report.summary;
+  return report.exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  const std::string first = argc == 2 ? argv[1] : "";
   int exit_code = 0;
-  if (asks) {
-    std::cout << (first == "--help" ? "usage: slipproof-check-contact FILE...\n"
-                                    : "slipproof-check-contact " SLIPPROOF_VERSION "\n");
+  if (first == "--help") {
+    std::cout << kUsage;
+  } else if (first == "--version") {
+    std::cout << "slipproof-check-contact " SLIPPROOF_VERSION "\n";
   } else {
-    const auto report = slipproof::check_contact::check_contact_files({argv + 1, argv + argc});
-    std::cout << report.text << report.summary;
-    exit_code = report.exit_code;
+    exit_code = check({argv + 1, argv + argc});
   }
   if (std::cout.flush()) return exit_code;
   std::cerr << "slipproof-check-contact: standard output cannot be written\n";

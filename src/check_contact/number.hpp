@@ -121,6 +121,13 @@ inline std::optional<Number> number(std::string_view text) {
   return value && negative ? -*value : value;
 }
 
+/// In lowest terms: `-3/4`, or `7`.
+inline std::string canonical(const Number& x) {
+  mpq_class value(x.dividend(), x.divisor());
+  value.canonicalize();
+  return value.get_str();
+}
+
 /// Of x >= 0 two digits, rounded up: `1.3e-12`.
 inline std::string decimal(const Number& x) {
   if (x.sign() == 0) return "0";

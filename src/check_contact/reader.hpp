@@ -11,6 +11,11 @@ namespace slipproof::check_contact {
 
 inline constexpr std::size_t kMaxShown = 40;  ///< characters of a token in a message
 
+/// The name of a problem.
+inline bool is_name(std::string_view text) {
+  return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
 /// The text is no certificate.
 struct Unreadable : std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -60,6 +65,14 @@ class Reader {
     if (!value) refuse("an exact number");
     advance();
     return *value;
+  }
+
+  /// A SHA-256.
+  std::string name() {
+    if (!is_name(token_)) refuse("64 hexadecimal digits");
+    std::string result(token_);
+    advance();
+    return result;
   }
 
   Vector numbers(std::size_t size) {

@@ -97,7 +97,7 @@ bool is_one_problem(const CertifyArguments& options) {
   if (options.problem.any()) {
     throw CLI::ValidationError("FILE", "found " + std::string(options.file == "-" ? "standard input" : "JSON Lines") +
                                            ", expected a file with one contact problem for --answer, --refine, "
-                                           "--certificate, --report, --within and --law");
+                                           "--certificate, --check-certificate, --report, --within and --law");
   }
   return false;
 }

@@ -7,11 +7,14 @@
 #include <iostream>
 
 #include "certify/contact_file.hpp"
+#include "check_contact/files.hpp"
 #include "enclosure/certificate.hpp"
+#include "enclosure/problem_name.hpp"
 #include "formats/check.hpp"
 #include "formats/read_files.hpp"
 #include "html/contact_report.hpp"
 #include "output/output_file.hpp"
+#include "wording/exact_json.hpp"
 
 namespace slipproof::cli {
 
@@ -66,6 +69,32 @@ std::string command_line(const CertifyProblemArguments& options) {
   return text;
 }
 
+/// What slipproof-check-contact says of a certificate that has to be about this problem.
+int check_certificate(const CertifyProblemArguments& options, const ProblemFile& problem, const CommonOptions& common) {
+  CertifyProblemArguments others = options;
+  others.check_certificate.clear();
+  if (others.any()) {
+    throw CLI::ValidationError("--check-certificate",
+                               "found an option about an answer, too, expected none: it judges no answer");
+  }
+  const std::string name = problem_name(mixed_problem(problem));
+  const check_contact::ContactReport report = check_contact::check_contact_files({options.check_certificate}, name);
+  if (!common.json) {
+    print((common.quiet ? "" : report.text) + report.summary);
+    return report.exit_code;
+  }
+  const auto& [verdict, message] = report.verdicts.front();
+  Json document;
+  document["schema"] = "slipproof/check-contact/1";
+  document["problem"] = options.file;
+  document["name"] = name;
+  document["certificate"] = options.check_certificate;
+  document["verdict"] = to_string(verdict);
+  document["message"] = message;
+  print(dump(document));
+  return report.exit_code;
+}
+
 }  // namespace
 
 void add_problem_options(CLI::App& command, CertifyProblemArguments& options) {
@@ -82,6 +111,8 @@ void add_problem_options(CLI::App& command, CertifyProblemArguments& options) {
   group->add_option("--law", options.law, "The friction that was meant: cone, or a pyramid (box, diamond)")
       ->check(CLI::IsMember({"cone", "box", "diamond"}))
       ->capture_default_str();
+  group->add_option("--check-certificate", options.check_certificate,
+                    "Judge no answer: check this certificate, and that it is about this problem");
 }
 
 int run_certify_problem(const CertifyProblemArguments& options, const CommonOptions& common) {
@@ -92,6 +123,7 @@ int run_certify_problem(const CertifyProblemArguments& options, const CommonOpti
   judge.judge.refine = options.refine;
   judge.judge.law = law_of(options.law);
   ReadProblem read = read_problem_file(options.file);
+  if (!options.check_certificate.empty()) return check_certificate(options, read.problem, common);
   if (!options.answer.empty()) {
     judge.answer = read_answer_file(options.answer);
     Mistakes mistakes(options.answer);

@@ -10,14 +10,15 @@
 namespace slipproof::cli {
 
 struct CertifyProblemArguments {
-  std::string file, answer, certificate, report, refined;
+  std::string file, answer, certificate, check_certificate, report, refined;
   std::string law = "cone";
   std::optional<double> tolerance, within;
   std::optional<Work> effort;
   bool refine = false;
   /// Whether one of the options was given that only problems have.
   bool any() const {
-    return !answer.empty() || !certificate.empty() || !report.empty() || refine || within || law != "cone";
+    return !answer.empty() || !certificate.empty() || !check_certificate.empty() || !report.empty() || refine ||
+           within || law != "cone";
   }
 };
 

@@ -117,11 +117,12 @@ WrittenPage page_of_program(const CLI::App& app, const std::string& version) {
 WrittenPage page_of_check_contact(const std::string& version) {
   Page page("slipproof-check-contact", version, "Certificates about contact problems, checked again");
   page.section("SYNOPSIS");
-  page.synopsis("slipproof-check-contact", "FILE...");
+  page.synopsis("slipproof-check-contact", "[--problem NAME] FILE...");
   page.section("DESCRIPTION");
   page.add("Checks what\n.B slipproof certify \\-\\-certificate\nwrites, and shares no code with the search for it.\n");
   page.item("FILE...", "Certificates; - is standard input");
   page.section("OPTIONS");
+  page.item("--problem NAME", "Reject certificates about another problem than the one of this name");
   page.item("--help", "How it is used");
   page.item("--version", "Its version");
   page.add(exit_status);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "enclosure/problem_name.hpp"
 #include "number/binary64.hpp"
 
 namespace slipproof {
@@ -129,6 +130,7 @@ class CertificateWriter {
 
   void write_problem() {
     line("slipproof-contact 1");
+    line("problem {}", problem_name(problem_));
     line("dimension {} free {} contacts {}", problem_.dimension, problem_.free, problem_.contacts());
     vector("mu", problem_.mu);
     line("matrix {}", problem_.A.entries());

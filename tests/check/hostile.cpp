@@ -7,10 +7,10 @@ using namespace slipproof::test;
 
 namespace {
 
-const std::string kStatement = "slipproof-statement 1\ntheorem t\nreal x\nassume a: x > 0\nshow x > 0\n";
+const std::string kPositive = "slipproof-statement 1\ntheorem t\nreal x\nassume a: x > 0\nshow x > 0\n";
 
 GoodTexts good_texts() {
-  return {kStatement, slipproof::check::header(kStatement) + "contradiction\nterm 1 a\nterm 1 goal\nqed\n"};
+  return {kPositive, slipproof::check::header(kPositive) + "contradiction\nterm 1 a\nterm 1 goal\nqed\n"};
 }
 
 std::string checker() {

@@ -25,7 +25,9 @@ TEST_CASE("the program's words and exit codes") {
                     broken = folder.write("broken", replaced(kRod, "end", "fin"));
   CHECK(program({good}).exit_code == 0);
   CHECK(program({good}).out ==
-        "accepted\na solution within 5.0e-1 of the answer, 2 contacts in dimension 1 and 1 free unknowns\n" +
+        "accepted\na solution within 5.0e-1 of the answer, 2 contacts in dimension 1 and 1 free unknowns, names no "
+        "problem, has the "
+        "numbers of e4f36668ce6bdd81ac3ead88aa01721ba63f32acf45b3293d5e92275aa1e6f05\n" +
             summary("ACCEPTED", 1, 0, 0, 0));
   CHECK(program({bad}).exit_code == 5);
   CHECK(program({bad}).out == "rejected: component 0: the solution may be farther than RHO from the answer\n" +

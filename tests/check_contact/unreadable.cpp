@@ -9,8 +9,8 @@ using namespace slipproof::check_contact;
 
 namespace {
 
-const std::vector<std::string> kAll{kEps, kNoneWithin, kNoSolution, kSlide,   kPlane, kComplementarity,
-                                    kRod, kStick,      kDominant,   kDefinite};
+const std::vector<std::string> kAll{kEps, kNoneWithin, kNoSolution, kSlide,    kPlane, kComplementarity,
+                                    kRod, kStick,      kDominant,   kDefinite, kNamed};
 
 struct Malformed {
   std::string from, to, expected;

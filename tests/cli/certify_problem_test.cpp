@@ -88,6 +88,39 @@ TEST_CASE("an answer of its own file, an improved answer, a certificate and a re
   CHECK(read_file(answer) == "10 -1.5000001 -2\n");
 }
 
+TEST_CASE("a certificate is told when it is about another problem") {
+  const TemporaryFolder folder;
+  const std::string shipped = SLIPPROOF_SOURCE_DIR "/cases/contact-problems/pushed-block",
+                    text = read_file(shipped + ".json"), certificate = shipped + ".cert";
+  const auto checked = [&](const std::string& problem, const std::string& file) {
+    return run({"certify", problem, "--check-certificate", file});
+  };
+  const auto good = checked(shipped + ".json", certificate);
+  CHECK(good.exit_code == 0);
+  CHECK(good.out.starts_with("accepted\na solution within "));
+  CHECK(last_line(good.out) == "s ACCEPTED 1 accepted, 0 rejected, 0 missing, 0 undecided, 0 unreadable\n");
+  const std::string other = std::string(text).replace(text.find("\"mu\": 0.5"), 9, "\"mu\": 0.6");
+  const auto bad = checked(folder.write("other.json", other), certificate);
+  CHECK(bad.exit_code == 5);
+  CHECK(bad.out.starts_with("rejected: it is about another problem, "));
+  // What was made now, and what was made before certificates named their problem.
+  const std::string made = folder.path() / "made.cert";
+  CHECK(run({"certify", shipped + ".json", "--certificate", made}).exit_code == 0);
+  CHECK(checked(shipped + ".json", made).exit_code == 0);
+  std::string old = read_file(made);
+  old.erase(old.find("problem "), 64 + 9);
+  const auto text_of_old =
+      run({"certify", shipped + ".json", "--json", "--check-certificate", folder.write("old.cert", old)});
+  const Json json = Json::parse(text_of_old.out);
+  CHECK(json["schema"] == "slipproof/check-contact/1");
+  CHECK(json["verdict"] == "accepted");
+  CHECK(json["message"].get<std::string>().ends_with(", names no problem, has the numbers of " +
+                                                     json["name"].get<std::string>()));
+  CHECK(checked(shipped + ".json", folder.path() / "none.cert").exit_code == 3);
+  CHECK(run({"certify", shipped + ".json", "--check-certificate", made, "--report", folder.path() / "r"}).exit_code ==
+        2);
+}
+
 TEST_CASE("planar contacts with one solution for every constant say so") {
   const TemporaryFolder folder;
   const auto said = [&](const std::string& mu) {
