@@ -96,7 +96,7 @@ void add_legend(const Element& parent, const PhasePicture& picture, bool words) 
 
 void add_enlargements(const Element& parent, const PhasePicture& picture) {
   for (std::size_t i = 0; i < picture.thin.enlargements.size(); ++i) {
-    const Element box = parent.add("div", "plot enlarged");
+    const Element box = parent.add("div", "enlarged");
     const std::string title = enlargement_title(picture, i);
     box.add("p").text(title);
     add_enlargement(box, picture, i).set("role", "img").set("aria-label", title);
