@@ -13,6 +13,10 @@ using Kind = ContactVerdict::Kind;
 
 constexpr std::array<std::string_view, 4> kKinds{"accepted", "rejected", "missing", "unreadable"};
 
+ContactVerdict too_long() {
+  return {Kind::unreadable, "it has more than " + std::to_string(kMaxFile) + " bytes"};
+}
+
 ContactVerdict check_stream(std::istream& stream, std::string_view asked) {
   std::string text;
   for (std::array<char, 1 << 16> block; text.size() <= kMaxFile && stream;) {
@@ -20,7 +24,7 @@ ContactVerdict check_stream(std::istream& stream, std::string_view asked) {
     text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
   }
   if (stream.bad()) return {Kind::unreadable, "it cannot be read"};
-  if (text.size() > kMaxFile) return {Kind::unreadable, "it has more than " + std::to_string(kMaxFile) + " bytes"};
+  if (text.size() > kMaxFile) return too_long();
   return check_contact_certificate(text, asked);
 }
 
@@ -61,6 +65,8 @@ ContactVerdict check_contact_file(const std::string& path, std::string_view aske
   }
   if (error) return {Kind::unreadable, error.message()};
   if (!std::filesystem::is_regular_file(status)) return {Kind::unreadable, "it is not a regular file"};
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (!error && size > kMaxFile) return too_long();
   std::ifstream file(path, std::ios::binary);
   if (!file) return {Kind::unreadable, "the file cannot be opened"};
   return check_stream(file, asked);

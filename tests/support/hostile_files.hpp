@@ -85,7 +85,7 @@ inline std::vector<HostileCase> hostile_cases() {
   const std::string undecided = "slipproof-undecided 1\ntheorem t\n";
   const std::string deepest = "deep" + [] {
     std::string path;
-    for (int i = 0; i < 1'500; ++i) path += "/d";
+    for (int i = 0; i < 1'100; ++i) path += "/d";
     return path;
   }();
   return {
@@ -164,10 +164,10 @@ inline std::vector<HostileCase> hostile_cases() {
        [](F f) { f.both("t"), f.link("root", "/"), f.link("u.cert", "t.cert"), f.link("u.statement", "t.statement"); },
        {{"root", unreadable, unreadable}, {"t.cert", accepted, accepted}, {"u.cert", accepted, accepted}}},
       {"folders in folders, more than files may be open",
-       [=](F f) { f.nested(1'500), f.both(deepest + "/t"); },
+       [=](F f) { f.nested(1'100), f.both(deepest + "/t"); },
        {{deepest + "/t.cert", accepted, accepted}}},
       {"a path that is too long",
-       [](F f) { f.nested(3'000), f.both("t"); },
+       [](F f) { f.nested(2'100), f.both("t"); },
        {{"deep", unreadable, unreadable}, {"t.cert", accepted, accepted}}},
       {"records of searches that ended without",
        [=](F f) {
