@@ -36,13 +36,13 @@ const std::vector<std::string>& units_of_columns() {
   return units;
 }
 
-double number(const std::string& cell) {
+double number_in(const std::string& cell) {
   return std::strtod(cell.c_str(), nullptr);
 }
 
 /// The sprocket's angular acceleration, which the mechanism asks for: exactly that of the right answer.
 std::string eps1_of(const Cells& cells) {
-  const auto exact = [&](std::size_t i) { return to_rational(number(cells[i])); };
+  const auto exact = [&](std::size_t i) { return to_rational(number_in(cells[i])); };
   const Rational ratio = exact(9) / exact(8);
   return exact_text(Rational(ratio * exact(20) + (1 - ratio) * exact(19)));
 }
@@ -71,7 +71,7 @@ Cells in_units(const Cells& cells, const UnitSystem& system) {
   Cells result = cells;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (units_of_columns()[i].empty() || cells[i].empty()) continue;
-    const Rational exact = parse_rational(i == eps1_cell ? cells[i] : exact_text(to_rational(number(cells[i])))) *
+    const Rational exact = parse_rational(i == eps1_cell ? cells[i] : exact_text(to_rational(number_in(cells[i])))) *
                            system.factor(units_of_columns()[i]);
     const double nearest = nearest_binary64(exact);
     result[i] = to_rational(nearest) == exact ? fmt::format("{}", nearest) : exact_text(exact);
@@ -97,7 +97,7 @@ std::string csv(const Cells& names, const std::vector<Cells>& records) {
   return text;
 }
 
-std::string json_lines(const Cells& names, const std::vector<Cells>& records) {
+std::string as_json_lines(const Cells& names, const std::vector<Cells>& records) {
   std::string text;
   for (const Cells& cells : records) {
     nlohmann::ordered_json line;
@@ -134,7 +134,7 @@ std::vector<std::string> by_library(const std::vector<Cells>& records) {
   std::vector<std::string> result;
   for (const Cells& cells : records) {
     std::array<double, eps1_cell> x{};
-    std::transform(cells.begin(), cells.begin() + eps1_cell, x.begin(), number);
+    std::transform(cells.begin(), cells.begin() + eps1_cell, x.begin(), number_in);
     ForcedScene<double> s{.bicycle = {x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], x[10]},
                           .road = {x[11], x[12]},
                           .force_kind = *parse_force_kind(cells[kind_cell]),
@@ -171,7 +171,7 @@ std::vector<std::string> by_columns(const std::vector<Cells>& records) {
       const auto field = parse_field(record_columns[k]);
       if (!field || (*field == Field::J && !with_J)) continue;
       std::vector<double>& to = numbers[index(*field)];
-      for (const std::size_t i : own) to.push_back(number(records[i][k]));
+      for (const std::size_t i : own) to.push_back(number_in(records[i][k]));
       columns[*field] = std::span<const double>(to);
     }
     for (const std::size_t i : own) {
@@ -216,10 +216,10 @@ TEST_CASE("no verdict on the bicycle's outputs depends on units or on the way in
     for (const Cells& cells : records) own.push_back(in_units(cells, system));
     const std::string name = system.name;
     difference.take(verdicts(certified(csv(record_columns, own)), "modes"), expected, "CSV, " + name, own);
-    difference.take(verdicts(certified(json_lines(record_columns, own)), "modes"), expected, "JSON, " + name, own);
+    difference.take(verdicts(certified(as_json_lines(record_columns, own)), "modes"), expected, "JSON, " + name, own);
     const std::vector<Cells> theirs = of_mechanism(own);
     difference.take(as_mechanism(csv(mechanism_names, theirs)), expected_verdicts, "mechanism CSV, " + name, own);
-    difference.take(as_mechanism(json_lines(mechanism_names, theirs)), expected_verdicts, "mechanism JSON, " + name,
+    difference.take(as_mechanism(as_json_lines(mechanism_names, theirs)), expected_verdicts, "mechanism JSON, " + name,
                     own);
     if (name == "m kg s" || name == "powers of two") {
       difference.take(by_library(own), expected_verdicts, "library, " + name, own);
