@@ -14,6 +14,7 @@
 #include "cli/certify_problem.hpp"
 #include "cli/command.hpp"
 #include "cli/crew_run.hpp"
+#include "cli/warnings.hpp"
 #include "formats/read_files.hpp"
 #include "input/text_file.hpp"
 #include "mechanism/scene.hpp"
@@ -80,13 +81,15 @@ Progress record_counter(bool wanted) {
 /// What is the same for all records: a scene of a bicycle or of a mechanism, or a mechanism alone.
 void read_setting(CertifyArguments& options) {
   if (!options.mechanism.empty()) options.certify.mechanism.emplace(open_mechanism(options.mechanism));
-  if (options.scene.empty()) return;
-  const std::string text = read_text_file(options.scene);
-  if (is_mechanism_scene(text)) {
-    options.certify.mechanism.emplace(parse_mechanism_scene(text, options.scene));
-  } else {
-    options.certify.scene = parse_scene(text, options.scene);
+  if (!options.scene.empty()) {
+    const std::string text = read_text_file(options.scene);
+    if (is_mechanism_scene(text)) {
+      options.certify.mechanism.emplace(parse_mechanism_scene(text, options.scene));
+    } else {
+      options.certify.scene = parse_scene(text, options.scene);
+    }
   }
+  if (options.certify.mechanism) print_warnings(options.certify.mechanism->mechanism, options.common);
 }
 
 /// Whether the file holds one contact problem, and not records, or problems as JSON Lines.

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cli/command.hpp"
+#include "cli/warnings.hpp"
 #include "input/diagnostic.hpp"
 #include "input/text_file.hpp"
 #include "mechanism/scene.hpp"
@@ -45,6 +46,7 @@ std::string figure_of(const DrawArguments& arguments, Inputs& inputs) {
   }
   const MechanismScene scene = parse_mechanism_scene(text, arguments.scene);
   inputs.add(scene.mechanism.file);
+  print_warnings(scene.mechanism, arguments.common);
   if (arguments.motion == 0) return mechanism_svg_file(scene, nullptr);
   const MotionAtLoad motion = motion_of(scene, arguments);
   return mechanism_svg_file(scene, &motion);

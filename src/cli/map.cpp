@@ -8,6 +8,7 @@
 
 #include "cli/command.hpp"
 #include "cli/png.hpp"
+#include "cli/warnings.hpp"
 #include "input/diagnostic.hpp"
 #include "input/text_file.hpp"
 #include "mechanism/scene.hpp"
@@ -80,6 +81,7 @@ PlannedMap map_of_bicycle(const MapArguments& options, const Scene& scene) {
 
 PlannedMap map_of_mechanism(const MapArguments& options, MechanismScene scene) {
   if (!options.y.empty()) scene = with_load(scene, options.y);
+  print_warnings(scene.mechanism, options.common);
   MechanismAxes axes;
   axes.x = options.x;
   set_range(options.x_range, axes.x_from, axes.x_to);

@@ -9,6 +9,7 @@
 #include "cli/command.hpp"
 #include "cli/crew_run.hpp"
 #include "cli/prove_run.hpp"
+#include "cli/warnings.hpp"
 #include "export/coq.hpp"
 #include "export/smtlib.hpp"
 #include "input/diagnostic.hpp"
@@ -181,6 +182,7 @@ Exit run_prove(ProveArguments& options) {
   }
   const std::filesystem::path out = options.out.empty() ? folder : std::filesystem::path(options.out);
   const ClaimsFile file = read_claims(claims);
+  print_warnings(file, options.common);
   const std::filesystem::path generated = certificates_folder(out / claims.filename());
   const OutputFolder made(out, Inputs{claims}), made_inside(generated, Inputs{claims});
   copy_statements(folder, out);

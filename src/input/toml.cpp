@@ -223,9 +223,9 @@ bool report_bare_number(const Source& source, std::size_t number, Mistakes& mist
   return true;
 }
 
-/// What to write in a bare key, which is ASCII.
+/// What to write outside strings, where TOML is ASCII.
 std::string written_in_ascii(std::string_view line) {
-  const auto odd = first_odd_character(line.substr(0, line.find_first_of("=\"'#")));
+  const auto odd = first_odd_character(line.substr(0, line.find_first_of("\"'#")));
   return odd ? ": found " + describe(*odd) : "";
 }
 

@@ -55,9 +55,15 @@ TEST_CASE("what looks wrong in a mechanism is told wherever it is used, and its 
       "\"10\", theta = { tan_half = \"1/3\" } }\n[setting.parameters]\nmu = { domain = \"mu >= 0\", meaning = \"x\" }\n"
       "[[claim]]\nid = \"X\"\nline = 1\nstatement = \"x\"\nkind = \"motions\"\nregion = \"mu = 0\"\nmodes = "
       "[\"slip+\"]\n");
-  for (const std::vector<std::string>& command : {std::vector<std::string>{"solve", scene},
-                                                  {"verify", claims, "--samples", "40"},
-                                                  {"search", mechanism, "--samples", "40"}}) {
+  const std::string answers = folder.write("answers.csv", "mu,ax,ay,phi\n1,0,0,0\n");
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"solve", scene},
+        {"draw", scene},
+        {"map", scene, "--x", "m", "--x-range", "1", "2", "--y", "g", "--columns", "5"},
+        {"certify", "--scene", scene, answers},
+        {"prove", claims},
+        {"verify", claims, "--samples", "40"},
+        {"search", mechanism, "--samples", "40"}}) {
     CAPTURE(command[0]);
     const auto told = run(command);
     CHECK(told.exit_code <= 1);

@@ -154,7 +154,8 @@ TEST_CASE("hostile bytes are refused, not obeyed") {
   CHECK(refusal("# caf\xc3") == "t:1:6: found the byte 0xc3, expected UTF-8 text");
   CHECK(refusal("a = \"\xed\xa0\x80\"") == "t:1:6: found the byte 0xed, expected UTF-8 text");
   // Letters beyond ASCII where they do not belong.
-  CHECK(refusal("\nR = −5") == "t:2:5: not TOML: Error while parsing value: could not determine value type");
+  CHECK(refusal("\nR = −5") ==
+        "t:2:5: not TOML: Error while parsing value: could not determine value type: found `−` (U+2212; write `-`)");
   for (const std::string text :
        {"é = 1", "a = \"x\" é", "a = \"\"\"\"\"\"\"\"é", "a = \"\\é\"", "a = 1\"é\"", "a = é", "[é]"}) {
     CAPTURE(text);
