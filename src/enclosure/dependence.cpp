@@ -3,6 +3,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "enclosure/enclosure.hpp"
 #include "enclosure/flint.hpp"
@@ -15,11 +16,15 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-MatrixXd derivative_of_all(const ModeSystem& system, std::span<const double> z) {
-  const auto n = static_cast<Index>(system.size());
-  MatrixXd J = MatrixXd::Zero(n, n);
-  for (std::size_t i = 0; i < system.size(); ++i) {
-    for (const auto& e : system.derivative(i, z)) J(static_cast<Index>(i), static_cast<Index>(e.unknown)) = e.value;
+MatrixXd derivative_of(const ModeSystem& system, std::span<const double> z, std::span<const std::size_t> equations,
+                       std::span<const std::size_t> unknowns) {
+  std::vector<Index> place(system.size(), -1);
+  for (std::size_t j = 0; j < unknowns.size(); ++j) place[unknowns[j]] = static_cast<Index>(j);
+  MatrixXd J = MatrixXd::Zero(static_cast<Index>(equations.size()), static_cast<Index>(unknowns.size()));
+  for (std::size_t i = 0; i < equations.size(); ++i) {
+    for (const auto& e : system.derivative(equations[i], z)) {
+      if (place[e.unknown] >= 0) J(static_cast<Index>(i), place[e.unknown]) = e.value;
+    }
   }
   return J;
 }
@@ -39,10 +44,10 @@ std::vector<Index> independent_columns(const MatrixXd& matrix, const std::vector
   return result;
 }
 
-std::vector<std::size_t> others(const std::vector<Index>& chosen, std::size_t n) {
+std::vector<std::size_t> others(const std::vector<Index>& chosen, std::span<const std::size_t> all) {
   std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < n; ++i) {
-    if (!std::binary_search(chosen.begin(), chosen.end(), static_cast<Index>(i))) result.push_back(i);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!std::binary_search(chosen.begin(), chosen.end(), static_cast<Index>(i))) result.push_back(all[i]);
   }
   return result;
 }
@@ -55,12 +60,12 @@ void put_equation(FlintRationalMatrix& to, std::size_t column, const MixedProble
 }
 
 /// Each dropped equation as a combination of linear ones that are kept; false where one is none.
-bool combine(const MixedProblem& problem, const ModeSystem& system, const std::vector<Index>& kept,
-             std::vector<DroppedEquation>& dropped) {
+bool combine(const MixedProblem& problem, const ModeSystem& system, std::vector<DroppedEquation>& dropped) {
+  std::vector<bool> kept(system.size(), true);
+  for (const DroppedEquation& d : dropped) kept[d.equation] = false;
   std::vector<std::size_t> linear;
-  for (const Index i : kept) {
-    const auto e = static_cast<std::size_t>(i);
-    if (system.equations()[e].kind == ModeSystem::Kind::linear) linear.push_back(e);
+  for (std::size_t e = 0; e < system.size(); ++e) {
+    if (kept[e] && system.equations()[e].kind == ModeSystem::Kind::linear) linear.push_back(e);
   }
   FlintRationalMatrix A(problem.size() + 1, linear.size()), B(problem.size() + 1, dropped.size());
   FlintRationalMatrix X(linear.size(), dropped.size());
@@ -81,26 +86,34 @@ bool combine(const MixedProblem& problem, const ModeSystem& system, const std::v
 
 }  // namespace
 
-DependenceResult exact_dependence(const MixedProblem& problem, const ModeSystem& system, std::span<const double> z) {
-  DependenceResult result;
-  const std::size_t n = system.size();
-  if (n > largest_dependent) {
-    result.reason = "equations depend on each other, and there are too many of them to find out which exactly";
-    return result;
-  }
-  const MatrixXd J = derivative_of_all(system, z);
-  // Only linear equations can be dropped: the others are taken first, which their weight sees to.
+DependentPart dependent_part(const ModeSystem& system, std::span<const double> z,
+                             std::span<const std::size_t> equations, std::span<const std::size_t> unknowns) {
+  const MatrixXd J = derivative_of(system, z, equations, unknowns);
   std::vector<double> weights;
-  for (const auto& e : system.equations()) weights.push_back(e.kind == ModeSystem::Kind::linear ? 1 : 64);
+  for (const std::size_t e : equations) {
+    weights.push_back(system.equations()[e].kind == ModeSystem::Kind::linear ? 1 : 64);
+  }
   const std::vector<Index> rows = independent_columns(J.transpose(), weights);
   MatrixXd kept(static_cast<Index>(rows.size()), J.cols());
   for (std::size_t i = 0; i < rows.size(); ++i) kept.row(static_cast<Index>(i)) = J.row(rows[i]);
-  const std::vector<Index> columns = independent_columns(kept, std::vector<double>(n, 1));
-  result.unknowns = others(columns, n);
-  for (const std::size_t i : others(rows, n)) result.dropped.push_back({i, {}});
-  if (result.dropped.empty() || rows.size() != columns.size()) {
+  const std::vector<Index> columns = independent_columns(kept, std::vector<double>(unknowns.size(), 1));
+  return {others(rows, equations), others(columns, unknowns), rows.size() == columns.size()};
+}
+
+DependenceResult exact_dependence(const MixedProblem& problem, const ModeSystem& system, std::span<const double> z) {
+  DependenceResult result;
+  if (system.size() > largest_dependent) {
+    result.reason = "equations depend on each other, and there are too many of them to find out which exactly";
+    return result;
+  }
+  std::vector<std::size_t> all(system.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  DependentPart part = dependent_part(system, z, all, all);
+  result.unknowns = std::move(part.unknowns);
+  for (const std::size_t i : part.equations) result.dropped.push_back({i, {}});
+  if (result.dropped.empty() || !part.regular) {
     result.reason = "the equations of these contacts are too close to dependent for binary64";
-  } else if (!combine(problem, system, rows, result.dropped)) {
+  } else if (!combine(problem, system, result.dropped)) {
     result.reason = "the forces of these contacts depend on each other, not exactly, but up to rounding";
   }
   return result;

@@ -11,6 +11,17 @@ namespace slipproof {
 
 struct DroppedEquation;
 
+/// What pivoting in floating point leaves out of some equations and some of their unknowns, to make them regular. As
+/// many are kept of one as of the other, or `regular` is false.
+struct DependentPart {
+  std::vector<std::size_t> equations, unknowns;
+  bool regular = false;
+};
+
+/// Equations that are not linear are kept first. Cubic in their number.
+DependentPart dependent_part(const ModeSystem& system, std::span<const double> z,
+                             std::span<const std::size_t> equations, std::span<const std::size_t> unknowns);
+
 /// What has to be pinned and dropped for a regular system; `reason` where that cannot be done exactly, with the
 /// unknowns that it is about.
 struct DependenceResult {
