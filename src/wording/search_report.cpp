@@ -25,7 +25,8 @@ bool finds_something(const SearchReport& report) {
 SearchReport searched(const Mechanism& mechanism, const SearchOptions& options, std::string within,
                       MotionSearch& search, Crew* crew) {
   SearchReport report{mechanism, options, std::move(within), search.result(crew)};
-  if (report.result.samples > 0 && !finds_something(report)) report.proof = unique_everywhere(mechanism, !options.hysteresis);
+  if (report.result.samples > 0 && !finds_something(report))
+    report.proof = unique_everywhere(mechanism, !options.hysteresis);
   return report;
 }
 
