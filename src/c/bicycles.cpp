@@ -172,6 +172,6 @@ slipproof_status slipproof_certify_bicycles(const slipproof_bicycles* bicycles, 
     c::need(judgements, "judgements");
     if (count == 0) return;
     const RecordColumns records = c::records_of(*bicycles, *answers, count);
-    c::certify_records(records, {.judge = c::options_of(options).exact, .threads = threads}, *judgements);
+    c::certify_records(records, {.judge = c::options_of(options).scene, .threads = threads}, *judgements);
   });
 }

@@ -26,15 +26,20 @@ namespace slipproof::c {
 
 Options options_of(const slipproof_certify_options* given) {
   Options options;
+  options.exact.tolerance = options.enclosure.judge.tolerance;
   if (given == nullptr) return options;
   const auto use = [](double from, const char* argument, double& to) {
     if (std::isnan(from)) return;
     if (!(from >= 0 && from <= 1)) throw BadArgument(argument, "expected a number from 0 to 1, or NaN");
     to = from;
   };
+  use(given->tolerance, "tolerance", options.scene.tolerance);
   use(given->tolerance, "tolerance", options.exact.tolerance);
+  use(given->tolerance, "tolerance", options.enclosure.judge.tolerance);
   use(given->backward_tolerance, "backward_tolerance", options.enclosure.judge.tolerance);
-  if (given->effort != 0) options.exact.effort = options.enclosure.judge.effort = given->effort;
+  if (given->effort != 0) {
+    options.scene.effort = options.exact.effort = options.enclosure.judge.effort = given->effort;
+  }
   options.enclosure.judge.refine = given->refine != 0;
   return options;
 }

@@ -8,7 +8,8 @@
 namespace slipproof::c {
 
 struct Options {
-  JudgeOptions exact;            ///< for scenes and problems whose solutions are all computed
+  JudgeOptions scene;
+  JudgeOptions exact;            ///< for contact problems whose solutions are all computed
   ContactFileOptions enclosure;  ///< for the others
 };
 

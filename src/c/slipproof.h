@@ -148,8 +148,8 @@ typedef struct slipproof_problem {
 } slipproof_problem;
 
 typedef struct slipproof_certify_options {
-  double tolerance;          /* on the relative error of a component, 1e-9; NaN: the usual one */
-  double backward_tolerance; /* on the backward error, relative to the largest constant, 1e-6; NaN: the usual one */
+  double tolerance;          /* on the relative error of bicycles, 1e-9, and of contact problems, 1e-6; NaN: these */
+  double backward_tolerance; /* of problems in space or beyond 64 components instead; NaN: the same as `tolerance` */
   uint64_t effort;           /* operations on words that the judgement may take, about; 0: the usual, a second or two */
   int refine;                /* look for a solution near an answer even if that is wrong */
 } slipproof_certify_options;
@@ -168,7 +168,7 @@ typedef struct slipproof_judgement {
 
 /* Up to 64 components in dimension 1 or 2 the answer is compared with all exact solutions ("certified", "ambiguous",
  * "inaccurate", "wrong", ...); larger or spatial problems are judged by enclosures ("solution within rho", "unique",
- * "eps-solution", "wrong", ...). `options` may be NULL. */
+ * "inaccurate", "eps-solution", "wrong", ...), by the same rule. `options` may be NULL. */
 SLIPPROOF_API slipproof_status slipproof_certify(const slipproof_problem* problem,
                                                  const slipproof_certify_options* options, slipproof_verdict** verdict,
                                                  slipproof_error** error);

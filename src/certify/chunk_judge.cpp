@@ -26,8 +26,10 @@ RecordJudgement judge_line(std::string_view line, std::uint64_t at, const Record
     return record.not_finite ? not_finite(*record.not_finite) : judge(record, options.judge);
   }
   const ProblemRecord record = read_problem(line, options.decimal_exact, options.ignore_unknown);
-  return record.not_finite ? not_finite(*record.not_finite)
-                           : judge_problem(record.problem, record.answer, options.judge);
+  if (record.not_finite) return not_finite(*record.not_finite);
+  JudgeOptions judge = options.judge;
+  judge.tolerance = options.contact.tolerance;
+  return judge_problem(record.problem, record.answer, judge);
 }
 
 /// Judges the lines of a chunk, whatever they are records of.

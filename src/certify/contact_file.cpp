@@ -63,7 +63,9 @@ JudgedAnswer judge_what_is_found(const JudgedProblem& problem, const ContactFile
   if (!options.judge.refine) return result;
   for (std::vector<double>& start : starts(problem.mixed, options.judge)) {
     result.judgement = judge_contacts(problem.mixed, std::move(start), {}, options.judge);
-    if (result.judgement.verdict == ContactVerdict::wrong && result.judgement.has_solution()) {
+    const ContactVerdict verdict = result.judgement.verdict;
+    const bool far = verdict == ContactVerdict::wrong || verdict == ContactVerdict::inaccurate;
+    if (far && result.judgement.has_solution()) {
       result.judgement = judge_contacts(problem.mixed, known_solution(result.judgement), {}, options.judge);
     }
     result.origin = "found here";
@@ -183,6 +185,10 @@ std::string verdict_words(const ContactJudgement& j) {
     case ContactVerdict::solution_within_rho:
       return fmt::format("An exact solution is within {} of the answer in each component{}.", at_most(j.rho),
                          j.enclosure && j.enclosure->locally_unique ? ", and near it there is no other" : "");
+    case ContactVerdict::inaccurate:
+      return fmt::format(
+          "The answer is inaccurate: an exact solution is within {} of it in each component, an error of {}.",
+          at_most(j.rho), at_most(j.error));
     case ContactVerdict::none_within_rho:
     case ContactVerdict::wrong:
       if (!j.reason.empty()) return "The answer is wrong: " + j.reason + ".";
@@ -242,6 +248,7 @@ std::string contact_members(const JudgedProblem& problem, std::size_t answer) {
             {"verdict", name(j.verdict)}};
   if (j.has_solution()) {
     line["rho"] = at_most(j.rho);
+    if (j.verdict == ContactVerdict::inaccurate) line["error"] = at_most(j.error);
     if (is_certified(j.verdict) || j.verdict == ContactVerdict::ambiguous) line["unique"] = uniqueness(j);
   }
   if (j.exclusion && j.exclusion->radius > 0) line["no_solution_within"] = at_least(j.exclusion->radius);
@@ -276,7 +283,8 @@ std::string contact_words(const JudgedProblem& problem, std::size_t answer) {
       fmt::format("{}: {}, answer: {}\n", problem.file, size_of(problem.mixed), problem.answers[answer].origin);
   text += "  " + verdict_words(j) + '\n';
   if (j.residual) {
-    text += fmt::format("  Backward error {} of the largest constant", at_most(j.residual->backward_error()));
+    text += fmt::format("  Backward error {} of the largest {}", at_most(j.residual->backward_error()),
+                        problem.mixed.free == 0 ? "constant" : "of its kind");
     if (!j.residual->worst.empty()) {
       const Violation& v = j.residual->worst.front();
       const std::string place =

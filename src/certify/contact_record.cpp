@@ -14,6 +14,7 @@ RecordVerdict record_verdict(ContactVerdict verdict) {
       return RecordVerdict::certified;
     case ContactVerdict::ambiguous:
       return RecordVerdict::ambiguous;
+    case ContactVerdict::inaccurate:
     case ContactVerdict::eps_solution:
       return RecordVerdict::inaccurate;
     case ContactVerdict::invalid:

@@ -5,6 +5,7 @@
 
 #include "certify/exact_judge.hpp"
 #include "contact/every_load_json.hpp"
+#include "contact/tolerance.hpp"
 #include "number/binary64.hpp"
 #include "number/format.hpp"
 
@@ -21,7 +22,6 @@ class Judge {
     for (std::size_t i = 0; i < problem.size(); ++i) {
       if (!problem.W[i][i].is_zero()) force_ = std::max(force_, Rational(abs(problem.q[i] / problem.W[i][i])));
     }
-    if (force_.is_zero()) force_ = 1;
   }
 
   RecordJudgement judge() {
@@ -211,11 +211,11 @@ class Judge {
     const std::string names = modes_json(modes).dump();
     result_.mode_names = names.substr(1, names.size() - 2);
     result_.max_error = enclose(distance.relative).upper;
-    const bool accurate = distance.relative <= to_rational(options_.tolerance);
+    const bool accurate = distance.scaled <= to_rational(options_.tolerance);
     result_.verdict = accurate ? if_accurate : RecordVerdict::inaccurate;
   }
 
-  bool near(const Distance& distance) const { return distance.scaled <= to_rational(options_.near); }
+  bool near(const Distance& distance) const { return distance.scaled <= to_rational(contact_near); }
 
   void tell_every_q() {
     Effort again(options_.effort);

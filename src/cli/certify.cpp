@@ -245,7 +245,7 @@ void add_certify(CLI::App& app, int& exit_code, Transport& transport) {
   command
       .add_option(
           "--tolerance", options->tolerance,
-          "Largest relative error of a component, 1e-9;\nof a contact problem's file largest backward error, 1e-6")
+          "Largest relative error of a component, 1e-9;\nof contact problems, relative to the largest force, 1e-6")
       ->check(number_in(0, 1));
   command.add_option("--decimal", options->decimal, "What a decimal means: the nearest binary64, or exactly itself")
       ->check(CLI::IsMember({"nearest", "exact"}))

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "contact/yardstick.hpp"
 #include "motions/motions_of.hpp"
 #include "number/bareiss.hpp"
 
@@ -155,6 +156,16 @@ std::vector<Rational> ContactContinuum::at(const std::vector<Rational>& t) const
     for (std::size_t i = 0; i < z.size(); ++i) z[i] += t[k] * directions[k][i];
   }
   return z;
+}
+
+std::vector<Rational> ContactContinuum::nearest(const std::vector<Rational>& z, Effort& effort) const {
+  std::vector<OpenComponent> components;
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    AffineForm form{base[i], {}};
+    for (const auto& direction : directions) form.coefficients.push_back(direction[i]);
+    components.push_back({std::move(form), z[i], 1});
+  }
+  return at(nearest_solution(components, conditions, directions.size(), effort));
 }
 
 }  // namespace slipproof

@@ -23,6 +23,8 @@ struct ContactContinuum {
   std::vector<AffineForm> conditions;  ///< of t; they have solutions, more than one
 
   std::vector<Rational> at(const std::vector<Rational>& t) const;
+  /// The solution that is nearest to z in its largest distance of a component. Throws TooMuchWork.
+  std::vector<Rational> nearest(const std::vector<Rational>& z, Effort& effort) const;
 };
 
 /// What one mode gives.

@@ -27,6 +27,7 @@ class CertificateWriter {
  private:
   bool write_claims(const ContactJudgement& judgement) {
     switch (judgement.verdict) {
+      case ContactVerdict::inaccurate:
       case ContactVerdict::solution_within_rho:
       case ContactVerdict::unique:
       case ContactVerdict::ambiguous:
@@ -70,13 +71,7 @@ class CertificateWriter {
   bool write_exact(const std::vector<Rational>& x, double moved) {
     constexpr std::size_t longest = 4900;  // characters of a number in a certificate
     std::vector<Rational> w;
-    for (std::size_t i = 0; i < problem_.size(); ++i) {
-      Rational sum = to_rational(problem_.c[i]);
-      for (std::size_t e = problem_.A.starts[i]; e < problem_.A.starts[i + 1]; ++e) {
-        sum += to_rational(problem_.A.value[e]) * x[problem_.A.column[e]];
-      }
-      w.push_back(std::move(sum));
-    }
+    for (std::size_t i = 0; i < problem_.size(); ++i) w.push_back(exact_row(problem_, i, x));
     const auto short_enough = [](const Rational& value) { return value.str().size() <= longest; };
     if (!std::all_of(x.begin(), x.end(), short_enough) || !std::all_of(w.begin(), w.end(), short_enough)) return false;
     line("eps 0 {:a}", moved);

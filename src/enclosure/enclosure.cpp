@@ -196,16 +196,6 @@ class EnclosureSearch {
     return {lower >= radius, lower > radius};
   }
 
-  double row_radius(const Enclosure& box, std::size_t row) const {
-    double sum = 0;
-    const auto columns = problem_.A.columns_of(row);
-    for (std::size_t e = 0; e < columns.size(); ++e) {
-      const std::size_t j = box.system.unknown(columns[e]);
-      if (j != ModeSystem::none) sum += std::abs(problem_.A.values_of(row)[e]) * box.radius[j];
-    }
-    return sum > 0 ? rounded_up(sum, columns.size()) + underflow_of(columns.size()) : 0;
-  }
-
   /// Of a closed contact: r_N >= 0, and within the cone where it sticks.
   Sign force_conditions(const Enclosure& box, std::size_t k) const {
     const std::size_t first = problem_.normal(k), n = box.system.unknown(first);
@@ -218,8 +208,8 @@ class EnclosureSearch {
     if (problem_.mu[k] == 0 || problem_.dimension == 1) return sign;
     if (box.system.mode()[k] != ConeState::stick) {
       const Rational u = exact_row(problem_, first + 1, box.system.x_at(box.center));
-      const Sign slip =
-          sign_of(box.system.mode()[k] == ConeState::slide_plus ? u : Rational(-u), row_radius(box, first + 1));
+      const Sign slip = sign_of(box.system.mode()[k] == ConeState::slide_plus ? u : Rational(-u),
+                                row_radius(problem_, box, first + 1));
       return {sign.not_negative && slip.not_negative, sign.positive && slip.positive};
     }
     const Rational least = to_rational(problem_.mu[k]) * (to_rational(box.center[n]) - to_rational(box.radius[n]));
@@ -239,7 +229,7 @@ class EnclosureSearch {
     for (std::size_t k = 0; k < problem_.contacts(); ++k) {
       Sign sign;
       if (box.system.mode()[k] == ConeState::open) {
-        sign = sign_of(exact_row(problem_, problem_.normal(k), x), row_radius(box, problem_.normal(k)));
+        sign = sign_of(exact_row(problem_, problem_.normal(k), x), row_radius(problem_, box, problem_.normal(k)));
       } else {
         sign = force_conditions(box, k);
       }
@@ -269,6 +259,16 @@ std::variant<Enclosure, NoEnclosure> enclose_solution(const MixedProblem& proble
 
 std::vector<double> center_of(const Enclosure& enclosure) {
   return enclosure.system.x_at(enclosure.center);
+}
+
+double row_radius(const MixedProblem& problem, const Enclosure& box, std::size_t row) {
+  double sum = 0;
+  const auto columns = problem.A.columns_of(row);
+  for (std::size_t e = 0; e < columns.size(); ++e) {
+    const std::size_t j = box.system.unknown(columns[e]);
+    if (j != ModeSystem::none) sum += std::abs(problem.A.values_of(row)[e]) * box.radius[j];
+  }
+  return sum > 0 ? rounded_up(sum, columns.size()) + underflow_of(columns.size()) : 0;
 }
 
 double distance_from(const Enclosure& enclosure, std::span<const double> x) {

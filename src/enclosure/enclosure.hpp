@@ -46,6 +46,8 @@ std::variant<Enclosure, NoEnclosure> enclose_solution(const MixedProblem& proble
 
 /// The improved answer: the box's center, forces of open contacts 0.
 std::vector<double> center_of(const Enclosure& enclosure);
+/// How far row `row` of A x + c at the solution may be from its value at the center.
+double row_radius(const MixedProblem& problem, const Enclosure& enclosure, std::size_t row);
 /// Upper bound on the distance of the exact solution from an answer, in the maximum norm of all components of x.
 double distance_from(const Enclosure& enclosure, std::span<const double> x);
 /// The same of a solution in numbers.

@@ -4,18 +4,20 @@
 #include <array>
 #include <cmath>
 
+#include "enclosure/border.hpp"
 #include "enclosure/exact_lcp.hpp"
 #include "enclosure/find.hpp"
 #include "enclosure/multiple.hpp"
 #include "enclosure/no_solution.hpp"
+#include "enclosure/sizes.hpp"
 #include "number/binary64.hpp"
 
 namespace slipproof {
 
 namespace {
 
-constexpr std::array<std::string_view, 9> verdict_names{
-    "invalid",     "wrong",     "eps-solution", "solution within rho", "unique", "no solution within rho",
+constexpr std::array<std::string_view, 10> verdict_names{
+    "invalid",     "wrong",     "inaccurate", "eps-solution", "solution within rho", "unique", "no solution within rho",
     "no solution", "ambiguous", "undecided"};
 
 /// The largest |u_i - (A x + c)_i|, rounded up.
@@ -41,23 +43,17 @@ std::optional<FrictionLaw> pyramid_that_fits(const MixedProblem& problem, std::s
 /// An answer that is to be judged, and what is known of it so far.
 class ContactCase {
  public:
-  ContactCase(const MixedProblem& problem, const ContactJudgeOptions& options, ContactJudgement& judgement)
-      : problem_(problem), options_(options), j_(judgement), effort_(options.effort) {}
+  ContactCase(const MixedProblem& problem, std::span<const double> u, const ContactJudgeOptions& options,
+              ContactJudgement& judgement)
+      : problem_(problem), u_(u), options_(options), j_(judgement), effort_(options.effort) {}
 
   /// A solution near the answer, and whether there are others.
   void look_near() {
-    if (count_all()) return;
-    auto found = enclose_solution(problem_, j_.x, options_.enclosure);
-    if (auto* box = std::get_if<Enclosure>(&found)) {
-      j_.rho = distance_from(*box, j_.x);
-      j_.enclosure = std::move(*box);
-    } else {
-      auto& failure = std::get<NoEnclosure>(found);
-      j_.reason = std::move(failure.reason);
-      j_.contacts = std::move(failure.contacts);
-      solve_exactly();
+    if (!count_all()) {
+      enclose();
+      if (j_.has_solution()) exclude_others();
     }
-    if (j_.has_solution()) exclude_others();
+    if (j_.has_solution()) j_.error = j_.enclosure ? error_from(*j_.enclosure) : error_from(j_.exact);
   }
 
   /// Multipliers that show that there is none at all.
@@ -70,46 +66,71 @@ class ContactCase {
   }
 
   bool certainly_several() const {
+    using Kind = SolutionCount::Kind;
     if (j_.other || !j_.other_exact.empty()) return true;
-    // With friction a continuum of forces is the usual case; of a complementarity problem x itself is asked for.
-    const bool forces_vary = problem_.dimension > 1 && j_.enclosure && !j_.enclosure->pinned.empty();
-    return counted_ && count_.kind == SolutionCount::Kind::continuum && !forces_vary;
+    return counted_ && (count_.kind == Kind::several || count_.kind == Kind::continuum);
   }
   bool certainly_one() const { return j_.unique_by || (counted_ && count_.kind == SolutionCount::Kind::one); }
+  /// Whether the known solution is the nearest there is.
+  bool knows_all() const { return counted_ || j_.unique_by; }
 
  private:
-  /// All solutions of a small problem without free unknowns, in the plane or without friction: true if that settles it.
+  template <class Solution>
+  double error_from(const Solution& solution) const {
+    return error_of(problem_, j_.x, u_, solution);
+  }
+
+  /// All solutions of a small problem in the plane or without friction: true if that settles it.
   bool count_all() {
     const std::size_t few = problem_.dimension == 1 ? 12 : 6;
-    if (problem_.free > 0 || problem_.dimension > 2 || problem_.contacts() > few) return false;
-    count_ = count_solutions(problem_, effort_);
+    return problem_.dimension < 3 && problem_.contacts() <= few && count();
+  }
+
+  bool count() {
+    count_ = count_solutions(problem_, effort_, j_.x);
     counted_ = count_.kind != SolutionCount::Kind::unknown;
-    if (!counted_) return false;
-    const auto nearer = [&](const auto& a, const auto& b) { return distance_from(a, j_.x) < distance_from(b, j_.x); };
-    std::sort(count_.solutions.begin(), count_.solutions.end(), nearer);
-    if (count_.solutions.empty()) return count_.kind == SolutionCount::Kind::none;
-    if (count_.kind == SolutionCount::Kind::continuum && problem_.dimension > 1) return false;
+    if (count_.solutions.empty()) return counted_;
+    std::stable_sort(count_.solutions.begin(), count_.solutions.end(),
+                     [&](const auto& a, const auto& b) { return error_from(a) < error_from(b); });
+    j_.enclosure.reset();
     j_.exact = count_.solutions.front();
     j_.rho = distance_from(j_.exact, j_.x);
     if (count_.kind == SolutionCount::Kind::one) j_.unique_by = prove_unique(problem_, effort_);
     if (count_.solutions.size() > 1) j_.other_exact = count_.solutions[1];
-    // Of a continuum members nearer to the answer may exist than those that are shown.
-    return count_.kind != SolutionCount::Kind::continuum || j_.rho <= options_.tolerance;
+    return counted_;
   }
 
-  /// Where no enclosure is found, at a border between modes: the solution itself, of problems without friction.
-  void solve_exactly() {
-    if (!is_complementarity(problem_) || problem_.size() > 1000) return;
-    std::vector<bool> active;
-    for (const double x : j_.x) active.push_back(x > 0);
-    const auto found = solve_lcp(problem_, std::move(active), effort_);
-    if (!found) return;
-    for (std::size_t i = 0; i < found->x.size(); ++i) j_.exact.push_back(found->x.at(i));
+  void enclose() {
+    auto found = enclose_solution(problem_, j_.x, options_.enclosure);
+    if (auto* box = std::get_if<Enclosure>(&found)) {
+      j_.rho = distance_from(*box, j_.x);
+      j_.enclosure = std::move(*box);
+      return;
+    }
+    if (solve_exactly()) return;
+    auto& failure = std::get<NoEnclosure>(found);
+    j_.reason = std::move(failure.reason);
+    j_.contacts = std::move(failure.contacts);
+  }
+
+  /// Where no enclosure is found, at a border between modes: the solution itself.
+  bool solve_exactly() {
+    if (auto solution = solve_at_border(problem_, j_.x, effort_)) {
+      j_.exact = std::move(*solution);
+    } else if (is_complementarity(problem_) && problem_.size() <= 1000) {
+      std::vector<bool> active;
+      for (const double x : j_.x) active.push_back(x > 0);
+      const auto found = solve_lcp(problem_, std::move(active), effort_);
+      if (!found) return false;
+      for (std::size_t i = 0; i < found->x.size(); ++i) j_.exact.push_back(found->x.at(i));
+    } else {
+      return false;
+    }
     j_.rho = distance_from(j_.exact, j_.x);
+    return true;
   }
 
   void exclude_others() {
-    if (certainly_several()) return;
     j_.unique_by = prove_unique(problem_, effort_);
     if (j_.unique_by || !j_.enclosure || !j_.enclosure->pinned.empty()) return;
     if (j_.enclosure->system.size() > options_.others_up_to) return;
@@ -117,12 +138,21 @@ class ContactCase {
   }
 
   const MixedProblem& problem_;
+  std::span<const double> u_;
   const ContactJudgeOptions& options_;
   ContactJudgement& j_;
   Effort effort_;
   bool counted_ = false;
   SolutionCount count_;
 };
+
+/// Whether the nearest solution may be near: where the law fails all around, it is not.
+bool may_be_near(const ContactJudgement& j) {
+  if (j.residual->backward_error() <= contact_near) return true;
+  double largest = 0;
+  for (const double x : j.x) largest = std::max(largest, std::abs(x));
+  return j.exclusion->radius <= 2 * contact_near * largest;
+}
 
 }  // namespace
 
@@ -149,31 +179,36 @@ ContactJudgement judge_contacts(const MixedProblem& problem, std::vector<double>
   judgement.residual = residual(problem, judgement.x, w, options.law);
   judgement.velocity_error = velocity_error_of(problem, w, u);
   judgement.exclusion = exclusion(problem, judgement.x, w);
-  const double error =
-      std::max(judgement.residual->backward_error(), judgement.velocity_error / judgement.residual->scale);
-  const bool right = error <= options.tolerance;
-  ContactCase found(problem, options, judgement);
+  const double velocity_error = judgement.velocity_error / judgement.residual->scale;
+  const bool right = std::max(judgement.residual->backward_error(), velocity_error) <= options.tolerance;
+  ContactCase found(problem, u, options, judgement);
   const bool exact_law = options.law == FrictionLaw::cone || problem.dimension < 3;
-  if (exact_law && (right || options.refine)) found.look_near();
-  if (exact_law && !judgement.has_solution() && (!right || options.refine) && found.none_at_all()) {
+  if (exact_law && (right || options.refine || may_be_near(judgement))) found.look_near();
+  const bool known = judgement.has_solution();
+  if (exact_law && !known && (!right || options.refine) && found.none_at_all()) {
     judgement.verdict = ContactVerdict::no_solution;
   } else if (options.within && judgement.exclusion->radius > *options.within) {
     judgement.verdict = ContactVerdict::none_within_rho;
-  } else if (!right) {
+  } else if (known && judgement.error <= options.tolerance) {
+    judgement.verdict = found.certainly_several() ? ContactVerdict::ambiguous
+                        : found.certainly_one()   ? ContactVerdict::unique
+                                                  : ContactVerdict::solution_within_rho;
+  } else if (known && judgement.error <= contact_near) {
+    judgement.verdict = ContactVerdict::inaccurate;
+  } else if (right && !found.knows_all()) {
+    judgement.verdict = ContactVerdict::eps_solution;
+    if (known) judgement.reason = "the solution that was found is too far from the answer";
+  } else {
     judgement.verdict = ContactVerdict::wrong;
     judgement.reason.clear();  // why nothing is enclosed is no news any more
     judgement.contacts.clear();
     if (judgement.residual->backward_error() > options.tolerance) {
       judgement.right_for = pyramid_that_fits(problem, judgement.x, w, options);
-    } else {
+    } else if (velocity_error > options.tolerance) {
       judgement.reason = "the velocities are not those of the forces";
+    } else {
+      judgement.reason = "the nearest solution is farther from it than a hundredth of the largest force";
     }
-  } else if (!judgement.has_solution()) {
-    judgement.verdict = ContactVerdict::eps_solution;
-  } else {
-    judgement.verdict = found.certainly_several() ? ContactVerdict::ambiguous
-                        : found.certainly_one()   ? ContactVerdict::unique
-                                                  : ContactVerdict::solution_within_rho;
   }
   return judgement;
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/tolerance.hpp"
 #include "enclosure/enclosure.hpp"
 #include "enclosure/exclusion.hpp"
 #include "enclosure/residual.hpp"
@@ -16,9 +17,10 @@ namespace slipproof {
 
 enum class ContactVerdict : std::uint8_t {
   invalid,              ///< NaN, infinity, or no answer of the problem's size
-  wrong,                ///< backward error above the tolerance
+  wrong,                ///< no solution is near, as far as is known; or the backward error is above the tolerance
+  inaccurate,           ///< near an exact solution, with an error above the tolerance
   eps_solution,         ///< it solves a problem within the tolerance; nothing stronger is proved
-  solution_within_rho,  ///< an exact solution is within rho of it
+  solution_within_rho,  ///< an exact solution is within rho of it, and within the tolerance
   unique,               ///< and it is the only one there is
   none_within_rho,      ///< no exact solution is within the radius that was asked for
   no_solution,          ///< the problem has none at all
@@ -30,7 +32,8 @@ std::string_view name(ContactVerdict verdict);
 bool is_certified(ContactVerdict verdict);
 
 struct ContactJudgeOptions {
-  double tolerance = 1e-6;       ///< on the backward error, relative to the largest constant
+  /// On the error of the answer (sizes.hpp) where a solution is known, else on its backward error.
+  double tolerance = contact_tolerance;
   std::optional<double> within;  ///< is there no solution within this radius?
   bool refine = false;           ///< look for a solution near the answer even if that is wrong
   FrictionLaw law = FrictionLaw::cone;
@@ -51,6 +54,7 @@ struct ContactJudgement {
   std::optional<FrictionLaw> right_for;  ///< wrong for the cone, and within the tolerance for this pyramid
   std::optional<Enclosure> enclosure;
   double rho = 0;                  ///< of the enclosure, from the answer
+  double error = 0;                ///< where a solution is known: upper bound, each kind by its own size
   std::vector<Rational> exact;     ///< a solution of the problem, rho from the answer, where one was computed
   std::optional<Enclosure> other;  ///< a solution elsewhere: there are several
   std::vector<Rational> other_exact;

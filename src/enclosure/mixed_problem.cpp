@@ -1,5 +1,9 @@
 #include "enclosure/mixed_problem.hpp"
 
+#include <iterator>
+#include <utility>
+
+#include "enclosure/flint.hpp"
 #include "number/binary64.hpp"
 #include "number/exact_sum.hpp"
 
@@ -56,20 +60,54 @@ MixedProblem mixed_problem(const ProblemFile& file) {
   return result;
 }
 
-ContactProblem contact_problem(const MixedProblem& problem) {
-  ContactProblem result;
-  const std::size_t n = problem.size();
-  result.W.assign(n, std::vector<Rational>(n));
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = problem.A.starts[i]; k < problem.A.starts[i + 1]; ++k) {
-      result.W[i][problem.A.column[k]] = to_rational(problem.A.value[k]);
+std::optional<EliminatedProblem> eliminated(const MixedProblem& problem) {
+  const std::size_t free = problem.free, n = problem.size() - free;
+  FlintRationalMatrix A(free, free), right(free, n + 1), solved(free, n + 1);
+  EliminatedProblem result;
+  ContactProblem& small = result.problem;
+  small.W.assign(n, std::vector<Rational>(n));
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    const Rational c = to_rational(problem.c[i]);
+    i < free ? right.set(i, n, -c) : small.q.push_back(c);
+    for (std::size_t e = problem.A.starts[i]; e < problem.A.starts[i + 1]; ++e) {
+      const std::size_t j = problem.A.column[e];
+      const Rational a = to_rational(problem.A.value[e]);
+      if (i >= free && j >= free) small.W[i - free][j - free] = a;
+      if (i < free) j < free ? A.set(i, j, a) : right.set(i, j - free, -a);
     }
-    result.q.push_back(to_rational(problem.c[i]));
   }
   if (problem.dimension == 2) {
-    for (const double mu : problem.mu) result.mu.push_back(to_rational(mu));
+    for (const double mu : problem.mu) small.mu.push_back(to_rational(mu));
+  }
+  if (free == 0) return result;
+  if (fmpq_mat_solve(solved.get(), A.get(), right.get()) == 0) return std::nullopt;
+  for (std::size_t j = 0; j < free; ++j) {
+    std::vector<Rational>& row = result.X.emplace_back();
+    for (std::size_t k = 0; k < n; ++k) row.push_back(solved.at(j, k));
+    result.y.push_back(solved.at(j, n));
+  }
+  for (std::size_t i = free; i < problem.size(); ++i) {
+    for (std::size_t e = problem.A.starts[i]; e < problem.A.starts[i + 1] && problem.A.column[e] < free; ++e) {
+      const Rational a = to_rational(problem.A.value[e]);
+      const std::size_t j = problem.A.column[e];
+      for (std::size_t k = 0; k < n; ++k) small.W[i - free][k] += a * result.X[j][k];
+      small.q[i - free] += a * result.y[j];
+    }
   }
   return result;
+}
+
+ContactProblem contact_problem(const MixedProblem& problem) {
+  return std::move(eliminated(problem)->problem);
+}
+
+std::vector<Rational> EliminatedProblem::with_free(std::vector<Rational> r) const {
+  std::vector<Rational> x = y;
+  for (std::size_t j = 0; j < x.size(); ++j) {
+    for (std::size_t k = 0; k < r.size(); ++k) x[j] += X[j][k] * r[k];
+  }
+  std::move(r.begin(), r.end(), std::back_inserter(x));
+  return x;
 }
 
 Rational exact_row(const MixedProblem& problem, std::size_t row, std::span<const double> x) {
@@ -79,6 +117,14 @@ Rational exact_row(const MixedProblem& problem, std::size_t row, std::span<const
   const auto values = problem.A.values_of(row);
   for (std::size_t k = 0; k < columns.size(); ++k) sum.add(values[k], x[columns[k]]);
   return sum.value();
+}
+
+Rational exact_row(const MixedProblem& problem, std::size_t row, const std::vector<Rational>& x) {
+  Rational sum = to_rational(problem.c[row]);
+  for (std::size_t e = problem.A.starts[row]; e < problem.A.starts[row + 1]; ++e) {
+    sum += to_rational(problem.A.value[e]) * x[problem.A.column[e]];
+  }
+  return sum;
 }
 
 std::vector<Rational> exact_rows(const MixedProblem& problem, std::span<const double> x) {

@@ -1,6 +1,7 @@
 // One form for all contact problems at real size: a square linear system with free unknowns and contacts.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -35,8 +36,23 @@ MixedProblem mixed_problem(const ProblemFile& file);
 /// A problem without free unknowns in dimension 1 or 2, exactly as it is. Throws NumberError for NaN and infinities.
 ContactProblem contact_problem(const MixedProblem& problem);
 
+/// A problem in dimension 1 or 2 without its free unknowns, which follow from the forces: x_free = X r + y.
+struct EliminatedProblem {
+  ContactProblem problem;
+  RationalMatrix X;
+  std::vector<Rational> y;
+
+  /// All of x.
+  std::vector<Rational> with_free(std::vector<Rational> r) const;
+};
+
+/// Exact, and cubic in the number of free unknowns. Nothing where their rows have not exactly one solution. Throws
+/// NumberError for NaN and infinities.
+std::optional<EliminatedProblem> eliminated(const MixedProblem& problem);
+
 /// Row i of A x + c, exactly. Linear in its entries.
 Rational exact_row(const MixedProblem& problem, std::size_t row, std::span<const double> x);
+Rational exact_row(const MixedProblem& problem, std::size_t row, const std::vector<Rational>& x);
 
 /// All rows.
 std::vector<Rational> exact_rows(const MixedProblem& problem, std::span<const double> x);

@@ -1,10 +1,10 @@
 #include "enclosure/multiple.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "contact/solutions.hpp"
+#include "number/binary64.hpp"
 #include "number/linear_program.hpp"
 
 namespace slipproof {
@@ -31,13 +31,19 @@ std::vector<std::vector<Rational>> two_points(const ContactContinuum& continuum,
   return {};
 }
 
-SolutionCount counted(const ContactSolutions& found, Effort& effort) {
+SolutionCount counted(const ContactSolutions& found, const std::vector<Rational>& z, Effort& effort) {
   using Kind = SolutionCount::Kind;
   SolutionCount result;
   for (const ContactSolution& solution : found.solutions) result.solutions.push_back(solution.z);
   if (!found.continua.empty()) {
-    auto points = two_points(found.continua.front(), effort);
-    std::move(points.begin(), points.end(), std::back_inserter(result.solutions));
+    const auto add = [&](std::vector<Rational> point) {
+      auto& all = result.solutions;
+      if (std::find(all.begin(), all.end(), point) == all.end()) all.push_back(std::move(point));
+    };
+    for (auto& point : two_points(found.continua.front(), effort)) add(std::move(point));
+    for (const ContactContinuum& c : found.continua) {
+      if (!z.empty()) add(c.nearest(z, effort));
+    }
     result.kind = result.solutions.size() >= 2 ? Kind::continuum : Kind::unknown;
   } else {
     result.kind = found.solutions.empty() ? Kind::none : found.one() ? Kind::one : Kind::several;
@@ -47,15 +53,23 @@ SolutionCount counted(const ContactSolutions& found, Effort& effort) {
 
 }  // namespace
 
-SolutionCount count_solutions(const MixedProblem& problem, Effort& effort) {
+SolutionCount count_solutions(const MixedProblem& problem, Effort& effort, std::span<const double> answer) {
   const bool is_planar = problem.dimension == 1 || problem.dimension == 2;
-  if (problem.free != 0 || !is_planar || problem.size() > max_problem_size) return {};
+  const std::size_t components = problem.size() - problem.free;
+  if (!is_planar || components > max_problem_size || problem.free > max_eliminated) return {};
   if (problem.size() == 0) return {SolutionCount::Kind::one, {{}}};
   try {
-    const ContactProblem small = contact_problem(problem);
-    const ContactSolver solver(small);
+    effort.spend(times(times(problem.free, problem.free), times(problem.free, 8)));
+    const auto small = eliminated(problem);
+    if (!small || components == 0) return {};
+    const ContactSolver solver(small->problem);
     const auto found = solver.all(effort);
-    if (found) return counted(*found, effort);
+    if (!found) return {};
+    std::vector<Rational> z;
+    for (const double r : answer.subspan(answer.empty() ? 0 : problem.free)) z.push_back(to_rational(r));
+    SolutionCount result = counted(*found, z, effort);
+    for (auto& solution : result.solutions) solution = small->with_free(std::move(solution));
+    return result;
   } catch (const TooMuchWork&) {
   }
   return {};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "enclosure/mixed_problem.hpp"
@@ -18,12 +19,17 @@ struct SolutionCount {
     unknown     ///< beyond the effort, or no problem of the kind
   };
   Kind kind = Kind::unknown;
-  /// The forces x: of `one` the solution, of `several` all of them, of `continuum` two or more of them.
+  /// x: of `one` the solution, of `several` all of them, of `continuum` two or more of them, with those of its members
+  /// that are nearest to the forces of an answer.
   std::vector<std::vector<Rational>> solutions;
 };
 
-/// Of a problem without free unknowns in dimension 1 or 2. The number of modes is 2^n in n components, each of which
-/// takes an elimination: up to a dozen components in a second. Throws NumberError for NaN and infinities.
-SolutionCount count_solutions(const MixedProblem& problem, Effort& effort);
+/// Of a problem in dimension 1 or 2 whose free unknowns can be eliminated. The number of modes is 2^n in n components,
+/// each of which takes an elimination: up to a dozen components in a second. `answer` is empty, or a finite x. Throws
+/// NumberError for NaN and infinities.
+SolutionCount count_solutions(const MixedProblem& problem, Effort& effort, std::span<const double> answer = {});
+
+/// Free unknowns that count_solutions() eliminates.
+inline constexpr std::size_t max_eliminated = 200;
 
 }  // namespace slipproof

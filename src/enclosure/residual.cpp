@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "enclosure/rounding.hpp"
+#include "enclosure/sizes.hpp"
 #include "number/binary64.hpp"
 #include "parallel/stop.hpp"
 
@@ -165,6 +166,17 @@ void add_violations(std::vector<Violation>& to, std::size_t k, const FittedConta
   }
 }
 
+/// How fast an answer's forces would move its contacts; 1 if there are none.
+double velocity_of_forces(const MixedProblem& problem, std::span<const double> x, const std::vector<double>& scales) {
+  double largest = 0;
+  for (std::size_t k = 0; k < problem.contacts(); ++k) {
+    for (const double r : x.subspan(problem.normal(k), problem.dimension)) {
+      largest = std::max(largest, std::abs(r) * scales[k]);
+    }
+  }
+  return largest > 0 ? largest : 1;
+}
+
 }  // namespace
 
 std::string_view name(FrictionLaw law) {
@@ -224,11 +236,10 @@ Residual residual(const MixedProblem& problem, std::span<const double> x, std::s
                   FrictionLaw law) {
   Residual result;
   const std::size_t d = problem.dimension;
-  double largest = 0;
-  for (const double c : problem.c) largest = std::max(largest, std::abs(c));
-  if (largest > 0) result.scale = largest;
-
   const std::vector<double> scales = contact_scales(problem);
+  const ContactSizes sizes = contact_sizes(problem);
+  const FreeSizes free = free_sizes(problem, sizes.force);
+  result.scale = sizes.velocity > 0 ? sizes.velocity : velocity_of_forces(problem, x, scales);
   std::vector<double> moved(problem.size(), 0), change(problem.size(), 0);
   for (std::size_t k = 0; k < problem.contacts(); ++k) {
     stop_if_asked();
@@ -246,7 +257,8 @@ Residual residual(const MixedProblem& problem, std::span<const double> x, std::s
   }
   for (std::size_t i = 0; i < problem.free; ++i) {
     change[i] = upper_size(w[i]);
-    if (change[i] > 0) result.worst.push_back({std::nullopt, i, "equation", change[i], change[i]});
+    const double effect = change[i] * (free.rows[i] > 0 ? result.scale / free.rows[i] : 1);
+    if (change[i] > 0) result.worst.push_back({std::nullopt, i, "equation", change[i], effect});
   }
   for (std::size_t i = 0; i < problem.size(); ++i) {
     const auto columns = problem.A.columns_of(i);
@@ -255,6 +267,8 @@ Residual residual(const MixedProblem& problem, std::span<const double> x, std::s
     for (std::size_t e = 0; e < columns.size(); ++e) sum += std::abs(values[e]) * moved[columns[e]];
     if (sum > 0) sum = rounded_up(sum, columns.size()) + underflow_of(columns.size());
     result.change = std::max(result.change, sum);
+    const double size = i < problem.free ? free.rows[i] : result.scale;
+    if (sum > 0) result.relative = std::max(result.relative, sum / size);
   }
   std::stable_sort(result.worst.begin(), result.worst.end(),
                    [](const Violation& a, const Violation& b) { return a.effect > b.effect; });

@@ -36,7 +36,7 @@ struct Violation {
   std::size_t row = 0;
   std::string condition;  ///< `u_n >= 0`, `|r_t| <= mu r_n`
   double amount = 0;      ///< upper bound
-  double effect = 0;      ///< the same in the unit of c: what a force is wrong by changes velocities
+  double effect = 0;      ///< the same as a velocity: what a force is wrong by changes velocities
 };
 
 /// All bounds are upper bounds, and pay for their own rounding.
@@ -44,11 +44,13 @@ struct Residual {
   /// With constants changed by at most `change` in each component the problem is solved exactly by a point that is at
   /// most `moved` away from the answer in each component: forces just outside of their cones are moved back.
   double change = 0, moved = 0;
-  double scale = 1;  ///< the largest |c_i|, or 1 if all are 0
+  double scale = 1;  ///< of contacts: the largest |q_i| (sizes.hpp); if all are 0, what the forces give
+  /// The largest change of a row over the size of its kind: `scale`, or of a free row its own.
+  double relative = 0;
   std::vector<FittedContact> contacts;
   std::vector<Violation> worst;  ///< the largest effect first, ten at most
 
-  double backward_error() const { return change / scale; }
+  double backward_error() const { return relative; }
 };
 
 /// `x` is finite and has the problem's size, `w` is A x + c (`exact_rows`). Linear in the nonzeros of A; exact but for

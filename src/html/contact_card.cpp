@@ -27,6 +27,7 @@ VerdictLook look(ContactVerdict verdict) {
       return {"proved", "✓✓ "};
     case ContactVerdict::solution_within_rho:
       return {"proved", "✓ "};
+    case ContactVerdict::inaccurate:
     case ContactVerdict::eps_solution:
       return {"holds", "≈ "};
     case ContactVerdict::ambiguous:
@@ -94,7 +95,7 @@ void add_bounds(const Element& parent, const ContactJudgement& j) {
     list.add("no solution within", at_least(j.exclusion->radius),
              "in each component: the law of " + place_of(j.exclusion->contact, j.exclusion->row) +
                  " fails in all of that box");
-  list.add("backward error", bound_text(j.residual->backward_error()), "of the largest constant of the problem");
+  list.add("backward error", bound_text(j.residual->backward_error()), "of the largest of its kind in the problem");
   list.add("residual", bound_text(j.residual->change),
            "is what the constants change by in the problem that is solved exactly");
   list.add("moved", bound_text(j.residual->moved), "is how far forces go back to obey their law exactly");

@@ -50,13 +50,14 @@ CertifyOptions record_options(const std::string& path, const std::optional<std::
 }
 
 py::tuple certify_records(const std::string& path, const std::optional<std::string>& scene,
-                          const std::optional<std::string>& mechanism, double tolerance, std::optional<Work> effort,
-                          bool ignore_unknown, unsigned threads, const py::object& progress) {
+                          const std::optional<std::string>& mechanism, std::optional<double> tolerance,
+                          std::optional<Work> effort, bool ignore_unknown, unsigned threads,
+                          const py::object& progress) {
   const RecordLines found = interruptible(
       [=](Call& call) {
         CertifyOptions options = record_options(path, scene, mechanism);
-        options.judge.tolerance = tolerance;
-        if (effort) options.judge.effort = *effort;
+        if (tolerance) options.judge.tolerance = options.contact.tolerance = *tolerance;
+        if (effort) options.judge.effort = options.contact.effort = *effort;
         options.ignore_unknown = ignore_unknown;
         options.threads = threads;
         return certify_lines(path, options, call);

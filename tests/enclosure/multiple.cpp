@@ -126,11 +126,24 @@ TEST_CASE("random contacts with friction: each solution obeys the law, and one t
   CHECK(several > 10);
 }
 
+TEST_CASE("free unknowns are eliminated before solutions are counted") {
+  // 2 v + r = 4 and w = v + r - 1 = r / 2 + 1 > 0, so that r = 0; with v + r - 3 it is r = 2, v = 1.
+  for (const int r : {0, 2}) {
+    MixedProblem global = problem({{2, 1}, {1, 1}}, {-4, r == 0 ? -1.0 : -3.0});
+    global.free = 1;
+    global.mu = {0};
+    Effort effort(1'000'000);
+    const SolutionCount found = count_solutions(global, effort);
+    CHECK(found.kind == Kind::one);
+    CHECK(found.solutions == std::vector<Rationals>{{Rational(4 - r, 2), Rational(r)}});
+  }
+}
+
 TEST_CASE("what is not counted is unknown") {
-  MixedProblem free = problem({{1, 0}, {0, 1}}, {-1, -1});
-  free.free = 1;
-  free.mu = {0};
-  CHECK(all_solutions(free).kind == Kind::unknown);
+  MixedProblem singular = problem({{0, 0}, {0, 1}}, {-1, -1});
+  singular.free = 1;
+  singular.mu = {0};
+  CHECK(all_solutions(singular).kind == Kind::unknown);
   Draw draw(3);
   const MixedProblem large = problem(draw.definite(30, 1), std::vector<double>(30, -1));
   CHECK(all_solutions(large).kind == Kind::unknown);

@@ -194,8 +194,9 @@ def certify(W: Any, q: Any, z: Any = None, mu: Any = None, *, w: Any = None, dim
 
     ``method``: ``exact`` finds every solution of an LCP or a planar problem, up to 64 components, in exact arithmetic
     (``certified``, ``ambiguous``, ``inaccurate``, ``wrong``); ``enclosure`` proves what it can at any size (``unique``,
-    ``solution within rho``, ``eps-solution``, ``wrong``, ``no solution``, ...). ``auto`` takes the first where it can.
-    ``tolerance`` is on the relative error of a component (``exact``, 1e-9) or on the backward error (``enclosure``, 1e-6).
+    ``solution within rho``, ``inaccurate``, ``eps-solution``, ``wrong``, ...). ``auto`` takes the first where it can.
+    ``tolerance``, 1e-6 unless given, is on the distance from a solution, of forces over the largest force and of
+    velocities over the largest velocity; where ``enclosure`` finds no solution, on the backward error.
     ``law``: ``cone``, or the pyramids ``box`` and ``diamond``; ``refine``: look for a solution, also without z;
     ``within``: is there none within this radius? ``effort`` bounds the work on one answer, in operations on words.
 
@@ -230,7 +231,7 @@ def certify(W: Any, q: Any, z: Any = None, mu: Any = None, *, w: Any = None, dim
                                        None if within is None else real("within", within, 0, 1e300), bool(refine), law,
                                        None if effort is None else whole("effort", effort, 1, 2**63))
         return _certify_any(W, q_array, z, w, mu_array, dims, options)
-    return _certify_exact(W, q_array, z, w, mu_array, real("tolerance", 1e-9 if tolerance is None else tolerance, 0, 1),
+    return _certify_exact(W, q_array, z, w, mu_array, real("tolerance", 1e-6 if tolerance is None else tolerance, 0, 1),
                           whole("effort", _EFFORT if effort is None else effort, 1, 2**63),
                           whole("threads", threads, 0, 4096), reporter(progress))
 
@@ -295,7 +296,7 @@ def certify_file(path: Union[str, "os.PathLike[str]"], *, scene: Union[None, str
     lines, summary = _core.certify_records(
         name, None if scene is None else _path("scene", scene),
         None if mechanism is None else _path("mechanism", mechanism),
-        real("tolerance", 1e-9 if tolerance is None else tolerance, 0, 1), work, bool(ignore_unknown),
+        None if tolerance is None else real("tolerance", tolerance, 0, 1), work, bool(ignore_unknown),
         whole("threads", threads, 0, 4096), reporter(progress))
     return Verdicts(lines.decode("utf-8", "replace").splitlines(), json.loads(summary))
 
