@@ -125,10 +125,6 @@ std::string_view class_name(UniqueProof::Class kind) {
   }
 }
 
-std::size_t undetermined(const ContactJudgement& j) {
-  return j.enclosure ? j.enclosure->pinned.size() : 0;
-}
-
 /// Of a solution that was found: how far it is the only one.
 Json uniqueness(const ContactJudgement& j) {
   if (j.verdict == ContactVerdict::unique) return "globally";
@@ -218,10 +214,10 @@ std::vector<std::string> further_words(const ContactJudgement& j) {
     sentences.push_back(
         fmt::format("There is one solution for every constant, too ({}).", class_name(j.unique_by->kind)));
   }
-  if (undetermined(j) == 1) {
+  if (j.undetermined == 1) {
     sentences.emplace_back("1 component of the forces is determined by nothing; it is held as it is.");
-  } else if (undetermined(j) > 1) {
-    sentences.push_back(counted(undetermined(j), "component") +
+  } else if (j.undetermined > 1) {
+    sentences.push_back(counted(j.undetermined, "component") +
                         " of the forces are determined by nothing; they are held as they are.");
   }
   return sentences;
@@ -261,7 +257,7 @@ std::string contact_members(const JudgedProblem& problem, std::size_t answer) {
   if (j.velocity_error > 0) line["velocity_error"] = at_most(j.velocity_error);
   if (j.law != FrictionLaw::cone) line["law"] = name(j.law);
   if (j.right_for) line["right_for"] = name(*j.right_for);
-  if (j.has_solution()) line["undetermined_forces"] = undetermined(j);
+  if (j.has_solution()) line["undetermined_forces"] = j.undetermined;
   if (!j.reason.empty()) line["reason"] = j.reason;
   if (!j.contacts.empty()) line["about"] = counted_from_one(j.contacts);
   if (j.other) {

@@ -24,7 +24,7 @@ class LinearMode {
       : problem_(problem), system_(problem, mode), z_(system_.unknowns_at(x)) {}
 
   /// x; nothing where the equations have no solution with the undetermined forces of the answer. Throws TooMuchWork.
-  std::optional<ExactVector> solve(Effort& effort) const {
+  std::optional<ExactVector> solve(Effort& effort) {
     const std::vector<bool> none(system_.size(), false);
     std::vector<Rational> x(problem_.size());
     for (const SystemBlock& block : blocks_of(system_, z_, none, none)) {
@@ -37,14 +37,18 @@ class LinearMode {
     return over_one_denominator(x);
   }
 
+  /// Forces that were held in that.
+  std::size_t held() const { return held_; }
+
  private:
-  std::optional<ExactVector> solve_block(const SystemBlock& block, Effort& effort) const {
+  std::optional<ExactVector> solve_block(const SystemBlock& block, Effort& effort) {
     if (block.unknowns.size() == block.equations.size()) {
       if (auto found = solve_square(block.equations, block.unknowns, {}, effort)) return found;
     }
     if (std::max(block.unknowns.size(), block.equations.size()) > largest_dependent) return std::nullopt;
     const DependentPart part = dependent_part(system_, z_, block.equations, block.unknowns);
     if (!part.regular) return std::nullopt;
+    held_ += part.unknowns.size();
     std::vector<std::size_t> kept;
     std::set_difference(block.equations.begin(), block.equations.end(), part.equations.begin(), part.equations.end(),
                         std::back_inserter(kept));
@@ -91,6 +95,7 @@ class LinearMode {
   const MixedProblem& problem_;
   const ModeSystem system_;
   const std::vector<double> z_;
+  std::size_t held_ = 0;
 };
 
 /// Whether x solves the problem, whatever its mode.
@@ -209,16 +214,16 @@ class Border {
 
 }  // namespace
 
-std::optional<std::vector<Rational>> solve_at_border(const MixedProblem& problem, std::span<const double> x,
-                                                     Effort& effort) {
+std::optional<BorderSolution> solve_at_border(const MixedProblem& problem, std::span<const double> x, Effort& effort) {
   try {
     std::set<ConeMode> tried;
-    for (const ConeMode& mode : Border(problem, x).candidates()) {
-      if (!tried.insert(mode).second) continue;
-      const auto found = LinearMode(problem, mode, x).solve(effort);
+    for (const ConeMode& candidate : Border(problem, x).candidates()) {
+      if (!tried.insert(candidate).second) continue;
+      LinearMode mode(problem, candidate, x);
+      const auto found = mode.solve(effort);
       if (!found || !ExactCheck(problem, *found).passes()) continue;
-      std::vector<Rational> solution;
-      for (std::size_t i = 0; i < found->size(); ++i) solution.push_back(found->at(i));
+      BorderSolution solution{{}, mode.held()};
+      for (std::size_t i = 0; i < found->size(); ++i) solution.x.push_back(found->at(i));
       return solution;
     }
   } catch (const TooMuchWork&) {

@@ -104,6 +104,7 @@ class ContactCase {
     auto found = enclose_solution(problem_, j_.x, options_.enclosure);
     if (auto* box = std::get_if<Enclosure>(&found)) {
       j_.rho = distance_from(*box, j_.x);
+      j_.undetermined = box->pinned.size();
       j_.enclosure = std::move(*box);
       return;
     }
@@ -116,7 +117,8 @@ class ContactCase {
   /// Where no enclosure is found, at a border between modes: the solution itself.
   bool solve_exactly() {
     if (auto solution = solve_at_border(problem_, j_.x, effort_)) {
-      j_.exact = std::move(*solution);
+      j_.exact = std::move(solution->x);
+      j_.undetermined = solution->undetermined;
     } else if (is_complementarity(problem_) && problem_.size() <= 1000) {
       std::vector<bool> active;
       for (const double x : j_.x) active.push_back(x > 0);

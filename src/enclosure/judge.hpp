@@ -54,6 +54,7 @@ struct ContactJudgement {
   std::optional<FrictionLaw> right_for;  ///< wrong for the cone, and within the tolerance for this pyramid
   std::optional<Enclosure> enclosure;
   double rho = 0;                  ///< of the enclosure, from the answer
+  std::size_t undetermined = 0;    ///< forces that nothing determines: they are held at the answer's values
   double error = 0;                ///< where a solution is known: upper bound, each kind by its own size
   std::vector<Rational> exact;     ///< a solution of the problem, rho from the answer, where one was computed
   std::optional<Enclosure> other;  ///< a solution elsewhere: there are several

@@ -101,7 +101,7 @@ void add_bounds(const Element& parent, const ContactJudgement& j) {
   list.add("moved", bound_text(j.residual->moved), "is how far forces go back to obey their law exactly");
   if (j.velocity_error > 0)
     list.add("velocities", bound_text(j.velocity_error), "between those of the answer and those of its forces");
-  if (j.enclosure) list.add("undetermined forces", std::to_string(j.enclosure->pinned.size()), "of the components");
+  if (j.enclosure) list.add("undetermined forces", std::to_string(j.undetermined), "of the components");
   if (j.law != FrictionLaw::cone) list.add("law", std::string(name(j.law)), "in place of the cone");
 }
 
