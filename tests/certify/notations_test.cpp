@@ -17,6 +17,8 @@ using namespace slipproof;
 using namespace slipproof::test;
 using Json = nlohmann::json;
 
+namespace notations {
+
 namespace {
 
 using Rows = std::vector<std::vector<double>>;
@@ -298,3 +300,5 @@ TEST_CASE("a dense matrix and a sparse one are judged by the same tolerance") {
   other["z"] = {1.3333, 2.3333};
   CHECK(verdict(other) == "inaccurate");
 }
+
+}  // namespace notations

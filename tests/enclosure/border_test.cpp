@@ -9,6 +9,8 @@
 
 using namespace slipproof;
 
+namespace border {
+
 namespace {
 
 MixedProblem problem_of(std::size_t dimension, const std::vector<double>& W, std::vector<double> q, double mu) {
@@ -137,3 +139,5 @@ TEST_CASE("what is found at a border obeys the law exactly") {
   }
   CHECK(solved > 20);
 }
+
+}  // namespace border
