@@ -38,17 +38,11 @@ class ImplicationWriter : SettingWriter {
   /// The quantities and unknowns that occur, as any numbers; where they hide symbols of the setting, they are those.
   std::string free_unknowns(const std::vector<Expression>& uses) const {
     std::set<std::string> names;
-    const auto known = [&](const std::string& symbol) {
-      const auto is = [&](const auto& entry) { return entry.symbol == symbol; };
-      return symbol == setting().force.symbol ||
-             std::any_of(setting().parameters.begin(), setting().parameters.end(), is) ||
-             std::any_of(setting().definitions.begin(), setting().definitions.end(), is);
-    };
     for (const Expression& use : uses) {
-      for (const std::string& symbol : symbols(use)) {
-        if (!known(symbol)) names.insert(symbol);
-      }
+      for (const std::string& symbol : symbols(use)) names.insert(symbol);
     }
+    for (const std::string& known : parameter_names()) names.erase(known);
+    for (const Definition& known : setting().definitions) names.erase(known.symbol);
     return names.empty() ? "" : fmt::format("real {}\n", fmt::join(names, " "));
   }
 

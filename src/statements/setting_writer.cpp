@@ -90,14 +90,18 @@ std::string SettingWriter::text(const Expression& truth) {
   return result.value_or("");
 }
 
-std::string SettingWriter::parameters() const {
+std::vector<std::string> SettingWriter::parameter_names() const {
   std::vector<std::string> names;
   for (const Parameter& parameter : setting_.parameters) {
     if (!parameter.angle) names.push_back(parameter.symbol);
   }
   for (const PaperAngle& angle : setting_.angles) names.insert(names.end(), {angle.cosine, angle.sine});
   if (!setting_.force.symbol.empty()) names.push_back(setting_.force.symbol);
-  return fmt::format("{}", fmt::join(names, " "));
+  return names;
+}
+
+std::string SettingWriter::parameters() const {
+  return fmt::format("{}", fmt::join(parameter_names(), " "));
 }
 
 std::string SettingWriter::variables() const {

@@ -56,6 +56,7 @@ class SettingWriter {
   std::string header(const std::string& theorem, const std::string& comment);
   /// The names of the paper's parameters, cosines and sines, and of the force; and the line that declares them, none if
   /// there are none.
+  std::vector<std::string> parameter_names() const;
   std::string parameters() const;
   std::string variables() const;
   /// What a point of the mechanism is, as far as it is not plain (proofs/MEANING.md, The words), and where the paper's

@@ -21,14 +21,26 @@ class IdentitySearch {
   IdentitySearch(const ClaimsFile& file, const CompiledClaims& compiled, std::size_t claim, Reading reading)
       : file_(file),
         claim_(file.claims[claim]),
+        reading_(reading),
         body_(claim_.body(reading)),
+        angles_(file.settings[claim_.setting].angles),
         setting_(compiled.settings[claim_.setting]),
         programs_(compiled.claims[claim].body(reading)),
         variables_(force_and_parameters(setting_)),
-        ring_(ring_of(setting_.scope(), variables_)) {}
+        ring_(ring_of(setting_.scope(), with_angles(variables_, angles_))) {}
 
   /// Whether it is one; then divisors() has what it divides by.
   bool find() {
+    if (!is_identity()) return false;
+    add_half_tangents(!modes(body_.says).empty());
+    return true;
+  }
+
+  /// Irreducible, each once; the search must outlive them.
+  const std::vector<MultiPolynomial>& divisors() const { return divisors_; }
+
+ private:
+  bool is_identity() {
     if (const auto* formula = std::get_if<Formula>(&body_.says)) {
       if (formula->modes.empty()) {
         SymbolicEvaluator symbols = symbols_of_setting();
@@ -43,26 +55,58 @@ class IdentitySearch {
            holds_in(*consequence->mode, programs_.equations);
   }
 
-  /// Irreducible, each once; the search must outlive them.
-  const std::vector<MultiPolynomial>& divisors() const { return divisors_; }
-
- private:
   /// They stand side by side.
   static std::vector<std::size_t> force_and_parameters(const CompiledSetting& setting) {
     std::vector<std::size_t> slots(1 + setting.domains().size());
     std::iota(slots.begin(), slots.end(), CompiledSetting::force_slot());
     return slots;
   }
+  /// Cosines and sines stand behind all parameters, two for each angle.
+  static std::vector<std::size_t> with_angles(std::vector<std::size_t> slots, const std::vector<PaperAngle>& angles) {
+    for (std::size_t i = 0; i < 2 * angles.size(); ++i) slots.push_back(slots.size());
+    return slots;
+  }
   SymbolicEvaluator symbols_of_setting() const { return symbolic(setting_.scope(), variables_, *ring_); }
 
   void add_divisor(const SymbolicNumber& divisor) {
     if (divisor.is_constant()) return;
-    Factorization factorization = divisor.polynomial()->factors();
-    for (auto& [factor, exponent] : factorization.factors) {
-      if (std::find(divisors_.begin(), divisors_.end(), factor) == divisors_.end()) {
-        divisors_.push_back(std::move(factor));
+    for (const auto& [factor, exponent] : in_angles(*divisor.polynomial()).factors().factors) add_factor(factor);
+  }
+  void add_factor(MultiPolynomial factor) {
+    if (factor.is_constant() || std::find(divisors_.begin(), divisors_.end(), factor) != divisors_.end()) return;
+    divisors_.push_back(std::move(factor));
+  }
+
+  MultiPolynomial cosine(std::size_t angle) const { return variable(variables_.size() + 2 * angle); }
+  MultiPolynomial sine(std::size_t angle) const { return variable(variables_.size() + 2 * angle + 1); }
+  MultiPolynomial variable(std::size_t index) const { return MultiPolynomial::variable(*ring_, index); }
+  MultiPolynomial one_and_cosine(std::size_t angle) const { return cosine(angle) + MultiPolynomial(*ring_, 1); }
+
+  /// With the same zeros, but for 1 + c = 0: with s/(1 + c) for the half tangent of each angle, and 1 - c^2 for s^2.
+  MultiPolynomial in_angles(MultiPolynomial p) const {
+    for (std::size_t i = 0; i < angles_.size(); ++i) {
+      p = substitute(p, 1 + angles_[i].parameter, sine(i), one_and_cosine(i));
+      const MultiPolynomial square = one_and_cosine(i) * (MultiPolynomial(*ring_, 1) - cosine(i));
+      MultiPolynomial reduced(*ring_);
+      const std::size_t s = variables_.size() + 2 * i + 1;
+      for (std::size_t e = 0; e <= p.degree(s); ++e) {
+        reduced += p.coefficient(s, e) * power(square, e / 2) * power(sine(i), e % 2);
       }
+      p = std::move(reduced);
     }
+    return p;
+  }
+  /// The half tangent itself divides by 1 + c.
+  void add_half_tangents(bool moves) {
+    for (std::size_t i = 0; i < angles_.size(); ++i) {
+      if (moves || uses(angles_[i])) add_factor(one_and_cosine(i));
+    }
+  }
+  bool uses(const PaperAngle& angle) const {
+    const SettingNames names(file_.settings[claim_.setting]);
+    const auto all = expressions(body_);
+    return std::any_of(all.begin(), all.end(),
+                       [&](const Expression& e) { return names.depends(e, reading_, angle.cosine); });
   }
 
   bool is_true(SymbolicEvaluator& symbols, const Program& program) {
@@ -88,7 +132,9 @@ class IdentitySearch {
 
   const ClaimsFile& file_;
   const Claim& claim_;
+  Reading reading_;
   const ClaimBody& body_;
+  const std::vector<PaperAngle>& angles_;
   const CompiledSetting& setting_;
   const CompiledBody& programs_;
   std::vector<std::size_t> variables_;  ///< slots
