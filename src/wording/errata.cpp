@@ -107,9 +107,10 @@ class Collection {
     if (!undefined) finding.printed = {{definition.symbol, definition.printed, to_string(definition.printed), true}};
     finding.repair = {{definition.symbol, definition.repaired, to_string(definition.repaired), true}};
     finding.why = definition.why;
-    finding.wrong = undefined ? "the symbol is used and defined nowhere" : "claims that use it fail";
+    finding.wrong = "the symbol is used and defined nowhere";
     std::size_t failing = 0, mended = 0;
     const SettingNames names(file_.settings[setting]);
+    if (!undefined) finding.wrong = shown_by_claim(setting, names, definition.symbol);
     bool proved = true;
     for (const ClaimResult& r : result_.claims) {
       const Claim& claim = file_.claims[r.claim];
@@ -117,9 +118,6 @@ class Collection {
       if (r.reading == Reading::printed) {
         failing += r.verdict != Verdict::holds;
         if (r.verdict != Verdict::holds) finding.claims.push_back(claim.id);
-        if (r.verdict == Verdict::refuted && !undefined && failing == 1) {
-          finding.wrong = claim.id + ": " + counterexample_text(file_, r);
-        }
       } else if (r.verdict == Verdict::holds) {
         ++mended;
         proved = proved && r.proved;
@@ -131,6 +129,23 @@ class Collection {
                      " with the repair)";
     finding.mended = proved && mended > 0 ? Certainty::proved : Certainty::sampled;
     found_.push_back(std::move(finding));
+  }
+
+  /// What shows that a definition is wrong: the first claim of the file that fails through the definition alone. That
+  /// it is the same whichever claims are judged, one that should fail and was not judged is only named.
+  std::string shown_by_claim(std::size_t setting, const SettingNames& names, std::string_view symbol) const {
+    for (const Claim& claim : file_.claims) {
+      if (claim.setting != setting || !uses(names, claim, symbol)) continue;
+      if (!claim.repaired || !changed(*claim.repaired, claim.printed).empty()) continue;
+      const ClaimResult* judged = result_.find(file_, claim.id, Reading::printed);
+      if (judged == nullptr && claim.printed.expect == Expectation::refuted) {
+        return "claims that use it fail, as " + claim.id + " shows, which was not judged";
+      }
+      if (judged != nullptr && judged->verdict == Verdict::refuted) {
+        return claim.id + ": " + counterexample_text(file_, *judged);
+      }
+    }
+    return "claims that use it fail";
   }
 
   static bool uses(const SettingNames& names, const Claim& claim, std::string_view symbol) {
