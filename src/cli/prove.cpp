@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "claims/paper_folder.hpp"
 #include "cli/command.hpp"
 #include "cli/crew_run.hpp"
 #include "cli/prove_run.hpp"
@@ -15,7 +16,6 @@
 #include "input/diagnostic.hpp"
 #include "input/text_file.hpp"
 #include "output/output_file.hpp"
-#include "verify/certificates.hpp"
 
 namespace slipproof::cli {
 
@@ -41,6 +41,13 @@ std::vector<StatementFile> statements_below(const std::filesystem::path& folder)
   for (const std::filesystem::path& file : statements_in(folder)) {
     result.push_back({file, file.lexically_relative(folder)});
   }
+  return result;
+}
+
+/// Those of the paper, made of its claims or of one's own.
+std::vector<StatementFile> statements_of(const PaperFolder& paper) {
+  std::vector<StatementFile> result = statements_below(paper.folder);
+  std::erase_if(result, [&](const StatementFile& statement) { return !paper.owns(statement.file); });
   return result;
 }
 
@@ -138,9 +145,9 @@ std::vector<StatementFile> copied(const std::vector<StatementFile>& statements, 
 }
 
 /// Copies the statements of one's own that stand beside a claims file and below.
-void copy_statements(const std::filesystem::path& folder, const std::filesystem::path& out) {
-  if (out == folder) return;
-  std::vector<StatementFile> statements = statements_below(folder);
+void copy_statements(const PaperFolder& paper, const std::filesystem::path& out) {
+  if (out == paper.folder) return;
+  std::vector<StatementFile> statements = statements_of(paper);
   std::erase_if(statements, [&](const StatementFile& statement) {
     const std::filesystem::path inside = statement.file.lexically_normal().lexically_relative(out.lexically_normal());
     return !inside.empty() && *inside.begin() != "..";  // what an earlier run left in `out`
@@ -168,10 +175,10 @@ Exit run_prove(ProveArguments& options) {
   const bool own =
       options.inputs.size() > 1 || first.extension() == ".statement" || std::filesystem::is_directory(first, error);
   const std::filesystem::path claims = own ? std::filesystem::path() : claims_path(first.string());
-  const std::filesystem::path folder = claims.has_parent_path() ? claims.parent_path() : ".";
+  PaperFolder paper = own ? PaperFolder{} : paper_folder(claims);
   const bool exports = !options.smtlib.empty() || !options.coq.empty();
   if (own || exports) {
-    const std::vector<StatementFile> statements = own ? own_statements(options.inputs) : statements_below(folder);
+    const std::vector<StatementFile> statements = own ? own_statements(options.inputs) : statements_of(paper);
     if (exports || !options.out.empty()) refuse_equal_names(statements);
     if (!options.smtlib.empty()) export_smtlib(statements, options.smtlib);
     if (!options.coq.empty()) export_coq(statements, options.coq);
@@ -180,14 +187,15 @@ Exit run_prove(ProveArguments& options) {
     run.prove(files_of(options.out.empty() ? statements : copied(statements, options.out)));
     return run.conclude();
   }
-  const std::filesystem::path out = options.out.empty() ? folder : std::filesystem::path(options.out);
+  const std::filesystem::path out = options.out.empty() ? paper.folder : std::filesystem::path(options.out);
   const ClaimsFile file = read_claims(claims);
   print_warnings(file, options.common);
-  const std::filesystem::path generated = certificates_folder(out / claims.filename());
-  const OutputFolder made(out, Inputs{claims}), made_inside(generated, Inputs{claims});
-  copy_statements(folder, out);
+  const OutputFolder made(out, Inputs{claims});
+  copy_statements(paper, out);
+  paper.folder = out;
+  const OutputFolder made_inside(paper.generated(), Inputs{claims});
   ProveRun run(options.prove, options.common, Inputs{claims});
-  run.prove_claims(file, out, generated);
+  run.prove_claims(file, paper);
   return run.conclude();
 }
 
@@ -198,12 +206,13 @@ void add_prove(CLI::App& app, int& exit_code, Transport& transport) {
   options->crew.transport = &transport;
   CLI::App& command = *app.add_subcommand(
       "prove", "The claims of a paper, or statements of one's own, for all parameters;\nwrites a certificate for each");
-  command.add_option("INPUT", options->inputs,
-                     "A claims file, beside which and below may stand statements of one's own; default: the shipped\n"
-                     "paper. Or, without claims: files *.statement and folders of them");
+  command.add_option(
+      "INPUT", options->inputs,
+      "A claims file, beside which and below may stand statements of one's own, but not in folders of\n"
+      "other papers; default: the shipped paper. Or, without claims: files *.statement and folders of them");
   command.add_option("--out", options->out,
                      "Folder for statements and certificates; default: where they stand, those of claims in\n"
-                     "`certificates` beside the claims file");
+                     "`certificates` beside the claims file; of NAME.toml beside others in `NAME.certificates`");
   command.add_option("--smtlib", options->smtlib,
                      "Search for nothing, but write the negation of each statement to this folder as SMT-LIB 2");
   command.add_option("--coq", options->coq,

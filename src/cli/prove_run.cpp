@@ -10,6 +10,8 @@
 #include "input/diagnostic.hpp"
 #include "number/format.hpp"
 #include "output/output_file.hpp"
+#include "parallel/failure.hpp"
+#include "prove/statement.hpp"
 #include "prove/undecided.hpp"
 #include "statements/claim_statements.hpp"
 #include "wording/explain.hpp"
@@ -18,15 +20,8 @@ namespace slipproof::cli {
 
 namespace {
 
-std::string at_numbers(const NamedValues& values) {
-  std::string text;
-  for (const auto& [name, value] : values) text += (text.empty() ? "" : ", ") + name + " = " + value.str();
-  return text;
-}
-
 std::vector<std::string> reasons(const ProofOutcome& outcome) {
-  if (outcome.verdict == ProofOutcome::Verdict::refuted)
-    return {"it is false at " + at_numbers(outcome.counterexample)};
+  if (outcome.verdict == ProofOutcome::Verdict::refuted) return {false_at(outcome.counterexample)};
   std::vector<std::string> result;
   for (const std::string& left : outcome.leftover) result.push_back("left with " + left);
   if (result.empty()) result.emplace_back("the search ended without a proof");
@@ -131,12 +126,25 @@ void ProveRun::prove(const std::vector<std::filesystem::path>& statements) {
   for (FileOutcome& outcome : prove_files(statements, options_)) outcomes_.push_back(std::move(outcome));
 }
 
-std::vector<ProveRun::Stated> ProveRun::stated(const ClaimsFile& file) const {
+/// What `write` gives for a claim. Statements that cannot be written or read are this claim's failure alone.
+template <class Write>
+std::vector<NamedStatement> ProveRun::sound(const Claim& claim, const Write& write) {
+  std::vector<NamedStatement> statements;
+  const std::string why = failure_of([&] {
+    statements = write();
+    for (const NamedStatement& s : statements) prove::Statement(s.name, s.text);
+  });
+  if (why.empty()) return statements;
+  failed_.push_back({claim.id, why});
+  return {};
+}
+
+std::vector<ProveRun::Stated> ProveRun::stated(const ClaimsFile& file) {
   std::vector<Stated> result;
   for (const Claim& claim : file.claims) {
     for (const Reading reading : all_readings) {
       if (reading == Reading::repaired && !claim.repaired) continue;
-      result.push_back({&claim, reading, expected_statements(file, claim, reading)});
+      result.push_back({&claim, reading, sound(claim, [&] { return expected_statements(file, claim, reading); })});
     }
   }
   return result;
@@ -179,8 +187,8 @@ std::vector<NamedStatement> ProveRun::refutations(const ClaimsFile& file, const 
   return {};
 }
 
-void ProveRun::prove_claims(const ClaimsFile& file, const std::filesystem::path& out,
-                            const std::filesystem::path& generated) {
+void ProveRun::prove_claims(const ClaimsFile& file, const PaperFolder& paper) {
+  const std::filesystem::path generated = paper.generated();
   std::map<std::string, std::string> claims;  // by file
   std::set<std::filesystem::path> written;
   const auto write_statement = [&](const NamedStatement& statement, const Claim& claim) {
@@ -196,7 +204,8 @@ void ProveRun::prove_claims(const ClaimsFile& file, const std::filesystem::path&
       for (const NamedStatement& statement : one.statements) write_statement(statement, *one.claim);
     }
     // Others in the folder of generated statements are of claims that have changed.
-    std::vector<std::filesystem::path> statements = statements_in(out);
+    std::vector<std::filesystem::path> statements = statements_in(paper.folder);
+    std::erase_if(statements, [&](const auto& path) { return !paper.owns(path); });
     const auto is_outdated = [&](const std::filesystem::path& path) {
       return !written.contains(path) && path.lexically_relative(generated).begin()->string() != "..";
     };
@@ -206,7 +215,8 @@ void ProveRun::prove_claims(const ClaimsFile& file, const std::filesystem::path&
     prove(statements);
     std::vector<std::filesystem::path> more;
     for (const Stated& one : all) {
-      for (const NamedStatement& s : refutations(file, one)) more.push_back(write_statement(s, *one.claim));
+      const auto found = sound(*one.claim, [&] { return refutations(file, one); });
+      for (const NamedStatement& s : found) more.push_back(write_statement(s, *one.claim));
     }
     if (!more.empty()) prove(more);
     for (const auto& [theorem, why] : settled_) {
@@ -218,6 +228,7 @@ void ProveRun::prove_claims(const ClaimsFile& file, const std::filesystem::path&
     }
     unstated_ = unstated_claims(file);
     for (const UnstatedClaim& claim : unstated_) note("no statement of " + claim.id + ": " + claim.why);
+    for (const UnstatedClaim& claim : failed_) note("failed    " + claim.id + ": " + claim.why);
     for (const std::string& name : outdated_) note("outdated  " + name + ": no claim says this, it was left alone");
   } catch (const InputError& error) {
     throw naming_claims(error, claims);
@@ -234,9 +245,9 @@ Exit ProveRun::conclude() {
   const auto kept =
       std::count_if(outcomes_.begin(), outcomes_.end(), [](const FileOutcome& file) { return file.kept; });
   const auto proved = count(Verdict::proved), refuted = count(Verdict::refuted), left = count(Verdict::undecided);
-  const Exit exit = refuted > 0                     ? refuted_or_not_certified
-                    : left > 0 || outcomes_.empty() ? undecided
-                                                    : as_it_should_be;
+  const Exit exit = refuted > 0                                         ? refuted_or_not_certified
+                    : left > 0 || outcomes_.empty() || !failed_.empty() ? undecided
+                                                                        : as_it_should_be;
   if (common_.json) {
     Json document, theorems = Json::array();
     for (const FileOutcome& file : outcomes_) {
@@ -249,13 +260,17 @@ Exit ProveRun::conclude() {
     for (const UnstatedClaim& claim : unstated_) {
       document["unstated"].push_back(Json{{"claim", claim.id}, {"why", claim.why}});
     }
+    for (const UnstatedClaim& claim : failed_) {
+      document["failed"].push_back(Json{{"claim", claim.id}, {"why", claim.why}});
+    }
     print(dump(document));
     return exit;
   }
   const char* word = refuted > 0 ? "s REFUTED " : exit == undecided ? "s UNDECIDED " : "s PROVED ";
   print(word + std::to_string(proved) + " proved" + (kept > 0 ? " (" + std::to_string(kept) + " kept)" : "") +
         (refuted > 0 ? ", " + std::to_string(refuted) + " refuted" : "") + ", " + std::to_string(left) + " undecided" +
-        (unstated_.empty() ? "" : ", " + counted(unstated_.size(), "claim") + " without a statement") + "\n");
+        (unstated_.empty() ? "" : ", " + counted(unstated_.size(), "claim") + " without a statement") +
+        (failed_.empty() ? "" : ", " + counted(failed_.size(), "claim") + " failed") + "\n");
   return exit;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "claims/claims_file.hpp"
+#include "claims/paper_folder.hpp"
 #include "cli/command.hpp"
 #include "output/inputs.hpp"
 #include "prove/prove_files.hpp"
@@ -22,16 +23,18 @@ class ProveRun {
 
   /// Proves the statements where they stand, and writes the certificates beside them, or why there is none.
   void prove(const std::vector<std::filesystem::path>& statements);
-  /// Writes the statements of the claims to `generated`, a folder in `out`, and proves them, with all others in `out`
-  /// and below. Where a statement is false, writes and proves that, too; where a claim could not be settled, tries the
-  /// other way.
-  void prove_claims(const ClaimsFile& file, const std::filesystem::path& out, const std::filesystem::path& generated);
+  /// Writes the statements of the claims to the folder for what is made of them, and proves them, with all others that
+  /// are the paper's. Where a statement is false, writes and proves that, too; where a claim could not be settled,
+  /// tries the other way. A claim whose statements cannot be written or read fails, and no other with it.
+  void prove_claims(const ClaimsFile& file, const PaperFolder& paper);
   /// Says what came of all, and gives the exit code.
   Exit conclude();
 
  private:
   struct Stated;
-  std::vector<Stated> stated(const ClaimsFile& file) const;
+  template <class Write>
+  std::vector<NamedStatement> sound(const Claim& claim, const Write& write);
+  std::vector<Stated> stated(const ClaimsFile& file);
   std::vector<NamedStatement> refutations(const ClaimsFile& file, const Stated& stated);
   const ProofOutcome* outcome(const std::string& theorem) const;
   void write(const FileOutcome& outcome) const;
@@ -47,6 +50,7 @@ class ProveRun {
   std::map<std::string, std::string> settled_;  ///< left undecided, and why that does not matter
   std::vector<std::string> outdated_;
   std::vector<UnstatedClaim> unstated_;
+  std::vector<UnstatedClaim> failed_;  ///< what went wrong with a claim
 };
 
 }  // namespace slipproof::cli

@@ -130,13 +130,18 @@ PageInput report_input(const std::filesystem::path& claims, const ClaimsFile& fi
   return input;
 }
 
+/// What a paper is called among others: as its folder, with the name of the claims file where several stand there.
+std::string paper_name(const std::filesystem::path& claims) {
+  const std::string folder = std::filesystem::absolute(claims).parent_path().filename().string();
+  return paper_folder(claims).is_main() ? folder : folder + "." + claims.stem().string();
+}
+
 std::vector<std::filesystem::path> papers_in(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::is_directory(path, error)) return {};
   std::vector<std::filesystem::path> papers;
   const auto add = [&](const std::filesystem::path& folder) {
-    std::filesystem::path claims = folder / "claims.toml";
-    if (std::filesystem::is_regular_file(claims, error)) papers.push_back(std::move(claims));
+    for (std::filesystem::path& claims : claims_files_in(folder)) papers.push_back(std::move(claims));
   };
   add(path);
   for (const auto& entry : std::filesystem::directory_iterator(path, error)) {
@@ -144,7 +149,8 @@ std::vector<std::filesystem::path> papers_in(const std::filesystem::path& path) 
   }
   std::sort(papers.begin(), papers.end());
   if (!papers.empty()) return papers;
-  throw InputError({{path.string(), 0, 0, "found no claims.toml in the folder, nor in the folders in it"}});
+  throw InputError({{path.string(), 0, 0,
+                     "found no claims.toml in the folder, nor in the folders in it, and no other claims file"}});
 }
 
 std::vector<JudgedPaper> judge_papers(const std::vector<std::filesystem::path>& papers, const JudgeArguments& arguments,
@@ -152,7 +158,7 @@ std::vector<JudgedPaper> judge_papers(const std::vector<std::filesystem::path>& 
   std::vector<JudgedPaper> judged;
   Inputs inputs;
   for (const std::filesystem::path& path : papers) {
-    judged.push_back({std::filesystem::absolute(path).parent_path().filename().string(), read_claims(path), {}});
+    judged.push_back({paper_name(path), read_claims(path), {}});
     print_warnings(judged.back().file, arguments.common);
     for (const auto& file : files_of(page_folders(path, arguments.trade), judged.back().file)) inputs.add(file);
   }

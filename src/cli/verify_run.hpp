@@ -27,7 +27,7 @@ struct JudgeArguments {
   std::string second_checker;  ///< a program; empty: none is asked
 
   std::shared_ptr<Certificates> certificates_of(const std::filesystem::path& file) const {
-    return std::make_shared<Certificates>(file.parent_path(), second_checker);
+    return std::make_shared<Certificates>(paper_folder(file), second_checker);
   }
 };
 
@@ -72,8 +72,8 @@ PageFolders page_folders(const std::filesystem::path& claims, const std::filesys
 PageInput report_input(const std::filesystem::path& claims, const ClaimsFile& file, const JudgeArguments& arguments,
                        Certificates& certificates);
 
-/// The claims files of a folder: claims.toml in it, and in the folders in it, in the order of their names. Nothing
-/// where the path is no folder. Throws InputError where there are none.
+/// The claims files of a folder and of the folders in it, in the order of their names. Nothing where the path is no
+/// folder. Throws InputError where there are none.
 std::vector<std::filesystem::path> papers_in(const std::filesystem::path& path);
 
 /// So many samples for each setting, where a folder is judged and no number is asked for.

@@ -5,11 +5,14 @@
 #include <utility>
 
 #include "check/files.hpp"
+#include "claims/paper_folder.hpp"
 #include "html/assets.hpp"
 #include "html/sections.hpp"
 #include "html/trade_data.hpp"
 #include "input/text_file.hpp"
+#include "parallel/failure.hpp"
 #include "picture/palette.hpp"
+#include "statements/claim_statements.hpp"
 #include "system/sha256.hpp"
 
 namespace slipproof {
@@ -28,8 +31,17 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder,
   return files;
 }
 
-std::filesystem::path folder_of_claims(const PageFolders& folders) {
-  return folders.claims.has_parent_path() ? folders.claims.parent_path() : ".";
+/// The names of the statements that the claims file asks for.
+std::vector<std::string> asked_for(const ClaimsFile& claims) {
+  std::vector<std::string> names;
+  for (const Claim& claim : claims.claims) {
+    for (const Reading reading : all_readings) {
+      failure_of([&] {  // of a claim that fails there is none
+        for (const auto& statement : expected_statements(claims, claim, reading)) names.push_back(statement.name);
+      });
+    }
+  }
+  return names;
 }
 
 class Gathering {
@@ -52,13 +64,15 @@ class Gathering {
     }
   }
 
-  void second_opinions(const std::filesystem::path& file) {
+  /// Of statements of the claims that are missing, too: these are not shown, and told elsewhere.
+  void second_opinions(const std::filesystem::path& file, const Certificates& certificates) {
     if (!std::filesystem::exists(file)) return;
     const auto statement_of = [](const PageCertificate& certificate) {
       return std::filesystem::path(certificate.file).replace_extension().generic_string();
     };
     std::vector<std::string> statements;
     for (const PageCertificate& certificate : input_.certificates) statements.push_back(statement_of(certificate));
+    for (const std::string& name : asked_for(*input_.claims)) statements.push_back(certificates.of_claim(name));
     const SecondOpinions opinions = read_second_opinions(file, statements);
     input_.opinions.emplace();
     for (const PageCertificate& certificate : input_.certificates) {
@@ -95,13 +109,15 @@ void add_header(const Element& body, const PageInput& input) {
 }  // namespace
 
 std::vector<std::filesystem::path> files_of(const PageFolders& folders, const ClaimsFile& claims) {
-  const std::filesystem::path beside = folder_of_claims(folders);
+  const PaperFolder paper = paper_folder(folders.claims);
+  const std::filesystem::path& beside = paper.folder;
   std::vector<std::filesystem::path> files{folders.claims, beside / "figures.toml", beside / "second-opinions.csv"};
   for (const auto& file : {folders.trade, folders.model}) {
     if (!file.empty()) files.push_back(file);
   }
   for (const std::string& scene : claims.paper.scenes) files.push_back(beside / scene);
   for (std::filesystem::path file : check::certificates_in(beside)) {
+    if (!paper.owns(file)) continue;
     files.push_back(file);
     files.push_back(file.replace_extension(".statement"));
   }
@@ -117,14 +133,15 @@ PageInput gather(const PageFolders& folders, const ClaimsFile& claims, Certifica
   if (!folders.trade.empty()) input.trade = read_trade(folders.trade);
   Gathering gathering(input);
   gathering.source(folders.claims, folders.claims.filename().string());
-  const std::filesystem::path beside = folder_of_claims(folders);
+  const PaperFolder paper = paper_folder(folders.claims);
+  const std::filesystem::path& beside = paper.folder;
   const std::filesystem::path figures = beside / "figures.toml";
-  if (std::filesystem::exists(figures)) {
+  if (paper.is_main() && std::filesystem::exists(figures)) {
     input.figures = read_figures(figures, claims);
     gathering.source(figures, "figures.toml");
   }
   gathering.certificates(certificates);
-  gathering.second_opinions(beside / "second-opinions.csv");
+  if (paper.is_main()) gathering.second_opinions(beside / "second-opinions.csv", certificates);
   if (!folders.model.empty()) input.model = read_scene(folders.model);
   for (const std::string& scene : claims.paper.scenes) {
     input.machines.push_back(read_scene_along(beside / scene));

@@ -6,6 +6,7 @@
 #include "check/files.hpp"
 #include "input/diagnostic.hpp"
 #include "input/text_file.hpp"
+#include "parallel/failure.hpp"
 #include "parallel/in_parallel.hpp"
 #include "prove/statement.hpp"
 #include "scatter/bytes.hpp"
@@ -86,7 +87,12 @@ FileOutcome outcome_of(const std::filesystem::path& statement, const std::string
   if (!options.again) {
     if (auto old = kept(statement)) return *std::move(old);
   }
-  FileOutcome result{.statement = statement, .outcome = prove_statement(statement.string(), text, limits)};
+  FileOutcome result{.statement = statement, .outcome = {}};
+  const std::string why = failure_of([&] { result.outcome = prove_statement(statement.string(), text, limits); });
+  if (!why.empty()) {
+    result.outcome.theorem = statement.stem().string();
+    result.outcome.leftover = {"a search that failed: " + why};
+  }
   if (options.again && !result.outcome.proved()) {
     if (auto old = kept(statement)) return *std::move(old);
   }

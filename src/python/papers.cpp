@@ -28,7 +28,7 @@ struct Report {
 Report verified(const std::string& path, VerifyOptions options, Call& call) {
   const std::filesystem::path claims(path);
   const ClaimsFile file = read_claims(claims);
-  options.certificates = std::make_shared<Certificates>(claims.parent_path());
+  options.certificates = std::make_shared<Certificates>(paper_folder(claims));
   options.progress = [&call](std::uint64_t done, std::uint64_t all) { call.at(done, all); };
   const VerifyResult result = verify(file, options);
   return {verify_json(file, result), verify_text(file, result), std::string(summary_word(summary(file, result)))};

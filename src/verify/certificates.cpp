@@ -6,7 +6,10 @@
 #include <optional>
 
 #include "check/files.hpp"
+#include "parallel/failure.hpp"
+#include "prove/undecided.hpp"
 #include "scatter/bytes.hpp"
+#include "statements/claim_statements.hpp"
 #include "statements/refutation_text.hpp"
 #include "system/sha256.hpp"
 #include "verify/second_checker.hpp"
@@ -15,8 +18,6 @@
 namespace slipproof {
 
 namespace {
-
-constexpr std::string_view generated = "certificates";
 
 std::optional<std::string> bytes_of(const std::filesystem::path& path) {
   std::error_code error;
@@ -27,29 +28,34 @@ std::optional<std::string> bytes_of(const std::filesystem::path& path) {
 
 /// What stands in a folder for statements that together say something.
 struct Found {
-  std::vector<CheckedCertificate> statements;  ///< those of which the folder has something
+  std::vector<CheckedCertificate> statements;
   std::vector<std::string> outdated;
+  bool any = false;     ///< the folder has one of them
   bool proved = false;  ///< all of them
 };
 
+CheckedCertificate no_statement(const std::string& file, const std::string& theorem) {
+  return {file, theorem, CertificateState::missing, "the folder has no such statement"};
+}
+
 Found find(const std::vector<NamedStatement>& statements, Certificates& certificates) {
   Found result;
-  bool any = false;
   for (const NamedStatement& statement : statements) {
-    const std::string file = std::string(generated) + "/" + statement.name;
+    const std::string file = certificates.of_claim(statement.name);
     const auto text = certificates.statement(file);
-    any = any || text;
+    result.any = result.any || text;
     if (text && *text != statement.text) {
       result.outdated.push_back(statement.name + ": the statement in the folder is not the claim's");
-    } else {
+    } else if (text) {
       result.statements.push_back(certificates.check(file));
+    } else {
+      result.statements.push_back(no_statement(file, statement.name));
     }
   }
-  result.proved = any && result.outdated.empty();
+  result.proved = result.any && result.outdated.empty();
   for (const CheckedCertificate& s : result.statements) {
     result.proved = result.proved && s.state == CertificateState::accepted;
   }
-  if (!any) result.statements.clear();
   return result;
 }
 
@@ -57,7 +63,7 @@ Found find(const std::vector<NamedStatement>& statements, Certificates& certific
 Found find_counterexample(const std::vector<NamedStatement>& statements, Certificates& certificates) {
   for (const NamedStatement& statement : statements) {
     if (!statement.refutes) continue;
-    const auto met = certificates.statement(std::string(generated) + "/" + statement.name + ".refuted.met");
+    const auto met = certificates.statement(certificates.of_claim(statement.name + ".refuted.met"));
     const auto values = met ? refuting_values(statement, *met) : std::nullopt;
     if (!values) continue;
     Found found = find(refutation_at(statement, *values), certificates);
@@ -82,7 +88,7 @@ void name_certificates(ClaimResult& claim, const Found& found) {
   }
 }
 
-void find_certificates(const ClaimsFile& file, ClaimResult& claim, Certificates& certificates) {
+void add_certificates(const ClaimsFile& file, ClaimResult& claim, Certificates& certificates) {
   const Claim& stated = file.claims[claim.claim];
   const Found proof = find(claim_statements(file, stated, claim.reading), certificates);
   Found refutation = find(claim_refutation(file, stated, claim.reading), certificates);
@@ -90,8 +96,11 @@ void find_certificates(const ClaimsFile& file, ClaimResult& claim, Certificates&
     Found counterexample = find_counterexample(claim_statements(file, stated, claim.reading), certificates);
     if (counterexample.proved) refutation = std::move(counterexample);
   }
-  add_problems(claim, proof);
-  add_problems(claim, refutation);
+  // Of what the file asks for all counts; of the other way, what the folder has.
+  const bool asks_for_refutation = stated.body(claim.reading).expect == Expectation::refuted;
+  const bool asks = stated.body(claim.reading).expect != Expectation::undecided;
+  if (proof.any || (asks && !asks_for_refutation && !refutation.proved)) add_problems(claim, proof);
+  if (refutation.any || (asks_for_refutation && !proof.proved)) add_problems(claim, refutation);
   if (refutation.proved && proof.proved) {
     claim.rejections.push_back(stated.id + ": certificates of it and of its refutation are accepted");
     return;
@@ -110,6 +119,12 @@ void find_certificates(const ClaimsFile& file, ClaimResult& claim, Certificates&
   claim.verdict = Verdict::holds;
   claim.proved = true;
   name_certificates(claim, proof);
+}
+
+void find_certificates(const ClaimsFile& file, ClaimResult& claim, Certificates& certificates) {
+  const std::string failure = failure_of([&] { add_certificates(file, claim, certificates); });
+  if (claim.failure.empty()) claim.failure = failure;
+  yield_to_failure(claim);
 }
 
 /// Of a claim of which nothing else is known.
@@ -136,18 +151,14 @@ CheckedCertificate checked_now(const std::filesystem::path& folder, const std::s
 
 }  // namespace
 
-std::filesystem::path certificates_folder(const std::filesystem::path& claims) {
-  return claims.parent_path() / generated;
-}
-
 std::optional<std::string> Certificates::statement(const std::string& name) const {
-  return bytes_of(folder_ / (name + ".statement"));
+  return bytes_of(paper_.folder / (name + ".statement"));
 }
 
 const CheckedCertificate& Certificates::check(const std::string& name) {
   const std::scoped_lock lock(mutex_);
   const auto known = checked_.find(name);
-  return known != checked_.end() ? known->second : add(checked_now(folder_, name));
+  return known != checked_.end() ? known->second : add(checked_now(paper_.folder, name));
 }
 
 const CheckedCertificate& Certificates::add(CheckedCertificate certificate) {
@@ -175,7 +186,7 @@ void Certificates::take(std::string_view checked) {
 std::string Certificates::digest() const {
   std::map<std::string, std::string> files;
   std::error_code error;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_ / generated, error)) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(paper_.generated(), error)) {
     if (const auto text = bytes_of(entry.path())) files.emplace(entry.path().string(), sha256(*text));
   }
   std::string all;
@@ -192,8 +203,9 @@ std::vector<CheckedCertificate> Certificates::so_far() {
 
 std::vector<CheckedCertificate> Certificates::all() {
   std::vector<CheckedCertificate> result;
-  for (const std::filesystem::path& file : check::certificates_in(folder_)) {
-    result.push_back(check(file.lexically_relative(folder_).replace_extension().generic_string()));
+  for (const std::filesystem::path& file : check::certificates_in(paper_.folder)) {
+    if (!paper_.owns(file)) continue;
+    result.push_back(check(file.lexically_relative(paper_.folder).replace_extension().generic_string()));
   }
   return result;
 }
@@ -207,18 +219,21 @@ std::optional<SecondChecker> Certificates::second_checker() {
 }
 
 void Certificates::ask_second_checker_about(CheckedCertificate& certificate) {
-  if (!second_verdicts_) second_verdicts_ = slipproof::ask_second_checker(second_checker_, folder_);
+  if (!second_verdicts_) second_verdicts_ = slipproof::ask_second_checker(second_checker_, paper_.folder);
   const auto found =
-      second_verdicts_->find(check::printable((folder_ / (certificate.name + ".cert")).lexically_normal()));
+      second_verdicts_->find(check::printable((paper_.folder / (certificate.name + ".cert")).lexically_normal()));
   const std::string verdict = found == second_verdicts_->end() ? "not judged" : found->second;
   if (verdict == to_string(CertificateState::accepted)) return;
   certificate.state = CertificateState::rejected;
   certificate.message = certificate.name + ".cert: " + verdict + " by " + second_checker_;
 }
 
-std::string check_certificates(const ClaimsFile& file, std::size_t claim, Reading reading,
-                               const std::filesystem::path& folder) {
-  Certificates certificates(folder);
+std::optional<std::string> Certificates::certificate(const std::string& name) const {
+  return bytes_of(paper_.folder / (name + ".cert"));
+}
+
+std::string check_certificates(const ClaimsFile& file, std::size_t claim, Reading reading, const PaperFolder& paper) {
+  Certificates certificates(paper);
   result_of_certificates(file, claim, reading, certificates);
   const std::vector<CheckedCertificate> checked = certificates.so_far();
   ByteWriter bytes;
@@ -227,6 +242,17 @@ std::string check_certificates(const ClaimsFile& file, std::size_t claim, Readin
     bytes.text(name).text(theorem).number(static_cast<std::uint64_t>(state)).text(message);
   }
   return bytes.take();
+}
+
+std::vector<NamedValues> failing_numbers(const ClaimsFile& file, std::size_t claim, Reading reading,
+                                         const Certificates& certificates) {
+  std::vector<NamedValues> all;
+  for (const NamedStatement& statement : claim_statements(file, file.claims[claim], reading)) {
+    const auto text = certificates.certificate(certificates.of_claim(statement.name));
+    if (!text || !text->starts_with("slipproof-undecided ")) continue;
+    if (auto numbers = numbers_of(*text)) all.push_back(*std::move(numbers));
+  }
+  return all;
 }
 
 void find_certificates(const ClaimsFile& file, VerifyResult& result, Certificates& certificates) {

@@ -12,13 +12,12 @@
 
 #include "check/verdict.hpp"
 #include "claims/claims_file.hpp"
+#include "claims/paper_folder.hpp"
+#include "statements/refutation_text.hpp"
 
 namespace slipproof {
 
 struct VerifyResult;
-
-/// Where the statements and certificates of a claims file stand: in `certificates` beside it.
-std::filesystem::path certificates_folder(const std::filesystem::path& claims);
 
 /// Whether a statement has a proof that the checker accepts.
 using CertificateState = check::Verdict;
@@ -42,8 +41,10 @@ struct SecondChecker {
 class Certificates {
  public:
   /// With a `second_checker` (see ask_second_checker()) a certificate that only ours accepts is rejected.
-  explicit Certificates(std::filesystem::path folder, std::string second_checker = "")
-      : folder_(folder.empty() ? "." : std::move(folder)), second_checker_(std::move(second_checker)) {}
+  explicit Certificates(PaperFolder paper, std::string second_checker = "")
+      : paper_(std::move(paper)), second_checker_(std::move(second_checker)) {}
+  explicit Certificates(const std::filesystem::path& folder, std::string second_checker = "")
+      : Certificates(PaperFolder{folder.empty() ? "." : folder}, std::move(second_checker)) {}
 
   /// Of NAME.statement, there or not.
   const CheckedCertificate& check(const std::string& name);
@@ -57,7 +58,12 @@ class Certificates {
   std::vector<CheckedCertificate> all();
   /// The bytes of NAME.statement; nothing if there is no such file.
   std::optional<std::string> statement(const std::string& name) const;
-  const std::filesystem::path& folder() const { return folder_; }
+  /// The bytes of NAME.cert; nothing if there is no such file.
+  std::optional<std::string> certificate(const std::string& name) const;
+  const std::filesystem::path& folder() const { return paper_.folder; }
+  const PaperFolder& paper() const { return paper_; }
+  /// What check() wants for a statement that is made of a claim.
+  std::string of_claim(const std::string& statement) const { return paper_.certificates + "/" + statement; }
   /// So far; nothing without a second checker.
   std::optional<SecondChecker> second_checker();
 
@@ -65,7 +71,7 @@ class Certificates {
   const CheckedCertificate& add(CheckedCertificate certificate);
   void ask_second_checker_about(CheckedCertificate& certificate);
 
-  std::filesystem::path folder_;
+  PaperFolder paper_;
   std::string second_checker_;
   std::optional<std::map<std::filesystem::path, std::string>> second_verdicts_;  ///< once it was asked
   std::mutex mutex_;
@@ -74,14 +80,19 @@ class Certificates {
 
 /// Checks the certificates that find_certificates() asks for of a claim, without a second checker: what a rank does for
 /// Certificates::take() of another.
-std::string check_certificates(const ClaimsFile& file, std::size_t claim, Reading reading,
-                               const std::filesystem::path& folder);
+std::string check_certificates(const ClaimsFile& file, std::size_t claim, Reading reading, const PaperFolder& paper);
+
+/// The numbers at which statements of a claim are false, as prove wrote them in place of certificates.
+std::vector<NamedValues> failing_numbers(const ClaimsFile& file, std::size_t claim, Reading reading,
+                                         const Certificates& certificates);
 
 /// Looks for the certificates of every claim of `result`. A claim that holds at every sample and whose statements, the
 /// same bytes as the claims file gives now, all have accepted certificates becomes `proved`, and its certificates are
 /// named; of a refuted claim, that of its refutation; and a claim that holds at every sample is refuted, too, where
 /// that is accepted. What the others of its statements have instead stands in `unproved`, `rejections` and `outdated`;
-/// so does a contradiction of samples and certificates. verify() calls it.
+/// so does a contradiction of samples and certificates. Statements that the claims file asks for, as `prove` would
+/// write them, and that are not there, are `missing`. A claim that failed, here or before, becomes undecided, unless it
+/// is refuted. verify() calls it.
 void find_certificates(const ClaimsFile& file, VerifyResult& result, Certificates& certificates);
 
 /// Whether they decide a claim of which no sample says anything.

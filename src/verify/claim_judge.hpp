@@ -25,6 +25,9 @@ class ClaimJudge {
   Judgement judge();
 
  private:
+  Judgement judged();
+  /// Whether what it compares over the forces has a value everywhere, but was not decided.
+  bool is_unsure();
   using Intervals = std::vector<ForceInterval>;
   /// Where a claim that uniqueness refers to states forces, and where it is near them: their ends included.
   struct Stated {

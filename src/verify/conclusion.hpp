@@ -16,6 +16,7 @@ namespace slipproof {
 struct Conclusion {
   bool vacuous = false;  ///< or nowhere, of a claim of existence
   std::optional<SimplestFailures> failures;
+  std::string failure;  ///< why it could not be found; empty: nothing went wrong
 };
 
 std::string conclusion_bytes(const Conclusion& conclusion);

@@ -9,8 +9,9 @@
 namespace slipproof {
 
 std::string_view name(Reason reason) {
-  constexpr std::array<std::string_view, 12> names{"none",  "ends",    "forces",    "exists", "formula",  "continuum",
-                                                   "extra", "missing", "uncovered", "limit",  "equation", "no value"};
+  constexpr std::array<std::string_view, 13> names{"none",      "ends",     "forces",   "exists",    "formula",
+                                                   "continuum", "extra",    "missing",  "uncovered", "limit",
+                                                   "equation",  "no value", "undecided"};
   return names[static_cast<std::size_t>(reason)];
 }
 
@@ -19,6 +20,25 @@ bool ClaimJudge::contains(const Intervals& parts, const Rational& force) {
 }
 
 Judgement ClaimJudge::judge() {
+  Judgement j = judged();
+  if (j.outcome == Outcome::undecided && is_unsure()) j.reason = Reason::unsure;
+  return j;
+}
+
+bool ClaimJudge::is_unsure() {
+  bool unsure = false;
+  for (const Program* program :
+       {&compiled_.settings[claim_.setting].force_domain(), &programs_.forces, &programs_.holds}) {
+    for (const TruthCell& cell : sample_.over_forces(*program)) {
+      if (sample_.force_domain() && common(cell.forces, domain()).empty()) continue;
+      if (cell.truth == Truth::undefined) return false;
+      unsure = unsure || cell.truth == Truth::undecided;
+    }
+  }
+  return unsure;
+}
+
+Judgement ClaimJudge::judged() {
   if (!sample_.force_domain()) return undecided();
   if (!claim_.is<Limit>()) {  // of a limit, the region at the end of the parameter's domain counts
     const Truth inside = sample_.region(programs_.region);

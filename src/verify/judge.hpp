@@ -13,7 +13,7 @@ enum class Outcome : std::uint8_t {
   outside,  ///< the sample is not in the claim's region, or the claim says nothing at it
   holds,
   refuted,
-  undecided  ///< the claim has no value at the sample
+  undecided  ///< the claim has no value at the sample, or it was not found
 };
 
 /// How a claim fails.
@@ -29,7 +29,8 @@ enum class Reason : std::uint8_t {
   uncovered,  ///< a bicycle of which no line speaks
   limit,      ///< false however large the parameter
   equation,   ///< an equation that does not follow
-  no_value    ///< undefined or undecided in the claim's own region
+  no_value,   ///< undefined in the claim's own region
+  unsure      ///< nothing is undefined, but a comparison over the forces was not decided
 };
 std::string_view name(Reason reason);
 

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <utility>
 
+#include "parallel/failure.hpp"
 #include "parallel/in_parallel.hpp"
 #include "verify/claim_lines.hpp"
 #include "verify/edges.hpp"
@@ -131,7 +132,9 @@ class MutationRun {
     }
     Settler settler(file_, compiled_, quick_);
     for (std::size_t c = 0; c < file_.claims.size(); ++c) {
-      if (settler.is_vacuous(c)) result.vacuous.push_back(c);
+      bool vacuous = false;
+      const bool failed = !failure_of([&] { vacuous = settler.is_vacuous(c); }).empty();
+      if (vacuous && !failed) result.vacuous.push_back(c);
     }
     std::vector<ClaimsMutant> all = mutants(file_);
     std::erase_if(all, [&](const ClaimsMutant& m) {
@@ -163,9 +166,9 @@ class MutationRun {
       MutantResult& m = *rest[i];
       Workshop& shop = workshop();
       Order order = samples_from(m.mutant.setting, options_.samples);
-      m.mutant.put(m.mutant.mutant.expression, shop.compiled);
-      if (!caught(shop, m, order) && !caught_on_lines(shop, m)) settle(m, shop.thorough, shop.compiled);
-      m.mutant.put(m.mutant.original(file_), shop.compiled);
+      with_change(shop, m, [&] {
+        if (!caught(shop, m, order) && !caught_on_lines(shop, m)) settle(m, shop.thorough, shop.compiled);
+      });
     });
   }
 
@@ -190,14 +193,29 @@ class MutationRun {
       for (const std::size_t c : claims) {
         if (file_.claims[c].setting != s) continue;
         Baseline& baseline = baselines_[c][i];
-        baseline.outcome = judge(file_, compiled_, c, Reading::printed, *sample).outcome;
-        baseline.reach = reach(file_, compiled_, c, *sample);
-        baseline.speaks =
-            baseline.outcome == Outcome::holds && !sample->true_at(compiled_.claims[c].printed.forces).parts.empty();
+        const std::string failure = failure_of([&] { baseline = baseline_of(c, *sample); });
+        if (!failure.empty()) baseline.outcome = Outcome::undecided;
       }
-      sample->motions();  // solved once, before threads share it
-      samples[i] = std::move(sample);
+      if (failure_of([&] { sample->motions(); }).empty()) samples[i] = std::move(sample);  // solved before it is shared
     });
+  }
+
+  Baseline baseline_of(std::size_t c, SolvedSample& sample) const {
+    Baseline result;
+    result.outcome = judge(file_, compiled_, c, Reading::printed, sample).outcome;
+    result.reach = reach(file_, compiled_, c, sample);
+    result.speaks =
+        result.outcome == Outcome::holds && !sample.true_at(compiled_.claims[c].printed.forces).parts.empty();
+    return result;
+  }
+
+  /// The work with the mutant in place of the original. Where it fails, the mutant survives, and says why.
+  template <class Work>
+  void with_change(Workshop& shop, MutantResult& m, const Work& work) const {
+    m.mutant.put(m.mutant.mutant.expression, shop.compiled);
+    const std::string failure = failure_of(work);
+    if (!failure.empty()) m.end = MutantEnd::survivor, m.argument = "judging it failed: " + failure;
+    m.mutant.put(m.mutant.original(file_), shop.compiled);
   }
 
   using Order = std::vector<std::size_t>;
@@ -219,9 +237,9 @@ class MutationRun {
   void judge_group(Workshop& shop, MutantResult* first, MutantResult* last) {
     Order order = samples_from(first->mutant.setting, 0);
     for (MutantResult* m = first; m != last; ++m) {
-      m->mutant.put(m->mutant.mutant.expression, shop.compiled);
-      if (!caught(shop, *m, order)) settle(*m, shop.quick, shop.compiled);
-      m->mutant.put(m->mutant.original(file_), shop.compiled);
+      with_change(shop, *m, [&] {
+        if (!caught(shop, *m, order)) settle(*m, shop.quick, shop.compiled);
+      });
     }
   }
 

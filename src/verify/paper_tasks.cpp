@@ -3,6 +3,8 @@
 #include <string_view>
 #include <utility>
 
+#include "parallel/failure.hpp"
+
 namespace slipproof {
 
 namespace {
@@ -15,9 +17,10 @@ std::vector<ClaimTask> tasks_of(const ClaimsFile& file, const CompiledClaims& co
     if (!claim.id.starts_with(only)) continue;
     for (const Reading reading : all_readings) {
       if (reading == Reading::repaired && !claim.repaired) continue;
-      auto identity = find_identity(file, compiled, i, reading, &book);
-      const bool rational = identity || claim.is<Consequence>() || claim.is<System>();
-      tasks.push_back({i, reading, std::move(identity), rational});
+      ClaimTask task{i, reading, {}, false, {}};
+      task.failure = failure_of([&] { task.identity = find_identity(file, compiled, i, reading, &book); });
+      task.rational = task.identity || claim.is<Consequence>() || claim.is<System>();
+      tasks.push_back(std::move(task));
     }
   }
   return tasks;

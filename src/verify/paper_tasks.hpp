@@ -16,7 +16,8 @@ struct ClaimTask {
   std::size_t claim;  ///< index in the file
   Reading reading;
   std::optional<Identity> identity;
-  bool rational;  ///< true or false of rational functions: where it is false, it is so nearly everywhere
+  bool rational;        ///< true or false of rational functions: where it is false, it is so nearly everywhere
+  std::string failure;  ///< of the search for an identity; empty: nothing went wrong
 };
 
 /// The tasks of a paper, and what all of them share. Any number of threads may use it.

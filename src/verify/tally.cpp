@@ -42,8 +42,10 @@ void Simplest::keep(const std::vector<Rational>& other, const Complexity& c) {
   its_complexity = c;
 }
 
-void Tally::add(Outcome outcome, const CompiledSetting& setting, const std::vector<Rational>& values) {
+void Tally::add(const Judgement& judgement, const CompiledSetting& setting, const std::vector<Rational>& values) {
+  const Outcome outcome = judgement.outcome;
   ++tried;
+  if (judgement.reason == Reason::unsure) ++unsure;
   if (outcome == Outcome::holds) ++held;
   if (outcome == Outcome::undecided) ++undecided;
   if (outcome != Outcome::refuted) return;
@@ -62,30 +64,37 @@ void Tally::add(const Tally& other) {
   held += other.held;
   refuted += other.refuted;
   undecided += other.undecided;
+  unsure += other.unsure;
   simplest.keep(other.simplest);
   realisable.keep(other.realisable);
+  fail(other.failure);
+}
+
+void Tally::fail(const std::string& why) {
+  if (!why.empty() && (failure.empty() || why < failure)) failure = why;
 }
 
 void write_tally(ByteWriter& bytes, const Tally& tally) {
   for (const std::uint64_t count :
-       {tally.tried, tally.held, tally.refuted, tally.undecided, tally.lines, tally.cells}) {
+       {tally.tried, tally.held, tally.refuted, tally.undecided, tally.unsure, tally.lines, tally.cells}) {
     bytes.number(count);
   }
   write_first(bytes, tally.held_at);
   write_first(bytes, tally.speaks_at);
-  bytes.rationals(tally.simplest.values).rationals(tally.realisable.values);
+  bytes.rationals(tally.simplest.values).rationals(tally.realisable.values).text(tally.failure);
 }
 
 Tally read_tally(ByteReader& bytes) {
   Tally tally;
   for (std::uint64_t* count :
-       {&tally.tried, &tally.held, &tally.refuted, &tally.undecided, &tally.lines, &tally.cells}) {
+       {&tally.tried, &tally.held, &tally.refuted, &tally.undecided, &tally.unsure, &tally.lines, &tally.cells}) {
     *count = bytes.number();
   }
   tally.held_at = read_first(bytes);
   tally.speaks_at = read_first(bytes);
   tally.simplest = read_simplest(bytes);
   tally.realisable = read_simplest(bytes);
+  tally.failure = bytes.text();
   return tally;
 }
 

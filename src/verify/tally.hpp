@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "number/simplest.hpp"
@@ -41,14 +42,17 @@ struct Simplest {
 
 /// What one claim in one reading comes to.
 struct Tally {
-  std::uint64_t tried = 0, held = 0, refuted = 0, undecided = 0;
+  std::uint64_t tried = 0, held = 0, refuted = 0, undecided = 0, unsure = 0;  ///< unsure: those of undecided
   std::uint64_t lines = 0, cells = 0;
   FirstSamples held_at, speaks_at;  ///< samples at which it held; those of them at which there is a force for it
   Simplest simplest, realisable;    ///< of the failing samples, and of those of them that can be built
+  std::string failure;              ///< why it could not be judged somewhere; empty: nothing went wrong
 
-  void add(Outcome outcome, const CompiledSetting& setting, const std::vector<Rational>& values);
+  void add(const Judgement& judgement, const CompiledSetting& setting, const std::vector<Rational>& values);
   void add(const Tally& other);
-  bool empty() const { return tried == 0 && lines == 0; }
+  /// Of several reasons it keeps the first in the order of texts; an empty one is none.
+  void fail(const std::string& why);
+  bool empty() const { return tried == 0 && lines == 0 && failure.empty(); }
 };
 
 void write_tally(ByteWriter& bytes, const Tally& tally);

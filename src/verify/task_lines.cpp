@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "parallel/failure.hpp"
 #include "parallel/in_parallel.hpp"
 #include "verify/claim_lines.hpp"
 #include "verify/sampler.hpp"
@@ -36,7 +37,7 @@ std::uint64_t how_many(std::uint64_t lines, const std::vector<bool>& matters, co
   return std::max(lines, 9 * static_cast<std::uint64_t>(std::count(matters.begin(), matters.end(), true)));
 }
 
-void add_lines_of_setting(const PaperTasks& tasks, std::size_t setting, const std::vector<Tally>& tallies,
+void add_lines_of_setting(const PaperTasks& tasks, std::size_t setting, std::vector<Tally>& tallies,
                           std::vector<TaskLines>& result) {
   const VerifyOptions& options = tasks.options;
   const Sampler sampler(tasks.compiled.settings[setting], options.seed);
@@ -45,23 +46,25 @@ void add_lines_of_setting(const PaperTasks& tasks, std::size_t setting, const st
     const ClaimTask& task = tasks.all[t];
     const Claim& claim = tasks.claim_of(task);
     if (claim.setting != setting || !wants_lines(claim, tallies[t])) continue;
-    auto lines = claim_lines(tasks.file, tasks.compiled, task.claim, task.reading);
-    if (!lines) continue;
-    TaskLines its{t, std::move(lines->matters), {}, 0};
-    const FirstSamples& first = tallies[t].speaks_at.numbers().empty() ? tallies[t].held_at : tallies[t].speaks_at;
-    for (const std::uint64_t i : first.numbers()) its.bases.push_back(sampler.at(i));
-    if (its.bases.empty()) {
-      if (anywhere.empty()) anywhere = first_bicycles(tasks.compiled.settings[setting], sampler, options.samples);
-      its.bases = anywhere;
-    }
-    its.count = how_many(options.line_count(), its.matters, tallies[t]);
-    if (!its.bases.empty()) result.push_back(std::move(its));
+    tallies[t].fail(failure_of([&] {
+      auto lines = claim_lines(tasks.file, tasks.compiled, task.claim, task.reading);
+      if (!lines) return;
+      TaskLines its{t, std::move(lines->matters), {}, 0};
+      const FirstSamples& first = tallies[t].speaks_at.numbers().empty() ? tallies[t].held_at : tallies[t].speaks_at;
+      for (const std::uint64_t i : first.numbers()) its.bases.push_back(sampler.at(i));
+      if (its.bases.empty()) {
+        if (anywhere.empty()) anywhere = first_bicycles(tasks.compiled.settings[setting], sampler, options.samples);
+        its.bases = anywhere;
+      }
+      its.count = how_many(options.line_count(), its.matters, tallies[t]);
+      if (!its.bases.empty()) result.push_back(std::move(its));
+    }));
   }
 }
 
 }  // namespace
 
-std::vector<TaskLines> lines_of_tasks(const PaperTasks& tasks, const std::vector<Tally>& tallies) {
+std::vector<TaskLines> lines_of_tasks(const PaperTasks& tasks, std::vector<Tally>& tallies) {
   std::vector<TaskLines> result;
   if (tasks.options.line_count() == 0) return result;
   for (std::size_t s = 0; s < tasks.file.settings.size(); ++s) add_lines_of_setting(tasks, s, tallies, result);

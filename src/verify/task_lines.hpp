@@ -21,7 +21,8 @@ struct TaskLines {
   Line line(std::uint64_t k, std::uint64_t seed) const { return line_number(k, seed + task, bases, matters); }
 };
 
-/// Of all tasks that want lines, setting by setting; `tallies` are of the samples, by task.
-std::vector<TaskLines> lines_of_tasks(const PaperTasks& tasks, const std::vector<Tally>& tallies);
+/// Of all tasks that want lines, setting by setting; `tallies` are of the samples, by task; they
+/// keep why there are no lines of one.
+std::vector<TaskLines> lines_of_tasks(const PaperTasks& tasks, std::vector<Tally>& tallies);
 
 }  // namespace slipproof

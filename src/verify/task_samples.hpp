@@ -27,4 +27,8 @@ void add_tallies(std::string_view judged, std::vector<Tally>& tallies);
 
 Tally judge_line(const PaperTasks& tasks, const ClaimTask& task, const Line& line);
 
+/// The claim at numbers that something else found, if they are a bicycle: values of the parameters, and of cosines and
+/// sines, by their names. Others are passed over.
+void judge_at(const PaperTasks& tasks, const ClaimTask& task, const NamedValues& numbers, Tally& tally);
+
 }  // namespace slipproof

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "verify/verify.hpp"
@@ -14,6 +15,25 @@ const ClaimResult* VerifyResult::find(const ClaimsFile& file, std::string_view i
     if (file.claims[result.claim].id == id && result.reading == reading) return &result;
   }
   return nullptr;
+}
+
+std::size_t ClaimResult::missing() const {
+  return static_cast<std::size_t>(std::count_if(unproved.begin(), unproved.end(), [](const CheckedCertificate& c) {
+    return c.state == CertificateState::missing;
+  }));
+}
+
+std::size_t VerifyResult::missing() const {
+  std::size_t all = 0;
+  for (const ClaimResult& claim : claims) all += claim.missing();
+  return all;
+}
+
+void yield_to_failure(ClaimResult& result) {
+  if (result.failure.empty() || result.verdict == Verdict::refuted) return;
+  result.verdict = Verdict::undecided;
+  result.proved = false;
+  result.certificates.clear();
 }
 
 bool as_expected(const ClaimsFile& file, const ClaimResult& result) {

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "parallel/failure.hpp"
 #include "parallel/in_parallel.hpp"
 #include "scatter/share.hpp"
 #include "verify/conclusion.hpp"
@@ -33,6 +34,7 @@ class Verification::Run {
     on_threads(options_.threads, [&] {
       if (options_.certificates) check_certificates(crew);
       sample(crew);
+      if (options_.certificates) judge_where_statements_fail();
       judge_lines(crew);
       const std::vector<std::string> conclusions = conclude_open(crew);
       in_parallel(0, count, [&](std::size_t t) {
@@ -62,7 +64,7 @@ class Verification::Run {
       return tally.take();
     }
     if (question == VerifyQuestion::certificates) {
-      return slipproof::check_certificates(tasks_.file, task.claim, task.reading, options_.certificates->folder());
+      return slipproof::check_certificates(tasks_.file, task.claim, task.reading, options_.certificates->paper());
     }
     return conclusion_bytes(conclude(tasks_, task, read_tally(bytes)));
   }
@@ -98,6 +100,18 @@ class Verification::Run {
     share(crew, service(), pieces.size(), request, [&](std::uint64_t i, const std::string& judged) {
       add_tallies(judged, tallies_);
       tell(pieces[i].end - pieces[i].begin);
+    });
+  }
+
+  /// Where prove found numbers at which a statement of the claim is false, they are one sample more.
+  void judge_where_statements_fail() {
+    in_parallel(0, tasks_.all.size(), [&](std::size_t t) {
+      const ClaimTask& task = tasks_.all[t];
+      tallies_[t].fail(failure_of([&] {
+        for (const auto& numbers : failing_numbers(tasks_.file, task.claim, task.reading, *options_.certificates)) {
+          judge_at(tasks_, task, numbers, tallies_[t]);
+        }
+      }));
     });
   }
 

@@ -80,8 +80,9 @@ struct ClaimResult {
   Reading reading = Reading::printed;
   Verdict verdict = Verdict::undecided;
   std::uint64_t held = 0, refuted = 0, undecided = 0;  ///< samples; those outside of its region do not count
-  std::uint64_t lines = 0;                             ///< along which it was judged; their points count as samples
-  std::uint64_t cells = 0;  ///< parts of these lines in which the answer about it is the same throughout
+  std::uint64_t unsure = 0;  ///< those of the undecided at which it may have a value, which was not found
+  std::uint64_t lines = 0;   ///< along which it was judged; their points count as samples
+  std::uint64_t cells = 0;   ///< parts of these lines in which the answer about it is the same throughout
   /// Bicycles at which it was judged, those included of which it says nothing.
   std::uint64_t tried = 0;
   /// The simplest that can be built; where none such was found, the simplest.
@@ -91,14 +92,18 @@ struct ClaimResult {
   /// It is right, or says nothing, at every bicycle: an identity of rational functions that divides by nothing that
   /// vanishes, the existence of what a sample shows, or `certificates`.
   bool proved = false;
+  /// Why it could not be judged to the end; empty: nothing went wrong. What no sample refutes is then undecided.
+  std::string failure;
   /// An identity of rational functions wherever none of these expressions vanishes; that they do not was not shown.
   std::vector<std::string> unless_zero;
   /// What find_certificates() finds: names of the certificates that prove the claim, or its refutation; those that the
   /// checker rejects, and why; statements that are not the claim's.
   std::vector<std::string> certificates, rejections, outdated;
-  /// Its statements whose certificates are undecided, missing or unreadable, if the folder has some of its statements.
+  /// Its statements whose certificates are undecided, missing or unreadable.
   std::vector<CheckedCertificate> unproved;
 
+  /// How many statements or certificates that the claims file asks for are not there.
+  std::size_t missing() const;
   std::uint64_t samples() const { return held + refuted + undecided; }
 };
 
@@ -110,7 +115,11 @@ struct VerifyResult {
   std::optional<SecondChecker> second_checker = {};  ///< that of VerifyOptions::certificates
 
   const ClaimResult* find(const ClaimsFile& file, std::string_view id, Reading reading) const;
+  std::size_t missing() const;  ///< of all claims
 };
+
+/// Of a claim that failed, what no sample refutes is undecided.
+void yield_to_failure(ClaimResult& result);
 
 /// Whether the verdict is the one that the file expects; a claim that expects nothing should hold.
 bool as_expected(const ClaimsFile& file, const ClaimResult& result);

@@ -59,8 +59,9 @@ struct Standing {
   std::size_t judged = 0, proved = 0, held = 0, refuted = 0;  ///< those that hold do not count the proved ones
   std::vector<std::string> undecided, vacuous;                ///< ids
   std::size_t definitions = 0;                                ///< findings about definitions, on which claims rest
-  std::size_t shared = 0;  ///< refuted claims that show a finding of another claim, or of a definition
-  std::size_t others = 0;  ///< findings about claims that are not refuted
+  std::size_t shared = 0;   ///< refuted claims that show a finding of another claim, or of a definition
+  std::size_t others = 0;   ///< findings about claims that are not refuted
+  std::size_t missing = 0;  ///< certificates that the claims file asks for, in whatever reading
 };
 
 struct Errata {

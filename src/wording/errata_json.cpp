@@ -48,6 +48,7 @@ std::string errata_json(const ClaimsFile& file, const Errata& errata) {
   claims["refuted"] = standing.refuted;
   claims["undecided"] = standing.undecided;
   claims["vacuous"] = standing.vacuous;
+  claims["missing"] = standing.missing;
   document["claims"] = std::move(claims);
   document["standing"] = standing_text(errata);
   return dump(document);
@@ -82,6 +83,7 @@ std::string errata_sarif(const ClaimsFile& file, const Errata& errata) {
   run["results"] = std::move(results);
   // A list without results is not an all-clear by itself.
   run["properties"]["standing"] = standing_text(errata);
+  run["properties"]["missing"] = errata.standing.missing;
   document["$schema"] = "https://json.schemastore.org/sarif-2.1.0.json";
   document["version"] = "2.1.0";
   document["runs"] = Json::array({std::move(run)});

@@ -68,8 +68,8 @@ std::string standing_text(const Errata& errata) {
   part(s.refuted, "is refuted", "are refuted");
   part(s.undecided.size(), "is undecided", "are undecided", joined(s.undecided));
   part(s.vacuous.size(), "speaks of no bicycle at all", "speak of no bicycle at all", joined(s.vacuous));
-  std::string text =
-      counted(s.judged, "claim") + (s.judged == 1 ? " was" : " were") + " judged as printed: " + parts + ".";
+  std::string text = counted(s.judged, "claim") + (s.judged == 1 ? " was" : " were") + " judged as printed: " + parts +
+                     "." + (s.missing == 0 ? "" : " " + missing_text(s.missing) + ".");
   if (!errata.findings.empty()) return text;
   if (s.undecided.size() + s.vacuous.size() > 0) return text + " No claim is refuted, yet this is no all-clear.";
   return text + (s.held == 0 ? " Nothing is wrong with what was judged."

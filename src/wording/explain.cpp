@@ -64,6 +64,7 @@ class Explanation {
         return equation();
       case Reason::none:
       case Reason::no_value:
+      case Reason::unsure:
         break;
     }
     return "the claim has no value";
@@ -163,6 +164,11 @@ std::string explain(const ClaimsFile& file, const ClaimResult& result, const Cou
 std::string explain(const ClaimsFile& file, const ClaimResult& result) {
   const std::string_view noun = slipproof::noun(file.settings[file.claims[result.claim].setting]);
   if (result.counterexample) return explain(file, result, *result.counterexample);
+  if (!result.failure.empty()) {
+    return result.refuted == 0 ? "judging it failed: " + result.failure
+                               : fmt::format("it is wrong at {} of {}, but showing one failed: {}", result.refuted,
+                                             counted(result.samples(), noun), result.failure);
+  }
   switch (result.verdict) {
     case Verdict::holds:
       break;
@@ -171,16 +177,24 @@ std::string explain(const ClaimsFile& file, const ClaimResult& result) {
     case Verdict::refuted:
       return file.claims[result.claim].is<Exists>() ? "proved: there is no such motion"
                                                     : "proved to be false; no sample is a counterexample";
-    case Verdict::undecided:
+    case Verdict::undecided: {
       if (result.undecided == 0) {
         return fmt::format("none of the {} that were tried is one of which it says anything",
                            counted(result.tried, noun));
       }
-      return fmt::format("it has no value at {} of {} in its region",
+      const bool unsure = result.unsure == result.undecided;
+      return fmt::format("{} at {} of {} in its region{}", unsure ? "it was not decided" : "it has no value",
                          result.undecided == result.samples() ? "any" : std::to_string(result.undecided),
-                         counted(result.samples(), noun));
+                         counted(result.samples(), noun),
+                         unsure ? ": a comparison has irrational zeros over the forces" : "");
+    }
   }
   return "";
+}
+
+std::string missing_text(std::size_t missing) {
+  return fmt::format("{} that the claims file asks for {} missing: slipproof prove searches for them",
+                     counted(missing, "certificate"), missing == 1 ? "is" : "are");
 }
 
 bool is_about_motions(const Claim& claim) {

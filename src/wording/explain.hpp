@@ -23,6 +23,9 @@ std::string realisability(const ClaimsFile& file, const ClaimResult& result);
 /// `wheels-apart (b > R), ...`: the conditions that a counterexample breaks.
 std::string broken_conditions(const Setting& setting, const Counterexample& example);
 
+/// That so many statements or certificates that the claims file asks for are not there.
+std::string missing_text(std::size_t missing);
+
 /// Whether a claim is about motions, so that those at a counterexample show something.
 bool is_about_motions(const Claim& claim);
 

@@ -48,7 +48,9 @@ void write_mutant(Out out, const MutationResult& result, const MutantResult& m, 
   const std::string& claim = result.file.claims[m.claim].id;
   if (m.end == MutantEnd::reach) {
     fmt::format_to(out, "      only one of the two speaks, in {}, at {}\n", claim, witness(result, m));
-  } else if (m.end != MutantEnd::survivor) {
+  } else if (m.end == MutantEnd::survivor) {
+    if (!m.argument.empty()) fmt::format_to(out, "      {}\n", m.argument);
+  } else {
     fmt::format_to(out, "      {}: {}", claim, m.argument);
     for (std::size_t i = 0; i < m.lemmas.size(); ++i) {
       fmt::format_to(out, "{}{}", i == 0 ? " (lemmas " : ", ", numbers.at(m.lemmas[i].statement));

@@ -54,6 +54,7 @@ Json paper_json(const JudgedPaper& paper) {
   entry["refuted"] = standing.refuted;
   entry["undecided"] = standing.undecided;
   entry["vacuous"] = standing.vacuous;
+  entry["missing"] = standing.missing;
   entry["as_expected"] = summary(paper.file, paper.result) == Summary::as_expected;
   entry["findings"] = std::move(findings);
   if (paper.result.second_checker) entry["second_checker"] = to_json(*paper.result.second_checker);
@@ -93,18 +94,20 @@ std::string papers_text(const std::vector<JudgedPaper>& papers, bool quiet) {
     all.held += standing.held;
     all.refuted += standing.refuted;
     open += open_claims(standing);
+    all.missing += standing.missing;
     findings += list.findings.size();
     if (quiet) continue;
     fmt::format_to(out, "  {:<28} {:>7} {:>7} {:>7} {:>8} {:>6}\n", paper.name, standing.judged, standing.proved,
                    standing.held, standing.refuted, open_claims(standing));
     if (!paper.file.paper.found.empty()) text += wrapped("      ", paper.file.paper.found);
+    if (standing.missing > 0) text += wrapped("      ", missing_text(standing.missing));
     write_unexpected(out, paper);
   }
   const auto second = second_checker(papers);
   if (!quiet && second) text += "\n" + wrapped("  ", in_words(*second) + ".");
-  fmt::format_to(out, "{}s {} {} {} proved {} hold {} refuted {} open, {}\n", quiet ? "" : "\n",
+  fmt::format_to(out, "{}s {} {} {} proved {} hold {} refuted {} open, {}{}\n", quiet ? "" : "\n",
                  summary_word(summary(papers)), counted(papers.size(), "paper"), all.proved, all.held, all.refuted,
-                 open, counted(findings, "finding"));
+                 open, counted(findings, "finding"), all.missing == 0 ? "" : fmt::format(", {} missing", all.missing));
   return text;
 }
 

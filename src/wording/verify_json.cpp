@@ -66,6 +66,7 @@ std::string verify_json(const ClaimsFile& file, const VerifyResult& result) {
   document["lines"] = result.lines;
   document["seed"] = result.seed;
   if (result.second_checker) document["second_checker"] = to_json(*result.second_checker);
+  document["missing"] = result.missing();
   for (const ClaimResult& r : result.claims) {
     const Claim& claim = file.claims[r.claim];
     Json entry;
@@ -78,9 +79,11 @@ std::string verify_json(const ClaimsFile& file, const VerifyResult& result) {
     entry["tried"] = r.tried;
     entry["refuted"] = r.refuted;
     entry["undecided"] = r.undecided;
+    entry["unsure"] = r.unsure;
     entry["lines"] = r.lines;
     entry["cells"] = r.cells;
     entry["certificates"] = r.certificates;
+    if (!r.failure.empty()) entry["failure"] = r.failure;
     if (!r.rejections.empty()) entry["rejected"] = r.rejections;
     if (!r.outdated.empty()) entry["outdated"] = r.outdated;
     for (const CheckedCertificate& statement : r.unproved) {

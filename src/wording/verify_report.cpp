@@ -100,10 +100,16 @@ void write_certificates(Out out, const ClaimResult& claim) {
     fmt::format_to(out, "      an identity, wherever these are not 0: {}\n", fmt::join(claim.unless_zero, ", "));
   }
   for (const std::string& statement : claim.outdated) fmt::format_to(out, "      outdated {}\n", statement);
+  std::string missing;
   for (const CheckedCertificate& statement : claim.unproved) {
+    if (statement.state == CertificateState::missing) {
+      missing += (missing.empty() ? "" : ", ") + statement.theorem;
+      continue;
+    }
     fmt::format_to(out, "      {} {}{}{}\n", to_string(statement.state), statement.theorem,
                    statement.message.empty() ? "" : ": ", statement.message);
   }
+  if (!missing.empty()) fmt::format_to(out, "      missing {}\n", missing);
 }
 
 }  // namespace
@@ -160,9 +166,12 @@ std::string verify_text(const ClaimsFile& file, const VerifyResult& result, bool
   const Summary s = summary(file, result);
   if (result.claims.empty()) return text + (quiet ? "" : "\n") + "s UNDECIDED no claim was judged\n";
   if (!quiet && result.second_checker) fmt::format_to(out, "\n  {}\n", in_words(*result.second_checker));
-  fmt::format_to(out, "{}s {} holds {} refuted {} undecided {} unexpected {} proved {}{}\n", quiet ? "" : "\n",
+  const std::size_t missing = result.missing();
+  if (!quiet && missing > 0) fmt::format_to(out, "\n  {}\n", missing_text(missing));
+  fmt::format_to(out, "{}s {} holds {} refuted {} undecided {} unexpected {} proved {}{}{}\n", quiet ? "" : "\n",
                  summary_word(s), count[Verdict::holds], count[Verdict::refuted], count[Verdict::undecided], unexpected,
-                 proved, count[Verdict::vacuous] == 0 ? "" : fmt::format(" vacuous {}", count[Verdict::vacuous]));
+                 proved, count[Verdict::vacuous] == 0 ? "" : fmt::format(" vacuous {}", count[Verdict::vacuous]),
+                 missing == 0 ? "" : fmt::format(" missing {}", missing));
   return text;
 }
 

@@ -269,19 +269,95 @@ TEST_CASE("decimals stand for what they are, in boundaries and definitions, too"
   CHECK(statement.find("max") == std::string::npos);
 }
 
-TEST_CASE("a mistake in a statement that was made of a claim names the claim") {
+TEST_CASE("a claim whose statement cannot be read fails, and no other with it") {
   const TemporaryFolder folder;
   const auto claims = folder.write(
       "claims.toml",
       slipproof::test::SmallClaims{
           .parameters = "b = { domain = \"b > 0\", line = 1, meaning = \"b\" }\n",
           .claims = "[[claim]]\nid = \"large\"\nline = 12\nstatement = \"large\"\nkind = \"formula\"\nmode = "
-                    "\"stick/stick\"\nholds = \"(a + a_y + phi + eps2 + eps3 + S2 + S3 + N2)^20 > 0\"\n"}
+                    "\"stick/stick\"\nholds = \"(a + a_y + phi + eps2 + eps3 + S2 + S3 + N2)^20 > 0\"\n" +
+                    interval("small", "false", "expect = \"refuted\"\n")}
           .text());
   const auto outcome = run({"prove", claims});
-  CHECK(outcome.exit_code == 3);
-  CHECK(outcome.err.find("large.statement:") != std::string::npos);
-  CHECK(outcome.err.find(": claim large (line 12): a product has more than 200000 terms") != std::string::npos);
+  CHECK(outcome.exit_code == 4);
+  CHECK(outcome.out.find("proved    small.refuted\n") != std::string::npos);
+  CHECK(outcome.out.find("failed    large: large:") != std::string::npos);
+  CHECK(outcome.out.find("a product has more than 200000 terms") != std::string::npos);
+  CHECK(outcome.out.ends_with("s UNDECIDED 1 proved, 0 undecided, 1 claim failed\n"));
+  const Json document = Json::parse(run({"prove", "--json", claims}).out);
+  REQUIRE(document["failed"].size() == 1);
+  CHECK(document["failed"][0]["claim"] == "large");
+  CHECK(std::filesystem::exists(folder.path() / "certificates" / "small.refuted.cert"));
+}
+
+TEST_CASE("several claims files in a folder keep their certificates apart, and all are judged") {
+  const TemporaryFolder folder;
+  const std::string one = intervals(interval("right", "0 < F < 4/(4 - 5/b)", ""));
+  const auto first = folder.write("claims.toml", one);
+  CHECK(run({"prove", first}).exit_code == 0);
+  const std::string certificate = read_file(folder.path() / "certificates" / "right.always.cert");
+  const auto second =
+      folder.write("second.toml", intervals(interval("right", "0 < F < 1/(4 - 5/b)", "expect = \"refuted\"\n")));
+  const auto proved = run({"prove", second});
+  CHECK(proved.exit_code == 0);
+  CHECK(proved.out == "proved    right.refuted\ns PROVED 1 proved, 0 undecided\n");  // nothing of the first
+  CHECK(std::filesystem::exists(folder.path() / "second.certificates" / "right.refuted.cert"));
+  CHECK(read_file(folder.path() / "certificates" / "right.always.cert") == certificate);
+  CHECK_FALSE(std::filesystem::exists(folder.path() / "certificates" / "right.refuted.cert"));
+  CHECK(run({"prove", first}).out.ends_with("s PROVED 3 proved (3 kept), 0 undecided\n"));
+
+  const Json both = Json::parse(run({"verify", folder.path(), "--samples", "30", "--lines", "0", "--json"}).out);
+  REQUIRE(both["papers"].size() == 2);
+  const std::string name = folder.path().filename().string();
+  CHECK(both["papers"][0]["name"] == name);
+  CHECK(both["papers"][0]["proved"] == 1);
+  CHECK(both["papers"][1]["name"] == name + ".second");
+  CHECK(both["papers"][1]["refuted"] == 1);
+  CHECK(both["papers"][1]["missing"] == 0);
+  folder.write("mechanism.toml", "schema = \"slipproof/mechanism/1\"\n");
+  folder.write("empty.toml", "");
+  CHECK(Json::parse(run({"verify", folder.path(), "--samples", "30", "--lines", "0", "--json"}).out)["papers"].size() ==
+        2);
+}
+
+TEST_CASE("prove of a claims file leaves the papers in folders below alone") {
+  const TemporaryFolder folder;
+  const auto claims = folder.write("claims.toml", intervals(interval("right", "0 < F < 4/(4 - 5/b)", "")));
+  const std::string mine = "slipproof-statement 1\ntheorem mine\nreal x\nshow x^2 >= 0\n";
+  for (const char* below : {"lemmas", "other/lemmas", "papers/one/certificates", "out/certificates"}) {
+    std::filesystem::create_directories(folder.path() / below);
+    folder.write(std::string(below) + "/" + std::to_string(std::string_view(below).size()) + ".statement", mine);
+  }
+  folder.write("other/claims.toml", "");  // whatever is in it
+  folder.write("papers/one/paper.toml", "# a paper\nschema = 'slipproof/claims/1'\n");
+  const auto outcome = run({"prove", claims});
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.out.ends_with("s PROVED 4 proved, 0 undecided\n"));
+  CHECK(std::filesystem::exists(folder.path() / "lemmas" / "6.cert"));
+  CHECK_FALSE(std::filesystem::exists(folder.path() / "other/lemmas/12.cert"));
+  CHECK_FALSE(std::filesystem::exists(folder.path() / "papers/one/certificates/23.cert"));
+  CHECK_FALSE(std::filesystem::exists(folder.path() / "out/certificates/16.cert"));
+}
+
+TEST_CASE("where prove finds a point at which a claim has no value, verify knows it") {
+  const TemporaryFolder folder;
+  const auto claims = folder.write(
+      "claims.toml",
+      slipproof::test::SmallClaims{.parameters = "b = { domain = \"b > 0\", line = 1, meaning = \"b\" }\n",
+                                   .claims = "[[claim]]\nid = \"H\"\nline = 1\nstatement = \"H\"\nkind = "
+                                             "\"formula\"\nregion = \"b/(29*b - 37) != 0\"\nholds = \"b > 0\"\n"}
+          .text());
+  const std::vector<std::string> verify{"verify", claims, "--samples", "30", "--lines", "0", "--json"};
+  CHECK(Json::parse(run(verify).out)["claims"][0]["verdict"] == "holds");  // no sample is b = 37/29
+  const auto proved = run({"prove", claims});
+  CHECK(proved.out.find("refuted   H.defined.region at b = 37/29") != std::string::npos);
+  const auto verified = run(verify);
+  CHECK(verified.exit_code == 4);
+  const Json claim = Json::parse(verified.out)["claims"][0];
+  CHECK(claim["verdict"] == "undecided");
+  CHECK(claim["undecided"] == 1);
+  CHECK(claim["explanation"].get<std::string>().starts_with("it has no value at 1 of "));
 }
 
 TEST_CASE("claims of which no statement is made are named, with the reason") {

@@ -105,6 +105,57 @@ TEST_CASE("proved claims name their certificates, and a tampered one exits with 
   CHECK(run({"verify", "--samples", "100", "--only", "A1.2", claims}).exit_code == 0);  // no claim that it is about
 }
 
+TEST_CASE("certificates that a claims file asks for and that are not there are missing, in every form of output") {
+  const TemporaryFolder folder;
+  const std::filesystem::path proofs = std::filesystem::path(shipped).parent_path();
+  for (const char* file : {"claims.toml", "second-opinions.csv", "figures.toml"}) {
+    folder.write(file, read_file(proofs / file));
+  }
+  std::filesystem::copy(proofs / "theorems", folder.path() / "theorems");
+  const auto output = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all{"verify", "--samples", "40",   "--lines",
+                                 "0",      "--only",    "A1.1", folder.path() / "claims.toml"};
+    all.insert(all.end(), more.begin(), more.end());
+    return run(all).out;
+  };
+  const std::string text = output({});
+  CHECK(text.find("      missing A1.1.only-then, A1.1.always, A1.1.defined\n") != std::string::npos);
+  CHECK(last_line(text).find(" missing ") != std::string::npos);
+  const Json json = Json::parse(output({"--json"}));
+  const std::size_t missing = json["missing"];
+  CHECK(missing > 3);  // A1.1a, too
+  REQUIRE(json["claims"][0]["unproved"].size() == 3);
+  CHECK(json["claims"][0]["unproved"][0]["state"] == "missing");
+  const std::string sentence = std::to_string(missing) + " certificates that the claims file asks for are missing";
+  CHECK(output({"--errata"}).find(sentence) != std::string::npos);
+  CHECK(output({"--errata", "--markdown"}).find(sentence) != std::string::npos);
+  const Json sarif = Json::parse(output({"--sarif"}));
+  CHECK(sarif["runs"][0]["properties"]["missing"] == missing);
+  const std::string page = (folder.path() / "page.html").string();
+  output({"--report", page});
+  CHECK(read_file(page).find(sentence) != std::string::npos);
+  CHECK(read_file(page).find("No proof of A1.1.always: missing; the folder has no such statement<") !=
+        std::string::npos);
+}
+
+TEST_CASE("the errata of some claims show a misprint as those of all claims do, or not at all") {
+  const auto wrong = [](const std::vector<std::string>& more) {
+    std::vector<std::string> all{"verify", "--samples", "60", "--lines", "0", "--errata", "--json"};
+    all.insert(all.end(), more.begin(), more.end());
+    const Json errata = Json::parse(run(all).out);
+    for (const Json& finding : errata["findings"]) {
+      if (finding["id"] == "3.1.b1") return finding["wrong"].get<std::string>();
+    }
+    return std::string();
+  };
+  const std::string whole = wrong({});
+  const std::string shown = whole.substr(0, whole.find(": "));  // the claim that shows it
+  const std::string part = wrong({"--only", "A5.1"});
+  CHECK(part.starts_with("claims that use it fail, as " + shown + " shows, which was not judged"));
+  const std::string same = wrong({"--only", shown});
+  CHECK(same.substr(0, same.find(" (")) == whole.substr(0, whole.find(" (")));
+}
+
 TEST_CASE("malformed claims exit with 3 and name the place") {
   const TemporaryFolder folder;
   const std::string text = read_file(shipped);

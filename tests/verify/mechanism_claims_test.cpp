@@ -83,6 +83,68 @@ TEST_CASE("a block rests, slides or tips: claims about a statically indeterminat
       Verdict::refuted);
 }
 
+TEST_CASE("an identity in an angle of the paper's own is proved, where its half tangent has a value") {
+  std::string own = incline;
+  own.replace(own.find("F = \"P\""), 7, "F = \"P\", theta = { cos = \"c\", sin = \"s\" }");
+  own.replace(own.find("theta = { cos = \"c\", sin = \"s\", domain"), 5, "alpha");
+  own += "turn = { cos = \"u\", sin = \"v\" }\n";
+  const auto result = [&](const std::string& says) {
+    return result_of(parse_claims(own + claim("X", says), "block.toml"), 100);
+  };
+  const ClaimResult slides = result(
+      "kind = \"formula\"\nregion = \"s > mu*c and mu*h <= b\"\nmode = \"slip+/slip+\"\n"
+      "holds = \"ax = g*(s - mu*c) and phi = 0\"");
+  CHECK(slides.failure.empty());
+  CHECK(slides.verdict == Verdict::holds);
+  CHECK(slides.held > 0);
+  // An angle of 180 degrees has no half tangent, and 1 + u is 0 there: no sample shows it.
+  const ClaimResult turned = result("kind = \"formula\"\nholds = \"v/(1 + u) = v/(1 + u)\"");
+  CHECK(turned.failure.empty());
+  CHECK(turned.verdict == Verdict::holds);
+  CHECK_FALSE(turned.proved);
+  REQUIRE(turned.unless_zero.size() == 1);
+  CHECK(turned.unless_zero.front() == "u + 1");
+  CHECK(result("kind = \"formula\"\nholds = \"s/c = s/c and 1/(1 + c) = (1 - c)/(1 - c^2) or s = 0\"").failure.empty());
+  CHECK(result("kind = \"formula\"\nholds = \"s/(1 + c) = s/(1 + c)\"").proved);
+}
+
+TEST_CASE("what goes wrong in one claim is undecided, with the reason, and no other claim's") {
+  // The proof that there is no such bicycle would multiply out more terms than a statement may have.
+  const std::string large = "kind = \"formula\"\nregion = \"(m + b + h + I + mu + g)^30 < 0\"\nholds = \"m > 0\"";
+  const ClaimsFile file =
+      parse_claims(incline + claim("X", large) + claim("Y", "kind = \"formula\"\nholds = \"m > 0\""), "block.toml");
+  VerifyOptions options;
+  options.samples = 30;
+  options.lines = 0;
+  const VerifyResult result = verify(file, options);
+  CHECK(result.claims[0].verdict == Verdict::undecided);
+  CHECK(result.claims[0].failure.find("more than 200000 terms") != std::string::npos);
+  CHECK(explain(file, result.claims[0]) == "judging it failed: " + result.claims[0].failure);
+  CHECK(result.claims[1].verdict == Verdict::holds);
+  MutationOptions mutation;
+  mutation.samples = 20;
+  mutation.more_samples = 0;
+  mutation.lines = 0;
+  mutation.every = 7;
+  CHECK(judge_mutants(file, mutation).not_mutated == std::vector<std::size_t>{0});
+}
+
+TEST_CASE("a comparison with irrational zeros over the forces is not called one without a value") {
+  std::string free = incline;
+  free.replace(free.find("P = 0"), 5, "P >= 0");
+  const ClaimsFile file =
+      parse_claims(free + claim("X", "kind = \"formula\"\nforces = \"P^2 < 2\"\nholds = \"P < 3/2\"") +
+                       claim("Y", "kind = \"formula\"\nforces = \"1/(P - 1) < 2\"\nholds = \"P < 3/2 or P > 1\""),
+                   "block.toml");
+  VerifyOptions options;
+  options.samples = 30;
+  const VerifyResult result = verify(file, options);
+  CHECK(result.claims[0].verdict == Verdict::undecided);
+  CHECK(explain(file, result.claims[0]).starts_with("it was not decided at any of "));
+  CHECK(result.claims[1].verdict == Verdict::undecided);
+  CHECK(explain(file, result.claims[1]).starts_with("it has no value at any of "));
+}
+
 TEST_CASE("a formula about undetermined forces has to hold for all of them") {
   const std::string at_rest =
       "kind = \"formula\"\nregion = \"s <= mu*c and s*h <= b*c\"\nmode = \"stick/stick\"\nholds = ";
