@@ -152,7 +152,7 @@ struct Setting {
 
   /// What makes the scene a point of the mechanism, and the load a polynomial of degree 1 at most in the force.
   struct PointConditions {
-    std::vector<Expression> truths;   ///< domains and assumptions of the mechanism
+    std::vector<Expression> truths;   ///< domains, assumptions, and that no coefficient divides by 0
     std::vector<Expression> defined;  ///< numbers that have to have a value
     Expression slope;  ///< of the load in the force variable, not 0; null if that is not linear as it stands
   };

@@ -1,7 +1,10 @@
 // What follows from a setting and its mechanism.
 #include <algorithm>
+#include <set>
 
 #include "claims/claims_file.hpp"
+#include "expression/cases.hpp"
+#include "mechanism/coefficients.hpp"
 
 namespace slipproof {
 
@@ -24,6 +27,19 @@ const MechanismDefinition* definition_of(const Mechanism& mechanism, std::string
 
 bool is_symbol(const Expression& e, std::string_view symbol) {
   return e->operation == Operation::symbol && e->symbol == symbol;
+}
+
+/// What the coefficients of its mechanism divide by, each once, but numbers that are not 0.
+std::vector<Expression> divisors_of_coefficients(const Setting& setting) {
+  std::vector<Expression> result;
+  std::set<std::string> known;
+  for (const Expression& coefficient : coefficients(*setting.mechanism)) {
+    for (const Expression& divisor : divisors(setting.in_paper(coefficient))) {
+      const bool plain = divisor->operation == Operation::number && !divisor->number.is_zero();
+      if (!plain && known.insert(to_string(divisor)).second) result.push_back(divisor);
+    }
+  }
+  return result;
 }
 
 }  // namespace
@@ -100,6 +116,9 @@ Setting::PointConditions Setting::point_conditions() const {
     result.truths.push_back(make_comparison({sum, make_number(1)}, {Relation::equal}));
   }
   for (const MechanismCondition& condition : mechanism->assume) add(condition.condition);
+  for (const Expression& divisor : divisors_of_coefficients(*this)) {
+    result.truths.push_back(make_comparison({divisor, make_number(0)}, {Relation::not_equal}));
+  }
   if (!mechanism->load) return result;
   const Expression& load = scene.find(mechanism->load->symbol)->second;
   const auto at = [&](int x) { return substitute(load, force.symbol, make_number(x)); };

@@ -13,6 +13,17 @@ bool has_no_division(const Expression& e) {
   return std::all_of(e->operands.begin(), e->operands.end(), has_no_division);
 }
 
+std::vector<Expression> divisors(const Expression& e) {
+  std::vector<Expression> result;
+  for (const Expression& operand : e->operands) {
+    const std::vector<Expression> inner = divisors(operand);
+    result.insert(result.end(), inner.begin(), inner.end());
+  }
+  if (e->operation == Operation::divide) result.push_back(e->operands[1]);
+  if (e->operation == Operation::power && e->exponent < 0) result.push_back(e->operands[0]);
+  return result;
+}
+
 bool is_function(const Expression& e) {
   constexpr std::array functions{Operation::absolute, Operation::signum, Operation::minimum, Operation::maximum};
   return std::find(functions.begin(), functions.end(), e->operation) != functions.end();

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "expression/expression.hpp"
 
@@ -18,6 +19,9 @@ bool is_function(const Expression& e);
 bool has_function(const Expression& e);
 /// Of what is written without a division.
 bool has_no_division(const Expression& e);
+/// All that it divides by, bases of negative powers among it: it has a value where none of them is 0. What stands within
+/// a divisor comes before it.
+std::vector<Expression> divisors(const Expression& e);
 
 /// The condition without the functions that are `wanted`. `defined` says of an expression that it has a value wherever
 /// the condition may be used; then less has to be said. Null where it takes more than 256 cases.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "expression/cases.hpp"
 #include "mechanism/mechanism.hpp"
 
 namespace slipproof {
@@ -49,12 +48,12 @@ Expression negative_of(const Expression& x) {
   return make(Operation::negate, {x});
 }
 
-Expression sum_of(const Expression& x, const Expression& y) {
+Expression sum_of(const Expression& x, const Expression& y, const OfExpression& defined) {
   const auto a = literal(x), b = literal(y);
   if (a && b) return make_number(Rational(*a + *b));
   if (a && a->is_zero()) return y;
   if (b && b->is_zero()) return x;
-  if (is_negative(y)) return difference_of(x, negative_of(y));
+  if (is_negative(y)) return difference_of(x, negative_of(y), defined);
   return make(Operation::add, {x, y});
 }
 
@@ -64,26 +63,26 @@ Expression appended(const Expression& x, const Expression& y) {
   return sum_of(x, y);
 }
 
-Expression difference_of(const Expression& x, const Expression& y) {
+Expression difference_of(const Expression& x, const Expression& y, const OfExpression& defined) {
   const auto a = literal(x), b = literal(y);
   if (a && b) return make_number(Rational(*a - *b));
   if (a && a->is_zero()) return negative_of(y);
   if (b && b->is_zero()) return x;
-  if (same(x, y) && has_no_division(x)) return zero_literal();
-  if (is_negative(y)) return sum_of(x, negative_of(y));
+  if (same(x, y) && defined(x)) return zero_literal();
+  if (is_negative(y)) return sum_of(x, negative_of(y), defined);
   return make(Operation::subtract, {x, y});
 }
 
-Expression product_of(const Expression& x, const Expression& y) {
+Expression product_of(const Expression& x, const Expression& y, const OfExpression& defined) {
   const auto a = literal(x), b = literal(y);
   if (a && b) return make_number(Rational(*a * *b));
-  if ((a && a->is_zero() && has_no_division(y)) || (b && b->is_zero() && has_no_division(x))) return zero_literal();
+  if ((a && a->is_zero() && defined(y)) || (b && b->is_zero() && defined(x))) return zero_literal();
   if (is_literal(x, 1)) return y;
   if (is_literal(y, 1)) return x;
   if (is_literal(x, -1)) return negative_of(y);
   if (is_literal(y, -1)) return negative_of(x);
-  if (is_negation(x)) return negative_of(product_of(x->operands[0], y));
-  if (is_negation(y)) return negative_of(product_of(x, y->operands[0]));
+  if (is_negation(x)) return negative_of(product_of(x->operands[0], y, defined));
+  if (is_negation(y)) return negative_of(product_of(x, y->operands[0], defined));
   return make(Operation::multiply, {x, y});
 }
 

@@ -6,31 +6,49 @@
 
 namespace slipproof::mechanism_forms {
 
-namespace {
+Extraction::Extraction(const Mechanism& mechanism)
+    : mechanism_(mechanism),
+      names_(mechanism),
+      defined_([this](const Expression& e) { return divides_by_nothing(e); }) {
+  loaded_.assign(mechanism.definitions.size(), false);
+  if (mechanism.load) loaded_ = definitions_with(mechanism, names_, mechanism.load->symbol);
+  dividing_.assign(mechanism.definitions.size(), false);
+  for (std::size_t i = 0; i < dividing_.size(); ++i) {  // a definition uses only those before it
+    const Expression& value = mechanism.definitions[i].expression.expression;
+    dividing_[i] = value && !divides_by_nothing(value);
+  }
+}
 
-Linear scaled(const Linear& linear, const Expression& factor, bool factor_first) {
-  const auto times = [&](const Expression& x) { return factor_first ? product_of(factor, x) : product_of(x, factor); };
+bool Extraction::uses(const Expression& expression, const std::vector<bool>& definitions) const {
+  const auto used = symbols(expression);
+  return std::any_of(used.begin(), used.end(), [&](const std::string& symbol) {
+    const auto entry = names_.find(symbol);
+    return entry && entry->kind == NameKind::definition && definitions[entry->index];
+  });
+}
+
+bool Extraction::divides_by_nothing(const Expression& expression) const {
+  return has_no_division(expression) && !uses(expression, dividing_);
+}
+
+bool Extraction::has_load(const Expression& expression) const {
+  const auto used = symbols(expression);
+  return uses(expression, loaded_) || std::any_of(used.begin(), used.end(), [&](const std::string& symbol) {
+           const auto entry = names_.find(symbol);
+           return entry && entry->kind == NameKind::load;
+         });
+}
+
+Linear Extraction::scaled(const Linear& linear, const Expression& factor, bool factor_first) const {
+  const auto times = [&](const Expression& x) {
+    return factor_first ? product_of(factor, x, defined_) : product_of(x, factor, defined_);
+  };
   Linear result{times(linear.constant), {}};
   for (const auto& [variable, coefficient] : linear.terms) {
     const Expression product = times(coefficient);
     if (!is_literal_zero(product)) result.terms.emplace(variable, product);
   }
   return result;
-}
-
-}  // namespace
-
-Extraction::Extraction(const Mechanism& mechanism) : mechanism_(mechanism), names_(mechanism) {
-  loaded_.assign(mechanism.definitions.size(), false);
-  if (mechanism.load) loaded_ = definitions_with(mechanism, names_, mechanism.load->symbol);
-}
-
-bool Extraction::has_load(const Expression& expression) const {
-  const auto used = symbols(expression);
-  return std::any_of(used.begin(), used.end(), [&](const std::string& symbol) {
-    const auto entry = names_.find(symbol);
-    return entry && (entry->kind == NameKind::load || (entry->kind == NameKind::definition && loaded_[entry->index]));
-  });
 }
 
 std::string Extraction::variable(const Linear& linear) const {
@@ -62,10 +80,13 @@ Linear Extraction::sum(const Expression& expression) const {
   Linear left = linear(expression->operands[0]);
   const Linear right = linear(expression->operands[1]);
   const bool minus = expression->operation == Operation::subtract;
-  left.constant = minus ? difference_of(left.constant, right.constant) : sum_of(left.constant, right.constant);
+  const auto combined = [&](const Expression& x, const Expression& y) {
+    return minus ? difference_of(x, y, defined_) : sum_of(x, y, defined_);
+  };
+  left.constant = combined(left.constant, right.constant);
   for (const auto& [variable, coefficient] : right.terms) {
     Expression& mine = left.terms.try_emplace(variable, zero_literal()).first->second;
-    mine = minus ? difference_of(mine, coefficient) : sum_of(mine, coefficient);
+    mine = combined(mine, coefficient);
     if (is_literal_zero(mine)) left.terms.erase(variable);
   }
   return left;

@@ -99,9 +99,9 @@ class FormsOfMechanism {
     }
     const SymbolicForm left = form(equation.left, equation.name);
     const SymbolicForm right = form(equation.right, equation.name);
-    equation.form = combined(left, right, difference_of);
+    equation.form = difference(left, right);
     if (equation.contact_forces) {
-      equation.form = combined(equation.form, extraction_.form(equation.contact_forces), difference_of);
+      equation.form = difference(equation.form, extraction_.form(equation.contact_forces));
     }
   }
 
@@ -128,11 +128,13 @@ class FormsOfMechanism {
     if (std::ranges::all_of(mechanism_.energy_slopes, is_zero)) refuse(energy.expression, "found no velocity");
   }
 
-  template <class Combine>
-  static SymbolicForm combined(const SymbolicForm& x, const SymbolicForm& y, Combine&& combine) {
-    SymbolicForm result{{}, combine(x.load, y.load), combine(x.constant, y.constant)};
+  SymbolicForm difference(const SymbolicForm& x, const SymbolicForm& y) const {
+    const auto minus = [&](const Expression& a, const Expression& b) {
+      return difference_of(a, b, [this](const Expression& e) { return extraction_.divides_by_nothing(e); });
+    };
+    SymbolicForm result{{}, minus(x.load, y.load), minus(x.constant, y.constant)};
     for (std::size_t i = 0; i < x.coefficients.size(); ++i) {
-      result.coefficients.push_back(combine(x.coefficients[i], y.coefficients[i]));
+      result.coefficients.push_back(minus(x.coefficients[i], y.coefficients[i]));
     }
     return result;
   }
