@@ -9,6 +9,7 @@
 
 #include "expression/logic.hpp"
 #include "statements/truth_text.hpp"
+#include "statements/zero_divisors.hpp"
 
 namespace slipproof {
 namespace {
@@ -239,6 +240,12 @@ void ClaimWriter::somewhere(const std::string& suffix, const std::vector<Express
     hints += hint(boundary);
   }
   statements_.push_back({name_ + suffix, result + '\n' + scene(uses) + hints + definitions + "show " + shown + '\n'});
+}
+
+std::vector<NamedStatement> ClaimWriter::take() {
+  if (!complete()) return {};
+  for (NamedStatement& statement : statements_) statement.text = without_zero_divisors(std::move(statement.text));
+  return std::move(statements_);
 }
 
 Equations equations_of(const ClaimWriter& writer, const References& claims, const Equations& others) {

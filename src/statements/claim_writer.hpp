@@ -65,7 +65,7 @@ class ClaimWriter : public SettingWriter {
                  const std::vector<MotionText>& motions, const std::vector<Expression>& more_uses = {});
 
   /// Empty where something could not be said.
-  std::vector<NamedStatement> take() { return complete() ? std::move(statements_) : std::vector<NamedStatement>{}; }
+  std::vector<NamedStatement> take();
 
  private:
   /// All of `motions` at once, under names of their own from the second on.

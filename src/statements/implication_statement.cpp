@@ -5,6 +5,7 @@
 
 #include "statements/claim_statements.hpp"
 #include "statements/setting_writer.hpp"
+#include "statements/zero_divisors.hpp"
 
 namespace slipproof {
 namespace {
@@ -31,7 +32,7 @@ class ImplicationWriter : SettingWriter {
       result += assumption(fmt::format("given{}", i + 1), implication_.given[i]);
     }
     result += fmt::format("show {}\n", text(implication_.shown));
-    return complete() ? std::optional(std::move(result)) : std::nullopt;
+    return complete() ? std::optional(without_zero_divisors(std::move(result))) : std::nullopt;
   }
 
  private:

@@ -6,6 +6,7 @@
 
 #include "number/parse.hpp"
 #include "statements/statement_text.hpp"
+#include "statements/zero_divisors.hpp"
 
 namespace slipproof {
 
@@ -39,7 +40,8 @@ class RefutationWriter {
       if (directive.kind != Kind::assume) continue;
       shown += (shown.empty() ? "{" : " and {") + formula_of(line(directive), directive.kind) + "}";
     }
-    return {name_ + ".refuted.met", text + "show " + (shown.empty() ? std::string(no_formula) : shown) + '\n'};
+    text += "show " + (shown.empty() ? std::string(no_formula) : shown) + '\n';
+    return {name_ + ".refuted.met", without_zero_divisors(std::move(text))};
   }
 
   NamedStatement fails() const {
@@ -54,7 +56,7 @@ class RefutationWriter {
       if (directive.kind != Kind::show) continue;
       text += "assume " + unused("conclusion") + ": " + formula_of(line(directive), directive.kind) + "\nshow false\n";
     }
-    return {name_ + ".refuted.fails", text};
+    return {name_ + ".refuted.fails", without_zero_divisors(std::move(text))};
   }
 
  private:
