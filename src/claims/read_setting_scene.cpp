@@ -60,6 +60,7 @@ class SceneReader {
       setting_.scene.emplace("external", make_number(*setting_.bicycle == ForceKind::external ? 1 : 0));
     }
     complete();
+    refuse_open_without_lift();
     if (const auto& load = setting_.mechanism->load) {
       for (const PlacedExpression& bound : load->domain) {
         setting_.force.domain = both(setting_.force.domain, setting_.in_paper(bound.expression));
@@ -132,6 +133,19 @@ class SceneReader {
     form.require("cos", "the cosine, over the parameters");
     form.require("sin", "the sine, over the parameters");
     put(number("cos"), number("sin"));
+  }
+
+  /// A contact that is open from the start has no other state than `lift`.
+  void refuse_open_without_lift() {
+    const auto& contacts = setting_.mechanism->contacts;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      const auto missing = missing_for_lift(contacts[i], setting_.given());
+      if (setting_.starts[i] != ElementKind::Start::open || missing.empty()) continue;
+      context_.mistakes.add(table_.place("scene"), "the contact " + contacts[i].name +
+                                                       " is open, and this is not modelled without " +
+                                                       setting_.mechanism->parameters[missing.front()].symbol +
+                                                       ", expected it in [setting.scene]");
+    }
   }
 
   /// Where something is missing, which is reported, reading goes on.

@@ -69,12 +69,17 @@ void refute(ClaimWriter& writer, const ForceCover& claim) {
   writer.somewhere(suffix, {writer.body().region, claim.forces, opposite(writer.in_one_of(claim.claims, true))}, {});
 }
 
+/// Whether a strict motion in one mode may be a motion in another one, by other forces.
+bool may_be_in_several(const ClaimWriter& writer) {
+  return writer.mechanics().may_leave_forces_open();
+}
+
 /// A motion in none of the modes; gives up where they are all modes there are. Strict motions are in one mode only; a
 /// boundary motion may be in one that is listed, too, so that the conditions of these have to fail.
 void refute(ClaimWriter& writer, const Motions& claim) {
   const bool strict = writer.setting().strict;
   std::string in_none;
-  if (!strict) {
+  if (!strict || may_be_in_several(writer)) {
     for (const MechanismMode& mode : claim.modes)
       in_none += fmt::format(" and {{{}}}", writer.mechanics().mode_missed_text(mode));
   }
@@ -118,17 +123,30 @@ void refute(ClaimWriter& writer, const Unique& claim) {
   for (const std::size_t index : claim.except) truths.push_back(beyond(index));
   Expression near_none = make_truth(true);
   for (const std::size_t index : claim.claims) near_none = both(near_none, beyond(index));
+  // In none of `right`, which where the motion's own mode is another one is plain, but for undetermined forces.
+  const auto in_none = [&](const Expression& where, const Modes& right) {
+    std::string text = writer.text(where);
+    for (const MechanismMode& mode : right) text += " and {" + writer.mechanics().mode_missed_text(mode) + "}";
+    return "{" + text + "}";
+  };
   std::vector<ModeAndMore> wrong;
   for (const MechanismMode& mode : writer.mechanics().modes()) {
     Expression where = lists(claim.modes, mode) ? nullptr : near_none;
+    std::vector<std::string> parts;
+    if (where) parts.push_back(in_none(near_none, claim.modes));
     for (const std::size_t index : claim.claims) {
-      if (modes(other(index).says).front() == mode) continue;
+      const Modes right = modes(other(index).says);
+      if (right.front() == mode) continue;
       const Expression stated = both(other(index).region, forces(index));
       where = where ? make(Operation::logical_or, {where, stated}) : stated;
+      parts.push_back(in_none(stated, right));
     }
     if (!where) continue;
     uses.push_back(where);
-    wrong.emplace_back(mode, is_true(where) ? "" : fmt::format(" and {{{}}}", writer.text(where)));
+    const std::string text = may_be_in_several(writer) ? fmt::format("{}", fmt::join(parts, " or "))
+                             : is_true(where)          ? ""
+                                                       : writer.text(where);
+    wrong.emplace_back(mode, text.empty() ? "" : " and {" + text + "}");
   }
   if (wrong.empty()) writer.give_up();
   References named = claim.claims;  // where one of them has no value, even at another force, nothing is claimed

@@ -31,6 +31,13 @@ std::string joined(const Items& items, const char* word, const Text& text) {
   return result;
 }
 
+bool is_of_accelerations(StateEquation e) {
+  return e == StateEquation::gap || e == StateEquation::slip;
+}
+bool is_of_accelerations(StateCondition c) {
+  return c == StateCondition::slips_forward || c == StateCondition::slips_backward || c == StateCondition::opens;
+}
+
 bool is_symbol(const Expression& e, std::string_view symbol) {
   return e->operation == Operation::symbol && e->symbol == symbol;
 }
@@ -349,16 +356,21 @@ std::string MechanicsWriter::any_mode_text() const {
 }
 
 std::string MechanicsWriter::mode_missed_text(const MechanismMode& mode) const {
+  const bool any_forces = may_leave_forces_open();
   std::string result;
   for (std::size_t i = 0; i < mode.size(); ++i) {
     const auto part = [&](const auto& items, const auto& text) {
       const std::string one = joined(items, " or ", text);
       if (!one.empty()) result += (result.empty() ? "" : " or ") + one;
     };
-    part(slipproof::equations(kinds_[i], mode[i]), [&](StateEquation e) { return equation(i, mode[i], e, "!="); });
-    part(conditions(kinds_[i], mode[i]), [&](StateCondition c) { return missed(i, mode[i], c); });
+    part(slipproof::equations(kinds_[i], mode[i]), [&](StateEquation e) {
+      return any_forces && !is_of_accelerations(e) ? std::string() : equation(i, mode[i], e, "!=");
+    });
+    part(conditions(kinds_[i], mode[i]), [&](StateCondition c) {
+      return any_forces && !is_of_accelerations(c) ? std::string() : missed(i, mode[i], c);
+    });
   }
-  return result;
+  return result.empty() ? "false" : result;
 }
 
 std::string MechanicsWriter::state_equations(const MechanismMode& mode) const {

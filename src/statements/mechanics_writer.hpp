@@ -54,7 +54,8 @@ class MechanicsWriter {
   std::string mode_text(const MechanismMode& mode) const;
   /// Some state of each element.
   std::string any_mode_text() const;
-  /// That a motion is not in the mode, boundary motions of the mode counted as in it.
+  /// That a motion is not in the mode, boundary motions of the mode counted as in it. Where forces may be undetermined,
+  /// that it has no forces by which it is: its accelerations do not fit.
   std::string mode_missed_text(const MechanismMode& mode) const;
   /// The equations of the mode's states alone, without their conditions.
   std::string state_equations(const MechanismMode& mode) const;
