@@ -25,17 +25,34 @@ std::vector<std::string> texts(const std::vector<Tree>& trees) {
   return result;
 }
 
+bool of_angle(const Setting& setting, const std::string& symbol) {
+  return setting.mechanics && setting.mechanics->angle && (symbol == "c" || symbol == "s");
+}
+
 std::string setting_text(const Setting& setting) {
   std::string result = "[[setting]]\nid = \"all\"\nline = 1\nstatement = \"all\"\n";
+  if (setting.mechanics) result += line("mechanism", "mechanism.toml");
   result += line("motions", setting.strict ? "strict" : "closed") + list("boundaries", setting.boundaries);
   result += "[setting.parameters]\n";
   for (const Parameter& parameter : setting.parameters) {
     result += parameter.symbol + " = { domain = \"" + text(parameter.domain) + "\", meaning = \"any\" }\n";
   }
-  result +=
-      "[setting.force]\n" + line("symbol", setting.force) + line("kind", setting.external ? "external" : "internal");
-  result += line("domain", setting.force_domain) + "[setting.scene]\n";
-  for (const auto& [symbol, value] : setting.scene) result += line(symbol, value);
+  if (setting.angle) {
+    result += "[setting.angles]\nbeta = { cos = \"cb\", sin = \"sb\", domain = \"" + text(setting.angle) + "\" }\n";
+  }
+  if (!setting.force.empty()) {
+    result += "[setting.force]\n" + line("symbol", setting.force);
+    if (!setting.mechanics) result += line("kind", setting.external ? "external" : "internal");
+    result += line("domain", setting.force_domain);
+  }
+  result += "[setting.scene]\n";
+  for (const auto& [symbol, value] : setting.scene) {
+    if (!of_angle(setting, symbol)) result += line(symbol, value);
+  }
+  if (setting.mechanics && setting.mechanics->angle) {
+    result +=
+        "theta = { cos = \"" + text(setting.scene.at("c")) + "\", sin = \"" + text(setting.scene.at("s")) + "\" }\n";
+  }
   for (const auto& [symbol, value] : setting.definitions) {
     result += "[[setting.definition]]\nline = 1\n" + line("symbol", symbol) + line("printed", value);
   }
@@ -49,7 +66,7 @@ std::string claim_text(const File& file, const Claim& claim) {
     return result;
   };
   std::vector<std::string> modes;
-  for (const ContactMode mode : claim.modes) modes.push_back(name(mode));
+  for (const Mode& mode : claim.modes) modes.push_back(text(mode));
   const bool one_mode = claim.kind == "interval" || claim.kind == "consequence" || claim.kind == "system";
   std::string result = "[[claim]]\n" + line("id", claim.id) + line("kind", claim.kind);
   result += "line = 1\nstatement = \"random\"\n";

@@ -2,27 +2,24 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "meaning/tree.hpp"
-#include "model/contact_mode.hpp"
+#include "meaning/mechanics.hpp"
 
 namespace slipproof::meaning {
 
-struct Parameter {
-  std::string symbol;
-  Tree domain;
-};
-
 struct Setting {
   bool strict = true;
-  bool external = false;
+  bool external = false;                    ///< of the bicycle
+  std::optional<Mechanics> mechanics = {};  ///< nothing: the bicycle
+  Tree angle;                               ///< domain of the paper's angle `beta`, with cb and sb; null: it has none
   std::vector<Parameter> parameters;
-  std::string force;  ///< the variable
+  std::string force;  ///< the variable; empty: there is no load
   Tree force_domain;
-  std::map<std::string, Tree> scene;
+  std::map<std::string, Tree> scene;  ///< of the mechanism's angle: its cosine `c` and sine `s`
   std::vector<std::pair<std::string, Tree>> definitions;
   std::vector<std::string> boundaries;
 };
@@ -31,7 +28,7 @@ struct Setting {
 struct Claim {
   std::string id, kind;
   Tree region, forces, holds;
-  std::vector<ContactMode> modes;
+  std::vector<Mode> modes;
   std::vector<std::size_t> claims, except, given;
   std::vector<Tree> equations, assume;  ///< `=` of two numbers
   std::string parameter;

@@ -35,25 +35,15 @@ Tree replaced(const Tree& tree, const std::string& name, const Tree& by) {
   return std::make_shared<const Node>(std::move(node));
 }
 
-/// What makes the scene a bicycle: "M > 0, R > 0, h > -R, ...", and a force that is not the same for all x.
-std::vector<Tree> of_bicycles(const Setting& setting) {
-  std::vector<Tree> result;
-  for (const Parameter& parameter : setting.parameters) result.push_back(parameter.domain);
-  for (const auto& [symbol, value] : setting.scene) {
-    if (symbol != "F") result.push_back(compare(value, ">", number(0)));
-  }
-  const auto& scene = setting.scene;
-  result.push_back(compare(make(Op::add, {scene.at("h"), scene.at("R")}), ">", number(0)));
-  result.push_back(compare(make(Op::add, {scene.at("b2"), scene.at("b3")}), ">", number(0)));
-  return result;
-}
-
-/// Where the bicycle, or one of the conditions, can change with a parameter.
+/// Where the mechanism, or one of the conditions, can change with a parameter; the load is not the same for all x.
 std::set<Rational> changes_with(const std::string& parameter, const World& world, std::vector<Tree> conditions) {
   const Setting& setting = world.setting();
   const std::string& X = setting.force;
-  const Tree& F = setting.scene.at("F");  // where it is the same at 0 and 1, it does not depend on the force
-  conditions.push_back(compare(replaced(F, X, number(0)), "=", replaced(F, X, number(1))));
+  const std::string load = setting.mechanics ? setting.mechanics->load : "F";
+  if (!load.empty()) {  // where it is the same at 0 and 1, it does not depend on the force
+    const Tree& F = setting.scene.at(load);
+    conditions.push_back(compare(replaced(F, X, number(0)), "=", replaced(F, X, number(1))));
+  }
   const Variables variables{world.names(), {{parameter, Polynomial::variable(parameter)}}};
   std::set<Rational> result;
   for (const Tree& condition : conditions) {
@@ -80,14 +70,19 @@ Tree closure(const Tree& condition, bool negated) {
               {closure(condition->parts[0], negated), closure(condition->parts[1], negated)});
 }
 
+std::vector<Rational> SecondJudge::values_of_parameter(const Claim& claim) const {
+  std::vector<Tree> conditions = World::of_points(world_.setting());
+  if (claim.region) conditions.push_back(claim.region);
+  if (claim.from) conditions.push_back(compare(claim.from, "=", symbol(claim.parameter)));
+  conditions.push_back(claim.holds);
+  return everywhere(changes_with(claim.parameter, world_, conditions));
+}
+
 /// "All bicycles with p > v" for v close enough to s: what lies between the last values at which something changes; or
 /// the last value, where it is a bicycle, and what lies just below it.
 std::vector<Names> SecondJudge::last_bicycles(const Claim& claim) const {
-  std::vector<Tree> conditions = of_bicycles(world_.setting());
-  if (claim.region) conditions.push_back(claim.region);
-  conditions.push_back(claim.holds);
   std::vector<Names> result;
-  const std::vector<Rational> values = everywhere(changes_with(claim.parameter, world_, conditions));
+  const std::vector<Rational> values = values_of_parameter(claim);
   for (std::size_t i = values.size(); i-- > 0;) {
     Names names = world_.names();
     names.values[claim.parameter] = values[i];

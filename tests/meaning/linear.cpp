@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "model/linear_form.hpp"
+#include "meaning/world.hpp"
 
 namespace slipproof::meaning {
 
@@ -35,7 +35,7 @@ class AsItStands {
  private:
   /// Unknowns hide symbols of the same name, but not in definitions, which know none.
   std::optional<Form> of_symbol(const std::string& symbol, bool in_definition) const {
-    const bool unknown = !in_definition && std::find(unknowns.begin(), unknowns.end(), symbol) != unknowns.end();
+    const bool unknown = !in_definition && world_.is_unknown(symbol);
     if (unknown || symbol == world_.setting().force) return Form{Polynomial::variable(symbol), true};
     const Names& names = world_.names();
     const auto value = names.values.find(symbol);
@@ -90,29 +90,14 @@ std::optional<Row> linear(const Tree& equation, const World& world) {
   if (!left || !right) return std::nullopt;
   const Polynomial difference = left->value - right->value;
   Row row;
-  for (const std::string& unknown : unknowns) row.push_back(difference.slope(unknown));
+  for (const std::string& unknown : world.unknowns()) row.push_back(difference.slope(unknown));
   row.push_back(difference.slope(world.setting().force));
   row.push_back(difference.constant());
   return row;
 }
 
-Rows model_rows(const World& world, std::optional<ContactMode> mode) {
-  const Rational offset = world.pedal_force(0), slope = world.pedal_force(1) - offset;
-  const auto system = raw_system(world.bicycle(), world.road(), world.kind(), mode.value_or(ContactMode{}));
-  Rows rows;
-  for (std::size_t i = 0; i < system.size(); ++i) {
-    const bool of_contact = i == 8 || i == 10;  // after each wheel's gap, its slip or friction
-    if (of_contact && !mode) continue;
-    Row row(system[i].coefficients.begin(), system[i].coefficients.end());
-    row.push_back(system[i].constant + row[force_column] * offset);
-    row[force_column] *= slope;
-    rows.push_back(std::move(row));
-  }
-  return rows;
-}
-
-std::vector<std::size_t> all_columns() {
-  std::vector<std::size_t> columns(constant_column);
+std::vector<std::size_t> first_columns(std::size_t count) {
+  std::vector<std::size_t> columns(count);
   std::iota(columns.begin(), columns.end(), std::size_t{0});
   return columns;
 }
@@ -129,7 +114,9 @@ Echelon::Echelon(Rows rows, const std::vector<std::size_t>& order) {
     for (auto& [begin, other] : rows_) subtract(other, Rational(other[column]), row);
     rows_.emplace_back(column, std::move(row));
   }
-  solvable_ = std::all_of(rows.begin(), rows.end(), [](const Row& row) { return row[constant_column] == 0; });
+  for (Row& row : rows) {
+    if (std::any_of(row.begin(), row.end(), [](const Rational& c) { return c != 0; })) rest_.push_back(std::move(row));
+  }
 }
 
 Row Echelon::reduced(Row row) const {
@@ -139,11 +126,11 @@ Row Echelon::reduced(Row row) const {
 
 bool Echelon::implies(const Row& row) const {
   const Row rest = reduced(row);
-  return !solvable_ || std::all_of(rest.begin(), rest.end(), [](const Rational& c) { return c == 0; });
+  return !solvable() || std::all_of(rest.begin(), rest.end(), [](const Rational& c) { return c == 0; });
 }
 
 Row Echelon::solution(Row values, const std::vector<std::size_t>& free_to_change) const {
-  values.at(constant_column) = 1;
+  values.back() = 1;
   for (const auto& [begin, row] : rows_) {
     if (std::find(free_to_change.begin(), free_to_change.end(), begin) == free_to_change.end()) continue;
     values[begin] = 0;
@@ -152,6 +139,13 @@ Row Echelon::solution(Row values, const std::vector<std::size_t>& free_to_change
     values[begin] = -sum;
   }
   return values;
+}
+
+const Row* Echelon::begins_in(std::size_t column) const {
+  for (const auto& [begin, row] : rows_) {
+    if (begin == column) return &row;
+  }
+  return nullptr;
 }
 
 Rows Echelon::without(const std::set<std::size_t>& columns) const {

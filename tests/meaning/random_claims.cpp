@@ -34,7 +34,9 @@ Setting RandomClaims::setting() {
   result.strict = !dice_.one_in(2);
   result.external = dice_.one_in(3);
   result.force = dice_.one_in(3) ? "F" : "P";
-  const Tree x = symbol(result.force);
+  const bool loaded = !mechanisms_ || !dice_.one_in(6);
+  if (!loaded) result.force.clear();
+  const Tree x = symbol(loaded ? result.force : "k");
   result.parameters = {
       {"b", compare(symbol("b"), ">", zero)},
       {"h", dice_.of<Tree>({truth(true), compare(symbol("h"), ">", number(-1))})},
@@ -43,8 +45,8 @@ Setting RandomClaims::setting() {
                             chain({zero, k, number(3)}, {"<", "<"}), compare(k, ">", minus(zero, one)),
                             compare(over(one, minus(k, number(2))), "<", one)})}};
   const Tree positive = compare(x, ">", zero);
-  result.force_domain = positive;
-  if (dice_.one_in(3)) {
+  result.force_domain = loaded ? positive : truth(true);
+  if (loaded && dice_.one_in(3)) {
     result.force_domain = dice_.of<Tree>(
         {truth(true), compare(x, ">=", zero), compare(x, ">=", k), chain({k, x, number(3)}, {"<=", "<"}),
          make(Op::disjunction, {positive, compare(x, "<", k)}), compare(over(x, k), ">", number(-1)),
@@ -57,7 +59,11 @@ Setting RandomClaims::setting() {
                              make(Op::maximum, {k, symbol("b")}), power(k, -1)})},
       {"e1", dice_.of<Tree>({plus(x, k), over(x, k), times(symbol("d1"), x), minus(one, x)})}};
   if (dice_.one_in(2)) result.boundaries = {dice_.of<std::string>({"k = 1", "k = d1", "k = b"})};
-  scene(result);
+  if (mechanisms_) {
+    add_mechanics(dice_, result);
+  } else {
+    scene(result);
+  }
   return result;
 }
 
@@ -84,7 +90,8 @@ Values RandomClaims::bicycle(const Setting&) {
   return {{"b", of({half, 1, 2, Rational(3, 2), third, Rational(dice_.below(40) + 1, 8)})},
           {"h", of({-half, 0, half, 1, 2, Rational(dice_.below(40), 8)})},
           {"f", of({0, half, 1, third, 2, Rational(3, 4), Rational(dice_.below(20), 8)})},
-          {"k", of({-2, -1, -half, 0, third, half, 1, 1, 2, Rational(5, 2), 3})}};
+          {"k", of({-2, -1, -half, 0, third, half, 1, 1, 2, Rational(5, 2), 3})},
+          {"beta", of({0, half, third, 1, -half, 2})}};
 }
 
 Rational RandomTrees::small() {
@@ -185,7 +192,8 @@ Tree RandomTrees::dividing() {
 }
 
 /// Between the forces at which motions can change, there are motions everywhere or nowhere.
-Tree RandomTrees::forces_of(ContactMode mode) {
+Tree RandomTrees::forces_of(const Mode& mode) {
+  if (world_.setting().force.empty()) return truth(world_.has_motion(mode, 0));
   const std::vector<Rational> points = everywhere(world_.ends());
   std::size_t first = points.size(), last = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -222,21 +230,20 @@ Tree RandomTrees::nearly(Tree condition) {
 }
 
 /// Of a motion in the mode: what is true of all, of most, or of few.
-Tree RandomTrees::about_motion(ContactMode mode) {
-  static const std::vector<std::string> quantities = {"a",  "a_y", "phi",  "eps2", "eps3",  "S2",   "S3",
-                                                      "N2", "N3",  "gap2", "gap3", "slip2", "slip3"};
+Tree RandomTrees::about_motion(const Mode& mode) {
+  const std::vector<std::string>& quantities = world_.quantities();
   const std::string name = dice_.of(quantities);
   const Tree q = symbol(name);
   const Solutions* solutions = world_.solutions(mode);
   if (solutions != nullptr && dice_.one_in(2)) {
-    const Plane plane = solutions->motion[*parse_quantity(name)];
+    const Plane plane = solutions->motion.at(name);
     const Rational slope = dice_.one_in(4) ? plane.x + 1 : plane.x;
     const Tree value = plus(number(plane.constant), times(number(slope), x()));
     return compare(q, dice_.of<std::string>({"=", "=", "<=", ">=", "<"}), value);
   }
   switch (dice_.below(5)) {
     case 0:
-      return compare(symbol("S2"), dice_.of<std::string>({"<=", "<"}), times(symbol("f"), symbol("N2")));
+      return compare(symbol(dice_.of(quantities)), dice_.of<std::string>({"<=", "<"}), times(symbol("f"), q));
     case 1:
       return compare(over(q, symbol(dice_.of(quantities))), relation(), number(small()));
     case 2:

@@ -47,13 +47,13 @@ class RandomTrees {
   Tree parameter_number(int depth);
   Tree region();  ///< most often null, that is true
   Tree forces();
-  Tree forces_of(ContactMode mode);  ///< exactly those at this bicycle
+  Tree forces_of(const Mode& mode);  ///< exactly those at this bicycle
   Tree nearly(Tree condition);       ///< the same, or with something changed
-  Tree about_motion(ContactMode mode);
+  Tree about_motion(const Mode& mode);
   Tree about_parameter(const std::string& parameter);
 
  private:
-  Tree x() const { return symbol(world_.setting().force); }
+  Tree x() const { return symbol(world_.setting().force.empty() ? "k" : world_.setting().force); }
   Tree simple();
   Tree dividing();
   Tree combined(const Tree& left, const Tree& right);
@@ -64,7 +64,8 @@ class RandomTrees {
 
 class RandomClaims {
  public:
-  explicit RandomClaims(std::uint64_t seed) : dice_(seed) {}
+  /// About bicycles, or about random mechanisms.
+  RandomClaims(std::uint64_t seed, bool mechanisms) : dice_(seed), mechanisms_(mechanisms) {}
 
   /// The next, about a claim of a kind, with the claims that it needs.
   Case next(const std::string& kind);
@@ -72,10 +73,15 @@ class RandomClaims {
  private:
   Setting setting();
   void scene(Setting& setting);
+  void mechanism(Setting& setting);
   Values bicycle(const Setting& setting);
   std::unique_ptr<World> world(const Setting& setting, Values& values);
 
   Dice dice_;
+  bool mechanisms_;
 };
+
+/// With a random mechanism, and what its symbols are in the setting's.
+void add_mechanics(Dice& dice, Setting& setting);
 
 }  // namespace slipproof::meaning

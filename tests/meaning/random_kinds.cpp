@@ -28,15 +28,15 @@ void RandomKinds::add(const std::string& kind) {
   file_.claims.push_back(std::move(claim));
 }
 
-ContactMode RandomKinds::mode() {
+Mode RandomKinds::mode() {
   for (int tries = 0; tries < 5; ++tries) {
-    const ContactMode mode = all_modes()[dice_.below(16)];
+    const Mode& mode = dice_.of(world_.modes());
     if (world_.solutions(mode) != nullptr) return mode;
   }
-  return all_modes()[dice_.below(16)];
+  return dice_.of(world_.modes());
 }
 
-std::size_t RandomKinds::add_interval(ContactMode mode) {
+std::size_t RandomKinds::add_interval(const Mode& mode) {
   Claim claim;
   claim.kind = "interval";
   claim.modes = {mode};
@@ -68,18 +68,18 @@ void RandomKinds::formula(Claim& claim) {
   claim.holds = trees_.about_motion(claim.modes[0]);
 }
 
-std::vector<ContactMode> RandomKinds::modes_at(const Rational& x, bool strict) {
+std::vector<Mode> RandomKinds::modes_at(const Rational& x, bool strict) {
   const Motions found = world_.motions(x, strict);
-  std::vector<ContactMode> result = found.continua;
+  std::vector<Mode> result = found.continua;
   for (const Motions::One& one : found.single) result.push_back(dice_.of(one.modes));
   return result;
 }
 
 /// Where the same modes have motions, more or less.
 Tree RandomKinds::where_motions_are_as_at(const Rational& x, bool strict) {
-  const auto has = [&](ContactMode m) { return world_.motions(x, strict).in(m) > 0; };
+  const auto has = [&](const Mode& m) { return world_.motions(x, strict).in(m) > 0; };
   Tree result = truth(true);
-  for (const ContactMode m : all_modes()) {
+  for (const Mode& m : world_.modes()) {
     if (world_.solutions(m) == nullptr) continue;
     const Tree forces = trees_.forces_of(m);
     if (forces->op != Op::truth) {
@@ -93,17 +93,18 @@ void RandomKinds::motions(Claim& claim) {
   const Rational x = dice_.of(everywhere(world_.ends()));
   claim.modes = modes_at(x, world_.setting().strict);
   if (claim.modes.empty() || dice_.one_in(5)) claim.modes.push_back(mode());
-  claim.forces = dice_.one_in(4) ? compare(symbol(world_.setting().force), "=", number(x))
-                                 : trees_.nearly(where_motions_are_as_at(x, world_.setting().strict));
+  claim.forces = dice_.one_in(4) && !world_.setting().force.empty()
+                     ? compare(symbol(world_.setting().force), "=", number(x))
+                     : trees_.nearly(where_motions_are_as_at(x, world_.setting().strict));
 }
 
 /// An interval for some of the modes, the rest in `modes`; except where there is not one motion.
 void RandomKinds::unique(Claim& claim) {
-  std::vector<ContactMode> alone;
+  std::vector<Mode> alone;
   for (const Rational& x : everywhere(world_.ends())) {
     const Motions found = world_.motions(x, false);
     if (found.exactly_one()) {
-      const ContactMode m = found.single[0].modes.front();
+      const Mode m = found.single[0].modes.front();
       if (std::find(alone.begin(), alone.end(), m) == alone.end()) alone.push_back(m);
     } else if (!dice_.one_in(4) && claim.except.size() < 4) {
       Claim several{new_id(), "motions", nullptr, where_motions_are_as_at(x, false), nullptr, {}, {}, {}, {}, {},
@@ -114,7 +115,7 @@ void RandomKinds::unique(Claim& claim) {
       file_.claims.push_back(std::move(several));
     }
   }
-  for (const ContactMode m : alone) {
+  for (const Mode& m : alone) {
     if (dice_.one_in(2)) {
       claim.modes.push_back(m);
     } else {
@@ -136,7 +137,7 @@ void RandomKinds::cover(Claim& claim) {
 
 /// By the intervals of modes that have motions at some force, most often.
 void RandomKinds::force_cover(Claim& claim) {
-  for (const ContactMode m : all_modes()) {
+  for (const Mode& m : world_.modes()) {
     if (world_.solutions(m) != nullptr && !dice_.one_in(8)) claim.claims.push_back(add_interval(m));
   }
   if (claim.claims.empty()) claim.claims.push_back(add_interval(mode()));
@@ -152,33 +153,45 @@ void RandomKinds::limit(Claim& claim) {
 
 void RandomKinds::exists(Claim& claim) {
   const Rational x = dice_.of(everywhere(world_.ends()));
-  const std::vector<ContactMode> there = modes_at(x, world_.setting().strict);
+  const std::vector<Mode> there = modes_at(x, world_.setting().strict);
   claim.modes = {there.empty() ? mode() : dice_.of(there)};
   if (!there.empty() && dice_.one_in(2)) claim.modes.push_back(dice_.of(there));
   if (claim.modes.size() == 2 && claim.modes[0] == claim.modes[1]) claim.modes.pop_back();
   claim.forces = dice_.one_in(3) ? nullptr : trees_.forces();
 }
 
-/// Of every motion with both wheels on the road.
+/// Of every motion with no contact open.
 Tree RandomKinds::true_equation() {
-  const auto s = [](const char* name) { return symbol(name); };
-  const Tree thrust = world_.setting().external ? make(Op::negate, {world_.setting().scene.at("F")}) : number(0);
-  return dice_.of<Tree>({
-      compare(s("a"), "=", plus(plus(s("S2"), s("S3")), thrust)),
-      compare(plus(s("N2"), s("N3")), "=", number(world_.road().g)),
-      compare(s("phi"), "=", number(0)),
-      compare(s("a_y"), "=", times(s("phi"), s("a"))),
-      compare(times(number(world_.bicycle().I3), s("eps3")), "=", make(Op::negate, {s("S3")})),
-      compare(times(number(world_.bicycle().r2), s("eps2")), "=", s("eps1")),
-      compare(times(s("b"), s("a_y")), "=", times(s("a_y"), s("k"))),
-  });
+  if (dice_.one_in(8))
+    return compare(times(symbol("b"), symbol(unknown())), "=", times(symbol("k"), symbol(unknown())));
+  const Rows rows = world_.model_rows({});
+  const Row row = dice_.of(rows);
+  Tree left = number(row.back());
+  for (std::size_t i = 0; i < world_.constant_column(); ++i) {
+    if (row[i] == 0) continue;
+    const std::string& name = i == world_.force_column() ? world_.setting().force : world_.unknowns()[i];
+    left = plus(left, times(number(row[i]), symbol(name)));
+  }
+  return compare(left, "=", number(0));
+}
+
+/// One in which no contact lifts, or none.
+std::vector<Mode> RandomKinds::mode_of_equations() {
+  const Mode& mode = dice_.of(world_.modes());
+  if (std::find(mode.begin(), mode.end(), ElementState::lift) != mode.end()) return {};
+  return {mode};
+}
+
+std::string RandomKinds::unknown() {
+  return dice_.of(world_.unknowns());
 }
 
 Tree RandomKinds::random_equation() {
   const auto term = [&] {
-    const std::string unknown = dice_.of<std::string>({"a", "phi", "S2", "N2", world_.setting().force});
+    const std::string& force = world_.setting().force;
+    const std::string name = force.empty() || !dice_.one_in(5) ? unknown() : force;
     const Tree coefficient = dice_.one_in(4) ? trees_.parameter_number(1) : number(trees_.small());
-    return times(coefficient, symbol(unknown));
+    return times(coefficient, symbol(name));
   };
   Tree left = plus(term(), term());
   if (dice_.one_in(25)) left = times(left, term());
@@ -208,7 +221,7 @@ std::size_t RandomKinds::add_equations() {
 void RandomKinds::consequence(Claim& claim) {
   if (dice_.one_in(3)) {
     claim.equations = {dice_.one_in(4) ? random_equation() : combination({true_equation(), true_equation()})};
-    if (dice_.one_in(3)) claim.modes = {all_modes()[dice_.of<std::size_t>({0, 1, 4, 6, 10})]};
+    if (dice_.one_in(3)) claim.modes = mode_of_equations();
     if (dice_.one_in(4)) claim.assume = {random_equation()};
     return;
   }
@@ -229,7 +242,7 @@ void RandomKinds::consequence(Claim& claim) {
 void RandomKinds::system(Claim& claim) {
   if (dice_.one_in(3)) {
     for (std::size_t i = dice_.below(3) + 1; i > 0; --i) claim.equations.push_back(true_equation());
-    if (dice_.one_in(5)) claim.modes = {ContactMode{}};
+    if (dice_.one_in(5)) claim.modes = mode_of_equations();
     return;
   }
   const std::size_t left = add_equations();
@@ -242,7 +255,7 @@ void RandomKinds::system(Claim& claim) {
   if (dice_.one_in(6)) claim.assume = {random_equation()};
   // What is said of an unknown that occurs nowhere else: it may have any value, or the one that this gives.
   if (dice_.one_in(3)) {
-    claim.assume.push_back(compare(symbol("eps3"), "=", plus(symbol("a"), number(trees_.small()))));
+    claim.assume.push_back(compare(symbol(unknown()), "=", plus(symbol(unknown()), number(trees_.small()))));
   }
 }
 

@@ -22,7 +22,7 @@ class RandomKinds {
   void add(const std::string& kind);
 
  private:
-  std::size_t add_interval(ContactMode mode);
+  std::size_t add_interval(const Mode& mode);
   std::size_t add_equations();
   void interval(Claim& claim);
   void impossible(Claim& claim);
@@ -36,10 +36,12 @@ class RandomKinds {
   void consequence(Claim& claim);
   void system(Claim& claim);
 
-  ContactMode mode();  ///< most often one that has motions
-  std::vector<ContactMode> modes_at(const Rational& x, bool strict);
+  Mode mode();  ///< most often one that has motions
+  std::vector<Mode> modes_at(const Rational& x, bool strict);
   Tree where_motions_are_as_at(const Rational& x, bool strict);
   Tree true_equation();
+  std::vector<Mode> mode_of_equations();
+  std::string unknown();
   Tree random_equation();
   Tree combination(const std::vector<Tree>& equations);
   std::string new_id() { return "c" + std::to_string(file_.claims.size() + 1); }

@@ -13,18 +13,6 @@ Tree or_true(const Tree& condition) {
   return condition ? condition : truth(true);
 }
 
-/// Whether quantities are multiplied, or divided by, as it stands.
-bool multiplies(const Tree& tree) {
-  const auto has_quantity = [](const Tree& part) {
-    const auto names = symbols(part);
-    return std::any_of(names.begin(), names.end(), [](const std::string& s) { return parse_quantity(s).has_value(); });
-  };
-  if (tree->op == Op::multiply && has_quantity(tree->parts[0]) && has_quantity(tree->parts[1])) return true;
-  if (tree->op == Op::divide && has_quantity(tree->parts[1])) return true;
-  if (tree->op == Op::power && has_quantity(tree->parts[0])) return true;
-  return std::any_of(tree->parts.begin(), tree->parts.end(), multiplies);
-}
-
 bool any(const std::vector<Truth>& truths, Truth wanted) {
   return std::find(truths.begin(), truths.end(), wanted) != truths.end();
 }
@@ -41,6 +29,17 @@ Says first_of(Says x, Says y) {
     if (x == says || y == says) return says;
   }
   return Says::nothing;
+}
+
+bool SecondJudge::multiplies(const Tree& tree) const {
+  const auto has_quantity = [&](const Tree& part) {
+    const auto names = symbols(part);
+    return std::any_of(names.begin(), names.end(), [&](const std::string& s) { return world_.is_quantity(s); });
+  };
+  if (tree->op == Op::multiply && has_quantity(tree->parts[0]) && has_quantity(tree->parts[1])) return true;
+  if (tree->op == Op::divide && has_quantity(tree->parts[1])) return true;
+  if (tree->op == Op::power && has_quantity(tree->parts[0])) return true;
+  return std::any_of(tree->parts.begin(), tree->parts.end(), [&](const Tree& part) { return multiplies(part); });
 }
 
 Says SecondJudge::force_by_force(const Claim& claim, const std::vector<Rational>& forces,
@@ -73,7 +72,7 @@ Says SecondJudge::judge(std::size_t index) const {
 }
 
 Says SecondJudge::interval(const Claim& claim) const {
-  const ContactMode mode = claim.modes.front();
+  const Mode& mode = claim.modes.front();
   if (!world_.modelled(mode)) return Says::no_value;
   Says all = Says::right;
   for (const Rational& x : forces({claim.forces})) {
@@ -86,7 +85,7 @@ Says SecondJudge::interval(const Claim& claim) const {
 
 Says SecondJudge::impossible(const Claim& claim) const {
   return force_by_force(claim, forces({claim.forces}), [&](const Rational& x) {
-    for (const ContactMode mode : claim.modes) {
+    for (const Mode& mode : claim.modes) {
       if (world_.has_motion(mode, x)) return Says::wrong;
     }
     return all_modelled(claim.modes) ? Says::right : Says::no_value;
@@ -101,18 +100,18 @@ Says SecondJudge::formula(const Claim& claim) const {
 }
 
 Says SecondJudge::formula_of_motions(const Claim& claim) const {
-  const bool continuum = std::any_of(claim.modes.begin(), claim.modes.end(), [&](ContactMode mode) {
+  const bool continuum = std::any_of(claim.modes.begin(), claim.modes.end(), [&](const Mode& mode) {
     const Solutions* found = world_.solutions(mode);
     return found != nullptr && found->free;
   });
   if (continuum && multiplies(claim.holds)) throw OutOfReach("a formula of a continuum that is not linear");
   std::set<Rational> changes;
-  for (const ContactMode mode : claim.modes) {
+  for (const Mode& mode : claim.modes) {
     if (const Solutions* found = world_.solutions(mode)) changes.merge(changes_of_motion(claim.holds, *found));
   }
   return force_by_force(claim, forces({claim.forces}, changes), [&](const Rational& x) {
     std::vector<Truth> truths;
-    for (const ContactMode mode : claim.modes) {
+    for (const Mode& mode : claim.modes) {
       for (const Truth truth : truths_of_mode(claim, mode, x)) truths.push_back(truth);
     }
     if (any(truths, false)) return Says::wrong;
@@ -124,7 +123,7 @@ Says SecondJudge::formula_of_motions(const Claim& claim) const {
 Says SecondJudge::motions(const Claim& claim) const {
   return force_by_force(claim, forces({claim.forces}), [&](const Rational& x) {
     const Motions found = motions_at(x);
-    const auto one = [&](ContactMode mode) { return !world_.modelled(mode) || found.in(mode) == 1; };
+    const auto one = [&](const Mode& mode) { return !world_.modelled(mode) || found.in(mode) == 1; };
     if (!std::all_of(claim.modes.begin(), claim.modes.end(), one) || !found.all_in(claim.modes)) return Says::wrong;
     return everything_modelled() ? Says::right : Says::no_value;
   });
@@ -181,7 +180,7 @@ bool SecondJudge::near_one_of(const std::vector<std::size_t>& claims, const Rati
 }
 
 /// Or it may be so: no motion was found, but there are modes of which nothing is known.
-bool SecondJudge::exactly_one_in(const Motions& found, const std::vector<ContactMode>& modes) const {
+bool SecondJudge::exactly_one_in(const Motions& found, const std::vector<Mode>& modes) const {
   if (found.none()) return !all_modelled(modes);
   return found.exactly_one() && found.all_in(modes);
 }
@@ -218,7 +217,7 @@ Says SecondJudge::exists(const Claim& claim) const {
   const auto all = forces({claim.forces});
   for (const Rational& x : all) {
     const bool in_each = std::all_of(claim.modes.begin(), claim.modes.end(),
-                                     [&](ContactMode mode) { return world_.has_motion(mode, x); });
+                                     [&](const Mode& mode) { return world_.has_motion(mode, x); });
     if (is_true(at(claim.forces, x)) && in_each) return Says::right;
   }
   return always_defined(claim.forces, all) && all_modelled(claim.modes) ? Says::nothing : Says::no_value;
@@ -241,7 +240,7 @@ Says SecondJudge::consequence(const Claim& claim) const {
   Equations shown;
   add(shown, claim.equations);
   if (!assumed.fine || !shown.fine) return Says::no_value;
-  const Echelon echelon(assumed.rows, all_columns());
+  const Echelon echelon(assumed.rows, first_columns(world_.constant_column()));
   if (!echelon.solvable()) return Says::nothing;
   const bool right =
       std::all_of(shown.rows.begin(), shown.rows.end(), [&](const Row& row) { return echelon.implies(row); });
@@ -252,11 +251,11 @@ Says SecondJudge::system(const Claim& claim) const {
   const Equations assumed = hypotheses(claim), shown = right_side(claim);
   if (!assumed.fine || !shown.fine) return Says::no_value;
   std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < unknowns.size(); ++i) {
-    if (!shown.symbols.contains(unknowns[i])) order.push_back(i);
+  for (std::size_t i = 0; i < world_.unknowns().size(); ++i) {
+    if (!shown.symbols.contains(world_.unknowns()[i])) order.push_back(i);
   }
   const std::set<std::size_t> others(order.begin(), order.end());
-  for (const std::size_t column : all_columns()) {
+  for (const std::size_t column : first_columns(world_.constant_column())) {
     if (!others.contains(column)) order.push_back(column);
   }
   const Echelon left(assumed.rows, order), right(shown.rows, order);
@@ -274,7 +273,7 @@ SecondJudge::Equations SecondJudge::hypotheses(const Claim& claim) const {
   add(result, claim.given);
   add(result, claim.claims);
   if (claim.given.empty() && claim.claims.empty()) {
-    result.rows = model_rows(world_, claim.modes.empty() ? std::nullopt : std::optional(claim.modes.front()));
+    result.rows = world_.model_rows(claim.modes.empty() ? std::nullopt : std::optional(claim.modes.front()));
   }
   add(result, claim.assume);
   return result;
@@ -300,32 +299,35 @@ void SecondJudge::add(Equations& equations, const std::vector<Tree>& trees) cons
   }
 }
 
+/// "A mechanism without a load has one force, which nothing depends on."
 std::vector<Rational> SecondJudge::forces(const std::vector<Tree>& conditions, std::set<Rational> more) const {
+  if (world_.setting().force.empty()) return {Rational(0)};
   more.merge(changes(conditions));
-  more.merge(changes({world_.setting().force_domain}));
+  more.merge(changes({world_.force_domain()}));
   more.insert(world_.ends().begin(), world_.ends().end());
   std::vector<Rational> result = everywhere(more);
-  std::erase_if(result, [&](const Rational& x) { return !is_true(at(world_.setting().force_domain, x)); });
+  std::erase_if(result, [&](const Rational& x) { return !is_true(at(world_.force_domain(), x)); });
   return result;
 }
 
 std::vector<Rational> SecondJudge::places(std::size_t index) const {
+  if (world_.setting().force.empty()) return {Rational(0)};
   const Claim& claim = file_.claims[index];
-  std::set<Rational> points = changes({world_.setting().force_domain, claim.forces});
+  std::set<Rational> points = changes({world_.force_domain(), claim.forces});
   points.insert(world_.ends().begin(), world_.ends().end());
   for (const auto& named : {claim.claims, claim.except}) {
     for (const std::size_t i : named) points.merge(changes({file_.claims[i].forces}));
   }
   if (!claim.holds || claim.kind == "limit") return everywhere(points);
   if (claim.modes.empty()) points.merge(changes({claim.holds}));
-  for (const ContactMode mode : claim.modes) {
+  for (const Mode& mode : claim.modes) {
     if (const Solutions* found = world_.solutions(mode)) points.merge(changes_of_motion(claim.holds, *found));
   }
   return everywhere(points);
 }
 
 bool SecondJudge::domain_is_an_interval() const {
-  const Tree& domain = world_.setting().force_domain;
+  const Tree& domain = world_.force_domain();
   std::vector<Truth> truths;
   for (const Rational& x : everywhere(changes({domain}))) truths.push_back(at(domain, x));
   const auto first = std::find(truths.begin(), truths.end(), Truth(true));
@@ -346,9 +348,7 @@ std::set<Rational> SecondJudge::changes(const std::vector<Tree>& conditions) con
 std::vector<Polynomial> SecondJudge::critical_of_motion(const Tree& holds, const Solutions& solutions) const {
   const std::string& X = world_.setting().force;
   Variables variables{world_.names(), {{X, Polynomial::variable(X)}}};
-  for (const Quantity q : all_quantities()) {
-    variables.symbols[std::string(slipproof::name(q))] = solutions.motion[q].polynomial(X, free_parameter);
-  }
+  for (const auto& [name, plane] : solutions.motion) variables.symbols[name] = plane.polynomial(X, free_parameter);
   return critical(holds, variables);
 }
 
@@ -383,7 +383,7 @@ std::vector<Plane> SecondJudge::planes(const Claim& claim, const Solutions& solu
   return result;
 }
 
-std::vector<Truth> SecondJudge::truths_of_mode(const Claim& claim, ContactMode mode, const Rational& x) const {
+std::vector<Truth> SecondJudge::truths_of_mode(const Claim& claim, const Mode& mode, const Rational& x) const {
   const Solutions* solutions = world_.solutions(mode);
   if (solutions == nullptr) return {};
   std::vector<Truth> result;
@@ -394,9 +394,9 @@ std::vector<Truth> SecondJudge::truths_of_mode(const Claim& claim, ContactMode m
   return result;
 }
 
-Truth SecondJudge::holds_of_motion(const Tree& holds, const Motion<Rational>& motion, const Rational& x) const {
+Truth SecondJudge::holds_of_motion(const Tree& holds, const Motion& motion, const Rational& x) const {
   Names names = world_.at(x);
-  for (const Quantity q : all_quantities()) names.values[std::string(slipproof::name(q))] = motion[q];
+  for (const auto& [name, value] : motion) names.values[name] = value;
   return truth_of(holds, names);
 }
 
@@ -408,8 +408,8 @@ bool SecondJudge::always_defined(const Tree& condition, const std::vector<Ration
   return std::all_of(forces.begin(), forces.end(), [&](const Rational& x) { return at(condition, x).has_value(); });
 }
 
-bool SecondJudge::all_modelled(const std::vector<ContactMode>& modes) const {
-  return std::all_of(modes.begin(), modes.end(), [&](ContactMode mode) { return world_.modelled(mode); });
+bool SecondJudge::all_modelled(const std::vector<Mode>& modes) const {
+  return std::all_of(modes.begin(), modes.end(), [&](const Mode& mode) { return world_.modelled(mode); });
 }
 
 }  // namespace slipproof::meaning

@@ -1,7 +1,8 @@
 // Judges a claim at one bicycle by proofs/MEANING.md alone: slow, and point by point. Of the product it uses the
-// mechanics (src/modes, src/model) and nothing that reads, evaluates or judges claims.
+// equations of the bicycle (src/model) and nothing that reads, evaluates or judges claims.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string_view>
 
@@ -31,6 +32,8 @@ class SecondJudge {
     Rows rows;
     std::set<std::string> symbols;  ///< in their texts
   };
+  /// Of a limit: values of the parameter at which, and between which, something changes.
+  std::vector<Rational> values_of_parameter(const Claim& claim) const;
   Equations hypotheses(const Claim& claim) const;
   Equations right_side(const Claim& claim) const;
 
@@ -53,7 +56,7 @@ class SecondJudge {
   std::optional<std::vector<Tree>> conditions_on_forces(const Claim& claim) const;
   bool states(std::size_t claim, const Rational& x) const;
   bool near_one_of(const std::vector<std::size_t>& claims, const Rational& x) const;
-  bool exactly_one_in(const Motions& found, const std::vector<ContactMode>& modes) const;
+  bool exactly_one_in(const Motions& found, const std::vector<Mode>& modes) const;
 
   /// "Judged force by force": at an x where `forces` is true as `at_force` says.
   Says force_by_force(const Claim& claim, const std::vector<Rational>& forces,
@@ -64,14 +67,16 @@ class SecondJudge {
   std::set<Rational> changes(const std::vector<Tree>& conditions) const;
   std::set<Rational> changes_of_motion(const Tree& holds, const Solutions& solutions) const;
   std::vector<Polynomial> critical_of_motion(const Tree& holds, const Solutions& solutions) const;
-  Truth holds_of_motion(const Tree& holds, const Motion<Rational>& motion, const Rational& x) const;
+  Truth holds_of_motion(const Tree& holds, const Motion& motion, const Rational& x) const;
+  /// Whether quantities are multiplied, or divided by, as it stands.
+  bool multiplies(const Tree& tree) const;
   /// What `holds` is, of the motions in a mode at a force: those that are found.
-  std::vector<Truth> truths_of_mode(const Claim& claim, ContactMode mode, const Rational& x) const;
+  std::vector<Truth> truths_of_mode(const Claim& claim, const Mode& mode, const Rational& x) const;
 
   Truth at(const Tree& condition, const Rational& x) const;
   bool always_defined(const Tree& condition, const std::vector<Rational>& forces) const;
-  bool all_modelled(const std::vector<ContactMode>& modes) const;
-  bool everything_modelled() const { return world_.bicycle().J.has_value(); }
+  bool all_modelled(const std::vector<Mode>& modes) const;
+  bool everything_modelled() const { return world_.everything_modelled(); }
   Motions motions_at(const Rational& x) const { return world_.motions(x, world_.setting().strict); }
 
   void add(Equations& equations, const std::vector<Tree>& trees) const;

@@ -75,6 +75,10 @@ class Shrinker {
     for (Parameter& parameter : file_.setting.parameters) result.push_back(&parameter.domain);
     for (auto& [symbol, value] : file_.setting.scene) result.push_back(&value);
     for (auto& [symbol, value] : file_.setting.definitions) result.push_back(&value);
+    if (file_.setting.mechanics) {
+      for (auto& [symbol, value] : file_.setting.mechanics->definitions) result.push_back(&value);
+      for (Tree* tree : file_.setting.mechanics->coefficients()) result.push_back(tree);
+    }
     for (Claim& claim : file_.claims) {
       result.insert(result.end(), {&claim.region, &claim.forces, &claim.holds});
       for (Tree& equation : claim.equations) result.push_back(&equation);

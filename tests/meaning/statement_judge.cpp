@@ -6,10 +6,6 @@ namespace slipproof::meaning {
 
 namespace {
 
-bool is_unknown(const std::string& name) {
-  return std::find(unknowns.begin(), unknowns.end(), name) != unknowns.end();
-}
-
 bool relation_holds(Relation relation, const Rational& difference) {
   switch (relation) {
     case Relation::less:
@@ -98,7 +94,11 @@ StatementJudge::StatementJudge(const File& file, const World& world, std::size_t
   const SecondJudge judge(file, world);
   const std::string& kind = file.claims[claim].kind;
   linear_ = kind == "consequence" || kind == "system";
-  if (linear_) {
+  if (kind == "limit") {
+    parameter_ = file.claims[claim].parameter;
+    values_ = judge.values_of_parameter(file.claims[claim]);
+    points_[0] = {};
+  } else if (linear_) {
     find_solutions(judge, file.claims[claim]);
   } else {
     for (const Rational& x : judge.places(claim)) points_[x] = {};
@@ -108,14 +108,25 @@ StatementJudge::StatementJudge(const File& file, const World& world, std::size_t
 
 bool StatementJudge::is_true(const std::string& text) const {
   const Reading reading = read(text);
+  if (values_.empty()) return is_true_at(reading, world_.names());
+  return std::all_of(values_.begin(), values_.end(), [&](const Rational& value) {
+    Names names = world_.names();
+    names.values[parameter_] = value;
+    return is_true_at(reading, names);
+  });
+}
+
+bool StatementJudge::is_true_at(const Reading& reading, const Names& names) const {
   StatementValues values(reading.text);
-  for (const auto& [symbol, value] : world_.names().values) values.set(symbol, value);
+  for (const auto& [symbol, value] : names.values) values.set(symbol, value);
   const auto fails = [&] {
     const bool assumed = std::all_of(reading.assumed.begin(), reading.assumed.end(),
                                      [&](const Expression& formula) { return values.holds(formula); });
     return assumed && !conclusion(reading, values);
   };
-  return !some(free_of(reading.known), values, fails);
+  Free free = free_of(reading.known);
+  if (!values_.empty()) free = {};  // nothing in a limit depends on the force
+  return !some(free, values, fails);
 }
 
 StatementJudge::Reading StatementJudge::read(const std::string& text) {
@@ -135,12 +146,12 @@ StatementJudge::Free StatementJudge::free_of(const std::vector<std::string>& nam
   for (const std::string& name : names) {
     if (name == world_.setting().force) result.force = true;
     std::string unknown = name, ending;
-    for (std::size_t end = 1; end < name.size() && !is_unknown(unknown); ++end) {
+    for (std::size_t end = 1; end < name.size() && !world_.is_unknown(unknown); ++end) {
       unknown = name.substr(0, name.size() - end);
       ending = name.substr(name.size() - end);
     }
     const auto known = std::find(result.endings.begin(), result.endings.end(), ending);
-    if (is_unknown(unknown) && known == result.endings.end()) result.endings.push_back(ending);
+    if (world_.is_unknown(unknown) && known == result.endings.end()) result.endings.push_back(ending);
   }
   return result;
 }
@@ -151,15 +162,22 @@ bool StatementJudge::conclusion(const Reading& reading, StatementValues& values)
 
 bool StatementJudge::some_sought(const Reading& reading, StatementValues& values) const {
   const auto shown = [&] { return values.holds(reading.shown); };
-  const bool some_are_known = std::any_of(reading.known.begin(), reading.known.end(), is_unknown);
+  if (!values_.empty()) {  // another value of the limit's parameter
+    return std::any_of(values_.begin(), values_.end(), [&](const Rational& value) {
+      values.set(reading.sought.front(), value);
+      return shown();
+    });
+  }
+  const bool some_are_known = std::any_of(reading.known.begin(), reading.known.end(),
+                                          [&](const std::string& name) { return world_.is_unknown(name); });
   if (!some_are_known && !linear_) return some(free_of(reading.sought), values, shown);
   const bool force_sought = free_of(reading.sought).force;
   if (force_sought) return some(free_of(reading.sought), values, shown);
   const Point point = completed(reading, values);
   StatementValues completed_values = values;
-  for (std::size_t i = 0; i < unknowns.size(); ++i) {
-    if (std::find(reading.sought.begin(), reading.sought.end(), unknowns[i]) != reading.sought.end()) {
-      completed_values.set(unknowns[i], point[i]);
+  for (std::size_t i = 0; i < world_.unknowns().size(); ++i) {
+    if (std::find(reading.sought.begin(), reading.sought.end(), world_.unknowns()[i]) != reading.sought.end()) {
+      completed_values.set(world_.unknowns()[i], point[i]);
     }
   }
   return completed_values.holds(reading.shown);
@@ -169,7 +187,7 @@ template <class Wanted>
 bool StatementJudge::some(const Free& free, StatementValues& values, const Wanted& wanted) const {
   const std::string& X = world_.setting().force;
   if (!free.force && free.endings.empty()) return wanted();
-  if (!free.force) return some_points(free, 0, points_.at(values.value(X)), values, wanted);
+  if (!free.force) return some_points(free, 0, points_.at(X.empty() ? Rational(0) : values.value(X)), values, wanted);
   return std::any_of(points_.begin(), points_.end(), [&](const auto& at_force) {
     values.set(X, at_force.first);
     return some_points(free, 0, at_force.second, values, wanted);
@@ -187,13 +205,13 @@ bool StatementJudge::some_points(const Free& free, std::size_t from, const std::
 }
 
 void StatementJudge::set(StatementValues& values, const Point& point, const std::string& ending) const {
-  for (std::size_t i = 0; i < unknowns.size(); ++i) values.set(unknowns[i] + ending, point[i]);
+  for (std::size_t i = 0; i < world_.unknowns().size(); ++i) values.set(world_.unknowns()[i] + ending, point[i]);
 }
 
 /// All motions in a mode, boundary motions and enough of each continuum included; and what is no motion.
 void StatementJudge::find_motions(const SecondJudge& judge, const Claim& claim) {
   for (auto& [x, points] : points_) {
-    for (const ContactMode mode : all_modes()) {
+    for (const Mode& mode : world_.modes()) {
       const Solutions* solutions = world_.solutions(mode);
       if (solutions == nullptr) continue;
       for (const Rational& t : solutions->parameters(x, judge.planes(claim, *solutions))) {
@@ -204,25 +222,11 @@ void StatementJudge::find_motions(const SecondJudge& judge, const Claim& claim) 
   }
 }
 
-StatementJudge::Point StatementJudge::motion_point(const Motion<Rational>& m, const Rational& x) const {
-  const Bicycle<Rational>& p = world_.bicycle();
-  const auto of = [&](Quantity q) { return m[q]; };
-  const Rational phi = of(Quantity::phi), eps2 = of(Quantity::eps2);
-  const Rational eps1 = phi + (eps2 - phi) * p.r2 / p.r1;
-  const Rational T = (p.I1 * eps1 - world_.pedal_force(x) * p.L) / p.r1;
-  return {of(Quantity::a),
-          of(Quantity::a_y),
-          phi,
-          eps1,
-          eps2,
-          of(Quantity::eps3),
-          T,
-          of(Quantity::S2),
-          of(Quantity::S3),
-          of(Quantity::N2),
-          of(Quantity::N3),
-          x,
-          Rational(1)};
+StatementJudge::Point StatementJudge::motion_point(const Motion& motion, const Rational& x) const {
+  Point result;
+  for (const std::string& unknown : world_.unknowns()) result.push_back(motion.at(unknown));
+  result.insert(result.end(), {x, Rational(1)});
+  return result;
 }
 
 /// Points of both sides of the claim, and others: what does not follow from linear equations fails at nearly all of
@@ -231,18 +235,21 @@ void StatementJudge::find_solutions(const SecondJudge& judge, const Claim& claim
   const auto assumed = judge.hypotheses(claim), right = judge.right_side(claim);
   if (!assumed.fine || !right.fine) throw OutOfReach("equations that are not linear");
   hypotheses_ = assumed.rows;
-  const Echelon echelon(assumed.rows, all_columns()), right_echelon(right.rows, all_columns());
+  const Echelon echelon(assumed.rows, first_columns(world_.constant_column())),
+      right_echelon(right.rows, first_columns(world_.constant_column()));
   for (int i = 0; i < 6; ++i) {
-    for (const Point& point : {echelon.solution(random_point(), all_columns()),
-                               right_echelon.solution(random_point(), all_columns()), random_point()}) {
-      points_[point[force_column]].push_back(point);
+    for (const Point& point :
+         {echelon.solution(random_point(), first_columns(world_.constant_column())),
+          right_echelon.solution(random_point(), first_columns(world_.constant_column())), random_point()}) {
+      const bool load = !world_.setting().force.empty();
+      points_[load ? point[world_.force_column()] : Rational(0)].push_back(point);
     }
   }
 }
 
 StatementJudge::Point StatementJudge::random_point() {
   Point result;
-  for (std::size_t i = 0; i <= constant_column; ++i) {
+  for (std::size_t i = 0; i <= world_.constant_column(); ++i) {
     result.emplace_back(static_cast<int>(dice_.below(200)) - 100, static_cast<int>(dice_.below(20)) + 1);
   }
   return result;
@@ -250,15 +257,16 @@ StatementJudge::Point StatementJudge::random_point() {
 
 StatementJudge::Point StatementJudge::completed(const Reading& reading, const StatementValues& values) const {
   std::vector<std::size_t> sought, order;
-  Point point(constant_column + 1);
-  point[force_column] = values.value(world_.setting().force);
-  for (std::size_t i = 0; i < unknowns.size(); ++i) {
-    const bool given = std::find(reading.known.begin(), reading.known.end(), unknowns[i]) != reading.known.end();
-    if (given) point[i] = values.value(unknowns[i]);
+  Point point(world_.constant_column() + 1);
+  if (!world_.setting().force.empty()) point[world_.force_column()] = values.value(world_.setting().force);
+  for (std::size_t i = 0; i < world_.unknowns().size(); ++i) {
+    const bool given =
+        std::find(reading.known.begin(), reading.known.end(), world_.unknowns()[i]) != reading.known.end();
+    if (given) point[i] = values.value(world_.unknowns()[i]);
     if (!given) sought.push_back(i);
   }
   order = sought;
-  for (const std::size_t column : all_columns()) {
+  for (const std::size_t column : first_columns(world_.constant_column())) {
     if (std::find(sought.begin(), sought.end(), column) == sought.end()) order.push_back(column);
   }
   return Echelon(hypotheses_, order).solution(point, sought);

@@ -31,7 +31,7 @@ class StatementValues {
 
 class StatementJudge {
  public:
-  /// Of a claim that is not of the kind `limit`, whose statements are about other bicycles, too. Throws OutOfReach.
+  /// Those of a `limit` are about all values of its parameter. Throws OutOfReach.
   StatementJudge(const File& file, const World& world, std::size_t claim, Dice& dice);
 
   bool is_true(const std::string& text) const;
@@ -64,7 +64,8 @@ class StatementJudge {
   void set(StatementValues& values, const Point& point, const std::string& ending) const;
 
   void find_motions(const SecondJudge& judge, const Claim& claim);
-  Point motion_point(const Motion<Rational>& motion, const Rational& x) const;
+  Point motion_point(const Motion& motion, const Rational& x) const;
+  bool is_true_at(const Reading& reading, const Names& names) const;
   void find_solutions(const SecondJudge& judge, const Claim& claim);
   Point random_point();
   /// What is known, completed to a solution of the hypotheses where there is one.
@@ -73,6 +74,8 @@ class StatementJudge {
   const World& world_;
   Dice& dice_;
   bool linear_;
+  std::string parameter_;         ///< of a limit
+  std::vector<Rational> values_;  ///< its values
   Rows hypotheses_;
   std::map<Rational, std::vector<Point>> points_;  ///< by force
 };
