@@ -146,11 +146,16 @@ TEST_CASE("a pyramid is told, why nothing stronger is proved too, with the conta
   check_references(box);
   CHECK(has(text_at(box, "//section[@id='answer-1']"), "It is right for the box pyramid"));
   CHECK(box.select_nodes("//svg[@class='cone-disc']/rect").size() == 1);
-  // At the edge between sticking and sliding: 2.5 is just enough to hold (1.5, 2).
-  const JudgedProblem problem = judged(point_of_mass_1({-10, 1.5, 2}, 0.25), {{10, -1.5, -2 - 1e-12}});
+  // The first contact slides, the second is at the edge between sticking and sliding: 2.5 just holds (1.5, 2).
+  ProblemFile two = point_of_mass_1({-10, 3, 4, -10, 1.5, 2}, 0.25);
+  std::vector<double> identity(36);
+  for (std::size_t i = 0; i < 6; ++i) identity[7 * i] = 1;
+  two.W = from_dense(6, 6, identity);
+  two.mu = {0.25, 0.25};
+  const JudgedProblem problem = judged(two, {{10, -1.5, -2, 10, -1.5, -2 - 1e-12}});
   REQUIRE(problem.first().judgement.verdict == ContactVerdict::eps_solution);
   const std::string text = text_at(tree_of(contact_report(problem, "c")), "//section[@id='answer-1']");
-  CHECK(has(text, "Nothing stronger: " + problem.first().judgement.reason + " (contact 1)."));
+  CHECK(has(text, "Nothing stronger: " + problem.first().judgement.reason + " (contact 2)."));
 }
 
 TEST_CASE("velocities that are not those of the forces are what is wrong, not the forces") {
