@@ -14,20 +14,20 @@ std::string sum_text(const Sum& sum) {
   return result.empty() ? "0" : result;
 }
 
-std::string line(const std::string& key, const std::string& value) {
+std::string key_and_text(const std::string& key, const std::string& value) {
   return key + " = \"" + value + "\"\n";
 }
 
-std::string names(const std::vector<std::string>& all) {
+std::string list_of(const std::vector<std::string>& all) {
   std::string result;
   for (const std::string& name : all) result += (result.empty() ? "\"" : ", \"") + name + "\"";
   return "[" + result + "]";
 }
 
 std::string element_text(const Mechanics::Element& e) {
-  std::string result = (e.is_contact() ? "[[contact]]\n" : "[[friction]]\n") + line("name", e.name);
-  if (e.is_contact()) result += line("gap", sum_text(e.gap));
-  if (!e.slip.empty()) result += line("slip", sum_text(e.slip));
+  std::string result = (e.is_contact() ? "[[contact]]\n" : "[[friction]]\n") + key_and_text("name", e.name);
+  if (e.is_contact()) result += key_and_text("gap", sum_text(e.gap));
+  if (!e.slip.empty()) result += key_and_text("slip", sum_text(e.slip));
   if (e.static_friction) {
     result +=
         "friction = { static = \"" + text(e.static_friction) + "\", kinetic = \"" + text(e.kinetic_friction) + "\" }\n";
@@ -36,7 +36,7 @@ std::string element_text(const Mechanics::Element& e) {
     result +=
         "limit = { static = \"" + sum_text(e.static_limit) + "\", kinetic = \"" + sum_text(e.kinetic_limit) + "\" }\n";
   }
-  if (e.start != Start::rest) result += line("state", std::string(name(e.start)));
+  if (e.start != Start::rest) result += key_and_text("state", std::string(name(e.start)));
   if (e.bilateral) result += "bilateral = true\n";
   if (e.lift_needs_J) result += "lift_needs = [\"J\"]\n";
   return result;
@@ -57,20 +57,22 @@ std::string Mechanics::text() const {
     result += parameter.symbol + " = { domain = \"" + meaning::text(parameter.domain) + "\"" +
               (parameter.symbol == "J" ? ", optional = true }\n" : " }\n");
   }
-  if (assume) result += "[assume]\n" + line("some", meaning::text(assume));
+  if (assume) result += "[assume]\n" + key_and_text("some", meaning::text(assume));
   if (!definitions.empty()) result += "[definitions]\n";
-  for (const auto& [symbol, value] : definitions) result += line(symbol, meaning::text(value));
+  for (const auto& [symbol, value] : definitions) result += key_and_text(symbol, meaning::text(value));
   if (angle) result += "[angles]\ntheta = { cos = \"c\", sin = \"s\" }\n";
   if (!load.empty())
-    result += "[load]\n" + line("symbol", load) + (load_domain ? line("domain", meaning::text(load_domain)) : "");
-  result += "[unknowns]\naccelerations = " + names(accelerations) + "\nforces = " + names(forces) + "\n";
+    result += "[load]\n" + key_and_text("symbol", load) +
+              (load_domain ? key_and_text("domain", meaning::text(load_domain)) : "");
+  result += "[unknowns]\naccelerations = " + list_of(accelerations) + "\nforces = " + list_of(forces) + "\n";
   result += by_virtual_work ? "[motion]\n" : "[equations]\n";
   for (std::size_t i = 0; i < equations.size(); ++i) {
     const std::string key = by_virtual_work ? accelerations[i] : "eq" + std::to_string(i);
-    result += line(key, sum_text(equations[i].left) + " = " + sum_text(equations[i].right));
+    result += key_and_text(key, sum_text(equations[i].left) + " = " + sum_text(equations[i].right));
   }
   for (const Element& element : elements) result += element_text(element);
-  for (const Link& link : links) result += "[[link]]\n" + line("name", link.name) + line("zero", sum_text(link.zero));
+  for (const Link& link : links)
+    result += "[[link]]\n" + key_and_text("name", link.name) + key_and_text("zero", sum_text(link.zero));
   return result;
 }
 

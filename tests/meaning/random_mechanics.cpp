@@ -9,7 +9,7 @@ namespace {
 
 using Element = Mechanics::Element;
 
-const Tree one = number(1), two = number(2), m = symbol("m"), p = symbol("p"), mu = symbol("mu"), w = symbol("w");
+const Tree unity = number(1), doubled = number(2), m = symbol("m"), p = symbol("p"), mu = symbol("mu"), w = symbol("w");
 
 class RandomMechanics {
  public:
@@ -29,10 +29,10 @@ class RandomMechanics {
                           {"J", dice_.of<Tree>({truth(true), compare(symbol("J"), ">", number(0))})}};
     if (dice_.one_in(4))
       result_.assume =
-          dice_.of<Tree>({compare(p, "!=", m), compare(over(one, p), "<", number(3)), compare(w, "<=", two)});
-    result_.definitions = {
-        {"v", dice_.of<Tree>({plus(p, m), over(m, p), minus(one, p)})},
-        {"w", dice_.of<Tree>({over(one, minus(p, two)), over(symbol("v"), p), minus(p, m), over(mu, minus(p, one))})}};
+          dice_.of<Tree>({compare(p, "!=", m), compare(over(unity, p), "<", number(3)), compare(w, "<=", doubled)});
+    result_.definitions = {{"v", dice_.of<Tree>({plus(p, m), over(m, p), minus(unity, p)})},
+                           {"w", dice_.of<Tree>({over(unity, minus(p, doubled)), over(symbol("v"), p), minus(p, m),
+                                                 over(mu, minus(p, unity))})}};
     const std::vector<std::string> names = {"ax", "ay", "phi"};
     result_.accelerations.assign(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(dice_.below(3) + 1));
     result_.by_virtual_work = !dice_.one_in(4);
@@ -53,13 +53,13 @@ class RandomMechanics {
     if (result_.angle && dice_.one_in(4)) return symbol(dice_.of<std::string>({"c", "s"}));
     switch (dice_.below(12)) {
       case 0:
-        return over(one, p);
+        return over(unity, p);
       case 1:
-        return over(m, minus(p, one));
+        return over(m, minus(p, unity));
       case 2:
         return w;
       case 3:
-        return plus(one, minus(w, w));
+        return plus(unity, minus(w, w));
       case 4:
         return power(p, -1);
       case 5:
@@ -71,7 +71,7 @@ class RandomMechanics {
     }
   }
 
-  Tree mass() { return dice_.of<Tree>({m, m, one, two, plus(m, symbol("J")), over(m, power(p, 2))}); }
+  Tree mass() { return dice_.of<Tree>({m, m, unity, doubled, plus(m, symbol("J")), over(m, power(p, 2))}); }
 
   /// Of accelerations.
   Sum motion() {
@@ -103,7 +103,7 @@ class RandomMechanics {
     } else {
       element.slip = motion();
       element.static_friction = dice_.of<Tree>({mu, mu, number(Rational(1, 2)), over(mu, p), minus(plus(mu, w), w)});
-      element.kinetic_friction = dice_.one_in(3) ? over(element.static_friction, two) : element.static_friction;
+      element.kinetic_friction = dice_.one_in(3) ? over(element.static_friction, doubled) : element.static_friction;
       using enum ElementKind::Start;
       if (dice_.one_in(6)) element.start = dice_.of<ElementKind::Start>({slides_forward, slides_backward});
     }
@@ -117,17 +117,17 @@ class RandomMechanics {
     Element element;
     element.name = "br";
     element.slip = motion();
-    element.static_limit.emplace_back(dice_.of<Tree>({one, m, over(one, p), plus(w, one)}), "");
+    element.static_limit.emplace_back(dice_.of<Tree>({unity, m, over(unity, p), plus(w, unity)}), "");
     if (!result_.load.empty() && dice_.one_in(3)) element.static_limit.emplace_back(coefficient(), result_.load);
     const bool beside = !result_.elements.empty() && dice_.one_in(4);
     if (beside) element.static_limit.emplace_back(mu, result_.elements.front().normal());
-    element.kinetic_limit = dice_.one_in(3) ? Sum{{over(one, m), ""}} : element.static_limit;
+    element.kinetic_limit = dice_.one_in(3) ? Sum{{over(unity, m), ""}} : element.static_limit;
     if (dice_.one_in(6)) element.start = ElementKind::Start::slides_forward;
     result_.elements.push_back(std::move(element));
   }
 
-  /// With the forces written out, one of them with another sign, perhaps; or with a force of no element, and what ties
-  /// it.
+  /// With the forces written out, unity of them with another sign, perhaps; or with a force of no element, and what
+  /// ties it.
   void own_equations() {
     Mechanics copy = result_;
     copy.by_virtual_work = true;
@@ -149,7 +149,7 @@ class RandomMechanics {
     } else {
       right.emplace_back(coefficient(), "");
     }
-    result_.equations.push_back({{{one, dice_.one_in(2) ? "H" : result_.accelerations.front()}}, std::move(right)});
+    result_.equations.push_back({{{unity, dice_.one_in(2) ? "H" : result_.accelerations.front()}}, std::move(right)});
   }
 
   Dice& dice_;
@@ -163,18 +163,18 @@ void add_mechanics(Dice& dice, Setting& setting) {
   setting.mechanics = RandomMechanics(dice).mechanics(loaded);
   const Tree b = symbol("b"), h = symbol("h"), f = symbol("f"), k = symbol("k");
   if (dice.one_in(4)) setting.angle = dice.of<Tree>({truth(true), compare(symbol("cb"), ">", number(0))});
-  setting.scene["m"] = dice.of<Tree>({b, one, times(b, two), over(b, f)});
-  setting.scene["p"] = dice.of<Tree>({k, k, k, h, minus(k, one), over(one, k), plus(one, minus(h, h))});
+  setting.scene["m"] = dice.of<Tree>({b, unity, times(b, doubled), over(b, f)});
+  setting.scene["p"] = dice.of<Tree>({k, k, k, h, minus(k, unity), over(unity, k), plus(unity, minus(h, h))});
   setting.scene["mu"] = dice.of<Tree>({f, f, number(Rational(1, 3)), number(0)});
   const auto& elements = setting.mechanics->elements;
   const bool needs_J = std::any_of(elements.begin(), elements.end(), [](const Element& element) {
     return element.start == ElementKind::Start::open && element.lift_needs_J;
   });
-  if (needs_J || !dice.one_in(3)) setting.scene["J"] = dice.of<Tree>({one, b, minus(number(3), k)});
+  if (needs_J || !dice.one_in(3)) setting.scene["J"] = dice.of<Tree>({unity, b, minus(number(3), k)});
   if (setting.mechanics->angle) {
-    const Tree square = power(k, 2), below = plus(one, square);
-    setting.scene["c"] = setting.angle ? symbol("cb") : over(minus(one, square), below);
-    setting.scene["s"] = setting.angle ? symbol("sb") : over(times(two, k), below);
+    const Tree square = power(k, 2), below = plus(unity, square);
+    setting.scene["c"] = setting.angle ? symbol("cb") : over(minus(unity, square), below);
+    setting.scene["s"] = setting.angle ? symbol("sb") : over(times(doubled, k), below);
     if (!setting.angle && dice.one_in(3)) {
       setting.scene["c"] = number(Rational(3, 5));
       setting.scene["s"] = number(Rational(dice.one_in(8) ? 1 : 4, 5));  // perhaps no angle
@@ -183,7 +183,7 @@ void add_mechanics(Dice& dice, Setting& setting) {
   if (!loaded) return;
   const Tree x = symbol(setting.force);
   setting.scene[setting.mechanics->load] =
-      dice.of<Tree>({x, x, x, times(k, x), plus(times(two, x), k), over(x, k), minus(one, x)});
+      dice.of<Tree>({x, x, x, times(k, x), plus(times(doubled, x), k), over(x, k), minus(unity, x)});
 }
 
 }  // namespace slipproof::meaning
