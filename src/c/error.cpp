@@ -4,6 +4,7 @@
 #include "c/call.hpp"
 #include "mechanism/problem.hpp"
 #include "number/parse.hpp"
+#include "parallel/failure.hpp"
 
 /// Diagnostics with the parts of their messages as texts of their own.
 struct slipproof_error {
@@ -46,9 +47,9 @@ slipproof_status tell_exception(slipproof_error** error) {
   } catch (const std::bad_alloc&) {
     return SLIPPROOF_NO_MEMORY;
   } catch (const std::exception& other) {
-    return tell(error, SLIPPROOF_FAILED, {{"", 0, 0, other.what()}});
+    return tell(error, SLIPPROOF_FAILED, {{"", 0, 0, failure_text(other.what(), SLIPPROOF_VERSION)}});
   } catch (...) {
-    return SLIPPROOF_FAILED;
+    return tell(error, SLIPPROOF_FAILED, {{"", 0, 0, failure_text("an unknown exception", SLIPPROOF_VERSION)}});
   }
 }
 

@@ -24,6 +24,6 @@ int main(int argc, char** argv) try {
   std::cerr << "slipproof-check: standard output cannot be written\n";
   return 6;
 } catch (const std::exception& error) {
-  std::cerr << "slipproof-check: " << error.what() << '\n';
+  std::cerr << "slipproof-check: the program failed: " << error.what() << "; please report this\n";
   return 70;
 }

@@ -41,6 +41,6 @@ int main(int argc, char** argv) try {
   std::cerr << "slipproof-check-contact: standard output cannot be written\n";
   return 6;
 } catch (const std::exception& error) {
-  std::cerr << "slipproof-check-contact: " << error.what() << '\n';
+  std::cerr << "slipproof-check-contact: the program failed: " << error.what() << "; please report this\n";
   return 70;
 }

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "output/standard_output.hpp"
 #include "scatter/transport.hpp"
@@ -22,7 +24,20 @@ enum Exit : int {
   undecided = 4,
   certificate_rejected = 5,
   not_written = 6,
+  failed = 70,  ///< the program itself, as sysexits.h has it
 };
+
+/// What pages say of each.
+inline constexpr std::array<std::pair<Exit, std::string_view>, 8> exit_codes{{
+    {as_it_should_be, "all as it should be"},
+    {refuted_or_not_certified, "refuted, or not certified"},
+    {usage, "wrong usage"},
+    {bad_input, "bad input: all mistakes are told, with file, line and column"},
+    {undecided, "undecided, and nothing refuted"},
+    {certificate_rejected, "a certificate is rejected"},
+    {not_written, "a result could not be written"},
+    {failed, "the program failed, through no mistake of yours: please report what it says"},
+}};
 
 /// --json, --seed, --threads, --quiet.
 struct CommonOptions {

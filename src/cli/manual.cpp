@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "cli/command.hpp"
 #include "cli/description.hpp"
 
 namespace slipproof::cli {
@@ -22,15 +23,12 @@ std::string roff(std::string_view text) {
   return result.starts_with('.') || result.starts_with('\'') ? "\\&" + result : result;
 }
 
-constexpr const char* exit_status =
-    ".SH EXIT STATUS\n"
-    ".IP 0 4\nall as it should be\n"
-    ".IP 1 4\nrefuted, or not certified\n"
-    ".IP 2 4\nwrong usage\n"
-    ".IP 3 4\nbad input: all mistakes are told, with file, line and column\n"
-    ".IP 4 4\nundecided, and nothing refuted\n"
-    ".IP 5 4\na certificate is rejected\n"
-    ".IP 6 4\na result could not be written\n";
+std::string exit_status() {
+  std::string text = ".SH EXIT STATUS\n";
+  for (const auto& [code, meaning] : exit_codes)
+    text += ".IP " + std::to_string(code) + " 4\n" + roff(std::string(meaning)) + "\n";
+  return text;
+}
 
 class Page {
  public:
@@ -60,7 +58,7 @@ class Page {
   }
   void see_also(const std::string& pages) { text_ += ".SH SEE ALSO\n" + roff(pages) + "\n"; }
   WrittenPage written() && { return {name_ + ".1", std::move(text_)}; }
-  void add(const char* roff_text) { text_ += roff_text; }
+  void add(const std::string& roff_text) { text_ += roff_text; }
 
  private:
   std::string name_, text_;
@@ -78,12 +76,12 @@ WrittenPage page_of(const DescribedCommand& command, const std::string& version)
     page.synopsis("slipproof-check", "CERT|STATEMENT|FOLDER...");
   }
   page.section("DESCRIPTION");
-  page.add((roff(command.text) + ".\n").c_str());
+  page.add(roff(command.text) + ".\n");
   if (also_alone) page.paragraph("slipproof-check is a program of its own, which shares no code with the prover.");
   page.options(command.positional());
   page.section("OPTIONS");
   page.options(command.with_names());
-  page.add(exit_status);
+  page.add(exit_status());
   page.see_also("slipproof(1)");
   return std::move(page).written();
 }
@@ -108,7 +106,7 @@ WrittenPage page_of_program(const CLI::App& app, const std::string& version) {
   page.options(program.with_names());
   page.section("NUMBERS");
   page.add("Exact wherever they are written: 3/4, 0.1 (one tenth), 1e\\-3, 0x1.8p\\-3.\n");
-  page.add(exit_status);
+  page.add(exit_status());
   page.see_also(pages + "slipproof-check-contact(1)");
   return std::move(page).written();
 }
@@ -125,7 +123,7 @@ WrittenPage page_of_check_contact(const std::string& version) {
   page.item("--problem NAME", "Reject certificates about another problem than the one of this name");
   page.item("--help", "How it is used");
   page.item("--version", "Its version");
-  page.add(exit_status);
+  page.add(exit_status());
   page.see_also("slipproof-certify(1), slipproof-check(1)");
   return std::move(page).written();
 }

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <csignal>
 #include <exception>
+#include <filesystem>
 #include <iostream>
+#include <new>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -14,7 +16,9 @@
 
 #include "cli/command.hpp"
 #include "input/diagnostic.hpp"
+#include "number/effort.hpp"
 #include "output/output_error.hpp"
+#include "parallel/failure.hpp"
 #include "scatter/crew.hpp"
 #include "system/registers.hpp"
 
@@ -45,10 +49,17 @@ void refuse_alone(CLI::App& app, const std::vector<std::string>& shared) {
   }
 }
 
+std::string exit_codes_text() {
+  std::string text = "Exit codes:";
+  for (const auto& [code, meaning] : exit_codes) text += "\n" + std::to_string(code) + ": " + std::string(meaning);
+  return text;
+}
+
 int run(int argc, char** argv, Transport& transport) {
   CLI::App app("Exact, provable answers about dry friction", "slipproof");
   app.set_version_flag("--version", "slipproof " SLIPPROOF_VERSION);
   app.require_subcommand(1);
+  app.footer(exit_codes_text());
   int exit_code = as_it_should_be;
   add_solve(app, exit_code);
   add_show(app, exit_code);
@@ -98,9 +109,21 @@ int run_program(int argc, char** argv, Transport& transport) {
   } catch (const OutputError& error) {
     std::cerr << error.what() << '\n';
     return not_written;
-  } catch (const std::exception& error) {
+  } catch (const TooMuchWork& error) {
     std::cerr << "slipproof: " << error.what() << '\n';
-    return refuted_or_not_certified;
+    return undecided;
+  } catch (const std::filesystem::filesystem_error& error) {
+    std::cerr << error.path1().string() << ": cannot be read: " << error.code().message() << '\n';
+    return bad_input;
+  } catch (const std::bad_alloc&) {
+    std::cerr << "slipproof: there is not enough memory\n";
+    return failed;
+  } catch (const std::exception& error) {
+    std::cerr << "slipproof: " << failure_text(error.what(), SLIPPROOF_VERSION) << '\n';
+    return failed;
+  } catch (...) {
+    std::cerr << "slipproof: " << failure_text("an unknown exception", SLIPPROOF_VERSION) << '\n';
+    return failed;
   }
 }
 

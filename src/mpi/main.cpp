@@ -5,6 +5,7 @@
 #include <exception>
 #include <iostream>
 
+#include "cli/command.hpp"
 #include "cli/program.hpp"
 #include "mpi/mpi_transport.hpp"
 
@@ -27,6 +28,6 @@ int main(int argc, char** argv) {
     return slipproof::cli::run_program(argc, argv, transport);
   } catch (const std::exception& error) {
     std::cerr << "slipproof-mpi: " << error.what() << '\n';
-    return 1;
+    return slipproof::cli::failed;
   }
 }

@@ -51,7 +51,8 @@ void need(const std::filesystem::path& path, int access, const std::filesystem::
 
 void need_folder(const std::filesystem::path& folder, const std::filesystem::path& place) {
   need(folder, F_OK, place);
-  if (!std::filesystem::is_directory(folder)) throw OutputError(place.string(), ENOTDIR);
+  std::error_code error;
+  if (!std::filesystem::is_directory(folder, error)) throw OutputError(place.string(), ENOTDIR);
   need(folder, W_OK | X_OK, place);
 }
 

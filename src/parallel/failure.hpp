@@ -9,6 +9,12 @@
 
 namespace slipproof {
 
+/// What a program says of its own failure, after its name.
+inline std::string failure_text(const std::string& what, const std::string& version) {
+  return "the program failed: " + what +
+         "\nThis is its own mistake. Please report this line, the command, its files, and the version, " + version;
+}
+
 /// Does the work, and returns what went wrong in it: empty, if nothing did. Not for what concerns all pieces: it
 /// throws Stopped, and std::bad_alloc.
 template <class Work>
