@@ -13,6 +13,7 @@
 #include "enclosure/find.hpp"
 #include "number/binary64.hpp"
 #include "number/format.hpp"
+#include "parallel/failure.hpp"
 
 namespace slipproof {
 
@@ -29,6 +30,18 @@ JudgedAnswer judge_one(const JudgedProblem& problem, const SolverAnswer& answer,
     return result;
   }
   return {answer.origin, judge_contacts(problem.mixed, std::move(x), answer.u, options.judge)};
+}
+
+/// What fails of one answer is told there, and the others are judged.
+template <class Judge>
+JudgedAnswer judged_or_undecided(const std::string& origin, const Judge& judge) {
+  JudgedAnswer result{origin, {}};
+  if (const std::string failure = failure_of([&] { result = judge(); }); !failure.empty()) {
+    result = {origin, {}};
+    result.judgement.verdict = ContactVerdict::undecided;
+    result.judgement.reason = failure;
+  }
+  return result;
 }
 
 /// What to begin with where no answer is given: an iteration over contacts, Lemke's method where there is no friction,
@@ -154,12 +167,16 @@ std::string contact_list(const std::vector<std::size_t>& contacts) {
 
 JudgedProblem::JudgedProblem(std::string name, ReadProblem read, const ContactFileOptions& options)
     : file(std::move(name)), problem(std::move(read.problem)), mixed(mixed_problem(problem)) {
+  const auto judge = [&](const SolverAnswer& answer) {
+    answers.push_back(judged_or_undecided(answer.origin, [&] { return judge_one(*this, answer, options); }));
+  };
   if (options.answer) {
-    answers.push_back(judge_one(*this, *options.answer, options));
+    judge(*options.answer);
   } else {
-    for (const SolverAnswer& answer : read.answers) answers.push_back(judge_one(*this, answer, options));
+    for (const SolverAnswer& answer : read.answers) judge(answer);
   }
-  if (answers.empty()) answers.push_back(judge_what_is_found(*this, options));
+  if (answers.empty())
+    answers.push_back(judged_or_undecided("none", [&] { return judge_what_is_found(*this, options); }));
 }
 
 JudgedProblem judge_problem_file(std::string file, ReadProblem read, const ContactFileOptions& options) {
@@ -214,6 +231,7 @@ std::vector<std::string> further_words(const ContactJudgement& j) {
     sentences.push_back(
         fmt::format("There is one solution for every constant, too ({}).", class_name(j.unique_by->kind)));
   }
+  for (const std::string& failure : j.left_out) sentences.push_back("Not found, " + failure + ".");
   if (j.undetermined == 1) {
     sentences.emplace_back("1 component of the forces is determined by nothing; it is held as it is.");
   } else if (j.undetermined > 1) {
@@ -268,6 +286,7 @@ std::string contact_members(const JudgedProblem& problem, std::size_t answer) {
   if (!j.exact.empty() && j.exact.size() <= 64) line["exact"] = exact_texts(j.exact);
   if (!j.other_exact.empty()) line["other"] = exact_texts(j.other_exact);
   if (j.unique_by) line["unique_by"] = class_name(j.unique_by->kind);
+  if (!j.left_out.empty()) line["left_out"] = j.left_out;
   if (!problem.problem.remarks.empty()) line["remarks"] = problem.problem.remarks;
   const std::string text = line.dump(-1, ' ', false, Json::error_handler_t::replace);
   return ',' + text.substr(1, text.size() - 2);

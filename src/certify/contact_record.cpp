@@ -1,6 +1,7 @@
 #include "certify/contact_record.hpp"
 
 #include "certify/contact_file.hpp"
+#include "certify/exact_judge.hpp"
 #include "formats/read_files.hpp"
 
 namespace slipproof {
@@ -42,12 +43,15 @@ ReadProblem read(std::string_view line, const CertifyOptions& options) {
 }  // namespace
 
 RecordJudgement judge_contact_line(std::string_view line, const CertifyOptions& options) {
-  const JudgedProblem problem = judge_problem_file(options.file, read(line, options), {options.contact, std::nullopt});
-  RecordJudgement result;
-  result.verdict = record_verdict(problem.first().judgement.verdict);
-  result.rho = problem.first().judgement.rho;
-  result.members = contact_members(problem, 0);
-  return result;
+  ReadProblem given = read(line, options);
+  return judged_or_undecided([&] {
+    const JudgedProblem problem = judge_problem_file(options.file, std::move(given), {options.contact, std::nullopt});
+    RecordJudgement result;
+    result.verdict = record_verdict(problem.first().judgement.verdict);
+    result.rho = problem.first().judgement.rho;
+    result.members = contact_members(problem, 0);
+    return result;
+  });
 }
 
 }  // namespace slipproof

@@ -129,14 +129,14 @@ Work work_of(const Record& record) {
   return times(products, product_work(degree * bits));
 }
 
-RecordJudgement undecided_judgement(Work needed, Work effort) {
+}  // namespace
+
+RecordJudgement undecided_judgement(const std::string& reason) {
   RecordJudgement result;
   result.verdict = RecordVerdict::undecided;
-  result.details = members({{"reason", too_much_work(needed, effort)}});
+  result.details = members({{"reason", reason}});
   return result;
 }
-
-}  // namespace
 
 RecordJudgement invalid_judgement(const std::string& reason) {
   RecordJudgement result;
@@ -152,13 +152,14 @@ std::string too_much_work(Work needed, Work effort) {
 }
 
 RecordJudgement judge_exactly(const Record& record, const JudgeOptions& options) {
-  if (const Work needed = work_of(record); needed > options.effort) return undecided_judgement(needed, options.effort);
+  if (const Work needed = work_of(record); needed > options.effort)
+    return undecided_judgement(too_much_work(needed, options.effort));
   const ForcedScene<Rational> s = exact_scene(record);
   MechanismVerdict judged;
   try {
     judged = judge_as_mechanism(record, s, options);
   } catch (const TooMuchWork&) {
-    return undecided_judgement(endless, options.effort);
+    return undecided_judgement(too_much_work(endless, options.effort));
   }
   RecordJudgement result;
   result.verdict = judged.verdict;

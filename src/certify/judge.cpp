@@ -57,7 +57,7 @@ RecordJudgement judge(const Record& record, const JudgeOptions& options) {
     }
     if (certified()) return {RecordVerdict::certified, tier, found.modes, 1, false, found.error, false, {}, {}};
   }
-  return judge_exactly(record, options);
+  return judged_or_undecided([&] { return judge_exactly(record, options); });
 }
 
 RecordJudgement judge(const ForcedScene<double>& scene, const SolverOutput& output, const JudgeOptions& options) {

@@ -232,10 +232,7 @@ RecordJudgement judge_point(const MechanismSetting& setting, const MechanismReco
 }
 
 RecordJudgement undecided_record(Work needed, const JudgeOptions& options) {
-  RecordJudgement result;
-  result.verdict = RecordVerdict::undecided;
-  result.details = "," + inner_text(Json{{"reason", too_much_work(needed, options.effort)}});
-  return result;
+  return undecided_judgement(too_much_work(needed, options.effort));
 }
 
 }  // namespace
@@ -284,13 +281,15 @@ RecordJudgement judge_exactly(const MechanismSetting& setting, const MechanismRe
   if (!point.mistake.empty()) return invalid_judgement(point.mistake);
   if (const std::string reason = outside_domain(setting, point); !reason.empty()) return invalid_judgement(reason);
   if (const Work needed = work_of(setting, point); needed > options.effort) return undecided_record(needed, options);
-  try {
-    return judge_point(setting, record, point, setting.maker.problem(point.values), options);
-  } catch (const NoValue& error) {
-    return invalid_judgement(error.what());
-  } catch (const TooMuchWork&) {
-    return undecided_record(endless, options);
-  }
+  return judged_or_undecided([&] {
+    try {
+      return judge_point(setting, record, point, setting.maker.problem(point.values), options);
+    } catch (const NoValue& error) {
+      return invalid_judgement(error.what());
+    } catch (const TooMuchWork&) {
+      return undecided_record(endless, options);
+    }
+  });
 }
 
 }  // namespace slipproof

@@ -38,7 +38,6 @@ class Judge {
       result_.verdict = RecordVerdict::undecided;
       details_ = Json{{"reason", too_much_work(endless, options_.effort)}};
     }
-    result_.contact_problem = true;
     const std::string text = details_.dump(-1, ' ', false, Json::error_handler_t::replace);
     if (!details_.empty()) result_.details = "," + text.substr(1, text.size() - 2);
     return std::move(result_);
@@ -301,7 +300,9 @@ class Judge {
 }  // namespace
 
 RecordJudgement judge_problem(const ContactProblem& problem, const ProblemAnswer& answer, const JudgeOptions& options) {
-  return Judge(problem, answer, options).judge();
+  RecordJudgement result = judged_or_undecided([&] { return Judge(problem, answer, options).judge(); });
+  result.contact_problem = true;
+  return result;
 }
 
 }  // namespace slipproof

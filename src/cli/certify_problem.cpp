@@ -144,6 +144,7 @@ int run_certify_problem(const CertifyProblemArguments& options, const CommonOpti
   }
   const int code = exit_code_of(problem);
   words += last_line(problem, code);
+  if (common.json || !common.quiet) print(lines);  // before anything else is made of them, which may fail
   if (refined) {
     const std::string text = refined_answer(problem, 0);
     if (text.empty()) {
@@ -161,11 +162,10 @@ int run_certify_problem(const CertifyProblemArguments& options, const CommonOpti
     }
   }
   if (report) report->write(contact_report(problem, command_line(options), SLIPPROOF_VERSION));
-  if (common.json) {
-    print(lines);
-    if (!common.quiet) std::cerr << words;
-  } else {
-    print(common.quiet ? words : lines + words);
+  if (!common.json) {
+    print(words);
+  } else if (!common.quiet) {
+    std::cerr << words;
   }
   return code;
 }

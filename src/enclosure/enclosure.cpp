@@ -152,6 +152,10 @@ class EnclosureSearch {
           largest = std::max(largest, std::abs(d[j]));
         }
       }
+      if (!all_finite(next)) {  // which no comparison would tell
+        z_ = std::move(next);
+        return false;
+      }
       for (const double z : next) size = std::max(size, std::abs(z));
       if (!(largest < 0.7 * last)) {  // the inverse is of another place, or rounding is all that moves
         if (step < 2) z_ = std::move(next);

@@ -11,6 +11,7 @@
 #include "enclosure/no_solution.hpp"
 #include "enclosure/sizes.hpp"
 #include "number/binary64.hpp"
+#include "parallel/failure.hpp"
 
 namespace slipproof {
 
@@ -49,18 +50,27 @@ class ContactCase {
 
   /// A solution near the answer, and whether there are others.
   void look_near() {
-    if (!count_all()) {
-      enclose();
+    bool settled = false;
+    extra("all solutions", [&] { settled = count_all(); });
+    if (!settled) {
+      extra("a solution near the answer", [&] { enclose(); });
       if (j_.has_solution()) exclude_others();
     }
     if (j_.has_solution()) j_.error = j_.enclosure ? error_from(*j_.enclosure) : error_from(j_.exact);
+  }
+
+  /// What fails beyond the residual costs nothing but itself.
+  template <class Find>
+  void extra(const char* what, const Find& find) {
+    if (const std::string failure = failure_of(find); !failure.empty()) j_.left_out.push_back(what + (": " + failure));
   }
 
   /// Multipliers that show that there is none at all.
   bool none_at_all() {
     if (counted_ && count_.kind == SolutionCount::Kind::none) return true;
     if (problem_.size() > 60) return false;
-    auto found = infeasibility(problem_, effort_);
+    std::optional<std::vector<Rational>> found;
+    extra("why there is no solution", [&] { found = infeasibility(problem_, effort_); });
     if (found) j_.multipliers = std::move(*found);
     return found.has_value();
   }
@@ -133,10 +143,10 @@ class ContactCase {
   }
 
   void exclude_others() {
-    j_.unique_by = prove_unique(problem_, effort_);
+    extra("whether it is the only solution", [&] { j_.unique_by = prove_unique(problem_, effort_); });
     if (j_.unique_by || !j_.enclosure || !j_.enclosure->pinned.empty()) return;
     if (j_.enclosure->system.size() > options_.others_up_to) return;
-    j_.other = another_solution(problem_, *j_.enclosure);
+    extra("another solution", [&] { j_.other = another_solution(problem_, *j_.enclosure); });
   }
 
   const MixedProblem& problem_;
@@ -205,7 +215,8 @@ ContactJudgement judge_contacts(const MixedProblem& problem, std::vector<double>
     judgement.reason.clear();  // why nothing is enclosed is no news any more
     judgement.contacts.clear();
     if (judgement.residual->backward_error() > options.tolerance) {
-      judgement.right_for = pyramid_that_fits(problem, judgement.x, w, options);
+      found.extra("a pyramid that it fits",
+                  [&] { judgement.right_for = pyramid_that_fits(problem, judgement.x, w, options); });
     } else if (velocity_error > options.tolerance) {
       judgement.reason = "the velocities are not those of the forces";
     } else {

@@ -61,6 +61,7 @@ struct ContactJudgement {
   std::vector<Rational> other_exact;
   std::optional<UniqueProof> unique_by;  ///< why there is no other; without it all modes were tried
   std::vector<Rational> multipliers;     ///< why there is none at all (no_solution.hpp)
+  std::vector<std::string> left_out;     ///< what was looked for beyond that, and failed: what it is, and why
 
   /// Whether a solution within rho is known.
   bool has_solution() const { return enclosure.has_value() || !exact.empty(); }
