@@ -139,7 +139,7 @@ SLIPPROOF_API const slipproof_cell* slipproof_solution_cells(const slipproof_sol
  * velocities likewise. */
 typedef struct slipproof_problem {
   size_t size;      /* of q, a multiple of the dimension */
-  size_t dimension; /* 1, 2 or 3 */
+  size_t dimension; /* 1, 2 or 3; never guessed */
   const double* W;  /* size * size numbers, one row after the other */
   const double* q;
   const double* mu; /* size / dimension coefficients of friction; NULL in dimension 1 */

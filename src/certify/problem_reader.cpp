@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "certify/record_reader.hpp"
+#include "formats/check.hpp"
 #include "input/json_words.hpp"
 #include "number/binary64.hpp"
 #include "number/parse.hpp"
@@ -120,7 +121,7 @@ class ProblemReader {
     if (const Value* mu = json_.find("mu")) {
       // One number stands for all contacts.
       problem.mu = mu->is_list ? numbers(*mu, "mu") : std::vector<Rational>(problem.size() / 2, number(*mu, "mu"));
-      if (problem.mu.empty()) throw BrokenRecord{0, "mu: found no contacts, expected two components of q for each"};
+      if (json_.find("dimension") == nullptr) need_planar(problem, mu->is_list);
     }
     refuse_dimension(problem.frictional());
     if (const std::string reason = mistake_in(problem); !reason.empty()) throw BrokenRecord{0, reason};
@@ -152,6 +153,16 @@ class ProblemReader {
   static std::string place(std::size_t i) { return "[" + std::to_string(i + 1) + "]"; }
 
   const Value& need(const std::string& key) const {
+  /// Where no key says it, the sizes do.
+  static void need_planar(const ContactProblem& problem, bool one_each) {
+    const DimensionBySizes found =
+        dimension_by_sizes(problem.size(), one_each ? std::optional<std::size_t>(problem.mu.size()) : std::nullopt);
+    if (!found.mistake.empty()) throw BrokenRecord{0, found.key + ": " + found.mistake};
+    if (found.dimension == 2) return;
+    throw BrokenRecord{0,
+                       "dimension: found nothing, and contacts of 3 components, expected \"dimension\": 3 for those"};
+  }
+
     const Value* value = json_.find(key);
     if (value == nullptr) throw BrokenRecord{0, "found no " + key + ", expected W, q and z"};
     return *value;

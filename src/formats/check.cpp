@@ -147,6 +147,23 @@ void remark_asymmetry(const char* name, const SparseMatrix& matrix, ProblemFile&
 
 }  // namespace
 
+DimensionBySizes dimension_by_sizes(std::size_t components, std::optional<std::size_t> coefficients) {
+  const auto fits = [&](std::size_t d) {
+    return components > 0 && (coefficients ? *coefficients * d == components : components % d == 0);
+  };
+  const std::string size = std::to_string(components) + " components";
+  if (fits(2) && fits(3)) {
+    return {0, "dimension",
+            "found nothing, and one mu for " + size + ", expected 2 or 3: they are of " +
+                std::to_string(components / 2) + " contacts in the plane or of " + std::to_string(components / 3) +
+                " in space"};
+  }
+  if (fits(2) || fits(3)) return {fits(2) ? std::size_t{2} : std::size_t{3}, {}, {}};
+  return {0, "mu",
+          "found " + (coefficients ? std::to_string(*coefficients) + " coefficients" : std::string("one number")) +
+              " for " + size + ", expected 2 or 3 components for each contact"};
+}
+
 void check_problem(const ProblemFile& problem, Mistakes& mistakes) {
   ProblemCheck check(mistakes);
   if (problem.form == ProblemForm::global) {

@@ -13,6 +13,17 @@ namespace slipproof {
 /// does not fit, and of each matrix and vector the first number that does not. Rows and columns count from 1. Linear.
 void check_problem(const ProblemFile& problem, Mistakes& mistakes);
 
+/// The dimension of contacts with friction, where nothing says it: 2 or 3 components for each coefficient, or for each
+/// of as many contacts as there are, where one number stands for all of them (`coefficients` is nothing). What the
+/// sizes leave open, or do not allow, is a mistake, with the key that it is about before it.
+struct DimensionBySizes {
+  std::size_t dimension = 0;
+  std::string key, mistake;  ///< empty where the dimension is known
+};
+DimensionBySizes dimension_by_sizes(std::size_t components, std::optional<std::size_t> coefficients);
+
+AnswerSizes answer_sizes(const ProblemFile& problem);
+
 /// The parts that an answer gives have the sizes of the problem's. NaN and infinities are no mistake here. `where` is
 /// how messages call the answer.
 void check_answer(const ProblemFile& problem, const SolverAnswer& answer, const std::string& where, Mistakes& mistakes);

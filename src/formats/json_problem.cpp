@@ -4,6 +4,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "formats/check.hpp"
 #include "formats/entries.hpp"
 #include "formats/json_tree.hpp"
 #include "input/json_words.hpp"
@@ -41,11 +42,21 @@ class JsonProblem {
     const bool frictional = dimension != nullptr || root_.find("mu") != nullptr || global;
     p.form = global ? ProblemForm::global : frictional ? ProblemForm::local : ProblemForm::complementarity;
     p.dimension = 1;
-    if (!frictional) return;
-    p.dimension = numbers_.count(need("dimension", "2 or 3"), "dimension");
+    if (!frictional || dimension == nullptr) return;
+    p.dimension = numbers_.count(*dimension, "dimension");
     if (p.dimension == 2 || p.dimension == 3) return;
     numbers_.refuse("dimension", "found " + std::to_string(p.dimension) + ", expected 2 or 3");
   }
+  /// Where no key says it.
+  void tell_dimension(std::optional<std::size_t> coefficients) {
+    ProblemFile& p = read_.problem;
+    if (root_.find("dimension") != nullptr) return;
+    const std::size_t components = p.form == ProblemForm::global ? p.w.size() : p.q.size();
+    const DimensionBySizes found = dimension_by_sizes(components, coefficients);
+    if (!found.mistake.empty()) numbers_.refuse(found.key, found.mistake);
+    p.dimension = found.dimension;
+  }
+
 
   void read_local() {
     ProblemFile& p = read_.problem;
@@ -75,9 +86,12 @@ class JsonProblem {
     if (p.form == ProblemForm::complementarity) return;
     const JsonNode& mu = need("mu", "a coefficient of friction, or one for each contact");
     if (mu.kind == JsonNode::Kind::list) {
+      tell_dimension(p.mu.size());
       p.mu = numbers_.list(mu, "mu");
     } else {
-      p.mu.assign(p.contacts(), numbers_.number(mu, "mu"));
+      const double each = numbers_.number(mu, "mu");
+      tell_dimension(std::nullopt);
+      p.mu.assign(p.contacts(), each);
     }
   }
 

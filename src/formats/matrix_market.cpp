@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "formats/check.hpp"
 #include "formats/entries.hpp"
 #include "formats/words.hpp"
 #include "input/text_file.hpp"
@@ -160,11 +161,11 @@ ReadProblem read_matrix_market(std::string_view text, const std::string& file) {
   problem.W = read_market_matrix(text, file, q->size(), q->size());
   problem.mu = vector_beside(stem, "mu").value_or(std::vector<double>());
   problem.form = problem.mu.empty() ? ProblemForm::complementarity : ProblemForm::local;
-  problem.dimension = problem.mu.empty() ? 1 : q->size() / problem.mu.size();
-  if (!problem.mu.empty() &&
-      (problem.mu.size() * problem.dimension != q->size() || problem.dimension < 2 || problem.dimension > 3)) {
-    refuse(file, "found " + std::to_string(problem.mu.size()) + " coefficients of friction for " +
-                     std::to_string(q->size()) + " components, expected 2 or 3 components for each");
+  problem.dimension = 1;
+  if (!problem.mu.empty()) {
+    const DimensionBySizes found = dimension_by_sizes(q->size(), problem.mu.size());
+    if (!found.mistake.empty()) refuse(file, found.key + ": " + found.mistake);
+    problem.dimension = found.dimension;
   }
   const auto r = vector_beside(stem, "r"), u = vector_beside(stem, "u");
   if (r || u) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,11 @@ struct SolverAnswer {
   std::vector<double> r;          ///< forces or impulses; z of a complementarity problem
   std::vector<double> u;          ///< velocities or accelerations; w of a complementarity problem
   std::vector<double> v, lambda;  ///< of the global form, and of bilateral rows
+};
+
+/// How many numbers the parts of an answer have: a reader makes no room for more. Nothing where that is not known.
+struct AnswerSizes {
+  std::optional<std::size_t> r = std::nullopt, u = std::nullopt, v = std::nullopt, lambda = std::nullopt;
 };
 
 /// A file with what it holds besides the problem.

@@ -234,6 +234,11 @@ void bind_problems(py::module_& module) {
                return judged({path, std::nullopt, answer}, options);
              });
   module.def("is_problem_file", &is_problem_file);
+  module.def("dimension_by_sizes", [](std::size_t components, std::optional<std::size_t> coefficients) {
+    const DimensionBySizes found = dimension_by_sizes(components, coefficients);
+    if (!found.mistake.empty()) throw py::value_error(found.key + ": " + found.mistake);
+    return found.dimension;
+  });
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ def test_friction_in_the_plane_and_in_space():
     W = np.eye(2)
     assert slipproof.certify(W, [-9.81, 0.5], [9.81, -0.5], 0.3).verdict == "certified"
     assert slipproof.certify(W, [-9.81, 5], [9.81, -5], 0.3).verdict == "wrong"
-    space = slipproof.certify(np.eye(3), [-9.81, 0.5, 0.5], [9.81, -0.5, -0.5], 0.3, dimension=3)
+    space = slipproof.certify(np.eye(3), [-9.81, 0.5, 0.5], [9.81, -0.5, -0.5], 0.3)
     assert space.verdict == "solution within rho" and space.certified and space.unique == "locally"
     assert slipproof.certify(np.eye(3), [-9.81, 0.5, 0.5], [9.81, -0.5, -0.5], [0.3]).verdict == space.verdict
 

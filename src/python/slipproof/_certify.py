@@ -147,37 +147,26 @@ def _sparse(W: Any, size: int) -> Tuple[Any, ...]:
     return starts, columns, data
 
 
-def _coefficients(mu: Any, shape: Tuple[int, ...], dimension: Optional[int]) -> Optional[Doubles]:
-    """One for each contact; a number stands for all of them."""
+def _contacts(mu: Any, shape: Tuple[int, ...], dimension: Optional[int]) -> Tuple[int, Optional[Doubles]]:
+    """The dimension of the contacts, and a coefficient for each; a number stands for all of them."""
     if mu is None:
         if dimension in (2, 3):
             raise wrong_value("mu", "None", f"the coefficients of friction of contacts in dimension {dimension}")
-        return None
+        return 1, None
     if dimension == 1:
         raise wrong_value("mu", "coefficients of friction", "none in dimension 1, a complementarity problem")
     array = doubles("mu", mu, (0, 1) if len(shape) == 1 else (0, 1, 2))
     size = shape[-1]
+    contacts = None if array.ndim == 0 else array.shape[-1]
+    each = dimension or _core.dimension_by_sizes(size, contacts)
+    if size % each or contacts not in (None, size // each):
+        raise wrong_value("mu", "one number" if contacts is None else f"{contacts} coefficients",
+                          f"{each} components of q for each contact, which has {size}")
     if array.ndim == 0:
-        each = dimension or 2
-        if size % each:
-            raise wrong_value("mu", f"one number for {size} components", "an even number of them, or dimension=3"
-                              if dimension is None else f"{each} for each contact")
-        contacts = size // each
-        return np.full((*shape[:-1], contacts), float(array))
+        return each, np.full((*shape[:-1], size // each), float(array))
     if array.ndim == 1 and len(shape) == 2:
-        return np.ascontiguousarray(np.broadcast_to(array, (shape[0], array.size)))
-    return array
-
-
-def _dimension(size: int, mu: Optional[Doubles], wanted: Optional[int]) -> int:
-    if mu is None:
-        return 1
-    contacts = mu.shape[-1]
-    for dimension in (2, 3) if wanted is None else (wanted,):
-        if contacts and size == dimension * contacts:
-            return dimension
-    raise wrong_value("mu", f"{contacts} contacts",
-                      f"{wanted or '2 or 3'} components of q for each, which has {size}")
+        return each, np.ascontiguousarray(np.broadcast_to(array, (shape[0], array.size)))
+    return each, array
 
 
 def certify(W: Any, q: Any, z: Any = None, mu: Any = None, *, w: Any = None, dimension: Optional[int] = None,
@@ -188,7 +177,8 @@ def certify(W: Any, q: Any, z: Any = None, mu: Any = None, *, w: Any = None, dim
 
     Without ``mu`` it is a linear complementarity problem, z >= 0, w >= 0, z . w = 0. With it contacts have friction:
     ``mu`` is one number or one for each contact, and z holds the forces of each contact, (N, T) in the plane or
-    (N, T1, T2) in space; ``dimension`` says which where the sizes leave it open. ``W`` is an array of shape (n, n), or a
+    (N, T1, T2) in space; ``dimension`` says which, and is asked for where the sizes leave it open (one ``mu``, and a
+    multiple of 6 components). ``W`` is an array of shape (n, n), or a
     sparse matrix of SciPy; ``q``, ``z`` and ``w``, which may be left out, have n components. Arrays of shapes (k, n, n)
     and (k, n) are k problems, and give k verdicts. A NaN or an infinity in z is an ``invalid`` answer.
 
@@ -212,9 +202,8 @@ def certify(W: Any, q: Any, z: Any = None, mu: Any = None, *, w: Any = None, dim
     if q_array.shape[-1] == 0:
         raise wrong_value("q", "no components", "at least one")
     chosen = None if dimension is None else whole("dimension", dimension, 1, 3)
-    mu_array = _coefficients(mu, q_array.shape, chosen)
+    dims, mu_array = _contacts(mu, q_array.shape, chosen)
     size = q_array.shape[-1]
-    dims = _dimension(size, mu_array, chosen)
     one_of("law", law, ("cone", "box", "diamond"))
     one_of("method", method, ("auto", "exact", "enclosure"))
     special = refine or within is not None or law != "cone" or z is None
