@@ -65,9 +65,11 @@ class ProblemJson {
     const JsonWord& word = texts_[next_text_++];
     if (word.column != 0) throw BrokenRecord{word.column, "found " + std::string(word.text) + ", expected a key"};
     if (find(name) != nullptr) throw BrokenRecord{0, "found " + in_quotes(name) + " twice, expected it once"};
-    constexpr std::array<std::string_view, 8> known{"W", "M", "q", "mu", "z", "w", "mode", "dimension"};
+    constexpr std::array<std::string_view, 11> known{"W", "M", "q",    "mu",        "z",    "w",
+                                                     "r", "u", "mode", "dimension", "title"};
     if (!ignore_unknown_ && std::find(known.begin(), known.end(), name) == known.end()) {
-      throw BrokenRecord{0, "found the key " + in_quotes(name) + ", expected W or M, q, mu, z, w or mode"};
+      throw BrokenRecord{0, "found the key " + in_quotes(name) +
+                                ", expected W or M, q, mu, dimension, z (or r), w (or u), mode or title"};
     }
     values_.emplace_back(name, Value());
     return true;
@@ -127,8 +129,9 @@ class ProblemReader {
     if (const std::string reason = mistake_in(problem); !reason.empty()) throw BrokenRecord{0, reason};
 
     answer_ = true;
-    record.answer.z = sized(numbers(need("z"), "z"), "z", problem.size());
-    if (const Value* w = json_.find("w")) record.answer.w = sized(numbers(*w, "w"), "w", problem.size());
+    const std::string z = one_of("z", "r"), w = one_of("w", "u");
+    record.answer.z = sized(numbers(need(z), z), z, problem.size());
+    if (const Value* value = json_.find(w)) record.answer.w = sized(numbers(*value, w), w, problem.size());
     if (const Value* mode = json_.find("mode")) {
       if (mode->is_text) record.answer.mode = parse_mode(problem, mode->text);
       if (!record.answer.mode) {
@@ -150,9 +153,6 @@ class ProblemReader {
     throw BrokenRecord{0, "dimension: found " + found + ", expected 2 with mu, 3 with mu, or none"};
   }
 
-  static std::string place(std::size_t i) { return "[" + std::to_string(i + 1) + "]"; }
-
-  const Value& need(const std::string& key) const {
   /// Where no key says it, the sizes do.
   static void need_planar(const ContactProblem& problem, bool one_each) {
     const DimensionBySizes found =
@@ -163,6 +163,16 @@ class ProblemReader {
                        "dimension: found nothing, and contacts of 3 components, expected \"dimension\": 3 for those"};
   }
 
+  static std::string place(std::size_t i) { return "[" + std::to_string(i + 1) + "]"; }
+
+  /// Problems at real size call the parts of an answer otherwise.
+  std::string one_of(const char* usual, const char* other) const {
+    if (json_.find(other) == nullptr) return usual;
+    if (json_.find(usual) == nullptr) return other;
+    throw BrokenRecord{0, std::string("found ") + usual + " and " + other + ", expected one of them"};
+  }
+
+  const Value& need(const std::string& key) const {
     const Value* value = json_.find(key);
     if (value == nullptr) throw BrokenRecord{0, "found no " + key + ", expected W, q and z"};
     return *value;
@@ -198,7 +208,12 @@ class ProblemReader {
       const bool special = lower == "nan" || lower == "inf" || lower == "infinity";
       if (!answer_ || !special) throw BrokenRecord{value.column, where + ": " + error.what()};
     }
-    if (!not_finite_) not_finite_ = {value.column, where + ": found " + value.text + ", expected a finite number"};
+    const bool is_number = value.text.find_first_of("0123456789") != std::string::npos;
+    if (!not_finite_) {
+      not_finite_ = {value.column,
+                     where + ": found " + value.text +
+                         (is_number ? ", expected a number that binary64 can hold" : ", expected a finite number")};
+    }
     return 0;
   }
 

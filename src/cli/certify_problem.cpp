@@ -125,7 +125,7 @@ int run_certify_problem(const CertifyProblemArguments& options, const CommonOpti
   ReadProblem read = read_problem_file(options.file);
   if (!options.check_certificate.empty()) return check_certificate(options, read.problem, common);
   if (!options.answer.empty()) {
-    judge.answer = read_answer_file(options.answer);
+    judge.answer = read_answer_file(options.answer, answer_sizes(read.problem));
     Mistakes mistakes(options.answer);
     check_answer(read.problem, *judge.answer, "the answer's ", mistakes);
     mistakes.refuse_if_any();

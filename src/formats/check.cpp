@@ -174,17 +174,25 @@ void check_problem(const ProblemFile& problem, Mistakes& mistakes) {
   check_contacts(problem, check);
 }
 
+AnswerSizes answer_sizes(const ProblemFile& problem) {
+  const bool global = problem.form == ProblemForm::global;
+  return {.r = problem.components(),
+          .u = problem.components(),
+          .v = global ? problem.f.size() : 0,
+          .lambda = global ? problem.b.size() : problem.s.size()};
+}
+
 void check_answer(const ProblemFile& problem, const SolverAnswer& answer, const std::string& where,
                   Mistakes& mistakes) {
   ProblemCheck check(mistakes);
-  const bool global = problem.form == ProblemForm::global;
-  const auto size = [&](const char* part, const std::vector<double>& v, std::size_t expected) {
-    if (!v.empty()) check.size(where + part, v, expected);
+  const AnswerSizes sizes = answer_sizes(problem);
+  const auto size = [&](const char* part, const std::vector<double>& v, std::optional<std::size_t> expected) {
+    if (!v.empty()) check.size(where + part, v, *expected);
   };
-  size("r", answer.r, problem.components());
-  size("u", answer.u, problem.components());
-  size("v", answer.v, global ? problem.f.size() : 0);
-  size("lambda", answer.lambda, global ? problem.b.size() : problem.s.size());
+  size("r", answer.r, sizes.r);
+  size("u", answer.u, sizes.u);
+  size("v", answer.v, sizes.v);
+  size("lambda", answer.lambda, sizes.lambda);
 }
 
 Asymmetry asymmetry(const SparseMatrix& matrix) {

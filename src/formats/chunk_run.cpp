@@ -26,11 +26,15 @@ std::string unshuffled(const std::string& bytes, std::size_t item) {
 }  // namespace
 
 void ChunkLayout::check(const PlacedBytes& file) const {
-  constexpr std::uint64_t longest = std::uint64_t{1} << 28U;
+  constexpr std::uint64_t longest = std::uint64_t{1} << 28U, usual = std::uint64_t{1} << 24U;
   const bool deflated = std::ranges::find(filters, ChunkFilter::deflate) != filters.end();
   std::uint64_t size = 0;
   if (__builtin_mul_overflow(rows, item, &size) || size > longest) {
     refuse(file.name(), path + ": found chunks of " + std::to_string(rows) + " items, which are too large");
+  }
+  if (rows > items && size > usual) {
+    refuse(file.name(), path + ": found chunks of " + std::to_string(rows) + " items for " + std::to_string(items) +
+                            ", expected no larger ones than what is in them");
   }
   for (const ChunkPlace& chunk : chunks) {
     const bool there = chunk.offset <= file.size() && file.size() - chunk.offset >= chunk.size;

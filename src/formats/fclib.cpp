@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "formats/check.hpp"
 #include "formats/entries.hpp"
 #include "formats/hdf5_file.hpp"
 #include "formats/words.hpp"
@@ -108,26 +109,26 @@ class FclibFile {
     }
     global ? read_global("/fclib_global") : read_local("/fclib_local");
     if (global && local) read_.problem.remarks.emplace_back("/fclib_local is left unread, for /fclib_global is there");
-    if (file_.has("/solution")) read_.answers.push_back(answer("/solution"));
+    if (file_.has("/solution")) read_.answers.push_back(answer("/solution", answer_sizes(read_.problem)));
     read_guesses();
     return std::move(read_);
   }
 
-  SolverAnswer answer(const std::string& path) {
+  SolverAnswer answer(const std::string& path, const AnswerSizes& sizes) {
     SolverAnswer result;
     result.origin = path;
     if (!file_.has(path)) file_.refuse(path, "found nothing, expected a solver's answer");
-    const auto part = [&](const char* name) {
+    const auto part = [&](const char* name, std::optional<std::size_t> most) {
       bool written = true;
       std::vector<double> numbers;
-      if (file_.has(path + name)) numbers = file_.reals(path + name, written);
+      if (file_.has(path + name)) numbers = file_.reals(path + name, written, most);
       if (!written) read_.problem.remarks.push_back(path + name + " was never written, and reads as zeros");
       return numbers;
     };
-    result.r = part("/r");
-    result.u = part("/u");
-    result.v = part("/v");
-    result.lambda = part("/l");
+    result.r = part("/r", sizes.r);
+    result.u = part("/u", sizes.u);
+    result.v = part("/v", sizes.v);
+    result.lambda = part("/l", sizes.lambda);
     if (result.r.empty() && result.u.empty()) file_.refuse(path, "found neither r nor u, expected a solver's answer");
     return result;
   }
@@ -182,7 +183,9 @@ class FclibFile {
       file_.refuse(count, "found " + std::to_string(number) + ", expected at most " + std::to_string(objects) +
                               ", as there are objects in /guesses");
     }
-    for (std::int64_t k = 1; k <= number; ++k) read_.answers.push_back(answer("/guesses/" + std::to_string(k)));
+    for (std::int64_t k = 1; k <= number; ++k) {
+      read_.answers.push_back(answer("/guesses/" + std::to_string(k), answer_sizes(read_.problem)));
+    }
   }
 
   Hdf5File file_;
@@ -196,8 +199,8 @@ ReadProblem read_fclib(const std::string& bytes, const std::string& file) {
   return FclibFile(bytes, file).read();
 }
 
-SolverAnswer read_fclib_answer(const std::string& bytes, const std::string& file) {
-  return FclibFile(bytes, file).answer("/solution");
+SolverAnswer read_fclib_answer(const std::string& bytes, const std::string& file, const AnswerSizes& sizes) {
+  return FclibFile(bytes, file).answer("/solution", sizes);
 }
 
 }  // namespace slipproof

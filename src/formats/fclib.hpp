@@ -16,6 +16,6 @@ inline constexpr std::string_view hdf5_signature = "\x89HDF\r\n\x1a\n";
 ReadProblem read_fclib(const std::string& bytes, const std::string& file);
 
 /// The /solution of such a file, which need not hold a problem. Throws InputError.
-SolverAnswer read_fclib_answer(const std::string& bytes, const std::string& file);
+SolverAnswer read_fclib_answer(const std::string& bytes, const std::string& file, const AnswerSizes& sizes);
 
 }  // namespace slipproof

@@ -73,11 +73,13 @@ class Hdf5File::Library {
   /// The numbers of a data set of the classes that `fits` takes, converted to `memory`.
   template <class Number, class Fits>
   std::vector<Number> numbers(const std::string& path, hid_t memory, const std::string& expected, Fits&& fits,
-                              bool* written = nullptr) const {
+                              bool* written = nullptr, std::optional<std::size_t> most = {}) const {
     const hdf5::Id set = open(path, expected);
     const hdf5::Id type(H5Dget_type(set.get()), &H5Tclose);
     if (!type.open() || !fits(type.get())) owner_.refuse(path, "found another type, expected " + expected);
-    std::vector<Number> result(length(path, set.get(), H5Tget_size(type.get()), written));
+    const std::size_t found = length(path, set.get(), H5Tget_size(type.get()), written);
+    refuse_more(owner_.file_, path + ": ", found, most);
+    std::vector<Number> result(found);
     if (result.empty()) return result;
     if (H5Dread(set.get(), memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, result.data()) < 0) {
       owner_.refuse(path, "found numbers that cannot be read: the file is damaged");
@@ -199,9 +201,9 @@ std::vector<double> Hdf5File::reals(const std::string& path) const {
   return library_->numbers<double>(path, H5T_NATIVE_DOUBLE, "numbers", is_plain_real);
 }
 
-std::vector<double> Hdf5File::reals(const std::string& path, bool& written) const {
+std::vector<double> Hdf5File::reals(const std::string& path, bool& written, std::optional<std::size_t> most) const {
   written = true;
-  return library_->numbers<double>(path, H5T_NATIVE_DOUBLE, "numbers", is_plain_real, &written);
+  return library_->numbers<double>(path, H5T_NATIVE_DOUBLE, "numbers", is_plain_real, &written, most);
 }
 
 std::optional<std::string> Hdf5File::text(const std::string& path) const {
@@ -236,7 +238,7 @@ std::vector<double> Hdf5File::reals(const std::string&) const {
   return {};
 }
 
-std::vector<double> Hdf5File::reals(const std::string&, bool&) const {
+std::vector<double> Hdf5File::reals(const std::string&, bool&, std::optional<std::size_t>) const {
   return {};
 }
 

@@ -34,8 +34,8 @@ class Hdf5File {
   /// binary32, binary64 and integers that it holds exactly.
   std::vector<double> reals(const std::string& path) const;
   /// The same of a data set that may have been created and never written, which the library reads as zeros: `written`
-  /// tells. All others are refused then.
-  std::vector<double> reals(const std::string& path, bool& written) const;
+  /// tells. All others are refused then. More than `most` are refused before room is made for them.
+  std::vector<double> reals(const std::string& path, bool& written, std::optional<std::size_t> most) const;
   /// A text of fixed length, up to its first zero byte; nothing for what is none or is longer than 64 KiB.
   std::optional<std::string> text(const std::string& path) const;
 

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
+#include <istream>
 
 #include "formats/check.hpp"
 #include "formats/entries.hpp"
 #include "formats/json_tree.hpp"
-#include "input/json_words.hpp"
 
 namespace slipproof {
 
@@ -47,6 +46,7 @@ class JsonProblem {
     if (p.dimension == 2 || p.dimension == 3) return;
     numbers_.refuse("dimension", "found " + std::to_string(p.dimension) + ", expected 2 or 3");
   }
+
   /// Where no key says it.
   void tell_dimension(std::optional<std::size_t> coefficients) {
     ProblemFile& p = read_.problem;
@@ -56,7 +56,6 @@ class JsonProblem {
     if (!found.mistake.empty()) numbers_.refuse(found.key, found.mistake);
     p.dimension = found.dimension;
   }
-
 
   void read_local() {
     ProblemFile& p = read_.problem;
@@ -86,8 +85,8 @@ class JsonProblem {
     if (p.form == ProblemForm::complementarity) return;
     const JsonNode& mu = need("mu", "a coefficient of friction, or one for each contact");
     if (mu.kind == JsonNode::Kind::list) {
-      tell_dimension(p.mu.size());
       p.mu = numbers_.list(mu, "mu");
+      tell_dimension(p.mu.size());
     } else {
       const double each = numbers_.number(mu, "mu");
       tell_dimension(std::nullopt);
@@ -140,10 +139,10 @@ class JsonProblem {
     if (node.kind != JsonNode::Kind::list) {
       numbers_.refuse(name, "found no matrix, expected a list of rows, or an object of rows, columns and entries");
     }
-    size("the number of rows of " + name, node.items.size(), rows);
+    size("the number of rows of " + name, node.size(), rows);
     for (std::size_t i = 0; i < rows; ++i) {
       const std::string where = name + "[" + std::to_string(i + 1) + "]";
-      const std::vector<double> row = numbers_.list(node.items[i], where);
+      const std::vector<double> row = numbers_.list(node.item(i), where);
       size("the number of columns of " + where, row.size(), columns);
       for (std::size_t j = 0; j < columns; ++j) put_entry(entries, i, j, row[j]);
     }
@@ -158,14 +157,14 @@ class JsonProblem {
     }
     size(name + ".rows", numbers_.count(*high, name + ".rows"), rows);
     size(name + ".columns", numbers_.count(*wide, name + ".columns"), columns);
-    for (std::size_t k = 0; k < list->items.size(); ++k) {
-      const JsonNode& entry = list->items[k];
+    for (std::size_t k = 0; k < list->size(); ++k) {
+      const JsonNode entry = list->item(k);
       const std::string where = name + ".entries[" + std::to_string(k + 1) + "]";
-      if (entry.kind != JsonNode::Kind::list || entry.items.size() != 3) {
+      if (entry.kind != JsonNode::Kind::list || entry.size() != 3) {
         numbers_.refuse(where, "found no entry, expected [row, column, number]");
       }
-      const auto i = index(entry.items[0], where + "[1]", rows), j = index(entry.items[1], where + "[2]", columns);
-      entries.push_back({i, j, numbers_.number(entry.items[2], where + "[3]")});
+      const auto i = index(entry.item(0), where + "[1]", rows), j = index(entry.item(1), where + "[2]", columns);
+      entries.push_back({i, j, numbers_.number(entry.item(2), where + "[3]")});
     }
   }
 
@@ -198,48 +197,90 @@ class JsonProblem {
   ReadProblem read_;
 };
 
-/// Follows the keys of the first object until it knows.
+/// Follows the keys of the first object until it knows, whatever stands between them.
 class JsonPeek {
  public:
-  bool is_problem() const { return three_ || sparse_ || (M_ && H_); }
+  /// False once nothing more is to be known.
+  bool take(char c) {
+    if (in_text_) {
+      take_in_text(c);
+      return true;
+    }
+    switch (c) {
+      case '"':
+        in_text_ = true;
+        text_.clear();
+        break;
+      case ':':
+        if (depth_ == 1) take_key();
+        break;
+      case '{':
+      case '[':
+        sparse_ = sparse_ || (c == '{' && depth_ == 1 && is_matrix());
+        ++depth_;
+        break;
+      case '}':
+      case ']':
+        end_value();
+        ended_ = --depth_ <= 0;
+        break;
+      case ',':
+        end_value();
+        break;
+      case '\n':
+        lines_ = lines_ || depth_ > 0;
+        break;
+      default:
+        if (depth_ == 1 && key_ == "dimension" && c != ' ' && c != '\t' && c != '\r') add(value_, c);
+    }
+    return !ended_ && !is_problem();
+  }
 
-  bool null() { return more(); }
-  bool boolean(bool) { return more(); }
-  bool number_integer(std::int64_t) { return more(); }
-  bool number_unsigned(std::uint64_t x) {
-    three_ = three_ || (depth_ == 1 && key_ == "dimension" && x == 3);
-    return more();
-  }
-  bool number_float(double, const std::string&) { return more(); }
-  bool string(std::string&) { return more(); }
-  bool binary(std::vector<std::uint8_t>&) { return more(); }
-  bool start_object(std::size_t) {
-    constexpr std::array<std::string_view, 6> matrices{"W", "M", "H", "G", "V", "R"};
-    sparse_ = sparse_ || (depth_ == 1 && std::ranges::find(matrices, key_) != matrices.end());
-    ++depth_;
-    return more();
-  }
-  bool end_object() { return --depth_ != 0; }
-  bool start_array(std::size_t) { return ++depth_ > 1; }
-  bool end_array() {
-    --depth_;
-    return true;
-  }
-  bool key(std::string& name) {
-    if (depth_ != 1) return true;
-    key_ = name;
-    M_ = M_ || name == "M";
-    H_ = H_ || name == "H";
-    return more();
-  }
-  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) { return false; }
+  bool is_problem() const { return three_ || sparse_ || (M_ && H_); }
+  /// Of any dimension, and on more than one line: no line of it could be a record.
+  bool is_spread_problem() const { return is_problem() || (lines_ && q_ && (W_ || M_)); }
 
  private:
-  bool more() const { return depth_ > 0 && !is_problem(); }
+  void take_in_text(char c) {
+    if (escaped_) {
+      escaped_ = false;
+    } else if (c == '\\') {
+      escaped_ = true;
+    } else if (c == '"') {
+      in_text_ = false;
+      return;
+    }
+    add(text_, c);
+  }
+
+  /// Longer texts than those that are looked for are none of them.
+  static void add(std::string& text, char c) {
+    constexpr std::size_t longest = 16;
+    if (text.size() < longest) text += c;
+  }
+
+  void take_key() {
+    key_ = text_;
+    value_.clear();
+    M_ = M_ || key_ == "M";
+    H_ = H_ || key_ == "H";
+    W_ = W_ || key_ == "W";
+    q_ = q_ || key_ == "q";
+  }
+
+  void end_value() {
+    if (depth_ == 1) three_ = three_ || value_ == "3";
+  }
+
+  bool is_matrix() const {
+    constexpr std::array<std::string_view, 6> matrices{"W", "M", "H", "G", "V", "R"};
+    return std::ranges::find(matrices, key_) != matrices.end();
+  }
 
   int depth_ = 0;
-  std::string key_;
-  bool three_ = false, sparse_ = false, M_ = false, H_ = false;
+  bool ended_ = false, in_text_ = false, escaped_ = false, lines_ = false;
+  std::string text_, key_, value_;
+  bool three_ = false, sparse_ = false, M_ = false, H_ = false, W_ = false, q_ = false;
 };
 
 }  // namespace
@@ -251,17 +292,19 @@ ReadProblem read_json_problem(std::string_view text, const std::string& file) {
 
 bool begins_as_json_problem(std::istream& text) {
   JsonPeek peek;
-  nlohmann::json::sax_parse(text, &peek, nlohmann::json::input_format_t::json, false);
-  return peek.is_problem();
+  for (char c = 0; text.get(c) && peek.take(c);) {
+  }
+  return peek.is_spread_problem();
 }
 
 bool is_json_problem(std::string_view line) {
   const auto has = [&](std::string_view word) { return line.find(word) != std::string_view::npos; };
   // The ends of keys: quotation marks are everywhere in a line, and begin nothing that is quickly looked for.
   if (!has("dimension\"") && !has("entries\"") && !has("H\"")) return false;
-  const JsonLine plain = without_words(line);
   JsonPeek peek;
-  nlohmann::json::sax_parse(plain.text, &peek, nlohmann::json::input_format_t::json, false);
+  for (const char c : line) {
+    if (!peek.take(c)) break;
+  }
   return peek.is_problem();
 }
 

@@ -14,7 +14,8 @@ namespace slipproof {
 ReadProblem read_json_problem(std::string_view text, const std::string& file);
 
 /// Whether a text begins with an object that is for this reader rather than for that of records: one with the dimension
-/// 3, with M and H, or with a sparse matrix. Reads no more of it than it needs to know.
+/// 3, with M and H, or with a sparse matrix, or any problem on several lines. Reads no more of it than it needs to
+/// know.
 bool begins_as_json_problem(std::istream& text);
 /// The same of a line of JSON Lines, which is quick to say no to others.
 bool is_json_problem(std::string_view line);

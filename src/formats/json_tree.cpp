@@ -13,6 +13,13 @@ namespace slipproof {
 
 namespace {
 
+JsonNode number_node(double x) {
+  JsonNode node;
+  node.kind = JsonNode::Kind::number;
+  node.number = x;
+  return node;
+}
+
 /// nlohmann's SAX interface, which does not recurse.
 class JsonTreeReader {
  public:
@@ -65,13 +72,16 @@ class JsonTreeReader {
 
  private:
   bool number(double x) {
-    JsonNode node;
-    node.kind = JsonNode::Kind::number;
-    node.number = x;
-    return put(std::move(node));
+    JsonNode& list = *open_.back();
+    if (list.kind != JsonNode::Kind::list || !list.items.empty()) return put(number_node(x));
+    list.numbers.push_back(x);
+    return true;
   }
   bool put(JsonNode node) {
-    open_.back()->items.push_back(std::move(node));
+    JsonNode& to = *open_.back();
+    for (const double x : to.numbers) to.items.push_back(number_node(x));
+    to.numbers.clear();
+    to.items.push_back(std::move(node));
     return true;
   }
   bool start(JsonNode::Kind kind) {
@@ -102,6 +112,10 @@ const JsonNode* JsonNode::find(std::string_view key) const {
   return at == keys.end() ? nullptr : &items[static_cast<std::size_t>(at - keys.begin())];
 }
 
+JsonNode JsonNode::item(std::size_t k) const {
+  return numbers.empty() ? items[k] : number_node(numbers[k]);
+}
+
 JsonNode read_json_tree(std::string_view text, const std::string& file) {
   const JsonLine plain = without_words(text);
   JsonTreeReader reader(plain, text, file);
@@ -127,7 +141,7 @@ double JsonNumbers::number(const JsonNode& node, const std::string& where, bool 
     refuse(where, "found no number, expected one");
   }
   if (!any && !std::isfinite(value)) {
-    refuse(where, std::string("found ") + (std::isnan(value) ? "NaN" : "an infinity") +
+    refuse(where, std::string("found ") + (std::isnan(value) ? "NaN" : "an infinity, or a number that becomes one") +
                       ", expected a finite number within binary64's range");
   }
   return value;
@@ -135,11 +149,12 @@ double JsonNumbers::number(const JsonNode& node, const std::string& where, bool 
 
 std::vector<double> JsonNumbers::list(const JsonNode& node, const std::string& where, bool any) const {
   if (node.kind != JsonNode::Kind::list) refuse(where, "found no list, expected a list of numbers");
-  std::vector<double> result;
-  for (const JsonNode& item : node.items) {
-    const bool plain = item.kind == JsonNode::Kind::number && (any || std::isfinite(item.number));
-    result.push_back(plain ? item.number : number(item, where + "[" + std::to_string(result.size() + 1) + "]", any));
+  std::vector<double> result = node.numbers;
+  const auto place = [&](std::size_t k) { return where + "[" + std::to_string(k + 1) + "]"; };
+  for (std::size_t k = 0; k < result.size() && !any; ++k) {
+    if (!std::isfinite(result[k])) number(number_node(result[k]), place(k));
   }
+  for (std::size_t k = 0; k < node.items.size(); ++k) result.push_back(number(node.items[k], place(k), any));
   return result;
 }
 

@@ -25,7 +25,7 @@ class MarketText {
     words_.word(matrix_market_banner);
     one_of({"matrix"});
     is_array_ = one_of({"coordinate", "array"}) == "array";
-    one_of({"real", "integer", "double"});
+    is_integer_ = one_of({"real", "integer", "double"}) == "integer";
     symmetry_ = one_of({"general", "symmetric", "skew-symmetric"});
     words_.rest_of_line();
     while (words_.peek().starts_with('%')) words_.rest_of_line();
@@ -34,12 +34,16 @@ class MarketText {
     columns_ = words_.count("the number of columns");
   }
 
-  std::vector<double> vector() {
+  std::vector<double> vector(std::optional<std::size_t> most) {
     if (!is_array_ || symmetry_ != "general" || (rows_ != 1 && columns_ != 1)) {
       throw FormatStop{start_, "found a matrix, expected a vector: a general array of one column"};
     }
+    if (most && rows_ * columns_ > *most) {
+      throw FormatStop{start_,
+                       "found " + std::to_string(rows_ * columns_) + " numbers, expected " + std::to_string(*most)};
+    }
     std::vector<double> result;
-    for (std::size_t k = 0; k < rows_ * columns_; ++k) result.push_back(words_.number("a component of the vector"));
+    for (std::size_t k = 0; k < rows_ * columns_; ++k) result.push_back(entry("a component of the vector", true));
     end();
     return result;
   }
@@ -78,6 +82,14 @@ class MarketText {
     if (!words_.peek().empty()) words_.stop("the end of the file");
   }
 
+  double entry(const char* what, bool any) {
+    const std::string_view word = words_.peek();
+    if (is_integer_ && word.find_first_not_of("+-0123456789") != std::string_view::npos) {
+      words_.stop(std::string(what) + ", a whole number, as the first line says integer");
+    }
+    return any ? words_.number(what) : words_.finite_number(what);
+  }
+
   bool general() const { return symmetry_ == "general"; }
   bool skew() const { return symmetry_ == "skew-symmetric"; }
 
@@ -91,7 +103,7 @@ class MarketText {
   void read_array() {
     for (std::size_t j = 0; j < columns_; ++j) {
       for (std::size_t i = general() ? 0 : j + (skew() ? 1 : 0); i < rows_; ++i) {
-        if (const double x = words_.finite_number("an entry of the matrix"); x != 0) put(i, j, x);
+        if (const double x = entry("an entry of the matrix", false); x != 0) put(i, j, x);
       }
     }
   }
@@ -112,30 +124,32 @@ class MarketText {
         throw FormatStop{at, "found the row " + std::to_string(i + 1) + " and the column " + std::to_string(j + 1) +
                                  ", expected what is below the diagonal of a matrix that is " + symmetry_};
       }
-      put(i, j, words_.finite_number("an entry of the matrix"));
+      put(i, j, entry("an entry of the matrix", false));
     }
   }
 
   WordReader words_;
-  bool is_array_ = false;
+  bool is_array_ = false, is_integer_ = false;
   std::string symmetry_;
   std::size_t start_ = 0, rows_ = 0, columns_ = 0;
   std::vector<MatrixEntry> entries_;
 };
 
 /// The vector beside a matrix; nothing if there is no such file.
-std::optional<std::vector<double>> vector_beside(const std::string& stem, const std::string& part) {
+std::optional<std::vector<double>> vector_beside(const std::string& stem, const std::string& part,
+                                                 std::optional<std::size_t> most = {}) {
   const std::string file = stem + "_" + part + ".mtx";
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored)) return std::nullopt;
-  return read_market_vector(read_text_file(file, max_problem_file_size), file);
+  return read_market_vector(read_text_file(file, max_problem_file_size), file, most);
 }
 
 }  // namespace
 
-std::vector<double> read_market_vector(std::string_view text, const std::string& file) {
+std::vector<double> read_market_vector(std::string_view text, const std::string& file,
+                                       std::optional<std::size_t> most) {
   try {
-    return MarketText(text).vector();
+    return MarketText(text).vector(most);
   } catch (const FormatStop& stop) {
     refuse(file, text, stop);
   }
@@ -159,7 +173,7 @@ ReadProblem read_matrix_market(std::string_view text, const std::string& file) {
   if (!q) refuse(file, "found no " + stem + "_q.mtx beside it, expected the vector q there");
   problem.q = *q;
   problem.W = read_market_matrix(text, file, q->size(), q->size());
-  problem.mu = vector_beside(stem, "mu").value_or(std::vector<double>());
+  problem.mu = vector_beside(stem, "mu", q->size()).value_or(std::vector<double>());
   problem.form = problem.mu.empty() ? ProblemForm::complementarity : ProblemForm::local;
   problem.dimension = 1;
   if (!problem.mu.empty()) {
@@ -167,7 +181,7 @@ ReadProblem read_matrix_market(std::string_view text, const std::string& file) {
     if (!found.mistake.empty()) refuse(file, found.key + ": " + found.mistake);
     problem.dimension = found.dimension;
   }
-  const auto r = vector_beside(stem, "r"), u = vector_beside(stem, "u");
+  const auto r = vector_beside(stem, "r", q->size()), u = vector_beside(stem, "u", q->size());
   if (r || u) {
     result.answers.push_back({stem + "_" + (r ? "r" : "u") + ".mtx",
                               r.value_or(std::vector<double>()),

@@ -1,6 +1,7 @@
 // MatrixMarket: a matrix or a vector a file.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,7 +13,9 @@ namespace slipproof {
 inline constexpr std::string_view matrix_market_banner = "%%MatrixMarket";
 
 /// An array of one column (or one row). NaN and infinities are kept. Throws InputError.
-std::vector<double> read_market_vector(std::string_view text, const std::string& file);
+/// More numbers than `most` are refused before they are read.
+std::vector<double> read_market_vector(std::string_view text, const std::string& file,
+                                       std::optional<std::size_t> most = {});
 
 /// A matrix that must have this size: coordinate or array; real or integer; general, symmetric or skew-symmetric.
 /// Throws InputError.

@@ -26,41 +26,45 @@ std::vector<double> in_rows(const NpyHeader& header, std::string_view data) {
   return result;
 }
 
-}  // namespace
-
-std::vector<double> read_npy(std::string_view bytes, const std::string& file, const std::string& name) {
-  const std::string where = name.empty() ? "" : name + ": ";
-  PlainRun run(std::make_shared<const MemoryBytes>(bytes, file), 0);
-  const NpyHeader header = read_npy_header(run, bytes.size(), file, where);
-  if (header.structured || header.fields[0].type.kind != CellType::Kind::real) {
-    const std::string found =
-        header.structured ? "a structured array" : "the type " + in_quotes(header.fields[0].type.name);
-    refuse(file, where + "found " + found + ", expected f8 or f4");
+/// An array of `size` bytes. Its header alone says whether it is read.
+std::vector<double> read_array(ByteRun& run, std::uint64_t size, const std::string& file, const std::string& where,
+                               std::optional<std::size_t> most) {
+  const NpyHeader header = read_npy_header(run, size, file, where);
+  const CellType& type = header.fields[0].type;
+  if (header.structured || !type.is_number()) {
+    refuse(file, where + "found " + (header.structured ? "a structured array" : "the type " + in_quotes(type.name)) +
+                     ", expected f8 or f4, or integers");
   }
   if (header.shape.empty() || header.shape.size() > 2) {
     refuse(file, where + "found " + std::to_string(header.shape.size()) + " dimensions, expected one or two");
   }
-  return in_rows(header, bytes.substr(static_cast<std::size_t>(header.start)));
+  refuse_more(file, where, header.items, most);
+  std::string data(static_cast<std::size_t>(size - header.start), '\0');
+  run.read(data.data(), data.size());
+  return in_rows(header, data);
+}
+
+}  // namespace
+
+std::vector<double> read_npy(std::string_view bytes, const std::string& file, std::optional<std::size_t> most) {
+  PlainRun run(std::make_shared<const MemoryBytes>(bytes, file), 0);
+  return read_array(run, bytes.size(), file, "", most);
 }
 
 std::vector<NamedNumbers> read_npz(std::string_view bytes, const std::string& file,
-                                   const std::function<bool(std::string_view name)>& wanted) {
+                                   const std::function<WantedArray(std::string_view name)>& wanted) {
   const auto archive = std::make_shared<const MemoryBytes>(bytes, file);
-  std::vector<ZipEntry> arrays = zip_entries(*archive);
-  for (ZipEntry& entry : arrays) {
-    if (entry.name.ends_with(".npy")) entry.name.resize(entry.name.size() - 4);
-  }
-  if (arrays.size() != 1) std::erase_if(arrays, [&](const ZipEntry& entry) { return !wanted(entry.name); });
+  const std::vector<ZipEntry> entries = zip_entries(*archive);
   std::vector<NamedNumbers> result;
   std::uint64_t total = 0;
-  for (const ZipEntry& entry : arrays) {
+  for (const ZipEntry& entry : entries) {
+    const std::string own = entry.name.substr(0, entry.name.size() - (entry.name.ends_with(".npy") ? 4 : 0));
+    const std::string name = entries.size() == 1 && !wanted(own).wanted ? "r" : own;
+    const WantedArray array = wanted(name);
+    if (!array.wanted) continue;
     // Many entries may point to the same data.
     if ((total += entry.size) > 1032 * (bytes.size() + 1)) refuse(file, "found sizes that the archive cannot have");
-    std::string content;
-    const auto run = zip_run(archive, entry);
-    content.resize(static_cast<std::size_t>(entry.size));
-    run->read(content.data(), content.size());
-    result.push_back({entry.name, read_npy(content, file, entry.name)});
+    result.push_back({name, read_array(*zip_run(archive, entry), entry.size, file, own + ": ", array.most)});
   }
   return result;
 }

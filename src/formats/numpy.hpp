@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,13 +16,20 @@ struct NamedNumbers {
   std::vector<double> numbers;
 };
 
-/// Of binary64 or binary32, of either byte order, with one or two dimensions; the rows of two one after the other.
-/// Throws InputError; `name` is that of the array in the file, if it has one.
-std::vector<double> read_npy(std::string_view bytes, const std::string& file, const std::string& name = {});
+/// Of binary64, binary32 or integers (the nearest binary64 where one is none), of either byte order, with one or two
+/// dimensions; the rows of two one after the other. More numbers than `most` are refused before they are read. Throws
+/// InputError.
+std::vector<double> read_npy(std::string_view bytes, const std::string& file, std::optional<std::size_t> most = {});
 
-/// The arrays of an archive, stored or deflated: those whose names are `wanted`; the only one, whatever its name. What
-/// they inflate to is at most 1032 times the file. Throws InputError.
+/// What is read of an array in an archive.
+struct WantedArray {
+  bool wanted = false;
+  std::optional<std::size_t> most = std::nullopt;
+};
+
+/// The arrays of an archive, stored or deflated: those that `wanted` says; the only one under the name "r" if its own
+/// is none of them. What they inflate to is at most 1032 times the file. Throws InputError.
 std::vector<NamedNumbers> read_npz(std::string_view bytes, const std::string& file,
-                                   const std::function<bool(std::string_view name)>& wanted);
+                                   const std::function<WantedArray(std::string_view name)>& wanted);
 
 }  // namespace slipproof

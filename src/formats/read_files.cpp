@@ -25,7 +25,7 @@ namespace {
 /// Nothing where no format begins so.
 std::optional<ProblemFormat> format_of(std::string_view bytes) {
   if (bytes.starts_with(hdf5_signature)) return ProblemFormat::fclib;
-  if (bytes.starts_with(matrix_market_banner)) return ProblemFormat::matrix_market;
+  if (bytes.starts_with('%')) return ProblemFormat::matrix_market;  // its banner, or what was meant to be it
   if (WordReader(bytes).rest().starts_with('{')) return ProblemFormat::json;
   if (begins_as_siconos(bytes)) return ProblemFormat::siconos;
   return std::nullopt;
@@ -34,19 +34,20 @@ std::optional<ProblemFormat> format_of(std::string_view bytes) {
 struct PartName {
   std::string_view name;
   std::vector<double> SolverAnswer::*part;
+  std::optional<std::size_t> AnswerSizes::*size;
 };
 
 constexpr std::array<PartName, 10> part_names{{
-    {"r", &SolverAnswer::r},
-    {"z", &SolverAnswer::r},
-    {"reaction", &SolverAnswer::r},
-    {"u", &SolverAnswer::u},
-    {"w", &SolverAnswer::u},
-    {"velocity", &SolverAnswer::u},
-    {"v", &SolverAnswer::v},
-    {"globalVelocity", &SolverAnswer::v},
-    {"l", &SolverAnswer::lambda},
-    {"lambda", &SolverAnswer::lambda},
+    {"r", &SolverAnswer::r, &AnswerSizes::r},
+    {"z", &SolverAnswer::r, &AnswerSizes::r},
+    {"reaction", &SolverAnswer::r, &AnswerSizes::r},
+    {"u", &SolverAnswer::u, &AnswerSizes::u},
+    {"w", &SolverAnswer::u, &AnswerSizes::u},
+    {"velocity", &SolverAnswer::u, &AnswerSizes::u},
+    {"v", &SolverAnswer::v, &AnswerSizes::v},
+    {"globalVelocity", &SolverAnswer::v, &AnswerSizes::v},
+    {"l", &SolverAnswer::lambda, &AnswerSizes::lambda},
+    {"lambda", &SolverAnswer::lambda, &AnswerSizes::lambda},
 }};
 
 const PartName* part_named(std::string_view name) {
@@ -68,29 +69,39 @@ SolverAnswer answer_of(const std::vector<NamedNumbers>& named, const std::string
   return answer;
 }
 
-SolverAnswer npz_answer(std::string_view bytes, const std::string& file) {
-  std::vector<NamedNumbers> arrays =
-      read_npz(bytes, file, [](std::string_view name) { return part_named(name) != nullptr; });
-  if (arrays.size() == 1 && part_named(arrays[0].name) == nullptr) arrays[0].name = "r";
-  return answer_of(arrays, file);
+SolverAnswer npz_answer(std::string_view bytes, const std::string& file, const AnswerSizes& sizes) {
+  return answer_of(read_npz(bytes, file,
+                            [&](std::string_view name) -> WantedArray {
+                              const PartName* part = part_named(name);
+                              if (part == nullptr) return {};
+                              return {true, sizes.*part->size};
+                            }),
+                   file);
 }
 
-SolverAnswer json_answer(std::string_view text, const std::string& file) {
+SolverAnswer json_answer(std::string_view text, const std::string& file, const AnswerSizes& sizes) {
   const JsonNode root = read_json_tree(text, file);
   const JsonNumbers numbers(file);
   std::vector<NamedNumbers> lists;
   for (std::size_t k = 0; k < root.keys.size(); ++k) {
     const std::string& key = root.keys[k];
-    if (part_named(key) != nullptr) lists.push_back({key, numbers.list(root.items[k], key, true)});
+    const PartName* part = part_named(key);
+    if (part == nullptr) continue;
+    lists.push_back({key, numbers.list(root.items[k], key, true)});
+    refuse_more(file, key + ": ", lists.back().numbers.size(), sizes.*part->size);
   }
   return answer_of(lists, file);
 }
 
-std::vector<double> plain_numbers(std::string_view text, const std::string& file) {
+std::vector<double> plain_numbers(std::string_view text, const std::string& file, std::optional<std::size_t> most) {
   WordReader words(text);
   std::vector<double> result;
   try {
-    while (!words.peek().empty()) result.push_back(words.number("a number of the answer"));
+    while (!words.peek().empty()) {
+      if (most && result.size() == *most)
+        words.stop("the end of the " + std::to_string(*most) + " numbers of the answer");
+      result.push_back(words.number("a number of the answer"));
+    }
   } catch (const FormatStop& stop) {
     refuse(file, text, stop);
   }
@@ -115,14 +126,16 @@ void refuse_unknown(std::string_view bytes, const std::string& file) {
   }
 }
 
-SolverAnswer answer_in(const std::string& bytes, const std::string& file) {
-  if (bytes.starts_with(zip_signature)) return npz_answer(bytes, file);
-  if (bytes.starts_with(npy_signature)) return answer_of({{"r", read_npy(bytes, file)}}, file);
+SolverAnswer answer_in(const std::string& bytes, const std::string& file, const AnswerSizes& sizes) {
+  if (bytes.starts_with(zip_signature)) return npz_answer(bytes, file, sizes);
+  if (bytes.starts_with(npy_signature)) return answer_of({{"r", read_npy(bytes, file, sizes.r)}}, file);
   const std::optional<ProblemFormat> format = format_of(bytes);
-  if (format == ProblemFormat::fclib) return read_fclib_answer(bytes, file);
-  if (format == ProblemFormat::json) return json_answer(bytes, file);
-  if (format == ProblemFormat::matrix_market) return answer_of({{"r", read_market_vector(bytes, file)}}, file);
-  return answer_of({{"r", plain_numbers(bytes, file)}}, file);
+  if (format == ProblemFormat::fclib) return read_fclib_answer(bytes, file, sizes);
+  if (format == ProblemFormat::json) return json_answer(bytes, file, sizes);
+  if (format == ProblemFormat::matrix_market) {
+    return answer_of({{"r", read_market_vector(bytes, file, sizes.r)}}, file);
+  }
+  return answer_of({{"r", plain_numbers(bytes, file, sizes.r)}}, file);
 }
 
 /// With all remarks.
@@ -162,8 +175,8 @@ ReadProblem read_problem_line(std::string_view line, const std::string& file) {
   return checked(read_json_problem(line, file), file);
 }
 
-SolverAnswer read_answer_file(const std::string& path) {
-  SolverAnswer answer = answer_in(read_text_file(path, max_problem_file_size), path);
+SolverAnswer read_answer_file(const std::string& path, const AnswerSizes& sizes) {
+  SolverAnswer answer = answer_in(read_text_file(path, max_problem_file_size), path, sizes);
   answer.origin = path;
   if (answer.r.empty() && answer.u.empty()) {
     refuse(path, "found neither r nor u, expected an answer: numbers, or r, u, v and lambda under their names");
@@ -190,6 +203,7 @@ bool is_problem_file(const std::string& path) {
   start.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
   const std::optional<ProblemFormat> format = format_of(start);
   if (format != ProblemFormat::json) return format.has_value();
+  if (is_json_lines(path)) return false;
   file.clear();
   file.seekg(0);
   return file.good() && begins_as_json_problem(file);

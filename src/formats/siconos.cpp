@@ -129,13 +129,8 @@ ProblemFile read_siconos(std::string_view text, const std::string& file) {
 }
 
 bool begins_as_siconos(std::string_view text) {
-  WordReader words(text);
-  for (int k = 0; k < 3; ++k) {
-    const std::string_view word = words.next();
-    const bool digits = word.find_first_not_of("0123456789") == std::string_view::npos;
-    if (word.empty() || word.size() > 10 || !digits) return false;
-  }
-  return true;
+  const std::string_view word = WordReader(text).peek();
+  return word.find_first_of("0123456789") < 2 && read_binary64(word).has_value();
 }
 
 }  // namespace slipproof

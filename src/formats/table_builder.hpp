@@ -22,6 +22,8 @@ class TableBuilder {
 
   /// A part of so many items, whose name is for messages.
   std::size_t add_part(std::unique_ptr<ByteRun> run, std::size_t item, std::uint64_t items, const std::string& name) {
+    constexpr std::size_t widest = 1U << 20U;
+    if (item > widest) fail(name + ": found items of " + std::to_string(item) + " bytes, expected at most 1048576");
     table_.parts.push_back({std::move(run), item, false, {}});
     sizes_.emplace_back(items, name);
     return table_.parts.size() - 1;

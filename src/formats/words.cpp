@@ -43,6 +43,12 @@ void refuse(const std::string& file, const std::string& message) {
   throw InputError({Diagnostic{.file = file, .message = message}});
 }
 
+void refuse_more(const std::string& file, const std::string& where, std::uint64_t found,
+                 std::optional<std::size_t> expected) {
+  if (!expected || found <= *expected) return;
+  refuse(file, where + "found " + std::to_string(found) + " numbers, expected " + std::to_string(*expected));
+}
+
 std::size_t WordReader::position() {
   position_ = std::min(text_.find_first_not_of(blanks, position_), text_.size());
   return position_;

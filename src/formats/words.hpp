@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,6 +31,10 @@ Place place_in(std::string_view text, std::size_t position);
 [[noreturn]] void refuse(const std::string& file, std::string_view text, const FormatStop& stop);
 /// The same without a place in a text.
 [[noreturn]] void refuse(const std::string& file, const std::string& message);
+
+/// Throws InputError where there are more numbers than expected, before room is made for them.
+void refuse_more(const std::string& file, const std::string& where, std::uint64_t found,
+                 std::optional<std::size_t> expected);
 
 /// Words are what blanks and line ends part. What is not as expected throws FormatStop; `expected` is its name there.
 class WordReader {

@@ -1,4 +1,4 @@
-// What Python's json writes and no other reads: NaN, Infinity and -Infinity.
+// What Python's json writes and no other reads: NaN, Infinity and -Infinity; and numbers beyond binary64's range.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace slipproof {
 
-/// One of the words, and the byte of the line at which it stands, from 1.
+/// One of the words or of those numbers, and the byte of the line at which it stands, from 1.
 struct JsonWord {
   std::string_view text;
   std::size_t column = 0;

@@ -167,7 +167,7 @@ struct Source {
 std::shared_ptr<const JudgedProblem> judge(const Source& source, ContactFileOptions options) {
   ReadProblem read = source.read ? *source.read : read_problem_file(source.name);
   if (source.answer) {
-    options.answer = read_answer_file(*source.answer);
+    options.answer = read_answer_file(*source.answer, answer_sizes(read.problem));
     Mistakes mistakes(*source.answer);
     check_answer(read.problem, *options.answer, "the answer's ", mistakes);
     mistakes.refuse_if_any();

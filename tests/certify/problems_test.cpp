@@ -278,6 +278,28 @@ TEST_CASE("the shipped examples get the verdicts that their table tells, and the
   CHECK(record.problem.mu == problem->mu);
 }
 
+TEST_CASE("one mu for what may be planar or in space asks for the dimension") {
+  // Two contacts in space, each with the one right answer; taken for three in the plane it would be wrong.
+  const std::string rows = "[[1,0,0,0,0,0],[0,1,0,0,0,0],[0,0,1,0,0,0],[0,0,0,1,0,0],[0,0,0,0,1,0],[0,0,0,0,0,1]]";
+  const std::string rest = R"("q":[-1,0.1,0.1,-1,0,0],"mu":0.5,"z":[1,-0.1,-0.1,1,0,0])";
+  const Json open = judged("{\"W\":" + rows + "," + rest + "}");
+  CHECK(open["verdict"] == "invalid");
+  CHECK(
+      open["reason"].get<std::string>().find(
+          "dimension: found nothing, and one mu for 6 components, expected 2 or 3: they are of 3 contacts in the plane "
+          "or of 2 in space") != std::string::npos);
+  CHECK(judged("{\"dimension\":3,\"W\":" + rows + "," + rest + "}")["verdict"] == "solution within rho");
+  CHECK(judged("{\"dimension\":2,\"W\":" + rows + "," + rest + "}")["verdict"] == "wrong");
+  // With a coefficient for each contact the sizes say it.
+  const std::string planar = R"("q":[-1,0.1,-1,0.1,-1,0],"mu":[0.5,0.5,0.5],"z":[1,-0.1,1,-0.1,1,0])";
+  CHECK(judged("{\"W\":" + rows + "," + planar + "}")["verdict"] == "certified");
+}
+
+TEST_CASE("an answer may be called r and u, as at real size") {
+  const Json line = judged(R"({"title":"x","W":[[1,0],[0,1]],"q":[-1,0.1],"mu":0.5,"r":[1,-0.1],"u":[0,0]})");
+  CHECK(line["verdict"] == "certified");
+}
+
 TEST_CASE("decimals mean the nearest binary64, or themselves") {
   const std::string tenth = R"({"M":[[0.1]],"q":[-1],"z":[10]})";
   CHECK(judged(tenth)["max_relative_error"] != "0");
@@ -288,10 +310,17 @@ TEST_CASE("decimals mean the nearest binary64, or themselves") {
 }
 
 TEST_CASE("an answer that is no number is invalid, a line that is no problem is broken") {
-  for (const char* z : {R"(["nan",1])", R"([1,"-inf"])", R"([1,"1e400"])", R"(["Infinity",1])"}) {
+  const std::vector<std::pair<std::string, std::string>> answers{
+      {R"(["nan",1])", "z[1]: found nan, expected a finite number"},
+      {R"([1,"-inf"])", "z[2]: found -inf, expected a finite number"},
+      {R"([1,"1e400"])", "z[2]: found 1e400, expected a number that binary64 can hold"},
+      {R"([1e999,1])", "z[1]: found 1e999, expected a number that binary64 can hold"},
+      {"[1," + std::string(400, '9') + "]", "expected a number that binary64 can hold"},
+      {R"(["Infinity",1])", "z[1]: found Infinity, expected a finite number"}};
+  for (const auto& [z, reason] : answers) {
     const Json line = judged(definite + R"("z":)" + z + "}");
     CHECK(line["verdict"] == "invalid");
-    CHECK(line["reason"].get<std::string>().find("expected a finite number") != std::string::npos);
+    CHECK_MESSAGE(line["reason"].get<std::string>().find(reason) != std::string::npos, line["reason"]);
   }
   const std::vector<std::pair<std::string, std::string>> rows{
       {R"({"q":[1],"z":[0]})", "found no W"},
@@ -309,13 +338,19 @@ TEST_CASE("an answer that is no number is invalid, a line that is no problem is 
       {R"({"M":[[1]],"q":[1],"z":["x"]})", "z[1]: found 'x'"},
       {R"({"M":[["nan"]],"q":[1],"z":[0]})", "M[1][1]: found"},
       {R"({"M":[["1e400"]],"q":[1],"z":[0]})", "expected a number that binary64 can hold"},
+      {R"({"M":[[-1e999]],"q":[1],"z":[0]})", "M[1][1]: found -1e999, expected a number that binary64 can hold"},
+      {R"({"W":[[1,0,0],[0,1,0],[0,0,1]],"q":[1,2,3],"mu":1,"z":[0,0,0]})",
+       "dimension: found nothing, and contacts of 3 components, expected \"dimension\": 3"},
+      {R"({"M":[[1]],"q":[1],"z":[0],"r":[0]})", "found z and r, expected one of them"},
       {R"({"M":[[null]],"q":[1],"z":[0]})", "M: found null, expected numbers"},
       {R"({"M":[[true]],"q":[1],"z":[0]})", "found a truth value"},
       {R"({"M":{},"q":[1],"z":[0]})", "found an object"},
       {R"({"M":[[1]],"q":[1],"z":[0],"mode":"x"})", "mode: found 'x', expected letters z and w"},
       {R"({"M":[[1]],"q":[1],"z":[0],"mode":3})", "mode: found '3'"},
-      {R"({"M":[[1]],"q":[1],"mu":1,"z":[0]})", "mu: found no contacts"},
-      {R"({"M":[[1]],"q":[1],"mu":[1,1],"z":[0]})", "found 2 coefficients mu for 1 components of q"},
+      {R"({"M":[[1]],"q":[1],"mu":1,"z":[0]})",
+       "mu: found one number for 1 components, expected 2 or 3 components for each contact"},
+      {R"({"M":[[1]],"q":[1],"mu":[1,1],"z":[0]})",
+       "mu: found 2 coefficients for 1 components, expected 2 or 3 components for each contact"},
       {R"({"W":[[1,0],[0,1]],"q":[1,1],"mu":-1,"z":[0,0]})", "found mu1 = -1, expected >= 0"},
       {R"({"W":[[1,0],[0,1]],"q":[1,1],"mu":1,"z":[0,0],"mode":"zw"})", "expected states like stick/slip+/lift"},
       {R"({"M":[[1]],"q":[1],"z":[0],"nme":1})", "found the key 'nme'"},

@@ -78,6 +78,26 @@ TEST_CASE("NumPy's arrays of either byte order, width and order of dimensions") 
   CHECK(answer(npy(header("<f8", "True", "(2, 3)"), raw({1, 4, 2, 5, 3, 6}))).r == Numbers{1, 2, 3, 4, 5, 6});
 }
 
+TEST_CASE("NumPy's whole numbers are numbers") {
+  CHECK(answer(npy(header("<i8", "False", "(2,)"), little(5, 8) + little(~std::uint64_t{0}, 8))).r == Numbers{5, -1});
+  CHECK(answer(npy(header("|u1", "False", "(2,)"), "\x05\xff")).r == Numbers{5, 255});
+}
+
+TEST_CASE("more numbers than the problem has are refused in every format") {
+  const Folder folder;
+  const auto said = [&](const std::string& content) {
+    const std::string path = folder.write("a", content);
+    return refusal([&] { read_answer_file(path, {.r = 2, .u = 2, .v = 0, .lambda = 0}); }, path);
+  };
+  CHECK(said(three) == "FILE: found 3 numbers, expected 2");
+  CHECK(said(zip({{"z.npy", three}})) == "FILE: z: found 3 numbers, expected 2");
+  CHECK(said(zip({{"any.npy", three}})) == "FILE: any: found 3 numbers, expected 2");
+  CHECK(said("1 2\n3 x") == "FILE:2:1: found '3', expected the end of the 2 numbers of the answer");
+  CHECK(said("%%MatrixMarket matrix array real general\n3 1\n1\n") == "FILE:2:1: found 3 numbers, expected 2");
+  CHECK(said(R"({"r": [1, 2], "u": [1, 2, 3]})") == "FILE: u: found 3 numbers, expected 2");
+  CHECK(said(npy(header("<f8", "False", "(2,)"), raw({1, 2}))).empty());
+}
+
 TEST_CASE("archives of NumPy") {
   const std::string two = npy(header("<f8", "False", "(2,)"), raw({7, 8}));
   CHECK(answer(zip({{"anything.npy", three}})).r == Numbers{1, -2.5, 1e300});
@@ -114,7 +134,8 @@ TEST_CASE("malformed answers are refused") {
           {npy(header("<f8", "False", "(99999999999999999999999,)"), numbers), "FILE: found the shape"},
           {npy(header("<f8", "False", "(1, 2, 1)"), numbers), "FILE: found 3 dimensions, expected one or two"},
           {npy(header("<f8", "False", "()"), numbers.substr(8)), "FILE: found 0 dimensions"},
-          {npy(header("<i8", "False", "(2,)"), numbers), "FILE: found the type '<i8', expected f8 or f4"},
+          {npy(header("<c16", "False", "(1,)"), numbers),
+           "FILE: found the type '<c16', expected f8 or f4, or integers"},
           {npy(header("|O", "False", "(2,)"), numbers),
            "FILE: found Python objects ('|O'), which only Python could read"},
           {npy(header("<f8", "Maybe", "(2,)"), numbers),

@@ -47,6 +47,18 @@ TEST_CASE("one coefficient stands for all contacts") {
   CHECK(read.problem.mu == Numbers{0.3, 0.3});
 }
 
+TEST_CASE("the sizes say the dimension where they leave one") {
+  const auto dimension = [](const std::string& size, const std::string& q, const std::string& mu) {
+    return json(R"({"W": {"rows": )" + size + R"(, "columns": )" + size + R"(, "entries": []}, "q": [)" + q +
+                "], \"mu\": " + mu + "}")
+        .problem.dimension;
+  };
+  CHECK(dimension("2", "1,2", "1") == 2);
+  CHECK(dimension("3", "1,2,3", "1") == 3);
+  CHECK(dimension("6", "1,2,3,4,5,6", "[1,2]") == 3);
+  CHECK(dimension("6", "1,2,3,4,5,6", "[1,2,3]") == 2);
+}
+
 TEST_CASE("without mu and dimension it is a complementarity problem; M is another name of W") {
   const ReadProblem read = json(R"({"M": [[1, 2], [3, 4]], "q": [-1, -2], "z": [1, 0], "w": [0, 1]})");
   CHECK(read.problem.form == ProblemForm::complementarity);
@@ -93,6 +105,12 @@ TEST_CASE("what is for the reader of records stays so") {
   CHECK_FALSE(begins(R"({"a": {"dimension": 3}})"));
   CHECK_FALSE(begins("{"));
   CHECK_FALSE(begins("{\"z\": [NaN]}"));
+  // Nothing that stands before the dimension hides it.
+  CHECK(begins("\n{\"r\": [NaN, 1e999, -Infinity], \"title\": \"\\\"dimension\\\": 2}\", \"dimension\" : 3 }"));
+  CHECK_FALSE(begins("{\"title\": \"dimension: 3\", \"dimension\": 33}"));
+  // On several lines it is no record, whatever the dimension.
+  CHECK(begins("{\n\"W\": [[1]], \"q\": [1], \"z\": [0]}"));
+  CHECK_FALSE(begins("{\n\"h\": 1, \"f\": 2}"));
 }
 
 TEST_CASE("lines of JSON Lines that are for this reader") {
@@ -101,6 +119,13 @@ TEST_CASE("lines of JSON Lines that are for this reader") {
   CHECK(is_json_problem(R"({"M": [[1]], "f": [1], "H": [[1]], "w": [0]})"));
   CHECK_FALSE(is_json_problem(R"({"dimension": 2, "W": [[1, 2], [3, 4]], "q": [1, 2], "mu": 0.5, "z": [1, 2]})"));
   CHECK_FALSE(is_json_problem(R"({"h": 1, "f": 2, "a": 3})"));
+}
+
+TEST_CASE("lists of numbers and of anything else are read alike") {
+  const ReadProblem read = json(R"({"W": [[1, "2"], ["3", 4]], "q": [1, "2"], "z": [1, 2]})");
+  CHECK(dense(read.problem.W) == Numbers{1, 2, 3, 4});
+  CHECK(read.problem.q == Numbers{1, 2});
+  CHECK(problem_refusal(Folder().write("p.json", R"({"W": [1, 2], "q": [1, 2], "z": [1, 2]})")) != "");
 }
 
 TEST_CASE("JSON Lines are told from one object, in one line or in several") {
@@ -124,7 +149,8 @@ TEST_CASE("malformed JSON is refused with its place or its path") {
       {
           {"{", "FILE:1:2: found no JSON object: "},
           {"{\"dimension\": 3,\n \"W\" [[1]]}", "FILE:2:6: found no JSON object: "},
-          {"{\"q\": [1e999]}", "FILE:1:"},
+          {"{\"q\": [1e999]}", "FILE: q[1]: found an infinity, or a number that becomes one, expected a finite number"},
+          {"{\"q\": [1, \"2\", 3, 1e999x]}", "FILE:1:"},
           {"{\"q\": [01]}", "FILE:1:9: found no JSON object: "},
           {R"({"q": [1, 2], "q": [1, 2]})", "FILE: found the key 'q' twice, expected it once"},
           {"{NaN: 1}", "FILE:1:2: found NaN, expected a key"},
@@ -138,12 +164,12 @@ TEST_CASE("malformed JSON is refused with its place or its path") {
            "FILE: the number of columns of W[2]: found 1, expected 2, as the vectors are long"},
           {start + "[[1, 2], [3, null]]}", "FILE: W[2][2]: found no number, expected one"},
           {start + "[[1, 2], [3, NaN]]}", "FILE: W[2][2]: found NaN, expected a finite number"},
-          {start + "[[1, 2], [3, -Infinity]]}", "FILE: W[2][2]: found an infinity, expected a finite number"},
+          {start + "[[1, 2], [3, -Infinity]]}", "FILE: W[2][2]: found an infinity, or a number that becomes one"},
           {start + "[[1, 2], [3, \"1/3\"]]}",
            "FILE: W[2][2]: found '1/3', expected a number that binary64 holds exactly"},
           {start + "[[1, 2], [3, \"0x1.00000000000001p0\"]]}",
            "FILE: W[2][2]: found '0x1.00000000000001p0', expected a number that binary64 holds exactly"},
-          {start + "[[1, 2], [3, \"1e9999999\"]]}", "FILE: W[2][2]: found an infinity, expected a finite number"},
+          {start + "[[1, 2], [3, \"1e9999999\"]]}", "FILE: W[2][2]: found an infinity, or a number that becomes one"},
           {start + "[[1, 2], [3, \"1e4999/3\"]]}", "FILE: W[2][2]: found a '/' after a number"},
           {start + "[[1, 2], [3, \"0x1p99999999\"]]}", "FILE: W[2][2]: found the exponent 99999999, expected one from"},
           {start + "[[1, 2], [3, \"x\"]]}", "FILE: W[2][2]: found 'x', expected a digit"},
@@ -168,7 +194,9 @@ TEST_CASE("malformed JSON is refused with its place or its path") {
           {rows + R"("Mu": 1})", "FILE: mu: found nothing, expected a coefficient of friction"},
           {rows + R"("mu": 1, "r": [1, 2, 3]})", "FILE: r, u: r: found 3 numbers, expected 2"},
           {rows + R"("mu": 1, "r": [1, 2], "z": [1, 2]})", "FILE: z: found it beside r, expected one of them"},
-          {R"({"W": [[1]], "q": [1], "mu": 1})", "FILE: dimension: found nothing, expected 2 or 3"},
+          {R"({"W": [[1]], "q": [1], "mu": 1})", "FILE: mu: found one number for 1 components, expected 2 or 3"},
+          {R"({"W": {"rows": 6, "columns": 6, "entries": []}, "q": [1,2,3,4,5,6], "mu": 1})",
+           "FILE: dimension: found nothing, and one mu for 6 components, expected 2 or 3: they are of 3 contacts"},
           {R"({"dimension": 4, "W": [[1]], "q": [1], "mu": 1})", "FILE: dimension: found 4, expected 2 or 3"},
           {R"({"dimension": 2, "W": [[1]], "q": [1], "mu": 1})",
            "FILE: found 1 components, expected a multiple of the dimension 2"},

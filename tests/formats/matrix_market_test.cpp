@@ -52,7 +52,7 @@ TEST_CASE("the vectors beside a matrix make the problem") {
   CHECK(is_problem_file(path));
   folder.write("p_mu.mtx", banner + "array real general\n2 1\n0.5\n0.5\n");
   CHECK(problem_refusal(path) ==
-        "FILE: found 2 coefficients of friction for 2 components, expected 2 or 3 components for each");
+        "FILE: mu: found 2 coefficients for 2 components, expected 2 or 3 components for each contact");
   folder.write("p_mu.mtx", banner + "array real general\n1 1\n-1\n");
   CHECK(problem_refusal(path) == "FILE: mu[1]: found -1, expected a coefficient of friction, which is not negative");
   folder.write("p_q.mtx", banner + "array real general\n2 1\n-1\ninf\n");
@@ -82,6 +82,11 @@ TEST_CASE("malformed MatrixMarket files are refused at their place") {
        "FILE:2:1: found the entry in row 1 and column 1 twice"},
       {banner + "coordinate real general\n2 2 1\n1 1 NaN\n",
        "FILE:3:5: found 'NaN', expected an entry of the matrix, finite"},
+      {banner + "coordinate integer general\n2 2 1\n1 1 1.5\n",
+       "FILE:3:5: found '1.5', expected an entry of the matrix, a whole number, as the first line says integer"},
+      {banner + "array integer general\n2 2\n1\n2\n3e0\n4\n",
+       "FILE:5:1: found '3e0', expected an entry of the matrix, a"},
+      {"%MatrixMarket matrix array real general\n2 2\n", "FILE:1:1: found '%MatrixMarket', expected '%%MatrixMarket'"},
       {banner + "coordinate real general\n2 2 1\n1 1 1/2\n", "FILE:3:5: found '1/2', expected an entry of the matrix"},
       {banner + "coordinate real general\n2 2 1\n1 1 4\n9\n", "FILE:4:1: found '9', expected the end of the file"},
       {banner + "coordinate real general\n3 3 0\n",

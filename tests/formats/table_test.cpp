@@ -447,6 +447,15 @@ TEST_CASE("tables of HDF5 that are none are refused with their paths") {
           f.group("/g");
           H5Lcreate_hard(f.file(), "/g", f.file(), "/g/g", H5P_DEFAULT, H5P_DEFAULT);
         }).ends_with("found groups in groups, expected --table with the place of the records"));
+  const ChunkedSet large(1U << 22U, true);  // 32 MiB for three numbers, of which some kilobytes stand in the file
+  CHECK(refused([&](const Hdf5Writer& f) {
+          const hsize_t three = 3, any = H5S_UNLIMITED;
+          const hid_t space = H5Screate_simple(1, &three, &any);
+          const hid_t set = H5Dcreate2(f.file(), "/a", H5T_IEEE_F64LE, space, H5P_DEFAULT, large.get(), H5P_DEFAULT);
+          REQUIRE(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, Numbers{1, 2, 3}.data()) >= 0);
+          H5Dclose(set);
+          H5Sclose(space);
+        }) == "FILE: /a: found chunks of 4194304 items for 3, expected no larger ones than what is in them");
   refused([&](const Hdf5Writer& f) { f.reals("/a", {1, 2, 3, 4, 5, 6, 7, 8}, H5T_IEEE_F64LE, chunks.get()); });
   std::string bytes = [&] {
     std::ifstream in(path, std::ios::binary);
