@@ -54,17 +54,17 @@ std::vector<double> read_npy(std::string_view bytes, const std::string& file, st
 std::vector<NamedNumbers> read_npz(std::string_view bytes, const std::string& file,
                                    const std::function<WantedArray(std::string_view name)>& wanted) {
   const auto archive = std::make_shared<const MemoryBytes>(bytes, file);
-  const std::vector<ZipEntry> entries = zip_entries(*archive);
+  std::vector<ZipEntry> entries = zip_entries(*archive);
   std::vector<NamedNumbers> result;
   std::uint64_t total = 0;
-  for (const ZipEntry& entry : entries) {
-    const std::string own = entry.name.substr(0, entry.name.size() - (entry.name.ends_with(".npy") ? 4 : 0));
-    const std::string name = entries.size() == 1 && !wanted(own).wanted ? "r" : own;
+  for (ZipEntry& entry : entries) {
+    if (entry.name.ends_with(".npy")) entry.name.resize(entry.name.size() - 4);
+    const std::string name = entries.size() == 1 && !wanted(entry.name).wanted ? "r" : entry.name;
     const WantedArray array = wanted(name);
     if (!array.wanted) continue;
     // Many entries may point to the same data.
     if ((total += entry.size) > 1032 * (bytes.size() + 1)) refuse(file, "found sizes that the archive cannot have");
-    result.push_back({name, read_array(*zip_run(archive, entry), entry.size, file, own + ": ", array.most)});
+    result.push_back({name, read_array(*zip_run(archive, entry), entry.size, file, entry.name + ": ", array.most)});
   }
   return result;
 }

@@ -31,7 +31,8 @@ bool is_beyond_binary64(std::string_view number) {
   if (number.size() <= digits_within && number.find_first_of("eE") == std::string_view::npos) return false;
   double value = 0;
   const auto [end, error] = fast_float::from_chars(number.data(), number.data() + number.size(), value);
-  return error == std::errc::result_out_of_range && end == number.data() + number.size() && std::isinf(value);
+  const bool read = error == std::errc() || error == std::errc::result_out_of_range;
+  return read && end == number.data() + number.size() && std::isinf(value);
 }
 
 }  // namespace

@@ -56,6 +56,18 @@ TEST_CASE("exit codes of contact problems") {
   CHECK(line_of(excluded)["verdict"] == "no solution within rho");
 }
 
+TEST_CASE("what is looked for beyond a judgement does not end it") {
+  // Looking for a second solution, Newton's method met a NaN: no record, and the exit code of what is refuted.
+  const char* given = std::getenv("SLIPPROOF_SHARED");
+  const std::filesystem::path shared = given != nullptr ? given : SLIPPROOF_SOURCE_DIR "/../shared/data";
+  const std::filesystem::path problem = shared / "siconos/Confeti-ex13-Fc3D-SBM.dat";
+  if (!std::filesystem::exists(problem)) return;
+  const auto outcome = run({"certify", problem, "--answer", shared / "siconos/Confeti-ex13-Fc3D-SBM.nsgs-1e-12.json"});
+  CHECK(outcome.exit_code == 0);
+  CHECK(line_of(outcome)["verdict"] == "solution within rho");
+  CHECK(outcome.err.empty());
+}
+
 TEST_CASE("a pyramid's answer is told as that, and is right for its own law") {
   const TemporaryFolder folder;
   const auto file = folder.write("p.json", R"({"dimension": 3, "W": [[1,0,0],[0,1,0],[0,0,1]], "q": [-10, 9, 9],

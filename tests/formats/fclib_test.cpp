@@ -346,7 +346,7 @@ TEST_CASE("strange HDF5 files are refused with the path") {
       {[](const Hdf5Writer& out) {
          write_solution(out, {1, 2, 3}, {1, 2});
        },
-       "/solution: r: found 3 numbers, expected 2"},
+       "/solution/r: found 3 numbers, expected 2"},
       {[](const Hdf5Writer& out) {
          out.group("/guesses");
          out.integers("/guesses/number_of_guesses", {1LL << 40}, H5T_STD_I64LE);

@@ -21,7 +21,7 @@ std::vector<std::filesystem::path> files_in(const char* folder) {
   std::vector<std::filesystem::path> result;
   std::error_code none;
   for (const auto& entry : std::filesystem::directory_iterator(shared_data() / folder, none)) {
-    result.push_back(entry.path());
+    if (entry.path().extension() != ".json") result.push_back(entry.path());  // answers
   }
   if (result.empty()) MESSAGE("skipped: there is no " << (shared_data() / folder).string());
   return result;

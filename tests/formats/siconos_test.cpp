@@ -228,6 +228,13 @@ TEST_CASE("malformed texts of Siconos are refused at their place") {
       "p.dat", problem_refusal);
 }
 
+TEST_CASE("what begins with a number is no header of records, whatever follows") {
+  const Folder folder;
+  const auto is_problem = [&](const std::string& text) { return is_problem_file(folder.write("p.dat", text)); };
+  for (const char* text : {"3", "3\n31\n", "3.0 1 0", "-3 1 0", "3 1x 0", "\n 2 1"}) CHECK(is_problem(text));
+  for (const char* text : {"", "R,h\n1,2\n", "3,1,0", "inf 1 2", "mode\n"}) CHECK_FALSE(is_problem(text));
+}
+
 TEST_CASE("a text that is cut off anywhere is refused or ends with whole data") {
   for (const std::string& text : {one_contact, block_contact}) {
     for (std::size_t size = 0; size < text.size(); ++size) {
