@@ -19,8 +19,8 @@ bool is_function(const Expression& e);
 bool has_function(const Expression& e);
 /// Of what is written without a division.
 bool has_no_division(const Expression& e);
-/// All that it divides by, bases of negative powers among it: it has a value where none of them is 0. What stands within
-/// a divisor comes before it.
+/// All that it divides by, bases of negative powers among it: it has a value where none of them is 0. What stands
+/// within a divisor comes before it.
 std::vector<Expression> divisors(const Expression& e);
 
 /// The condition without the functions that are `wanted`. `defined` says of an expression that it has a value wherever

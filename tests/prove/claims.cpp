@@ -157,9 +157,9 @@ TEST_CASE("a limit is proved from a value on, and only if that value is defined 
   };
   CHECK(proved("b/(h + R)"));
   CHECK(proved("2*b/(h + R)"));
-  CHECK(!proved("b/(2*(h + R))"));                           // too small
-  CHECK(!proved("b/(h + R) + 1/h"));                         // not defined for h = 0
-  CHECK_THROWS_AS(proved("b/(h + R - h - R)"), InputError);  // nowhere defined: all beyond it would hold
+  CHECK(!proved("b/(2*(h + R))"));      // too small
+  CHECK(!proved("b/(h + R) + 1/h"));    // not defined for h = 0
+  CHECK(!proved("b/(h + R - h - R)"));  // nowhere defined: all beyond it would hold
   CHECK(!proved(""));
   for (const auto& [id, reading] : {std::pair("R3.3.1", Reading::printed), std::pair("R3.3.2", Reading::repaired)}) {
     CHECK(find_claim_proof(claims, *claims.find(id), reading).proved);
