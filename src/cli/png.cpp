@@ -55,11 +55,13 @@ std::string png_of(std::string_view svg) {
 
 #else
 
+#include <CLI/CLI.hpp>
+
 namespace slipproof::cli {
 
 std::string png_of(std::string_view) {
-  throw std::runtime_error(
-      "this slipproof was built without librsvg and writes no PNG; use --svg, or install librsvg2-dev and build again");
+  throw CLI::ValidationError(
+      "PNG", "found a slipproof that was built without librsvg: use SVG, or install librsvg2-dev and build again");
 }
 
 }  // namespace slipproof::cli

@@ -6,7 +6,7 @@
 
 namespace slipproof::cli {
 
-/// The picture at twice its size in pixels. Throws std::runtime_error, which says so if the program has no librsvg.
+/// The picture at twice its size in pixels. An error of usage if the program was built without librsvg.
 std::string png_of(std::string_view svg);
 
 }  // namespace slipproof::cli
