@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "certify/columns.hpp"
 #include "modes/bicycle_motions.hpp"
@@ -40,11 +41,14 @@ double number_in(const std::string& cell) {
   return std::strtod(cell.c_str(), nullptr);
 }
 
-/// The sprocket's angular acceleration, which the mechanism asks for: exactly that of the right answer.
-std::string eps1_of(const Cells& cells) {
+/// The sprocket's angular acceleration, which the mechanism asks for, from those of the frame and the rear wheel.
+/// Nothing if these are rounded too much for it: it may be small, and they far larger, where the gear ratio is large.
+std::optional<std::string> eps1_of(const Cells& cells) {
   const auto exact = [&](std::size_t i) { return to_rational(number_in(cells[i])); };
-  const Rational ratio = exact(9) / exact(8);
-  return exact_text(Rational(ratio * exact(20) + (1 - ratio) * exact(19)));
+  const Rational ratio = exact(9) / exact(8), of_wheel = ratio * exact(20), of_frame = (1 - ratio) * exact(19);
+  const Rational eps1 = of_wheel + of_frame;
+  if (Rational(abs(eps1)) * 1000 < Rational(abs(of_wheel)) + Rational(abs(of_frame))) return std::nullopt;
+  return exact_text(eps1);
 }
 
 /// Right answers, and such as are wrong by little or much in one component, zeros too.
@@ -54,7 +58,9 @@ std::vector<Cells> answers(std::size_t count) {
   std::vector<Cells> result;
   while (result.size() < count) {
     Cells cells = records.next();
-    cells.push_back(eps1_of(cells));
+    const std::optional<std::string> eps1 = eps1_of(cells);
+    if (!eps1) continue;
+    cells.push_back(*eps1);
     const std::size_t at = answer_cell + result.size() % (eps1_cell - answer_cell);
     const double x = std::strtod(cells[at].c_str(), nullptr), draw = std::fabs(random.signed_log(1, 1e7));
     const double error = 1e-14 * draw * draw;
