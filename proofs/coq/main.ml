@@ -133,7 +133,7 @@ let certificates path =
   else if extension path = ".statement" then [ with_extension path ".cert" ]
   else [ path ]
 
-(* How many bytes from a place are one character that can be shown, as in src/check/files.cpp. *)
+(* How many bytes from a place are one character that can be shown, as in src/proofs/check/files.cpp. *)
 let shown_character text place =
   let byte i = if place + i < String.length text then Char.code text.[place + i] else 0 in
   let first = byte 0 and second = byte 1 in

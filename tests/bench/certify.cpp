@@ -1,13 +1,13 @@
 // Records of solvers from CSV, from .npy and from memory: the same ones, 26 columns, judged on one core.
-#include "certify/certify.hpp"
+#include "records/certify/certify.hpp"
 
 #include <benchmark/benchmark.h>
 
 #include <filesystem>
 #include <fstream>
 
-#include "certify/columns.hpp"
-#include "certify/table_records.hpp"
+#include "records/certify/columns.hpp"
+#include "records/certify/table_records.hpp"
 #include "support/npy_file.hpp"
 #include "support/solver_records.hpp"
 

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "enclosure/exact_lcp.hpp"
-#include "enclosure/judge.hpp"
-#include "number/dice.hpp"
+#include "base/number/dice.hpp"
+#include "contact/exact/exact_lcp.hpp"
+#include "contact/judge/judge.hpp"
 
 namespace {
 

@@ -1,14 +1,14 @@
 // The filter beside the same enumeration of modes in plain binary64, which tolerates what it cannot know.
-#include "filter/filter.hpp"
+#include "floating/filter/filter.hpp"
 
 #include <benchmark/benchmark.h>
 
 #include <string>
 
-#include "filter/batch.hpp"
-#include "filter/lanes.hpp"
-#include "filter/vector_kernel.hpp"
-#include "number/binary64.hpp"
+#include "base/number/binary64.hpp"
+#include "floating/filter/batch.hpp"
+#include "floating/filter/lanes.hpp"
+#include "floating/filter/vector_kernel.hpp"
 #include "support/filter_scenes.hpp"
 
 namespace {

@@ -3,7 +3,7 @@
 #include <flint/fmpq_mat.h>
 
 #include "bench/examples.hpp"
-#include "modes/mode_table.hpp"
+#include "mechanics/bicycle_modes/mode_table.hpp"
 #include "support/raw_solver.hpp"
 
 namespace {

@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/examples.hpp"
-#include "modes/motions.hpp"
+#include "mechanics/bicycle_modes/motions.hpp"
 #include "support/raw_solver.hpp"
 
 namespace {

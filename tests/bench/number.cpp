@@ -1,6 +1,6 @@
 #include <benchmark/benchmark.h>
 
-#include "number/rational.hpp"
+#include "base/number/rational.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/certify.hpp"
+#include "records/certify/certify.hpp"
 
 namespace slipproof::test {
 

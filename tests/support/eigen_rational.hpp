@@ -3,7 +3,7 @@
 
 #include <Eigen/Dense>
 
-#include "number/rational.hpp"
+#include "base/number/rational.hpp"
 
 template <>
 struct Eigen::NumTraits<slipproof::Rational> : Eigen::GenericNumTraits<slipproof::Rational> {

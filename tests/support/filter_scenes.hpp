@@ -5,8 +5,8 @@
 #include <random>
 #include <vector>
 
-#include "filter/filter.hpp"
-#include "number/binary64.hpp"
+#include "base/number/binary64.hpp"
+#include "floating/filter/filter.hpp"
 #include "support/force_oracle.hpp"
 #include "support/scene_columns.hpp"
 

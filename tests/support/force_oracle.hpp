@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "filter/filter.hpp"
-#include "number/binary64.hpp"
+#include "base/number/binary64.hpp"
+#include "floating/filter/filter.hpp"
 
 namespace slipproof::test {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "expression/evaluate.hpp"
-#include "expression/parser.hpp"
+#include "base/expression/evaluate.hpp"
+#include "base/expression/parser.hpp"
 
 namespace slipproof::test {
 

@@ -1,8 +1,8 @@
-// Problems for the kernel in src/motions: bicycles by the equations of proofs/MODEL.md.
+// Problems for the kernel in src/mechanics/kernel: bicycles by the equations of proofs/MODEL.md.
 #pragma once
 
-#include "model/linear_form.hpp"
-#include "motions/friction_problem.hpp"
+#include "mechanics/bicycle/linear_form.hpp"
+#include "mechanics/elements/friction_problem.hpp"
 
 namespace slipproof::test {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "model/contact_mode.hpp"
+#include "mechanics/bicycle/contact_mode.hpp"
 #include "support/solver_records.hpp"
 
 namespace slipproof::test {

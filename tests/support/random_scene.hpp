@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "model/bicycle.hpp"
+#include "mechanics/bicycle/bicycle.hpp"
 
 namespace slipproof::test {
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "model/linear_form.hpp"
+#include "mechanics/bicycle/linear_form.hpp"
 #include "support/eigen_rational.hpp"
 
 namespace slipproof::test {

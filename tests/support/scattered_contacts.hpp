@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "formats/problem_file.hpp"
-#include "number/dice.hpp"
+#include "base/number/dice.hpp"
+#include "contact/formats/problem_file.hpp"
 
 namespace slipproof::test {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "filter/batch.hpp"
+#include "floating/filter/batch.hpp"
 
 namespace slipproof::test {
 

@@ -14,9 +14,9 @@
 #include <cstdlib>
 #include <memory>
 
-#include "filter/filter.hpp"
-#include "modes/delassus.hpp"
-#include "number/binary64.hpp"
+#include "base/number/binary64.hpp"
+#include "floating/filter/filter.hpp"
+#include "mechanics/bicycle_modes/delassus.hpp"
 
 namespace slipproof::test {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "certify/certify.hpp"
-#include "modes/motions.hpp"
+#include "mechanics/bicycle_modes/motions.hpp"
+#include "records/certify/certify.hpp"
 #include "support/filter_scenes.hpp"
 
 namespace slipproof::test {

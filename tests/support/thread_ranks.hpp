@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "scatter/crew.hpp"
+#include "base/crew/crew.hpp"
 
 namespace slipproof::test {
 

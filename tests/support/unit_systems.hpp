@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "mechanism/units.hpp"
-#include "number/rational.hpp"
+#include "base/number/rational.hpp"
+#include "mechanics/mechanism/units.hpp"
 
 namespace slipproof::test {
 

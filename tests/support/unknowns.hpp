@@ -1,8 +1,8 @@
 // From a motion back to the unknowns of proofs/MODEL.md.
 #pragma once
 
-#include "model/chain.hpp"
-#include "model/equations.hpp"
+#include "mechanics/bicycle/chain.hpp"
+#include "mechanics/bicycle/equations.hpp"
 
 namespace slipproof::test {
 

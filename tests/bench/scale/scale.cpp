@@ -1,6 +1,6 @@
 // What 10, 100 and 10,000 cores would take, from what one takes: scale verify CLAIMS SAMPLES | scale certify FILE
 // SCENE [PREFIX of parts].
-#include "scatter/scale.hpp"
+#include "base/crew/scale.hpp"
 
 #include <fmt/format.h>
 #include <time.h>
@@ -13,11 +13,11 @@
 #include <utility>
 #include <vector>
 
-#include "certify/pieces.hpp"
-#include "claims/claims_file.hpp"
-#include "model/scene.hpp"
-#include "scatter/bytes.hpp"
-#include "verify/verify.hpp"
+#include "base/crew/bytes.hpp"
+#include "claims/reading/claims_file.hpp"
+#include "claims/verify/verify.hpp"
+#include "mechanics/bicycle/scene.hpp"
+#include "records/certify/pieces.hpp"
 
 using namespace slipproof;
 

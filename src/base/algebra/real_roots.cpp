@@ -1,0 +1,210 @@
+#include "base/algebra/real_roots.hpp"
+
+#include <flint/fmpz_poly_factor.h>
+#include <flint/nmod_poly.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <tuple>
+#include <utility>
+
+#include "base/number/simplest.hpp"
+
+namespace slipproof {
+
+namespace {
+
+/// A root with the irreducible polynomial that it is of, so that its place can be told more exactly.
+struct Found {
+  RealRoot place;
+  const IntegerPolynomial* polynomial;
+  int sign_below = 0;  ///< of it below the root, once it was asked for
+};
+
+bool inside(const Rational& t, const LinePart& part) {
+  return (!part.lower || *part.lower < t) && (!part.upper || t < *part.upper);
+}
+
+/// By Descartes' rule of signs: `false` is certain.
+bool may_have_roots(const IntegerPolynomial& p, const LinePart& part) {
+  if (part.lower && part.upper) return p.between(*part.lower, *part.upper).sign_changes() > 0;
+  if (part.lower) return p.beyond(*part.lower).sign_changes() > 0;
+  if (part.upper) return p.mirrored().beyond(-*part.upper).sign_changes() > 0;
+  return true;
+}
+
+/// `p` without the factors that are known already: those of one line have most of them in common.
+IntegerPolynomial without(const std::set<IntegerPolynomial>& factors, IntegerPolynomial p) {
+  IntegerPolynomial quotient;
+  for (const IntegerPolynomial& factor : factors) {
+    while (factor.degree() <= p.degree() && fmpz_poly_divides(quotient.flint(), p.flint(), factor.flint()) != 0) {
+      std::swap(p, quotient);
+    }
+  }
+  return p;
+}
+
+/// Which degrees factors of a polynomial may have, bit by bit, as those modulo a prime have it.
+std::uint64_t factor_degrees(const IntegerPolynomial& p, ulong prime) {
+  std::uint64_t possible = ~std::uint64_t{0};
+  if (fmpz_fdiv_ui(fmpz_poly_lead(p.flint()), prime) == 0) return possible;
+  nmod_poly_t reduced;
+  nmod_poly_init(reduced, prime);
+  fmpz_poly_get_nmod_poly(reduced, p.flint());
+  if (nmod_poly_is_squarefree(reduced) != 0) {
+    nmod_poly_make_monic(reduced, reduced);
+    std::vector<slong> degrees(static_cast<std::size_t>(p.degree()));
+    slong* const first = degrees.data();
+    nmod_poly_factor_t products;  // of the factors of one degree
+    nmod_poly_factor_init(products);
+    nmod_poly_factor_distinct_deg(products, reduced, &first);
+    possible = 1;
+    for (slong i = 0; i < products->num; ++i) {
+      const slong degree = degrees[static_cast<std::size_t>(i)];
+      for (slong left = nmod_poly_degree(products->p + i); left > 0; left -= degree) possible |= possible << degree;
+    }
+    nmod_poly_factor_clear(products);
+  }
+  nmod_poly_clear(reduced);
+  return possible;
+}
+
+/// Nearly all that come are irreducible, and a few primes show it: no degree of a factor is possible modulo all of
+/// them.
+bool surely_irreducible(const IntegerPolynomial& p) {
+  constexpr std::array<ulong, 6> primes{101, 103, 107, 109, 113, 127};
+  const long degree = p.degree();
+  if (degree < 4 || degree > 63) return false;  // FLINT solves those of low degree
+  std::uint64_t possible = (std::uint64_t{1} << degree) - 2;
+  for (const ulong prime : primes) {
+    possible &= factor_degrees(p, prime);
+    if (possible == 0) return true;
+  }
+  return false;
+}
+
+void add_factors(const IntegerPolynomial& p, std::set<IntegerPolynomial>& factors) {
+  const IntegerPolynomial rest = without(factors, p);
+  if (rest.degree() < 1) return;
+  if (rest.degree() == 1 || surely_irreducible(rest)) {
+    factors.insert(rest.primitive());
+    return;
+  }
+  fmpz_poly_factor_t factored;
+  fmpz_poly_factor_init(factored);
+  fmpz_poly_factor(factored, rest.flint());
+  for (slong i = 0; i < factored->num; ++i) {
+    IntegerPolynomial factor;
+    fmpz_poly_set(factor.flint(), factored->p + i);
+    factors.insert(factor.primitive());
+  }
+  fmpz_poly_factor_clear(factored);
+}
+
+/// Bisection by Descartes' rule (Vincent, Collins and Akritas): the number of sign changes of the polynomial of an
+/// interval is 0 where there is no root and, once the interval is small, 1 where there is one. It needs a polynomial
+/// without multiple roots; here it is irreducible and not linear, so that no rational end of an interval is a root.
+class Isolation {
+ public:
+  explicit Isolation(const IntegerPolynomial& p) : p_(p) {}
+
+  void isolate(const LinePart& part, std::vector<Found>& roots) {
+    Integer limit;
+    fmpz_poly_bound_roots(limit.flint(), p_.flint());
+    Rational far(1);
+    while (far <= Rational(limit)) far *= 2;
+    Rational lower = -far, upper = far;
+    if (part.lower && *part.lower > lower) lower = *part.lower;
+    if (part.upper && *part.upper < upper) upper = *part.upper;
+    if (lower < upper) split(lower, upper, roots);
+  }
+
+ private:
+  void split(const Rational& lower, const Rational& upper, std::vector<Found>& roots) {
+    const int changes = p_.between(lower, upper).sign_changes();
+    if (changes == 0) return;
+    if (changes == 1) {
+      roots.push_back({{lower, upper}, &p_});
+      return;
+    }
+    // Zero is the first middle: sizes then differ by powers of two from one side to the other.
+    const Rational middle = sign(lower) < 0 && sign(upper) > 0 ? Rational(0) : Rational((lower + upper) / 2);
+    split(lower, middle, roots);
+    split(middle, upper, roots);
+  }
+
+  const IntegerPolynomial& p_;
+};
+
+/// Half of the interval. The sign at its lower end stays what it is.
+void refine(Found& root) {
+  RealRoot& place = root.place;
+  if (place.is_rational()) return;
+  Rational middle = (place.lower + place.upper) / 2;
+  if (root.sign_below == 0) root.sign_below = root.polynomial->sign_at(place.lower);
+  const bool below = root.polynomial->sign_at(middle) == root.sign_below;
+  (below ? place.lower : place.upper) = std::move(middle);
+}
+
+bool precedes(const Found& x, const Found& y) {
+  return std::tie(x.place.lower, x.place.upper) < std::tie(y.place.lower, y.place.upper);
+}
+
+/// Sorted, with a gap between each two: roots of different irreducible polynomials differ, so that this ends.
+void separate(std::vector<Found>& roots) {
+  for (bool moved = true; moved;) {
+    moved = false;
+    std::sort(roots.begin(), roots.end(), precedes);
+    for (std::size_t i = 1; i < roots.size(); ++i) {
+      while (roots[i - 1].place.upper >= roots[i].place.lower && roots[i].place.upper >= roots[i - 1].place.lower) {
+        refine(roots[i - 1]);
+        refine(roots[i]);
+        moved = true;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<RealRoot> real_roots(const std::set<IntegerPolynomial>& polynomials, const LinePart& part) {
+  std::vector<const IntegerPolynomial*> with_roots;
+  for (const IntegerPolynomial& p : polynomials) {
+    if (p.degree() > 0 && may_have_roots(p, part)) with_roots.push_back(&p);
+  }
+  std::ranges::stable_sort(with_roots, {}, &IntegerPolynomial::degree);
+  std::set<IntegerPolynomial> factors;
+  for (const IntegerPolynomial* p : with_roots) add_factors(*p, factors);
+  std::vector<Found> found;
+  for (const IntegerPolynomial& p : factors) {
+    if (p.degree() > 1) {
+      Isolation(p).isolate(part, found);
+    } else {
+      const Rational root(-p.coefficient(0), p.coefficient(1));
+      if (inside(root, part)) found.push_back({{root, root}, &p});
+    }
+  }
+  separate(found);
+  // Away from the ends of the part, too.
+  for (Found& root : found) {
+    while (!root.place.is_rational() && (root.place.lower == part.lower || root.place.upper == part.upper))
+      refine(root);
+  }
+  std::vector<RealRoot> roots;
+  for (Found& root : found) roots.push_back(std::move(root.place));
+  return roots;
+}
+
+std::vector<Rational> cell_points(const std::vector<RealRoot>& roots, const LinePart& part) {
+  std::vector<Rational> points;
+  std::optional<Rational> below = part.lower;
+  for (const RealRoot& root : roots) {
+    points.push_back(simplest_between(below, root.lower));
+    below = root.upper;
+  }
+  points.push_back(simplest_between(below, part.upper));
+  return points;
+}
+
+}  // namespace slipproof

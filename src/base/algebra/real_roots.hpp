@@ -1,0 +1,32 @@
+// The real roots of several polynomials on one line, and a rational number between each two neighbours.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "base/algebra/integer_polynomial.hpp"
+
+namespace slipproof {
+
+/// A part of the line; no value: infinite.
+struct LinePart {
+  std::optional<Rational> lower, upper;
+};
+
+/// Where a polynomial vanishes: exactly, or irrational and strictly between two numbers.
+struct RealRoot {
+  Rational lower, upper;  ///< equal: the root itself
+  bool is_rational() const { return lower == upper; }
+};
+
+/// The roots of all of `polynomials` inside of `part`, its ends left out, each once and ascending; what encloses two
+/// neighbours is apart. Zero polynomials do not count. Every polynomial is factored over the integers once: roots are
+/// rational where a factor is linear, and different factors have no root in common.
+std::vector<RealRoot> real_roots(const std::set<IntegerPolynomial>& polynomials, const LinePart& part = {});
+
+/// A number in every cell that the roots cut out of the part of the line: between two neighbours, and beyond the first
+/// and the last; each the simplest of its cell, or of a part of it where an end is irrational.
+std::vector<Rational> cell_points(const std::vector<RealRoot>& roots, const LinePart& part = {});
+
+}  // namespace slipproof

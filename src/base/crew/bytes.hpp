@@ -1,0 +1,49 @@
+// What ranks tell each other and journals keep: numbers and texts one after the other.
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/number/rational.hpp"
+
+namespace slipproof {
+
+/// Bytes that do not hold what was to be read.
+class BrokenBytes : public std::runtime_error {
+ public:
+  BrokenBytes() : std::runtime_error("found bytes that end too early, or go on too long") {}
+};
+
+/// Numbers take eight bytes, the lowest first, on every machine; texts their length before them.
+class ByteWriter {
+ public:
+  ByteWriter& number(std::uint64_t value);
+  ByteWriter& real(double value);  ///< the bits of it
+  ByteWriter& text(std::string_view value);
+  ByteWriter& rationals(const std::vector<Rational>& values);  ///< how many, and each as it is written
+  std::string take() { return std::move(bytes_); }
+
+ private:
+  std::string bytes_;
+};
+
+/// Reads in the same order; the bytes must outlive it. Throws BrokenBytes.
+class ByteReader {
+ public:
+  explicit ByteReader(std::string_view bytes) : rest_(bytes) {}
+  std::uint64_t number();
+  double real();
+  std::string_view text();
+  std::vector<Rational> rationals();
+  std::string_view rest() const { return rest_; }
+  void end() const;  ///< throws where more follows
+
+ private:
+  std::string_view next(std::uint64_t size);
+  std::string_view rest_;
+};
+
+}  // namespace slipproof

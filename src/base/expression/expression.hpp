@@ -1,0 +1,106 @@
+// Expressions: rational arithmetic, comparisons and logic, as immutable trees that remember their
+// columns.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/number/rational.hpp"
+
+namespace slipproof {
+
+enum class Operation : std::uint8_t {
+  // numbers
+  number,
+  symbol,
+  negate,
+  add,
+  subtract,
+  multiply,
+  divide,
+  power,  ///< with a fixed integer exponent
+  absolute,
+  signum,  ///< -1, 0 or +1
+  minimum,
+  maximum,
+  // truth values
+  truth,    ///< `true` or `false`
+  compare,  ///< a chain such as `0 < b <= b1`: every link holds
+  logical_not,
+  logical_and,
+  logical_or
+};
+
+/// What an expression denotes.
+enum class Sort : std::uint8_t { number, truth };
+
+enum class Relation : std::uint8_t { less, less_equal, greater, greater_equal, equal, not_equal };
+
+std::string_view spelling(Relation relation);  ///< `<`, `<=`, ...
+/// Whether `left relation right` holds, from the sign of left - right.
+bool holds(Relation relation, int sign_of_difference);
+
+struct Node;
+/// A tree; copying shares it. Never null where an expression is expected.
+using Expression = std::shared_ptr<const Node>;
+
+struct Node {
+  Operation operation = Operation::truth;
+  std::size_t column = 0;            ///< where it stands in the text it was read from, from 1; not part of its value
+  std::vector<Expression> operands;  ///< one, two, or one more than `relations`
+  std::vector<Relation> relations;   ///< of a comparison
+  Rational number;                   ///< of a literal, >= 0
+  std::string symbol;                ///< name
+  int exponent = 0;
+  bool truth = false;
+  std::size_t depth = 1;  ///< nodes on the longest way down
+};
+
+Sort sort(const Node& node);
+
+Expression make_number(Rational value, std::size_t column = 0);  ///< a negative value becomes the negation of a literal
+Expression make_symbol(std::string name, std::size_t column = 0);
+Expression make_truth(bool value, std::size_t column = 0);
+Expression make_power(Expression base, int exponent, std::size_t column = 0);
+Expression make_comparison(std::vector<Expression> operands, std::vector<Relation> relations, std::size_t column = 0);
+/// Any of the other operations.
+Expression make(Operation operation, std::vector<Expression> operands, std::size_t column = 0);
+
+/// The same tree, whatever the columns.
+bool same(const Expression& a, const Expression& b);
+
+/// Text that reads back as the same tree, with no more parentheses than that needs.
+std::string to_string(const Expression& expression);
+
+/// How tightly an operation binds, from loose to tight, as in the grammar of parser.hpp.
+enum class Binding : std::uint8_t {
+  loosest,
+  disjunction,
+  conjunction,
+  negation,
+  comparison,
+  sum,
+  product,
+  unary,
+  primary
+};
+Binding binding(Operation operation);
+Binding tighter(Binding binding);  ///< the next
+
+/// The names of its symbols, each once, in the order of the text.
+std::vector<std::string> symbols(const Expression& expression);
+
+/// Whether a number is a polynomial of degree at most 1 in the symbol as it stands.
+bool is_linear_in(const Expression& number, const std::string& symbol);
+
+/// Every occurrence of a symbol replaced.
+Expression substitute(const Expression& expression, std::string_view symbol, const Expression& by);
+/// Every symbol replaced at once by what it stands for; null leaves it as it is.
+Expression substitute(const Expression& expression, const std::function<Expression(const std::string&)>& meaning);
+
+}  // namespace slipproof

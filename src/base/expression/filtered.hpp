@@ -1,0 +1,58 @@
+// Programs at rational points, asked in binary64 first: exact arithmetic decides only where the bounds on the errors
+// leave a truth open, and gives all values.
+#pragma once
+
+#include <vector>
+
+#include "base/expression/evaluate.hpp"
+#include "base/rounding/approximate.hpp"
+
+namespace slipproof {
+
+/// What is unsure is undecided; what is divided by and may be 0 gives a quotient of which nothing is sure.
+template <>
+struct FieldOf<Approximate> {
+  Approximate constant(const Rational& value) const { return Approximate(value); }
+  bool is_zero(const Approximate& x) const { return x.is_zero(); }
+  std::optional<int> compare(const Approximate& x, const Approximate& y) const { return sure_sign(x - y); }
+};
+
+/// The same truths and values as Evaluator<Rational>. Not shared between threads.
+class FilteredEvaluator {
+ public:
+  /// The scope must outlive the evaluator.
+  explicit FilteredEvaluator(const Scope& scope) : approximate_(scope), exact_(scope) {}
+
+  /// Forgets all values and gives the symbols from `first` on theirs, which must stay until the next time.
+  void set(std::size_t first, const std::vector<Rational>& values) {
+    approximate_.reset();
+    for (std::size_t k = 0; k < values.size(); ++k) approximate_.set(first + k, Approximate(values[k]));
+    first_ = first;
+    values_ = &values;
+    is_exact_ = false;
+  }
+
+  Truth truth(const Program& program) {
+    const Truth truth = approximate_.truth(program);
+    return truth == Truth::undecided ? exact().truth(program) : truth;
+  }
+  Value<Rational> number(const Program& program) { return exact().number(program); }
+
+ private:
+  Evaluator<Rational>& exact() {
+    if (!is_exact_ && values_ != nullptr) {
+      exact_.reset();
+      for (std::size_t k = 0; k < values_->size(); ++k) exact_.set(first_ + k, (*values_)[k]);
+      is_exact_ = true;
+    }
+    return exact_;
+  }
+
+  Evaluator<Approximate> approximate_;
+  Evaluator<Rational> exact_;
+  std::size_t first_ = 0;
+  const std::vector<Rational>* values_ = nullptr;
+  bool is_exact_ = false;
+};
+
+}  // namespace slipproof

@@ -1,0 +1,67 @@
+// A condition in straight-line code over binary64 with bounds, for points that come by the thousand and mostly differ
+// in one coordinate: what does not depend on that one keeps its value.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "base/expression/evaluate.hpp"
+#include "base/rounding/approximate.hpp"
+
+namespace slipproof {
+
+/// Not shared between threads.
+class SureCondition {
+ public:
+  /// The point has so many coordinates, with slots from `first` on.
+  SureCondition(const Scope& scope, const Program& condition, std::size_t first, std::size_t coordinates);
+
+  /// Before the truth is asked for again: all coordinates are others, or one.
+  void all_changed() { stale_ = coordinates_; }
+  void changed(std::size_t coordinate) {
+    if (stale_ == coordinate || behind_[coordinate].empty()) return;
+    stale_ = stale_ == nothing() ? coordinate : coordinates_;
+  }
+
+  /// Yes or no where that is sure; undecided where the bounds leave it open or something has no value.
+  Truth truth(const std::vector<Approximate>& point) {
+    if (stale_ != nothing()) run(point);
+    return results_.back().truth;
+  }
+  /// The only number that a coordinate may be for the condition to hold, where an equation in it says so, which does
+  /// not depend on that coordinate; null where there is none. Of the point at which the truth was asked for last.
+  const Approximate* demanded(std::size_t coordinate) const {
+    return demands_[coordinate] ? &results_[*demands_[coordinate]].number : nullptr;
+  }
+
+ private:
+  struct Step {
+    Operation operation;
+    Relation relation;
+    int exponent;
+    std::uint32_t first, second;  ///< other steps, or a coordinate
+  };
+  struct Result {
+    Approximate number{0, std::numeric_limits<double>::infinity()};  ///< nothing is sure of it
+    Truth truth = Truth::undecided;
+  };
+  class Writer;
+
+  void note_demands(std::uint32_t i);
+  std::size_t nothing() const { return coordinates_ + 1; }
+  void run(const std::vector<Approximate>& point);
+  Approximate number(const Step& step) const;
+  Truth truth(const Step& step) const;
+
+  std::size_t coordinates_;
+  std::vector<Step> steps_;
+  std::vector<Result> results_;  ///< by step
+  /// The steps to be done when a coordinate changed; and last when several did.
+  std::vector<std::vector<std::uint32_t>> behind_;
+  std::size_t stale_;                                  ///< its place there, or nothing()
+  std::vector<std::optional<std::uint32_t>> demands_;  ///< by coordinate, the step that it has to equal
+};
+
+}  // namespace slipproof

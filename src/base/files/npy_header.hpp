@@ -1,0 +1,39 @@
+// What stands before the numbers of a NumPy array: a dictionary as Python writes it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/files/byte_file.hpp"
+#include "base/files/cell_type.hpp"
+
+namespace slipproof {
+
+inline constexpr std::string_view npy_signature = "\x93NUMPY";
+
+struct NpyField {
+  std::string name;
+  CellType type;
+  std::size_t offset = 0;  ///< in the bytes of an item
+};
+
+struct NpyHeader {
+  std::vector<NpyField> fields;  ///< of a structured array; of another one a single field without a name
+  bool structured = false, fortran = false;
+  std::size_t item = 0;              ///< bytes of an item
+  std::vector<std::uint64_t> shape;  ///< empty for a single item
+  std::uint64_t items = 1;           ///< the product of the shape
+  std::uint64_t start = 0;           ///< where the data begin
+};
+
+/// Of an array of `size` bytes, after which the run stands at the data. These have exactly the size that the header
+/// says. Throws InputError with `where` before what is wrong. Arrays of objects are refused: only Python could read
+/// them, by running what they say.
+NpyHeader read_npy_header(ByteRun& run, std::uint64_t size, const std::string& file, const std::string& where);
+
+/// The type that '<f8' and its like name, in quotes or without.
+CellType cell_type(std::string_view name);
+
+}  // namespace slipproof

@@ -1,0 +1,68 @@
+// Words of a text, one after the other, and the numbers that they are.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/input/diagnostic.hpp"
+
+namespace slipproof {
+
+/// Problems at real size are as long as they are; what is longer than this is refused.
+inline constexpr std::size_t max_problem_file_size = std::size_t{1} << 29U;
+
+/// Where a text ceased to be what it was read as.
+struct FormatStop {
+  std::size_t position = 0;  ///< a byte of the text
+  std::string message;       ///< what was found and what was expected
+};
+
+/// The binary64 nearest to a decimal, an infinity beyond its range; nan, inf and infinity in any case. Nothing for what
+/// is neither.
+std::optional<double> read_binary64(std::string_view word);
+
+/// Line and column of a byte.
+Place place_in(std::string_view text, std::size_t position);
+
+/// Throws InputError with the place of the stop.
+[[noreturn]] void refuse(const std::string& file, std::string_view text, const FormatStop& stop);
+/// The same without a place in a text.
+[[noreturn]] void refuse(const std::string& file, const std::string& message);
+
+/// Throws InputError where there are more numbers than expected, before room is made for them.
+void refuse_more(const std::string& file, const std::string& where, std::uint64_t found,
+                 std::optional<std::size_t> expected);
+
+/// Words are what blanks and line ends part. What is not as expected throws FormatStop; `expected` is its name there.
+class WordReader {
+ public:
+  explicit WordReader(std::string_view text, std::size_t position = 0) : text_(text), position_(position) {}
+
+  /// The next word; empty at the end of the text.
+  std::string_view peek();
+  std::string_view next();
+  /// Of the next word.
+  std::size_t position();
+  /// What is left of the line, without the line end, which is taken too.
+  std::string_view rest_of_line();
+  std::string_view rest() { return text_.substr(position()); }
+
+  /// Digits only. Whatever is counted in a file stands there, in at least a byte: larger numbers are refused.
+  std::size_t count(std::string_view expected);
+  double finite_number(std::string_view expected);
+  double number(std::string_view expected);
+  /// Takes this very word.
+  void word(std::string_view expected);
+
+  /// Stops at the next word.
+  [[noreturn]] void stop(const std::string& expected);
+
+ private:
+  std::string_view text_;
+  std::size_t position_;
+};
+
+}  // namespace slipproof

@@ -1,0 +1,56 @@
+#include "base/input/utf8.hpp"
+
+#include <algorithm>
+
+namespace slipproof {
+
+std::size_t utf8_length(std::string_view text) {
+  if (text.empty()) return 0;
+  const auto byte = [&text](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
+  const auto continues = [&byte](std::size_t i) { return (byte(i) & 0xc0U) == 0x80U; };
+  const unsigned first = byte(0);
+  if (first < 0x80) return 1;
+  if (first >= 0xc2 && first < 0xe0) return continues(1) ? 2 : 0;
+  if (first >= 0xe0 && first < 0xf0) {
+    const bool overlong = first == 0xe0 && byte(1) < 0xa0;
+    const bool surrogate = first == 0xed && byte(1) >= 0xa0;
+    return continues(1) && continues(2) && !overlong && !surrogate ? 3 : 0;
+  }
+  if (first >= 0xf0 && first < 0xf5) {
+    const bool overlong = first == 0xf0 && byte(1) < 0x90;
+    const bool beyond_unicode = first == 0xf4 && byte(1) >= 0x90;
+    return continues(1) && continues(2) && continues(3) && !overlong && !beyond_unicode ? 4 : 0;
+  }
+  return 0;
+}
+
+std::size_t utf8_count(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; }));
+}
+
+std::string wrapped(const std::string& start, const std::string& text) {
+  constexpr std::size_t line_width = 80;
+  const std::size_t indent = utf8_count(start);
+  std::string result = start;
+  std::size_t column = indent;
+  for (std::size_t position = 0; position < text.size();) {
+    const std::size_t end = std::min(text.find(' ', position), text.size());
+    const std::string word = text.substr(position, end - position);
+    const std::size_t width = utf8_count(word);
+    if (column > indent && column + 1 + width > line_width) {
+      result += "\n" + std::string(indent, ' ');
+      column = indent;
+    } else if (column > indent) {
+      result += ' ';
+      ++column;
+    }
+    result += word;
+    column += width;
+    position = end + 1;
+  }
+  result.erase(result.find_last_not_of(' ') + 1);
+  return result + "\n";
+}
+
+}  // namespace slipproof

@@ -1,0 +1,63 @@
+// Work on many threads, with the caller's number of them, and ended when the caller's call is.
+#pragma once
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
+#include <tbb/task_arena.h>
+
+#include <cstddef>
+
+#include "base/parallel/stop.hpp"
+#include "base/parallel/thread_count.hpp"
+
+namespace slipproof {
+
+/// work(), in which in_parallel() uses so many threads (see thread_count()). Returns what it does.
+template <class Work>
+auto on_threads(unsigned threads, const Work& work) {
+  tbb::task_arena arena(thread_count(threads));
+  return arena.execute([&, token = StopScope::token()] {
+    const StopScope scope(token);
+    return work();
+  });
+}
+
+/// work(begin, end) for pieces of first..last that hold about `grain` indices at least.
+template <class Work>
+void pieces_in_parallel(std::size_t first, std::size_t last, std::size_t grain, const Work& work) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(first, last, grain),
+                    [&, token = StopScope::token()](const auto& r) {
+                      const StopScope scope(token);
+                      stop_if_asked();
+                      work(r.begin(), r.end());
+                    });
+}
+
+/// work(i) for each index of first..last, in any order.
+template <class Work>
+void in_parallel(std::size_t first, std::size_t last, const Work& work) {
+  pieces_in_parallel(first, last, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i != end; ++i) {
+      stop_if_asked();
+      work(i);
+    }
+  });
+}
+
+/// The same, each index a task of its own: for work that differs by orders of magnitude.
+template <class Work>
+void each_in_parallel(std::size_t first, std::size_t last, const Work& work) {
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(first, last, 1),
+      [&, token = StopScope::token()](const auto& r) {
+        const StopScope scope(token);
+        for (std::size_t i = r.begin(); i != r.end(); ++i) {
+          stop_if_asked();
+          work(i);
+        }
+      },
+      tbb::simple_partitioner());
+}
+
+}  // namespace slipproof

@@ -1,0 +1,26 @@
+// Whether expressions are the same functions of the parameters and the force.
+#pragma once
+
+#include "claims/identity/symbolic.hpp"
+#include "claims/reading/compiled.hpp"
+
+namespace slipproof {
+
+/// Of one setting, which must outlive it. Not shared between threads.
+class Functions {
+ public:
+  explicit Functions(const CompiledSetting& setting);
+
+  /// Trees of one shape down to comparisons or to a number, whose sides are the same rational functions, wherever both
+  /// have a value. False: not shown.
+  bool same(const Expression& x, const Expression& y);
+
+ private:
+  std::optional<ReducedFraction> value(const Expression& e);
+
+  const CompiledSetting* setting_;
+  std::unique_ptr<const PolynomialRing> ring_;
+  SymbolicEvaluator symbols_;
+};
+
+}  // namespace slipproof

@@ -1,0 +1,92 @@
+// What claims compute with in place of numbers: polynomials in the parameters of a setting and the force, and their
+// quotients in lowest terms.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "base/algebra/polynomial.hpp"
+#include "base/expression/evaluate.hpp"
+#include "base/expression/with_divisors.hpp"
+
+namespace slipproof {
+
+/// A polynomial, or an integer, which is one of any ring: code for all types of numbers writes 0 and 1 without knowing
+/// of rings.
+class SymbolicNumber {
+ public:
+  SymbolicNumber(int constant = 0) : value_(constant) {}                         // NOLINT: integers belong
+  SymbolicNumber(MultiPolynomial polynomial) : value_(std::move(polynomial)) {}  // NOLINT: so do polynomials
+
+  bool is_zero() const;
+  bool is_one() const;
+  bool is_constant() const { return polynomial() == nullptr || polynomial()->is_constant(); }
+  /// nullptr for an integer.
+  const MultiPolynomial* polynomial() const { return std::get_if<MultiPolynomial>(&value_); }
+
+  SymbolicNumber operator-() const;
+  friend SymbolicNumber operator+(const SymbolicNumber& x, const SymbolicNumber& y);
+  friend SymbolicNumber operator-(const SymbolicNumber& x, const SymbolicNumber& y) { return x + -y; }
+  friend SymbolicNumber operator*(const SymbolicNumber& x, const SymbolicNumber& y);
+  friend bool operator==(const SymbolicNumber& x, const SymbolicNumber& y) { return (x - y).is_zero(); }
+  /// Divides both by their greatest common divisor; y becomes monic. Of two integers nothing changes. y must not be 0.
+  friend void cancel(SymbolicNumber& x, SymbolicNumber& y);
+
+ private:
+  MultiPolynomial in(const PolynomialRing& ring) const;
+  int integer() const { return std::get<int>(value_); }
+
+  std::variant<int, MultiPolynomial> value_;
+};
+
+/// numerator / denominator in lowest terms, the denominator monic: equal iff both parts are.
+struct ReducedFraction {
+  SymbolicNumber numerator, denominator = 1;
+
+  ReducedFraction(SymbolicNumber n = 0) : numerator(std::move(n)) {}  // NOLINT: polynomials belong
+  ReducedFraction(SymbolicNumber n, SymbolicNumber d) : numerator(std::move(n)), denominator(std::move(d)) {
+    cancel(numerator, denominator);
+  }
+  friend ReducedFraction operator+(const ReducedFraction& x, const ReducedFraction& y) {
+    return {x.numerator * y.denominator + y.numerator * x.denominator, x.denominator * y.denominator};
+  }
+  friend ReducedFraction operator-(const ReducedFraction& x) { return {-x.numerator, x.denominator}; }
+  friend ReducedFraction operator-(const ReducedFraction& x, const ReducedFraction& y) { return x + -y; }
+  friend ReducedFraction operator*(const ReducedFraction& x, const ReducedFraction& y) {
+    return {x.numerator * y.numerator, x.denominator * y.denominator};
+  }
+  friend ReducedFraction operator/(const ReducedFraction& x, const ReducedFraction& y) {
+    return {x.numerator * y.denominator, x.denominator * y.numerator};
+  }
+};
+
+/// What vanishes where a fraction does.
+inline std::optional<MultiPolynomial> divisor_of(const ReducedFraction& x) {
+  return x.numerator.is_constant() ? std::nullopt : std::optional(*x.numerator.polynomial());
+}
+using SymbolicValue = WithDivisors<ReducedFraction, MultiPolynomial>;
+
+/// Fractions are equal or not; order is decided for none. The ring must outlive it.
+struct FractionField {
+  const PolynomialRing* ring;
+  SymbolicValue constant(const Rational& value) const {
+    return ReducedFraction(SymbolicNumber(MultiPolynomial(*ring, value)));
+  }
+  bool is_zero(const SymbolicValue& x) const { return x.value().numerator.is_zero(); }
+  std::optional<int> compare(const SymbolicValue& x, const SymbolicValue& y) const {
+    return (x.value() - y.value()).numerator.is_zero() ? std::optional(0) : std::nullopt;
+  }
+};
+using SymbolicEvaluator = Evaluator<SymbolicValue, FractionField>;
+
+/// A ring whose variables have the names of these slots of the scope, in their order.
+std::unique_ptr<const PolynomialRing> ring_of(const Scope& scope, const std::vector<std::size_t>& slots);
+
+/// An evaluator for which these slots are the variables of the ring, which must outlive it and all that it computes.
+SymbolicEvaluator symbolic(const Scope& scope, const std::vector<std::size_t>& slots, const PolynomialRing& ring);
+
+}  // namespace slipproof

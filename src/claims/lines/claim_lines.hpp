@@ -1,0 +1,34 @@
+// Lines of bicycles along which a claim is judged.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "claims/lines/line.hpp"
+#include "claims/sampling/claim_parts.hpp"
+#include "claims/sampling/solved_sample.hpp"
+
+namespace slipproof {
+
+struct ClaimLines {
+  ClaimParts parts;
+  std::vector<bool> matters;  ///< by parameter: those that may run
+};
+
+/// Nothing of a claim that is judged at samples alone: it is about too many modes, or no parameter matters to it. The
+/// programs are those of `compiled`.
+std::optional<ClaimLines> claim_lines(const ClaimsFile& file, const CompiledClaims& compiled, std::size_t claim,
+                                      Reading reading);
+
+/// The parameters of `matters` on which no equation in the claim's region depends: where they run alone, the line stays
+/// on the surface that the region is.
+std::vector<bool> on_surface(const ClaimsFile& file, const CompiledClaims& compiled, std::size_t claim, Reading reading,
+                             const std::vector<bool>& matters);
+
+/// Shows `visit` the bicycles of points_on() that are in the domain, with the claim's modes only, until it returns
+/// false. The number of cells.
+std::size_t visit_line(const Line& line, const CompiledSetting& compiled, const ClaimParts& parts,
+                       const std::function<bool(SolvedSample&)>& visit);
+
+}  // namespace slipproof

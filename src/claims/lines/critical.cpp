@@ -1,0 +1,203 @@
+#include "claims/lines/critical.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "claims/lines/line_bicycle.hpp"
+#include "claims/lines/line_mechanism.hpp"
+#include "claims/sampling/sampler.hpp"
+
+namespace slipproof {
+
+namespace {
+
+/// Which operand of a min, max or abs is meant is tried both ways for so many that depend on the force.
+constexpr std::size_t max_branches = 6;
+
+LineEvaluator evaluator_along(const Line& line, const CompiledSetting& compiled, LineField field,
+                              std::optional<std::size_t> grows) {
+  LineEvaluator evaluator(compiled.scope(), std::move(field));
+  for (std::size_t k = 0; k < line.origin.size(); ++k) {
+    evaluator.set(CompiledSetting::parameter_slot(k),
+                  grows == k ? LineFunction::force() : LineFunction::linear(line.origin[k], line.direction[k]));
+  }
+  if (!grows) evaluator.set(CompiledSetting::force_slot(), LineFunction::force());
+  return evaluator;
+}
+
+void add_comparisons(const Program& program, LineEvaluator& evaluator) {
+  const LineField& field = evaluator.field();
+  for (const Program::Instruction& instruction : program.code()) {
+    if (instruction.operation != Operation::compare) continue;
+    const auto x = evaluator.number(program, instruction.first), y = evaluator.number(program, instruction.second);
+    if (!x.number || !y.number) continue;
+    const LineFunction difference = *x.number - *y.number;
+    field.at_infinity ? field.found->add_coefficients(difference) : field.found->add(difference);
+  }
+}
+
+/// All that decides a claim along a line, as seen from one place of it: at min, max and abs the operand is meant that
+/// it is there, and `branches` where that depends on the force.
+class View {
+ public:
+  View(const Line& line, const CompiledSetting& compiled, const ClaimParts& parts, const Rational& here,
+       unsigned branches, CriticalSet& found)
+      : compiled_(compiled),
+        parts_(parts),
+        found_(found),
+        evaluator_(
+            evaluator_along(line, compiled, {.found = &found, .here = here, .branches = branches}, std::nullopt)),
+        growing_(evaluator_along(
+            line, compiled, {.found = &found, .here = here, .branches = branches, .at_infinity = true}, parts.grows)) {}
+
+  void collect() {
+    found_.begin_group(0);
+    for (const Program& domain : compiled_.domains()) add_comparisons(domain, evaluator_);
+    add_comparisons(compiled_.is_scene(), evaluator_);
+    add_scene();
+    add_comparisons(compiled_.force_domain(), evaluator_);
+    for (const Program* program : parts_.conditions) {
+      add_comparisons(*program, parts_.grows ? growing_ : evaluator_);
+    }
+    if (parts_.modes.empty()) return;
+    if (compiled_.bicycle()) {
+      const LineBicycle bicycle(compiled_, evaluator_);
+      if (bicycle.has_value()) add_modes(bicycle);
+    } else {
+      const LineMechanism mechanism(compiled_, evaluator_);
+      if (mechanism.has_value()) add_modes(mechanism);
+    }
+  }
+
+ private:
+  /// Where something of the scene is 0, it may be an end of the mechanism's domain, and where the load does not depend
+  /// on the force there is no sample.
+  void add_scene() {
+    for (const Program* program : compiled_.scene().programs()) {
+      if (const auto value = evaluator_.number(*program).number) found_.add_coefficients(*value);
+    }
+  }
+
+  template <class OnLine>
+  void add_modes(const OnLine& on_line) {
+    std::vector<std::size_t> wanted = slots_behind(compiled_.scope(), parts_.of_motions);
+    std::erase_if(wanted, [&](std::size_t slot) { return !compiled_.is_quantity(slot); });
+    for (std::size_t i = 0; i < parts_.modes.size(); ++i) {
+      found_.begin_group(parts_.modes_meet ? 1 : i + 1);
+      if (!on_line.add_mode(parts_.modes[i], wanted, found_, evaluator_)) continue;
+      for (const Program* program : parts_.of_motions) add_comparisons(*program, evaluator_);
+    }
+  }
+
+  const CompiledSetting& compiled_;
+  const ClaimParts& parts_;
+  CriticalSet& found_;
+  LineEvaluator evaluator_;
+  LineEvaluator growing_;
+};
+
+/// From the first end of the domain on the line to the last: nothing beyond needs to be looked at.
+LinePart domain_part(const Line& line, const CompiledSetting& compiled) {
+  CriticalSet found;
+  LineEvaluator evaluator = evaluator_along(line, compiled, {.found = &found, .here = line.inside}, std::nullopt);
+  for (const Program& domain : compiled.domains()) add_comparisons(domain, evaluator);
+  if (!found.orders().empty() || found.branches() > 0) return {};
+  const std::vector<RealRoot> roots = real_roots(found.polynomials());
+  const std::vector<Rational> points = cell_points(roots);
+  std::size_t first = points.size(), last = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!in_domain(compiled, line.at(points[i]))) continue;
+    first = std::min(first, i);
+    last = i;
+  }
+  if (first == points.size()) return {};
+  LinePart part;
+  if (first > 0) part.lower = roots[first - 1].lower;
+  if (last < roots.size()) part.upper = roots[last].upper;
+  return part;
+}
+
+/// The rational critical values and the points of cells, ascending; and two more near the ends of the line, since a
+/// cell that reaches to an end is where what is not looked into would go wrong first.
+std::vector<Rational> values_of(const std::vector<RealRoot>& roots, const LinePart& part) {
+  std::vector<Rational> values = cell_points(roots, part);
+  const Rational near(1, 1 << 30), first = values.front(), last = values.back();
+  const auto size = [](const Rational& x) { return Rational(1 + abs(x)); };
+  values.push_back(part.lower ? Rational(*part.lower + (first - *part.lower) * near)
+                              : Rational(first - size(first) / near));
+  values.push_back(part.upper ? Rational(*part.upper - (*part.upper - last) * near)
+                              : Rational(last + size(last) / near));
+  for (const RealRoot& root : roots) {
+    if (root.is_rational()) values.push_back(root.lower);
+  }
+  for (const auto& end : {part.lower, part.upper}) {
+    if (end) values.push_back(*end);
+  }
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
+}
+
+}  // namespace
+
+std::size_t LinePoints::irrational() const {
+  return static_cast<std::size_t>(
+      std::count_if(roots.begin(), roots.end(), [](const RealRoot& root) { return !root.is_rational(); }));
+}
+
+LinePoints points_on(const Line& line, const CompiledSetting& compiled, const ClaimParts& parts,
+                     const std::set<IntegerPolynomial>& beside) {
+  const LinePart part = domain_part(line, compiled);
+  CriticalSet found;
+  for (const IntegerPolynomial& p : beside) found.add(p);
+  const auto look_from = [&](const Rational& here) {
+    for (unsigned branches = 0; branches < 1U << std::min(found.branches(), max_branches); ++branches) {
+      View(line, compiled, parts, here, branches, found).collect();
+    }
+  };
+  // Which operand of a min or max is meant changes along the line only where an order does: one view from each cell
+  // that the orders cut out shows all there is. A view may show new orders.
+  std::set<Rational> places;
+  std::vector<Rational> open{line.inside};
+  while (!open.empty()) {
+    for (const Rational& here : open) {
+      if (places.insert(here).second) look_from(here);
+    }
+    open.clear();
+    if (found.orders().empty()) break;
+    for (Rational& place : cell_points(real_roots(found.orders(), part), part)) {
+      if (!places.contains(place)) open.push_back(std::move(place));
+    }
+  }
+  std::vector<RealRoot> roots = real_roots(found.polynomials(), part);
+  std::vector<Rational> values = values_of(roots, part);
+  return {std::move(values), std::move(roots), part};
+}
+
+std::optional<std::vector<std::unique_ptr<SolvedSample>>> last_points(const CompiledSetting& compiled,
+                                                                      const std::vector<const Program*>& conditions,
+                                                                      const std::vector<Rational>& values,
+                                                                      std::size_t parameter) {
+  Line line = along_parameter(values, parameter);
+  ClaimParts parts;
+  parts.conditions = conditions;
+  parts.conditions.push_back(&compiled.is_point());
+  const LinePoints points = points_on(line, compiled, parts);
+  std::vector<std::unique_ptr<SolvedSample>> found;
+  for (auto t = points.values.rbegin(); t != points.values.rend(); ++t) {
+    const auto at_root = [&](const RealRoot& root) { return root.lower <= *t && *t <= root.upper; };
+    const bool critical = std::any_of(points.roots.begin(), points.roots.end(), at_root) || points.part.lower == *t ||
+                          points.part.upper == *t;
+    std::vector<Rational> there = line.at(*t);
+    auto sample = in_domain(compiled, there) ? SolvedSample::make(compiled, std::move(there)) : nullptr;
+    if (sample) found.push_back(std::move(sample));
+    if (critical || found.empty()) continue;
+    const auto irrational_end = [&](const RealRoot& root) { return !root.is_rational() && root.lower >= *t; };
+    if (std::any_of(points.roots.begin(), points.roots.end(), irrational_end)) return std::nullopt;
+    break;
+  }
+  return found;
+}
+
+}  // namespace slipproof

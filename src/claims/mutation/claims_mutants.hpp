@@ -1,0 +1,38 @@
+// Mutants of a whole claims file: one definition, region, set of forces or formula changed in one place.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "claims/mutation/mutate.hpp"
+#include "claims/reading/claims_file.hpp"
+#include "claims/reading/compiled.hpp"
+
+namespace slipproof {
+
+struct ClaimsMutant {
+  std::optional<BodyPart> part;  ///< of a claim; none: a definition
+  std::size_t setting = 0;       ///< of a definition
+  std::size_t index = 0;         ///< of the definition in its setting, or of the claim
+  std::size_t item = 0;          ///< of an equation or assumption in its claim
+  Mutant mutant;
+  std::string where;                ///< `definition xi4 (line 195)`, `forces of A2.1 (line 209)`
+  std::vector<std::size_t> claims;  ///< the claims whose meaning may change: no others need to be judged again
+
+  /// Whether it may use the unknowns of the model: an equation or assumption.
+  bool is_linear() const { return part == BodyPart::equations || part == BodyPart::assume; }
+  /// What stands there in the file, which must be the one that the mutant was made of.
+  const Expression& original(const ClaimsFile& file) const;
+  /// The file with this change.
+  ClaimsFile apply(const ClaimsFile& file) const;
+  /// Puts an expression in the mutant's place: `mutant.expression`, or original() to undo that.
+  void put(const Expression& expression, CompiledClaims& compiled) const;
+};
+
+/// All mutants of the printed reading of definitions and claims, each of them valid: no definition leads back to
+/// itself, and what must not depend on the force does not.
+std::vector<ClaimsMutant> mutants(const ClaimsFile& file);
+
+}  // namespace slipproof

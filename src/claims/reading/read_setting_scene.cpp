@@ -1,0 +1,194 @@
+// The mechanism of a setting, and what its symbols are in the paper's.
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "base/expression/logic.hpp"
+#include "claims/reading/claims_reader.hpp"
+#include "mechanics/bicycle_modes/bicycle_motions.hpp"
+#include "mechanics/kernel/mode_solver.hpp"
+#include "mechanics/scene/scene.hpp"
+
+namespace slipproof::claims_reader {
+
+namespace {
+
+/// The bicycle of settings that say where the force comes from.
+bool read_bicycle(const TableReader& table, Context& context, Setting& setting) {
+  setting.mechanism = std::shared_ptr<const Mechanism>(&bicycle_mechanism(), [](const Mechanism*) {});
+  setting.starts = starts(*setting.mechanism);
+  setting.bicycle = ForceKind::internal;
+  setting.mechanism_name = "bicycle";
+  for (const char* key : {"state", "along"}) {
+    if (table.has(key)) table.refuse(key, "found without `mechanism`, expected it only beside one");
+  }
+  const TomlValue* force = table.table("force");
+  if (force == nullptr) return true;  // reported with the force
+  const TomlEntry* kind = force->find("kind");
+  if (kind == nullptr || kind->value.kind != TomlValue::Kind::string) return true;
+  const std::string& found = kind->value.text.text();
+  if (found != "internal" && found != "external") {
+    context.mistakes.add(kind->value.place,
+                         "kind: found " + in_quotes(found) + ", expected \"internal\" or \"external\"");
+  }
+  if (found == "external") setting.bicycle = ForceKind::external;
+  return true;
+}
+
+class SceneReader {
+ public:
+  SceneReader(const TableReader& table, Context& context, Setting& setting)
+      : table_(table), context_(context), setting_(setting), index_(context.file.settings.size()) {}
+
+  void read() {
+    const bool needed = setting_.bicycle.has_value();
+    if (needed && !table_.require("scene", "the table [setting.scene]")) return;
+    TomlValue empty;
+    empty.kind = TomlValue::Kind::table;
+    empty.place = table_.place("scene");
+    const TomlValue* scene = table_.has("scene") ? table_.table("scene") : &empty;
+    if (scene == nullptr) return;
+    const std::vector<std::string_view> keys = known_keys();
+    const TableReader reader(*scene, "[setting.scene]", keys, context_.mistakes);
+    for (const MechanismParameter& parameter : setting_.mechanism->parameters) {
+      if (!(setting_.bicycle && parameter.symbol == "external"))
+        read_number(reader, parameter.symbol, parameter.optional);
+    }
+    for (const MechanismAngle& angle : setting_.mechanism->angles) read_angle(reader, angle);
+    if (setting_.mechanism->load) read_number(reader, setting_.mechanism->load->symbol, false);
+    if (setting_.bicycle) {
+      setting_.scene.emplace("external", make_number(*setting_.bicycle == ForceKind::external ? 1 : 0));
+    }
+    complete();
+    refuse_open_without_lift();
+    if (const auto& load = setting_.mechanism->load) {
+      for (const PlacedExpression& bound : load->domain) {
+        setting_.force.domain = both(setting_.force.domain, setting_.in_paper(bound.expression));
+      }
+    }
+  }
+
+ private:
+  std::vector<std::string_view> known_keys() const {
+    std::vector<std::string_view> keys;
+    const Mechanism& mechanism = *setting_.mechanism;
+    for (const MechanismParameter& parameter : mechanism.parameters) {
+      if (!(setting_.bicycle && parameter.symbol == "external")) keys.push_back(parameter.symbol);
+    }
+    for (const MechanismAngle& angle : mechanism.angles) keys.push_back(angle.name);
+    if (mechanism.load) keys.push_back(mechanism.load->symbol);
+    return keys;
+  }
+
+  bool is_load(std::string_view symbol) const {
+    return setting_.mechanism->load && setting_.mechanism->load->symbol == symbol;
+  }
+
+  /// Whether the paper has a symbol that may stand for one of the mechanism of the same name.
+  bool has_symbol(const std::string& symbol) const {
+    const auto& all = setting_.parameters;
+    return (is_load(symbol) && setting_.force.symbol == symbol) ||
+           std::any_of(all.begin(), all.end(), [&](const Parameter& p) { return !p.angle && p.symbol == symbol; });
+  }
+
+  void read_number(const TableReader& reader, const std::string& symbol, bool optional) {
+    if (!reader.has(symbol)) {
+      // Settings of the bicycle name everything, so that a forgotten symbol is a mistake.
+      if (!setting_.bicycle && has_symbol(symbol)) {
+        setting_.scene.emplace(symbol, make_symbol(symbol));
+      } else if (!optional) {
+        reader.require(symbol, "an expression over the parameters");
+      }
+      return;
+    }
+    setting_.scene.emplace(symbol, context_.expression(reader, symbol, Sort::number, index_,
+                                                       {.definitions = false, .force = is_load(symbol)}));
+  }
+
+  void read_angle(const TableReader& reader, const MechanismAngle& angle) {
+    const auto put = [&](const Expression& cosine, const Expression& sine) {
+      setting_.scene.emplace(angle.cosine, cosine);
+      setting_.scene.emplace(angle.sine, sine);
+    };
+    if (!reader.has(angle.name)) {
+      const auto& own = setting_.angles;
+      const auto same = std::find_if(own.begin(), own.end(), [&](const PaperAngle& a) { return a.name == angle.name; });
+      if (same != own.end()) return put(make_symbol(same->cosine), make_symbol(same->sine));
+      reader.require(angle.name, "an angle such as { tan_half = \"t\" } or { cos = \"c\", sin = \"s\" }");
+      return;
+    }
+    const TomlValue* value = reader.table(angle.name);
+    if (value == nullptr) return;
+    static constexpr std::array<std::string_view, 3> forms{"tan_half", "cos", "sin"};
+    const TableReader form(*value, "the angle " + angle.name, forms, context_.mistakes);
+    const auto number = [&](std::string_view key) { return context_.expression(form, key, Sort::number, index_, {}); };
+    if (form.has("tan_half")) {
+      if (form.has("cos") || form.has("sin"))
+        return form.refuse("tan_half", "found beside cos or sin, expected one of the two");
+      const Expression t = number("tan_half");
+      const PaperAngle by_half{angle.name, {}, {}, 0};
+      const auto with_t = [&](const Expression& e) { return substitute(e, angle.name, t); };
+      return put(with_t(by_half.cosine_value()), with_t(by_half.sine_value()));
+    }
+    form.require("cos", "the cosine, over the parameters");
+    form.require("sin", "the sine, over the parameters");
+    put(number("cos"), number("sin"));
+  }
+
+  /// A contact that is open from the start has no other state than `lift`.
+  void refuse_open_without_lift() {
+    const auto& contacts = setting_.mechanism->contacts;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      const auto missing = missing_for_lift(contacts[i], setting_.given());
+      if (setting_.starts[i] != ElementKind::Start::open || missing.empty()) continue;
+      context_.mistakes.add(table_.place("scene"), "the contact " + contacts[i].name +
+                                                       " is open, and this is not modelled without " +
+                                                       setting_.mechanism->parameters[missing.front()].symbol +
+                                                       ", expected it in [setting.scene]");
+    }
+  }
+
+  /// Where something is missing, which is reported, reading goes on.
+  void complete() {
+    const auto fill = [&](const std::string& symbol) { setting_.scene.emplace(symbol, make_number(0)); };
+    for (const MechanismParameter& parameter : setting_.mechanism->parameters) {
+      if (!parameter.optional) fill(parameter.symbol);
+    }
+    for (const MechanismAngle& angle : setting_.mechanism->angles) {
+      fill(angle.cosine);
+      fill(angle.sine);
+    }
+    if (setting_.mechanism->load) fill(setting_.mechanism->load->symbol);
+  }
+
+  const TableReader& table_;
+  Context& context_;
+  Setting& setting_;
+  std::size_t index_;
+};
+
+}  // namespace
+
+bool read_mechanism(const TableReader& table, Context& context, Setting& setting) {
+  if (!table.has("mechanism")) return read_bicycle(table, context, setting);
+  setting.mechanism_name = context.optional_text(table, "mechanism");
+  setting.along = context.optional_text(table, "along");
+  auto& known = context.mechanisms[{setting.mechanism_name, setting.along}];
+  if (!known) {
+    auto opened = named_mechanism(table, std::filesystem::path(context.file.file).parent_path().string());
+    if (!opened) return false;
+    known = std::make_shared<const Mechanism>(std::move(*opened));
+  }
+  setting.mechanism = known;
+  setting.starts = starts(*known);
+  if (const TomlValue* state = table.table("state")) read_states(*state, *known, setting.starts, context.mistakes);
+  if (mode_count(setting.all_kinds()) <= static_cast<double>(max_modes)) return true;
+  table.refuse("mechanism", "found more than " + std::to_string(max_modes) + " modes, expected a smaller mechanism");
+  return false;
+}
+
+void read_scene(const TableReader& table, Context& context, Setting& setting) {
+  SceneReader(table, context, setting).read();
+}
+
+}  // namespace slipproof::claims_reader

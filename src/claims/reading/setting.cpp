@@ -1,0 +1,135 @@
+// What follows from a setting and its mechanism.
+#include <algorithm>
+#include <set>
+
+#include "base/expression/cases.hpp"
+#include "claims/reading/claims_file.hpp"
+#include "mechanics/mechanism/coefficients.hpp"
+
+namespace slipproof {
+
+namespace {
+
+Expression square(const Expression& x) {
+  return make_power(x, 2);
+}
+
+/// 1 + t^2
+Expression one_and_square(const Expression& t) {
+  return make(Operation::add, {make_number(1), square(t)});
+}
+
+const MechanismDefinition* definition_of(const Mechanism& mechanism, std::string_view symbol) {
+  const auto found = std::find_if(mechanism.definitions.begin(), mechanism.definitions.end(),
+                                  [&](const MechanismDefinition& d) { return d.symbol == symbol; });
+  return found == mechanism.definitions.end() ? nullptr : &*found;
+}
+
+bool is_symbol(const Expression& e, std::string_view symbol) {
+  return e->operation == Operation::symbol && e->symbol == symbol;
+}
+
+/// What the coefficients of its mechanism divide by, each once, but numbers that are not 0.
+std::vector<Expression> divisors_of_coefficients(const Setting& setting) {
+  std::vector<Expression> result;
+  std::set<std::string> known;
+  for (const Expression& coefficient : coefficients(*setting.mechanism)) {
+    for (const Expression& divisor : divisors(setting.in_paper(coefficient))) {
+      const bool plain = divisor->operation == Operation::number && !divisor->number.is_zero();
+      if (!plain && known.insert(to_string(divisor)).second) result.push_back(divisor);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+Expression PaperAngle::cosine_value() const {
+  const Expression t = make_symbol(name);
+  return make(Operation::divide, {make(Operation::subtract, {make_number(1), square(t)}), one_and_square(t)});
+}
+
+Expression PaperAngle::sine_value() const {
+  const Expression t = make_symbol(name);
+  return make(Operation::divide, {make(Operation::multiply, {make_number(2), t}), one_and_square(t)});
+}
+
+Expression Setting::in_paper(const Expression& of_mechanism) const {
+  return substitute(of_mechanism, [this](const std::string& symbol) -> Expression {
+    if (const auto found = scene.find(symbol); found != scene.end()) return found->second;
+    if (const MechanismDefinition* definition = definition_of(*mechanism, symbol)) {
+      return in_paper(definition->expression.expression);
+    }
+    const auto is_parameter = [&](const MechanismParameter& p) { return p.symbol == symbol; };
+    const auto& all = mechanism->parameters;
+    return std::any_of(all.begin(), all.end(), is_parameter) ? make_number(0) : nullptr;  // one that is not given
+  });
+}
+
+std::vector<bool> Setting::given() const {
+  std::vector<bool> result;
+  for (const MechanismParameter& parameter : mechanism->parameters) result.push_back(scene.contains(parameter.symbol));
+  return result;
+}
+
+std::vector<ElementKind> Setting::kinds() const {
+  return element_kinds(*mechanism, starts, given());
+}
+
+std::vector<ElementKind> Setting::all_kinds() const {
+  return element_kinds(*mechanism, starts, std::vector<bool>(mechanism->parameters.size(), true));
+}
+
+std::vector<std::string> Setting::quantities() const {
+  std::vector<std::string> names = acceleration_names(*mechanism);
+  for (std::string& force : force_names(*mechanism)) names.push_back(std::move(force));
+  return names;
+}
+
+std::optional<std::size_t> Setting::unknown_index(std::string_view symbol) const {
+  const auto& unknowns = mechanism->unknowns;
+  const auto found = std::find_if(unknowns.begin(), unknowns.end(),
+                                  [&](const MechanismUnknown& unknown) { return unknown.symbol == symbol; });
+  return found == unknowns.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - unknowns.begin()));
+}
+
+Setting::PointConditions Setting::point_conditions() const {
+  PointConditions result;
+  const auto add = [&](const PlacedExpression& condition) {
+    if (condition) result.truths.push_back(in_paper(condition.expression));
+  };
+  for (const MechanismParameter& parameter : mechanism->parameters) {
+    const auto value = scene.find(parameter.symbol);
+    if (value == scene.end()) continue;
+    add(parameter.domain);
+    result.defined.push_back(value->second);
+  }
+  for (const MechanismAngle& angle : mechanism->angles) {
+    const Expression &c = scene.find(angle.cosine)->second, &s = scene.find(angle.sine)->second;
+    const bool of_paper = std::any_of(angles.begin(), angles.end(), [&](const PaperAngle& own) {
+      return is_symbol(c, own.cosine) && is_symbol(s, own.sine);
+    });
+    add(angle.domain);
+    result.defined.insert(result.defined.end(), {c, s});
+    if (of_paper) continue;
+    const Expression sum = make(Operation::add, {square(c), square(s)});
+    result.truths.push_back(make_comparison({sum, make_number(1)}, {Relation::equal}));
+  }
+  for (const MechanismCondition& condition : mechanism->assume) add(condition.condition);
+  for (const Expression& divisor : divisors_of_coefficients(*this)) {
+    result.truths.push_back(make_comparison({divisor, make_number(0)}, {Relation::not_equal}));
+  }
+  if (!mechanism->load) return result;
+  const Expression& load = scene.find(mechanism->load->symbol)->second;
+  const auto at = [&](int x) { return substitute(load, force.symbol, make_number(x)); };
+  if (is_linear_in(load, force.symbol)) result.slope = make(Operation::subtract, {at(1), at(0)});
+  return result;
+}
+
+std::size_t Setting::parameter_index(std::string_view symbol) const {
+  const auto found = std::find_if(parameters.begin(), parameters.end(),
+                                  [&](const Parameter& parameter) { return parameter.symbol == symbol; });
+  return static_cast<std::size_t>(found - parameters.begin());
+}
+
+}  // namespace slipproof

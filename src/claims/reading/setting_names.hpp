@@ -1,0 +1,55 @@
+// What the names in a setting's expressions stand for, and what depends on what.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "claims/reading/claims_file.hpp"
+
+namespace slipproof {
+
+class SettingNames {
+ public:
+  enum class Kind { parameter, force, quantity, definition };
+  struct Entry {
+    Kind kind;
+    std::size_t index;  ///< among its kind; 0 for the force; of the cosine or sine of an angle, its parameter
+  };
+
+  /// The setting must outlive the names. Of a name given twice, the first counts.
+  explicit SettingNames(const Setting& setting);
+
+  std::optional<Entry> find(std::string_view name) const;
+  const std::map<std::string, Entry, std::less<>>& all() const { return entries_; }
+
+  /// A definition as the reading has it.
+  const Expression& definition(std::size_t index, Reading reading) const;
+
+  /// The definitions that an expression needs, directly or through others, in the order of their indices.
+  std::vector<std::size_t> needs(const Expression& expression, Reading reading) const;
+  /// Whether an expression depends on a symbol, directly or through definitions.
+  bool depends(const Expression& expression, Reading reading, std::string_view symbol) const;
+  /// Whether an expression means something else in the two readings.
+  bool readings_differ(const Expression& expression) const;
+
+ private:
+  /// Ids of symbols: quantities, the force, parameters, definitions.
+  std::size_t definitions() const { return quantities_ + 1 + setting_->parameters.size(); }
+  std::size_t id(Entry entry) const;
+  void add(const std::string& name, Kind kind, std::size_t index) { entries_.try_emplace(name, Entry{kind, index}); }
+  void find_reach(Reading reading);
+  /// By id, whether an expression depends on the symbol.
+  std::vector<bool> reach(const Expression& expression, Reading reading) const;
+
+  const Setting* setting_;
+  std::size_t quantities_ = 0;
+  std::map<std::string, Entry, std::less<>> entries_;
+  std::array<std::vector<std::vector<bool>>, 2> reach_;  ///< by reading, definition and id
+};
+
+}  // namespace slipproof

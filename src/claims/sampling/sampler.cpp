@@ -1,0 +1,279 @@
+#include "claims/sampling/sampler.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "base/expression/filtered.hpp"
+#include "base/number/dice.hpp"
+
+namespace slipproof {
+
+namespace {
+
+bool is_true(FilteredEvaluator& evaluator, const Program& program) {
+  return evaluator.truth(program) == Truth::yes;
+}
+
+bool allows_all(FilteredEvaluator& evaluator, const std::vector<Program>& domains) {
+  return std::all_of(domains.begin(), domains.end(), [&](const Program& domain) { return is_true(evaluator, domain); });
+}
+
+std::vector<std::size_t> unmet_by(FilteredEvaluator& evaluator, const std::vector<Program>& conditions) {
+  std::vector<std::size_t> unmet;
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    if (!is_true(evaluator, conditions[i])) unmet.push_back(i);
+  }
+  return unmet;
+}
+
+/// The values of the parameters, where a setting's programs are asked for theirs.
+FilteredEvaluator evaluator_at(const CompiledSetting& setting, const std::vector<Rational>& values) {
+  FilteredEvaluator evaluator(setting.scope());
+  evaluator.set(CompiledSetting::parameter_slot(0), values);
+  return evaluator;
+}
+
+/// Points of a setting, one after the other in the same memory: thousands are looked at for some that are kept.
+class SamplePoint {
+ public:
+  SamplePoint(const CompiledSetting& setting, const std::vector<SureCondition>& domains)
+      : setting_(setting), domains_(domains), evaluator_(setting.scope()), near_(domains.size()) {}
+
+  SamplePoint& at(const std::vector<Rational>& values) {
+    values_ = &values;
+    for (std::size_t k = 0; k < values.size(); ++k) near_[k] = Approximate(values[k]);
+    for (SureCondition& domain : domains_) domain.all_changed();
+    is_set_ = false;
+    return *this;
+  }
+  /// One of them is another one now.
+  void changed(std::size_t parameter) {
+    near_[parameter] = Approximate((*values_)[parameter]);
+    for (SureCondition& domain : domains_) domain.changed(parameter);
+    is_set_ = false;
+  }
+  bool allows(std::size_t parameter) {
+    const Truth sure = domains_[parameter].truth(near_);
+    return sure == Truth::undecided ? is_true(evaluator(), setting_.domains()[parameter]) : sure == Truth::yes;
+  }
+  /// After allows(): SureCondition::demanded() of its domain.
+  const Approximate* demanded(std::size_t parameter) const { return domains_[parameter].demanded(parameter); }
+  bool in_domain() {
+    for (std::size_t k = 0; k < domains_.size(); ++k) {
+      if (!allows(k)) return false;
+    }
+    return true;
+  }
+  std::vector<std::size_t> unrealisable() { return unmet_by(evaluator(), setting_.realisable()); }
+  std::optional<Rational> value(const Program& program) { return evaluator().number(program).number; }
+
+ private:
+  FilteredEvaluator& evaluator() {
+    if (!is_set_) evaluator_.set(CompiledSetting::parameter_slot(0), *values_);
+    is_set_ = true;
+    return evaluator_;
+  }
+
+  const CompiledSetting& setting_;
+  std::vector<SureCondition> domains_;
+  FilteredEvaluator evaluator_;
+  std::vector<Approximate> near_;
+  const std::vector<Rational>* values_ = nullptr;
+  bool is_set_ = false;  ///< the evaluator, to the values
+};
+
+enum class Kind { integers, fractions, on_boundary, near_boundary, between_boundaries, extreme };
+constexpr std::array kinds{Kind::integers,           Kind::fractions, Kind::on_boundary, Kind::near_boundary,
+                           Kind::between_boundaries, Kind::extreme,   Kind::fractions,   Kind::on_boundary};
+
+constexpr int largest_numerator = 12, largest_denominator = 8;
+
+/// In lowest terms once and for all: a sample may take thousands of them.
+const Rational& small_fraction(int numerator, int denominator) {
+  static const std::vector<Rational> all = [] {
+    std::vector<Rational> fractions;
+    for (int n = -largest_numerator; n <= largest_numerator; ++n) {
+      for (int d = 1; d <= largest_denominator; ++d) fractions.emplace_back(n, d);
+    }
+    return fractions;
+  }();
+  return all[static_cast<std::size_t>((numerator + largest_numerator) * largest_denominator + denominator - 1)];
+}
+
+/// numerator / denominator * 2^exponent.
+struct Drawn {
+  int numerator = 0, denominator = 1, exponent = 0;
+
+  Rational value() const {
+    const Rational& small = small_fraction(numerator, denominator);
+    return exponent == 0 ? small : small * power_of_two(exponent);
+  }
+};
+
+Drawn draw(Dice& dice, Kind kind) {
+  Drawn drawn;
+  const int sign = dice.chance(4) ? -1 : 1;
+  if (dice.chance(10)) return drawn;
+  if (kind == Kind::integers) {
+    drawn.numerator = sign * dice.number(1, 6);
+    return drawn;
+  }
+  drawn.denominator = dice.number(1, largest_denominator);
+  drawn.numerator = sign * dice.number(1, largest_numerator);
+  if (kind == Kind::extreme && !dice.chance(2)) drawn.exponent = dice.number(-40, 40);
+  return drawn;
+}
+
+/// False where a number surely is none that may be drawn: no denominator makes it an integer, or one times a power of
+/// two, by far more than its error and what is rounded here.
+bool may_be_drawn(const Approximate& x, Kind kind) {
+  constexpr double margin = 1e-6;
+  for (int denominator = 1; denominator <= largest_denominator; ++denominator) {
+    double scale = denominator;
+    if (kind == Kind::extreme) {
+      int exponent = 0;
+      std::frexp(x.value * scale, &exponent);
+      scale = std::ldexp(scale, 4 - exponent);  // numerators have four bits
+    }
+    const double numerator = x.value * scale;
+    if (!(std::fabs(numerator - std::nearbyint(numerator)) > margin + x.error * scale)) return true;
+  }
+  return false;
+}
+
+/// Draws one parameter again, at most so often, until its domain allows it.
+void draw_again(SamplePoint& point, std::size_t parameter, int times, Dice& dice, Kind kind, Rational& value) {
+  if (point.allows(parameter)) return;
+  if (const Approximate* const demanded = point.demanded(parameter); demanded && !may_be_drawn(*demanded, kind)) {
+    for (; times > 1; --times) draw(dice, kind);  // in vain, all of them
+  }
+  for (; times > 0 && !point.allows(parameter); --times) {
+    value = draw(dice, kind).value();
+    point.changed(parameter);
+  }
+}
+
+std::vector<Rational> draw_all(SamplePoint& point, std::size_t parameters, Dice& dice, Kind kind) {
+  std::vector<Rational> values(parameters);
+  for (int attempt = 0; attempt < 200; ++attempt) {
+    for (Rational& value : values) value = draw(dice, kind).value();
+    if (point.at(values).in_domain()) return values;
+    // Domains of one parameter alone are met soonest by drawing it alone again.
+    for (std::size_t k = 0; k < values.size(); ++k) draw_again(point, k, 20, dice, kind, values[k]);
+    if (point.in_domain()) return values;
+  }
+  return {};
+}
+
+/// Draws single parameters anew, as long as no further condition breaks, until what the values are of can be built;
+/// false if that does not come about.
+bool make_realisable(SamplePoint& point, Dice& dice, Kind kind, std::vector<Rational>& values) {
+  const auto last = static_cast<int>(values.size()) - 1;
+  std::size_t unmet = point.at(values).unrealisable().size();
+  for (int attempt = 0; attempt < 400 && unmet > 0; ++attempt) {
+    Rational drawn = draw(dice, kind).value();
+    const auto parameter = static_cast<std::size_t>(dice.number(0, last));
+    Rational& value = values[parameter];
+    Rational before = std::exchange(value, std::move(drawn));
+    point.changed(parameter);
+    const bool inside = point.in_domain();
+    const std::size_t still = inside ? point.unrealisable().size() : unmet;
+    if (!inside || still > unmet) {
+      value = std::move(before);
+      point.changed(parameter);
+    } else {
+      unmet = still;
+    }
+  }
+  return unmet == 0;
+}
+
+/// The boundaries of one parameter, ascending.
+std::vector<Rational> boundaries_of(const CompiledSetting& setting, std::size_t parameter, SamplePoint& point) {
+  std::vector<Rational> result;
+  for (const auto& boundary : setting.boundaries()) {
+    if (boundary.parameter != parameter) continue;
+    if (auto value = point.value(boundary.value)) result.push_back(std::move(*value));
+  }
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+Rational placed(const std::vector<Rational>& boundaries, Dice& dice, Kind kind) {
+  const auto last = static_cast<int>(boundaries.size()) - 1;
+  const Rational& here = boundaries[static_cast<std::size_t>(dice.number(0, last))];
+  if (kind == Kind::on_boundary) return here;
+  if (kind == Kind::near_boundary) {
+    const Rational step = power_of_two(-dice.number(3, 60));
+    return here + (dice.chance(2) ? step : Rational(-step)) * (here.is_zero() ? Rational(1) : here);
+  }
+  const Rational& other = boundaries[static_cast<std::size_t>(dice.number(0, last))];
+  return here + (other - here) * Rational(dice.number(1, 7), 8);
+}
+
+}  // namespace
+
+bool allows(const CompiledSetting& setting, std::size_t parameter, const std::vector<Rational>& values) {
+  FilteredEvaluator evaluator = evaluator_at(setting, values);
+  return is_true(evaluator, setting.domains()[parameter]);
+}
+
+bool in_domain(const CompiledSetting& setting, const std::vector<Rational>& values) {
+  FilteredEvaluator evaluator = evaluator_at(setting, values);
+  return allows_all(evaluator, setting.domains());
+}
+
+std::vector<std::size_t> unrealisable(const CompiledSetting& setting, const std::vector<Rational>& values) {
+  FilteredEvaluator evaluator = evaluator_at(setting, values);
+  return unmet_by(evaluator, setting.realisable());
+}
+
+std::optional<Rational> boundary_value(const CompiledSetting& setting, const CompiledSetting::Boundary& boundary,
+                                       const std::vector<Rational>& values) {
+  return evaluator_at(setting, values).number(boundary.value).number;
+}
+
+Sampler::Sampler(const CompiledSetting& setting, std::uint64_t seed, Among among)
+    : setting_(&setting), seed_(seed), among_(among) {
+  for (const Program& domain : setting.domains()) {
+    domains_.emplace_back(setting.scope(), domain, CompiledSetting::parameter_slot(0), setting.domains().size());
+  }
+}
+
+std::vector<Rational> Sampler::at(std::uint64_t i) const {
+  Dice dice(seed_, i);
+  Kind kind = kinds[i % kinds.size()];
+  // What can be built has fractions: wheels are smaller than the vehicle.
+  if (among_ == Among::realisable && kind == Kind::integers) kind = Kind::fractions;
+  SamplePoint point(*setting_, domains_);
+  std::vector<Rational> values = draw_all(point, setting_->domains().size(), dice, kind);
+  if (!values.empty() && among_ == Among::realisable && !make_realisable(point, dice, kind, values)) return {};
+  if (values.empty() || kind == Kind::integers || kind == Kind::fractions || setting_->boundaries().empty())
+    return values;
+  if (kind == Kind::extreme && dice.chance(2)) return values;
+
+  std::vector<std::size_t> bounded;
+  for (const auto& boundary : setting_->boundaries()) {
+    if (std::find(bounded.begin(), bounded.end(), boundary.parameter) == bounded.end()) {
+      bounded.push_back(boundary.parameter);
+    }
+  }
+  // Parameters with boundaries in the file's order; the last may depend on those before it. Sometimes all are placed.
+  const bool all = dice.chance(4);
+  const std::size_t chosen = static_cast<std::size_t>(dice.number(0, static_cast<int>(bounded.size()) - 1));
+  for (std::size_t k = 0; k < bounded.size(); ++k) {
+    if (!all && k != chosen) continue;
+    const auto boundaries = boundaries_of(*setting_, bounded[k], point.at(values));
+    if (boundaries.empty()) continue;
+    std::vector<Rational> moved = values;
+    moved[bounded[k]] = placed(boundaries, dice, kind == Kind::extreme ? Kind::on_boundary : kind);
+    if (!point.at(moved).in_domain()) continue;
+    if (among_ == Among::all || point.unrealisable().empty()) values = std::move(moved);
+  }
+  return values;
+}
+
+}  // namespace slipproof

@@ -1,0 +1,263 @@
+#include "claims/statements/claim_writer.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+
+#include "base/expression/logic.hpp"
+#include "claims/statements/truth_text.hpp"
+#include "proofs/statement/zero_divisors.hpp"
+
+namespace slipproof {
+namespace {
+
+/// The same of another motion: its unknowns, and what is defined from them, with an ending to their names.
+MotionText with_ending(const MotionText& motion, const std::vector<std::string>& unknowns, const std::string& ending) {
+  std::set<std::string, std::less<>> names(unknowns.begin(), unknowns.end());
+  std::string line;
+  for (std::istringstream lines(motion.definitions); std::getline(lines, line);) {
+    const std::size_t begin = line.find(' ') + 1;
+    names.insert(line.substr(begin, line.find_first_of(" :", begin) - begin));
+  }
+  const auto renamed = [&](const std::string& text) {
+    std::string result;
+    for (std::size_t i = 0; i < text.size();) {
+      std::size_t end = i;
+      while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_')) ++end;
+      const std::string word = text.substr(i, std::max<std::size_t>(end - i, 1));
+      result += names.contains(word) ? word + ending : word;
+      i += word.size();
+    }
+    return result;
+  };
+  return {renamed(motion.definitions), renamed(motion.formula)};
+}
+
+}  // namespace
+
+ClaimWriter::ClaimWriter(const ClaimsFile& claims, const Claim& claim, Reading reading)
+    : SettingWriter(claims.settings[claim.setting], claim.repaired ? reading : Reading::printed),
+      claims_(claims),
+      claim_(claim),
+      body_(claim.body(reading)),
+      name_(claim.id + (reading == Reading::repaired && claim.repaired ? ".repaired" : "")) {
+  if (!has_interval_of_forces()) give_up();
+}
+
+std::string ClaimWriter::opening(const std::string& suffix) {
+  return header(name_ + suffix, fmt::format("{} of {}, {} reading", claim_.id, claims_.paper.source, name(reading())));
+}
+
+std::string ClaimWriter::assumed(const Assumptions& assumptions, std::vector<Expression>& uses) {
+  std::string result;
+  for (const auto& [label, truth] : assumptions) {
+    if (!is_true(truth)) uses.push_back(truth);
+    result += assumption(label, truth);
+  }
+  return result;
+}
+
+void ClaimWriter::implied(const Implication& implication, const Expression& shown) {
+  implied(implication, text(shown), {shown});
+}
+
+void ClaimWriter::implied(const Implication& implication, const std::string& shown,
+                          const std::vector<Expression>& uses) {
+  std::string result = opening(implication.suffix);
+  std::vector<Expression> all = uses;
+  const std::string assumptions = assumed(implication.assumptions, all);
+  result += fmt::format("{}assume domain: {}\n", variables(), domain(implication.force_domain)) + scene(all);
+  if (implication.motion) {
+    result += fmt::format("{}{}real {}\n{}assume motion: {}\n", assumptions, implication.hints,
+                          fmt::join(mechanics().unknowns(), " "), implication.motion->definitions,
+                          implication.motion->formula);
+  } else {
+    result += assumptions;
+  }
+  statements_.push_back({name_ + implication.suffix, result + fmt::format("show {}\n", shown), implication.refutes});
+}
+
+void ClaimWriter::exists(const Implication& implication, const std::vector<std::string>& unknowns,
+                         const MotionText& shown, const std::vector<Expression>& uses) {
+  std::string result = opening(implication.suffix);
+  std::vector<Expression> all = uses;
+  const std::string assumptions = assumed(implication.assumptions, all);
+  std::vector<std::string> known;  // unknowns of the motion that are given
+  for (const auto& unknown : mechanics().unknowns()) {
+    if (std::find(unknowns.begin(), unknowns.end(), unknown) == unknowns.end()) known.emplace_back(unknown);
+  }
+  result += variables();
+  if (!known.empty()) result += fmt::format("real {}\n", fmt::join(known, " "));
+  result += fmt::format("assume domain: {}\n", domain(implication.force_domain)) + scene(all) + assumptions +
+            implication.hints;
+  result += fmt::format("exists {}\n{}show {}\n", fmt::join(unknowns, " "), shown.definitions, shown.formula);
+  statements_.push_back({name_ + implication.suffix, std::move(result), implication.refutes});
+}
+
+void ClaimWriter::exists(const Implication& implication, const MotionText& motion) {
+  exists(implication, mechanics().unknowns(), motion);
+}
+
+void ClaimWriter::together(const std::string& suffix, const Assumptions& assumptions,
+                           const std::vector<MotionText>& motions, const std::string& hints, const std::string& shown) {
+  std::string result = opening(suffix);
+  std::vector<Expression> uses;
+  const std::string assumption_lines = assumed(assumptions, uses);
+  result += fmt::format("{}assume domain: {}\n", variables(), domain(true)) + scene(uses) + assumption_lines + hints;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const std::string ending = i == 0 ? "" : fmt::format("_{}", i + 1);
+    const MotionText motion = with_ending(motions[i], mechanics().unknowns(), ending);
+    result += fmt::format("real {}{}\n{}assume motion{}: {}\n", fmt::join(mechanics().unknowns(), ending + " "), ending,
+                          motion.definitions, ending, motion.formula);
+  }
+  statements_.push_back({name_ + suffix, result + fmt::format("show {}\n", shown)});
+}
+
+void ClaimWriter::one_motion(const std::string& suffix, const Assumptions& assumptions, const MechanismMode& x,
+                             const MechanismMode& y, bool strict, const std::string& hints) {
+  together(suffix, assumptions, {motion(x, strict), motion(y, strict)}, hints, same_accelerations(2));
+}
+
+std::string ClaimWriter::same_accelerations(std::size_t other) const {
+  std::vector<std::string> same;
+  for (const auto& unknown : mechanics().accelerations()) same.push_back(fmt::format("{0} = {0}_{1}", unknown, other));
+  return fmt::format("{}", fmt::join(same, " and "));
+}
+
+void ClaimWriter::same_as_one_of(const std::string& suffix, const Assumptions& assumptions,
+                                 const std::vector<MechanismMode>& modes) {
+  std::vector<MotionText> motions = {any_motion(false)};
+  std::vector<std::string> same;
+  for (const MechanismMode& mode : modes) {
+    motions.push_back(motion(mode, false));
+    same.push_back("{" + same_accelerations(motions.size()) + "}");
+  }
+  together(suffix, assumptions, motions, "", fmt::format("{}", fmt::join(same, " or ")));
+}
+
+void ClaimWriter::impossible_together(const std::string& suffix, const Assumptions& assumptions,
+                                      const std::vector<MotionText>& motions) {
+  together(suffix, assumptions, motions, "", "false");
+}
+
+void ClaimWriter::has_value(const std::string& suffix, const Assumptions& assumptions, const Expression& truth) {
+  if (always_defined(truth)) return;
+  implied({suffix, assumptions, {}, depends_on_force(truth)}, make(Operation::logical_or, {truth, opposite(truth)}));
+}
+
+void ClaimWriter::have_values(const std::string& suffix, const Expression& region, const Expression& forces) {
+  has_value(suffix + ".region", {}, region);
+  has_value(suffix, {{"region", region}}, forces);
+}
+
+void ClaimWriter::goes_beyond(const std::string& suffix, const std::string& parameter, const Expression& from) {
+  if (!is_bounded(parameter)) return;
+  const std::string greater = parameter + "'";
+  std::vector<Expression> uses = {body_.region, from};
+  std::string result = opening(suffix) + fmt::format("{}assume domain: {}\n", variables(), domain(false));
+  result += definitions(uses) + assumption("region", body_.region);
+  const auto bound = number_text(from, [this](const Expression& e) { return always_defined(e); });
+  if (!bound) give_up();
+  result += fmt::format("exists {}\nshow {} and {} > {}\n", greater, domain(false, parameter, greater), greater,
+                        bound.value_or("0"));
+  statements_.push_back({name_ + suffix, std::move(result)});
+}
+
+std::vector<Expression> ClaimWriter::cells(const std::vector<Expression>& regions) const {
+  std::vector<Expression> values;
+  std::string symbol;
+  for (const Boundary& boundary : setting().boundaries) {
+    if (boundary.value->operation != Operation::symbol) continue;
+    const bool bounds_region = std::any_of(regions.begin(), regions.end(), [&](const Expression& region) {
+      const std::vector<std::string> names = symbols(region);
+      return std::find(names.begin(), names.end(), boundary.value->symbol) != names.end();
+    });
+    if (!bounds_region || (!symbol.empty() && boundary.symbol != symbol)) continue;
+    symbol = boundary.symbol;
+    values.push_back(boundary.value);
+  }
+  if (values.empty()) return {make_truth(true)};
+  const Expression bounded = make_symbol(symbol);
+  std::vector<Expression> result = {make_comparison({bounded, values.front()}, {Relation::less})};
+  for (std::size_t i = 0; i + 1 < values.size(); ++i) {
+    result.push_back(make_comparison({values[i], bounded, values[i + 1]}, {Relation::less_equal, Relation::less}));
+  }
+  result.push_back(make_comparison({values.back(), bounded}, {Relation::less_equal}));
+  return result;
+}
+
+/// Nothing where statements cannot write the value.
+std::string ClaimWriter::hint(const Boundary& boundary) const {
+  const auto value = number_text(inlined(boundary.value), [this](const Expression& e) { return always_defined(e); });
+  return value ? fmt::format("# split: {} - ({})\n", boundary.symbol, *value) : std::string();
+}
+
+Expression ClaimWriter::in_one_of(const References& others, bool stated) const {
+  Expression result;
+  for (const std::size_t other : others) {
+    const ClaimBody& body = claims_.claims[other].body(reading());
+    const auto forces = parts(body, BodyPart::forces);
+    const Expression here = stated && !forces.empty() ? both(body.region, *forces.front()) : body.region;
+    result = result ? make(Operation::logical_or, {result, here}) : here;
+  }
+  return result;
+}
+
+std::string ClaimWriter::hints_to_numbers() const {
+  std::string result;
+  for (const Boundary& boundary : setting().boundaries) {
+    if (!symbols(boundary.value).empty()) continue;
+    result += hint(boundary);
+  }
+  return result;
+}
+
+void ClaimWriter::somewhere(const std::string& suffix, const std::vector<Expression>& truths,
+                            const std::vector<MotionText>& motions, const std::vector<Expression>& more_uses) {
+  std::string result = opening(suffix);
+  std::string shown = domain(true);
+  std::vector<Expression> uses = more_uses;
+  for (const Expression& truth : truths) {
+    if (is_true(truth)) continue;
+    uses.push_back(truth);
+    shown += fmt::format(" and {{{}}}", text(truth));
+  }
+  result += "exists " + parameters();
+  std::string definitions;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const std::string ending = i == 0 ? "" : fmt::format("_{}", i + 1);
+    for (const auto& unknown : mechanics().unknowns()) result += fmt::format(" {}{}", unknown, ending);
+    const MotionText motion = with_ending(motions[i], mechanics().unknowns(), ending);
+    definitions += motion.definitions;
+    shown += " and " + motion.formula;
+  }
+  std::string hints;  // where bicycles are special
+  for (const Boundary& boundary : setting().boundaries) {
+    uses.push_back(boundary.value);
+    hints += hint(boundary);
+  }
+  statements_.push_back({name_ + suffix, result + '\n' + scene(uses) + hints + definitions + "show " + shown + '\n'});
+}
+
+std::vector<NamedStatement> ClaimWriter::take() {
+  if (!complete()) return {};
+  for (NamedStatement& statement : statements_) statement.text = without_zero_divisors(std::move(statement.text));
+  return std::move(statements_);
+}
+
+Equations equations_of(const ClaimWriter& writer, const References& claims, const Equations& others) {
+  Equations result;
+  for (const std::size_t claim : claims) {
+    for (const Expression* equation :
+         parts(writer.claims().claims[claim].body(writer.reading()), BodyPart::equations)) {
+      result.push_back(*equation);
+    }
+  }
+  result.insert(result.end(), others.begin(), others.end());
+  return result;
+}
+
+}  // namespace slipproof

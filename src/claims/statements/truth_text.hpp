@@ -1,0 +1,19 @@
+// Truth values and numbers of claims in the syntax of statements, which has no `not` and no functions, no decimals, and
+// no exponents below 1. The text of a condition holds exactly where the condition is true: a comparison of a statement
+// holds only where all its divisors differ from 0, as one of a claim has a value only there.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "base/expression/cases.hpp"
+
+namespace slipproof {
+
+/// Nothing where it would be too long: see by_cases(), also for `defined`.
+std::optional<std::string> truth_text(const Expression& truth, const OfExpression& defined = has_no_division);
+
+/// A number without functions; nothing if there are some.
+std::optional<std::string> number_text(const Expression& number, const OfExpression& defined = has_no_division);
+
+}  // namespace slipproof

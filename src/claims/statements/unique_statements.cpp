@@ -1,0 +1,153 @@
+#include "claims/statements/unique_statements.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "base/expression/logic.hpp"
+
+namespace slipproof {
+namespace {
+
+/// Whether the number is the force, or it times a parameter that is positive by its domain.
+bool is_force(const Setting& setting, const Expression& number) {
+  if (number->operation == Operation::symbol) return number->symbol == setting.force.symbol;
+  if (number->operation != Operation::multiply) return false;
+  const Expression &left = number->operands[0], &right = number->operands[1];
+  if (right->operation != Operation::symbol) return false;
+  return is_force(setting, left) &&
+         std::any_of(setting.parameters.begin(), setting.parameters.end(), [&](const Parameter& parameter) {
+           return parameter.symbol == right->symbol && parameter.is_positive();
+         });
+}
+
+/// Whether each comparison that does not allow equality has its sides equal at one force at most, so that the closure
+/// adds single forces.
+bool has_single_ends(const ClaimWriter& writer, const Expression& truth) {
+  const auto inner = [&](const Expression& e) { return has_single_ends(writer, e); };
+  if (truth->operation == Operation::truth) return true;
+  if (truth->operation != Operation::compare) {
+    return std::all_of(truth->operands.begin(), truth->operands.end(), inner);
+  }
+  const Setting& setting = writer.setting();
+  for (std::size_t i = 0; i + 1 < truth->operands.size(); ++i) {
+    const Expression &left = truth->operands[i], &right = truth->operands[i + 1];
+    const Relation relation = truth->relations[i];
+    if (relation == Relation::less_equal || relation == Relation::greater_equal || relation == Relation::equal)
+      continue;
+    const bool single = (is_force(setting, left) && !writer.depends_on_force(right)) ||
+                        (is_force(setting, right) && !writer.depends_on_force(left));
+    if (!single) return false;
+  }
+  return true;
+}
+
+class UniqueWriter {
+ public:
+  UniqueWriter(ClaimWriter& writer, const Unique& claim) : writer_(writer), claim_(claim) {}
+
+  void write() {
+    common_ = {{"region", writer_.body().region}, {"force", claim_.forces}};
+    for (std::size_t i = 0; i < claim_.except.size(); ++i) {
+      common_.emplace_back(fmt::format("not_excepted{}", i + 1), beyond(claim_.except[i]));
+    }
+    for (const std::size_t other : claim_.claims) write_stated(other);
+    write_rest();
+    write_values();
+  }
+
+ private:
+  const ClaimBody& other(std::size_t index) const { return writer_.claims().claims[index].body(writer_.reading()); }
+  const std::string& id(std::size_t index) const { return writer_.claims().claims[index].id; }
+  const Expression& forces(std::size_t index) const { return *parts(other(index), BodyPart::forces).front(); }
+
+  /// Not near the claim.
+  Expression beyond(std::size_t index) {
+    if (!has_single_ends(writer_, forces(index))) writer_.give_up();
+    return opposite(make(Operation::logical_and, {other(index).region, closure(forces(index))}));
+  }
+
+  /// Where a claim states a motion there is no other.
+  void write_stated(std::size_t index) {
+    ClaimWriter::Assumptions assumptions = common_;
+    assumptions.emplace_back("stated", make(Operation::logical_and, {other(index).region, forces(index)}));
+    const MechanismMode mode = modes(other(index).says).front();
+    writer_.implied({"." + id(index), assumptions, motion_, true, hints_}, writer_.mechanics().mode_text(mode), {});
+    writer_.one_motion("." + id(index) + ".one", assumptions, mode, mode, false, hints_);
+    writer_.exists({"." + id(index) + ".exists", assumptions, {}, true, hints_}, writer_.motion(mode, false));
+  }
+
+  void write_rest() {
+    ClaimWriter::Assumptions rest = common_;
+    std::vector<Expression> regions;
+    for (const std::size_t index : claim_.claims) {
+      rest.emplace_back("beyond_" + id(index), beyond(index));
+      regions.push_back(other(index).region);
+    }
+    const std::vector<Expression> cells = writer_.cells(regions);
+    Expression any_cell;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      ClaimWriter::Assumptions here = rest;
+      here.emplace(here.begin(), "cell", cells[i]);
+      writer_.implied({fmt::format(".rest.{}", i + 1), here, motion_, true, hints_}, shown(), {});
+      writer_.exists({fmt::format(".rest.exists.{}", i + 1), here, {}, true, hints_},
+                     {motion_.definitions, writer_.mechanics().dynamics() + " and {" + listed() + "}"});
+      any_cell = any_cell ? make(Operation::logical_or, {any_cell, cells[i]}) : cells[i];
+    }
+    writer_.implied({".rest.cells", {}, {}}, any_cell);
+    for (std::size_t i = 0; i < claim_.modes.size(); ++i) {
+      for (std::size_t k = i; k < claim_.modes.size(); ++k) {
+        writer_.one_motion(fmt::format(".rest.one.{}-{}", i + 1, k + 1), common_, claim_.modes[i], claim_.modes[k],
+                           false);
+      }
+    }
+  }
+
+  void write_values() {
+    writer_.have_values(".defined", writer_.body().region, claim_.forces);
+    References named = claim_.claims;
+    named.insert(named.end(), claim_.except.begin(), claim_.except.end());
+    for (const std::size_t index : named) {
+      writer_.has_value(".defined." + id(index) + ".region", {{"region", writer_.body().region}}, other(index).region);
+      writer_.has_value(".defined." + id(index), {{"region", writer_.body().region}, {"stated", other(index).region}},
+                        forces(index));
+    }
+  }
+
+  std::string listed() const {
+    std::vector<std::string> texts;
+    for (const MechanismMode& mode : claim_.modes) {
+      texts.push_back("{" + writer_.mechanics().mode_text(mode) + "}");
+    }
+    return texts.empty() ? "false" : fmt::format("{}", fmt::join(texts, " or "));
+  }
+  /// Where all states of the other elements are listed, as in */lift, only one element has something to show.
+  std::string shown() const {
+    const MechanicsWriter& mechanics = writer_.mechanics();
+    for (std::size_t element = 0; element < mechanics.elements() && !claim_.modes.empty(); ++element) {
+      const ElementState state = claim_.modes.front()[element];
+      const auto fits = [&](const MechanismMode& mode) { return mode[element] == state; };
+      std::vector<MechanismMode> all = mechanics.modes();
+      std::erase_if(all, [&](const MechanismMode& mode) { return !fits(mode); });
+      if (all.size() == claim_.modes.size() && std::all_of(claim_.modes.begin(), claim_.modes.end(), fits)) {
+        return mechanics.state_name(element, state);
+      }
+    }
+    return listed();
+  }
+
+  ClaimWriter& writer_;
+  const Unique& claim_;
+  const MotionText motion_ = writer_.any_motion(false);
+  const std::string hints_ = writer_.hints_to_numbers();
+  ClaimWriter::Assumptions common_;
+};
+
+}  // namespace
+
+void unique_statements(ClaimWriter& writer, const Unique& claim) {
+  UniqueWriter(writer, claim).write();
+}
+
+}  // namespace slipproof

@@ -1,0 +1,51 @@
+#include "claims/statements/unstated.hpp"
+
+#include <algorithm>
+
+#include "base/parallel/failure.hpp"
+
+namespace slipproof {
+
+namespace {
+
+std::string reason(const Setting& setting, const ClaimBody& body) {
+  if (body.expect == Expectation::undecided) return "the claims file expects it to stay undecided";
+  const auto* limit = std::get_if<Limit>(&body.says);
+  if (limit != nullptr && body.expect == Expectation::refuted) return "statements cannot say that a limit is false";
+  if (limit != nullptr && !limit->from) {
+    return "a limit needs `from`: a value of " + limit->parameter + " from which on it can be shown";
+  }
+  const Modes named = modes(body.says);
+  const auto kinds = setting.kinds();
+  for (const MechanismMode& mode : named) {
+    for (std::size_t i = 0; i < mode.size(); ++i) {
+      if (mode[i] != ElementState::lift || kinds[i].lifts) continue;
+      const Mechanism& mechanism = *setting.mechanism;
+      const std::size_t needed = missing_for_lift(mechanism.contacts[i], setting.given()).front();
+      return "lift of " + element_name(mechanism, i) + " is not modelled without " +
+             mechanism.parameters[needed].symbol + " in [setting.scene]";
+    }
+  }
+  if (body.expect == Expectation::refuted) return "statements cannot say how this claim fails";
+  return "it would take too many cases";
+}
+
+}  // namespace
+
+std::vector<UnstatedClaim> unstated_claims(const ClaimsFile& claims) {
+  std::vector<UnstatedClaim> result;
+  for (const Claim& claim : claims.claims) {
+    for (const Reading reading : all_readings) {
+      const bool printed = reading == Reading::printed;
+      if (!printed && !claim.repaired) continue;
+      bool stated = false;
+      const std::string failure = failure_of([&] { stated = !expected_statements(claims, claim, reading).empty(); });
+      if (stated || !failure.empty()) continue;
+      result.push_back(
+          {claim.id + (printed ? "" : ".repaired"), reason(claims.settings[claim.setting], claim.body(reading))});
+    }
+  }
+  return result;
+}
+
+}  // namespace slipproof

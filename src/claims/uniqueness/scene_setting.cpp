@@ -1,0 +1,68 @@
+#include "claims/uniqueness/scene_setting.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+#include "base/expression/logic.hpp"
+#include "base/input/near_match.hpp"
+#include "mechanics/bicycle_modes/bicycle_motions.hpp"
+
+namespace slipproof {
+
+namespace {
+
+std::size_t given_parameter(const MechanismScene& scene, const std::string& symbol) {
+  const auto& all = scene.mechanism.parameters;
+  std::vector<std::string_view> known;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!scene.values.given[i]) continue;
+    if (all[i].symbol == symbol) return i;
+    known.push_back(all[i].symbol);
+  }
+  throw std::invalid_argument(unknown_name("parameter of the scene", symbol, known));
+}
+
+}  // namespace
+
+Setting setting_along(const MechanismScene& scene, const std::string& parameter) {
+  const std::size_t free = given_parameter(scene, parameter);
+  Setting setting;
+  setting.id = "scene";
+  setting.mechanism = std::make_shared<const Mechanism>(scene.mechanism);
+  setting.mechanism_name = scene.mechanism.name;
+  setting.starts = scene.values.starts;
+  setting.strict = false;
+  for (std::size_t i = 0; i < scene.mechanism.parameters.size(); ++i) {
+    const std::string& symbol = scene.mechanism.parameters[i].symbol;
+    if (!scene.values.given[i]) continue;
+    setting.scene.emplace(symbol, i == free ? make_symbol(symbol) : make_number(scene.values.parameters[i]));
+  }
+  for (std::size_t i = 0; i < scene.mechanism.angles.size(); ++i) {
+    setting.scene.emplace(scene.mechanism.angles[i].cosine, make_number(scene.values.angles[i].cosine));
+    setting.scene.emplace(scene.mechanism.angles[i].sine, make_number(scene.values.angles[i].sine));
+  }
+  const PlacedExpression& domain = scene.mechanism.parameters[free].domain;
+  setting.parameters.push_back(
+      {.symbol = parameter, .domain = domain ? setting.in_paper(domain.expression) : make_truth(true), .meaning = {}});
+  setting.force.domain = make_truth(true);
+  if (const auto& load = scene.mechanism.load) {
+    setting.force.symbol = load->symbol;
+    setting.scene.emplace(load->symbol, make_symbol(load->symbol));
+    for (const PlacedExpression& bound : load->domain) {
+      setting.force.domain = both(setting.force.domain, setting.in_paper(bound.expression));
+    }
+  }
+  return setting;
+}
+
+MechanismScene mechanism_scene(const Scene& scene) {
+  return {scene.name, bicycle_mechanism(), bicycle_values(scene.bicycle, scene.road, scene.force_kind), scene.F,
+          scene.notes};
+}
+
+MechanismScene parse_any_scene(const std::string& text, const std::string& file) {
+  return is_mechanism_scene(text) ? parse_mechanism_scene(text, file) : mechanism_scene(parse_scene(text, file));
+}
+
+}  // namespace slipproof

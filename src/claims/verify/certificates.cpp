@@ -1,0 +1,266 @@
+#include "claims/verify/certificates.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+#include "base/crew/bytes.hpp"
+#include "base/os/sha256.hpp"
+#include "base/parallel/failure.hpp"
+#include "claims/statements/claim_statements.hpp"
+#include "claims/verify/second_checker.hpp"
+#include "claims/verify/verify.hpp"
+#include "proofs/check/files.hpp"
+#include "proofs/statement/refutation_text.hpp"
+#include "proofs/statement/undecided.hpp"
+
+namespace slipproof {
+
+namespace {
+
+std::optional<std::string> bytes_of(const std::filesystem::path& path) {
+  std::error_code error;
+  std::ifstream file(path, std::ios::binary);
+  if (!std::filesystem::is_regular_file(path, error) || !file) return std::nullopt;
+  return std::string{std::istreambuf_iterator<char>(file), {}};
+}
+
+/// What stands in a folder for statements that together say something.
+struct Found {
+  std::vector<CheckedCertificate> statements;
+  std::vector<std::string> outdated;
+  bool any = false;     ///< the folder has one of them
+  bool proved = false;  ///< all of them
+};
+
+CheckedCertificate no_statement(const std::string& file, const std::string& theorem) {
+  return {file, theorem, CertificateState::missing, "the folder has no such statement"};
+}
+
+Found find(const std::vector<NamedStatement>& statements, Certificates& certificates) {
+  Found result;
+  for (const NamedStatement& statement : statements) {
+    const std::string file = certificates.of_claim(statement.name);
+    const auto text = certificates.statement(file);
+    result.any = result.any || text;
+    if (text && *text != statement.text) {
+      result.outdated.push_back(statement.name + ": the statement in the folder is not the claim's");
+    } else if (text) {
+      result.statements.push_back(certificates.check(file));
+    } else {
+      result.statements.push_back(no_statement(file, statement.name));
+    }
+  }
+  result.proved = result.any && result.outdated.empty();
+  for (const CheckedCertificate& s : result.statements) {
+    result.proved = result.proved && s.state == CertificateState::accepted;
+  }
+  return result;
+}
+
+/// What shows, by numbers, that a statement of the claim is false.
+Found find_counterexample(const std::vector<NamedStatement>& statements, Certificates& certificates) {
+  for (const NamedStatement& statement : statements) {
+    if (!statement.refutes) continue;
+    const auto met = certificates.statement(certificates.of_claim(statement.name + ".refuted.met"));
+    const auto values = met ? refuting_values(statement, *met) : std::nullopt;
+    if (!values) continue;
+    Found found = find(refutation_at(statement, *values), certificates);
+    if (found.proved) return found;
+  }
+  return {};
+}
+
+/// Takes over what was found, whatever it proves.
+void add_problems(ClaimResult& claim, const Found& found) {
+  claim.outdated.insert(claim.outdated.end(), found.outdated.begin(), found.outdated.end());
+  for (const CheckedCertificate& statement : found.statements) {
+    if (statement.state == CertificateState::accepted) continue;
+    if (statement.state == CertificateState::rejected) claim.rejections.push_back(statement.message);
+    if (statement.state != CertificateState::rejected) claim.unproved.push_back(statement);
+  }
+}
+
+void name_certificates(ClaimResult& claim, const Found& found) {
+  for (const CheckedCertificate& statement : found.statements) {
+    claim.certificates.push_back(std::filesystem::path(statement.name).filename().string() + ".cert");
+  }
+}
+
+void add_certificates(const ClaimsFile& file, ClaimResult& claim, Certificates& certificates) {
+  const Claim& stated = file.claims[claim.claim];
+  const Found proof = find(claim_statements(file, stated, claim.reading), certificates);
+  Found refutation = find(claim_refutation(file, stated, claim.reading), certificates);
+  if (!refutation.proved) {
+    Found counterexample = find_counterexample(claim_statements(file, stated, claim.reading), certificates);
+    if (counterexample.proved) refutation = std::move(counterexample);
+  }
+  // Of what the file asks for all counts; of the other way, what the folder has.
+  const bool asks_for_refutation = stated.body(claim.reading).expect == Expectation::refuted;
+  const bool asks = stated.body(claim.reading).expect != Expectation::undecided;
+  if (proof.any || (asks && !asks_for_refutation && !refutation.proved)) add_problems(claim, proof);
+  if (refutation.any || (asks_for_refutation && !proof.proved)) add_problems(claim, refutation);
+  if (refutation.proved && proof.proved) {
+    claim.rejections.push_back(stated.id + ": certificates of it and of its refutation are accepted");
+    return;
+  }
+  // Samples may all miss what a refutation proves to exist.
+  if (refutation.proved && claim.verdict != Verdict::vacuous) claim.verdict = Verdict::refuted;
+  if (refutation.proved && claim.verdict == Verdict::refuted) name_certificates(claim, refutation);
+  if (!proof.proved) return;
+  if (claim.refuted > 0) {
+    claim.rejections.push_back(stated.id + ": refuted by a sample, yet its certificates are accepted");
+    return;
+  }
+  // A proof about nothing proves nothing: the claim has to be right somewhere.
+  if (claim.held == 0 && !stated.is<Exists>()) return;
+  if (claim.undecided > 0) return;  // it has no value somewhere: statements are not about those bicycles
+  claim.verdict = Verdict::holds;
+  claim.proved = true;
+  name_certificates(claim, proof);
+}
+
+void find_certificates(const ClaimsFile& file, ClaimResult& claim, Certificates& certificates) {
+  const std::string failure = failure_of([&] { add_certificates(file, claim, certificates); });
+  if (claim.failure.empty()) claim.failure = failure;
+  yield_to_failure(claim);
+}
+
+/// Of a claim of which nothing else is known.
+ClaimResult result_of_certificates(const ClaimsFile& file, std::size_t claim, Reading reading,
+                                   Certificates& certificates) {
+  ClaimResult result;
+  result.claim = claim;
+  result.reading = reading;
+  find_certificates(file, result, certificates);
+  return result;
+}
+
+CheckedCertificate checked_now(const std::filesystem::path& folder, const std::string& name) {
+  const check::FileResult found = check::check_file(folder / (name + ".cert"));
+  CheckedCertificate result{name, found.theorem, found.verdict, found.message};
+  const std::string prefix = folder.string() + "/";
+  if (result.message.starts_with(prefix)) result.message.erase(0, prefix.size());
+  const std::string file = name + ".cert: ";  // which search it was is said already
+  if (result.state == CertificateState::undecided && result.message.starts_with(file)) {
+    result.message.erase(0, file.size());
+  }
+  return result;
+}
+
+}  // namespace
+
+std::optional<std::string> Certificates::statement(const std::string& name) const {
+  return bytes_of(paper_.folder / (name + ".statement"));
+}
+
+const CheckedCertificate& Certificates::check(const std::string& name) {
+  const std::scoped_lock lock(mutex_);
+  const auto known = checked_.find(name);
+  return known != checked_.end() ? known->second : add(checked_now(paper_.folder, name));
+}
+
+const CheckedCertificate& Certificates::add(CheckedCertificate certificate) {
+  if (!second_checker_.empty() && certificate.state == CertificateState::accepted) {
+    ask_second_checker_about(certificate);
+  }
+  std::string name = certificate.name;
+  return checked_.emplace(std::move(name), std::move(certificate)).first->second;
+}
+
+void Certificates::take(std::string_view checked) {
+  const std::scoped_lock lock(mutex_);
+  ByteReader bytes(checked);
+  for (std::uint64_t left = bytes.number(); left > 0; --left) {
+    CheckedCertificate certificate;
+    certificate.name = bytes.text();
+    certificate.theorem = bytes.text();
+    certificate.state = static_cast<CertificateState>(bytes.number());
+    certificate.message = bytes.text();
+    if (!checked_.contains(certificate.name)) add(std::move(certificate));
+  }
+  bytes.end();
+}
+
+std::string Certificates::digest() const {
+  std::map<std::string, std::string> files;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(paper_.generated(), error)) {
+    if (const auto text = bytes_of(entry.path())) files.emplace(entry.path().string(), sha256(*text));
+  }
+  std::string all;
+  for (const auto& [name, digest] : files) all += name + ' ' + digest + '\n';
+  return sha256(all);
+}
+
+std::vector<CheckedCertificate> Certificates::so_far() {
+  const std::scoped_lock lock(mutex_);
+  std::vector<CheckedCertificate> result;
+  for (const auto& [name, certificate] : checked_) result.push_back(certificate);
+  return result;
+}
+
+std::vector<CheckedCertificate> Certificates::all() {
+  std::vector<CheckedCertificate> result;
+  for (const std::filesystem::path& file : check::certificates_in(paper_.folder)) {
+    if (!paper_.owns(file)) continue;
+    result.push_back(check(file.lexically_relative(paper_.folder).replace_extension().generic_string()));
+  }
+  return result;
+}
+
+std::optional<SecondChecker> Certificates::second_checker() {
+  if (second_checker_.empty()) return std::nullopt;
+  const std::scoped_lock lock(mutex_);
+  const auto accepted = [](const auto& known) { return known.second.state == CertificateState::accepted; };
+  return SecondChecker{std::filesystem::path(second_checker_).filename().string(),
+                       static_cast<std::size_t>(std::count_if(checked_.begin(), checked_.end(), accepted))};
+}
+
+void Certificates::ask_second_checker_about(CheckedCertificate& certificate) {
+  if (!second_verdicts_) second_verdicts_ = slipproof::ask_second_checker(second_checker_, paper_.folder);
+  const auto found =
+      second_verdicts_->find(check::printable((paper_.folder / (certificate.name + ".cert")).lexically_normal()));
+  const std::string verdict = found == second_verdicts_->end() ? "not judged" : found->second;
+  if (verdict == to_string(CertificateState::accepted)) return;
+  certificate.state = CertificateState::rejected;
+  certificate.message = certificate.name + ".cert: " + verdict + " by " + second_checker_;
+}
+
+std::optional<std::string> Certificates::certificate(const std::string& name) const {
+  return bytes_of(paper_.folder / (name + ".cert"));
+}
+
+std::string check_certificates(const ClaimsFile& file, std::size_t claim, Reading reading, const PaperFolder& paper) {
+  Certificates certificates(paper);
+  result_of_certificates(file, claim, reading, certificates);
+  const std::vector<CheckedCertificate> checked = certificates.so_far();
+  ByteWriter bytes;
+  bytes.number(checked.size());
+  for (const auto& [name, theorem, state, message] : checked) {
+    bytes.text(name).text(theorem).number(static_cast<std::uint64_t>(state)).text(message);
+  }
+  return bytes.take();
+}
+
+std::vector<NamedValues> failing_numbers(const ClaimsFile& file, std::size_t claim, Reading reading,
+                                         const Certificates& certificates) {
+  std::vector<NamedValues> all;
+  for (const NamedStatement& statement : claim_statements(file, file.claims[claim], reading)) {
+    const auto text = certificates.certificate(certificates.of_claim(statement.name));
+    if (!text || !text->starts_with("slipproof-undecided ")) continue;
+    if (auto numbers = numbers_of(*text)) all.push_back(*std::move(numbers));
+  }
+  return all;
+}
+
+void find_certificates(const ClaimsFile& file, VerifyResult& result, Certificates& certificates) {
+  for (ClaimResult& claim : result.claims) find_certificates(file, claim, certificates);
+}
+
+bool settled_by_certificates(const ClaimsFile& file, std::size_t claim, Reading reading, Certificates& certificates) {
+  return result_of_certificates(file, claim, reading, certificates).verdict != Verdict::undecided;
+}
+
+}  // namespace slipproof

@@ -1,7 +1,0 @@
-// The program: a thin shell around the library.
-#include "cli/program.hpp"
-
-int main(int argc, char** argv) {
-  slipproof::Alone alone;
-  return slipproof::cli::run_program(argc, argv, alone);
-}

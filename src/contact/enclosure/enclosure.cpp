@@ -1,0 +1,297 @@
+#include "contact/enclosure/enclosure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/number/binary64.hpp"
+#include "base/parallel/stop.hpp"
+#include "contact/enclosure/dependence.hpp"
+#include "contact/enclosure/residual.hpp"
+#include "contact/linear/rounding.hpp"
+
+namespace slipproof {
+
+namespace {
+
+bool all_finite(std::span<const double> values) {
+  return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
+}
+
+/// Contacts whose unknowns are in a block.
+std::vector<std::size_t> contacts_of(const MixedProblem& problem, const ModeSystem& system,
+                                     std::span<const std::size_t> unknowns) {
+  std::vector<std::size_t> contacts;
+  for (const std::size_t j : unknowns) {
+    const std::size_t place = system.place(j);
+    if (place == ModeSystem::none || place < problem.free) continue;
+    contacts.push_back((place - problem.free) / problem.dimension);
+  }
+  contacts.erase(std::unique(contacts.begin(), contacts.end()), contacts.end());
+  return contacts;
+}
+
+class EnclosureSearch {
+ public:
+  EnclosureSearch(const MixedProblem& problem, const EnclosureOptions& options)
+      : problem_(problem), options_(options), scales_(contact_scales(problem)) {}
+
+  std::variant<Enclosure, NoEnclosure> run(std::span<const double> answer) {
+    std::vector<double> x(answer.begin(), answer.end());
+    enter(looks_like(problem_, x, scales_), x);
+    for (int attempt = 0; attempt < options_.modes; ++attempt) {
+      if (auto failure = prepare()) return std::move(*failure);
+      const bool converged = improve();
+      if (!all_finite(z_)) return NoEnclosure{"Newton's method runs away from the answer", {}};
+      x = system_->x_at(z_);
+      ConeMode next = looks_like(problem_, x, scales_);
+      if (next != system_->mode()) {
+        enter(std::move(next), x);
+      } else if (converged) {
+        return test();
+      }
+    }
+    return NoEnclosure{"Newton's method finds no mode that fits its own point", {}};
+  }
+
+ private:
+  /// The equations of a mode, with unknowns near x.
+  void enter(ConeMode mode, std::vector<double> x) {
+    put_on_cones(mode, x);
+    system_.emplace(problem_, std::move(mode));
+    z_ = system_->unknowns_at(x);
+    pinned_.assign(system_->size(), false);
+    dropped_.assign(system_->size(), false);
+    combinations_.clear();
+  }
+
+  /// Forces of sliding contacts that are not near their cones start where the projection of r - u / scale points to:
+  /// without a direction the equations of sliding are singular.
+  void put_on_cones(const ConeMode& mode, std::vector<double>& x) const {
+    const std::vector<double> before = x;
+    for (std::size_t k = 0; k < problem_.contacts(); ++k) {
+      if (mode[k] != ConeState::slide) continue;
+      const std::size_t n = problem_.normal(k);
+      const auto projected = [&](std::size_t part) { return before_projection(problem_, before, k, part, scales_[k]); };
+      const double bound = problem_.mu[k] * before[n], length = std::hypot(before[n + 1], before[n + 2]);
+      if (before[n] > 0 && std::abs(length - bound) <= 1e-3 * bound) continue;
+      if (before[n] <= 0) x[n] = projected(0);
+      const double T1 = projected(1), T2 = projected(2), T = std::hypot(T1, T2);
+      x[n + 1] = problem_.mu[k] * x[n] * (T1 / T);
+      x[n + 2] = problem_.mu[k] * x[n] * (T2 / T);
+    }
+  }
+
+  /// The blocks with their inverses; dependent ones made regular by pinning and dropping.
+  std::optional<NoEnclosure> prepare() {
+    if (!combinations_.empty()) {  // what is dependent has been found in this mode
+      for (SystemBlock& block : blocks_) block.inverse = approximate_inverse(block_derivative(*system_, block, z_));
+      return std::nullopt;
+    }
+    blocks_ = blocks_of(*system_, z_, pinned_, dropped_);
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      if (blocks_[b].unknowns.size() > options_.largest_block) {
+        return NoEnclosure{"a block of " + std::to_string(blocks_[b].unknowns.size()) +
+                               " unknowns is above the limit of " + std::to_string(options_.largest_block),
+                           {}};
+      }
+    }
+    bool regular = true;
+    for (SystemBlock& block : blocks_) {
+      stop_if_asked();
+      if (block.unknowns.size() == block.equations.size()) {
+        const DenseMatrix J = block_derivative(*system_, block, z_);
+        block.inverse = approximate_inverse(J);
+        if (all_finite(block.inverse.value) && well_conditioned(J, block.inverse)) continue;
+      }
+      regular = false;
+      break;
+    }
+    return regular ? std::nullopt : make_regular();
+  }
+
+  /// Whether the inverse is one at all: with dependent equations it is noise. Whatever rows and columns are scaled by
+  /// leaves the diagonal of |R| |J| as it is.
+  static bool well_conditioned(const DenseMatrix& J, const DenseMatrix& inverse) {
+    std::vector<double> diagonal(J.size, 0);
+    for (std::size_t i = 0; i < J.size; ++i) {
+      for (std::size_t j = 0; j < J.size; ++j) diagonal[j] += std::abs(inverse.row(j)[i] * J.row(i)[j]);
+    }
+    return std::all_of(diagonal.begin(), diagonal.end(), [](double x) { return x < 0.05 / unit_roundoff; });
+  }
+
+  std::optional<NoEnclosure> make_regular() {
+    const DependenceResult found = exact_dependence(problem_, *system_, z_);
+    if (!found.reason.empty()) return NoEnclosure{found.reason, contacts_of(problem_, *system_, found.unknowns)};
+    for (const std::size_t j : found.unknowns) pinned_[j] = true;
+    for (const DroppedEquation& d : found.dropped) dropped_[d.equation] = true;
+    combinations_ = found.dropped;
+    blocks_ = blocks_of(*system_, z_, pinned_, dropped_);
+    for (SystemBlock& block : blocks_) {
+      if (block.unknowns.size() == block.equations.size()) {
+        block.inverse = approximate_inverse(block_derivative(*system_, block, z_));
+        if (all_finite(block.inverse.value)) continue;
+      }
+      return NoEnclosure{"the forces of these contacts depend on each other, not exactly, but up to rounding",
+                         contacts_of(problem_, *system_, block.unknowns)};
+    }
+    return std::nullopt;
+  }
+
+  /// Newton's method with the inverse that is there, while it converges; true if it did, so that only rounding is left.
+  bool improve() {
+    double last = std::numeric_limits<double>::infinity(), size = 0;
+    for (int step = 0; step < 20; ++step) {
+      const std::vector<double> x = system_->x_at(z_);
+      std::vector<double> next = z_;
+      double largest = 0;
+      for (const SystemBlock& block : blocks_) {
+        const std::vector<double> d = newton_step(*system_, block, z_, x);
+        for (std::size_t j = 0; j < d.size(); ++j) {
+          next[block.unknowns[j]] -= d[j];
+          largest = std::max(largest, std::abs(d[j]));
+        }
+      }
+      if (!all_finite(next)) {  // which no comparison would tell
+        z_ = std::move(next);
+        return false;
+      }
+      for (const double z : next) size = std::max(size, std::abs(z));
+      if (!(largest < 0.7 * last)) {  // the inverse is of another place, or rounding is all that moves
+        if (step < 2) z_ = std::move(next);
+        return largest <= 1e-6 * size;
+      }
+      z_ = std::move(next);
+      last = largest;
+    }
+    return last <= 1e-6 * size;
+  }
+
+  std::variant<Enclosure, NoEnclosure> test() {
+    Enclosure result{*system_, z_, std::vector<double>(z_.size(), 0), {}, combinations_, {}, true};
+    for (std::size_t j = 0; j < pinned_.size(); ++j) {
+      if (pinned_[j]) result.pinned.push_back(j);
+    }
+    for (SystemBlock& block : blocks_) {
+      std::optional<KrawczykBox> box = krawczyk(*system_, block, z_);
+      if (!box) {  // the point has moved: its own inverse
+        block.inverse = approximate_inverse(block_derivative(*system_, block, z_));
+        box = krawczyk(*system_, block, z_);
+      }
+      if (!box) {
+        return NoEnclosure{"the equations of these contacts are too close to dependent for binary64",
+                           contacts_of(problem_, *system_, block.unknowns)};
+      }
+      for (std::size_t j = 0; j < block.unknowns.size(); ++j) result.radius[block.unknowns[j]] = box->radius[j];
+      result.locally_unique = result.locally_unique && box->unique;
+    }
+    result.blocks = std::move(blocks_);
+    result.locally_unique = result.locally_unique && result.pinned.empty();
+    if (auto failure = check_conditions(result)) return std::move(*failure);
+    return result;
+  }
+
+  /// Whether a number within `radius` of `center` is certain to be >= 0, and > 0.
+  struct Sign {
+    bool not_negative = true, positive = true;
+  };
+  static Sign sign_of(const Rational& center, double radius) {
+    const double lower = enclose(center).lower;
+    return {lower >= radius, lower > radius};
+  }
+
+  /// Of a closed contact: r_N >= 0, and within the cone where it sticks.
+  Sign force_conditions(const Enclosure& box, std::size_t k) const {
+    const std::size_t first = problem_.normal(k), n = box.system.unknown(first);
+    Sign sign = sign_of(to_rational(box.center[n]), box.radius[n]);
+    if (box.system.mode()[k] == ConeState::slide) {
+      const std::size_t s = box.system.slip(k);
+      const Sign slip = sign_of(to_rational(box.center[s]), box.radius[s]);
+      return {sign.not_negative && slip.not_negative, sign.positive && slip.positive};
+    }
+    if (problem_.mu[k] == 0 || problem_.dimension == 1) return sign;
+    if (box.system.mode()[k] != ConeState::stick) {
+      const Rational u = exact_row(problem_, first + 1, box.system.x_at(box.center));
+      const Sign slip = sign_of(box.system.mode()[k] == ConeState::slide_plus ? u : Rational(-u),
+                                row_radius(problem_, box, first + 1));
+      return {sign.not_negative && slip.not_negative, sign.positive && slip.positive};
+    }
+    const Rational least = to_rational(problem_.mu[k]) * (to_rational(box.center[n]) - to_rational(box.radius[n]));
+    Rational square = 0;
+    for (std::size_t i = 1; i < problem_.dimension; ++i) {
+      const std::size_t t = box.system.unknown(first + i);
+      const Rational T = abs(to_rational(box.center[t])) + to_rational(box.radius[t]);
+      square += T * T;
+    }
+    const int inside = least.sign() < 0 ? -1 : Rational(least * least - square).sign();
+    return {sign.not_negative && inside >= 0, sign.positive && inside > 0};
+  }
+
+  std::optional<NoEnclosure> check_conditions(Enclosure& box) const {
+    const std::vector<double> x = box.system.x_at(box.center);
+    std::vector<std::size_t> failing;
+    for (std::size_t k = 0; k < problem_.contacts(); ++k) {
+      Sign sign;
+      if (box.system.mode()[k] == ConeState::open) {
+        sign = sign_of(exact_row(problem_, problem_.normal(k), x), row_radius(problem_, box, problem_.normal(k)));
+      } else {
+        sign = force_conditions(box, k);
+      }
+      if (!sign.not_negative) failing.push_back(k);
+      box.locally_unique = box.locally_unique && sign.positive;
+    }
+    if (failing.empty()) return std::nullopt;
+    return NoEnclosure{"these contacts are at a border between modes, closer than rounding can tell", failing};
+  }
+
+  const MixedProblem& problem_;
+  const EnclosureOptions& options_;
+  const std::vector<double> scales_;
+  std::optional<ModeSystem> system_;
+  std::vector<double> z_;
+  std::vector<bool> pinned_, dropped_;
+  std::vector<DroppedEquation> combinations_;
+  std::vector<SystemBlock> blocks_;
+};
+
+}  // namespace
+
+std::variant<Enclosure, NoEnclosure> enclose_solution(const MixedProblem& problem, std::span<const double> x,
+                                                      const EnclosureOptions& options) {
+  return EnclosureSearch(problem, options).run(x);
+}
+
+std::vector<double> center_of(const Enclosure& enclosure) {
+  return enclosure.system.x_at(enclosure.center);
+}
+
+double row_radius(const MixedProblem& problem, const Enclosure& box, std::size_t row) {
+  double sum = 0;
+  const auto columns = problem.A.columns_of(row);
+  for (std::size_t e = 0; e < columns.size(); ++e) {
+    const std::size_t j = box.system.unknown(columns[e]);
+    if (j != ModeSystem::none) sum += std::abs(problem.A.values_of(row)[e]) * box.radius[j];
+  }
+  return sum > 0 ? rounded_up(sum, columns.size()) + underflow_of(columns.size()) : 0;
+}
+
+double distance_from(const Enclosure& enclosure, std::span<const double> x) {
+  double distance = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const std::size_t j = enclosure.system.unknown(i);
+    const double center = j == ModeSystem::none ? 0 : enclosure.center[j];
+    const double radius = j == ModeSystem::none ? 0 : enclosure.radius[j];
+    distance = std::max(distance, (std::abs(x[i] - center) + radius) * (1 + 8 * unit_roundoff));
+  }
+  return distance;
+}
+
+double distance_from(const std::vector<Rational>& solution, std::span<const double> x) {
+  double distance = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    distance = std::max(distance, enclose(abs(to_rational(x[i]) - solution[i])).upper);
+  }
+  return distance;
+}
+
+}  // namespace slipproof

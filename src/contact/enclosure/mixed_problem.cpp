@@ -1,0 +1,137 @@
+#include "contact/enclosure/mixed_problem.hpp"
+
+#include <iterator>
+#include <utility>
+
+#include "base/number/binary64.hpp"
+#include "base/rounding/exact_sum.hpp"
+#include "contact/linear/flint.hpp"
+
+namespace slipproof {
+
+namespace {
+
+/// Puts a matrix with a sign at a place of a larger one.
+void put(std::vector<MatrixEntry>& entries, const SparseMatrix& m, std::size_t row, std::size_t column, double sign) {
+  for (std::size_t i = 0; i < m.rows; ++i) {
+    for (std::size_t k = m.starts[i]; k < m.starts[i + 1]; ++k) {
+      entries.push_back(
+          {static_cast<std::uint32_t>(row + i), static_cast<std::uint32_t>(column + m.column[k]), sign * m.value[k]});
+    }
+  }
+}
+
+void append(std::vector<double>& to, const std::vector<double>& values, double sign, std::size_t size) {
+  for (const double x : values) to.push_back(sign * x);
+  to.resize(to.size() + size - values.size(), 0);  // what the file leaves out is 0
+}
+
+}  // namespace
+
+MixedProblem mixed_problem(const ProblemFile& file) {
+  MixedProblem result;
+  const std::size_t components = file.components();
+  std::vector<MatrixEntry> entries, twice;
+  if (file.form == ProblemForm::global) {
+    const std::size_t bodies = file.M.rows, bilateral = file.G.columns;
+    result.free = bodies + bilateral;
+    put(entries, file.M, 0, 0, 1);
+    put(entries, file.G, 0, bodies, -1);
+    put(entries, file.H, 0, result.free, -1);
+    put(entries, transposed(file.G), bodies, 0, 1);
+    put(entries, transposed(file.H), result.free, 0, 1);
+    append(result.c, file.f, -1, bodies);
+    append(result.c, file.b, 1, bilateral);
+    append(result.c, file.w, 1, components);
+  } else {
+    result.free = file.V.columns;
+    put(entries, file.R, 0, 0, 1);
+    put(entries, transposed(file.V), 0, result.free, 1);
+    put(entries, file.V, result.free, 0, 1);
+    put(entries, file.W, result.free, result.free, 1);
+    append(result.c, file.s, 1, result.free);
+    append(result.c, file.q, 1, components);
+  }
+  result.dimension = file.dimension;
+  const std::size_t n = result.free + components;
+  result.A = sparse_matrix(n, n, std::move(entries), twice);
+  result.mu = file.mu;
+  result.mu.resize(file.contacts(), 0);
+  return result;
+}
+
+std::optional<EliminatedProblem> eliminated(const MixedProblem& problem) {
+  const std::size_t free = problem.free, n = problem.size() - free;
+  FlintRationalMatrix A(free, free), right(free, n + 1), solved(free, n + 1);
+  EliminatedProblem result;
+  ContactProblem& small = result.problem;
+  small.W.assign(n, std::vector<Rational>(n));
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    const Rational c = to_rational(problem.c[i]);
+    i < free ? right.set(i, n, -c) : small.q.push_back(c);
+    for (std::size_t e = problem.A.starts[i]; e < problem.A.starts[i + 1]; ++e) {
+      const std::size_t j = problem.A.column[e];
+      const Rational a = to_rational(problem.A.value[e]);
+      if (i >= free && j >= free) small.W[i - free][j - free] = a;
+      if (i < free) j < free ? A.set(i, j, a) : right.set(i, j - free, -a);
+    }
+  }
+  if (problem.dimension == 2) {
+    for (const double mu : problem.mu) small.mu.push_back(to_rational(mu));
+  }
+  if (free == 0) return result;
+  if (fmpq_mat_solve(solved.get(), A.get(), right.get()) == 0) return std::nullopt;
+  for (std::size_t j = 0; j < free; ++j) {
+    std::vector<Rational>& row = result.X.emplace_back();
+    for (std::size_t k = 0; k < n; ++k) row.push_back(solved.at(j, k));
+    result.y.push_back(solved.at(j, n));
+  }
+  for (std::size_t i = free; i < problem.size(); ++i) {
+    for (std::size_t e = problem.A.starts[i]; e < problem.A.starts[i + 1] && problem.A.column[e] < free; ++e) {
+      const Rational a = to_rational(problem.A.value[e]);
+      const std::size_t j = problem.A.column[e];
+      for (std::size_t k = 0; k < n; ++k) small.W[i - free][k] += a * result.X[j][k];
+      small.q[i - free] += a * result.y[j];
+    }
+  }
+  return result;
+}
+
+ContactProblem contact_problem(const MixedProblem& problem) {
+  return std::move(eliminated(problem)->problem);
+}
+
+std::vector<Rational> EliminatedProblem::with_free(std::vector<Rational> r) const {
+  std::vector<Rational> x = y;
+  for (std::size_t j = 0; j < x.size(); ++j) {
+    for (std::size_t k = 0; k < r.size(); ++k) x[j] += X[j][k] * r[k];
+  }
+  std::move(r.begin(), r.end(), std::back_inserter(x));
+  return x;
+}
+
+Rational exact_row(const MixedProblem& problem, std::size_t row, std::span<const double> x) {
+  ExactSum sum;
+  sum.add(problem.c[row]);
+  const auto columns = problem.A.columns_of(row);
+  const auto values = problem.A.values_of(row);
+  for (std::size_t k = 0; k < columns.size(); ++k) sum.add(values[k], x[columns[k]]);
+  return sum.value();
+}
+
+Rational exact_row(const MixedProblem& problem, std::size_t row, const std::vector<Rational>& x) {
+  Rational sum = to_rational(problem.c[row]);
+  for (std::size_t e = problem.A.starts[row]; e < problem.A.starts[row + 1]; ++e) {
+    sum += to_rational(problem.A.value[e]) * x[problem.A.column[e]];
+  }
+  return sum;
+}
+
+std::vector<Rational> exact_rows(const MixedProblem& problem, std::span<const double> x) {
+  std::vector<Rational> w;
+  w.reserve(problem.size());
+  for (std::size_t i = 0; i < problem.size(); ++i) w.push_back(exact_row(problem, i, x));
+  return w;
+}
+
+}  // namespace slipproof

@@ -1,0 +1,60 @@
+// One form for all contact problems at real size: a square linear system with free unknowns and contacts.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/algebra/sparse_matrix.hpp"
+#include "base/number/rational.hpp"
+#include "contact/formats/problem_file.hpp"
+#include "contact/problem/problem.hpp"
+
+namespace slipproof {
+
+/// w = A x + c. The first `free` components of x may have any sign, and those of w are 0: bodies' velocities, bilateral
+/// impulses, their balance. The rest come in groups of `dimension`, one for each contact: in x its impulse or force r,
+/// in w its velocity or acceleration u, the normal part first. A contact obeys
+///   u_N >= 0, r_N >= 0, u_N r_N = 0                                        (Signorini; all of the law in dimension 1)
+///   |r_T| <= mu r_N, |u_T| r_T = -mu r_N u_T                               (Coulomb; |.| is Euclidean)
+/// and with mu = 0 or r_N = 0 r_T = 0, u_T being anything.
+struct MixedProblem {
+  std::size_t free = 0, dimension = 3;
+  SparseMatrix A;
+  std::vector<double> c;
+  std::vector<double> mu;  ///< of each contact; in dimension 1 zeros
+
+  std::size_t size() const { return c.size(); }
+  std::size_t contacts() const { return mu.size(); }
+  /// Where the normal part of contact k stands in x and w.
+  std::size_t normal(std::size_t k) const { return free + dimension * k; }
+};
+
+/// A problem as files hold it: free unknowns are lambda, or (v, lambda). Linear.
+MixedProblem mixed_problem(const ProblemFile& file);
+
+/// A problem without free unknowns in dimension 1 or 2, exactly as it is. Throws NumberError for NaN and infinities.
+ContactProblem contact_problem(const MixedProblem& problem);
+
+/// A problem in dimension 1 or 2 without its free unknowns, which follow from the forces: x_free = X r + y.
+struct EliminatedProblem {
+  ContactProblem problem;
+  RationalMatrix X;
+  std::vector<Rational> y;
+
+  /// All of x.
+  std::vector<Rational> with_free(std::vector<Rational> r) const;
+};
+
+/// Exact, and cubic in the number of free unknowns. Nothing where their rows have not exactly one solution. Throws
+/// NumberError for NaN and infinities.
+std::optional<EliminatedProblem> eliminated(const MixedProblem& problem);
+
+/// Row i of A x + c, exactly. Linear in its entries.
+Rational exact_row(const MixedProblem& problem, std::size_t row, std::span<const double> x);
+Rational exact_row(const MixedProblem& problem, std::size_t row, const std::vector<Rational>& x);
+
+/// All rows.
+std::vector<Rational> exact_rows(const MixedProblem& problem, std::span<const double> x);
+
+}  // namespace slipproof

@@ -1,0 +1,172 @@
+#include "contact/enclosure/mode_system.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "base/number/binary64.hpp"
+#include "contact/linear/rounding.hpp"
+
+namespace slipproof {
+
+namespace {
+
+double approximate_row(const MixedProblem& problem, std::size_t row, std::span<const double> x) {
+  return nearest_binary64(exact_row(problem, row, x));
+}
+
+}  // namespace
+
+std::string_view name(ConeState state) {
+  constexpr std::array<std::string_view, 5> names{"open", "stick", "slide", "slide+", "slide-"};
+  return names[static_cast<std::size_t>(state)];
+}
+
+double before_projection(const MixedProblem& problem, std::span<const double> x, std::size_t contact, std::size_t part,
+                         double scale) {
+  const std::size_t row = problem.normal(contact) + part;
+  return x[row] - approximate_row(problem, row, x) / scale;
+}
+
+ConeMode looks_like(const MixedProblem& problem, std::span<const double> x, std::span<const double> scales) {
+  ConeMode mode;
+  for (std::size_t k = 0; k < problem.contacts(); ++k) {
+    const auto projected = [&](std::size_t part) { return before_projection(problem, x, k, part, scales[k]); };
+    const double N = projected(0);
+    if (!(N > 0)) {
+      mode.push_back(ConeState::open);
+    } else if (problem.dimension == 1 || problem.mu[k] == 0) {
+      mode.push_back(ConeState::stick);
+    } else if (problem.dimension == 2) {
+      const double T = projected(1);
+      const bool sticks = std::abs(T) <= problem.mu[k] * N;
+      mode.push_back(sticks ? ConeState::stick : T < 0 ? ConeState::slide_plus : ConeState::slide_minus);
+    } else {
+      const bool sticks = std::hypot(projected(1), projected(2)) <= problem.mu[k] * N;
+      mode.push_back(sticks ? ConeState::stick : ConeState::slide);
+    }
+  }
+  return mode;
+}
+
+ModeSystem::ModeSystem(const MixedProblem& problem, ConeMode mode)
+    : problem_(&problem),
+      mode_(std::move(mode)),
+      unknown_of_(problem.size(), none),
+      slip_of_(problem.contacts(), none) {
+  for (std::size_t i = 0; i < problem.free; ++i) {
+    unknown_of_[i] = i;
+    unknowns_.push_back(i);
+    equations_.push_back({Kind::linear, i});
+  }
+  for (std::size_t k = 0; k < problem.contacts(); ++k) {
+    if (mode_[k] != ConeState::open) add_contact(k);
+  }
+}
+
+void ModeSystem::add_contact(std::size_t k) {
+  const std::size_t first = problem_->normal(k), force = unknowns_.size();
+  const std::size_t d = problem_->mu[k] == 0 ? 1 : problem_->dimension;
+  for (std::size_t i = 0; i < d; ++i) {
+    unknown_of_[first + i] = unknowns_.size();
+    unknowns_.push_back(first + i);
+  }
+  equations_.push_back({Kind::linear, first, force});
+  switch (mode_[k]) {
+    case ConeState::slide:
+      slip_of_[k] = unknowns_.size();
+      unknowns_.push_back(none);
+      for (std::size_t i = 1; i < d; ++i) equations_.push_back({Kind::tangential, first + i, force + i, slip_of_[k]});
+      equations_.push_back({Kind::cone, first, force, none, problem_->mu[k]});
+      break;
+    case ConeState::slide_plus:
+    case ConeState::slide_minus: {
+      const double sign = mode_[k] == ConeState::slide_plus ? 1 : -1;
+      equations_.push_back({Kind::edge, first, force, none, sign * problem_->mu[k]});
+      break;
+    }
+    default:
+      for (std::size_t i = 1; i < d; ++i) equations_.push_back({Kind::linear, first + i, force});
+      break;
+  }
+}
+
+std::vector<double> ModeSystem::unknowns_at(std::span<const double> x) const {
+  std::vector<double> z(size());
+  for (std::size_t j = 0; j < size(); ++j) {
+    if (unknowns_[j] != none) z[j] = x[unknowns_[j]];
+  }
+  for (std::size_t k = 0; k < mode_.size(); ++k) {
+    if (slip_of_[k] == none) continue;
+    const std::size_t t = problem_->normal(k) + 1;
+    const double u1 = approximate_row(*problem_, t, x), u2 = approximate_row(*problem_, t + 1, x);
+    const double square = x[t] * x[t] + x[t + 1] * x[t + 1];
+    const double slip = -(u1 * x[t] + u2 * x[t + 1]) / square;
+    z[slip_of_[k]] = std::isfinite(slip) ? std::max(slip, 0.0) : 0;
+  }
+  return z;
+}
+
+std::vector<double> ModeSystem::x_at(std::span<const double> z) const {
+  std::vector<double> x(problem_->size(), 0);
+  for (std::size_t j = 0; j < size(); ++j) {
+    if (unknowns_[j] != none) x[unknowns_[j]] = z[j];
+  }
+  return x;
+}
+
+Rational ModeSystem::value(std::size_t equation, std::span<const double> z, std::span<const double> x) const {
+  const Equation& e = equations_[equation];
+  const auto at = [&](std::size_t j) { return to_rational(z[j]); };
+  switch (e.kind) {
+    case Kind::linear:
+      return exact_row(*problem_, e.row, x);
+    case Kind::tangential:
+      return exact_row(*problem_, e.row, x) + at(e.slip) * at(e.force);
+    case Kind::edge:
+      return at(e.force + 1) + to_rational(e.mu) * at(e.force);
+    default: {
+      const Rational bound = to_rational(e.mu) * at(e.force), r1 = at(e.force + 1), r2 = at(e.force + 2);
+      return r1 * r1 + r2 * r2 - bound * bound;
+    }
+  }
+}
+
+std::vector<ModeSystem::Entry> ModeSystem::derivative(std::size_t equation, std::span<const double> z) const {
+  constexpr double tiny = std::numeric_limits<double>::denorm_min();
+  const Equation& e = equations_[equation];
+  std::vector<Entry> entries;
+  if (e.kind == Kind::edge) return {{e.force, e.mu, 0}, {e.force + 1, 1, 0}};
+  if (e.kind == Kind::cone) {
+    const double slope = -2 * (e.mu * e.mu) * z[e.force];  // two roundings, by more than half an ulp together
+    return {{e.force, slope, 4 * unit_roundoff * std::abs(slope) + 4 * tiny * (1 + std::abs(z[e.force]))},
+            {e.force + 1, 2 * z[e.force + 1], 0},
+            {e.force + 2, 2 * z[e.force + 2], 0}};
+  }
+  const auto columns = problem_->A.columns_of(e.row);
+  const auto values = problem_->A.values_of(e.row);
+  bool found = e.kind == Kind::linear;
+  for (std::size_t n = 0; n < columns.size(); ++n) {
+    const std::size_t j = unknown_of_[columns[n]];
+    if (j == none) continue;
+    entries.push_back({j, values[n], 0});
+    if (e.kind != Kind::tangential || j != e.force) continue;
+    found = true;
+    entries.back().value += z[e.slip];
+    entries.back().error = 2 * unit_roundoff * std::abs(entries.back().value);
+  }
+  if (!found) entries.push_back({e.force, z[e.slip], 0});
+  if (e.kind == Kind::tangential) entries.push_back({e.slip, z[e.force], 0});
+  return entries;
+}
+
+double ModeSystem::second_order(std::size_t equation, std::span<const double> radius) const {
+  const Equation& e = equations_[equation];
+  if (e.kind == Kind::tangential) return radius[e.slip] * radius[e.force];
+  if (e.kind != Kind::cone) return 0;
+  const double N = e.mu * radius[e.force], T1 = radius[e.force + 1], T2 = radius[e.force + 2];
+  return std::max(T1 * T1 + T2 * T2, N * N);
+}
+
+}  // namespace slipproof

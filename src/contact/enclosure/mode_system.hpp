@@ -1,0 +1,83 @@
+// The equations of one contact mode, as a square system with one quadratic term for each sliding contact.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "contact/enclosure/mixed_problem.hpp"
+
+namespace slipproof {
+
+/// `slide_plus` (u_T >= 0) and `slide_minus` are the two ways of sliding in the plane, `slide` is that of space. Where
+/// mu = 0, and in dimension 1, what is closed sticks.
+enum class ConeState : std::uint8_t { open, stick, slide, slide_plus, slide_minus };
+std::string_view name(ConeState state);
+
+using ConeMode = std::vector<ConeState>;  ///< of each contact
+
+/// Component `part` of r - u / scale at a contact, 0 being the normal one. Where x is a solution, r is its projection
+/// onto the cone.
+double before_projection(const MixedProblem& problem, std::span<const double> x, std::size_t contact, std::size_t part,
+                         double scale);
+
+/// One that `x` looks like, by where the projection of r - u / scale onto the cone falls.
+ConeMode looks_like(const MixedProblem& problem, std::span<const double> x, std::span<const double> scales);
+
+/// The problem must outlive it. Unknowns and equations as src/proofs/check_contact/FORMAT.md orders them. With z for
+/// the unknowns:
+///   F_i(z) = a row of A x + c                         (balance, u_N = 0, u = 0)
+///   F_i(z) = the same + s r_T                         (u_T = -s r_T)
+///   F_i(z) = r_T1^2 + r_T2^2 - mu^2 r_N^2             (on the cone)
+///   F_i(z) = r_T +- mu r_N                            (on the edge of the planar cone)
+class ModeSystem {
+ public:
+  ModeSystem(const MixedProblem& problem, ConeMode mode);
+
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  enum class Kind : std::uint8_t { linear, tangential, cone, edge };
+  struct Equation {
+    Kind kind = Kind::linear;
+    std::size_t row = 0;       ///< of A, where it is one
+    std::size_t force = none;  ///< tangential: the unknown r_T; others: the first of the contact's force
+    std::size_t slip = none;   ///< tangential: the unknown s
+    double mu = 0;             ///< cone, edge: its coefficient, negative where r_T - mu r_N = 0
+  };
+  struct Entry {
+    std::size_t unknown;
+    double value;
+    double error;  ///< bound on what its rounding changed
+  };
+
+  std::size_t size() const { return unknowns_.size(); }
+  const ConeMode& mode() const { return mode_; }
+  /// Where an unknown stands in x; `none` for slips.
+  std::size_t place(std::size_t unknown) const { return unknowns_[unknown]; }
+  /// Which unknown a component of x is; `none` where it is 0 in this mode.
+  std::size_t unknown(std::size_t place) const { return unknown_of_[place]; }
+  /// The slip of a contact that slides in space.
+  std::size_t slip(std::size_t contact) const { return slip_of_[contact]; }
+  const std::vector<Equation>& equations() const { return equations_; }
+
+  /// Unknowns at x; slips are what fits u and r best.
+  std::vector<double> unknowns_at(std::span<const double> x) const;
+  /// x at unknowns.
+  std::vector<double> x_at(std::span<const double> z) const;
+  /// F_i, exactly; `x` is x_at(z).
+  Rational value(std::size_t equation, std::span<const double> z, std::span<const double> x) const;
+  /// Row i of the derivative of F, in no order, each unknown once.
+  std::vector<Entry> derivative(std::size_t equation, std::span<const double> z) const;
+  /// Upper bound on the terms of second order in F_i for steps up to `radius`, but for rounding (a few ulps).
+  double second_order(std::size_t equation, std::span<const double> radius) const;
+
+ private:
+  void add_contact(std::size_t k);
+
+  const MixedProblem* problem_;  ///< a pointer, so that systems can be assigned
+  ConeMode mode_;
+  std::vector<std::size_t> unknowns_, unknown_of_, slip_of_;
+  std::vector<Equation> equations_;
+};
+
+}  // namespace slipproof

@@ -1,0 +1,34 @@
+// The solution of a linear complementarity problem as exact numbers, at sizes of a thousand.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/number/effort.hpp"
+#include "contact/enclosure/mixed_problem.hpp"
+#include "contact/linear/exact_system.hpp"
+
+namespace slipproof {
+
+/// x >= 0, w = A x + c >= 0, and x_i w_i = 0.
+struct ExactLcpSolution {
+  std::vector<bool> active;  ///< where w_i = 0 was an equation; elsewhere x_i = 0 was
+  ExactVector x, w;
+
+  /// 1: x_i > 0, -1: w_i > 0, 0: both are 0, and the set of active components is not the only one.
+  int state(std::size_t i) const { return x.sign(i) - w.sign(i); }
+};
+
+/// A solution of a complementarity problem, from a proposal of its active components: those where x_i > 0. Floating
+/// point mends the proposal by principal pivoting, and proposes another by Lemke's method; the solution itself is
+/// computed, and all its signs are checked, without rounding. Where a sign is wrong nevertheless, a few more pivots are
+/// taken by exact signs, each of which solves anew. Other solutions may exist: unique_class.hpp excludes them. Nothing
+/// where none was found within the effort, and for what is no complementarity problem. See exact_solution() for what it
+/// takes.
+std::optional<ExactLcpSolution> solve_lcp(const MixedProblem& problem, std::vector<bool> active, Effort& effort);
+
+/// The solution with these active components; nothing if there is none, or not exactly one. Throws TooMuchWork.
+std::optional<ExactLcpSolution> solve_active(const MixedProblem& problem, const std::vector<bool>& active,
+                                             Effort& effort);
+
+}  // namespace slipproof

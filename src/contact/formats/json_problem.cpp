@@ -1,0 +1,311 @@
+#include "contact/formats/json_problem.hpp"
+
+#include <algorithm>
+#include <array>
+#include <istream>
+
+#include "contact/formats/entries.hpp"
+#include "contact/formats/json_tree.hpp"
+#include "contact/formats/problem_check.hpp"
+
+namespace slipproof {
+
+namespace {
+
+class JsonProblem {
+ public:
+  JsonProblem(const JsonNode& root, const std::string& file) : root_(root), numbers_(file) {}
+
+  ReadProblem read() {
+    const bool global = root_.find("H") != nullptr;
+    ProblemFile& p = read_.problem;
+    if (const JsonNode* title = root_.find("title")) p.title = title->text;
+    read_dimension(global);
+    global ? read_global() : read_local();
+    read_coefficients();
+    SolverAnswer answer;
+    answer.origin = "r, u";
+    answer.r = part({"r", "z"});
+    answer.u = global ? part({"u"}) : part({"u", "w"});
+    answer.v = part({"v"});
+    answer.lambda = part({"lambda"});
+    if (!answer.r.empty() || !answer.u.empty()) read_.answers.push_back(std::move(answer));
+    refuse_unknown(global);
+    return std::move(read_);
+  }
+
+ private:
+  void read_dimension(bool global) {
+    ProblemFile& p = read_.problem;
+    const JsonNode* dimension = root_.find("dimension");
+    const bool frictional = dimension != nullptr || root_.find("mu") != nullptr || global;
+    p.form = global ? ProblemForm::global : frictional ? ProblemForm::local : ProblemForm::complementarity;
+    p.dimension = 1;
+    if (!frictional || dimension == nullptr) return;
+    p.dimension = numbers_.count(*dimension, "dimension");
+    if (p.dimension == 2 || p.dimension == 3) return;
+    numbers_.refuse("dimension", "found " + std::to_string(p.dimension) + ", expected 2 or 3");
+  }
+
+  /// Where no key says it.
+  void tell_dimension(std::optional<std::size_t> coefficients) {
+    ProblemFile& p = read_.problem;
+    if (root_.find("dimension") != nullptr) return;
+    const std::size_t components = p.form == ProblemForm::global ? p.w.size() : p.q.size();
+    const DimensionBySizes found = dimension_by_sizes(components, coefficients);
+    if (!found.mistake.empty()) numbers_.refuse(found.key, found.mistake);
+    p.dimension = found.dimension;
+  }
+
+  void read_local() {
+    ProblemFile& p = read_.problem;
+    const char* name = root_.find("W") == nullptr && root_.find("M") != nullptr ? "M" : "W";
+    p.q = vector("q");
+    p.W = matrix(name, p.q.size(), p.q.size());
+    if (root_.find("V") == nullptr && root_.find("R") == nullptr) return;
+    p.s = vector("s");
+    p.V = matrix("V", p.q.size(), p.s.size());
+    p.R = matrix("R", p.s.size(), p.s.size());
+  }
+
+  void read_global() {
+    ProblemFile& p = read_.problem;
+    p.f = vector("f");
+    p.w = vector("w");
+    p.M = matrix("M", p.f.size(), p.f.size());
+    p.H = matrix("H", p.f.size(), p.w.size());
+    if (root_.find("G") == nullptr) return;
+    p.b = vector("b");
+    p.G = matrix("G", p.f.size(), p.b.size());
+  }
+
+  /// One number stands for all contacts.
+  void read_coefficients() {
+    ProblemFile& p = read_.problem;
+    if (p.form == ProblemForm::complementarity) return;
+    const JsonNode& mu = need("mu", "a coefficient of friction, or one for each contact");
+    if (mu.kind == JsonNode::Kind::list) {
+      p.mu = numbers_.list(mu, "mu");
+      tell_dimension(p.mu.size());
+    } else {
+      const double each = numbers_.number(mu, "mu");
+      tell_dimension(std::nullopt);
+      p.mu.assign(p.contacts(), each);
+    }
+  }
+
+  const JsonNode& need(const std::string& key, const std::string& expected) const {
+    const JsonNode* node = root_.find(key);
+    if (node == nullptr) numbers_.refuse(key, "found nothing, expected " + expected);
+    return *node;
+  }
+
+  std::vector<double> vector(const std::string& key) const {
+    return numbers_.list(need(key, "a list of numbers"), key);
+  }
+
+  std::vector<double> part(std::initializer_list<const char*> names) const {
+    std::vector<double> result;
+    for (const char* name : names) {
+      const JsonNode* node = root_.find(name);
+      if (node == nullptr) continue;
+      if (!result.empty())
+        numbers_.refuse(name, "found it beside " + std::string(*names.begin()) + ", expected one of them");
+      result = numbers_.list(*node, name, true);
+    }
+    return result;
+  }
+
+  SparseMatrix matrix(const std::string& name, std::size_t rows, std::size_t columns) const {
+    const JsonNode& node = need(name, "a matrix");
+    std::vector<MatrixEntry> entries;
+    if (node.kind == JsonNode::Kind::object) {
+      read_sparse(node, name, rows, columns, entries);
+    } else {
+      read_rows(node, name, rows, columns, entries);
+    }
+    return matrix_of(rows, columns, std::move(entries),
+                     [&](const std::string& twice) { numbers_.refuse(name, twice); });
+  }
+
+  void size(const std::string& where, std::size_t found, std::size_t expected) const {
+    if (found == expected) return;
+    numbers_.refuse(where, "found " + std::to_string(found) + ", expected " + std::to_string(expected) +
+                               ", as the vectors are long");
+  }
+
+  void read_rows(const JsonNode& node, const std::string& name, std::size_t rows, std::size_t columns,
+                 std::vector<MatrixEntry>& entries) const {
+    if (node.kind != JsonNode::Kind::list) {
+      numbers_.refuse(name, "found no matrix, expected a list of rows, or an object of rows, columns and entries");
+    }
+    size("the number of rows of " + name, node.size(), rows);
+    for (std::size_t i = 0; i < rows; ++i) {
+      const std::string where = name + "[" + std::to_string(i + 1) + "]";
+      const std::vector<double> row = numbers_.list(node.item(i), where);
+      size("the number of columns of " + where, row.size(), columns);
+      for (std::size_t j = 0; j < columns; ++j) put_entry(entries, i, j, row[j]);
+    }
+  }
+
+  void read_sparse(const JsonNode& node, const std::string& name, std::size_t rows, std::size_t columns,
+                   std::vector<MatrixEntry>& entries) const {
+    const JsonNode *high = node.find("rows"), *wide = node.find("columns"), *list = node.find("entries");
+    if (high == nullptr || wide == nullptr || list == nullptr || node.keys.size() != 3 ||
+        list->kind != JsonNode::Kind::list) {
+      numbers_.refuse(name, "found other keys, expected rows, columns and a list of entries");
+    }
+    size(name + ".rows", numbers_.count(*high, name + ".rows"), rows);
+    size(name + ".columns", numbers_.count(*wide, name + ".columns"), columns);
+    for (std::size_t k = 0; k < list->size(); ++k) {
+      const JsonNode entry = list->item(k);
+      const std::string where = name + ".entries[" + std::to_string(k + 1) + "]";
+      if (entry.kind != JsonNode::Kind::list || entry.size() != 3) {
+        numbers_.refuse(where, "found no entry, expected [row, column, number]");
+      }
+      const auto i = index(entry.item(0), where + "[1]", rows), j = index(entry.item(1), where + "[2]", columns);
+      entries.push_back({i, j, numbers_.number(entry.item(2), where + "[3]")});
+    }
+  }
+
+  std::uint32_t index(const JsonNode& node, const std::string& where, std::size_t bound) const {
+    const std::size_t found = numbers_.count(node, where);
+    if (found < bound) return static_cast<std::uint32_t>(found);
+    numbers_.refuse(where,
+                    "found " + std::to_string(found) + ", expected one from 0 to " + std::to_string(bound) + " - 1");
+  }
+
+  void refuse_unknown(bool global) const {
+    constexpr std::array<std::string_view, 13> local{"dimension", "title", "W", "M", "q", "mu", "V",
+                                                     "R",         "s",     "r", "z", "u", "w"};
+    constexpr std::array<std::string_view, 12> whole{"dimension", "title", "M", "H", "f", "w",
+                                                     "mu",        "G",     "b", "r", "z", "u"};
+    for (const std::string& key : root_.keys) {
+      const bool known =
+          (global ? std::ranges::find(whole, key) != whole.end() : std::ranges::find(local, key) != local.end()) ||
+          key == "lambda" || (key == "v" && global);
+      if (!known) {
+        numbers_.refuse(key, std::string("found an unknown key, expected ") +
+                                 (global ? "dimension, M, H, f, w, mu, G, b, r, u, v, lambda or title"
+                                         : "dimension, W, q, mu, V, R, s, r, u, lambda or title"));
+      }
+    }
+  }
+
+  const JsonNode& root_;
+  JsonNumbers numbers_;
+  ReadProblem read_;
+};
+
+/// Follows the keys of the first object until it knows, whatever stands between them.
+class JsonPeek {
+ public:
+  /// False once nothing more is to be known.
+  bool take(char c) {
+    if (in_text_) {
+      take_in_text(c);
+      return true;
+    }
+    switch (c) {
+      case '"':
+        in_text_ = true;
+        text_.clear();
+        break;
+      case ':':
+        if (depth_ == 1) take_key();
+        break;
+      case '{':
+      case '[':
+        sparse_ = sparse_ || (c == '{' && depth_ == 1 && is_matrix());
+        ++depth_;
+        break;
+      case '}':
+      case ']':
+        end_value();
+        ended_ = --depth_ <= 0;
+        break;
+      case ',':
+        end_value();
+        break;
+      case '\n':
+        lines_ = lines_ || depth_ > 0;
+        break;
+      default:
+        if (depth_ == 1 && key_ == "dimension" && c != ' ' && c != '\t' && c != '\r') add(value_, c);
+    }
+    return !ended_ && !is_problem();
+  }
+
+  bool is_problem() const { return three_ || sparse_ || (M_ && H_); }
+  /// Of any dimension, and on more than one line: no line of it could be a record.
+  bool is_spread_problem() const { return is_problem() || (lines_ && q_ && (W_ || M_)); }
+
+ private:
+  void take_in_text(char c) {
+    if (escaped_) {
+      escaped_ = false;
+    } else if (c == '\\') {
+      escaped_ = true;
+    } else if (c == '"') {
+      in_text_ = false;
+      return;
+    }
+    add(text_, c);
+  }
+
+  /// Longer texts than those that are looked for are none of them.
+  static void add(std::string& text, char c) {
+    constexpr std::size_t longest = 16;
+    if (text.size() < longest) text += c;
+  }
+
+  void take_key() {
+    key_ = text_;
+    value_.clear();
+    M_ = M_ || key_ == "M";
+    H_ = H_ || key_ == "H";
+    W_ = W_ || key_ == "W";
+    q_ = q_ || key_ == "q";
+  }
+
+  void end_value() {
+    if (depth_ == 1) three_ = three_ || value_ == "3";
+  }
+
+  bool is_matrix() const {
+    constexpr std::array<std::string_view, 6> matrices{"W", "M", "H", "G", "V", "R"};
+    return std::ranges::find(matrices, key_) != matrices.end();
+  }
+
+  int depth_ = 0;
+  bool ended_ = false, in_text_ = false, escaped_ = false, lines_ = false;
+  std::string text_, key_, value_;
+  bool three_ = false, sparse_ = false, M_ = false, H_ = false, W_ = false, q_ = false;
+};
+
+}  // namespace
+
+ReadProblem read_json_problem(std::string_view text, const std::string& file) {
+  const JsonNode root = read_json_tree(text, file);
+  return JsonProblem(root, file).read();
+}
+
+bool begins_as_json_problem(std::istream& text) {
+  JsonPeek peek;
+  for (char c = 0; text.get(c) && peek.take(c);) {
+  }
+  return peek.is_spread_problem();
+}
+
+bool is_json_problem(std::string_view line) {
+  const auto has = [&](std::string_view word) { return line.find(word) != std::string_view::npos; };
+  // The ends of keys: quotation marks are everywhere in a line, and begin nothing that is quickly looked for.
+  if (!has("dimension\"") && !has("entries\"") && !has("H\"")) return false;
+  JsonPeek peek;
+  for (const char c : line) {
+    if (!peek.take(c)) break;
+  }
+  return peek.is_problem();
+}
+
+}  // namespace slipproof

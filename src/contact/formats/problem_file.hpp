@@ -1,0 +1,64 @@
+// Contact problems at real size, as the field's own files hold them, and answers of solvers to them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/algebra/sparse_matrix.hpp"
+
+namespace slipproof {
+
+enum class ProblemForm : std::uint8_t {
+  /// w = W z + q, z >= 0, w >= 0, z_i w_i = 0. `dimension` is 1. With V, R and s: bilateral rows, as below.
+  complementarity,
+  /// u = W r + V lambda + q, V^T r + R lambda + s = 0.
+  local,
+  /// M v = H r + G lambda + f, u = H^T v + w, G^T v + b = 0.
+  global
+};
+
+/// Impulses or forces r and velocities or accelerations u of contact k stand at dimension * k: the normal part, then
+/// the tangential one. A matrix that the form does not have, or the file leaves out, has no rows and no columns; V and
+/// G may be left out where there are no bilateral rows.
+struct ProblemFile {
+  ProblemForm form = ProblemForm::local;
+  std::size_t dimension = 3;  ///< 1 (complementarity), 2 or 3
+  SparseMatrix W, V, R;       ///< complementarity and local
+  std::vector<double> q, s;
+  SparseMatrix M, H, G;  ///< global
+  std::vector<double> f, w, b;
+  std::vector<double> mu;  ///< Coulomb coefficient of each contact, >= 0; empty for complementarity
+  std::string title;       ///< as the file calls it; may be empty
+  /// What the file says that a reader should know and a program must not trust: a stored solution with r = 0, numbers
+  /// printed with six digits, a trailing token. Sentences without a full stop.
+  std::vector<std::string> remarks;
+
+  std::size_t components() const { return form == ProblemForm::global ? H.columns : q.size(); }
+  std::size_t contacts() const { return components() / dimension; }
+};
+
+/// What a solver gives; an empty vector is a part that it does not give. NaN and infinities are kept: they are answers,
+/// and wrong ones.
+struct SolverAnswer {
+  std::string origin;             ///< "/solution", "/guesses/1", the name of a file
+  std::vector<double> r;          ///< forces or impulses; z of a complementarity problem
+  std::vector<double> u;          ///< velocities or accelerations; w of a complementarity problem
+  std::vector<double> v, lambda;  ///< of the global form, and of bilateral rows
+};
+
+/// How many numbers the parts of an answer have: a reader makes no room for more. Nothing where that is not known.
+struct AnswerSizes {
+  std::optional<std::size_t> r = std::nullopt, u = std::nullopt, v = std::nullopt, lambda = std::nullopt;
+};
+
+/// A file with what it holds besides the problem.
+struct ReadProblem {
+  ProblemFile problem;
+  std::vector<SolverAnswer> answers;  ///< that stand in the problem's own file: its solution first, then guesses
+};
+
+enum class ProblemFormat : std::uint8_t { fclib, siconos, matrix_market, json };
+
+}  // namespace slipproof

@@ -1,0 +1,200 @@
+#include "contact/judge/certificate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "base/number/binary64.hpp"
+#include "contact/judge/problem_name.hpp"
+
+namespace slipproof {
+
+namespace {
+
+class CertificateWriter {
+ public:
+  explicit CertificateWriter(const MixedProblem& problem) : problem_(problem) {}
+
+  std::string write(const ContactJudgement& judgement) {
+    write_problem();
+    vector("answer", judgement.x);
+    if (!write_claims(judgement)) return {};
+    line("end");
+    return std::move(text_);
+  }
+
+ private:
+  bool write_claims(const ContactJudgement& judgement) {
+    switch (judgement.verdict) {
+      case ContactVerdict::inaccurate:
+      case ContactVerdict::solution_within_rho:
+      case ContactVerdict::unique:
+      case ContactVerdict::ambiguous:
+        return write_solutions(judgement);
+      case ContactVerdict::no_solution:
+        if (judgement.multipliers.empty()) return false;
+        line("no-solution");
+        vector("multipliers", judgement.multipliers);
+        return true;
+      case ContactVerdict::wrong:
+      case ContactVerdict::none_within_rho:
+        if (judgement.exclusion->radius > 0) {
+          line("none-within {:a}", judgement.exclusion->radius);
+          return true;
+        }
+        [[fallthrough]];
+      case ContactVerdict::eps_solution:
+        if (judgement.law != FrictionLaw::cone && problem_.dimension == 3) return false;
+        write_eps(judgement);
+        return true;
+      default:
+        return false;
+    }
+  }
+
+  bool write_solutions(const ContactJudgement& j) {
+    if (j.enclosure) {
+      write_enclosure(*j.enclosure, j.rho);
+    } else if (!write_exact(j.exact, j.rho)) {
+      return false;
+    }
+    if (j.other) write_enclosure(*j.other, distance_from(*j.other, j.x));
+    if (!j.other_exact.empty()) {
+      write_exact(j.other_exact, distance_from(j.other_exact, j.x));
+    }
+    if (j.unique_by) write_unique(*j.unique_by);
+    return true;
+  }
+
+  /// A solution in numbers: nothing has to be changed for it. False where they are longer than the format allows.
+  bool write_exact(const std::vector<Rational>& x, double moved) {
+    constexpr std::size_t longest = 4900;  // characters of a number in a certificate
+    std::vector<Rational> w;
+    for (std::size_t i = 0; i < problem_.size(); ++i) w.push_back(exact_row(problem_, i, x));
+    const auto short_enough = [](const Rational& value) { return value.str().size() <= longest; };
+    if (!std::all_of(x.begin(), x.end(), short_enough) || !std::all_of(w.begin(), w.end(), short_enough)) return false;
+    line("eps 0 {:a}", moved);
+    vector("point", x);
+    vector("motion", w);
+    return true;
+  }
+
+  void write_unique(const UniqueProof& proof) {
+    if (proof.kind == UniqueProof::Class::dominant) {
+      text_ += "unique ";
+      vector("dominant", proof.scale);
+    } else if (proof.kind != UniqueProof::Class::p_matrix) {  // whose minors are computed again by whoever wants to
+      line("unique {} {}", class_word(proof.kind), proof.factor.entries());
+      entries(proof.factor);
+    }
+  }
+
+  static std::string_view class_word(UniqueProof::Class kind) {
+    return kind == UniqueProof::Class::bound          ? "bound"
+           : kind == UniqueProof::Class::determinants ? "determinants"
+                                                      : "definite";
+  }
+
+  void entries(const SparseMatrix& matrix) {
+    for (std::size_t i = 0; i < matrix.rows; ++i) {
+      const auto columns = matrix.columns_of(i);
+      for (std::size_t e = 0; e < columns.size(); ++e) line("{} {} {:a}", i, columns[e], matrix.values_of(i)[e]);
+    }
+  }
+
+  template <class... Values>
+  void add(fmt::format_string<Values...> format, Values&&... values) {
+    fmt::format_to(std::back_inserter(text_), format, std::forward<Values>(values)...);
+  }
+  template <class... Values>
+  void line(fmt::format_string<Values...> format, Values&&... values) {
+    add(format, std::forward<Values>(values)...);
+    text_ += '\n';
+  }
+  void vector(std::string_view name, std::span<const double> values) {
+    text_ += name;
+    for (const double x : values) add(" {:a}", x);
+    text_ += '\n';
+  }
+  void vector(std::string_view name, const std::vector<Rational>& values) {
+    text_ += name;
+    for (const Rational& x : values) add(" {}", x.str());
+    text_ += '\n';
+  }
+
+  void write_problem() {
+    line("slipproof-contact 1");
+    line("problem {}", problem_name(problem_));
+    line("dimension {} free {} contacts {}", problem_.dimension, problem_.free, problem_.contacts());
+    vector("mu", problem_.mu);
+    line("matrix {}", problem_.A.entries());
+    entries(problem_.A);
+    vector("constant", problem_.c);
+  }
+
+  void write_eps(const ContactJudgement& judgement) {
+    const Residual& residual = *judgement.residual;
+    line("eps {:a} {:a}", residual.change, residual.moved);
+    std::vector<Rational> point, motion(problem_.free);
+    for (std::size_t i = 0; i < problem_.free; ++i) point.push_back(to_rational(judgement.x[i]));
+    for (const FittedContact& c : residual.contacts) {
+      point.insert(point.end(), c.r.begin(), c.r.end());
+      motion.insert(motion.end(), c.u.begin(), c.u.end());
+    }
+    vector("point", point);
+    vector("motion", motion);
+  }
+
+  void write_enclosure(const Enclosure& box, double rho) {
+    line("enclosure {:a}", rho);
+    text_ += "modes";
+    for (const ConeState state : box.system.mode()) add(" {}", name(state));
+    text_ += '\n';
+    vector("center", box.center);
+    std::vector<double> radius = box.radius;
+    for (const std::size_t j : box.pinned) radius[j] = 1;  // any positive number: it is not used
+    vector("radius", radius);
+    add("pinned {}", box.pinned.size());
+    for (const std::size_t j : box.pinned) add(" {}", j);
+    line("\ndropped {}", box.dropped.size());
+    for (const DroppedEquation& d : box.dropped) {
+      add("{} {}", d.equation, d.combination.size());
+      for (const auto& [equation, coefficient] : d.combination) add(" {} {}", equation, coefficient.str());
+      text_ += '\n';
+    }
+    write_inverse(box);
+  }
+
+  /// Unknowns and equations are counted without the pinned and the dropped ones.
+  void write_inverse(const Enclosure& box) {
+    std::vector<std::size_t> unknown(box.system.size(), 0), equation(box.system.size(), 0);
+    for (const std::size_t j : box.pinned) unknown[j] = 1;
+    for (const DroppedEquation& d : box.dropped) equation[d.equation] = 1;
+    for (auto* list : {&unknown, &equation}) {
+      std::size_t next = 0;
+      for (std::size_t& i : *list) i = i == 1 ? ModeSystem::none : next++;
+    }
+    std::size_t entries = 0;
+    for (const SystemBlock& b : box.blocks) entries += b.unknowns.size() * b.unknowns.size();
+    line("inverse {}", entries);
+    for (const SystemBlock& b : box.blocks) {
+      for (std::size_t j = 0; j < b.unknowns.size(); ++j) {
+        for (std::size_t i = 0; i < b.equations.size(); ++i) {
+          line("{} {} {:a}", unknown[b.unknowns[j]], equation[b.equations[i]], b.inverse.row(j)[i]);
+        }
+      }
+    }
+  }
+
+  const MixedProblem& problem_;
+  std::string text_;
+};
+
+}  // namespace
+
+std::string contact_certificate(const MixedProblem& problem, const ContactJudgement& judgement) {
+  return CertificateWriter(problem).write(judgement);
+}
+
+}  // namespace slipproof

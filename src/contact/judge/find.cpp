@@ -1,0 +1,151 @@
+#include "contact/judge/find.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel/stop.hpp"
+#include "contact/enclosure/answer.hpp"
+#include "contact/enclosure/residual.hpp"
+
+namespace slipproof {
+
+namespace {
+
+using Dense = Eigen::MatrixXd;
+using DenseVector = Eigen::VectorXd;
+
+/// u = W r + q with the free unknowns eliminated.
+struct Delassus {
+  Dense W;
+  DenseVector q;
+};
+
+std::optional<Delassus> delassus(const MixedProblem& problem) {
+  const auto n = static_cast<Eigen::Index>(problem.size()), free = static_cast<Eigen::Index>(problem.free);
+  Dense A = Dense::Zero(n, n);
+  DenseVector c(n);
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    c[static_cast<Eigen::Index>(i)] = problem.c[i];
+    for (std::size_t e = problem.A.starts[i]; e < problem.A.starts[i + 1]; ++e) {
+      A(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(problem.A.column[e])) = problem.A.value[e];
+    }
+  }
+  const Eigen::Index m = n - free;
+  if (free == 0) return Delassus{std::move(A), std::move(c)};
+  const Eigen::PartialPivLU<Dense> lu(A.topLeftCorner(free, free));
+  const Dense X = lu.solve(A.topRightCorner(free, m));
+  const DenseVector y = lu.solve(c.head(free));
+  Delassus result{A.bottomRightCorner(m, m) - A.bottomLeftCorner(m, free) * X,
+                  c.tail(m) - A.bottomLeftCorner(m, free) * y};
+  if (!result.W.allFinite() || !result.q.allFinite()) return std::nullopt;
+  return result;
+}
+
+/// The force of one contact, the others' given: a fixed-point iteration of projections on the cone.
+class OneContact {
+ public:
+  OneContact(const Dense& block, double mu) : block_(block), mu_(mu) {
+    const double norm = block.norm();
+    step_ = norm > 0 ? 1 / norm : 1;
+  }
+
+  DenseVector solve(const DenseVector& rest, DenseVector r) const {
+    for (int i = 0; i < 40; ++i) {
+      const DenseVector next = projected(r - step_ * (block_ * r + rest));
+      const double moved = (next - r).lpNorm<Eigen::Infinity>();
+      r = next;
+      if (moved <= 1e-16 * r.lpNorm<Eigen::Infinity>()) break;
+    }
+    return r;
+  }
+
+ private:
+  DenseVector projected(DenseVector r) const {
+    r[0] = std::max(r[0], 0.0);
+    const double length = r.tail(r.size() - 1).norm(), bound = mu_ * r[0];
+    if (length > bound) r.tail(r.size() - 1) *= length > 0 ? bound / length : 0;
+    return r;
+  }
+
+  Dense block_;
+  double mu_, step_;
+};
+
+std::vector<double> with_free(const MixedProblem& problem, const DenseVector& r) {
+  std::vector<double> x(problem.free, 0);
+  x.insert(x.end(), r.data(), r.data() + r.size());
+  if (!complete_free_unknowns(problem, x)) return {};
+  return x;
+}
+
+bool apart(const Enclosure& a, const Enclosure& b) {
+  const std::vector<double> x = center_of(a), y = center_of(b);
+  const auto radius = [](const Enclosure& box, std::size_t i) {
+    const std::size_t j = box.system.unknown(i);
+    return j == ModeSystem::none ? 0 : box.radius[j];
+  };
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (std::abs(x[i] - y[i]) * (1 - 1e-12) > (radius(a, i) + radius(b, i)) * (1 + 1e-12)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<double> approximate_solution(const MixedProblem& problem, const FindOptions& options) {
+  if (problem.size() > options.largest) return {};
+  const std::optional<Delassus> d = delassus(problem);
+  if (!d) return {};
+  const auto size = static_cast<Eigen::Index>(problem.dimension);
+  std::vector<OneContact> contacts;
+  for (std::size_t k = 0; k < problem.contacts(); ++k) {
+    const Eigen::Index first = static_cast<Eigen::Index>(k) * size;
+    contacts.emplace_back(d->W.block(first, first, size, size), problem.mu[k]);
+  }
+  DenseVector r = DenseVector::Zero(d->q.size());
+  for (int sweep = 0; sweep < options.sweeps; ++sweep) {
+    double moved = 0;
+    stop_if_asked();
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+      const Eigen::Index first = static_cast<Eigen::Index>(k) * size;
+      const DenseVector before = r.segment(first, size);
+      const DenseVector rest =
+          d->W.middleRows(first, size) * r + d->q.segment(first, size) - d->W.block(first, first, size, size) * before;
+      const DenseVector after = contacts[k].solve(rest, before);
+      moved = std::max(moved, (after - before).lpNorm<Eigen::Infinity>());
+      r.segment(first, size) = after;
+    }
+    if (!r.allFinite()) return {};
+    if (moved <= 1e-15 * r.lpNorm<Eigen::Infinity>()) break;
+  }
+  return with_free(problem, r);
+}
+
+std::optional<Enclosure> another_solution(const MixedProblem& problem, const Enclosure& first,
+                                          const FindOptions& options) {
+  const std::vector<double> scales = contact_scales(problem), x = center_of(first);
+  const auto from = [&](std::vector<double> start) -> std::optional<Enclosure> {
+    if (!complete_free_unknowns(problem, start)) return std::nullopt;
+    auto found = enclose_solution(problem, start);
+    auto* box = std::get_if<Enclosure>(&found);
+    if (box == nullptr || !apart(first, *box)) return std::nullopt;
+    return std::move(*box);
+  };
+  std::vector<double> none = x;
+  std::fill(none.begin() + static_cast<std::ptrdiff_t>(problem.free), none.end(), 0);
+  if (auto found = from(none)) return found;
+  for (std::size_t k = 0; k < std::min(problem.contacts(), options.neighbours); ++k) {
+    std::vector<double> start = x;
+    const std::size_t n = problem.normal(k);
+    if (x[n] > 0) {
+      for (std::size_t i = 0; i < problem.dimension; ++i) start[n + i] = 0;
+    } else {  // pressed as hard as would stop what is leaving
+      start[n] = 2 * std::abs(exact_row(problem, n, x).to_double()) / scales[k] + 1e-6;
+    }
+    if (auto found = from(std::move(start))) return found;
+  }
+  return std::nullopt;
+}
+
+}  // namespace slipproof

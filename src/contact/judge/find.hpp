@@ -1,0 +1,27 @@
+// Solutions where no answer is given, and others than the one that is.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "contact/enclosure/enclosure.hpp"
+
+namespace slipproof {
+
+struct FindOptions {
+  int sweeps = 400;              ///< of the iteration over contacts
+  std::size_t largest = 3000;    ///< components that are made dense
+  std::size_t neighbours = 200;  ///< modes that are tried around a solution
+};
+
+/// A start for enclose_solution: contacts are solved one after the other, each for itself, until they agree (a
+/// projected Gauss-Seidel iteration on the Delassus matrix, as NSGS does it). Nothing is promised. Empty where the free
+/// rows cannot be eliminated or the problem is too large.
+std::vector<double> approximate_solution(const MixedProblem& problem, const FindOptions& options = {});
+
+/// A solution that is none of the first's box, found from modes in which one contact differs, and from no forces at
+/// all. Nothing if none was found, which proves nothing.
+std::optional<Enclosure> another_solution(const MixedProblem& problem, const Enclosure& first,
+                                          const FindOptions& options = {});
+
+}  // namespace slipproof

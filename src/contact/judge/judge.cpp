@@ -1,0 +1,229 @@
+#include "contact/judge/judge.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/number/binary64.hpp"
+#include "base/parallel/failure.hpp"
+#include "contact/enclosure/sizes.hpp"
+#include "contact/exact/border.hpp"
+#include "contact/exact/exact_lcp.hpp"
+#include "contact/exact/multiple.hpp"
+#include "contact/exact/no_solution.hpp"
+#include "contact/judge/find.hpp"
+
+namespace slipproof {
+
+namespace {
+
+constexpr std::array<std::string_view, 10> verdict_names{
+    "invalid",     "wrong",     "inaccurate", "eps-solution", "solution within rho", "unique", "no solution within rho",
+    "no solution", "ambiguous", "undecided"};
+
+/// The largest |u_i - (A x + c)_i|, rounded up.
+double velocity_error_of(const MixedProblem& problem, std::span<const Rational> w, std::span<const double> u) {
+  double largest = 0;
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    const Rational difference = to_rational(u[i]) - w[problem.free + i];
+    largest = std::max(largest, enclose(abs(difference)).upper);
+  }
+  return largest;
+}
+
+/// Wrong for the law that was asked about: would it be right for one that engines use instead?
+std::optional<FrictionLaw> pyramid_that_fits(const MixedProblem& problem, std::span<const double> x,
+                                             std::span<const Rational> w, const ContactJudgeOptions& options) {
+  if (problem.dimension != 3 || options.law != FrictionLaw::cone) return std::nullopt;
+  for (const FrictionLaw law : {FrictionLaw::box, FrictionLaw::diamond}) {
+    if (residual(problem, x, w, law).backward_error() <= options.tolerance) return law;
+  }
+  return std::nullopt;
+}
+
+/// An answer that is to be judged, and what is known of it so far.
+class ContactCase {
+ public:
+  ContactCase(const MixedProblem& problem, std::span<const double> u, const ContactJudgeOptions& options,
+              ContactJudgement& judgement)
+      : problem_(problem), u_(u), options_(options), j_(judgement), effort_(options.effort) {}
+
+  /// A solution near the answer, and whether there are others.
+  void look_near() {
+    bool settled = false;
+    extra("all solutions", [&] { settled = count_all(); });
+    if (!settled) {
+      extra("a solution near the answer", [&] { enclose(); });
+      if (j_.has_solution()) exclude_others();
+    }
+    if (j_.has_solution()) j_.error = j_.enclosure ? error_from(*j_.enclosure) : error_from(j_.exact);
+  }
+
+  /// What fails beyond the residual costs nothing but itself.
+  template <class Find>
+  void extra(const char* what, const Find& find) {
+    if (const std::string failure = failure_of(find); !failure.empty()) j_.left_out.push_back(what + (": " + failure));
+  }
+
+  /// Multipliers that show that there is none at all.
+  bool none_at_all() {
+    if (counted_ && count_.kind == SolutionCount::Kind::none) return true;
+    if (problem_.size() > 60) return false;
+    std::optional<std::vector<Rational>> found;
+    extra("why there is no solution", [&] { found = infeasibility(problem_, effort_); });
+    if (found) j_.multipliers = std::move(*found);
+    return found.has_value();
+  }
+
+  bool certainly_several() const {
+    using Kind = SolutionCount::Kind;
+    if (j_.other || !j_.other_exact.empty()) return true;
+    return counted_ && (count_.kind == Kind::several || count_.kind == Kind::continuum);
+  }
+  bool certainly_one() const { return j_.unique_by || (counted_ && count_.kind == SolutionCount::Kind::one); }
+  /// Whether the known solution is the nearest there is.
+  bool knows_all() const { return counted_ || j_.unique_by; }
+
+ private:
+  template <class Solution>
+  double error_from(const Solution& solution) const {
+    return error_of(problem_, j_.x, u_, solution);
+  }
+
+  /// All solutions of a small problem in the plane or without friction: true if that settles it.
+  bool count_all() {
+    const std::size_t few = problem_.dimension == 1 ? 12 : 6;
+    return problem_.dimension < 3 && problem_.contacts() <= few && count();
+  }
+
+  bool count() {
+    count_ = count_solutions(problem_, effort_, j_.x);
+    counted_ = count_.kind != SolutionCount::Kind::unknown;
+    if (count_.solutions.empty()) return counted_;
+    std::stable_sort(count_.solutions.begin(), count_.solutions.end(),
+                     [&](const auto& a, const auto& b) { return error_from(a) < error_from(b); });
+    j_.enclosure.reset();
+    j_.exact = count_.solutions.front();
+    j_.rho = distance_from(j_.exact, j_.x);
+    if (count_.kind == SolutionCount::Kind::one) j_.unique_by = prove_unique(problem_, effort_);
+    if (count_.solutions.size() > 1) j_.other_exact = count_.solutions[1];
+    return counted_;
+  }
+
+  void enclose() {
+    auto found = enclose_solution(problem_, j_.x, options_.enclosure);
+    if (auto* box = std::get_if<Enclosure>(&found)) {
+      j_.rho = distance_from(*box, j_.x);
+      j_.undetermined = box->pinned.size();
+      j_.enclosure = std::move(*box);
+      return;
+    }
+    if (solve_exactly()) return;
+    auto& failure = std::get<NoEnclosure>(found);
+    j_.reason = std::move(failure.reason);
+    j_.contacts = std::move(failure.contacts);
+  }
+
+  /// Where no enclosure is found, at a border between modes: the solution itself.
+  bool solve_exactly() {
+    if (auto solution = solve_at_border(problem_, j_.x, effort_)) {
+      j_.exact = std::move(solution->x);
+      j_.undetermined = solution->undetermined;
+    } else if (is_complementarity(problem_) && problem_.size() <= 1000) {
+      std::vector<bool> active;
+      for (const double x : j_.x) active.push_back(x > 0);
+      const auto found = solve_lcp(problem_, std::move(active), effort_);
+      if (!found) return false;
+      for (std::size_t i = 0; i < found->x.size(); ++i) j_.exact.push_back(found->x.at(i));
+    } else {
+      return false;
+    }
+    j_.rho = distance_from(j_.exact, j_.x);
+    return true;
+  }
+
+  void exclude_others() {
+    extra("whether it is the only solution", [&] { j_.unique_by = prove_unique(problem_, effort_); });
+    if (j_.unique_by || !j_.enclosure || !j_.enclosure->pinned.empty()) return;
+    if (j_.enclosure->system.size() > options_.others_up_to) return;
+    extra("another solution", [&] { j_.other = another_solution(problem_, *j_.enclosure); });
+  }
+
+  const MixedProblem& problem_;
+  std::span<const double> u_;
+  const ContactJudgeOptions& options_;
+  ContactJudgement& j_;
+  Effort effort_;
+  bool counted_ = false;
+  SolutionCount count_;
+};
+
+/// Whether the nearest solution may be near: where the law fails all around, it is not.
+bool may_be_near(const ContactJudgement& j) {
+  if (j.residual->backward_error() <= contact_near) return true;
+  double largest = 0;
+  for (const double x : j.x) largest = std::max(largest, std::abs(x));
+  return j.exclusion->radius <= 2 * contact_near * largest;
+}
+
+}  // namespace
+
+std::string_view name(ContactVerdict verdict) {
+  return verdict_names[static_cast<std::size_t>(verdict)];
+}
+
+bool is_certified(ContactVerdict verdict) {
+  return verdict == ContactVerdict::solution_within_rho || verdict == ContactVerdict::unique;
+}
+
+ContactJudgement judge_contacts(const MixedProblem& problem, std::vector<double> x, std::span<const double> u,
+                                const ContactJudgeOptions& options) {
+  ContactJudgement judgement;
+  judgement.x = std::move(x);
+  judgement.law = options.law;
+  const auto finite = [](double value) { return std::isfinite(value); };
+  const auto bad = std::find_if_not(judgement.x.begin(), judgement.x.end(), finite);
+  if (bad != judgement.x.end() || !std::all_of(u.begin(), u.end(), finite)) {
+    judgement.reason = "found a number that is not finite";
+    return judgement;
+  }
+  const std::vector<Rational> w = exact_rows(problem, judgement.x);
+  judgement.residual = residual(problem, judgement.x, w, options.law);
+  judgement.velocity_error = velocity_error_of(problem, w, u);
+  judgement.exclusion = exclusion(problem, judgement.x, w);
+  const double velocity_error = judgement.velocity_error / judgement.residual->scale;
+  const bool right = std::max(judgement.residual->backward_error(), velocity_error) <= options.tolerance;
+  ContactCase found(problem, u, options, judgement);
+  const bool exact_law = options.law == FrictionLaw::cone || problem.dimension < 3;
+  if (exact_law && (right || options.refine || may_be_near(judgement))) found.look_near();
+  const bool known = judgement.has_solution();
+  if (exact_law && !known && (!right || options.refine) && found.none_at_all()) {
+    judgement.verdict = ContactVerdict::no_solution;
+  } else if (options.within && judgement.exclusion->radius > *options.within) {
+    judgement.verdict = ContactVerdict::none_within_rho;
+  } else if (known && judgement.error <= options.tolerance) {
+    judgement.verdict = found.certainly_several() ? ContactVerdict::ambiguous
+                        : found.certainly_one()   ? ContactVerdict::unique
+                                                  : ContactVerdict::solution_within_rho;
+  } else if (known && judgement.error <= contact_near) {
+    judgement.verdict = ContactVerdict::inaccurate;
+  } else if (right && !found.knows_all()) {
+    judgement.verdict = ContactVerdict::eps_solution;
+    if (known) judgement.reason = "the solution that was found is too far from the answer";
+  } else {
+    judgement.verdict = ContactVerdict::wrong;
+    judgement.reason.clear();  // why nothing is enclosed is no news any more
+    judgement.contacts.clear();
+    if (judgement.residual->backward_error() > options.tolerance) {
+      found.extra("a pyramid that it fits",
+                  [&] { judgement.right_for = pyramid_that_fits(problem, judgement.x, w, options); });
+    } else if (velocity_error > options.tolerance) {
+      judgement.reason = "the velocities are not those of the forces";
+    } else {
+      judgement.reason = "the nearest solution is farther from it than a hundredth of the largest force";
+    }
+  }
+  return judgement;
+}
+
+}  // namespace slipproof

@@ -1,0 +1,38 @@
+#include "contact/judge/problem_name.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "base/number/binary64.hpp"
+#include "base/os/sha256.hpp"
+
+namespace slipproof {
+
+std::string canonical_form(const MixedProblem& problem) {
+  std::string text = fmt::format("slipproof-contact-problem 1\ndimension {} free {} contacts {}\n", problem.dimension,
+                                 problem.free, problem.contacts());
+  const auto vector = [&](const char* word, const std::vector<double>& numbers) {
+    text += word;
+    for (const double x : numbers) (text += ' ') += to_rational(x).str();
+    text += '\n';
+  };
+  vector("mu", problem.mu);
+  text += "matrix\n";
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    const auto columns = problem.A.columns_of(i);
+    const auto values = problem.A.values_of(i);
+    for (std::size_t e = 0; e < columns.size(); ++e) {
+      if (values[e] == 0) continue;
+      fmt::format_to(std::back_inserter(text), "{} {} {}\n", i, columns[e], to_rational(values[e]).str());
+    }
+  }
+  vector("constant", problem.c);
+  return text;
+}
+
+std::string problem_name(const MixedProblem& problem) {
+  return sha256(canonical_form(problem));
+}
+
+}  // namespace slipproof

@@ -1,0 +1,16 @@
+// The name of a contact problem: what certificates say that they are about (src/proofs/check_contact/FORMAT.md).
+#pragma once
+
+#include <string>
+
+#include "contact/enclosure/mixed_problem.hpp"
+
+namespace slipproof {
+
+/// The same text for the same problem, however it was written down. Linear in the problem's entries.
+std::string canonical_form(const MixedProblem& problem);
+
+/// SHA-256 of the canonical form, in hexadecimal.
+std::string problem_name(const MixedProblem& problem);
+
+}  // namespace slipproof

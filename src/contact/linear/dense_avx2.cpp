@@ -1,0 +1,3 @@
+#define SLIPPROOF_KERNEL dense_avx2
+#define SLIPPROOF_KERNEL_EIGEN slipproof_eigen_avx2
+#include "contact/linear/dense_kernels.inc"

@@ -1,0 +1,3 @@
+#define SLIPPROOF_KERNEL dense_avx512
+#define SLIPPROOF_KERNEL_EIGEN slipproof_eigen_avx512
+#include "contact/linear/dense_kernels.inc"

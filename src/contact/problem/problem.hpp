@@ -1,0 +1,63 @@
+// Contact problems as nonsmooth mechanics and complementarity solvers write them: w = W z + q.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/number/rational.hpp"
+#include "mechanics/bicycle/bicycle.hpp"
+#include "mechanics/bicycle/contact_mode.hpp"
+#include "mechanics/kernel/regular_modes.hpp"
+
+namespace slipproof {
+
+using RationalMatrix = std::vector<std::vector<Rational>>;
+
+/// Without `mu` a linear complementarity problem: z >= 0, w >= 0, z_i w_i = 0.
+/// With it planar frictional contact: z = (N_1, T_1, N_2, T_2, ...) are the normal and tangential forces (or impulses),
+/// w = (gap_1, slip_1, ...) the accelerations (or velocities) of the contacts, each contact in one of the states of
+/// ContactState with its conditions: slip+ has T = -mu N, slip >= 0.
+struct ContactProblem {
+  RationalMatrix W;          ///< square; the Delassus matrix, M of an LCP
+  std::vector<Rational> q;   ///< w without contact forces
+  std::vector<Rational> mu;  ///< Coulomb coefficient of each contact, >= 0; empty for an LCP
+
+  bool frictional() const { return !mu.empty(); }
+  std::size_t size() const { return q.size(); }
+  /// Contacts; in an LCP, components.
+  std::size_t contacts() const { return frictional() ? mu.size() : q.size(); }
+  ElementKind kind() const {
+    return {.law = frictional() ? ElementKind::Law::coulomb : ElementKind::Law::frictionless};
+  }
+};
+
+/// What is wrong with the shape or the domain of a problem; empty if nothing is.
+std::string mistake_in(const ContactProblem& problem);
+inline constexpr std::size_t max_problem_size = 64;
+
+/// A state for each contact. A component of an LCP is a contact without friction: `touch` stands for
+/// w_i = 0 <= z_i, `lift` for z_i = 0 <= w_i.
+using ProblemMode = std::vector<ContactState>;
+
+/// `stick/slip+/lift`; of an LCP a letter for each component, the one of z and w that need not be 0: `zwz`.
+std::string name(const ContactProblem& problem, const ProblemMode& mode);
+/// Nothing unless exactly as written by name().
+std::optional<ProblemMode> parse_mode(const ContactProblem& problem, std::string_view text);
+
+/// `N1 >= 0`, `|T1| <= mu N1`, `slip2 <= 0`, `gap2 >= 0`; `z3 >= 0`, `w3 >= 0`. Contacts and components count from 1.
+std::string name(const ContactProblem& problem, const ViolatedCondition& condition);
+
+/// W z + q.
+std::vector<Rational> accelerations(const ContactProblem& problem, const std::vector<Rational>& z);
+
+/// What the kernel solves: the unknowns are z, and a motion is a z.
+FrictionProblem friction_problem(const ContactProblem& problem);
+
+/// The contacts of a bicycle with J at a force, rear then front; nothing where a body without inertia makes their
+/// matrix infinite.
+std::optional<ContactProblem> contact_problem(const Bicycle<Rational>& bicycle, const Road<Rational>& road,
+                                              ForceKind kind, const Rational& F);
+
+}  // namespace slipproof

@@ -1,0 +1,171 @@
+#include "contact/problem/solutions.hpp"
+
+#include <algorithm>
+
+#include "base/algebra/bareiss.hpp"
+#include "contact/problem/yardstick.hpp"
+#include "mechanics/kernel/motions.hpp"
+
+namespace slipproof {
+
+namespace {
+
+ContactSolution solution_of(const ContactProblem& problem, std::vector<Rational> z) {
+  auto w = accelerations(problem, z);
+  return {{}, false, std::move(z), std::move(w)};
+}
+
+}  // namespace
+
+ContactSolver::ContactSolver(const ContactProblem& problem)
+    : problem_(problem), kernel_problem_(friction_problem(problem)), kernel_(kernel_problem_, std::nullopt) {}
+
+Work ContactSolver::modes() const {
+  return problem_.size() < 63 ? Work{1} << problem_.size() : endless;  // 4 for two components with friction, 2 for one
+}
+
+Work ContactSolver::work_of_all() const {
+  const std::size_t n = problem_.size();
+  if (modes() == endless) return endless;
+  Work work = 0, chosen = 1;  // k of n components: so many modes leave k open, with friction as without
+  for (std::size_t k = 0; k <= n; ++k) {
+    work = plus(work, times(chosen, kernel_.work_of(k)));
+    if (chosen > endless / 64) return endless;
+    chosen = chosen * (n - k) / (k + 1);
+  }
+  return work;
+}
+
+ModeOutcome ContactSolver::solve(const ProblemMode& mode, Effort& effort) const {
+  const ModesOf found = kernel_.one(mode, &effort);
+  ModeOutcome outcome;
+  if (found.consistent.empty()) {
+    const RejectedMode& rejected = found.rejected.front();
+    if (!rejected.margin) return outcome;
+    outcome.kind = ModeOutcome::Kind::violated;
+    outcome.condition = rejected.because.front();
+    outcome.margin = *rejected.margin;
+    return outcome;
+  }
+  const ConsistentMode& consistent = found.consistent.front();
+  if (consistent.determined) {
+    outcome.kind = ModeOutcome::Kind::solution;
+    outcome.strict = consistent.solutions.strict;
+    outcome.z = at_origin(consistent.solutions.space, kernel_problem_.accelerations);
+  } else {
+    outcome.kind = ModeOutcome::Kind::continuum;
+    outcome.continuum = continuum_of(consistent);
+  }
+  return outcome;
+}
+
+ContactContinuum ContactSolver::continuum_of(const ConsistentMode& found) const {
+  const AffineSpace& space = found.solutions.space;
+  ContactContinuum continuum{found.mode, at_origin(space, kernel_problem_.accelerations), {}, {}};
+  const std::vector<std::size_t> free = space.free_unknowns();
+  for (const std::size_t i : free) {
+    std::vector<Rational>& direction = continuum.directions.emplace_back();
+    for (const AffineForm& z : kernel_problem_.accelerations) direction.push_back(space.on(z).coefficients[i]);
+  }
+  for (const AffineForm& side : found.solutions.sides) {
+    AffineForm& form = continuum.conditions.emplace_back(AffineForm{side.constant, {}});
+    for (const std::size_t i : free) form.coefficients.push_back(side.coefficients[i]);
+  }
+  return continuum;
+}
+
+std::optional<ContactSolutions> ContactSolver::all(Effort& effort) const {
+  if (!effort.allows(work_of_all())) return std::nullopt;
+  try {
+    return try_all(effort);
+  } catch (const TooMuchWork&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<ContactSolutions> ContactSolver::all() const {
+  Effort effort(usual_effort);
+  return all(effort);
+}
+
+ContactSolutions ContactSolver::try_all(Effort& effort) const {
+  const std::vector<ConsistentMode> consistent = kernel_.consistent(&effort);
+  MergedModes merged = merge(kernel_problem_, consistent, &effort);
+  ContactSolutions found;
+  for (MergedModes::Motion& motion : merged.motions) {
+    ContactSolution& solution = found.solutions.emplace_back(solution_of(problem_, std::move(motion.accelerations)));
+    for (const std::size_t i : motion.modes) {
+      solution.modes.push_back(consistent[i].mode);
+      solution.strict = solution.strict || consistent[i].solutions.strict;
+    }
+  }
+  for (const std::size_t i : merged.continua) found.continua.push_back(continuum_of(consistent[i]));
+  return found;
+}
+
+std::optional<ContactSolution> ContactSolver::only(ProblemMode mode, Effort& effort) const {
+  // As integers with one denominator the entries may be longer than those of a row.
+  const Work definite = times(kernel_.work_of(problem_.size()), 4);
+  if (problem_.frictional() || !effort.allows(definite) || !positive_definite(problem_.W)) return std::nullopt;
+  try {
+    while (true) {
+      ModeOutcome outcome = solve(mode, effort);
+      if (outcome.kind == ModeOutcome::Kind::solution) {
+        ContactSolution solution = solution_of(problem_, std::move(outcome.z));
+        solution.modes = {mode};
+        solution.strict = outcome.strict;
+        return solution;
+      }
+      ContactState& state = mode[outcome.condition->element];
+      state = state == ContactState::lift ? ContactState::touch : ContactState::lift;
+    }
+  } catch (const TooMuchWork&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<ContactSolution> ContactSolver::only(ProblemMode start) const {
+  Effort effort(usual_effort);
+  return only(std::move(start), effort);
+}
+
+bool positive_definite(const RationalMatrix& W) {
+  std::vector<Rational> flat;
+  for (const auto& row : W) flat.insert(flat.end(), row.begin(), row.end());
+  const Integer common = common_denominator(flat);
+  const std::size_t n = W.size();
+  IntegerMatrix m(n, std::vector<Integer>(n));
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) m[i][j] = integer_times(W[i][j] + W[j][i], common);
+  }
+  // Bareiss without a choice of pivots: they are the leading principal minors.
+  Integer previous = 1;
+  for (std::size_t k = 0; k < n; ++k) {
+    if (m[k][k].sign() <= 0) return false;
+    for (std::size_t i = k + 1; i < n; ++i) {
+      for (std::size_t j = k + 1; j < n; ++j) m[i][j] = exact_quotient(m[k][k] * m[i][j] - m[i][k] * m[k][j], previous);
+    }
+    previous = m[k][k];
+  }
+  return true;
+}
+
+std::vector<Rational> ContactContinuum::at(const std::vector<Rational>& t) const {
+  std::vector<Rational> z = base;
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    for (std::size_t i = 0; i < z.size(); ++i) z[i] += t[k] * directions[k][i];
+  }
+  return z;
+}
+
+std::vector<Rational> ContactContinuum::nearest(const std::vector<Rational>& z, Effort& effort) const {
+  std::vector<OpenComponent> components;
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    AffineForm form{base[i], {}};
+    for (const auto& direction : directions) form.coefficients.push_back(direction[i]);
+    components.push_back({std::move(form), z[i], 1});
+  }
+  return at(nearest_solution(components, conditions, directions.size(), effort));
+}
+
+}  // namespace slipproof

@@ -1,0 +1,57 @@
+// Contacts that give, from rest: a simulation in binary64, which proves nothing.
+//
+// Each contact is a spring and a damper along its normal, N = max(0, -k gap - c gap') where gap < 0, and a bristle
+// along its tangent: T = -r k z - c_T z', where z follows the slip as long as |T| <= mu N, and else stays behind so
+// that |T| = mu N. Displacements from rest stay small, so that (gap, slip)'' = W (N, T) + q with one W throughout.
+//
+// This has no length of its own: with k s^2 for k all happens s times as fast and s^2 times as small, and accelerations
+// and forces are the same. So k is 1, time counts in periods of the slowest elastic vibration, and what is seen after
+// 100 times as many periods is what contacts 10^4 times as stiff show in the same time.
+#pragma once
+
+#include <vector>
+
+#include "contact/simulation/loaded_contacts.hpp"
+
+namespace slipproof {
+
+struct Compliance {
+  double stiffness_ratio = 1;  ///< r > 0, of the tangential to the normal stiffness
+  double damping = 0.1;        ///< of critical damping, >= 0, of each contact by itself
+  double rise = 0;             ///< periods in which the load comes on, >= 0; 0: at once
+};
+
+/// One run, step by step. Starts where the springs carry what pushes without the load.
+class CompliantMotion {
+ public:
+  /// Steps are so many parts of the fastest vibration's radian.
+  static constexpr double usual_step = 0.1;
+
+  /// Throws std::invalid_argument, with a message for people, where the bodies do not stay at rest without the load,
+  /// and where vibrations differ so much that a run would take hours.
+  CompliantMotion(const LoadedContacts& contacts, const Compliance& compliance, double step = usual_step);
+
+  void advance();
+  double periods() const { return time_ / period_; }
+  double time() const { return time_; }
+
+  /// In the order of the problem: gap and slip, N and T of each contact. Displacements are in units of force, as k = 1.
+  const std::vector<double>& displacement() const { return displacement_; }
+  const std::vector<double>& velocity() const { return velocity_; }
+  const std::vector<double>& forces() const { return forces_; }
+  const std::vector<double>& bristles() const { return bristles_; }  ///< z, of each contact
+  const ProblemMode& mode() const { return mode_; }
+
+ private:
+  void find_rest(const std::vector<double>& q);
+  void find_forces();
+  void accelerate(double time);
+
+  std::size_t n_;
+  std::vector<double> W_, rest_, push_, mu_, normal_damping_, tangent_damping_;
+  double ratio_, dt_, period_, rise_, time_ = 0;
+  std::vector<double> displacement_, velocity_, acceleration_, forces_, bristles_;
+  ProblemMode mode_;
+};
+
+}  // namespace slipproof

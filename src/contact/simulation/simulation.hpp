@@ -1,0 +1,47 @@
+// Which of several motions would be seen: what contacts that give come to, beside all motions of rigid ones. The
+// motions are exact; which of them a run comes to is a simulation and not a proof.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "contact/problem/solutions.hpp"
+#include "contact/simulation/compliant.hpp"
+
+namespace slipproof {
+
+/// The second half of a time, in which the load is there as a whole.
+struct SeenMotion {
+  double periods = 0;                 ///< how long, with the first half
+  std::vector<double> accelerations;  ///< means of gap and slip of each contact
+  std::vector<double> forces;         ///< means of N and T
+  ProblemMode mode;                   ///< in which the contacts were for most of the time
+  double share = 0;                   ///< for how much of it
+  std::optional<std::size_t> motion;  ///< of the exact ones, the one that these accelerations are close to
+};
+
+struct SimulatedRun {
+  Compliance compliance;
+  std::vector<SeenMotion> seen;  ///< one for each of `horizons`
+};
+
+struct Simulation {
+  LoadedContacts contacts;
+  ContactSolutions exact;
+  std::vector<SimulatedRun> runs;
+};
+
+/// Periods after which it is looked at, once the load is there: contacts 100 times as stiff make ten of one.
+inline constexpr std::array horizons{10.0, 100.0, 1000.0};
+
+/// Accelerations are close to a motion's that are 100 times further from those of all others and, as a vector, from
+/// nothing at all (of the size of q). Continua are not looked at.
+std::optional<std::size_t> motion_close_to(const std::vector<double>& accelerations, const ContactProblem& problem,
+                                           const ContactSolutions& exact);
+
+/// Throws std::invalid_argument, with a message for people, as CompliantMotion does and where the exact motions are
+/// too many to try.
+Simulation simulate(LoadedContacts contacts, const std::vector<Compliance>& compliances, unsigned threads = 0);
+
+}  // namespace slipproof

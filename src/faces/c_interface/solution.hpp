@@ -1,0 +1,67 @@
+// Solved scenes as C sees them: arrays of plain structures, and the texts that they point to.
+#pragma once
+
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "faces/c_interface/slipproof.h"
+#include "report/scenes/mechanism_report.hpp"
+#include "report/scenes/solve_report.hpp"
+
+namespace slipproof::c {
+
+/// What a solution gives out, and owns: nothing in it moves once it is written.
+class Tables {
+ public:
+  std::string name;
+  std::optional<std::string> load;
+  std::vector<slipproof_motion> motions;
+  std::vector<slipproof_rejection> rejections;
+  std::vector<slipproof_range> ranges;
+  std::vector<slipproof_cell> cells;
+
+  const char* keep(std::string text) { return texts_.emplace_back(std::move(text)).c_str(); }
+  slipproof_interval interval(const ForceInterval& interval);
+  slipproof_interval interval(const Range& range);
+  /// Of modes with a name(); `values` are those of a motion at a load.
+  template <class Mode>
+  slipproof_motion motion(const std::vector<Mode>& modes, bool strict, bool continuum,
+                          std::vector<slipproof_value> values = {});
+  void add_cell(const ForceInterval& loads, std::vector<slipproof_motion> motions);
+
+ private:
+  std::deque<std::string> texts_;
+  std::deque<std::vector<const char*>> lists_;
+  std::deque<std::vector<slipproof_value>> values_;
+  std::deque<std::vector<slipproof_motion>> cell_motions_;
+};
+
+template <class Mode>
+slipproof_motion Tables::motion(const std::vector<Mode>& modes, bool strict, bool continuum,
+                                std::vector<slipproof_value> values) {
+  auto& names = lists_.emplace_back();
+  for (const Mode& mode : modes) names.push_back(keep(slipproof::name(mode)));
+  const auto& kept = values_.emplace_back(std::move(values));
+  return {names.data(), names.size(), strict, continuum, kept.data(), kept.size()};
+}
+
+Tables tables(const SolvedScene& solved);
+Tables tables(const SolvedMechanism& solved);
+
+}  // namespace slipproof::c
+
+struct slipproof_solution {
+  /// `Solved` is SolvedScene or SolvedMechanism.
+  template <class Solved, class Scene>
+  slipproof_solution(std::in_place_type_t<Solved> type, Scene scene)
+      : solved(type, std::move(scene)), tables(slipproof::c::tables(std::get<Solved>(solved))) {}
+
+  const std::variant<slipproof::SolvedScene, slipproof::SolvedMechanism> solved;
+  const slipproof::c::Tables tables;
+  mutable std::once_flag json_written;
+  mutable std::string json;
+};

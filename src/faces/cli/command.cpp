@@ -1,0 +1,64 @@
+#include "faces/cli/command.hpp"
+
+#include <fast_float/fast_float.h>
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "base/input/diagnostic.hpp"
+
+namespace slipproof::cli {
+
+void add_common_options(CLI::App& command, CommonOptions& options) {
+  command.add_flag("--json", options.json, "JSON on standard output");
+  command.add_option("--seed", options.seed, "Seed of everything random")
+      ->check(whole_number(0))
+      ->capture_default_str();
+  command.add_option("--threads", options.threads, "Number of threads; 0: all cores")
+      ->check(whole_number(0, 4096))
+      ->capture_default_str();
+  command.add_flag("--quiet", options.quiet, "The result only: no progress, no details");
+}
+
+CLI::Validator whole_number(std::uint64_t low, std::uint64_t high) {
+  const std::string range = "from " + std::to_string(low) + " to " + std::to_string(high);
+  return CLI::Validator(
+      [low, high, range](std::string& text) -> std::string {
+        std::uint64_t value = 0;
+        const char* const end = text.data() + text.size();
+        const auto [stop, error] = std::from_chars(text.data(), end, value);
+        const bool octal = text.size() > 1 && text[0] == '0';  // to what reads it next
+        if (error == std::errc() && stop == end && !octal && value >= low && value <= high) return {};
+        return "found " + in_quotes(text) + ", expected a whole number " + range;
+      },
+      "INTEGER " + range);
+}
+
+CLI::Validator number_in(double low, double high) {
+  const std::string range = fmt::format("from {} to {}", low, high);
+  return CLI::Validator(
+      [low, high, range](std::string& text) -> std::string {
+        double value = 0;
+        const char* const end = text.data() + text.size();
+        const auto [stop, error] = fast_float::from_chars(text.data(), end, value);
+        if (error == std::errc() && stop == end && value >= low && value <= high) return {};
+        return "found " + in_quotes(text) + ", expected a number " + range;
+      },
+      "FLOAT " + range);
+}
+
+std::filesystem::path shipped(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (!error) {
+    const auto installed = program.parent_path().parent_path() / SLIPPROOF_DATA_DIRECTORY / file;
+    if (std::filesystem::exists(installed, error)) return installed;
+  }
+  return std::filesystem::path(SLIPPROOF_SOURCE_DIRECTORY) / file;
+}
+
+std::filesystem::path claims_path(const std::string& argument) {
+  return argument.empty() ? shipped("proofs/rozenblat-yashin/claims.toml") : std::filesystem::path(argument);
+}
+
+}  // namespace slipproof::cli

@@ -1,0 +1,93 @@
+// What the subcommands share: common options, exit codes, and how they join the program.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "base/crew/transport.hpp"
+#include "base/output/standard_output.hpp"
+
+namespace slipproof::cli {
+
+/// Exit codes of the program.
+enum Exit : int {
+  as_it_should_be = 0,
+  refuted_or_not_certified = 1,
+  usage = 2,
+  bad_input = 3,
+  undecided = 4,
+  certificate_rejected = 5,
+  not_written = 6,
+  failed = 70,  ///< the program itself, as sysexits.h has it
+};
+
+/// What pages say of each.
+inline constexpr std::array<std::pair<Exit, std::string_view>, 8> exit_codes{{
+    {as_it_should_be, "all as it should be"},
+    {refuted_or_not_certified, "refuted, or not certified"},
+    {usage, "wrong usage"},
+    {bad_input, "bad input: all mistakes are told, with file, line and column"},
+    {undecided, "undecided, and nothing refuted"},
+    {certificate_rejected, "a certificate is rejected"},
+    {not_written, "a result could not be written"},
+    {failed, "the program failed, through no mistake of yours: please report what it says"},
+}};
+
+/// --json, --seed, --threads, --quiet.
+struct CommonOptions {
+  bool json = false;
+  std::uint64_t seed = 1;
+  unsigned threads = 0;  ///< 0: as many as the machine has
+  bool quiet = false;
+};
+
+void add_common_options(CLI::App& command, CommonOptions& options);
+
+/// A whole number from low to high in decimal digits and nothing else: no sign, blank, octal or hexadecimal.
+CLI::Validator whole_number(std::uint64_t low, std::uint64_t high = std::numeric_limits<std::uint64_t>::max());
+
+/// A decimal number from low to high and nothing else: no NaN, no blank, no hexadecimal.
+CLI::Validator number_in(double low, double high);
+
+/// Writes to standard output. Throws OutputError.
+inline void print(std::string_view text) {
+  write_standard_output(text);
+}
+
+/// What --quiet leaves of a text.
+inline std::string last_line(const std::string& text) {
+  const std::size_t end = text.find_last_not_of('\n');
+  return text.substr(text.rfind('\n', end) + 1);
+}
+
+/// A file that comes with the program, by its path in the repository: beside the installed program, or in the sources
+/// it was built from.
+std::filesystem::path shipped(const std::filesystem::path& file);
+
+/// The claims file that is asked for, or the shipped paper's.
+std::filesystem::path claims_path(const std::string& argument);
+
+/// Each adds its subcommand; running it sets the exit code.
+void add_solve(CLI::App& app, int& exit_code);
+void add_show(CLI::App& app, int& exit_code);
+void add_critical(CLI::App& app, int& exit_code);
+void add_simulate(CLI::App& app, int& exit_code);
+void add_search(CLI::App& app, int& exit_code, Transport& transport);
+void add_trade(CLI::App& app, int& exit_code, Transport& transport);
+void add_check(CLI::App& app, int& exit_code);
+void add_prove(CLI::App& app, int& exit_code, Transport& transport);
+void add_certify(CLI::App& app, int& exit_code, Transport& transport);
+void add_join(CLI::App& app, int& exit_code);
+void add_verify(CLI::App& app, int& exit_code, Transport& transport);
+void add_report(CLI::App& app, int& exit_code);
+void add_map(CLI::App& app, int& exit_code);
+void add_draw(CLI::App& app, int& exit_code);
+void add_documentation(CLI::App& app, int& exit_code);
+
+}  // namespace slipproof::cli

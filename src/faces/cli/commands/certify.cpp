@@ -1,0 +1,290 @@
+#include "records/certify/certify.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "base/input/text_file.hpp"
+#include "base/number/format.hpp"
+#include "base/output/output_file.hpp"
+#include "contact/formats/read_files.hpp"
+#include "faces/cli/command.hpp"
+#include "faces/cli/commands/certify_problem.hpp"
+#include "faces/cli/crew_run.hpp"
+#include "faces/cli/warnings.hpp"
+#include "mechanics/bicycle/scene.hpp"
+#include "mechanics/reading/shipped.hpp"
+#include "mechanics/scene/scene.hpp"
+#include "records/certify/contact_file.hpp"
+#include "records/certify/pieces.hpp"
+#include "records/certify/table_records.hpp"
+
+namespace slipproof::cli {
+
+namespace {
+
+struct CertifyArguments {
+  CommonOptions common;
+  CertifyOptions certify;
+  CertifyProblemArguments problem;
+  std::string file, scene, mechanism, decimal = "nearest", broken = "report", format, summary, parts;
+  TableOptions table;
+  CrewArguments crew;
+  std::optional<double> tolerance;
+  std::optional<Work> effort;
+};
+
+RecordFormat format_of(const CertifyArguments& options) {
+  if (options.format == "jsonl") return RecordFormat::json_lines;
+  if (options.format == "csv") return RecordFormat::csv;
+  const auto ends_with = [&](std::string_view end) { return options.file.ends_with(end); };
+  if (ends_with(".jsonl") || ends_with(".ndjson") || ends_with(".json")) return RecordFormat::json_lines;
+  return ends_with(".csv") ? RecordFormat::csv : RecordFormat::by_first_byte;
+}
+
+std::string summary_text(const CertifySummary& s) {
+  std::string text = fmt::format("{} records", s.records);
+  for (std::size_t i = 0; i < record_verdict_count; ++i) {
+    const auto verdict = static_cast<RecordVerdict>(i);
+    if (verdict == RecordVerdict::undecided && s.count(verdict) == 0) continue;
+    text += fmt::format("{} {} {}", i == 0 ? ":" : ",", s.verdicts[i], name(verdict));
+  }
+  text += fmt::format("\ndecided by binary64 {}, double-double {}, exact arithmetic {}; {} could not be read\n",
+                      s.tiers[0], s.tiers[1], s.tiers[2], s.broken);
+  if (s.with_rho == 0 || s.with_rho < s.count(RecordVerdict::certified)) {
+    text += fmt::format("largest relative error of a certified record {:.3g}, of any right motion {:.3g}\n",
+                        s.worst_certified_error, s.worst_error);
+  }
+  if (s.with_rho > 0)
+    text +=
+        fmt::format("largest rho of {}: {}\n", counted(s.with_rho, "certified contact problem"), at_most(s.worst_rho));
+  return text + fmt::format("s {} {}/{}\n", s.all_certified() ? "CERTIFIED" : "NOT CERTIFIED",
+                            s.count(RecordVerdict::certified), s.records);
+}
+
+/// A line on a terminal's standard error, twice a second at most.
+Progress record_counter(bool wanted) {
+  if (!wanted || isatty(STDERR_FILENO) == 0) return {};
+  auto last = std::make_shared<std::chrono::steady_clock::time_point>();
+  return [last](std::uint64_t records) {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - *last < std::chrono::milliseconds(500)) return;
+    *last = now;
+    std::cerr << '\r' << records << " records" << std::flush;
+  };
+}
+
+/// What is the same for all records: a scene of a bicycle or of a mechanism, or a mechanism alone.
+void read_setting(CertifyArguments& options) {
+  if (!options.mechanism.empty()) options.certify.mechanism.emplace(open_mechanism(options.mechanism));
+  if (!options.scene.empty()) {
+    const std::string text = read_text_file(options.scene);
+    if (is_mechanism_scene(text)) {
+      options.certify.mechanism.emplace(parse_mechanism_scene(text, options.scene));
+    } else {
+      options.certify.scene = parse_scene(text, options.scene);
+    }
+  }
+  if (options.certify.mechanism) print_warnings(options.certify.mechanism->mechanism, options.common);
+}
+
+/// Whether the file holds one contact problem, and not records, or problems as JSON Lines.
+bool is_one_problem(const CertifyArguments& options) {
+  if (options.file != "-" && !is_json_lines(options.file)) {
+    return options.problem.any() || is_problem_file(options.file);
+  }
+  if (options.problem.any()) {
+    throw CLI::ValidationError("FILE", "found " + std::string(options.file == "-" ? "standard input" : "JSON Lines") +
+                                           ", expected a file with one contact problem for --answer, --refine, "
+                                           "--certificate, --check-certificate, --report, --within and --law");
+  }
+  return false;
+}
+
+/// Of a table, or of lines of text.
+CertifySummary certify_records(const CertifyArguments& options, bool table, const LineSink& sink,
+                               const Progress& progress) {
+  if (table) return certify(open_table(options.file, options.table), sink, options.certify, progress);
+  if (!options.table.names.empty() || !options.table.place.empty()) {
+    throw InputError(
+        {{options.file, 0, 0, "found no table, expected one with --columns and --table: .npy, .npz or HDF5"}});
+  }
+  return certify(open_bytes(options.file), sink, options.certify, progress);
+}
+
+/// Everything that a line of the output may depend on.
+std::string certified_work(const CertifyArguments& options, const RecordPieces& pieces) {
+  const CertifyOptions& c = options.certify;
+  return fmt::format(
+      "certify {}\nparts {} scene {} mechanism {}\nformat {} decimal {} broken {} unknown {} from {}\n"
+      "tolerance {} {} effort {} {} every-q {}\n",
+      pieces.input(), !options.parts.empty(), options.scene.empty() ? "" : digest_of(options.scene),
+      c.mechanism ? digest_of(c.mechanism->mechanism.file) : "", static_cast<int>(c.format), options.decimal,
+      options.broken, c.ignore_unknown, c.first_record, c.judge.tolerance, c.contact.tolerance, c.judge.effort,
+      c.contact.effort, c.judge.every_q);
+}
+
+Exit certified_exit(const CertifySummary& summary) {
+  if (summary.all_certified()) return as_it_should_be;
+  return summary.nothing_refuted() ? undecided : refuted_or_not_certified;
+}
+
+/// What a run without parts would say at its end.
+PartsEnd end_of(const CertifyArguments& options, const CertifySummary& summary, std::vector<PartRange> ranges) {
+  PartsEnd end{.ranges = std::move(ranges), .exit_code = certified_exit(summary)};
+  (options.common.json ? end.err : end.out) = summary_text(summary);
+  return end;
+}
+
+/// By a crew; nothing on the ranks that only answer.
+std::optional<CertifySummary> certify_shared(const CertifyArguments& options, const LineSink& sink,
+                                             const Progress& progress) {
+  const RecordPieces pieces(options.certify);
+  std::optional<PartWriter> part;
+  if (!options.parts.empty()) part.emplace(options.parts, options.crew.transport->rank());
+  CrewRun run(
+      options.crew, options.common.threads, [&] { return certified_work(options, pieces); },
+      Inputs{options.file, options.scene},
+      [&](std::string_view request) { return pieces.answer(request, part ? &*part : nullptr); });
+  if (run.served()) return std::nullopt;
+  if (!part) return pieces.certify(*run.crew(), sink, progress);
+  std::vector<PartRange> ranges;
+  const CertifySummary summary = pieces.certify(
+      *run.crew(), [&](std::string_view range) { ranges.push_back(PartRange::from_bytes(range)); }, progress);
+  keep_end(*run.journal(), end_of(options, summary, std::move(ranges)));
+  return summary;
+}
+
+/// A crew shares out the lines of a file, and nothing else yet.
+void refuse_crew(const CertifyArguments& options, const char* found) {
+  if (!options.crew.wanted()) return;
+  throw CLI::ValidationError(
+      "FILE",
+      std::string("found ") + found + ", expected a file of CSV or JSON Lines for --checkpoint, --parts or many ranks");
+}
+
+/// The index of the parts is what their run goes on from.
+void prepare_parts(CertifyArguments& options) {
+  if (options.parts.empty()) return;
+  if (options.common.quiet)
+    throw CLI::ValidationError("--parts", "found --quiet, which prints no lines, expected one of both");
+  options.crew.checkpoint = parts_index(options.parts).string();
+  if (!options.crew.leads()) return;
+  options.crew.still_counts = [parts = PartSizes(options.parts)](std::string_view request, std::string_view result) {
+    return RecordPieces::stands(request, result, parts);
+  };
+}
+
+int run_certify(CertifyArguments& options) {
+  prepare_parts(options);
+  const bool table =
+      options.file != "-" && !options.problem.any() && options.format.empty() && is_table_file(options.file);
+  if (options.file == "-") refuse_crew(options, "standard input");
+  if (table) refuse_crew(options, "a table");
+  if (!table && is_one_problem(options)) {
+    refuse_crew(options, "one contact problem");
+    options.problem.file = options.file;
+    options.problem.tolerance = options.tolerance;
+    options.problem.effort = options.effort;
+    return run_certify_problem(options.problem, options.common);
+  }
+  if (options.tolerance) options.certify.judge.tolerance = options.certify.contact.tolerance = *options.tolerance;
+  if (options.effort) options.certify.judge.effort = options.certify.contact.effort = *options.effort;
+  options.certify.format = format_of(options);
+  options.certify.file = options.file;
+  options.certify.decimal_exact = options.decimal == "exact";
+  options.certify.stop_at_broken = options.broken == "stop";
+  options.certify.threads = options.common.threads;
+  read_setting(options);
+  std::optional<OutputFile> summary_file;
+  if (!options.summary.empty())
+    summary_file.emplace(options.summary, Inputs{options.file == "-" ? "/dev/stdin" : options.file, options.scene});
+  const bool quiet = options.common.quiet;
+  const Progress progress = record_counter(!quiet);
+  const LineSink sink = [&](std::string_view lines) {
+    if (!quiet) print(lines);
+  };
+  const std::optional<CertifySummary> found =
+      options.crew.wanted() ? certify_shared(options, sink, progress) : certify_records(options, table, sink, progress);
+  if (!found) return as_it_should_be;
+  const CertifySummary& summary = *found;
+  if (progress) std::cerr << "\r\033[K";
+  if (summary_file) summary_file->write(R"({"schema":"slipproof/certify/1",)" + to_json(summary).substr(1) + '\n');
+  if (!options.common.json) {
+    print(summary_text(summary));
+  } else if (!quiet) {
+    std::cerr << summary_text(summary);  // stdout has a line for each record and nothing else
+  }
+  return certified_exit(summary);
+}
+
+}  // namespace
+
+void add_certify(CLI::App& app, int& exit_code, Transport& transport) {
+  auto options = std::make_shared<CertifyArguments>();
+  options->crew.transport = &transport;
+  CLI::App& command = *app.add_subcommand(
+      "certify",
+      "Certify outputs of floating-point solvers, of scenes or of contact problems:\na line of JSON for each");
+  command
+      .add_option(
+          "FILE", options->file,
+          "CSV with a header, JSON Lines (- for standard input); NumPy's .npy or .npz,\nan HDF5 table; or a contact "
+          "problem's file: FCLIB HDF5, Siconos text,\nMatrixMarket, JSON")
+      ->required();
+  auto* scene = command.add_option("--scene", options->scene,
+                                   "Scene file, of a bicycle or a mechanism, with what is the same for all records");
+  command
+      .add_option("--mechanism", options->mechanism,
+                  "Records are of this mechanism: its file, or the name of a shipped one")
+      ->excludes(scene);
+  command
+      .add_option(
+          "--tolerance", options->tolerance,
+          "Largest relative error of a component, 1e-9;\nof contact problems, relative to the largest force, 1e-6")
+      ->check(number_in(0, 1));
+  command.add_option("--decimal", options->decimal, "What a decimal means: the nearest binary64, or exactly itself")
+      ->check(CLI::IsMember({"nearest", "exact"}))
+      ->capture_default_str();
+  command.add_option("--format", options->format, "csv or jsonl; default: by the file's name, or by the first byte")
+      ->check(CLI::IsMember({"csv", "jsonl"}));
+  command.add_option("--broken", options->broken, "Records that cannot be read: report them as invalid, or stop")
+      ->check(CLI::IsMember({"report", "stop"}))
+      ->capture_default_str();
+  command.add_option("--from", options->certify.first_record, "Record to begin with, to go on where a run stopped")
+      ->check(whole_number(1))
+      ->capture_default_str();
+  command
+      .add_option("--effort", options->effort,
+                  fmt::format("What one record may take, in operations on words, {};\nof a contact problem's file {}",
+                              JudgeOptions().effort, ContactJudgeOptions().effort))
+      ->check(whole_number(1));
+  command
+      .add_option("--columns", options->table.names,
+                  "Names of the columns of an array that has none, as in --columns F,a,S2,S3,N2,N3")
+      ->delimiter(',');
+  command.add_option("--table", options->table.place, "Data set or group of an HDF5 file that holds several tables");
+  command.add_flag("--ignore-unknown", options->certify.ignore_unknown, "Pass over columns that are no field");
+  command.add_option("--summary", options->summary, "Write the counts to this file, as JSON");
+  command.add_flag("--every-q", options->certify.judge.every_q,
+                   "Of each contact problem in a line: is there one solution whatever its q is?");
+  add_problem_options(command, options->problem);
+  CLI::Option* checkpoint = add_crew_options(command, options->crew);
+  command
+      .add_option("--parts", options->parts,
+                  "Each rank writes its lines to files of its own, PREFIX.RANK.1, which slipproof join\nputs together; "
+                  "the same command goes on where a run ended")
+      ->type_name("PREFIX")
+      ->excludes(checkpoint);
+  add_common_options(command, options->common);
+  command.callback([options, &exit_code, &command] {
+    options->problem.refine = command.count("--refine") > 0;
+    exit_code = run_certify(*options);
+  });
+}
+
+}  // namespace slipproof::cli

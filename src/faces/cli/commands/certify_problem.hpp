@@ -1,0 +1,32 @@
+// `slipproof certify PROBLEM`: answers to contact problems at real size.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "base/number/effort.hpp"
+#include "faces/cli/command.hpp"
+
+namespace slipproof::cli {
+
+struct CertifyProblemArguments {
+  std::string file, answer, certificate, check_certificate, report, refined;
+  std::string law = "cone";
+  std::optional<double> tolerance, within;
+  std::optional<Work> effort;
+  bool refine = false;
+  /// Whether one of the options was given that only problems have.
+  bool any() const {
+    return !answer.empty() || !certificate.empty() || !check_certificate.empty() || !report.empty() || refine ||
+           within || law != "cone";
+  }
+};
+
+/// Adds those options to `certify`.
+void add_problem_options(CLI::App& command, CertifyProblemArguments& options);
+
+/// Judges the answers, prints a line for each and a summary in words, writes what was asked for. Throws InputError,
+/// OutputError. Returns the exit code.
+int run_certify_problem(const CertifyProblemArguments& options, const CommonOptions& common);
+
+}  // namespace slipproof::cli

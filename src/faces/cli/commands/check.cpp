@@ -1,0 +1,45 @@
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "faces/cli/command.hpp"
+#include "proofs/check/files.hpp"
+#include "report/values/exact_json.hpp"
+
+namespace slipproof::cli {
+
+namespace {
+
+struct CheckArguments {
+  CommonOptions common;
+  std::vector<std::string> certificates;
+};
+
+}  // namespace
+
+void add_check(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<CheckArguments>();
+  CLI::App& command =
+      *app.add_subcommand("check", "Certificates against their statements; slipproof-check does the same");
+  command.add_option("CERT", options->certificates, "Certificates, their statements, or folders of them")->required();
+  add_common_options(command, options->common);
+  command.callback([options, &exit_code] {
+    const check::Report report = check::check_files(options->certificates);
+    exit_code = report.exit_code;
+    if (!options->common.json) return print((options->common.quiet ? "" : report.text) + report.summary);
+    Json document, results = Json::array();
+    for (const check::FileResult& result : report.results) {
+      Json entry;
+      entry["certificate"] = result.certificate.string();
+      entry["theorem"] = result.theorem;
+      entry["verdict"] = check::to_string(result.verdict);
+      entry["message"] = result.message;
+      results.push_back(std::move(entry));
+    }
+    document["schema"] = "slipproof/check/1";
+    document["certificates"] = std::move(results);
+    print(dump(document));
+  });
+}
+
+}  // namespace slipproof::cli

@@ -1,0 +1,70 @@
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "base/input/diagnostic.hpp"
+#include "base/output/output_file.hpp"
+#include "claims/uniqueness/scene_along.hpp"
+#include "faces/cli/command.hpp"
+#include "faces/cli/png.hpp"
+#include "faces/cli/warnings.hpp"
+#include "report/planes/uniqueness_svg.hpp"
+#include "report/scenes/uniqueness_report.hpp"
+
+namespace slipproof::cli {
+
+namespace {
+
+struct CriticalArguments {
+  CommonOptions common;
+  std::string scene, x, out;
+  int digits = 6;
+};
+
+void expect_drawing_name(const std::string& out) {
+  if (out.empty() || out.ends_with(".svg") || out.ends_with(".png")) return;
+  throw CLI::ValidationError("--out", "found " + in_quotes(out) + ", expected a name that ends in .svg or .png");
+}
+
+void draw(const CriticalArguments& arguments, const SceneAlong& found) {
+  const OutputFile out(arguments.out, {arguments.scene, found.scene.mechanism.file});
+  try {
+    const std::string svg = uniqueness_svg(uniqueness_diagram(found.scene, found.along), found.along);
+    out.write(arguments.out.ends_with(".png") ? png_of(svg) : svg);
+  } catch (const std::invalid_argument& error) {
+    throw InputError({{arguments.scene, 0, 0, error.what()}});
+  }
+}
+
+std::string critical_text(const CriticalArguments& arguments) {
+  const SceneAlong found = read_scene_along(arguments.scene, arguments.x);
+  print_warnings(found.scene.mechanism, arguments.common);
+  if (!arguments.out.empty()) draw(arguments, found);
+  return arguments.common.json ? uniqueness_json(found.scene, found.along)
+                               : uniqueness_text(found.scene, found.along, arguments.digits);
+}
+
+}  // namespace
+
+void add_critical(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<CriticalArguments>();
+  CLI::App& command = *app.add_subcommand(
+      "critical", "For which coefficients of friction each load has one motion, and which loads have several");
+  command.add_option("SCENE", options->scene, "Scene file (TOML), of a bicycle or of a mechanism")->required();
+  command.add_option("--x", options->x,
+                     "The parameter that is varied; default: f of a bicycle, or a mechanism's first coefficient of "
+                     "friction");
+  command.add_option("--digits", options->digits, "Significant digits of decimals")
+      ->check(whole_number(1, 1000))
+      ->capture_default_str();
+  command.add_option("-o,--out", options->out, "Also draw it, over the parameter and the load: a file .svg or .png");
+  add_common_options(command, options->common);
+  command.callback([options, &exit_code] {
+    expect_drawing_name(options->out);
+    const std::string text = critical_text(*options);
+    print(options->common.quiet && !options->common.json ? last_line(text) : text);
+    exit_code = as_it_should_be;
+  });
+}
+
+}  // namespace slipproof::cli

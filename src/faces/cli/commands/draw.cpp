@@ -1,0 +1,81 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+
+#include "base/input/diagnostic.hpp"
+#include "base/input/text_file.hpp"
+#include "base/output/output_file.hpp"
+#include "faces/cli/command.hpp"
+#include "faces/cli/warnings.hpp"
+#include "mechanics/bicycle/scene.hpp"
+#include "mechanics/scene/scene.hpp"
+#include "report/picture/bicycle_figure.hpp"
+#include "report/picture/mechanism_svg.hpp"
+#include "report/scenes/mechanism_report.hpp"
+
+namespace slipproof::cli {
+
+namespace {
+
+struct DrawArguments {
+  CommonOptions common;
+  std::string scene, out;
+  std::size_t motion = 0;  ///< 0: none
+};
+
+/// The motion that is asked for, counted from 1.
+MotionAtLoad motion_of(const MechanismScene& scene, const DrawArguments& arguments) {
+  const auto refuse = [&](const std::string& message) { throw InputError({{arguments.scene, 0, 0, message}}); };
+  if (scene.mechanism.load && !scene.load) {
+    refuse("the scene has no value of the load " + scene.mechanism.load->symbol + ", expected one for --motion");
+  }
+  const MotionsAtLoad found = *SolvedMechanism(scene).at_load;
+  if (arguments.motion <= found.motions.size()) return found.motions[arguments.motion - 1];
+  refuse(fmt::format("found --motion {}, expected at most {}: so many motions it has there{}", arguments.motion,
+                     found.motions.size(), found.continua.empty() ? "" : ", and a continuum"));
+  return {};
+}
+
+/// Scenes of mechanisms, and those of the bicycle in their old form.
+std::string figure_of(const DrawArguments& arguments, Inputs& inputs) {
+  const std::string text = read_text_file(arguments.scene);
+  if (!is_mechanism_scene(text)) {
+    if (arguments.motion == 0) return bicycle_figure_file(parse_scene(text, arguments.scene));
+    throw CLI::ValidationError("--motion", "found a scene of the bicycle, expected one of a mechanism");
+  }
+  const MechanismScene scene = parse_mechanism_scene(text, arguments.scene);
+  inputs.add(scene.mechanism.file);
+  print_warnings(scene.mechanism, arguments.common);
+  if (arguments.motion == 0) return mechanism_svg_file(scene, nullptr);
+  const MotionAtLoad motion = motion_of(scene, arguments);
+  return mechanism_svg_file(scene, &motion);
+}
+
+}  // namespace
+
+void add_draw(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<DrawArguments>();
+  CLI::App& command =
+      *app.add_subcommand("draw",
+                          "What a scene looks like, to scale: a bicycle with its axes, signs and symbols, or a "
+                          "mechanism with the forces at its contacts; a labelled SVG");
+  command.add_option("SCENE", options->scene, "Scene file (TOML), of a bicycle or of a mechanism")->required();
+  command
+      .add_option("--motion", options->motion,
+                  "Of a mechanism: the forces of this motion, as `solve` lists them, from 1; default: where they "
+                  "count as positive")
+      ->check(whole_number(1, 1'000'000));
+  command.add_option("-o,--out", options->out, "The file to write; default: standard output");
+  add_common_options(command, options->common);
+  command.callback([options, &exit_code] {
+    Inputs inputs{options->scene};
+    const std::string figure = figure_of(*options, inputs);
+    exit_code = as_it_should_be;
+    if (options->out.empty() || options->out == "-") return print(figure);
+    write_file(options->out, figure, inputs);
+    if (!options->common.quiet) print("s DRAWN " + options->out + "\n");
+  });
+}
+
+}  // namespace slipproof::cli

@@ -1,0 +1,153 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "base/input/diagnostic.hpp"
+#include "base/input/text_file.hpp"
+#include "base/number/parse.hpp"
+#include "base/output/output_file.hpp"
+#include "faces/cli/command.hpp"
+#include "faces/cli/png.hpp"
+#include "faces/cli/warnings.hpp"
+#include "mechanics/bicycle/scene.hpp"
+#include "mechanics/scene/scene.hpp"
+#include "report/phase/phase_points.hpp"
+#include "report/phase/phase_svg.hpp"
+#include "report/planes/mechanism_plane.hpp"
+#include "report/planes/scene_plane.hpp"
+
+namespace slipproof::cli {
+
+namespace {
+
+struct MapArguments {
+  CommonOptions common;
+  std::string scene, x, y, out;
+  std::vector<std::string> x_range, y_range;
+  std::size_t columns = 240;
+  bool svg = false, png = false;
+};
+
+/// The ends of a range; the check of the option has seen that they are numbers.
+void set_range(const std::vector<std::string>& texts, std::optional<Rational>& from, std::optional<Rational>& to) {
+  if (texts.empty()) return;
+  from = parse_rational(texts[0]);
+  to = parse_rational(texts[1]);
+}
+
+std::string number_or_complaint(const std::string& text) {
+  try {
+    parse_rational(text);
+    return {};
+  } catch (const NumberError& error) {
+    return error.what();
+  }
+}
+
+/// A name that says neither SVG nor PNG must not get one of them unasked.
+void expect_picture_name(const MapArguments& options) {
+  const bool asked = options.svg || options.png || options.common.json || options.out.empty() || options.out == "-";
+  if (asked || options.out.ends_with(".svg") || options.out.ends_with(".png")) return;
+  throw CLI::ValidationError("--out", "found " + in_quotes(options.out) +
+                                          ", expected a name that ends in .svg or .png; or say --svg or --png");
+}
+
+/// What is to be drawn, before the work.
+struct PlannedMap {
+  Plane plane;
+  std::optional<MechanismScene> mechanism;  ///< nothing: a scene of the bicycle
+  Inputs inputs;
+};
+
+PlannedMap map_of_bicycle(const MapArguments& options, const Scene& scene) {
+  const auto known = scene_parameters();
+  SceneAxes axes;
+  if (!options.x.empty()) axes.x = options.x;
+  if (std::find(known.begin(), known.end(), axes.x) == known.end()) {
+    throw CLI::ValidationError(
+        "--x", fmt::format("no parameter of a scene: {}; expected one of {}", axes.x, fmt::join(known, ", ")));
+  }
+  if (!options.y.empty() && options.y != "F") {
+    throw CLI::ValidationError("--y", "found " + in_quotes(options.y) + ", expected F, the force of a bicycle");
+  }
+  set_range(options.x_range, axes.x_from, axes.x_to);
+  set_range(options.y_range, axes.y_from, axes.y_to);
+  return {scene_plane(scene, axes, "map"), std::nullopt, {options.scene}};
+}
+
+PlannedMap map_of_mechanism(const MapArguments& options, MechanismScene scene) {
+  if (!options.y.empty()) scene = with_load(scene, options.y);
+  print_warnings(scene.mechanism, options.common);
+  MechanismAxes axes;
+  axes.x = options.x;
+  set_range(options.x_range, axes.x_from, axes.x_to);
+  set_range(options.y_range, axes.y_from, axes.y_to);
+  Plane plane = mechanism_plane(scene, axes, "map");
+  Inputs inputs{options.scene, scene.mechanism.file};
+  return {std::move(plane), std::move(scene), std::move(inputs)};
+}
+
+PlannedMap planned(const MapArguments& options) {
+  const std::string text = read_text_file(options.scene);
+  try {
+    if (is_mechanism_scene(text)) return map_of_mechanism(options, parse_mechanism_scene(text, options.scene));
+    return map_of_bicycle(options, parse_scene(text, options.scene));
+  } catch (const std::invalid_argument& error) {
+    throw InputError({{options.scene, 0, 0, error.what()}});
+  }
+}
+
+void draw_map(const MapArguments& options) {
+  expect_picture_name(options);
+  PlannedMap map = planned(options);
+  std::optional<OutputFile> out;
+  if (!options.out.empty() && options.out != "-") out.emplace(options.out, map.inputs);
+  const PhaseDiagram diagram = phase_diagram(std::move(map.plane), options.columns);
+  std::string contents;
+  if (options.common.json) {
+    contents = map.mechanism ? map_json(diagram, *map.mechanism) : map_json(diagram);
+  } else {
+    contents = phase_svg_file(diagram);
+    if (options.png || (!options.svg && options.out.ends_with(".png"))) contents = png_of(contents);
+  }
+  if (!out) return print(contents);
+  out->write(contents);
+  print(fmt::format("s MAPPED {} columns {} sets {}\n", options.out, diagram.columns.size(),
+                    phase_regions(diagram).sets.size()));
+}
+
+}  // namespace
+
+void add_map(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<MapArguments>();
+  CLI::App& command =
+      *app.add_subcommand("map", "The phase diagram of a scene: a parameter and the load, exact in every column");
+  command.add_option("SCENE", options->scene, "Scene file (TOML), of a bicycle or of a mechanism")->required();
+  command.add_option("--x", options->x,
+                     "The parameter or angle across: f, b, h, R, ... of a bicycle; default: f, or a mechanism's first "
+                     "coefficient of friction");
+  command.add_option("--y", options->y,
+                     "The load: F, or of a mechanism any parameter that multiplies no unknown; default: its own load");
+  command.add_option("--x-range", options->x_range, "FROM TO of the parameter; of an angle in degrees")
+      ->expected(2)
+      ->check(number_or_complaint);
+  command.add_option("--y-range", options->y_range, "FROM TO of the load")->expected(2)->check(number_or_complaint);
+  command.add_option("--columns", options->columns, "Evenly spaced values of the parameter")
+      ->check(whole_number(2, 10'000))
+      ->capture_default_str();
+  command.add_option("-o,--out", options->out, "The file to write, .svg or .png; default: standard output");
+  auto* svg = command.add_flag("--svg", options->svg, "An SVG picture, whatever the file is called");
+  auto* png = command.add_flag("--png", options->png, "A PNG picture, whatever the file is called")->excludes(svg);
+  add_common_options(command, options->common);
+  command.get_option("--json")->excludes(svg)->excludes(png);
+  command.callback([options, &exit_code] {
+    draw_map(*options);
+    exit_code = as_it_should_be;
+  });
+}
+
+}  // namespace slipproof::cli

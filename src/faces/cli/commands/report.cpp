@@ -1,0 +1,85 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "base/os/sha256.hpp"
+#include "base/output/output_file.hpp"
+#include "faces/cli/command.hpp"
+#include "faces/cli/commands/verify_run.hpp"
+#include "faces/cli/warnings.hpp"
+#include "report/values/exact_json.hpp"
+
+namespace slipproof::cli {
+
+namespace {
+
+struct ReportArguments : JudgeArguments {
+  std::string out;
+};
+
+/// Of all papers in a folder: a page each, and one for all.
+int report_papers(const std::vector<std::filesystem::path>& papers, const ReportArguments& options) {
+  if (options.out == "-" || !options.verify.only.empty()) {
+    throw CLI::ValidationError(options.out == "-" ? "--out" : "--only",
+                               "a folder of papers has a page for each, expected one claims.toml");
+  }
+  const auto judged = judge_papers(papers, options, options.out);
+  if (options.common.json) {
+    print(papers_json(judged));
+  } else {
+    print(fmt::format("s REPORTED {} {} pages\n", options.out, judged.size() + 1));
+  }
+  return exit_of(summary(judged));
+}
+
+}  // namespace
+
+void add_report(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<ReportArguments>();
+  CLI::App& command =
+      *app.add_subcommand("report", "One self-contained HTML file with everything: verdicts, proofs, pictures");
+  command.add_option("CLAIMS", options->claims,
+                     "Claims file (TOML), or a folder of papers; default: the shipped paper");
+  command.add_option("--out", options->out,
+                     "The file to write, report.html if not given; - for standard output. Of a folder of papers: the "
+                     "folder to write, report if not given");
+  auto* samples = add_judging_options(command, *options);
+  command.add_option("--only", options->verify.only, "Only the claims whose id begins with this, such as A or E4.7");
+  command.add_option("--trade", options->trade, "What slipproof trade --json wrote, for speed against accuracy");
+  add_common_options(command, options->common);
+  command.callback([options, samples, &exit_code] {
+    const std::filesystem::path path = claims_path(options->claims);
+    const auto papers = papers_in(path);
+    if (options->out.empty()) options->out = papers.empty() ? "report.html" : "report";
+    if (!papers.empty()) {
+      if (samples->empty()) options->verify.samples = samples_of_many;
+      exit_code = report_papers(papers, *options);
+      return;
+    }
+    const ClaimsFile file = read_claims(path);
+    print_warnings(file, options->common);
+    options->verify.certificates = options->certificates_of(path);
+    std::optional<OutputFile> out;
+    if (options->out != "-") out.emplace(options->out, files_of(page_folders(path, options->trade), file));
+    PageInput input = report_input(path, file, *options, *options->verify.certificates);
+    const VerifyResult result = VerifyRun({{path, &file, options->verify}}, *options).result(0);
+    input.result = &result;
+    const std::string html = page_html(input);
+    exit_code = exit_of(summary(file, result));
+    if (!out) return print(html);
+    out->write(html);
+    if (options->common.json) {
+      Json document;
+      document["schema"] = "slipproof/report/1";
+      document["file"] = options->out;
+      document["bytes"] = html.size();
+      document["sha256"] = sha256(html);
+      return print(dump(document));
+    }
+    print(fmt::format("s REPORTED {} {} bytes\n", options->out, html.size()));
+  });
+}
+
+}  // namespace slipproof::cli

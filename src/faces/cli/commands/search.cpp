@@ -1,0 +1,93 @@
+#include "mechanics/search/search.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "faces/cli/command.hpp"
+#include "faces/cli/commands/verify_run.hpp"
+#include "faces/cli/crew_run.hpp"
+#include "faces/cli/warnings.hpp"
+#include "mechanics/reading/shipped.hpp"
+#include "mechanics/scene/narrow.hpp"
+#include "report/scenes/search_report.hpp"
+
+namespace slipproof::cli {
+
+namespace {
+
+struct SearchArguments {
+  CommonOptions common;
+  SearchOptions search;
+  CrewArguments crew;
+  std::string mechanism, within, wanted;
+  bool narrows = false;
+};
+
+/// Everything that a result may depend on.
+std::string searched_work(const SearchArguments& arguments, const Mechanism& mechanism) {
+  const SearchOptions& options = arguments.search;
+  return fmt::format("search {} within {} for {} hysteresis {} samples {} seed {}\n", digest_of(mechanism.file),
+                     arguments.within, arguments.wanted, options.hysteresis,
+                     options.samples.value_or(default_samples(mechanism)), options.seed);
+}
+
+Exit run_search(SearchArguments& arguments) {
+  SearchOptions& options = arguments.search;
+  options.seed = arguments.common.seed;
+  options.threads = arguments.common.threads;
+  if (!arguments.common.quiet) options.progress = progress_bar();
+  if (arguments.wanted == "none") options.wanted = MotionCount::none;
+  if (arguments.wanted == "several") options.wanted = MotionCount::several;
+  if (arguments.wanted == "continuum") options.wanted = MotionCount::continuum;
+  Mechanism mechanism = open_mechanism(arguments.mechanism);
+  print_warnings(mechanism, arguments.common);
+  if (arguments.narrows) mechanism = narrowed(mechanism, arguments.within, "--within");
+  MotionSearch search(mechanism, options);
+  CrewRun run(
+      arguments.crew, options.threads, [&] { return searched_work(arguments, mechanism); }, Inputs{mechanism.file},
+      [&](std::string_view request) { return search.answer(request); });
+  if (run.served()) return as_it_should_be;
+  const SearchReport report = searched(mechanism, options, arguments.within, search, run.crew());
+  print(arguments.common.json ? search_json(report) : search_text(report, arguments.common.quiet));
+  switch (verdict(report)) {
+    case SearchVerdict::unique:
+    case SearchVerdict::none_found:
+      return as_it_should_be;
+    case SearchVerdict::found:
+      return refuted_or_not_certified;
+    case SearchVerdict::undecided:
+      break;
+  }
+  return undecided;
+}
+
+}  // namespace
+
+void add_search(CLI::App& app, int& exit_code, Transport& transport) {
+  auto options = std::make_shared<SearchArguments>();
+  options->crew.transport = &transport;
+  CLI::App& command =
+      *app.add_subcommand("search", "Is it ever undecided what a mechanism does? No motion, several, a continuum");
+  command.add_option("MECHANISM", options->mechanism, "Mechanism file (TOML), or the name of a shipped one")
+      ->required();
+  auto* within = command.add_option("--within", options->within, "Only where this holds, such as \"b < h and mu < 1\"");
+  command.add_option("--for", options->wanted, "Look for this alone, and end at the first")
+      ->check(CLI::IsMember({"none", "several", "continuum"}));
+  command.add_flag("--hysteresis", options->search.hysteresis,
+                   "Also several motions that are one with static coefficients as low as the kinetic ones");
+  command
+      .add_option("--samples", options->search.samples,
+                  "Points of the domain, each for every load; default: 30 to 2000, fewer where there are more modes")
+      ->check(whole_number(1, 1'000'000'000));
+  add_crew_options(command, options->crew);
+  add_common_options(command, options->common);
+  command.callback([options, within, &exit_code] {
+    options->narrows = within->count() > 0;
+    exit_code = run_search(*options);
+  });
+}
+
+}  // namespace slipproof::cli

@@ -1,0 +1,83 @@
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "base/input/diagnostic.hpp"
+#include "base/input/text_file.hpp"
+#include "base/number/parse.hpp"
+#include "claims/uniqueness/scene_setting.hpp"
+#include "faces/cli/command.hpp"
+#include "faces/cli/warnings.hpp"
+#include "report/scenes/simulation_report.hpp"
+
+namespace slipproof::cli {
+
+namespace {
+
+struct SimulateArguments {
+  CommonOptions common;
+  std::string scene, load;
+  std::vector<double> ratios{0.25, 1, 4}, dampings{0.05, 0.5}, rises{0, 100};
+  int digits = 6;
+};
+
+std::vector<Compliance> compliances(const SimulateArguments& arguments) {
+  std::vector<Compliance> all;
+  for (const double ratio : arguments.ratios) {
+    for (const double damping : arguments.dampings) {
+      for (const double rise : arguments.rises) all.push_back({ratio, damping, rise});
+    }
+  }
+  return all;
+}
+
+std::string simulated(const SimulateArguments& arguments) {
+  MechanismScene scene = parse_any_scene(read_text_file(arguments.scene), arguments.scene);
+  print_warnings(scene.mechanism, arguments.common);
+  try {
+    if (!arguments.load.empty()) scene.load = parse_rational(arguments.load);
+    const Simulation simulation = simulate(loaded_contacts(scene), compliances(arguments), arguments.common.threads);
+    return arguments.common.json ? simulation_json(scene, simulation)
+                                 : simulation_text(scene, simulation, arguments.digits);
+  } catch (const NumberError& error) {
+    throw CLI::ValidationError("--load", error.what());
+  } catch (const std::invalid_argument& error) {
+    throw InputError({{arguments.scene, 0, 0, error.what()}});
+  } catch (const NoValue& error) {
+    throw InputError({{arguments.scene, 0, 0, error.what()}});
+  }
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<SimulateArguments>();
+  CLI::App& command = *app.add_subcommand(
+      "simulate", "Which of several motions contacts that give come to, from rest: a simulation, not a proof");
+  command.add_option("SCENE", options->scene, "Scene file (TOML), of a bicycle or of a mechanism")->required();
+  command.add_option("--load", options->load, "The load, in place of the scene's");
+  command
+      .add_option("--stiffness-ratio", options->ratios,
+                  "Tangential over normal stiffness of the contacts, each in turn")
+      ->check(number_in(0.01, 100))
+      ->capture_default_str();
+  command.add_option("--damping", options->dampings, "Damping of each contact, of the critical one, each in turn")
+      ->check(number_in(0, 1))
+      ->capture_default_str();
+  command.add_option("--rise", options->rises, "Elastic periods in which the load comes on, each in turn; 0: at once")
+      ->check(number_in(0, 10'000))
+      ->capture_default_str();
+  command.add_option("--digits", options->digits, "Significant digits of decimals")
+      ->check(whole_number(1, 1000))
+      ->capture_default_str();
+  add_common_options(command, options->common);
+  command.callback([options, &exit_code] {
+    const std::string text = simulated(*options);
+    print(options->common.quiet && !options->common.json ? last_line(text) : text);
+    exit_code = as_it_should_be;
+  });
+}
+
+}  // namespace slipproof::cli

@@ -1,0 +1,73 @@
+#include "floating/trade/trade.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <iostream>
+#include <memory>
+
+#include "faces/cli/command.hpp"
+#include "faces/cli/crew_run.hpp"
+#include "report/scenes/trade_report.hpp"
+
+namespace slipproof::cli {
+
+namespace {
+
+struct TradeArguments {
+  CommonOptions common;
+  TradeOptions trade;
+  CrewArguments crew;
+  bool quick = false;
+};
+
+int run_trade(TradeArguments& options) {
+  const bool quiet = options.common.quiet;
+  options.trade.seed = options.common.seed;
+  options.trade.threads = options.common.threads;
+  if (options.quick) {
+    options.trade.scenes = 25;
+    options.trade.seconds = 0.002;
+  }
+  CrewRun run(
+      options.crew, options.common.threads,
+      [&] { return fmt::format("trade scenes {} seed {}\n", options.trade.scenes, options.trade.seed); }, {},
+      [&](std::string_view request) { return trade_answer(options.trade, request); });
+  if (run.served()) return as_it_should_be;
+  const bool bar = !quiet && isatty(STDERR_FILENO) != 0;
+  const auto progress = [bar](std::size_t done, std::size_t all) {
+    if (bar) std::cerr << fmt::format("\r{}/{}{}", done, all, done == all ? "\r\033[K" : "") << std::flush;
+  };
+  const Trade trade = measure_trade(options.trade, progress, run.crew());
+  if (options.common.json) {
+    print(trade_json(trade));
+  } else {
+    if (!quiet) print(trade_text(trade) + "\n");
+    print(fmt::format("s {} workloads {} types {} scenes {}\n",
+                      trade.sound() ? "MEASURED" : "REFUTED the filter differs from the exact answer:",
+                      trade.workloads.size(), trade.types.size(), trade.workloads.size() * trade.options.scenes));
+  }
+  return trade.sound() ? as_it_should_be : refuted_or_not_certified;
+}
+
+}  // namespace
+
+void add_trade(CLI::App& app, int& exit_code, Transport& transport) {
+  auto options = std::make_shared<TradeArguments>();
+  options->crew.transport = &transport;
+  CLI::App& command = *app.add_subcommand("trade", "Measure speed against accuracy over the number types");
+  auto* quick = command.add_flag("--quick", options->quick, "25 scenes of each workload, rough timings: seconds");
+  command.add_option("--scenes", options->trade.scenes, "Scenes of each workload")
+      ->check(whole_number(1, 1'000'000))
+      ->excludes(quick)
+      ->capture_default_str();
+  command.add_option("--seconds", options->trade.seconds, "CPU time for each measurement of speed, at least")
+      ->check(number_in(0, 60))
+      ->excludes(quick)
+      ->capture_default_str();
+  add_crew_options(command, options->crew);
+  add_common_options(command, options->common);
+  command.callback([options, &exit_code] { exit_code = run_trade(*options); });
+}
+
+}  // namespace slipproof::cli

@@ -1,0 +1,165 @@
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "base/output/output_file.hpp"
+#include "faces/cli/command.hpp"
+#include "faces/cli/commands/verify_run.hpp"
+#include "faces/cli/warnings.hpp"
+#include "report/papers/errata.hpp"
+#include "report/papers/mutation_report.hpp"
+#include "report/papers/verify_report.hpp"
+
+namespace slipproof::cli {
+
+namespace {
+
+struct VerifyArguments : JudgeArguments {
+  MutationOptions mutation;
+  std::string lemmas, report;
+  bool mutants = false;
+  bool errata = false, markdown = false, sarif = false, coverage = false;
+
+  bool lists_findings() const { return errata || markdown || sarif; }
+};
+
+/// The lemmas as files that slipproof-check reads.
+void write_lemmas(const OutputFolder& folder, const MutationResult& result) {
+  std::size_t number = 0;
+  for (const Lemma* lemma : lemmas_of(result)) {
+    const std::string name = "lemma-" + std::to_string(++number);
+    for (const auto& [extension, text] : {std::pair(".statement", &lemma->statement), {".cert", &lemma->certificate}}) {
+      folder.write(name + extension, *text);
+    }
+  }
+}
+
+/// A report is about verdicts: where none are given, none is written, and the user is told instead of left to wonder.
+void refuse_report_without_verdicts(const VerifyArguments& options) {
+  if (options.report.empty() || (!options.coverage && !options.mutants)) return;
+  const std::string mode = options.coverage ? "--coverage" : "--mutants";
+  throw CLI::ValidationError("--report", "the report shows verdicts, and " + mode + " gives none; leave " + mode +
+                                             " out, or write the report in a call of its own");
+}
+
+/// A crew judges papers, and nothing else.
+void refuse_crew_without_verdicts(const VerifyArguments& options) {
+  if (!options.crew.wanted() || (!options.mutants && !options.coverage)) return;
+  throw CLI::ValidationError(options.mutants ? "--mutants" : "--coverage",
+                             "found --checkpoint or many ranks, expected neither: this is not shared out");
+}
+
+int judge_mutants(const std::filesystem::path& claims, const ClaimsFile& file, VerifyArguments& options) {
+  options.mutation.seed = options.common.seed;
+  options.mutation.threads = options.common.threads;
+  if (!options.common.quiet) options.mutation.progress = progress_bar();
+  std::optional<OutputFolder> lemmas;
+  if (!options.lemmas.empty()) lemmas.emplace(options.lemmas, Inputs{claims});
+  const MutationResult result = judge_mutants(file, options.mutation);
+  if (lemmas) write_lemmas(*lemmas, result);
+  print(options.common.json ? mutation_json(result) : mutation_text(result, options.common.quiet));
+  return result.count(MutantEnd::survivor) == 0 && result.vacuous.empty() ? as_it_should_be : undecided;
+}
+
+/// The flags that are about one paper, and the first of them that is given.
+std::string flag_about_one_paper(const VerifyArguments& options) {
+  if (options.mutants) return "--mutants";
+  if (options.coverage) return "--coverage";
+  if (options.lists_findings()) return "--errata";
+  return options.verify.only.empty() ? "" : "--only";
+}
+
+/// Of all papers in a folder.
+int verify_papers(const std::vector<std::filesystem::path>& papers, const VerifyArguments& options) {
+  if (const std::string flag = flag_about_one_paper(options); !flag.empty()) {
+    throw CLI::ValidationError("CLAIMS", flag + " is about one paper; found a folder, expected its claims.toml");
+  }
+  const auto judged = judge_papers(papers, options, options.report);
+  if (!options.crew.leads()) return as_it_should_be;
+  print(options.common.json ? papers_json(judged) : papers_text(judged, options.common.quiet));
+  return exit_of(summary(judged));
+}
+
+}  // namespace
+
+void add_verify(CLI::App& app, int& exit_code, Transport& transport) {
+  auto options = std::make_shared<VerifyArguments>();
+  options->crew.transport = &transport;
+  CLI::App& command =
+      *app.add_subcommand("verify", "The claims of a paper at sampled rational bicycles, every force at once");
+  command.add_option("CLAIMS", options->claims,
+                     "Claims file (TOML), or a folder of papers; default: the shipped paper");
+  auto* samples = add_judging_options(command, *options);
+  auto* list = command.add_flag("--errata", options->errata, "List what is wrong with the paper");
+  auto* markdown = command.add_flag("--markdown", options->markdown, "The errata in Markdown")->needs(list);
+  auto* sarif = command.add_flag("--sarif", options->sarif, "The errata as SARIF 2.1.0, for editors and code hosts");
+  command.add_flag("--coverage", options->coverage, "Which claims each numbered equation has, and judge nothing")
+      ->excludes(list)
+      ->excludes(sarif);
+  sarif->excludes(markdown);
+  auto* only = command.add_option("--only", options->verify.only,
+                                  "Judge only the claims whose id begins with this, such as A or E4.7");
+  auto* mutants = command.add_flag("--mutants", options->mutants,
+                                   "Change every formula in every small way: is each change noticed?");
+  mutants->excludes(list)->excludes(sarif)->excludes(only);
+  command.add_option("--every", options->mutation.every, "Judge one mutant in so many")
+      ->check(whole_number(1, 1'000'000'000))
+      ->needs(mutants);
+  command.add_option("--lemmas", options->lemmas, "Folder for what the arguments rest on, with certificates")
+      ->needs(mutants);
+  auto* report =
+      command.add_option("--report", options->report,
+                         "Also write the HTML report of the verdicts to this file; of a folder: to this folder");
+  command.add_option("--trade", options->trade, "For the report: what slipproof trade --json wrote")->needs(report);
+  add_crew_options(command, options->crew);
+  add_common_options(command, options->common);
+  command.callback([options, samples, &exit_code] {
+    refuse_report_without_verdicts(*options);
+    const std::filesystem::path path = claims_path(options->claims);
+    refuse_crew_without_verdicts(*options);
+    if (const auto papers = papers_in(path); !papers.empty()) {
+      if (samples->empty()) options->verify.samples = samples_of_many;
+      exit_code = verify_papers(papers, *options);
+      return;
+    }
+    const ClaimsFile file = read_claims(path);
+    print_warnings(file, options->common);
+    if (options->coverage) {
+      print(coverage_markdown(file));
+      exit_code = uncovered_equations(file).empty() ? as_it_should_be : refuted_or_not_certified;
+      return;
+    }
+    if (options->mutants) {
+      if (!samples->empty()) options->mutation.more_samples = options->verify.samples;
+      if (options->verify.lines) options->mutation.lines = *options->verify.lines;
+      exit_code = judge_mutants(path, file, *options);
+      return;
+    }
+    options->verify.certificates = options->certificates_of(path);
+    VerifyRun run({{path, &file, options->verify}}, *options);
+    if (run.served()) return;
+    std::optional<OutputFile> report;
+    PageInput input;
+    if (!options->report.empty()) {
+      report.emplace(options->report, files_of(page_folders(path, options->trade), file));
+      input = report_input(path, file, *options, *options->verify.certificates);
+    }
+    const VerifyResult result = run.result(0);
+    input.result = &result;
+    if (report) report->write(page_html(input));
+    if (options->lists_findings()) {
+      const Errata findings = errata(file, result);
+      print(options->sarif         ? errata_sarif(file, findings)
+            : options->common.json ? errata_json(file, findings)
+            : options->markdown    ? errata_markdown(file, findings)
+                                   : errata_text(file, findings));
+    } else {
+      print(options->common.json ? verify_json(file, result) : verify_text(file, result, options->common.quiet));
+    }
+    exit_code = exit_of(summary(file, result));
+  });
+}
+
+}  // namespace slipproof::cli

@@ -1,0 +1,7 @@
+// The program: a thin shell around the library.
+#include "faces/cli/program.hpp"
+
+int main(int argc, char** argv) {
+  slipproof::Alone alone;
+  return slipproof::cli::run_program(argc, argv, alone);
+}

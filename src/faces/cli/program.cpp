@@ -1,0 +1,130 @@
+#include "faces/cli/program.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <new>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "base/crew/crew.hpp"
+#include "base/input/diagnostic.hpp"
+#include "base/number/effort.hpp"
+#include "base/os/registers.hpp"
+#include "base/output/output_error.hpp"
+#include "base/parallel/failure.hpp"
+#include "faces/cli/command.hpp"
+
+namespace slipproof::cli {
+
+namespace {
+
+/// No file that is opened later takes the place of a standard stream that whoever started the program has closed: a
+/// result would be written into it. What stands there instead can be opened, and neither read nor written.
+void keep_standard_streams_apart() {
+  while (true) {
+    const int unusable = open("/", O_PATH);
+    if (unusable > 2) {
+      close(unusable);
+      return;
+    }
+    if (unusable < 0) return;
+  }
+}
+
+/// Of many ranks, each would do the whole of these.
+void refuse_alone(CLI::App& app, const std::vector<std::string>& shared) {
+  for (CLI::App* command : app.get_subcommands({})) {
+    if (std::ranges::find(shared, command->get_name()) != shared.end()) continue;
+    command->preparse_callback([command](std::size_t) {
+      throw CLI::ValidationError(command->get_name(), "found more than one rank, expected one: this is not shared out");
+    });
+  }
+}
+
+std::string exit_codes_text() {
+  std::string text = "Exit codes:";
+  for (const auto& [code, meaning] : exit_codes) text += "\n" + std::to_string(code) + ": " + std::string(meaning);
+  return text;
+}
+
+int run(int argc, char** argv, Transport& transport) {
+  CLI::App app("Exact, provable answers about dry friction", "slipproof");
+  app.set_version_flag("--version", "slipproof " SLIPPROOF_VERSION);
+  app.require_subcommand(1);
+  app.footer(exit_codes_text());
+  int exit_code = as_it_should_be;
+  add_solve(app, exit_code);
+  add_show(app, exit_code);
+  add_search(app, exit_code, transport);
+  add_critical(app, exit_code);
+  add_simulate(app, exit_code);
+  add_certify(app, exit_code, transport);
+  add_join(app, exit_code);
+  add_trade(app, exit_code, transport);
+  add_verify(app, exit_code, transport);
+  add_prove(app, exit_code, transport);
+  add_check(app, exit_code);
+  add_report(app, exit_code);
+  add_map(app, exit_code);
+  add_draw(app, exit_code);
+  add_documentation(app, exit_code);
+  if (transport.ranks() > 1) refuse_alone(app, {"certify", "prove", "search", "trade", "verify"});
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    std::ostringstream out;
+    exit_code = app.exit(error, out) == 0 ? as_it_should_be : usage;
+    print(out.str());
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv, Transport& transport) {
+  keep_standard_streams_apart();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit is an error like any other
+  try {
+    machine_registers();
+  } catch (const std::invalid_argument& error) {
+    std::cerr << "slipproof: " << error.what() << '\n';
+    return usage;
+  }
+  try {
+    return run(argc, argv, transport);
+  } catch (const InputError& error) {
+    std::cerr << error.what() << '\n';
+    return bad_input;
+  } catch (const Unfinished& error) {
+    std::cerr << error.what() << '\n';
+    return not_written;
+  } catch (const OutputError& error) {
+    std::cerr << error.what() << '\n';
+    return not_written;
+  } catch (const TooMuchWork& error) {
+    std::cerr << "slipproof: " << error.what() << '\n';
+    return undecided;
+  } catch (const std::filesystem::filesystem_error& error) {
+    std::cerr << error.path1().string() << ": cannot be read: " << error.code().message() << '\n';
+    return bad_input;
+  } catch (const std::bad_alloc&) {
+    std::cerr << "slipproof: there is not enough memory\n";
+    return failed;
+  } catch (const std::exception& error) {
+    std::cerr << "slipproof: " << failure_text(error.what(), SLIPPROOF_VERSION) << '\n';
+    return failed;
+  } catch (...) {
+    std::cerr << "slipproof: " << failure_text("an unknown exception", SLIPPROOF_VERSION) << '\n';
+    return failed;
+  }
+}
+
+}  // namespace slipproof::cli

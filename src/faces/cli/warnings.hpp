@@ -1,0 +1,15 @@
+// What looks wrong in the mechanisms that a command reads, on stderr: their answers may be right all the same.
+#pragma once
+
+#include "claims/reading/claims_file.hpp"
+#include "faces/cli/command.hpp"
+#include "mechanics/mechanism/mechanism.hpp"
+
+namespace slipproof::cli {
+
+/// The findings of check_mechanism() that could be checked; nothing if quiet.
+void print_warnings(const Mechanism& mechanism, const CommonOptions& common);
+/// Of each mechanism of a claims file, once.
+void print_warnings(const ClaimsFile& claims, const CommonOptions& common);
+
+}  // namespace slipproof::cli

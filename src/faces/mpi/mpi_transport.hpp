@@ -1,0 +1,41 @@
+// Messages between ranks by MPI.
+#pragma once
+
+#include <mpi.h>
+
+#include <list>
+#include <optional>
+#include <string>
+
+#include "base/crew/transport.hpp"
+
+namespace slipproof {
+
+/// All ranks of MPI_COMM_WORLD, from MPI_Init to MPI_Finalize: one of it in a process, on its main thread.
+class MpiTransport final : public Transport {
+ public:
+  MpiTransport(int& argc, char**& argv);
+  /// Waits until all ranks are here.
+  ~MpiTransport() override;
+  MpiTransport(const MpiTransport&) = delete;
+  MpiTransport& operator=(const MpiTransport&) = delete;
+
+  int rank() const override { return rank_; }
+  int ranks() const override { return ranks_; }
+  /// Throws std::runtime_error for more bytes than MPI counts.
+  void send(int to, std::string bytes) override;
+  std::optional<Message> receive() override;
+
+ private:
+  struct Sending {
+    std::string bytes;
+    MPI_Request request = MPI_REQUEST_NULL;
+  };
+
+  void forget_sent();
+
+  int rank_ = 0, ranks_ = 1;
+  std::list<Sending> sending_;  ///< MPI holds on to their addresses
+};
+
+}  // namespace slipproof

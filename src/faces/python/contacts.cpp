@@ -1,0 +1,250 @@
+#include <fmt/format.h>
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/number/binary64.hpp"
+#include "base/parallel/in_parallel.hpp"
+#include "contact/formats/problem_check.hpp"
+#include "contact/formats/read_files.hpp"
+#include "contact/judge/certificate.hpp"
+#include "faces/python/bind.hpp"
+#include "faces/python/interruptible.hpp"
+#include "records/certify/certify.hpp"
+#include "records/certify/contact_file.hpp"
+#include "records/certify/exact_judge.hpp"
+#include "records/certify/problem_judge.hpp"
+#include "report/html/contact_report.hpp"
+
+namespace slipproof::python {
+
+namespace {
+
+namespace py = pybind11;
+using Doubles = py::array_t<double, py::array::c_style>;
+using Indices = py::array_t<std::int64_t, py::array::c_style>;
+
+std::vector<double> copied(const Doubles& values) {
+  return {values.data(), values.data() + values.size()};
+}
+
+std::vector<Rational> rationals(std::span<const double> values) {
+  std::vector<Rational> result;
+  result.reserve(values.size());
+  for (const double x : values) result.push_back(to_rational(x));
+  return result;
+}
+
+// Small problems, in exact numbers: every solution is found.
+
+/// Problems of one size, their numbers side by side: W (count, size, size), q, z and perhaps w (count, size), mu
+/// (count, contacts) or of an LCP nothing.
+struct ExactBatch {
+  std::size_t count = 0, size = 0;
+  std::vector<double> W, q, z, w, mu;
+  JudgeOptions options;
+  unsigned threads = 0;
+};
+
+/// The part of an array that belongs to one problem.
+std::span<const double> part(const std::vector<double>& all, std::size_t problem, std::size_t count) {
+  const std::size_t size = all.size() / count;
+  return {all.data() + problem * size, size};
+}
+
+ContactProblem problem_of(const ExactBatch& batch, std::size_t k) {
+  ContactProblem problem;
+  const auto W = part(batch.W, k, batch.count);
+  for (std::size_t i = 0; i < batch.size; ++i) {
+    problem.W.push_back(rationals(W.subspan(i * batch.size, batch.size)));
+  }
+  problem.q = rationals(part(batch.q, k, batch.count));
+  problem.mu = rationals(part(batch.mu, k, batch.count));
+  return problem;
+}
+
+/// What is wrong with an answer before it is looked at; empty if nothing is.
+std::string not_finite(std::span<const double> values, const char* name) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!std::isfinite(values[i])) {
+      return fmt::format("{}[{}]: found {}, expected a finite number", name, i, values[i]);
+    }
+  }
+  return {};
+}
+
+std::string exact_verdict(const ExactBatch& batch, std::size_t k) {
+  const auto z = part(batch.z, k, batch.count), w = part(batch.w, k, batch.count);
+  std::string reason = not_finite(z, "z");
+  if (reason.empty()) reason = not_finite(w, "w");
+  RecordJudgement judgement;
+  if (!reason.empty()) {
+    judgement = invalid_judgement(reason);
+  } else {
+    ProblemAnswer answer{rationals(z), std::nullopt, std::nullopt};
+    if (!w.empty()) answer.w = rationals(w);
+    judgement = judge_problem(problem_of(batch, k), answer, batch.options);
+  }
+  std::string line;
+  append_line(line, k + 1, judgement);
+  return line;
+}
+
+/// A line of JSON for each, as `slipproof certify` writes it.
+std::vector<std::string> certify_exact(const Doubles& W, const Doubles& q, const Doubles& z,
+                                       const std::optional<Doubles>& w, const std::optional<Doubles>& mu,
+                                       double tolerance, Work effort, unsigned threads, const py::object& progress) {
+  ExactBatch batch{
+      static_cast<std::size_t>(q.shape(0)),   static_cast<std::size_t>(q.shape(1)),     copied(W), copied(q), copied(z),
+      w ? copied(*w) : std::vector<double>(), mu ? copied(*mu) : std::vector<double>(), {},        threads};
+  batch.options.tolerance = tolerance;
+  batch.options.effort = effort;
+  const auto work = [batch = std::move(batch)](Call& call) {
+    std::vector<std::string> lines(batch.count);
+    std::atomic<std::uint64_t> done = 0;
+    on_threads(batch.threads, [&] {
+      in_parallel(0, batch.count, [&](std::size_t k) {
+        lines[k] = exact_verdict(batch, k);
+        call.at(++done, batch.count);
+      });
+    });
+    return lines;
+  };
+  return interruptible(work, progress);
+}
+
+// Problems of any size.
+
+/// Verdicts about one problem; what is told of them is made when it is asked for.
+class Judged {
+ public:
+  explicit Judged(std::shared_ptr<const JudgedProblem> problem) : problem_(std::move(problem)) {}
+  std::size_t size() const { return problem_->answers.size(); }
+  std::string line(std::size_t answer) const { return contact_line(*problem_, checked(answer)); }
+  std::string words(std::size_t answer) const { return contact_words(*problem_, checked(answer)); }
+  std::string refined(std::size_t answer) const { return refined_answer(*problem_, checked(answer)); }
+  std::string certificate(std::size_t answer) const {
+    return contact_certificate(problem_->mixed, problem_->answers[checked(answer)].judgement);
+  }
+  std::string report(const std::string& command) const { return contact_report(*problem_, command, SLIPPROOF_VERSION); }
+
+ private:
+  std::size_t checked(std::size_t answer) const {
+    if (answer < size()) return answer;
+    throw py::index_error();
+  }
+
+  std::shared_ptr<const JudgedProblem> problem_;
+};
+
+FrictionLaw law_of(const std::string& text) {
+  return text == "box" ? FrictionLaw::box : text == "diamond" ? FrictionLaw::diamond : FrictionLaw::cone;
+}
+
+ContactFileOptions options_of(double tolerance, std::optional<double> within, bool refine, const std::string& law,
+                              std::optional<Work> effort) {
+  ContactFileOptions options;
+  options.judge.tolerance = tolerance;
+  options.judge.within = within;
+  options.judge.refine = refine;
+  options.judge.law = law_of(law);
+  if (effort) options.judge.effort = *effort;
+  return options;
+}
+
+/// A file, or arrays, and an answer from another file.
+struct Source {
+  std::string name;
+  std::optional<ReadProblem> read;
+  std::optional<std::string> answer;
+};
+
+std::shared_ptr<const JudgedProblem> judge(const Source& source, ContactFileOptions options) {
+  ReadProblem read = source.read ? *source.read : read_problem_file(source.name);
+  if (source.answer) {
+    options.answer = read_answer_file(*source.answer, answer_sizes(read.problem));
+    Mistakes mistakes(*source.answer);
+    check_answer(read.problem, *options.answer, "the answer's ", mistakes);
+    mistakes.refuse_if_any();
+  }
+  return std::make_shared<const JudgedProblem>(source.name, std::move(read), options);
+}
+
+Judged judged(const Source& source, const ContactFileOptions& options) {
+  return Judged(interruptible([source, options](Call&) { return judge(source, options); }));
+}
+
+/// A problem in arrays that fit each other.
+ReadProblem problem_of(SparseMatrix W, const Doubles& q, const std::optional<Doubles>& mu, std::size_t dimension,
+                       const std::optional<Doubles>& z, const std::optional<Doubles>& w) {
+  ReadProblem read;
+  read.problem.form = dimension == 1 ? ProblemForm::complementarity : ProblemForm::local;
+  read.problem.dimension = dimension;
+  read.problem.W = std::move(W);
+  read.problem.q = copied(q);
+  if (mu) read.problem.mu = copied(*mu);
+  if (z) read.answers.push_back({"z", copied(*z), w ? copied(*w) : std::vector<double>(), {}, {}});
+  Mistakes mistakes("arguments");
+  check_problem(read.problem, mistakes);
+  mistakes.refuse_if_any();
+  return read;
+}
+
+SparseMatrix from_csr(std::size_t size, const Indices& starts, const Indices& columns, const Doubles& values) {
+  std::vector<MatrixEntry> entries, twice;
+  entries.reserve(static_cast<std::size_t>(values.size()));
+  for (std::size_t row = 0; row < size; ++row) {
+    for (std::int64_t i = starts.data()[row]; i < starts.data()[row + 1]; ++i) {
+      entries.push_back(
+          {static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(columns.data()[i]), values.data()[i]});
+    }
+  }
+  return sparse_matrix(size, size, std::move(entries), twice);
+}
+
+/// The matrix: a dense one, or (indptr, indices, data) of rows.
+SparseMatrix matrix_of(const py::tuple& parts, std::size_t size) {
+  if (parts.size() == 1) return from_dense(size, size, {parts[0].cast<Doubles>().data(), size * size});
+  return from_csr(size, parts[0].cast<Indices>(), parts[1].cast<Indices>(), parts[2].cast<Doubles>());
+}
+
+void bind_problems(py::module_& module) {
+  py::class_<Judged>(module, "Judged")
+      .def("__len__", &Judged::size)
+      .def("line", &Judged::line)
+      .def("words", &Judged::words)
+      .def("refined", &Judged::refined)
+      .def("certificate", &Judged::certificate)
+      .def("report", &Judged::report);
+  module.def("certify_exact", &certify_exact);
+  py::class_<ContactFileOptions>(module, "ContactOptions").def(py::init(&options_of));
+  module.def("certify_problem",
+             [](const py::tuple& matrix, const Doubles& q, const std::optional<Doubles>& mu, std::size_t dimension,
+                const std::optional<Doubles>& z, const std::optional<Doubles>& w, const ContactFileOptions& options) {
+               SparseMatrix W = matrix_of(matrix, static_cast<std::size_t>(q.size()));
+               return judged({"arguments", problem_of(std::move(W), q, mu, dimension, z, w), std::nullopt}, options);
+             });
+  module.def("certify_problem_file",
+             [](const std::string& path, const std::optional<std::string>& answer, const ContactFileOptions& options) {
+               return judged({path, std::nullopt, answer}, options);
+             });
+  module.def("is_problem_file", &is_problem_file);
+  module.def("dimension_by_sizes", [](std::size_t components, std::optional<std::size_t> coefficients) {
+    const DimensionBySizes found = dimension_by_sizes(components, coefficients);
+    if (!found.mistake.empty()) throw py::value_error(found.key + ": " + found.mistake);
+    return found.dimension;
+  });
+}
+
+}  // namespace
+
+void bind_contacts(py::module_& module) {
+  bind_problems(module);
+}
+
+}  // namespace slipproof::python

@@ -1,0 +1,115 @@
+#include <pybind11/stl.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "faces/python/bind.hpp"
+#include "faces/python/interruptible.hpp"
+#include "mechanics/reading/shipped.hpp"
+#include "mechanics/scene/narrow.hpp"
+#include "proofs/check/files.hpp"
+#include "proofs/check_contact/files.hpp"
+#include "proofs/search/prove.hpp"
+#include "report/papers/verify_report.hpp"
+#include "report/scenes/search_report.hpp"
+
+namespace slipproof::python {
+
+namespace {
+
+namespace py = pybind11;
+
+struct Report {
+  std::string json, text, summary;
+};
+
+Report verified(const std::string& path, VerifyOptions options, Call& call) {
+  const std::filesystem::path claims(path);
+  const ClaimsFile file = read_claims(claims);
+  options.certificates = std::make_shared<Certificates>(paper_folder(claims));
+  options.progress = [&call](std::uint64_t done, std::uint64_t all) { call.at(done, all); };
+  const VerifyResult result = verify(file, options);
+  return {verify_json(file, result), verify_text(file, result), std::string(summary_word(summary(file, result)))};
+}
+
+py::tuple verify_claims(const std::string& path, std::uint64_t samples, std::optional<std::uint64_t> lines,
+                        std::uint64_t seed, const std::string& only, unsigned threads, const py::object& progress) {
+  VerifyOptions options;
+  options.samples = samples;
+  options.lines = lines;
+  options.seed = seed;
+  options.only = only;
+  options.threads = threads;
+  const Report report = interruptible([=](Call& call) { return verified(path, options, call); }, progress);
+  return py::make_tuple(report.json, report.text, report.summary);
+}
+
+py::dict prove_text(const std::string& file, const std::string& text, std::uint64_t steps, const py::object& progress) {
+  const ProofOutcome outcome = interruptible(
+      [=](Call& call) {
+        prove::Limits limits;
+        limits.steps = steps;
+        limits.tick = [&call, steps](std::uint64_t done) { call.at(done, steps); };
+        return prove_statement(file, text, limits);
+      },
+      progress);
+  py::dict counterexample, result;
+  for (const auto& [name, value] : outcome.counterexample) counterexample[py::str(name)] = value.str();
+  result["theorem"] = outcome.theorem;
+  result["verdict"] = std::string(name(outcome.verdict));
+  result["certificate"] = outcome.certificate;
+  result["vacuous"] = outcome.vacuous;
+  result["counterexample"] = std::move(counterexample);
+  result["left_with"] = outcome.leftover;
+  result["exhausted"] = outcome.exhausted;
+  result["steps"] = outcome.steps;
+  return result;
+}
+
+py::tuple check(const std::vector<std::string>& paths) {
+  const auto report = interruptible([paths](Call&) { return check::check_files(paths); });
+  py::list results;
+  for (const check::FileResult& r : report.results) {
+    results.append(py::make_tuple(r.certificate.string(), std::string(to_string(r.verdict)), r.theorem, r.message));
+  }
+  return py::make_tuple(std::move(results), report.text, report.summary);
+}
+
+Report search_report(const std::string& name, const std::string& within, SearchOptions options, Call& call) {
+  Mechanism mechanism = open_mechanism(name);
+  if (!within.empty()) mechanism = narrowed(mechanism, within, "within");
+  options.progress = [&call](std::uint64_t done, std::uint64_t all) { call.at(done, all); };
+  MotionSearch search(mechanism, options);
+  const SearchReport report = searched(mechanism, options, within, search);
+  return {search_json(report), search_text(report, false), std::string(slipproof::name(verdict(report)))};
+}
+
+py::tuple search(const std::string& name, const std::string& within, std::optional<std::uint64_t> samples,
+                 std::uint64_t seed, const std::optional<std::string>& wanted, bool hysteresis, unsigned threads,
+                 const py::object& progress) {
+  SearchOptions options;
+  options.samples = samples;
+  options.seed = seed;
+  options.threads = threads;
+  options.hysteresis = hysteresis;
+  if (wanted) {
+    options.wanted = *wanted == "none"      ? MotionCount::none
+                     : *wanted == "several" ? MotionCount::several
+                                            : MotionCount::continuum;
+  }
+  const Report report = interruptible([=](Call& call) { return search_report(name, within, options, call); }, progress);
+  return py::make_tuple(report.json, report.text, report.summary);
+}
+
+}  // namespace
+
+void bind_papers(py::module_& module) {
+  module.def("verify", &verify_claims);
+  module.def("prove", &prove_text);
+  module.def("check", &check);
+  module.def("search", &search);
+}
+
+}  // namespace slipproof::python

@@ -1,0 +1,117 @@
+#include <algorithm>
+
+#include "base/number/format.hpp"
+#include "mechanics/checks/check_parts.hpp"
+#include "mechanics/checks/free_motion.hpp"
+
+namespace slipproof::mechanism_checks {
+
+namespace {
+
+using Check = MechanismFinding::Check;
+
+std::optional<MechanismFinding> reciprocity_at(const CheckPoints& points, const CheckPoint& point, const Matrix& matrix,
+                                               const std::vector<Pairing>& pairings) {
+  const Mechanism& mechanism = points.mechanism();
+  const auto force = [&](std::size_t i) { return mechanism.unknowns[pairings[i].force].symbol; };
+  const auto where = [&](std::size_t i, std::size_t k) {
+    return points.where(point, [&](const CheckPoint& there) -> std::optional<Rational> {
+      const auto other = delassus(mechanism, there.problem, mechanism_checks::pairings(mechanism, there.problem));
+      return other ? std::optional((*other)[i][k]) : std::nullopt;
+    });
+  };
+  for (std::size_t i = 0; i < matrix.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (matrix[i][k] == matrix[k][i]) continue;
+      return warning(Check::reciprocity, pairings[i].place,
+                     "forces and accelerations are not reciprocal, as virtual work has them: " + force(k) + " gives " +
+                         pairings[i].name + " " + exact_text(matrix[i][k]) + ", " + force(i) + " gives " +
+                         pairings[k].name + " " + exact_text(matrix[k][i]) + ", expected the same" + where(i, k));
+    }
+  }
+  const auto negative = negative_direction(matrix);
+  if (!negative) return std::nullopt;
+  return warning(Check::reciprocity, pairings[*negative].place,
+                 "the force " + force(*negative) + " accelerates " + pairings[*negative].name +
+                     " against itself, expected a positive semidefinite matrix of accelerations over forces" +
+                     where(*negative, *negative));
+}
+
+bool rests(const MechanismContact& contact) {
+  return contact.start == ElementKind::Start::rest && !contact.bilateral;
+}
+
+/// The contact that opens without contact forces and load.
+std::optional<MechanismFinding> opening(const CheckPoints& points, const CheckPoint& point, const FreeMotion& motion) {
+  const Mechanism& mechanism = points.mechanism();
+  for (std::size_t i = 0; i < motion.gaps.size(); ++i) {
+    const MechanismContact& contact = mechanism.contacts[i];
+    if (!rests(contact) || motion.gaps[i] <= 0) continue;
+    const auto gap = [&](const CheckPoint& there) -> std::optional<Rational> {
+      const auto other = free_motion(mechanism, there.problem);
+      return other ? std::optional(other->gaps[i]) : std::nullopt;
+    };
+    return warning(Check::gravity, contact.gap.place(),
+                   "without contact forces and load the contact " + contact.name + " opens: " + contact.gap_name +
+                       " = " + exact_text(motion.gaps[i]) + points.where(point, gap));
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::size_t> negative_direction(Matrix matrix) {
+  for (std::size_t k = 0; k < matrix.size(); ++k) {
+    const Rational pivot = matrix[k][k];
+    const bool row_is_zero = std::all_of(matrix[k].begin() + static_cast<std::ptrdiff_t>(k), matrix[k].end(),
+                                         [](const Rational& x) { return x.is_zero(); });
+    if (pivot < 0 || (pivot.is_zero() && !row_is_zero)) return k;
+    if (pivot.is_zero()) continue;
+    for (std::size_t i = k + 1; i < matrix.size(); ++i) {
+      const Rational factor = matrix[i][k] / pivot;
+      for (std::size_t j = k; j < matrix.size(); ++j) matrix[i][j] -= factor * matrix[k][j];
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<MechanismFinding> check_reciprocity(const CheckPoints& points) {
+  const Mechanism& mechanism = points.mechanism();
+  if (!mechanism.reciprocal || mechanism.by_virtual_work) return {};
+  std::size_t count = 0;
+  for (const CheckPoint& point : points.all()) {
+    const auto pairs = pairings(mechanism, point.problem);
+    if (pairs.empty()) return {};
+    const auto matrix = delassus(mechanism, point.problem, pairs);
+    if (!matrix) continue;
+    if (auto finding = reciprocity_at(points, point, *matrix, pairs)) return {std::move(*finding)};
+    if (++count == CheckPoints::enough) break;
+  }
+  if (count >= CheckPoints::needed) return {};
+  return {not_checkable(Check::reciprocity,
+                        "reciprocity: the equations do not determine the accelerations for given contact forces")};
+}
+
+std::vector<MechanismFinding> check_gravity(const CheckPoints& points) {
+  const Mechanism& mechanism = points.mechanism();
+  if (std::ranges::none_of(mechanism.contacts, rests)) return {};
+  std::size_t count = 0;
+  bool moves = false;
+  for (const CheckPoint& sampled : points.all()) {
+    const CheckPoint point = points.without_pushes(sampled);
+    const auto motion = free_motion(mechanism, point.problem);
+    if (!motion) continue;
+    moves = moves || motion->moves;
+    if (auto finding = opening(points, point, *motion)) return {std::move(*finding)};
+    if (++count == CheckPoints::enough) break;
+  }
+  if (count < CheckPoints::needed) {
+    return {not_checkable(Check::gravity, "gravity: the equations do not determine a motion without contact forces")};
+  }
+  if (moves || std::ranges::none_of(mechanism.parameters, is_gravity)) return {};
+  return {warning(Check::gravity, mechanism.contacts.front().gap.place(),
+                  "there is gravity, but without contact forces and load nothing moves, so that it presses on no "
+                  "contact")};
+}
+
+}  // namespace slipproof::mechanism_checks

@@ -1,0 +1,52 @@
+// Which quantities of a mechanism may be compared: those of one kind, as contact/yardstick.hpp needs them.
+//
+// Quantities are of one kind if they have the same unit, or, where the file gives none, if an equation,
+// gap, slip or zero adds them up with coefficients that are plain numbers (numbers, cosines and sines, parameters of
+// unit 1); gap and slip of one contact are of one kind, and so are N and S. Everything else stays apart.
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "mechanics/mechanism/mechanism.hpp"
+
+namespace slipproof {
+
+/// Lines are what adds up quantities of one kind: the equations of FrictionProblem, then those of its accelerations
+/// that are gaps and slips.
+struct MechanismKinds {
+  /// Quantities of a kind, in lines of another kind: a line and an unknown for each. Line over coefficient is of the
+  /// kind.
+  struct Quotient {
+    std::size_t kind = 0, of = 0;
+    std::vector<std::pair<std::size_t, std::size_t>> places;
+  };
+
+  explicit MechanismKinds(const Mechanism& mechanism);
+
+  std::size_t unknown(std::size_t index) const {
+    return index < unknown_accelerations ? accelerations[index] : forces[index - unknown_accelerations];
+  }
+  /// The form of a line, in whatever type.
+  template <class Problem>
+  static const auto& line(const Problem& problem, std::size_t unknown_accelerations, std::size_t index) {
+    const std::size_t equations = problem.equations.size();
+    return index < equations ? problem.equations[index]
+                             : problem.accelerations[unknown_accelerations + index - equations];
+  }
+
+  std::size_t count = 0, unknown_accelerations = 0;
+  std::vector<std::size_t> accelerations;  ///< of FrictionProblem::accelerations
+  std::vector<std::size_t> forces;         ///< of FrictionProblem::forces
+  std::vector<bool> own_force;             ///< of each force: of no contact, friction element or link
+  std::vector<std::size_t> lines;
+  /// Accelerations by what the equations apply: of kinds that a contact's gap or slip has, or that have no lever.
+  std::vector<Quotient> inertias;
+  /// Accelerations in gaps, slips and zeros of another kind: rotations by the lengths of levers.
+  std::vector<Quotient> levers;
+  /// All unknowns in all lines of another kind.
+  std::vector<Quotient> all;
+};
+
+}  // namespace slipproof

@@ -1,0 +1,123 @@
+#include "mechanics/elements/element.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace slipproof {
+
+namespace {
+
+using Law = ElementKind::Law;
+using Start = ElementKind::Start;
+using State = ElementState;
+
+constexpr std::array<std::string_view, 8> names{"stick", "slip+",  "slip-",  "lift",
+                                                "touch", "stick~", "slip+~", "slip-~"};
+
+std::vector<State> slipping(Start start) {
+  switch (start) {
+    case Start::slides_forward:
+      return {State::slip_forward};
+    case Start::slides_backward:
+      return {State::slip_backward};
+    default:
+      return {State::stick, State::slip_forward, State::slip_backward};
+  }
+}
+
+State pulled(State state) {
+  switch (state) {
+    case State::stick:
+      return State::pulled_stick;
+    case State::slip_forward:
+      return State::pulled_slip_forward;
+    default:
+      return State::pulled_slip_backward;
+  }
+}
+
+}  // namespace
+
+std::string_view name(ElementState state) {
+  return names[static_cast<std::size_t>(state)];
+}
+
+std::string_view name(ElementKind::Start start) {
+  constexpr std::array<std::string_view, 4> starts{"rest", "slides+", "slides-", "open"};
+  return starts[static_cast<std::size_t>(start)];
+}
+
+std::optional<ElementState> parse_element_state(std::string_view text) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == text) return static_cast<ElementState>(i);
+  }
+  return std::nullopt;
+}
+
+std::vector<ElementState> states(const ElementKind& kind) {
+  if (kind.start == Start::open) return {State::lift};
+  std::vector<State> result = kind.law == Law::frictionless ? std::vector{State::touch} : slipping(kind.start);
+  if (kind.law == Law::limited) return result;
+  if (kind.bilateral) {
+    if (kind.law == Law::frictionless) return result;
+    const std::size_t pushed = result.size();
+    for (std::size_t i = 0; i < pushed; ++i) result.push_back(pulled(result[i]));
+  } else if (kind.lifts) {
+    result.push_back(State::lift);
+  }
+  return result;
+}
+
+double mode_count(const std::vector<ElementKind>& kinds) {
+  double count = 1;
+  for (const ElementKind& kind : kinds) count *= static_cast<double>(states(kind).size());
+  return count;
+}
+
+std::vector<MechanismMode> modes_of(const std::vector<ElementKind>& kinds) {
+  std::vector<std::vector<ElementState>> all;
+  for (const ElementKind& kind : kinds) all.push_back(states(kind));
+  return modes_of(all);
+}
+
+std::vector<MechanismMode> modes_of(const std::vector<std::vector<ElementState>>& states) {
+  std::vector<MechanismMode> modes{MechanismMode{}};
+  for (const std::vector<ElementState>& choice : states) {
+    std::vector<MechanismMode> longer;
+    for (const MechanismMode& mode : modes) {
+      for (const ElementState state : choice) {
+        longer.push_back(mode);
+        longer.back().push_back(state);
+      }
+    }
+    modes = std::move(longer);
+  }
+  return modes;
+}
+
+bool has_state(const ElementKind& kind, ElementState state) {
+  const std::vector<ElementState> known = states(kind);
+  return std::find(known.begin(), known.end(), state) != known.end();
+}
+
+bool has_mode(const std::vector<ElementKind>& kinds, const MechanismMode& mode) {
+  return std::equal(kinds.begin(), kinds.end(), mode.begin(), mode.end(), has_state);
+}
+
+std::string equal_modes(const std::vector<MechanismMode>& modes) {
+  std::string text;
+  for (const MechanismMode& mode : modes) text += (text.empty() ? "" : " = ") + name(mode);
+  return text;
+}
+
+std::string name(const MechanismMode& mode) {
+  std::string text;
+  for (const ElementState state : mode) {
+    if (!text.empty()) text += '/';
+    text += name(state);
+  }
+  return text;
+}
+
+}  // namespace slipproof

@@ -1,0 +1,92 @@
+// A planar mechanism in numbers: what the kernel solves. Mechanisms from files and contact problems (W, q, mu) both
+// become one of these.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/algebra/linear_program.hpp"
+#include "mechanics/elements/element.hpp"
+#include "mechanics/elements/force_interval.hpp"
+
+namespace slipproof {
+
+/// The forms of one element, in any type with sums. A contact has gap and N, with friction also slip, S and its limits
+/// mu_s N and mu_k N; a friction element has slip, S and its limits. What it does not have stays empty.
+template <class Form>
+struct ElementForms {
+  ElementKind kind;
+  Form gap, normal;    ///< N pushes the bodies apart
+  Form slip, tangent;  ///< S acts along positive slip
+  Form static_limit, kinetic_limit;
+};
+using ProblemElement = ElementForms<AffineForm>;
+
+/// Unknowns x_0, x_1, ... and a load: all forms are affine, with as many coefficients as there are unknowns and that of
+/// the load after them (0 in a problem without one).
+struct FrictionProblem {
+  std::size_t unknowns = 0;
+  std::vector<AffineForm> equations;      ///< vanish in every mode
+  std::vector<AffineForm> accelerations;  ///< what a motion consists of: unknown accelerations, gaps and slips
+  std::vector<AffineForm> forces;         ///< what else is asked for, perhaps undetermined
+  std::vector<ProblemElement> elements;
+  bool has_load = false;
+  ForceInterval load_domain;  ///< the loads that are asked about
+
+  std::size_t load_index() const { return unknowns; }
+};
+
+/// Sums of forms of the same length.
+AffineForm operator+(AffineForm x, const AffineForm& y);
+AffineForm operator-(AffineForm x, const AffineForm& y);
+AffineForm operator-(AffineForm x);
+
+/// The left-hand side of an equation, which vanishes.
+template <class Form>
+Form form_of(const ElementForms<Form>& e, ElementState state, StateEquation equation) {
+  const bool pulled = is_pulled(state);
+  switch (equation) {
+    case StateEquation::gap:
+      return e.gap;
+    case StateEquation::slip:
+      return e.slip;
+    case StateEquation::no_normal:
+      return e.normal;
+    case StateEquation::no_tangent:
+      return e.tangent;
+    case StateEquation::resists_forward:
+      return pulled ? e.tangent - e.kinetic_limit : e.tangent + e.kinetic_limit;
+    case StateEquation::resists_backward:
+      break;
+  }
+  return pulled ? e.tangent + e.kinetic_limit : e.tangent - e.kinetic_limit;
+}
+
+/// What a condition asks to be >= 0.
+template <class Form>
+Form form_of(const ElementForms<Form>& e, ElementState state, StateCondition condition) {
+  const bool pulled = is_pulled(state);
+  switch (condition) {
+    case StateCondition::pushes:
+      return e.normal;
+    case StateCondition::pulls:
+      return -e.normal;
+    case StateCondition::holds_forward:
+      return (pulled ? -e.static_limit : e.static_limit) - e.tangent;
+    case StateCondition::holds_backward:
+      return (pulled ? -e.static_limit : e.static_limit) + e.tangent;
+    case StateCondition::slips_forward:
+      return e.slip;
+    case StateCondition::slips_backward:
+      return -e.slip;
+    case StateCondition::opens:
+      return e.gap;
+    case StateCondition::static_limit:
+      return e.static_limit;
+    case StateCondition::kinetic_limit:
+      break;
+  }
+  return e.kinetic_limit;
+}
+
+}  // namespace slipproof

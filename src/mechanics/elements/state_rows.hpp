@@ -1,0 +1,34 @@
+// What each state of each element asks for, kept in a form of a solver's own.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "mechanics/elements/friction_problem.hpp"
+
+namespace slipproof {
+
+/// The states of each element that are asked about.
+using StatesOfElements = std::vector<std::vector<ElementState>>;
+
+/// By element and state: each equation of the state is given to equation(rows, form), each condition to
+/// condition(rows, form, which). Empty for states that are not asked about.
+template <class StateRows, class AddEquation, class AddCondition>
+std::vector<std::vector<StateRows>> rows_by_state(const FrictionProblem& problem, const StatesOfElements& asked,
+                                                  const AddEquation& equation, const AddCondition& condition) {
+  std::vector<std::vector<StateRows>> result;
+  for (std::size_t i = 0; i < problem.elements.size(); ++i) {
+    const ProblemElement& element = problem.elements[i];
+    std::vector<StateRows>& of_element = result.emplace_back();
+    for (const ElementState state : asked[i]) {
+      const auto number = static_cast<std::size_t>(state);
+      if (of_element.size() <= number) of_element.resize(number + 1);
+      StateRows& rows = of_element[number];
+      for (const StateEquation e : equations(element.kind, state)) equation(rows, form_of(element, state, e));
+      for (const StateCondition c : conditions(element.kind, state)) condition(rows, form_of(element, state, c), c);
+    }
+  }
+  return result;
+}
+
+}  // namespace slipproof

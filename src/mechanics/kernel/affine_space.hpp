@@ -1,0 +1,60 @@
+// The solutions of linear equations, as they come: each equation fixes one unknown more.
+//
+// Gauss-Jordan elimination that keeps the solved form: a fixed unknown is an affine form of those that are still free.
+// The load is chosen last, so that equations which leave no unknown fix the load. A mode extends the space of the modes
+// that begin alike, and no equation is eliminated twice.
+#pragma once
+
+#include <vector>
+
+#include "mechanics/elements/friction_problem.hpp"
+
+namespace slipproof {
+
+class AffineSpace {
+ public:
+  /// All of the unknowns and the load are free. A problem without a load has the load 0.
+  AffineSpace(std::size_t unknowns, bool has_load);
+  /// One solution, affine in the load; with a value of the load the only one.
+  AffineSpace(std::vector<AffineForm> solution, const std::optional<Rational>& load);
+
+  /// Adds the equation form = 0. False if no load is left for which it has a solution; the space is of no use then.
+  bool require(const AffineForm& form);
+
+  /// The form on the space: its coefficients of unknowns that are fixed are 0, and so is that of a fixed load.
+  AffineForm on(const AffineForm& form) const;
+
+  /// What a variable is that is not free.
+  const AffineForm& fixed(std::size_t variable) const { return fixed_[variable]; }
+  bool is_free(std::size_t variable) const { return free_[variable]; }
+  /// The unknowns that are free, in order; the load is none of them.
+  std::vector<std::size_t> free_unknowns() const;
+  std::size_t unknowns() const { return free_.size() - 1; }
+  /// Of the solutions for one load.
+  std::size_t dimension() const { return dimension_; }
+  bool load_is_free() const { return free_.back(); }
+  /// The only load that is left; it must not be free.
+  const Rational& load() const { return fixed_.back().constant; }
+
+ private:
+  void fix(std::size_t variable, AffineForm form);
+
+  std::vector<bool> free_;
+  std::vector<AffineForm> fixed_;  ///< of free variables: empty
+  std::size_t dimension_;
+};
+
+/// A form over the free unknowns of a space, which are these, and the load.
+AffineForm compressed(const AffineSpace& space, const std::vector<std::size_t>& free, const AffineForm& form);
+
+/// What forms are where all that is free is 0.
+std::vector<Rational> at_origin(const AffineSpace& space, const std::vector<AffineForm>& forms);
+
+/// The load minus a value, over so many unknowns.
+AffineForm load_minus(const Rational& value, std::size_t unknowns);
+
+/// Whether a form has no coefficient, of an unknown; it may still depend on the load.
+bool is_free_of_unknowns(const AffineForm& form);
+bool is_constant(const AffineForm& form);
+
+}  // namespace slipproof

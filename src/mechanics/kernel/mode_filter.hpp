@@ -1,0 +1,42 @@
+// Modes that have no solution, told in binary64 with bounds on the errors: of a mechanism's modes nearly all, and their
+// exact elimination would be most of the work.
+//
+// The equations of a mode are eliminated with pivots that are surely not 0. Where that fixes every unknown, each
+// condition bounds the load, alpha + beta load >= 0; the mode is excluded where one is surely negative for all loads,
+// or a lower bound of the load is surely above an upper one. Whatever is unsure excludes nothing.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/rounding/approximate.hpp"
+#include "mechanics/elements/state_rows.hpp"
+
+namespace slipproof {
+
+class ModeFilter {
+ public:
+  /// At a load, or for all of the domain; modes of these states.
+  ModeFilter(const FrictionProblem& problem, const std::optional<Rational>& load, const ForceInterval& domain,
+             const StatesOfElements& states);
+
+  /// Whether the mode surely has no solution.
+  bool excludes(const MechanismMode& mode) const;
+
+ private:
+  using Row = std::vector<Approximate>;  ///< coefficients of the unknowns and of the load, and the constant
+  struct StateRows {
+    std::vector<Row> equations, conditions;
+  };
+  class Elimination;
+
+  Row row_of(const AffineForm& form) const;
+
+  std::size_t unknowns_;
+  std::optional<Approximate> load_;             ///< the one there is
+  std::vector<Row> equations_;                  ///< of every mode
+  std::vector<std::vector<StateRows>> states_;  ///< of each element, by the number of the state
+  std::vector<Approximate> above_, below_;      ///< ends of the domain
+};
+
+}  // namespace slipproof

@@ -1,0 +1,85 @@
+// Every motion of a problem: at one load, and for all loads.
+//
+// A motion is its accelerations. Modes, or solutions of one mode, that differ in their forces only are one motion,
+// whose forces are undetermined: a body on two contacts at rest. Only a mode whose accelerations vary is a continuum.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "base/number/affine.hpp"
+#include "mechanics/kernel/mode_solver.hpp"
+
+namespace slipproof {
+
+struct MotionAtLoad {
+  std::vector<MechanismMode> modes;           ///< in which it is strict
+  std::vector<MechanismMode> boundary_modes;  ///< the others
+  std::vector<Rational> accelerations;        ///< in the order of FrictionProblem::accelerations
+  std::vector<Range> forces;                  ///< of FrictionProblem::forces, over all of its modes
+
+  bool strict() const { return !modes.empty(); }
+  /// Those of both lists.
+  std::vector<MechanismMode> all_modes() const;
+};
+
+struct ContinuumAtLoad {
+  MechanismMode mode;
+  bool strict = false;
+  std::vector<Range> accelerations, forces;
+};
+
+struct MotionsAtLoad {
+  std::vector<MotionAtLoad> motions;  ///< those that no continuum contains
+  std::vector<ContinuumAtLoad> continua;
+  std::vector<RejectedMode> rejected;
+  /// Several motions that are one where each static limit is the kinetic one: the modes that there are no more then.
+  std::vector<MechanismMode> hysteresis;
+};
+
+/// What the modes at one load are: motions, each with the places of its modes, and continua. A motion that a continuum
+/// contains is none of its own.
+struct MergedModes {
+  struct Motion {
+    std::vector<Rational> accelerations;
+    std::vector<std::size_t> modes;
+  };
+  std::vector<Motion> motions;
+  std::vector<std::size_t> continua;
+};
+/// Throws TooMuchWork beyond an effort.
+MergedModes merge(const FrictionProblem& problem, const std::vector<ConsistentMode>& consistent,
+                  Effort* effort = nullptr);
+
+/// All motions at a load, which need not be of the domain; a problem without a load takes none. The number of modes
+/// must be at most max_modes.
+MotionsAtLoad motions_of(const FrictionProblem& problem, const std::optional<Rational>& load);
+
+/// The same problem with static limits as low as the kinetic ones; nothing where they are. Several motions that are one
+/// then are hysteresis.
+std::optional<FrictionProblem> without_hysteresis(const FrictionProblem& problem);
+
+/// A motion over a set of loads; without the numbers where they were not asked for.
+struct MotionOverLoads {
+  std::vector<MechanismMode> modes, boundary_modes;
+  std::vector<Affine<Rational>> accelerations;          ///< of the load
+  std::vector<std::optional<Affine<Rational>>> forces;  ///< nothing where one is undetermined
+};
+
+/// Loads with the same motions: a point, or an open interval.
+struct LoadCell {
+  ForceInterval loads;
+  std::vector<MotionOverLoads> motions;
+  std::vector<MechanismMode> continua;
+};
+
+/// What is told of motions: with their modes only, without numbers, for who counts them.
+enum class Told : std::uint8_t { modes, numbers };
+
+/// The domain of the load as points and open intervals, from below, in each of which the motions are the same modes.
+/// `consistent` are the problem's modes for all loads; neighbours may be alike.
+std::vector<LoadCell> cells_of(const FrictionProblem& problem, const std::vector<ConsistentMode>& consistent,
+                               Told told = Told::numbers);
+
+}  // namespace slipproof

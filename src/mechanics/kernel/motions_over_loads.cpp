@@ -1,0 +1,98 @@
+#include "mechanics/kernel/motions_over_loads.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace slipproof {
+
+namespace {
+
+class KernelMotions final : public MotionsOverLoads {
+ public:
+  KernelMotions(FrictionProblem problem, const std::optional<std::vector<MechanismMode>>& only)
+      : problem_(without_equations(problem)) {
+    if (only) {
+      std::vector<MechanismMode> modelled = *only;
+      std::erase_if(modelled, [&](const MechanismMode& mode) { return !is_modelled(mode); });
+      consistent_ =
+          ModeSolver(problem_, std::nullopt, states_in(modelled, problem_.elements.size())).consistent_among(modelled);
+    } else {
+      consistent_ = ModeSolver(problem_, std::nullopt).consistent();
+    }
+    for (const ConsistentMode& mode : consistent_) strict_.push_back(strict_loads(mode.solutions));
+  }
+
+  std::optional<ModeOverLoads> find(const MechanismMode& mode) const override {
+    if (!is_modelled(mode)) return std::nullopt;
+    const auto found =
+        std::find_if(consistent_.begin(), consistent_.end(), [&](const ConsistentMode& c) { return c.mode == mode; });
+    if (found == consistent_.end()) return ModeOverLoads{&nothing_, &nothing_, false};
+    return ModeOverLoads{&found->solutions.loads, &strict_[static_cast<std::size_t>(found - consistent_.begin())],
+                         !found->determined};
+  }
+
+  std::optional<ModeForms> forms(const MechanismMode& mode) const override {
+    AffineSpace space(problem_.unknowns, problem_.has_load);
+    for (const AffineForm& equation : problem_.equations) {
+      if (!space.require(equation)) return std::nullopt;
+    }
+    for (std::size_t i = 0; i < mode.size(); ++i) {
+      const ProblemElement& element = problem_.elements[i];
+      for (const StateEquation equation : equations(element.kind, mode[i])) {
+        if (!space.require(form_of(element, mode[i], equation))) return std::nullopt;
+      }
+    }
+    return FormsOn(problem_, space).of(mode);
+  }
+
+  std::vector<LoadCell> cells(Told told) const override { return cells_of(problem_, consistent_, told); }
+
+ private:
+  /// The forms of a problem over what a space leaves free.
+  class FormsOn {
+   public:
+    FormsOn(const FrictionProblem& problem, const AffineSpace& space)
+        : problem_(problem), space_(space), free_(space.free_unknowns()) {}
+
+    ModeForms of(const MechanismMode& mode) const {
+      ModeForms result;
+      result.free = free_.size();
+      for (const AffineForm& form : problem_.accelerations) result.accelerations.push_back(on_free(form));
+      for (const AffineForm& form : problem_.forces) result.forces.push_back(on_free(form));
+      for (std::size_t i = 0; i < mode.size(); ++i) {
+        const ProblemElement& element = problem_.elements[i];
+        for (const StateCondition condition : conditions(element.kind, mode[i])) {
+          result.conditions.push_back(on_free(form_of(element, mode[i], condition)));
+        }
+      }
+      return result;
+    }
+
+   private:
+    AffineForm on_free(const AffineForm& form) const { return compressed(space_, free_, form); }
+
+    const FrictionProblem& problem_;
+    const AffineSpace& space_;
+    std::vector<std::size_t> free_;
+  };
+
+  bool is_modelled(const MechanismMode& mode) const {
+    return std::equal(problem_.elements.begin(), problem_.elements.end(), mode.begin(), mode.end(),
+                      [](const ProblemElement& e, ElementState state) { return has_state(e.kind, state); });
+  }
+
+  FrictionProblem problem_;
+  std::vector<ConsistentMode> consistent_;
+  std::vector<ForceInterval> strict_;
+  ForceInterval nothing_ = ForceInterval::nothing();
+};
+
+}  // namespace
+
+std::unique_ptr<const MotionsOverLoads> motions_over_loads(FrictionProblem problem,
+                                                           const std::optional<std::vector<MechanismMode>>& only) {
+  return std::make_unique<const KernelMotions>(std::move(problem), only);
+}
+
+}  // namespace slipproof

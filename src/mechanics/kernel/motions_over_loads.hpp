@@ -1,0 +1,45 @@
+// The motions of one mechanism for every load, in the form in which claims and phase diagrams ask for them, however
+// they are found.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "mechanics/kernel/motions.hpp"
+
+namespace slipproof {
+
+/// A mode over the loads. The intervals belong to what gave it out.
+struct ModeOverLoads {
+  const ForceInterval* closed = nullptr;  ///< the loads at which it has solutions
+  const ForceInterval* strict = nullptr;  ///< those at which one meets all of its conditions strictly
+  bool continuum = false;                 ///< its accelerations vary at one load
+};
+
+/// The solutions of a mode's equations, as forms over the parameters that are left free, perhaps none, and the load.
+struct ModeForms {
+  std::size_t free = 0;
+  std::vector<AffineForm> accelerations, forces;  ///< in the order of FrictionProblem's
+  std::vector<AffineForm> conditions;             ///< what must be >= 0
+};
+
+/// All modes at one point of a mechanism. What it gives out lives as long as it does. May be used by several threads.
+class MotionsOverLoads {
+ public:
+  virtual ~MotionsOverLoads() = default;
+
+  /// Nothing for a mode that is not modelled.
+  virtual std::optional<ModeOverLoads> find(const MechanismMode& mode) const = 0;
+  /// Nothing if its equations have no solution at any load.
+  virtual std::optional<ModeForms> forms(const MechanismMode& mode) const = 0;
+  /// The loads of the domain as points and open intervals, from below, in each of which the motions are the same modes.
+  virtual std::vector<LoadCell> cells(Told told = Told::numbers) const = 0;
+};
+
+/// By the kernel. Without `only`, all modes, of which there must be at most max_modes; with it, only these, for who
+/// asks for no others and for no cells.
+std::unique_ptr<const MotionsOverLoads> motions_over_loads(FrictionProblem problem,
+                                                           const std::optional<std::vector<MechanismMode>>& only = {});
+
+}  // namespace slipproof

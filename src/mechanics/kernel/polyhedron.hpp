@@ -1,0 +1,66 @@
+// The solutions of linear equations that meet conditions, for one load or for all.
+//
+// What is asked is whether there is a solution, whether one meets all conditions strictly, and for which loads. Where
+// the equations leave an unknown free these are linear programs: with s as large as conditions >= s allow, s > 0 shows
+// a strict solution, s < 0 by its multipliers which conditions exclude each other, and s = 0 which of them vanish on
+// all solutions. These become equations, and what is left has a strict solution: its dimension is that of its space.
+#pragma once
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "mechanics/kernel/affine_space.hpp"
+
+namespace slipproof {
+
+/// Solutions, at least one.
+struct Polyhedron {
+  AffineSpace space;              ///< the least that contains all of them
+  std::vector<AffineForm> sides;  ///< on the space; those conditions that are neither always 0 nor always positive
+  bool strict = false;            ///< some solution meets all of the conditions strictly
+  ForceInterval loads;            ///< for which there is a solution
+};
+
+/// There is no solution.
+struct Conflict {
+  /// That exclude each other for loads of the domain, by their indices. None: the space has no load of the domain.
+  std::vector<std::size_t> conditions;
+  std::optional<Rational> margin;  ///< of one condition that has the same, negative value for all solutions
+};
+
+using Narrowed = std::variant<Polyhedron, Conflict>;
+
+/// The solutions in a space that meet the conditions at some load of the domain. Linear programs are charged to an
+/// effort; throws TooMuchWork beyond it. `on_space` are the conditions on the space, where they are known, times
+/// positive numbers where they vary.
+Narrowed narrow(AffineSpace space, const std::vector<AffineForm>& conditions, const ForceInterval& domain,
+                Effort* effort = nullptr, std::vector<AffineForm> on_space = {});
+
+/// Why there is none, for less: also nothing where all that is left is an end that the domain does not have.
+std::optional<Conflict> find_conflict(const AffineSpace& space, const std::vector<AffineForm>& conditions,
+                                      const ForceInterval& domain, Effort* effort = nullptr);
+
+/// The same solutions at one load.
+std::optional<Polyhedron> at_load(const Polyhedron& solutions, const Rational& load);
+
+/// Whether some solution at a load meets all conditions strictly; there must be one at that load.
+bool strict_at(const Polyhedron& solutions, const Rational& load);
+
+/// The loads for which some solution meets all conditions strictly: all, or all but ends.
+ForceInterval strict_loads(const Polyhedron& solutions);
+
+/// The solutions with form = 0.
+std::optional<Polyhedron> with(const Polyhedron& solutions, const std::vector<AffineForm>& vanishing,
+                               Effort* effort = nullptr);
+
+/// Infimum and supremum; nothing if infinite.
+struct Range {
+  std::optional<Rational> lower, upper;
+  bool is_point() const { return lower && upper && *lower == *upper; }
+  bool operator==(const Range&) const = default;
+};
+/// Of forms over all solutions.
+std::vector<Range> ranges(const Polyhedron& solutions, const std::vector<AffineForm>& forms);
+
+}  // namespace slipproof

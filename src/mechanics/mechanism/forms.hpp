@@ -1,0 +1,32 @@
+// Linear forms of equations, gaps, slips and limits: extracted from their expressions, symbolically.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "base/input/diagnostic.hpp"
+#include "mechanics/mechanism/mechanism.hpp"
+
+namespace slipproof {
+
+/// Finds all forms of a mechanism from its expressions, and what contacts, friction elements and links add to equations
+/// of [motion]. What is not linear in the unknowns and the load is reported with the product that is not, at its place;
+/// so is a gap, slip or zero without an acceleration. Null expressions are passed over. Linear in the length of the
+/// file times the number of unknowns.
+void derive_forms(Mechanism& mechanism, Mistakes& mistakes);
+
+/// The same mechanism with another parameter as its load; the load that it had becomes a parameter, the last. The
+/// conditions on the parameter become the load's domain. Throws InputError, with places in the mechanism's file, if
+/// there is no such parameter, if it multiplies an unknown, or if the conditions on it are no interval.
+Mechanism with_load(const Mechanism& mechanism, std::string_view parameter);
+
+/// The comparisons of the load's domain, as forms in the load alone.
+struct LoadBound {
+  Expression load, constant;  ///< load * (the load) + constant
+  Relation relation;          ///< to 0: greater, greater_equal or equal
+  PlacedExpression source;
+};
+/// What is no interval, for whatever values of the parameters, is reported.
+std::vector<LoadBound> load_bounds(const Mechanism& mechanism, Mistakes& mistakes);
+
+}  // namespace slipproof

@@ -1,0 +1,84 @@
+#include "mechanics/mechanism/mechanism.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "mechanics/mechanism/algebra.hpp"
+
+namespace slipproof {
+
+std::string_view name(MechanismShape::Kind kind) {
+  constexpr std::array<std::string_view, 6> names{"polygon", "line", "circle", "point", "arrow", "label"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+Expression MechanismEquation::whole_right() const {
+  return contact_forces ? appended(right.expression, contact_forces) : right.expression;
+}
+
+std::vector<std::string> acceleration_names(const Mechanism& mechanism) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < mechanism.accelerations; ++i) names.push_back(mechanism.unknowns[i].symbol);
+  for (const MechanismContact& contact : mechanism.contacts) {
+    names.push_back(contact.gap_name);
+    if (contact.slip) names.push_back(contact.slip_name);
+  }
+  for (const MechanismFriction& friction : mechanism.friction) names.push_back(friction.slip_name);
+  return names;
+}
+
+std::vector<std::string> force_names(const Mechanism& mechanism) {
+  std::vector<std::string> names;
+  for (std::size_t i = mechanism.accelerations; i < mechanism.unknowns.size(); ++i) {
+    names.push_back(mechanism.unknowns[i].symbol);
+  }
+  return names;
+}
+
+const std::string& element_name(const Mechanism& mechanism, std::size_t element) {
+  const std::size_t contacts = mechanism.contacts.size();
+  return element < contacts ? mechanism.contacts[element].name : mechanism.friction[element - contacts].name;
+}
+
+std::vector<std::size_t> missing_for_lift(const MechanismContact& contact, const std::vector<bool>& given) {
+  std::vector<std::size_t> missing = contact.lift_needs;
+  std::erase_if(missing, [&](std::size_t parameter) { return given[parameter]; });
+  return missing;
+}
+
+std::vector<ElementKind::Start> starts(const Mechanism& mechanism) {
+  std::vector<ElementKind::Start> result;
+  for (const MechanismContact& contact : mechanism.contacts) result.push_back(contact.start);
+  for (const MechanismFriction& friction : mechanism.friction) result.push_back(friction.start);
+  return result;
+}
+
+std::vector<ElementKind> element_kinds(const Mechanism& mechanism, const std::vector<ElementKind::Start>& starts,
+                                       const std::vector<bool>& given) {
+  std::vector<ElementKind> kinds;
+  for (const MechanismContact& contact : mechanism.contacts) {
+    ElementKind kind;
+    kind.law = contact.frictionless() ? ElementKind::Law::frictionless : ElementKind::Law::coulomb;
+    kind.start = starts[kinds.size()];
+    kind.bilateral = contact.bilateral;
+    kind.lifts = missing_for_lift(contact, given).empty();
+    kinds.push_back(kind);
+  }
+  for (std::size_t i = 0; i < mechanism.friction.size(); ++i) {
+    ElementKind kind;
+    kind.law = ElementKind::Law::limited;
+    kind.start = starts[kinds.size()];
+    kinds.push_back(kind);
+  }
+  return kinds;
+}
+
+std::vector<ElementKind> element_kinds(const Mechanism& mechanism) {
+  return element_kinds(mechanism, starts(mechanism), std::vector<bool>(mechanism.parameters.size(), true));
+}
+
+bool is_literal_zero(const Expression& expression) {
+  return expression->operation == Operation::number && expression->number.is_zero();
+}
+
+}  // namespace slipproof

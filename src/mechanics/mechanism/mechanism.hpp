@@ -1,0 +1,184 @@
+// A planar mechanism with dry friction as data: what a mechanism file says, and what follows from it by virtual work.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/expression/expression.hpp"
+#include "base/input/toml.hpp"
+#include "mechanics/elements/element.hpp"
+
+namespace slipproof {
+
+/// An expression and the text in the file that it was read from.
+struct PlacedExpression {
+  Expression expression;  ///< null where the file leaves it out
+  PlacedText text;
+
+  explicit operator bool() const { return expression != nullptr; }
+  Place place() const { return text.at(0); }
+  /// The place of a part of the expression.
+  Place place(const Expression& part) const { return text.at(part->column == 0 ? 0 : part->column - 1); }
+};
+
+/// constant + load * (the load) + the sum of coefficients[i] * x_i over the unknowns of the mechanism, in their order.
+/// Coefficients have parameters, definitions and angle symbols in them, none is null; what is absent is the literal 0.
+struct SymbolicForm {
+  std::vector<Expression> coefficients;
+  Expression load, constant;
+};
+
+struct MechanismParameter {
+  std::string symbol;
+  PlacedExpression domain;  ///< a condition over parameters and angle symbols, perhaps `true`
+  std::string unit, meaning;
+  bool optional = false;  ///< a scene may leave it out; it counts as 0 then
+  Place place;
+};
+
+/// An entry of [assume] or [realisable], over parameters, definitions and angle symbols.
+struct MechanismCondition {
+  std::string name;
+  PlacedExpression condition;
+};
+
+struct MechanismDefinition {
+  std::string symbol;
+  PlacedExpression expression;  ///< over parameters, angle symbols and the definitions before it
+  Place place;
+};
+
+/// Two symbols whose squares add up to 1.
+struct MechanismAngle {
+  std::string name, cosine, sine;
+  PlacedExpression domain;
+  std::string meaning;
+  Place place;
+};
+
+struct MechanismLoad {
+  std::string symbol;
+  /// Together they make an interval: comparisons, joined by `and`, of what is affine in the load. The first is the
+  /// load's own; others come from parameters when with_load() makes one of them the load.
+  std::vector<PlacedExpression> domain;
+  std::string unit, meaning;
+  Place place;
+};
+
+struct MechanismUnknown {
+  enum class Role : std::uint8_t { acceleration, force, normal, tangent, friction, link };
+  std::string symbol;
+  Role role = Role::acceleration;
+  std::size_t owner = 0;  ///< of a contact's, friction element's or link's force: which of its kind
+  std::string unit;       ///< empty: not given
+  Place place;
+};
+
+struct MechanismEquation {
+  std::string name;
+  PlacedExpression left, right;  ///< as in the file
+  Expression contact_forces;  ///< on the right, by virtual work; null in a file with [equations], or if there are none
+  SymbolicForm form;          ///< left - right - contact forces
+
+  /// The right-hand side with all forces in it.
+  Expression whole_right() const;
+};
+
+struct MechanismContact {
+  std::string name;
+  PlacedExpression gap;
+  PlacedExpression slip;                               ///< null: a frictionless contact without it
+  PlacedExpression static_friction, kinetic_friction;  ///< null: frictionless; the same if the file gives one
+  ElementKind::Start start = ElementKind::Start::rest;
+  bool bilateral = false;
+  std::vector<std::size_t> lift_needs;  ///< parameters without which `lift` is not modelled
+  std::string gap_name, slip_name;
+  std::size_t normal = 0;              ///< its force among the unknowns
+  std::optional<std::size_t> tangent;  ///< nothing: frictionless
+  /// Where it is, the direction of N and that of positive slip; two coordinates each, or none; for pictures.
+  std::vector<PlacedExpression> at, direction, slip_direction;
+  SymbolicForm gap_form, slip_form;
+  Place place;
+
+  bool frictionless() const { return !static_friction; }
+};
+
+struct MechanismFriction {
+  std::string name;
+  PlacedExpression slip;
+  PlacedExpression static_limit, kinetic_limit;
+  ElementKind::Start start = ElementKind::Start::rest;
+  std::string slip_name;
+  std::size_t force = 0;  ///< among the unknowns
+  SymbolicForm slip_form, static_form, kinetic_form;
+  Place place;
+};
+
+struct MechanismLink {
+  std::string name;
+  PlacedExpression zero;
+  std::size_t force = 0;  ///< among the unknowns
+  SymbolicForm form;
+  Place place;
+};
+
+struct MechanismShape {
+  enum class Kind : std::uint8_t { polygon, line, circle, point, arrow, label };
+  Kind kind = Kind::polygon;
+  std::vector<std::vector<PlacedExpression>> points;  ///< two coordinates each, x to the right and y up
+  PlacedExpression radius;                            ///< of a circle
+  std::string text;                                   ///< of a label
+  Place place;
+};
+std::string_view name(MechanismShape::Kind kind);
+
+struct Mechanism {
+  std::string file, name, source, note;
+  std::vector<MechanismParameter> parameters;
+  std::vector<MechanismCondition> assume, realisable;
+  std::vector<MechanismDefinition> definitions;
+  std::vector<MechanismAngle> angles;
+  std::optional<MechanismLoad> load;
+  std::vector<MechanismUnknown> unknowns;  ///< accelerations, forces, then those of contacts, friction elements, links
+  std::size_t accelerations = 0, forces = 0;  ///< how many of the unknowns are accelerations; forces of no element
+  bool by_virtual_work = false;               ///< the file has [motion], not [equations]
+  bool reciprocal = true;                     ///< false: the file says that its matrix is not symmetric on purpose
+  std::vector<MechanismEquation> equations;
+  std::vector<MechanismContact> contacts;
+  std::vector<MechanismFriction> friction;
+  std::vector<MechanismLink> links;
+  std::vector<MechanismShape> shapes;
+  PlacedExpression energy;  ///< kinetic; accelerations' names stand for their velocities. Null: not given
+  std::vector<SymbolicForm> energy_slopes;  ///< its derivatives by each of them: rows of a symmetric matrix
+
+  /// Contacts and friction elements: what has a state in a mode.
+  std::size_t elements() const { return contacts.size() + friction.size(); }
+};
+
+/// Names of what a motion consists of: unknown accelerations, the gap and slip of each contact, the slip of each
+/// friction element. In the order of FrictionProblem::accelerations.
+std::vector<std::string> acceleration_names(const Mechanism& mechanism);
+/// Names of all forces in the order of the file: FrictionProblem::forces.
+std::vector<std::string> force_names(const Mechanism& mechanism);
+/// The name of a contact or friction element, in the order of a mode.
+const std::string& element_name(const Mechanism& mechanism, std::size_t element);
+
+/// The parameters without which the contact's `lift` is not modelled, and which are not given.
+std::vector<std::size_t> missing_for_lift(const MechanismContact& contact, const std::vector<bool>& given);
+
+/// What the file says of the state before the motion, one for each element.
+std::vector<ElementKind::Start> starts(const Mechanism& mechanism);
+/// What the elements are: with these states before the motion, and `given`, for each parameter, whether it has a value
+/// (which decides whether a contact may lift). The file's own states with all parameters given, if left out.
+std::vector<ElementKind> element_kinds(const Mechanism& mechanism);
+std::vector<ElementKind> element_kinds(const Mechanism& mechanism, const std::vector<ElementKind::Start>& starts,
+                                       const std::vector<bool>& given);
+
+/// Whether an expression is the literal 0.
+bool is_literal_zero(const Expression& expression);
+
+}  // namespace slipproof

@@ -1,0 +1,174 @@
+#include "mechanics/reading/read_mechanism.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "base/expression/parser.hpp"
+#include "base/input/look_alikes.hpp"
+#include "base/input/near_match.hpp"
+#include "base/input/text_file.hpp"
+#include "mechanics/mechanism/forms.hpp"
+#include "mechanics/reading/reader.hpp"
+
+namespace slipproof {
+
+namespace mechanism_reader {
+
+PlacedExpression Context::parsed(const PlacedText& text, std::string_view name, Sort sort) {
+  try {
+    return {parse_expression(text.text(), sort), text};
+  } catch (const ExpressionError& error) {
+    mistakes.add(text.at(error.column() - 1), std::string(name) + ": " + error.what());
+  }
+  sound = false;
+  return {nullptr, text};
+}
+
+PlacedExpression Context::expression(const TomlValue& value, std::string_view name, Sort sort) {
+  if (value.kind == TomlValue::Kind::string) return parsed(value.text, name, sort);
+  mistakes.add(value.place, std::string(name) + ": found " + std::string(kind_name(value.kind)) +
+                                ", expected an expression in a string");
+  sound = false;
+  return {};
+}
+
+PlacedExpression Context::expression(const TableReader& table, std::string_view key, Sort sort) {
+  const TomlValue* value = table.value(key);
+  return value == nullptr ? PlacedExpression{} : expression(*value, key, sort);
+}
+
+PlacedExpression Context::condition(const TomlValue& value, std::string_view name) {
+  if (value.kind == TomlValue::Kind::string && value.text.text() == "real") return {make_truth(true), value.text};
+  return expression(value, name, Sort::truth);
+}
+
+PlacedExpression Context::condition(const TableReader& table, std::string_view key) {
+  const TomlValue* value = table.value(key);
+  return value == nullptr ? PlacedExpression{make_truth(true), {}} : condition(*value, key);
+}
+
+std::string Context::text(const TableReader& table, std::string_view key) {
+  const PlacedText* found = table.string(key);
+  return found == nullptr ? std::string() : found->text();
+}
+
+std::string Context::required(const TableReader& table, std::string_view key, std::string_view expected) {
+  if (!table.require(key, expected)) return {};
+  const std::string found = text(table, key);
+  if (table.string(key) != nullptr && found.empty()) {
+    table.refuse(key, "found nothing, expected " + std::string(expected));
+  }
+  return found;
+}
+
+void Context::declare(const std::string& symbol, Place place) {
+  if (!is_symbol_name(symbol)) {
+    const auto odd = first_odd_character(symbol);
+    mistakes.add(place, "found " + in_quotes(symbol) + (odd ? " with " + describe(*odd) : "") +
+                            ", expected a symbol: a letter, then letters, digits and underscores, and no word of the "
+                            "language");
+  } else if (std::find(symbols_.begin(), symbols_.end(), symbol) != symbols_.end()) {
+    mistakes.add(place, "found the name " + in_quotes(symbol) + " a second time, expected another");
+  } else {
+    symbols_.push_back(symbol);
+  }
+}
+
+bool Context::declare_element(const std::string& name, Place place) {
+  if (!is_symbol_name(name)) {
+    std::string message =
+        "name: found " + in_quotes(name) + ", expected an identifier: a letter, then letters, digits ";
+    mistakes.add(place, message + "and underscores, and no word of the language");
+  } else if (std::find(elements_.begin(), elements_.end(), name) != elements_.end()) {
+    mistakes.add(place, "name: found " + in_quotes(name) + " a second time, expected another");
+  } else {
+    elements_.push_back(name);
+    return true;
+  }
+  return false;
+}
+
+bool within(std::size_t count, std::size_t limit, std::string_view key, Place place, Mistakes& mistakes) {
+  if (count <= limit) return true;
+  mistakes.add(place,
+               std::string(key) + ": found " + std::to_string(count) + ", expected at most " + std::to_string(limit));
+  return false;
+}
+
+std::optional<ElementKind::Start> read_start(std::string_view text, std::string_view key, Place place,
+                                             const ElementKind& kind, Mistakes& mistakes) {
+  using Start = ElementKind::Start;
+  constexpr std::array<Start, 4> starts{Start::rest, Start::slides_forward, Start::slides_backward, Start::open};
+  std::vector<std::string_view> words;
+  for (const Start start : starts) words.push_back(name(start));
+  const auto refuse = [&](const std::string& why) {
+    mistakes.add(place, std::string(key) + ": found " + in_quotes(text) + why);
+    return std::nullopt;
+  };
+  const auto word = std::find(words.begin(), words.end(), text);
+  if (word == words.end()) {
+    if (const auto meant = near_match(text, words)) return refuse(", did you mean '" + std::string(*meant) + "'?");
+    return refuse(", expected \"rest\", \"slides+\", \"slides-\" or \"open\"");
+  }
+  const Start start = starts[static_cast<std::size_t>(word - words.begin())];
+  if (start == Start::open && kind.law == ElementKind::Law::limited) {
+    return refuse(", and a friction element does not open, expected \"rest\", \"slides+\" or \"slides-\"");
+  }
+  if (start == Start::open && kind.bilateral) return refuse(", and a bilateral contact does not open");
+  if (ElementKind{.start = start}.slides() && kind.law == ElementKind::Law::frictionless) {
+    return refuse(", and for a frictionless contact it does not matter, expected \"rest\" or \"open\"");
+  }
+  return start;
+}
+
+}  // namespace mechanism_reader
+
+namespace {
+
+using mechanism_reader::Context;
+
+constexpr std::string_view schema = "slipproof/mechanism/1";
+constexpr std::array<std::string_view, 20> mechanism_keys{
+    "schema",     "name",        "source",  "note",     "reciprocal", "parameters", "assume",
+    "realisable", "definitions", "angles",  "load",     "unknowns",   "units",      "motion",
+    "equations",  "energy",      "contact", "friction", "link",       "shape"};
+
+void read_root(const TableReader& root, Context& context) {
+  Mechanism& mechanism = context.mechanism;
+  const std::string found = context.required(root, "schema", "\"" + std::string(schema) + "\"");
+  if (!found.empty() && found != schema) {
+    root.refuse("schema", "found " + in_quotes(found) + ", expected \"" + std::string(schema) + "\"");
+  }
+  mechanism.name = context.required(root, "name", "the mechanism's name");
+  mechanism.source = context.text(root, "source");
+  mechanism.note = context.text(root, "note");
+  mechanism.reciprocal = root.boolean("reciprocal").value_or(true);
+  mechanism_reader::read_symbols(root, context);
+  mechanism_reader::read_elements(root, context);
+  mechanism_reader::read_equations(root, context);
+  mechanism_reader::check_uses(context);
+  mechanism_reader::check_whole(context);
+}
+
+}  // namespace
+
+Mechanism parse_mechanism(std::string_view text, const std::string& file) {
+  Mechanism mechanism;
+  mechanism.file = file;
+  Mistakes mistakes(file);
+  if (const auto document = parse_toml(text, mistakes)) {
+    Context context(mechanism, mistakes);
+    read_root(TableReader(*document, "", mechanism_keys, mistakes), context);
+    derive_forms(mechanism, mistakes);
+    load_bounds(mechanism, mistakes);
+    if (mistakes.empty()) mechanism_reader::check_domain(context);
+  }
+  mistakes.refuse_if_any();
+  return mechanism;
+}
+
+Mechanism read_mechanism(const std::filesystem::path& path) {
+  return parse_mechanism(read_text_file(path), path.string());
+}
+
+}  // namespace slipproof

@@ -1,0 +1,18 @@
+// Mechanism files: reading (schema slipproof/mechanism/1).
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "mechanics/mechanism/mechanism.hpp"
+
+namespace slipproof {
+
+/// Reads a mechanism file. Throws InputError with every mistake of the file, in the order of their places.
+Mechanism read_mechanism(const std::filesystem::path& path);
+
+/// The same from a text; `file` is how messages call it. Any bytes are safe.
+Mechanism parse_mechanism(std::string_view text, const std::string& file);
+
+}  // namespace slipproof

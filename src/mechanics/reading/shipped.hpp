@@ -1,0 +1,26 @@
+// The mechanisms that come with slipproof, found by name, without a path.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mechanics/mechanism/mechanism.hpp"
+
+namespace slipproof {
+
+struct ShippedMechanism {
+  std::string_view name;  ///< its file's stem
+  std::string_view text;
+};
+
+/// In alphabetic order.
+const std::vector<ShippedMechanism>& shipped_mechanisms();
+/// Null if there is none of this name.
+const ShippedMechanism* find_shipped(std::string_view name);
+
+/// The mechanism of a file, or the shipped one of this name if there is no such file. A relative path counts from
+/// `directory`, or from where the program runs if that is empty. Throws InputError.
+Mechanism open_mechanism(const std::string& file_or_name, const std::string& directory = {});
+
+}  // namespace slipproof

@@ -1,0 +1,21 @@
+// Angles in degrees as rational points of the unit circle.
+#pragma once
+
+#include "mechanics/scene/problem.hpp"
+
+namespace slipproof {
+
+struct AngleFromDegrees {
+  MechanismValues::Circle point;
+  /// The angle that is taken less the one that was asked for, in degrees, as a number of three digits: 0 if it is
+  /// exact.
+  Rational difference;
+};
+
+/// The point with the binary64 nearest to tan(angle/2); quarter turns are exact.
+AngleFromDegrees angle_from_degrees(const Rational& degrees);
+
+/// The point of the circle with this tan(angle/2).
+MechanismValues::Circle point_of_tan_half(const Rational& tan_half);
+
+}  // namespace slipproof

@@ -1,0 +1,278 @@
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "base/input/near_match.hpp"
+#include "base/input/table_reader.hpp"
+#include "base/input/text_file.hpp"
+#include "base/number/format.hpp"
+#include "mechanics/mechanism/forms.hpp"
+#include "mechanics/mechanism/names.hpp"
+#include "mechanics/reading/reader.hpp"
+#include "mechanics/reading/shipped.hpp"
+#include "mechanics/scene/degrees.hpp"
+#include "mechanics/scene/scene.hpp"
+
+namespace slipproof {
+
+namespace {
+
+using Circle = MechanismValues::Circle;
+
+/// The root of an integer that is a square.
+std::optional<Integer> exact_root(const Integer& square) {
+  const Integer root = sqrt(square);
+  return Integer(root * root) == square ? std::optional(root) : std::nullopt;
+}
+
+/// One angle in one of its forms.
+class AngleReader {
+ public:
+  AngleReader(const TomlValue& value, std::string name, Mistakes& mistakes, std::vector<std::string>& notes)
+      : value_(value), name_(std::move(name)), mistakes_(mistakes), notes_(notes) {}
+
+  std::optional<Circle> read() {
+    if (value_.kind != TomlValue::Kind::table) {
+      return refuse("found " + std::string(kind_name(value_.kind)) + ", " + expected);
+    }
+    static constexpr std::array<std::string_view, 5> keys{"cos", "sin", "tan_half", "tan", "degrees"};
+    const TableReader table(value_, "the angle " + name_, keys, mistakes_);
+    const auto forms = static_cast<int>(table.has("cos") || table.has("sin")) + table.has("tan_half") +
+                       table.has("tan") + table.has("degrees");
+    if (forms != 1)
+      return refuse(std::string(forms == 0 ? "found no angle" : "found more than one angle") + ", " + expected);
+    if (table.has("tan_half")) return from_tan_half(table);
+    if (table.has("tan")) return from_tan(table);
+    if (table.has("degrees")) return from_degrees(table);
+    return from_point(table);
+  }
+
+ private:
+  static constexpr const char* expected = "expected { cos, sin }, { tan_half }, { tan } or { degrees }";
+
+  std::optional<Circle> refuse(const std::string& message) {
+    mistakes_.add(value_.place, name_ + ": " + message);
+    return std::nullopt;
+  }
+
+  std::optional<Circle> from_point(const TableReader& table) {
+    table.require("cos", "the cosine");
+    table.require("sin", "the sine");
+    const auto cosine = table.number("cos"), sine = table.number("sin");
+    if (!cosine || !sine) return std::nullopt;
+    if (Rational(*cosine * *cosine + *sine * *sine) == 1) return Circle{*cosine, *sine};
+    return refuse("found cos^2 + sin^2 = " + decimal_text(*cosine * *cosine + *sine * *sine, 17) +
+                  ", expected exactly 1");
+  }
+
+  std::optional<Circle> from_tan_half(const TableReader& table) {
+    const auto half = table.number("tan_half");
+    return half ? std::optional(point_of_tan_half(*half)) : std::nullopt;
+  }
+
+  std::optional<Circle> from_tan(const TableReader& table) {
+    const auto tangent = table.number("tan");
+    if (!tangent) return std::nullopt;
+    const Integer p = numerator(*tangent), q = denominator(*tangent);
+    const auto hypotenuse = exact_root(Integer(p * p + q * q));
+    if (!hypotenuse) {
+      return refuse("found the tangent " + in_quotes(exact_text(*tangent)) +
+                    " of an angle with an irrational sine, expected one such as 3/4, or degrees, which are rounded");
+    }
+    return Circle{Rational(q, *hypotenuse), Rational(p, *hypotenuse)};
+  }
+
+  std::optional<Circle> from_degrees(const TableReader& table) {
+    const auto degrees = table.number("degrees");
+    if (!degrees) return std::nullopt;
+    const AngleFromDegrees angle = angle_from_degrees(*degrees);
+    if (!angle.difference.is_zero()) {
+      notes_.push_back(name_ + " is the rational angle nearest to " + decimal_text(*degrees, 17) +
+                       " degrees: it differs by " + decimal_text(angle.difference, 3) + " degrees");
+    }
+    return angle.point;
+  }
+
+  const TomlValue& value_;
+  std::string name_;
+  Mistakes& mistakes_;
+  std::vector<std::string>& notes_;
+};
+
+class MechanismSceneReader {
+ public:
+  MechanismSceneReader(const TomlValue& root, const std::string& file, Mistakes& mistakes)
+      : root_(root, "", keys, mistakes), file_(file), mistakes_(mistakes) {}
+
+  MechanismScene read() {
+    scene_.name = std::filesystem::path(file_).stem().string();
+    if (const PlacedText* name = root_.string("name")) scene_.name = name->text();
+    auto mechanism = named_mechanism(root_, std::filesystem::path(file_).parent_path().string());
+    if (!mechanism) return {};
+    scene_.mechanism = std::move(*mechanism);
+    scene_.values = default_values(scene_.mechanism);
+    if (const TomlValue* state = root_.table("state")) {
+      read_states(*state, scene_.mechanism, scene_.values.starts, mistakes_);
+    }
+    if (root_.require("values", "the table [values]")) {
+      if (const TomlValue* values = root_.table("values")) read_values(*values);
+    }
+    return std::move(scene_);
+  }
+
+ private:
+  static constexpr std::array<std::string_view, 5> keys{"name", "mechanism", "along", "values", "state"};
+
+  void read_values(const TomlValue& values) {
+    const Mechanism& mechanism = scene_.mechanism;
+    std::vector<std::string_view> names;
+    for (const MechanismParameter& parameter : mechanism.parameters) names.push_back(parameter.symbol);
+    for (const MechanismAngle& angle : mechanism.angles) names.push_back(angle.name);
+    if (mechanism.load) names.push_back(mechanism.load->symbol);
+    if (!mechanism_reader::within(values.entries.size(), 4 * mechanism_reader::max_symbols, "values", values.place,
+                                  mistakes_)) {
+      return;
+    }
+    for (const TomlEntry& entry : values.entries) {
+      if (std::find(names.begin(), names.end(), entry.key) != names.end()) continue;
+      mistakes_.add(entry.place, "values: " + unknown_name("parameter", entry.key, names));
+    }
+    const TableReader table(values, "[values]", names_of(values), mistakes_);  // what is unknown is told already
+    for (std::size_t i = 0; i < mechanism.parameters.size(); ++i) read_parameter(table, i);
+    for (std::size_t i = 0; i < mechanism.angles.size(); ++i) read_angle(table, i);
+    if (mechanism.load) scene_.load = table.number(mechanism.load->symbol);
+    if (complete_) judge(table, values);
+  }
+
+  static std::vector<std::string_view> names_of(const TomlValue& table) {
+    std::vector<std::string_view> names;
+    for (const TomlEntry& entry : table.entries) names.push_back(entry.key);
+    return names;
+  }
+
+  void read_parameter(const TableReader& table, std::size_t index) {
+    const MechanismParameter& parameter = scene_.mechanism.parameters[index];
+    const bool given = table.has(parameter.symbol);
+    if (!given && !parameter.optional) {
+      std::string expected = parameter.meaning.empty() ? "a number" : parameter.meaning;
+      if (!parameter.unit.empty() && parameter.unit != "1") expected += " in " + parameter.unit;
+      table.require(parameter.symbol, expected);
+    }
+    const auto value = table.number(parameter.symbol);
+    scene_.values.given[index] = given;
+    scene_.values.parameters[index] = value.value_or(0);
+    complete_ = complete_ && (value || (!given && parameter.optional));
+  }
+
+  void read_angle(const TableReader& table, std::size_t index) {
+    const MechanismAngle& angle = scene_.mechanism.angles[index];
+    table.require(angle.name, "an angle such as { tan = \"3/4\" }");
+    const TomlValue* value = table.value(angle.name);
+    std::optional<Circle> point;
+    if (value != nullptr) point = AngleReader(*value, angle.name, mistakes_, scene_.notes).read();
+    complete_ = complete_ && point;
+    if (point) scene_.values.angles[index] = *point;
+  }
+
+  /// Domains, assumptions, and whether there is a problem at all.
+  void judge(const TableReader& table, const TomlValue& values) {
+    using What = ProblemMaker::Broken::What;
+    const ProblemMaker maker(scene_.mechanism);
+    const auto broken = maker.broken(scene_.values);
+    for (const ProblemMaker::Broken& one : broken) {
+      const std::string condition = to_string(one.condition->expression);
+      if (one.what == What::parameter) {
+        const std::string& symbol = scene_.mechanism.parameters[one.index].symbol;
+        table.refuse(symbol,
+                     "found " + in_quotes(exact_text(scene_.values.parameters[one.index])) + ", expected " + condition);
+      } else if (one.what == What::angle) {
+        const Circle& point = scene_.values.angles[one.index];
+        table.refuse(scene_.mechanism.angles[one.index].name,
+                     "found an angle with the cosine " + decimal_text(point.cosine, 6) + " and the sine " +
+                         decimal_text(point.sine, 6) + ", expected " + condition);
+      } else {
+        mistakes_.add(values.place,
+                      "values: they break " + scene_.mechanism.assume[one.index].name + ", expected " + condition);
+      }
+    }
+    if (!broken.empty()) return;
+    if (scene_.load && !maker.load_domain(scene_.values).contains(*scene_.load)) {
+      table.refuse(scene_.mechanism.load->symbol, "found " + in_quotes(exact_text(*scene_.load)) +
+                                                      ", expected a value in " +
+                                                      to_string(maker.load_domain(scene_.values)));
+    }
+    try {
+      maker.problem(scene_.values);
+    } catch (const NoValue& error) {
+      mistakes_.add(values.place, std::string("values: ") + error.what());
+    }
+  }
+
+  TableReader root_;
+  std::string file_;
+  Mistakes& mistakes_;
+  MechanismScene scene_;
+  bool complete_ = true;  ///< every parameter and angle has a value
+};
+
+}  // namespace
+
+std::optional<Mechanism> named_mechanism(const TableReader& table, const std::string& directory) {
+  if (!table.require("mechanism", "the file of a mechanism, or the name of a shipped one")) return std::nullopt;
+  const PlacedText* file = table.string("mechanism");
+  const PlacedText* along = table.string("along");
+  if (file == nullptr) return std::nullopt;
+  std::string_view key = "mechanism";
+  try {
+    Mechanism mechanism = open_mechanism(file->text(), directory);
+    key = "along";
+    return along == nullptr ? std::move(mechanism) : with_load(mechanism, along->text());
+  } catch (const InputError& error) {
+    for (Diagnostic diagnostic : error.diagnostics()) {
+      if (diagnostic.line == 0 && key == "along") diagnostic.file.clear();
+      table.refuse(key, to_string(diagnostic));
+    }
+  }
+  return std::nullopt;
+}
+
+void read_states(const TomlValue& table, const Mechanism& mechanism, std::vector<ElementKind::Start>& starts,
+                 Mistakes& mistakes) {
+  std::vector<std::string_view> names;
+  for (std::size_t i = 0; i < mechanism.elements(); ++i) names.push_back(element_name(mechanism, i));
+  const auto kinds = element_kinds(mechanism);
+  for (const TomlEntry& entry : table.entries) {
+    const auto found = std::find(names.begin(), names.end(), entry.key);
+    if (found == names.end()) {
+      mistakes.add(entry.place, "state: " + unknown_name("contact or friction element", entry.key, names));
+    } else if (entry.value.kind != TomlValue::Kind::string) {
+      mistakes.add(entry.value.place, entry.key + ": found " + std::string(kind_name(entry.value.kind)) +
+                                          ", expected a state such as \"rest\"");
+    } else {
+      const auto i = static_cast<std::size_t>(found - names.begin());
+      const auto start =
+          mechanism_reader::read_start(entry.value.text.text(), entry.key, entry.value.place, kinds[i], mistakes);
+      starts[i] = start.value_or(starts[i]);
+    }
+  }
+}
+
+MechanismScene parse_mechanism_scene(std::string_view text, const std::string& file) {
+  Mistakes mistakes(file);
+  MechanismScene scene;
+  if (const auto document = parse_toml(text, mistakes)) scene = MechanismSceneReader(*document, file, mistakes).read();
+  mistakes.refuse_if_any();
+  return scene;
+}
+
+MechanismScene read_mechanism_scene(const std::filesystem::path& path) {
+  return parse_mechanism_scene(read_text_file(path), path.string());
+}
+
+bool is_mechanism_scene(std::string_view text) {
+  Mistakes mistakes("");
+  const auto document = parse_toml(text, mistakes);
+  return document && document->find("mechanism") != nullptr;
+}
+
+}  // namespace slipproof

@@ -1,0 +1,75 @@
+// Is it ever undecided what happens? A mechanism over its whole domain, at samples, each for every load at once.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mechanics/mechanism/mechanism.hpp"
+#include "mechanics/search/simpler_place.hpp"
+
+namespace slipproof {
+
+class Crew;
+
+struct SearchOptions {
+  std::optional<std::uint64_t> samples;  ///< by default as many as take some seconds: default_samples()
+  std::uint64_t seed = 1;
+  unsigned threads = 0;               ///< 0: all cores
+  std::optional<MotionCount> wanted;  ///< this alone, and the first of it ends the search
+  bool hysteresis = false;            ///< hysteresis counts as several motions
+  /// Called now and then, from one thread, with the number of samples done and of all.
+  std::function<void(std::uint64_t, std::uint64_t)> progress;
+};
+
+/// The same motions, wherever they were found.
+struct SearchCell {
+  FoundMotions found;
+  std::uint64_t samples = 0;  ///< at some load of so many
+  SearchPlace simplest;
+  std::optional<SearchPlace> realisable;  ///< the simplest that could be built, if such a one was found
+};
+
+struct SearchResult {
+  std::uint64_t tried = 0;           ///< samples that were asked for; with `wanted`, up to the first of it
+  std::uint64_t samples = 0;         ///< points of the domain that were found, at which everything has a value
+  std::uint64_t without_value = 0;   ///< points at which something divides by zero
+  std::uint64_t one_everywhere = 0;  ///< samples with one motion at every load, hysteresis left out
+  std::array<std::uint64_t, motion_counts> with{};  ///< by MotionCount: samples that have it at some load
+  /// What was found, but for hysteresis: none first, then several, continua, none_modelled, and one; the frequent
+  /// first.
+  std::vector<SearchCell> cells;
+
+  std::uint64_t count(MotionCount what) const { return with[static_cast<std::size_t>(what)]; }
+};
+
+/// Fewer for a mechanism with more modes.
+std::uint64_t default_samples(const Mechanism& mechanism);
+
+/// search_motions() in requests that any rank can answer.
+class MotionSearch {
+ public:
+  /// What is given must outlive it. Throws InputError for more modes than are tried.
+  MotionSearch(const Mechanism& mechanism, const SearchOptions& options);
+  ~MotionSearch();
+
+  /// The service of a crew, from many threads at once.
+  std::string answer(std::string_view request) const;
+
+  /// By the crew, whose service is answer(), or by threads where there is none; once.
+  SearchResult result(Crew* crew = nullptr);
+
+ private:
+  class Run;
+  std::unique_ptr<Run> run_;
+};
+
+/// The same result at any number of threads. Throws InputError, before the work, for more modes than are tried.
+SearchResult search_motions(const Mechanism& mechanism, const SearchOptions& options = {});
+
+}  // namespace slipproof

@@ -1,0 +1,18 @@
+// The signs of polynomials by those of their factors. The sign of an irreducible factor is a fact in force, or found by
+// substitution of slack variables (slack.hpp) and derived then as a step of the proof. Everything here assumes that
+// facts that stay in force stay in the state: what is once known of a sign is not asked again in a branch.
+#pragma once
+
+#include "proofs/branch/context.hpp"
+#include "proofs/branch/state.hpp"
+
+namespace slipproof::prove {
+
+/// The sign of an irreducible polynomial; nullptr while unknown. The thorough pass also looks for > 0 where only >= 0
+/// is known. Valid until the next fact comes in.
+const KnownSign* sign_of(Context& context, State& state, const Polynomial& factor, Pass pass = Pass::quick);
+
+/// p as a number times a product of strict facts; nothing where the sign of a factor is not known.
+std::optional<WeightedProduct> as_known_product(Context& context, State& state, const Polynomial& p);
+
+}  // namespace slipproof::prove

@@ -1,0 +1,56 @@
+#include "proofs/check_contact/check_contact.hpp"
+
+#include <optional>
+
+#include "proofs/check_contact/claims.hpp"
+#include "proofs/check_contact/enclosure.hpp"
+
+namespace slipproof::check_contact {
+
+namespace {
+
+std::string claim(const Problem& problem, Reader& reader, const char* expected) {
+  if (reader.accept("eps")) return eps(problem, reader);
+  if (reader.accept("none-within")) return none_within(problem, reader);
+  if (reader.accept("no-solution")) return no_solution(problem, reader);
+  if (reader.accept("enclosure")) return Enclosure(problem, reader).check();
+  if (reader.accept("unique")) return unique(problem, reader);
+  reader.refuse(expected);
+}
+
+/// What all claims of the file say, one after the other. A file that cannot be read to its end is that first of all:
+/// what is to be rejected in it waits.
+std::string established(Reader& reader, std::string_view asked) {
+  const Problem problem(reader);
+  std::string result;
+  std::optional<Rejected> rejected;
+  do {
+    try {
+      const std::string found = claim(problem, reader, result.empty() && !rejected ? "a claim" : "a claim or 'end'");
+      result += (result.empty() ? "" : "; ") + found;
+    } catch (const Rejected& reason) {
+      if (!rejected) rejected = reason;
+    }
+  } while (!reader.at("end"));
+  reader.finish();
+  const std::string name = problem.check_name(asked);
+  if (rejected) throw Rejected(*rejected);
+  problem.check_mu();
+  return result + ", " + problem.in_words() + ", " + name;
+}
+
+}  // namespace
+
+ContactVerdict check_contact_certificate(std::string_view text, std::string_view asked) {
+  using Kind = ContactVerdict::Kind;
+  try {
+    Reader reader(text);
+    return {Kind::accepted, established(reader, asked)};
+  } catch (const Rejected& rejected) {
+    return {Kind::rejected, rejected.what()};
+  } catch (const Unreadable& unreadable) {
+    return {Kind::unreadable, unreadable.what()};
+  }
+}
+
+}  // namespace slipproof::check_contact

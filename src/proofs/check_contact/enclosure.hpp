@@ -1,0 +1,227 @@
+// A box around a solution in given modes (FORMAT.md, `enclosure`).
+#pragma once
+
+#include "proofs/check_contact/claims.hpp"
+
+namespace slipproof::check_contact {
+
+enum class Mode { open, stick, slide, slide_plus, slide_minus };
+
+/// F_i(z + d) = value + slope d + what is at most `rest` in absolute value, for all |d_j| <= p_j.
+struct Equation {
+  Number value{};
+  Row slope{};
+  Number rest{};
+  bool linear = true;
+};
+
+/// A dropped equation is this combination of others.
+using Dropped = std::map<std::size_t, Row>;
+
+class Enclosure {
+ public:
+  Enclosure(const Problem& problem, Reader& reader) : problem_(problem), rho_(reader.number()) {
+    reader.expect("modes");
+    for (std::size_t k = 0; k < problem.contacts(); ++k) modes_.push_back(mode(reader, k));
+    count_unknowns();
+    center_ = reader.numbers("center", unknowns_);
+    radius_ = reader.numbers("radius", unknowns_);
+    reader.expect("pinned");
+    for (std::size_t left = reader.count(); left > 0; --left) pinned_.insert(reader.index(unknowns_, pinned_));
+    reader.expect("dropped");
+    for (std::size_t left = reader.count(); left > 0; --left) read_dropped(reader);
+    inverse_ = reader.entries("inverse", unknowns_ - pinned_.size(), unknowns_ - dropped_.size());
+  }
+
+  std::string check() {
+    require(rho_.sign() >= 0, "RHO is negative");
+    for (std::size_t j = 0; j < unknowns_; ++j)
+      require(radius_[j].sign() > 0, "unknown", j, "its radius is not positive");
+    for (const std::size_t j : pinned_) radius_[j] = 0;
+    list_equations();
+    for (const auto& [row, combination] : dropped_) check_dropped(row, combination);
+    require(pinned_.size() == dropped_.size(), "as many unknowns as equations must be left");
+    check_contraction();
+    for (std::size_t k = 0; k < problem_.contacts(); ++k) check_contact(k);
+    check_distance();
+    return "a solution within " + decimal(rho_) + " of the answer";
+  }
+
+ private:
+  Mode mode(Reader& reader, std::size_t k) const {
+    const bool friction = has_friction(k);
+    if (reader.accept("open")) return Mode::open;
+    if (reader.accept("stick")) return Mode::stick;
+    if (friction && problem_.dimension == 3 && reader.accept("slide")) return Mode::slide;
+    if (friction && problem_.dimension == 2 && reader.accept("slide+")) return Mode::slide_plus;
+    if (friction && problem_.dimension == 2 && reader.accept("slide-")) return Mode::slide_minus;
+    reader.refuse("a mode that contact " + std::to_string(k) + " can have");
+  }
+
+  bool has_friction(std::size_t k) const { return problem_.dimension > 1 && problem_.mu[k].sign() != 0; }
+
+  /// How many rows of A are equations, and components of x unknowns, of contact k.
+  std::size_t forces(std::size_t k) const {
+    return modes_[k] == Mode::open ? 0 : has_friction(k) ? problem_.dimension : 1;
+  }
+
+  void count_unknowns() {
+    for (std::size_t j = 0; j < problem_.free; ++j) unknown_.emplace(j, unknowns_++);
+    for (std::size_t k = 0; k < problem_.contacts(); ++k) {
+      for (std::size_t t = 0; t < forces(k); ++t) unknown_.emplace(problem_.normal(k) + t, unknowns_++);
+      if (modes_[k] == Mode::slide) ++unknowns_;
+    }
+  }
+
+  void read_dropped(Reader& reader) {
+    const std::size_t row = reader.index(unknowns_, dropped_);
+    Row& combination = dropped_[row];
+    for (std::size_t left = reader.count(); left > 0; --left) reader.entry(combination, unknowns_);
+  }
+
+  /// w_i as a function of the unknowns.
+  Equation motion(std::size_t i) const {
+    Equation result{problem_.c[i]};
+    for (const auto& [j, a] : problem_.A[i]) {
+      const auto unknown = unknown_.find(j);
+      if (unknown == unknown_.end()) continue;
+      result.value += a * center_[unknown->second];
+      result.slope[unknown->second] = a;
+    }
+    return result;
+  }
+
+  void list_equations() {
+    for (std::size_t i = 0; i < problem_.free; ++i) equations_.push_back(motion(i));
+    for (std::size_t k = 0; k < problem_.contacts(); ++k) {
+      const std::size_t normal = problem_.normal(k);
+      if (modes_[k] != Mode::open) equations_.push_back(motion(normal));
+      if (modes_[k] == Mode::stick) {
+        for (std::size_t t = 1; t < forces(k); ++t) equations_.push_back(motion(normal + t));
+      }
+      if (modes_[k] == Mode::slide) list_sliding(k);
+      if (modes_[k] == Mode::slide_plus) equations_.push_back(edge(k, problem_.mu[k]));
+      if (modes_[k] == Mode::slide_minus) equations_.push_back(edge(k, -problem_.mu[k]));
+    }
+  }
+
+  /// r_T + m r_N.
+  Equation edge(std::size_t k, const Number& m) const {
+    const std::size_t normal = unknown_.at(problem_.normal(k)), tangential = normal + 1;
+    return {center_[tangential] + m * center_[normal], {{tangential, 1}, {normal, m}}};
+  }
+
+  /// u_T + s r_T, twice, and r_T1^2 + r_T2^2 - m^2 r_N^2.
+  void list_sliding(std::size_t k) {
+    const std::size_t normal = unknown_.at(problem_.normal(k)), slip = normal + 3;
+    const Number m2 = square(problem_.mu[k]);
+    Equation cone{-m2 * square(center_[normal]), {{normal, -2 * m2 * center_[normal]}}, {}, false};
+    for (const std::size_t t : {1U, 2U}) {
+      const Number &s = center_[slip], &r = center_[normal + t];
+      Equation tangential = motion(problem_.normal(k) + t);
+      tangential.value += s * r;
+      tangential.slope[normal + t] += s;
+      tangential.slope[slip] += r;
+      tangential.rest = radius_[slip] * radius_[normal + t];
+      tangential.linear = false;
+      equations_.push_back(tangential);
+      cone.value += square(r);
+      cone.slope[normal + t] = 2 * r;
+      cone.rest += square(radius_[normal + t]);
+    }
+    cone.rest = std::max(cone.rest, m2 * square(radius_[normal]));
+    equations_.push_back(cone);
+  }
+
+  /// The equation is linear, and where the pinned unknowns are pinned it is the combination of linear ones that are
+  /// kept.
+  void check_dropped(std::size_t row, const Row& combination) const {
+    Equation difference = equations_[row];
+    require(difference.linear, "dropped equation", row, "it is not linear");
+    for (const auto& [i, coefficient] : combination) {
+      require(dropped_.count(i) == 0, "dropped equation", row, "it is combined of one that is dropped");
+      require(equations_[i].linear, "dropped equation", row, "it is combined of one that is not linear");
+      difference.value += -coefficient * equations_[i].value;
+      for (const auto& [j, a] : equations_[i].slope) difference.slope[j] += -coefficient * a;
+    }
+    require(difference.value.sign() == 0, "dropped equation", row, "it is not the combination, at the center");
+    for (const auto& [j, a] : difference.slope) {
+      require(a.sign() == 0 || pinned_.count(j) > 0, "dropped equation", row, "it is not the combination, in a column");
+    }
+  }
+
+  /// For each unknown that is left, |R f| + |I - R J| p + |R| q <= p and |I - R J| p < p.
+  void check_contraction() const {
+    std::vector<const Equation*> kept;
+    for (std::size_t i = 0; i < unknowns_; ++i) {
+      if (dropped_.count(i) == 0) kept.push_back(&equations_[i]);
+    }
+    std::size_t row = 0;
+    for (std::size_t j = 0; j < unknowns_; ++j) {
+      if (pinned_.count(j) > 0) continue;
+      Number shift, rest, spread;
+      Vector product(unknowns_);
+      product[j] = -1;
+      for (const auto& [i, r] : inverse_[row++]) {
+        shift += r * kept[i]->value;
+        rest += abs(r) * kept[i]->rest;
+        for (const auto& [k, a] : kept[i]->slope) product[k] += r * a;
+      }
+      for (std::size_t k = 0; k < unknowns_; ++k) spread += abs(product[k]) * radius_[k];
+      require(spread < radius_[j], "unknown", j, "|I - R J| p is not less than its radius");
+      require(abs(shift) + spread + rest <= radius_[j], "unknown", j, "the box is not mapped into its radius");
+    }
+  }
+
+  /// The least that a linear function is in the box.
+  Number least(const Equation& function) const {
+    Number result = function.value;
+    for (const auto& [j, a] : function.slope) result += -abs(a) * radius_[j];
+    return result;
+  }
+
+  /// What the equations leave of the law, everywhere in the box.
+  void check_contact(std::size_t k) const {
+    const std::size_t row = problem_.normal(k);
+    if (modes_[k] == Mode::open) return require(least(motion(row)).sign() >= 0, "contact", k, "u_N may be negative");
+    const std::size_t normal = unknown_.at(row), slip = normal + 3;
+    const Number r = center_[normal] - radius_[normal];
+    require(r.sign() >= 0, "contact", k, "r_N may be negative");
+    if (modes_[k] == Mode::stick) {
+      Number force;
+      for (std::size_t t = 1; t < forces(k); ++t) force += square(abs(center_[normal + t]) + radius_[normal + t]);
+      require(force <= square(problem_.mu[k] * r), "contact", k, "the force may leave the friction cone");
+    } else if (modes_[k] == Mode::slide) {
+      require(center_[slip] >= radius_[slip], "contact", k, "s may be negative");
+    } else {
+      Equation sliding = motion(row + 1);
+      if (modes_[k] == Mode::slide_minus) sliding.value = -sliding.value;
+      for (auto& [j, a] : sliding.slope) a = modes_[k] == Mode::slide_minus ? -a : a;
+      require(least(sliding).sign() >= 0, "contact", k, "u_T may have the other sign");
+    }
+  }
+
+  void check_distance() const {
+    const Vector& answer = problem_.the_answer();
+    for (std::size_t i = 0; i < problem_.size(); ++i) {
+      const auto unknown = unknown_.find(i);
+      const bool is_zero = unknown == unknown_.end();
+      const Number distance =
+          is_zero ? abs(answer[i]) : abs(center_[unknown->second] - answer[i]) + radius_[unknown->second];
+      require(distance <= rho_, "component", i, "the solution may be farther than RHO from the answer");
+    }
+  }
+
+  const Problem& problem_;
+  Number rho_;
+  std::vector<Mode> modes_;
+  std::map<std::size_t, std::size_t> unknown_;  ///< the place among the unknowns of a component of x that is one
+  std::size_t unknowns_ = 0;                    ///< and equations
+  Vector center_, radius_;                      ///< radius 0 where pinned
+  Indices pinned_;
+  Dropped dropped_;
+  Matrix inverse_;
+  std::vector<Equation> equations_;
+};
+
+}  // namespace slipproof::check_contact

@@ -1,0 +1,30 @@
+// Checks certificate files about contact problems. check_contact.hpp decides; this loads the files and tells what came
+// of it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "proofs/check_contact/check_contact.hpp"
+
+namespace slipproof::check_contact {
+
+inline constexpr std::size_t kMaxFile = std::size_t{1} << 28;  ///< bytes
+
+/// A regular file, or `-` for standard input; `asked` as for check_contact_certificate. Never throws because of what it
+/// contains or is.
+ContactVerdict check_contact_file(const std::string& path, std::string_view asked = "");
+
+std::string_view to_string(ContactVerdict::Kind kind);
+
+struct ContactReport {
+  std::vector<ContactVerdict> verdicts;
+  std::string text;     ///< of each file `accepted` and a line in words, or `VERDICT: REASON`
+  std::string summary;  ///< a line with the counts, as slipproof-check has it
+  int exit_code = 0;    ///< 0 all accepted, 5 some rejected, else 3 some unreadable or missing
+};
+
+/// Of several files each line begins with the name.
+ContactReport check_contact_files(const std::vector<std::string>& paths, std::string_view asked = "");
+
+}  // namespace slipproof::check_contact

@@ -1,0 +1,18 @@
+// Fourier-Motzkin elimination: two inequalities that are linear in a variable, with coefficients of opposite known
+// signs, bound it from below and from above, and the bounds together are an inequality without it. That one is not
+// kept: it only counts if the signs of its factors contradict it, as the number of inequalities would grow without end.
+#pragma once
+
+#include "proofs/branch/context.hpp"
+#include "proofs/branch/state.hpp"
+
+namespace slipproof::prove {
+
+struct PairsResult {
+  bool refuted = false;          ///< the steps of the state end in the contradiction
+  std::vector<Polynomial> open;  ///< otherwise: factors whose signs might have made one, as often as they were met
+};
+
+PairsResult refute_pairs(Context& context, State& state, Pass pass);
+
+}  // namespace slipproof::prove

@@ -1,0 +1,55 @@
+// Many statements at once: files in, certificates out.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "proofs/search/prove.hpp"
+
+namespace slipproof {
+
+class Crew;
+
+/// The statements in a folder and the folders in it, in the order of their names.
+std::vector<std::filesystem::path> statements_in(const std::filesystem::path& folder);
+
+/// Where the certificate of a statement stands: beside it.
+std::filesystem::path certificate_of(std::filesystem::path statement);
+
+/// What came of one file.
+struct FileOutcome {
+  std::filesystem::path statement;
+  ProofOutcome outcome;
+  bool kept = false;  ///< its certificate stood there and is accepted: not searched again
+};
+
+/// How far the work is.
+struct ProveProgress {
+  std::size_t done = 0, all = 0;
+  std::string theorem;      ///< one that is being searched for
+  std::uint64_t steps = 0;  ///< and for how many steps
+};
+
+struct ProveOptions {
+  prove::Limits limits;
+  unsigned threads = 0;  ///< 0: all cores
+  bool again = false;    ///< search also for what has an accepted certificate
+  Crew* crew = nullptr;  ///< does the searches, instead of threads; its service is answer_statement()
+  /// Told of each file as soon as it is done, in whatever order; from one thread at a time.
+  std::function<void(std::size_t index, const FileOutcome& outcome)> finished;
+  std::function<void(const ProveProgress& progress)> progress;  ///< now and then, from one thread at a time
+};
+
+/// What many ranks are asked: a statement's path and text. Each rank reads the certificate beside it itself. Of
+/// `options` those count that the outcome depends on. Throws InputError.
+std::string answer_statement(std::string_view request, const ProveOptions& options);
+
+/// Proves each; the outcomes in the order of the files, the same at any number of threads. An accepted certificate is
+/// never given up: where `again` finds none, the old one is kept. Throws InputError before any search with the mistakes
+/// of all files.
+std::vector<FileOutcome> prove_files(const std::vector<std::filesystem::path>& statements, const ProveOptions& options);
+
+}  // namespace slipproof

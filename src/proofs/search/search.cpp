@@ -1,0 +1,146 @@
+#include "proofs/search/search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "proofs/branch/facts.hpp"
+#include "proofs/rules/cases.hpp"
+#include "proofs/rules/elimination.hpp"
+#include "proofs/rules/pairs.hpp"
+#include "proofs/rules/products.hpp"
+#include "proofs/rules/single_facts.hpp"
+#include "proofs/rules/splits.hpp"
+#include "proofs/rules/squares.hpp"
+#include "proofs/search/existence.hpp"
+
+namespace slipproof::prove {
+
+namespace {
+
+/// Disjunctions of more parts are mostly negated conclusions.
+constexpr std::size_t few_cases = 4;
+
+/// Products of so many hypotheses are looked at in the end.
+constexpr unsigned highest_product_degree = 3;
+
+/// Whether a sample clearly meets all facts, and nothing else is left: then they do not contradict each other.
+bool hopeless(Context& context, const State& state) {
+  SampleSet inside = SampleSet::all();
+  for (const Fact& fact : state.facts) {
+    if (fact.sign == Sign::zero) return false;
+    inside &= context.signs_at_samples(fact.p).positive;
+  }
+  return state.disjunctions.empty() && !inside.empty();
+}
+
+std::string shown(const Fact& fact) {
+  constexpr std::size_t longest = 300;
+  std::string p = fact.p.text();
+  if (p.size() > longest) p.replace(longest, p.npos, "...");
+  return fact.name + ": " + p + (fact.sign == Sign::zero ? " = 0" : fact.sign == Sign::positive ? " > 0" : " >= 0");
+}
+
+}  // namespace
+
+Search::Search(const Statement& statement, const Limits& limits) : context_(statement, limits) {}
+
+void Search::keep_leftover(const State& state) {
+  leftover_.facts.clear();
+  for (const Fact& fact : state.facts) leftover_.facts.push_back(shown(fact));
+}
+
+/// Closes the state, with so many splits one within the other: on success its steps end in a contradiction, or in a
+/// case distinction all of whose branches do.
+bool Search::close(State& state, int depth) {
+  if (eliminate(context_, state)) return true;
+  drop_known_cases(context_, state);
+  if (refute_single_fact(context_, state, Pass::quick)) return true;
+  if (!state.disjunctions.empty()) return close_disjunctions(state, depth);
+  if (hopeless(context_, state)) {
+    keep_leftover(state);
+    return false;
+  }
+  if (refute_pairs(context_, state, Pass::quick).refuted) return true;
+  if (refute_single_fact(context_, state, Pass::thorough)) return true;
+  const PairsResult pairs = refute_pairs(context_, state, Pass::thorough);
+  if (pairs.refuted || refute_products(context_, state)) return true;
+  if (leftover_.facts.empty() || depth == context_.reach.split_depth) keep_leftover(state);
+  return depth > 0 && close_by_splits(state, depth, pairs.open);
+}
+
+/// Opens one disjunction, and so on in its branches.
+bool Search::close_disjunctions(State& state, int depth) {
+  const NextCases next = next_cases(context_, state);
+  if (!next.impossible && state.disjunctions[next.index].second.parts.size() > few_cases) {  // try without
+    State bare = state;
+    bare.disjunctions.clear();
+    if (close(bare, std::min(depth, 1))) {
+      state = std::move(bare);
+      return true;
+    }
+  }
+  return close_cases(context_, state, next.index,
+                     [&](State& branch) { return close(branch, next.impossible ? 0 : depth); });
+}
+
+bool Search::close_by_splits(State& state, int depth, const std::vector<Polynomial>& open_factors) {
+  const Close shallower = [&](State& branch) { return close(branch, depth - 1); };
+  const auto close_by_any = [&](const std::vector<Polynomial>& proposed) {
+    const auto tried = std::min(proposed.size(), static_cast<std::size_t>(context_.limits().split_candidates));
+    return std::any_of(proposed.begin(), proposed.begin() + static_cast<std::ptrdiff_t>(tried),
+                       [&](const Polynomial& p) { return close_split(context_, state, p, shallower); });
+  };
+  if (close_by_any(split_candidates(context_, state, open_factors))) return true;
+  if (context_.reach.product_degree == 1) return false;
+  return close_squares(context_, state, shallower) || close_by_any(plain_candidates(context_, state));
+}
+
+/// Splits once, then as often as the limits allow.
+bool Search::search_deeper(const State& start, State& closed) {
+  const Statement& statement = context_.statement();
+  int& depth = context_.reach.split_depth;
+  const auto close_fully = [&](State& state) { return close(state, depth); };
+  for (depth = std::min(context_.limits().split_depth, 1);; ++depth) {
+    closed = start;
+    const bool found = statement.unknowns().empty()
+                           ? add_formula(context_, closed, "goal", negation(statement.shown())) || close_fully(closed)
+                           : Existence(context_, close_fully).close(closed);
+    if (found || depth >= context_.limits().split_depth) return found;
+  }
+}
+
+std::optional<Proof> Search::search() {
+  State start;
+  const auto& assumptions = context_.statement().assumptions();
+  bool closed = std::any_of(assumptions.begin(), assumptions.end(),
+                            [&](const auto& named) { return add_formula(context_, start, named.first, named.second); });
+  closed = closed || eliminate(context_, start);
+  unsigned& degree = context_.reach.product_degree;
+  for (degree = 1; !closed; ++degree) {
+    if (degree > (context_.limits().products > 0 ? highest_product_degree : 1)) return std::nullopt;
+    State state;
+    closed = search_deeper(start, state);
+    if (closed) start = std::move(state);
+  }
+  prune(start.steps);
+  return std::move(start.steps);
+}
+
+std::optional<Proof> Search::prove() {
+  Budget& budget = context_.budget();
+  budget.renew(context_.limits().steps);
+  budget.watch(context_.limits().tick);
+  try {
+    auto proof = search();
+    budget.lift();
+    return proof;
+  } catch (const Budget::Spent&) {
+    budget.lift();
+    leftover_.exhausted = true;
+    leftover_.facts.insert(leftover_.facts.begin(), fmt::format("no step left of {}", context_.limits().steps));
+    return std::nullopt;
+  }
+}
+
+}  // namespace slipproof::prove

@@ -1,0 +1,54 @@
+// The search for proofs, by refutation: the assumptions and the negated conclusion become facts, and the techniques
+// below look for a contradiction between them, the cheap ones first, in the cases that are left open again.
+//
+//   context, state          what all of them share; the facts of one branch
+//   facts                   what is new comes in, in short form: reduction by equations, normal_form by known signs
+//   elimination             equations that determine a variable
+//   signs, slack            the signs of factors, by substitution of slack variables
+//   single_facts            one fact that the others contradict
+//   pairs                   Fourier-Motzkin elimination
+//   products                linear programming over products of hypotheses
+//   cases, splits, squares  case distinctions: those that the hypotheses make, and new ones
+//   existence               witnesses for what is to exist: solution of equations, bounds
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "proofs/branch/context.hpp"
+#include "proofs/branch/state.hpp"
+
+namespace slipproof::prove {
+
+/// What a failed search was left with, for a person to read.
+struct Leftover {
+  std::vector<std::string> facts;
+  bool exhausted = false;  ///< no step was left
+};
+
+/// One search for one statement, which must outlive it. Deterministic.
+class Search {
+ public:
+  Search(const Statement& statement, const Limits& limits);
+
+  /// A proof that the statement holds, or nothing; then leftover() tells where the search got stuck. Takes at most the
+  /// steps of the limits.
+  std::optional<Proof> prove();
+  const Leftover& leftover() const { return leftover_; }
+  std::uint64_t steps() const { return context_.budget().spent(); }
+
+ private:
+  std::optional<Proof> search();
+  bool search_deeper(const State& start, State& closed);
+  bool close(State& state, int depth);
+  bool close_disjunctions(State& state, int depth);
+  bool close_by_splits(State& state, int depth, const std::vector<Polynomial>& open_factors);
+  void keep_leftover(const State& state);
+
+  Context context_;
+  Leftover leftover_;
+};
+
+}  // namespace slipproof::prove

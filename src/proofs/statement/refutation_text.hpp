@@ -1,0 +1,25 @@
+// That a statement is false at numbers, as statements.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/number/rational.hpp"
+#include "proofs/statement/statement_text.hpp"
+
+namespace slipproof {
+
+/// Of the variables that a statement gives by `real`, in their order.
+using NamedValues = std::vector<std::pair<std::string, Rational>>;
+
+/// Two statements that together say that a statement, the content of NAME.statement, is false: NAME.refuted.met, that
+/// its assumptions are met at the values, and NAME.refuted.fails, that its conclusion is false there, for all values of
+/// the unknowns that it asks for. Throws InputError where the text is no statement.
+std::vector<NamedStatement> refutation_at(const NamedStatement& statement, const NamedValues& values);
+
+/// The values in a text of NAME.refuted.met; nothing where it has none for some variable of the statement.
+std::optional<NamedValues> refuting_values(const NamedStatement& statement, const std::string& met);
+
+}  // namespace slipproof

@@ -1,0 +1,71 @@
+// The report that people look at: one HTML file that needs nothing else, neither a network nor a script.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "claims/uniqueness/scene_along.hpp"
+#include "claims/verify/verify.hpp"
+#include "floating/trade/trade.hpp"
+#include "mechanics/bicycle/scene.hpp"
+#include "report/html/second_opinions.hpp"
+#include "report/html/solvers.hpp"
+#include "report/planes/figures.hpp"
+
+namespace slipproof {
+
+/// A file that the page was made from.
+struct PageSource {
+  std::string name;
+  std::string sha256;  ///< hexadecimal
+};
+
+/// A statement, and what the checker says of its certificate.
+struct PageCertificate {
+  std::string theorem, file;
+  std::string statement;  ///< its text
+  CertificateState state = CertificateState::missing;
+  std::string message;  ///< why it is not accepted
+};
+
+struct PageInput {
+  const ClaimsFile* claims = nullptr;
+  const VerifyResult* result = nullptr;  ///< of the verification that the page is about
+  std::string command;                   ///< what makes the page again
+  std::string version;
+  std::string gallery;  ///< a link to the page of all papers; empty: there is none
+  std::vector<Figure> figures;
+  std::vector<PageCertificate> certificates;
+  std::optional<SecondOpinions> opinions;  ///< by the theorems of `certificates`
+  std::optional<Scene> model;              ///< the bicycle of the labelled figure
+  std::vector<Scene> scenes;               ///< a plane of f and F is drawn for each
+  std::vector<SceneAlong> machines;        ///< the paper's scenes, and which friction makes several motions there
+  std::vector<SolverVerdicts> solvers;
+  std::optional<Trade> trade;
+  std::vector<PageSource> sources;
+};
+
+/// Where the parts of a report come from; what is not given is left out of it.
+struct PageFolders {
+  std::filesystem::path
+      claims;  ///< the claims file; figures.toml, certificates/ and second-opinions.csv stand beside it
+  std::filesystem::path model;    ///< the scene of the labelled figure
+  std::filesystem::path cases;    ///< scenes
+  std::filesystem::path solvers;  ///< recorded outputs of solvers, CSV
+  std::filesystem::path trade;    ///< a file that `slipproof trade --json` wrote
+};
+
+/// The files that gather() reads.
+std::vector<std::filesystem::path> files_of(const PageFolders& folders, const ClaimsFile& claims);
+
+/// All but the result: reads the files and certifies the solvers' outputs; `certificates` are those of the claims'
+/// folder. Names of files are relative to the folders, so that the page is the same wherever they stand. Throws
+/// InputError.
+PageInput gather(const PageFolders& folders, const ClaimsFile& claims, Certificates& certificates);
+
+/// The page, HTML 5. The same input gives the same bytes.
+std::string page_html(const PageInput& input);
+
+}  // namespace slipproof

@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "base/number/format.hpp"
+#include "claims/reading/setting_names.hpp"
+#include "report/html/sections.hpp"
+#include "report/markup/latex.hpp"
+#include "report/markup/mathml.hpp"
+
+namespace slipproof {
+
+namespace {
+
+/// The definitions that a reading of a claim uses.
+void add_definitions(const Element& parent, const ClaimsFile& file, const Claim& claim, Reading reading) {
+  const Setting& setting = file.settings[claim.setting];
+  const SettingNames names(setting);
+  std::vector<std::size_t> indices;
+  for (const Expression& expression : expressions(claim.body(reading))) {
+    for (const std::size_t i : names.needs(expression, reading)) indices.push_back(i);
+  }
+  std::sort(indices.begin(), indices.end());
+  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+  if (indices.empty()) return;
+  const Element list = parent.add("p", "where");
+  list.text("where ");
+  for (const std::size_t i : indices) {
+    if (i != indices.front()) list.text(", ");
+    const Expression& definition = names.definition(i, reading);
+    const Element item = list.add("span", "definition");
+    if (setting.definitions[i].is_nowhere(reading)) {
+      add_symbol(add_math(item), setting.definitions[i].symbol);
+      item.text(" is defined nowhere");
+    } else {
+      add_definition(item, setting.definitions[i].symbol, definition);
+    }
+  }
+}
+
+std::vector<std::string> theorems_of(const ClaimResult& result) {
+  std::vector<std::string> theorems;
+  for (const std::string& file : result.certificates) theorems.push_back(file.substr(0, file.rfind('.')));
+  return theorems;
+}
+
+void add_theorem_links(const Element& p, const std::vector<std::string>& theorems) {
+  for (const std::string& theorem : theorems) {
+    if (theorem != theorems.front()) p.text(", ");
+    p.add("a").set("href", "#certificate-" + theorem).text(theorem);
+  }
+}
+
+void add_evidence(const Element& parent, const PageInput& input, const Claim& claim, const ClaimResult& result) {
+  const Element p = parent.add("p", "evidence");
+  p.add("b").text("Evidence. ");
+  const std::string samples = std::to_string(result.samples());
+  if (result.verdict == Verdict::holds) {
+    if (result.proved && claim.is<Exists>()) {
+      p.text("Such a motion was found, which proves it. ");
+    } else if (!result.certificates.empty()) {
+      p.text("Proved for all parameters: ");
+      add_theorem_links(p, theorems_of(result));
+      p.text(". ");
+    } else if (result.proved) {
+      p.text("An identity of rational functions, checked as polynomials: it holds for all parameters. ");
+    }
+    p.text("Of " + counted(result.tried, noun(*input.claims)) + " that were tried, it says something of " + samples +
+           ", and is right at " + (result.samples() == 1 ? "it." : "each of them."));
+    if (!result.proved && !result.unless_zero.empty()) {
+      std::string divisors;
+      for (const std::string& e : result.unless_zero) divisors += (divisors.empty() ? "" : ", ") + e;
+      p.text(" It is an identity of rational functions wherever these are not 0: " + divisors + ".");
+    }
+  } else if (result.verdict == Verdict::refuted) {
+    p.text("Of " + counted(result.tried, noun(*input.claims)) + " that were tried, it says something of " + samples +
+           ", and is wrong at " + std::to_string(result.refuted) + " of them.");
+    if (!result.certificates.empty()) {
+      p.text(" That it is false is proved: ");
+      add_theorem_links(p, theorems_of(result));
+      p.text(".");
+    }
+  } else {
+    add_prose(p, input, sentence(explain(*input.claims, result)));
+  }
+  if (input.opinions) add_second_opinions(parent, *input.opinions, theorems_of(result));
+  for (const std::string& objection : result.rejections) parent.add("p", "evidence").text("Rejected: " + objection);
+  for (const CheckedCertificate& statement : result.unproved) {
+    const Element line = parent.add("p", "evidence").text("No proof of ");
+    line.text(statement.theorem + ": " + std::string(to_string(statement.state)));
+    line.text(statement.message.empty() ? "." : "; " + statement.message);
+  }
+}
+
+void add_reading(const Element& parent, const PageInput& input, const Claim& claim, const ClaimResult& result,
+                 bool only) {
+  const Element part = parent.add("div", "reading");
+  const Element heading = part.add("h4");
+  heading.text(only ? "As printed " : result.reading == Reading::printed ? "As printed " : "As repaired ");
+  add_chip(heading, verdict_name(result));
+  add_formal(part, input, claim, result.reading);
+  add_definitions(part, *input.claims, claim, result.reading);
+  add_evidence(part, input, claim, result);
+  if (result.counterexample) add_counterexample(part, input, result);
+}
+
+}  // namespace
+
+void add_claim_card(const Element& parent, const PageInput& input, std::size_t index) {
+  const Claim& claim = input.claims->claims[index];
+  std::vector<const ClaimResult*> readings;
+  for (const ClaimResult& result : input.result->claims) {
+    if (result.claim == index) readings.push_back(&result);
+  }
+  const ClaimResult& printed = *readings.front();
+  const bool failing = printed.verdict != Verdict::holds;
+  const bool proved =
+      std::all_of(readings.begin(), readings.end(), [](const auto* r) { return verdict_name(*r) == "proved"; });
+  const Element card =
+      parent.add("details", std::string("claim") + (failing ? " failing" : "") + (proved ? " all-proved" : ""));
+  card.set("id", "claim-" + claim.id);
+  const Element summary = card.add("summary");
+  summary.add("span", "id").text(claim.id);
+  const Element statement = summary.add("span", "statement");
+  add_sentence(statement, claim.statement);
+  const Element chips = summary.add("span", "chips");
+  for (const ClaimResult* result : readings) {
+    const Element one = chips.add("span");
+    if (readings.size() > 1) one.add("small").text(result->reading == Reading::printed ? "printed " : "repaired ");
+    add_chip(one, verdict_name(*result));
+  }
+
+  const Element body = card.add("div", "body");
+  std::string place = input.claims->paper.where(claim.line) + " of " + input.claims->paper.source;
+  if (!claim.equation.empty()) place += ", equation (" + claim.equation + ")";
+  body.add("p", "place").text(place + ".");
+  for (const ClaimResult* result : readings) add_reading(body, input, claim, *result, readings.size() == 1);
+  if (!claim.why.empty()) {
+    const Element why = body.add("p");
+    why.add("b").text("Why that is meant. ");
+    add_prose(why, input, claim.why);
+  }
+  if (!claim.note.empty()) {
+    const Element note = body.add("p");
+    note.add("b").text("Note. ");
+    add_prose(note, input, claim.note);
+  }
+}
+
+}  // namespace slipproof

@@ -1,0 +1,168 @@
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "report/html/sections.hpp"
+#include "report/markup/mathml.hpp"
+#include "report/markup/symbol.hpp"
+
+namespace slipproof {
+
+namespace {
+
+struct Entry {
+  std::string_view symbol, meaning, unit;
+};
+
+/// The symbols of the figure and of the equations beside counterexamples.
+constexpr std::array<Entry, 28> model{{
+    {"M", "total mass", "kg"},
+    {"R", "radius of both wheels", "m"},
+    {"h0", "height of the centre of mass C above the road", "m"},
+    {"h", "height of C above the axles, h0 − R", "m"},
+    {"b2", "distance of C from the rear contact, along the road", "m"},
+    {"b3", "distance of C from the front contact, along the road", "m"},
+    {"I1", "moment of inertia of the sprocket with the pedals", "kg m²"},
+    {"I2", "moment of inertia of the rear wheel", "kg m²"},
+    {"I3", "moment of inertia of the front wheel", "kg m²"},
+    {"r1", "radius of the sprocket with the pedals", "m"},
+    {"r2", "radius of the sprocket on the rear wheel", "m"},
+    {"mu", "gear ratio, r2/r1", ""},
+    {"L", "arm of the pedal below the line of the axles", "m"},
+    {"sigma", "μ L/R: the force at the road for each unit of pedal force", ""},
+    {"J", "pitch inertia of the frame about C, with wheels and sprocket as point masses at their hinges", "kg m²"},
+    {"f", "Coulomb coefficient of the road", ""},
+    {"g", "gravity", "m/s²"},
+    {"F", "pedal force, backwards when positive; internal: from the rider, external: from beside the bicycle", "N"},
+    {"a", "acceleration of C forwards", "m/s²"},
+    {"a_y", "acceleration of C downwards", "m/s²"},
+    {"phi", "angular acceleration of the frame, clockwise", "1/s²"},
+    {"eps1", "angular acceleration of the sprocket", "1/s²"},
+    {"eps2", "angular acceleration of the rear wheel; eps3: of the front wheel", "1/s²"},
+    {"T", "difference of the tensions of the chain's two runs", "N"},
+    {"S2", "tangential reaction of the road at the rear wheel, forwards; S3: at the front wheel", "N"},
+    {"N2", "normal reaction of the road at the rear wheel, upwards; N3: at the front wheel", "N"},
+    {"gap2", "acceleration with which the rear wheel leaves the road; gap3: the front wheel", "m/s²"},
+    {"slip2", "tangential acceleration of the rear contact, forwards; slip3: of the front contact", "m/s²"},
+}};
+
+Element add_table(const Element& section, std::string_view caption, std::initializer_list<const char*> columns) {
+  const Element scroll = section.add("div", "scroll").set("tabindex", 0).set("role", "region");
+  scroll.set("aria-label", caption);
+  const Element table = scroll.add("table", "notation");
+  table.add("caption").text(caption);
+  const Element head = table.add("thead").add("tr");
+  for (const char* column : columns) head.add("th").set("scope", "col").text(column);
+  return table.add("tbody");
+}
+
+void add_row_symbol(const Element& row, std::string_view symbol) {
+  const Element math = add_math(row.add("th").set("scope", "row"));
+  math.set("aria-label", plain_symbol(symbol));  // a formula has no name of its own, and a header needs one
+  add_symbol(math, symbol);
+}
+
+std::string load_meaning(const Setting& setting) {
+  if (setting.bicycle) return *setting.bicycle == ForceKind::internal ? "the force, internal" : "the force, external";
+  const MechanismLoad& load = *setting.mechanism->load;
+  return load.meaning.empty() ? "the load" : load.meaning;
+}
+
+/// The symbols of a mechanism of a file: what stands in it, in words and units.
+void add_mechanism(const Element& section, const Setting& setting) {
+  const Mechanism& mechanism = *setting.mechanism;
+  const Element body = add_table(section, "Symbols of the mechanism: " + mechanism.name, {"symbol", "meaning", "unit"});
+  const auto add = [&](const std::string& symbol, const std::string& meaning, const std::string& unit) {
+    const Element row = body.add("tr");
+    add_row_symbol(row, symbol);
+    row.add("td").text(meaning);
+    row.add("td").text(unit == "1" ? "" : unit);
+  };
+  for (const MechanismParameter& parameter : mechanism.parameters) {
+    add(parameter.symbol, parameter.meaning, parameter.unit);
+  }
+  for (const MechanismAngle& angle : mechanism.angles) {
+    add(angle.cosine, "cosine: " + angle.meaning, "");
+    add(angle.sine, "sine: " + angle.meaning, "");
+  }
+  if (mechanism.load) add(mechanism.load->symbol, mechanism.load->meaning, mechanism.load->unit);
+  for (const MechanismUnknown& unknown : mechanism.unknowns) {
+    const bool acceleration = unknown.role == MechanismUnknown::Role::acceleration;
+    add(unknown.symbol, acceleration ? "acceleration" : "force", unknown.unit);
+  }
+}
+
+void add_setting(const Element& section, const Setting& setting) {
+  const std::string name = setting.statement.empty() ? setting.id : setting.id + ": " + setting.statement;
+  const Element body = add_table(section, "The paper's symbols, " + name, {"symbol", "meaning", "domain"});
+  for (const Parameter& parameter : setting.parameters) {
+    const Element row = body.add("tr");
+    add_row_symbol(row, parameter.symbol);
+    row.add("td").text(parameter.meaning);
+    add_math(row.add("td"), parameter.domain);
+  }
+  if (!setting.force.symbol.empty()) {
+    const Element row = body.add("tr");
+    add_row_symbol(row, setting.force.symbol);
+    row.add("td").text(load_meaning(setting));
+    add_math(row.add("td"), setting.force.domain);
+  }
+  if (setting.realisable.empty()) return;
+  const Element p = section.add("p");
+  p.text("Called buildable, in this setting, is a " + std::string(setting.bicycle ? "bicycle" : "mechanism") +
+         " with ");
+  for (const Realisable& condition : setting.realisable) {
+    if (&condition != &setting.realisable.front()) p.text(", ");
+    add_math(p, condition.condition);
+    p.text(" (" + condition.name + ")");
+  }
+  p.text(".");
+}
+
+/// The bicycle's symbols and those of other mechanisms, each once.
+void add_models(const Element& section, const ClaimsFile& claims) {
+  std::vector<std::string> told;  // by name: another load makes it no other mechanism
+  for (const Setting& setting : claims.settings) {
+    const std::string& name = setting.mechanism->name;
+    if (std::find(told.begin(), told.end(), name) != told.end()) continue;
+    told.push_back(name);
+    if (!setting.bicycle) {
+      add_mechanism(section, setting);
+      continue;
+    }
+    const Element body = add_table(section, "Symbols of the model", {"symbol", "meaning", "unit"});
+    for (const Entry& entry : model) {
+      const Element row = body.add("tr");
+      add_row_symbol(row, entry.symbol);
+      row.add("td").text(entry.meaning);
+      row.add("td").text(entry.unit);
+    }
+  }
+}
+
+}  // namespace
+
+void add_notation_section(const Element& main, const PageInput& input) {
+  const Element section = add_section(main, "notation", "Notation");
+  const auto& settings = input.claims->settings;
+  const bool bicycles =
+      std::all_of(settings.begin(), settings.end(), [](const Setting& s) { return s.bicycle.has_value(); });
+  const std::string strict =
+      " A motion is strict in its mode if all conditions of the mode hold strictly, and a boundary motion if one holds "
+      "with equality.";
+  section.add("p", "lead")
+      .text(bicycles
+                ? "Axes: x forwards, y down; turns count clockwise. A contact mode is written rear/front: stick, slip+ "
+                  "(the contact slips forwards), slip- (backwards), lift (the wheel leaves the road)." +
+                      strict
+                : "A contact mode is a state of each contact, then of each friction element, in the order of the "
+                  "mechanism's file, joined by /: stick, slip+ and slip- (with the sign of the slip), touch (without "
+                  "friction), lift (it opens)." +
+                      strict);
+  add_models(section, *input.claims);
+  for (const Setting& setting : settings) add_setting(section, setting);
+}
+
+}  // namespace slipproof

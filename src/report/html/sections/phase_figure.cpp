@@ -1,0 +1,179 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "base/number/format.hpp"
+#include "report/html/sections.hpp"
+#include "report/markup/latex.hpp"
+#include "report/markup/symbol.hpp"
+#include "report/phase/phase_points.hpp"
+#include "report/phase/phase_svg.hpp"
+
+namespace slipproof {
+
+namespace {
+
+/// Short exact numbers as they are; longer ones rounded, and marked so.
+std::string in_table(const Rational& x) {
+  const std::string exact = exact_text(x);
+  return exact.size() <= 12 ? exact : "≈ " + decimal_text(x, 6);
+}
+
+std::string in_table(const ForceInterval& forces) {
+  if (forces.is_point()) return in_table(*forces.lower());
+  return "(" + (forces.lower() ? in_table(*forces.lower()) : "−∞") + ", " +
+         (forces.upper() ? in_table(*forces.upper()) : "+∞") + ")";
+}
+
+/// Ten columns or so, and the named ones.
+std::vector<const PhaseColumn*> table_columns(const PhaseDiagram& diagram) {
+  std::vector<const PhaseColumn*> even, chosen;
+  for (const PhaseColumn& column : diagram.columns) {
+    if (column.even) even.push_back(&column);
+  }
+  for (std::size_t i = 0; i < 9 && !even.empty(); ++i) chosen.push_back(even[i * (even.size() - 1) / 8]);
+  for (const PhaseColumn& column : diagram.columns) {
+    const auto named = [&](const Plane::Line& line) { return line.x == column.x; };
+    if (std::any_of(diagram.plane.lines.begin(), diagram.plane.lines.end(), named)) chosen.push_back(&column);
+  }
+  std::sort(chosen.begin(), chosen.end(), [](const auto* a, const auto* b) { return a->x < b->x; });
+  chosen.erase(std::unique(chosen.begin(), chosen.end(), [](const auto* a, const auto* b) { return a->x == b->x; }),
+               chosen.end());
+  return chosen;
+}
+
+std::string column_name(const Plane& plane, const Rational& x) {
+  std::string text = in_table(x);
+  for (const Plane::Line& line : plane.lines) {
+    if (line.x == x) text += " = " + plain_symbol(line.symbol) + (line.misprint ? " as printed" : "");
+  }
+  return text;
+}
+
+void add_table(const Element& parent, const PhaseDiagram& diagram) {
+  const Element details = parent.add("details", "data");
+  details.add("summary").text("The same as a table");
+  const Element scroll = details.add("div", "scroll").set("tabindex", 0).set("role", "region");
+  scroll.set("aria-label", "Table of " + diagram.plane.title);
+  const Element table = scroll.add("table");
+  table.add("caption").text("Exact sets of forces, open intervals; the motions at their ends are those of both sides.");
+  const Element head = table.add("thead").add("tr");
+  head.add("th").set("scope", "col").text(plain_symbol(diagram.plane.x.symbol));
+  head.add("th").set("scope", "col").text(plain_symbol(diagram.plane.y.symbol));
+  head.add("th").set("scope", "col").text("motions");
+  const Element body = table.add("tbody");
+  for (const PhaseColumn* column : table_columns(diagram)) {
+    const auto cells = open_cells(*column);
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      const Element row = body.add("tr");
+      if (k == 0) {
+        row.add("th")
+            .set("scope", "rowgroup")
+            .set("rowspan", static_cast<int>(cells.size()))
+            .text(column_name(diagram.plane, column->x));
+      }
+      row.add("td", "number").text(in_table(cells[k]->loads));
+      row.add("td").text(name(motion_set(*cells[k])));
+    }
+  }
+}
+
+void add_legend(const Element& parent, const PhasePicture& picture, bool words) {
+  const Element list = parent.add("ul", "legend");
+  for (std::size_t i = 0; i < picture.regions.sets.size(); ++i) {
+    const Element item = list.add("li");
+    add_swatch(item, picture, i);
+    const MotionSet& set = picture.regions.sets[i];
+    const Element text = item.add("span");
+    text.add("b").text(name(set));
+    if (words && set.motions.size() == 1) text.text(" " + picture.diagram.plane.words(set.motions[0].front()));
+    if (set.motions.size() > 1) text.text(" ambiguous: " + std::to_string(set.motions.size()) + " motions");
+    if (const std::string note = thin_note(picture, i); !note.empty()) text.text(" " + note);
+  }
+}
+
+void add_enlargements(const Element& parent, const PhasePicture& picture) {
+  for (std::size_t i = 0; i < picture.thin.enlargements.size(); ++i) {
+    const Element box = parent.add("div", "enlarged");
+    const std::string title = enlargement_title(picture, i);
+    box.add("p").text(title);
+    add_enlargement(box, picture, i).set("role", "img").set("aria-label", title);
+  }
+}
+
+/// The claims that are false as printed at some point of the diagram.
+std::string refuted_claims(const PhaseDiagram& diagram, const PhaseRegions& regions) {
+  std::string ids;
+  for (std::size_t k = 0; k < diagram.plane.claims.size(); ++k) {
+    const auto here = [&](const RefutedStrip& strip) { return strip.claim == k; };
+    if (std::any_of(regions.refuted.begin(), regions.refuted.end(), here)) {
+      ids += (ids.empty() ? "" : ", ") + diagram.plane.claims[k];
+    }
+  }
+  return ids;
+}
+
+/// What the lines and the hatching mean, as far as they occur.
+void add_line_legend(const Element& parent, const PhaseDiagram& diagram, const PhaseRegions& regions) {
+  if (diagram.plane.curves.empty()) return;
+  const Element list = parent.add("ul", "legend lines");
+  const auto entry = [&](std::string_view css_class, std::string_view text) {
+    const Element item = list.add("li");
+    const Element svg = item.add("svg", "swatch").set("viewBox", "0 0 28 18").set("aria-hidden", "true");
+    svg.add("path", css_class).set("d", "M1,9H27");
+    item.add("span").text(text);
+  };
+  const auto occurs = [&](PhaseLine::Kind kind) {
+    return std::any_of(regions.lines.begin(), regions.lines.end(), [&](const auto& l) { return l.kind == kind; });
+  };
+  entry("edge", "the motions change, exactly on a threshold of the paper");
+  if (occurs(PhaseLine::Kind::extra)) entry("new", "the motions change, and the paper has no threshold there");
+  if (occurs(PhaseLine::Kind::idle)) entry("curve", "a threshold of the paper where nothing changes");
+  const auto shows_misprint = [&](const Plane::Line& line) {
+    return line.misprint && diagram.plane.x.from < line.x && line.x < diagram.plane.x.to;
+  };
+  if (std::any_of(diagram.plane.lines.begin(), diagram.plane.lines.end(), shows_misprint)) {
+    entry("misprint", "a value of b as printed, where another one is meant");
+  }
+  if (!regions.refuted.empty()) {
+    const Element item = list.add("li", "hatch-key");
+    const Element svg = item.add("svg", "swatch").set("viewBox", "0 0 28 18").set("aria-hidden", "true");
+    svg.add("rect").set("width", 28).set("height", 18).set("fill", "url(#" + diagram.plane.id + "-hatch)");
+    item.add("span").text("a claim is false as printed: " + refuted_claims(diagram, regions));
+  }
+}
+
+void add_hatch_switch(const Element& parent, const PhaseRegions& regions) {
+  if (regions.refuted.empty()) return;
+  const Element label = parent.add("label", "switch");
+  label.add("input").set("type", "checkbox").set("class", "show-hatch").set("checked", "checked");
+  label.text(" Hatch the forces at which a claim is false as printed");
+}
+
+}  // namespace
+
+void add_phase_figure(const Element& parent, const PhaseFigure& figure) {
+  const PhaseDiagram& diagram = figure.diagram;
+  PhaseSvgOptions options;
+  if (figure.small) options.width = 430, options.height = 320;
+  const PhasePicture picture = phase_picture(diagram, options);
+  const PhaseRegions& regions = picture.regions;
+  const Element box = parent.add("figure", figure.small ? "phase small" : "phase").set("id", diagram.plane.id);
+  const Element heading = box.add(figure.small ? "h4" : "h3").set("id", diagram.plane.id + "-title");
+  heading.add("bdi").text(diagram.plane.title);
+  add_hatch_switch(box, regions);
+  const Element plot = box.add("div", "plot");
+  const Element svg = add_phase_svg(plot, picture);
+  svg.set("role", "img").set("aria-labelledby", diagram.plane.id + "-title");
+  const auto points = figure.small ? sample_points(diagram, 12, 9) : sample_points(diagram, 30, 20);
+  box.add("script").set("type", "application/json").set("class", "points").text(points_json(diagram, points));
+  add_enlargements(box, picture);
+  add_legend(box, picture, !figure.small);
+  add_line_legend(box, diagram, regions);
+  if (!figure.caption.empty()) add_sentence(box.add("figcaption"), figure.caption);
+  add_table(box, diagram);
+}
+
+}  // namespace slipproof

@@ -1,0 +1,61 @@
+#include <string>
+
+#include "base/number/format.hpp"
+#include "report/html/sections.hpp"
+#include "report/markup/symbol.hpp"
+#include "report/planes/claims_plane.hpp"
+#include "report/planes/scene_plane.hpp"
+
+namespace slipproof {
+
+namespace {
+
+constexpr std::size_t paper_columns = 240, scene_columns = 120;
+
+/// `R = 1, h = 2, ...`: the parameters that are fixed.
+std::string fixed_values(const ClaimsFile& claims, const Figure& figure) {
+  std::string text;
+  const auto& parameters = claims.settings[figure.setting].parameters;
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    if (k == figure.x) continue;
+    text += (text.empty() ? "" : ", ") + plain_symbol(parameters[k].symbol) + " = " + exact_text(figure.values[k]);
+  }
+  return text;
+}
+
+}  // namespace
+
+void add_phase_section(const Element& main, const PageInput& input) {
+  if (input.figures.empty() && input.scenes.empty()) return;
+  const Element section = add_section(main, "phase", "Phase diagrams");
+  section.add("p", "lead")
+      .text(std::string("Which motions there are, for every force at once. ") +
+            (noun(*input.claims) == "bicycle"
+                 ? "A mode is written rear/front: each wheel sticks (rolls), slips forwards (slip+) or backwards "
+                   "(slip-), or lifts off the road."
+                 : "A mode is a state of each contact, in the order of the mechanism's file: it sticks, slips with the "
+                   "sign of its slip (slip+, slip-), touches without friction, or opens (lift).") +
+            " In each of the columns that a diagram is made of, all limits are exact rationals; between columns the "
+            "regions are joined up. Point at a diagram, or focus it and use the arrow keys, to read the exact motions "
+            "at a point.");
+  for (const Figure& figure : input.figures) {
+    const PhaseDiagram diagram = phase_diagram(claims_plane(*input.claims, figure, Reading::printed), paper_columns);
+    std::string caption = figure.note.empty() ? "" : figure.note + " ";
+    caption += "For " + fixed_values(*input.claims, figure) + ". " + std::to_string(diagram.columns.size()) +
+               " columns, exact in each.";
+    add_phase_figure(section, {diagram, caption});
+  }
+  if (input.scenes.empty()) return;
+  section.add("h3").text("The scenes of cases/, in the plane of friction and force");
+  const Element grid = section.add("div", "grid");
+  for (std::size_t i = 0; i < input.scenes.size(); ++i) {
+    const Scene& scene = input.scenes[i];
+    const PhaseDiagram diagram = phase_diagram(scene_plane(scene, {}, "scene-" + std::to_string(i + 1)), scene_columns);
+    std::string caption = scene.force_kind == ForceKind::internal ? "Internal force." : "External force.";
+    if (!diagram.plane.note.empty()) caption += " " + diagram.plane.note;
+    if (scene.F) caption += " The dot is the scene itself.";
+    add_phase_figure(grid, {diagram, caption, true});
+  }
+}
+
+}  // namespace slipproof

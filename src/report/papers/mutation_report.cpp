@@ -1,0 +1,169 @@
+#include "report/papers/mutation_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <unordered_map>
+
+#include "base/number/format.hpp"
+#include "report/values/exact_json.hpp"
+
+namespace slipproof {
+
+namespace {
+
+using Out = std::back_insert_iterator<std::string>;
+
+/// Numbers of statements, from 1.
+using Numbers = std::unordered_map<std::string, std::size_t>;
+
+Numbers numbered(const MutationResult& result) {
+  Numbers numbers;
+  for (const Lemma* lemma : lemmas_of(result)) numbers.emplace(lemma->statement, numbers.size() + 1);
+  return numbers;
+}
+
+std::string change(const MutantResult& m) {
+  return fmt::format("column {}, {}: {}", m.mutant.mutant.column, m.mutant.mutant.description,
+                     to_string(m.mutant.mutant.expression));
+}
+
+std::string witness(const MutationResult& result, const MutantResult& m) {
+  const Setting& setting = result.file.settings[m.mutant.setting];
+  std::string text;
+  for (std::size_t k = 0; k < m.sample.size(); ++k) {
+    text += fmt::format("{}{} = {}", k == 0 ? "" : " ", setting.parameters[k].symbol, exact_text(m.sample[k]));
+  }
+  if (m.force) text += fmt::format(", {} = {}", setting.force.symbol, exact_text(*m.force));
+  return text;
+}
+
+bool is_caught_by_failure(const MutantResult& m) {
+  return m.end == MutantEnd::refuted || m.end == MutantEnd::no_value;
+}
+
+void write_mutant(Out out, const MutationResult& result, const MutantResult& m, const Numbers& numbers) {
+  fmt::format_to(out, "    {:<14} {}\n", name(m.end), change(m));
+  const std::string& claim = result.file.claims[m.claim].id;
+  if (m.end == MutantEnd::reach) {
+    fmt::format_to(out, "      only one of the two speaks, in {}, at {}\n", claim, witness(result, m));
+  } else if (m.end == MutantEnd::survivor) {
+    if (!m.argument.empty()) fmt::format_to(out, "      {}\n", m.argument);
+  } else {
+    fmt::format_to(out, "      {}: {}", claim, m.argument);
+    for (std::size_t i = 0; i < m.lemmas.size(); ++i) {
+      fmt::format_to(out, "{}{}", i == 0 ? " (lemmas " : ", ", numbers.at(m.lemmas[i].statement));
+    }
+    fmt::format_to(out, "{}\n", m.lemmas.empty() ? "" : ")");
+  }
+}
+
+std::string ids(const MutationResult& result, const std::vector<std::size_t>& claims) {
+  std::string text;
+  for (const std::size_t c : claims) text += " " + result.file.claims[c].id;
+  return text;
+}
+
+std::string last_line(const MutationResult& result) {
+  const std::uint64_t survivors = result.count(MutantEnd::survivor);
+  std::string line = fmt::format("s {} mutants {}", survivors == 0 ? "TIGHT" : "LOOSE", result.mutants.size());
+  for (const MutantEnd end : all_mutant_ends) {
+    if (end != MutantEnd::survivor) line += fmt::format(" {} {}", name(end), result.count(end));
+  }
+  return line + fmt::format(" survivors {}\n", survivors);
+}
+
+}  // namespace
+
+std::vector<const Lemma*> lemmas_of(const MutationResult& result) {
+  std::vector<const Lemma*> all;
+  Numbers seen;
+  for (const MutantResult& m : result.mutants) {
+    for (const Lemma& lemma : m.lemmas) {
+      if (seen.emplace(lemma.statement, 0).second) all.push_back(&lemma);
+    }
+  }
+  return all;
+}
+
+std::string mutation_text(const MutationResult& result, bool quiet) {
+  if (quiet) return last_line(result);
+  const Numbers numbers = numbered(result);
+  std::string text;
+  Out out(text);
+  fmt::format_to(out,
+                 "{}\n{} bicycles for each setting, {} more and {} lines a claim for what survives them, seed {}\n",
+                 result.file.paper.title, result.samples, result.more_samples, result.lines, result.seed);
+  if (!result.not_mutated.empty()) {
+    fmt::format_to(out, "left out, as they are refuted or undecided unchanged, or hold at none of these bicycles:{}\n",
+                   ids(result, result.not_mutated));
+  }
+  if (!result.vacuous.empty()) {
+    fmt::format_to(out, "true whatever the motion, so that they say nothing of it:{}\n", ids(result, result.vacuous));
+  }
+  for (auto first = result.mutants.begin(); first != result.mutants.end();) {
+    const auto last = std::find_if(first, result.mutants.end(),
+                                   [&](const MutantResult& m) { return m.mutant.where != first->mutant.where; });
+    const auto caught = std::count_if(first, last, is_caught_by_failure);
+    fmt::format_to(out, "\n  {}: {}\n    {} of {} make a claim fail\n", first->mutant.where,
+                   to_string(first->mutant.original(result.file)), caught, last - first);
+    for (; first != last; ++first) {
+      if (!is_caught_by_failure(*first)) write_mutant(out, result, *first, numbers);
+    }
+  }
+  return text + "\n" + last_line(result);
+}
+
+std::string mutation_json(const MutationResult& result) {
+  const Numbers numbers = numbered(result);
+  Json document, counts, list = Json::array(), lemmas = Json::array();
+  document["schema"] = "slipproof/mutants/1";
+  document["paper"] = result.file.paper.title;
+  document["samples"] = result.samples;
+  document["more_samples"] = result.more_samples;
+  document["lines"] = result.lines;
+  document["seed"] = result.seed;
+  for (const MutantEnd end : all_mutant_ends) counts[std::string(name(end))] = result.count(end);
+  document["counts"] = std::move(counts);
+  const auto claims = [&](const std::vector<std::size_t>& indices) {
+    Json array = Json::array();
+    for (const std::size_t c : indices) array.push_back(result.file.claims[c].id);
+    return array;
+  };
+  document["left_out"] = claims(result.not_mutated);
+  document["vacuous"] = claims(result.vacuous);
+  for (const MutantResult& m : result.mutants) {
+    Json entry, parameters = Json::object(), used = Json::array();
+    entry["where"] = m.mutant.where;
+    entry["column"] = m.mutant.mutant.column;
+    entry["change"] = m.mutant.mutant.description;
+    entry["mutant"] = to_string(m.mutant.mutant.expression);
+    entry["end"] = name(m.end);
+    entry["claim"] = m.end == MutantEnd::survivor ? Json(nullptr) : Json(result.file.claims[m.claim].id);
+    if (!m.sample.empty()) {
+      const Setting& setting = result.file.settings[m.mutant.setting];
+      for (std::size_t k = 0; k < m.sample.size(); ++k) {
+        parameters[setting.parameters[k].symbol] = to_json(m.sample[k]);
+      }
+      entry["parameters"] = std::move(parameters);
+      entry["force"] = to_json(m.force);
+    }
+    if (m.end == MutantEnd::refuted) entry["reason"] = name(m.reason);
+    if (!m.argument.empty()) entry["argument"] = m.argument;
+    for (const Lemma& lemma : m.lemmas) used.push_back(numbers.at(lemma.statement));
+    if (!used.empty()) entry["lemmas"] = std::move(used);
+    list.push_back(std::move(entry));
+  }
+  document["mutants"] = std::move(list);
+  for (const Lemma* lemma : lemmas_of(result)) {
+    Json entry;
+    entry["statement"] = lemma->statement;
+    entry["certificate"] = lemma->certificate;
+    lemmas.push_back(std::move(entry));
+  }
+  document["lemmas"] = std::move(lemmas);
+  return dump(document);
+}
+
+}  // namespace slipproof

@@ -1,0 +1,161 @@
+#include "report/phase/phase_diagram.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace slipproof {
+
+std::vector<MechanismMode> modes_in_order(const MotionOverLoads& motion) {
+  std::vector<MechanismMode> modes = motion.modes;
+  modes.insert(modes.end(), motion.boundary_modes.begin(), motion.boundary_modes.end());
+  std::sort(modes.begin(), modes.end());
+  return modes;
+}
+
+MotionSet motion_set(const LoadCell& cell) {
+  MotionSet set;
+  for (const MotionOverLoads& motion : cell.motions) {
+    set.motions.push_back(motion.modes.empty() ? motion.boundary_modes : motion.modes);
+  }
+  std::sort(set.motions.begin(), set.motions.end(), [](const auto& a, const auto& b) { return a.front() < b.front(); });
+  set.continua = cell.continua;
+  return set;
+}
+
+std::string name(const MotionSet& set) {
+  std::string text;
+  for (const auto& modes : set.motions) text += (text.empty() ? "" : ", ") + equal_modes(modes);
+  for (const MechanismMode& mode : set.continua) text += (text.empty() ? "" : ", ") + name(mode) + " (continuum)";
+  return text.empty() ? "no motion" : text;
+}
+
+std::vector<PhaseBand> bands(const PhaseColumn& column, bool joined) {
+  std::vector<PhaseBand> all;
+  bool alike = false;  // the point below has the motions of the band below it
+  for (const LoadCell& cell : column.cells) {
+    MotionSet set = motion_set(cell);
+    if (cell.loads.is_point()) {
+      alike = joined && !all.empty() && all.back().set == set;
+    } else if (alike && all.back().set == set) {
+      all.back().upper = cell.loads.upper();
+    } else {
+      all.push_back({std::move(set), cell.loads.lower(), cell.loads.upper()});
+    }
+  }
+  return all;
+}
+
+std::vector<const LoadCell*> open_cells(const PhaseColumn& column) {
+  std::vector<const LoadCell*> open;
+  for (const LoadCell& cell : column.cells) {
+    if (!cell.loads.is_point()) open.push_back(&cell);
+  }
+  return open;
+}
+
+const LoadCell* find_cell(const PhaseColumn& column, const Rational& y) {
+  const auto found = std::find_if(column.cells.begin(), column.cells.end(),
+                                  [&](const LoadCell& cell) { return cell.loads.contains(y); });
+  return found == column.cells.end() ? nullptr : &*found;
+}
+
+namespace {
+
+/// The same regions one above the other, as far as the picture reaches.
+bool alike(const PhaseColumn& a, const PhaseColumn& b, bool joined) {
+  const auto x = bands(a, joined), y = bands(b, joined);
+  return std::equal(x.begin(), x.end(), y.begin(), y.end(),
+                    [](const PhaseBand& c, const PhaseBand& d) { return c.set == d.set; });
+}
+
+class Columns {
+ public:
+  Columns(const Plane& plane, std::size_t count)
+      : plane_(plane), narrow_((plane.x.to - plane.x.from) / Rational(64 * count)) {}
+
+  /// Whether x is in the domain.
+  bool add(const Rational& x, bool even) {
+    Found found = solve(x, even);
+    if (!found.inside && !plane_.finds_domain) return false;
+    found_.push_back(std::move(found));
+    return found_.back().inside;
+  }
+
+  std::vector<PhaseColumn> refined() {
+    std::sort(found_.begin(), found_.end(), [](const auto& a, const auto& b) { return a.column.x < b.column.x; });
+    std::vector<Found> all;
+    for (Found& found : found_) {
+      if (!all.empty()) between(all, Found(all.back()), found);
+      all.push_back(std::move(found));
+    }
+    return inside(std::move(all));
+  }
+
+ private:
+  struct Found {
+    PhaseColumn column;  ///< outside of the domain, only where it is
+    bool inside = true;
+  };
+
+  Found solve(const Rational& x, bool even) const {
+    auto column = plane_.solve(x);
+    Found found{column ? std::move(*column) : PhaseColumn{}, column.has_value()};
+    found.column.x = x;
+    found.column.even = even;
+    return found;
+  }
+
+  /// Adds, in order, what it takes to see where `left` turns into `right`, or leaves the domain.
+  void between(std::vector<Found>& all, const Found& left, const Found& right) {
+    if (right.column.x - left.column.x <= narrow_) return;
+    if (left.inside == right.inside && (!left.inside || alike(left.column, right.column, plane_.joins_alike))) return;
+    const Found middle = solve((left.column.x + right.column.x) / 2, false);
+    if (!middle.inside && !plane_.finds_domain) return;
+    between(all, left, middle);
+    all.push_back(middle);
+    between(all, middle, right);
+  }
+
+  static std::vector<PhaseColumn> inside(std::vector<Found> all) {
+    std::vector<PhaseColumn> columns;
+    bool gap = false;
+    for (Found& found : all) {
+      if (found.inside) {
+        found.column.after_gap = gap && !columns.empty();
+        columns.push_back(std::move(found.column));
+      }
+      gap = !found.inside;
+    }
+    return columns;
+  }
+
+  const Plane& plane_;
+  const Rational narrow_;
+  std::vector<Found> found_;
+};
+
+}  // namespace
+
+PhaseDiagram phase_diagram(Plane plane, std::size_t count) {
+  if (count == 0 || !(plane.x.from < plane.x.to) || !(plane.y.from < plane.y.to)) {
+    throw std::invalid_argument("a phase diagram needs columns, and axes with from < to");
+  }
+  Columns columns(plane, count);
+  const Rational step = (plane.x.to - plane.x.from) / Rational(count);
+  for (std::size_t i = 0; i <= count; ++i) {
+    const bool there = columns.add(plane.x.from + step * Rational(i), true);
+    // The end of an axis may be outside of an open domain: then just beside it.
+    if (!there && i == 0) columns.add(plane.x.from + step / 64, false);
+    if (!there && i == count) columns.add(plane.x.to - step / 64, false);
+  }
+  for (const Plane::Line& line : plane.lines) {
+    const Rational place = (line.x - plane.x.from) / step;
+    const bool there = denominator(place) == 1;
+    if (plane.x.from < line.x && line.x < plane.x.to && !there) columns.add(line.x, false);
+  }
+  std::vector<PhaseColumn> all = columns.refined();
+  all.erase(std::unique(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.x == b.x; }), all.end());
+  return {std::move(plane), std::move(all)};
+}
+
+}  // namespace slipproof

@@ -1,0 +1,105 @@
+#include "report/phase/phase_points.hpp"
+
+#include <algorithm>
+
+#include "base/number/binary64.hpp"
+#include "report/values/mode_json.hpp"
+
+namespace slipproof {
+
+namespace {
+
+PhasePoint::Motion motion_at(const MotionOverLoads& motion, const std::vector<MotionQuantity>& quantities,
+                             const Rational& load) {
+  PhasePoint::Motion found{modes_in_order(motion), !motion.modes.empty(), {}};
+  for (const MotionQuantity& q : quantities) {
+    const std::optional<Affine<Rational>> value =
+        q.is_force ? motion.forces[q.index] : std::optional(motion.accelerations[q.index]);
+    found.values.push_back(value ? std::optional(value->at(load)) : std::nullopt);
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<PhasePoint> sample_points(const PhaseDiagram& diagram, std::size_t across, std::size_t up) {
+  std::vector<const PhaseColumn*> even;
+  for (const PhaseColumn& column : diagram.columns) {
+    if (column.even && column.x != diagram.plane.x.from && column.x != diagram.plane.x.to) even.push_back(&column);
+  }
+  const Axis& y = diagram.plane.y;
+  const std::size_t step = std::max<std::size_t>(1, even.size() / std::max<std::size_t>(across, 1));
+  std::vector<PhasePoint> points;
+  for (std::size_t i = step / 2; i < even.size(); i += step) {
+    for (std::size_t j = 0; j < up; ++j) {
+      const Rational load = y.from + (y.to - y.from) * Rational(2 * j + 1) / Rational(2 * up);
+      const LoadCell* cell = find_cell(*even[i], load);
+      if (cell == nullptr) continue;
+      PhasePoint point{even[i]->x, load, {}, cell->continua};
+      for (const MotionOverLoads& motion : cell->motions) {
+        point.motions.push_back(motion_at(motion, diagram.plane.quantities, load));
+      }
+      points.push_back(std::move(point));
+    }
+  }
+  return points;
+}
+
+std::string points_json(const PhaseDiagram& diagram, const std::vector<PhasePoint>& points) {
+  const Axis &x = diagram.plane.x, &y = diagram.plane.y;
+  const auto share = [](const Rational& value, const Axis& axis) {
+    return nearest_binary64((value - axis.from) / (axis.to - axis.from));
+  };
+  Json document, list = Json::array();
+  document["x"] = x.symbol;
+  document["y"] = y.symbol;
+  for (const PhasePoint& point : points) {
+    Json motions = Json::array();
+    for (const PhasePoint::Motion& found : point.motions) {
+      Json values = Json::object();
+      for (std::size_t q = 0; q < found.values.size(); ++q) {
+        const auto& value = found.values[q];
+        if (!value || !value->is_zero()) {
+          values[diagram.plane.quantities[q].name] = value ? to_json(*value) : Json("undetermined");
+        }
+      }
+      motions.push_back({names_json(found.modes), found.strict, std::move(values)});
+    }
+    list.push_back({share(point.x, x), share(point.y, y), to_json(point.x), to_json(point.y), std::move(motions),
+                    names_json(point.continua)});
+  }
+  document["points"] = std::move(list);
+  std::string text;
+  for (const char c : document.dump(-1, ' ', true, nlohmann::detail::error_handler_t::replace)) {
+    text += c == '<' ? "\\u003c" : c == '&' ? "\\u0026" : c == '>' ? "\\u003e" : std::string(1, c);
+  }
+  return text;
+}
+
+std::string map_json(const PhaseDiagram& diagram) {
+  Json document, columns = Json::array();
+  document["schema"] = "slipproof/map/1";
+  document["scene"] = diagram.plane.title;
+  document["x"] = diagram.plane.x.symbol;
+  document["y"] = diagram.plane.y.symbol;
+  document["x_range"] = {to_json(diagram.plane.x.from), to_json(diagram.plane.x.to)};
+  document["y_range"] = {to_json(diagram.plane.y.from), to_json(diagram.plane.y.to)};
+  for (const PhaseColumn& column : diagram.columns) {
+    Json entry, cells = Json::array();
+    entry[diagram.plane.x.symbol] = to_json(column.x);
+    for (const LoadCell& cell : column.cells) {
+      Json one, motions = Json::array();
+      put_interval(one, diagram.plane.y.symbol.c_str(), cell.loads);
+      for (const MotionOverLoads& motion : cell.motions) motions.push_back(names_json(modes_in_order(motion)));
+      one["motions"] = std::move(motions);
+      if (!cell.continua.empty()) one["continua"] = names_json(cell.continua);
+      cells.push_back(std::move(one));
+    }
+    entry["cells"] = std::move(cells);
+    columns.push_back(std::move(entry));
+  }
+  document["columns"] = std::move(columns);
+  return dump(document);
+}
+
+}  // namespace slipproof

@@ -1,0 +1,32 @@
+// Exact sample points of a phase diagram, for those who point at it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/phase/phase_diagram.hpp"
+
+namespace slipproof {
+
+/// A point and the motions there.
+struct PhasePoint {
+  struct Motion {
+    std::vector<MechanismMode> modes;             ///< all of them
+    bool strict = false;                          ///< in one of them
+    std::vector<std::optional<Rational>> values;  ///< of the plane's quantities; nothing where one is undetermined
+  };
+  Rational x, y;
+  std::vector<Motion> motions;
+  std::vector<MechanismMode> continua;
+};
+
+/// About `across` times `up` points, on the diagram's evenly spaced columns; none out of the domain.
+std::vector<PhasePoint> sample_points(const PhaseDiagram& diagram, std::size_t across, std::size_t up);
+
+/// The points of a diagram as JSON for a script: exact numbers as strings, `<` and `&` nowhere.
+std::string points_json(const PhaseDiagram& diagram, const std::vector<PhasePoint>& points);
+
+/// One JSON document, schema slipproof/map/1: every column with its exact intervals.
+std::string map_json(const PhaseDiagram& diagram);
+
+}  // namespace slipproof

@@ -1,0 +1,87 @@
+#include <utility>
+
+#include "mechanics/mechanism/words.hpp"
+#include "report/scenes/mechanism_report.hpp"
+#include "report/values/every_load.hpp"
+#include "report/values/mode_json.hpp"
+#include "report/values/motions_json.hpp"
+
+namespace slipproof {
+
+namespace {
+
+/// What goes into the document for one scene.
+class SolveDocument {
+ public:
+  explicit SolveDocument(const SolvedMechanism& solved)
+      : solved_(solved),
+        mechanism_(solved.scene.mechanism),
+        accelerations_(acceleration_names(mechanism_)),
+        forces_(force_names(mechanism_)) {}
+
+  Json whole() const {
+    Json document;
+    document["schema"] = "slipproof/solve/2";
+    document["mechanism"] = mechanism_.name;
+    document["scene"] = solved_.scene.name;
+    document["values"] = values_json(mechanism_, solved_.scene.values);
+    document["load"] = load();
+    document["notes"] = solved_.scene.notes;
+    document["every_q"] = every_load_json(solved_.for_every_q);
+    if (solved_.at_load) put_motions(document, mechanism_, *solved_.at_load);
+    document["not_modelled"] = not_modelled();
+    if (mechanism_.load) document["ranges"] = ranges();
+    return document;
+  }
+
+ private:
+  Json load() const {
+    if (!mechanism_.load) return nullptr;
+    return {{"symbol", mechanism_.load->symbol}, {"value", to_json(solved_.scene.load)}};
+  }
+
+  Json not_modelled() const {
+    Json entries = Json::array();
+    for (const MechanismContact& contact : mechanism_.contacts) {
+      Json needs = Json::array();
+      for (const std::size_t parameter : missing_for_lift(contact, solved_.scene.values.given)) {
+        needs.push_back(mechanism_.parameters[parameter].symbol);
+      }
+      if (!needs.empty()) {
+        entries.push_back({{"contact", contact.name}, {"state", "lift"}, {"needs", std::move(needs)}});
+      }
+    }
+    return entries;
+  }
+
+  Json ranges() const {
+    Json entries = Json::array();
+    for (const ConsistentMode& mode : solved_.modes) {
+      Json entry{{"mode", name(mode.mode)}};
+      put_interval(entry, "load", mode.solutions.loads);
+      entry["strict"] = mode.solutions.strict;
+      Json accelerations = Json::object();
+      for (std::size_t i = 0; i < accelerations_.size(); ++i) {
+        const AffineForm form = mode.solutions.space.on(solved_.problem.accelerations[i]);
+        if (!is_free_of_unknowns(form)) continue;
+        accelerations[accelerations_[i]] = {{"const", to_json(form.constant)},
+                                            {"per_load", to_json(form.coefficients.back())}};
+      }
+      entry["accelerations"] = std::move(accelerations);
+      entries.push_back(std::move(entry));
+    }
+    return entries;
+  }
+
+  const SolvedMechanism& solved_;
+  const Mechanism& mechanism_;
+  std::vector<std::string> accelerations_, forces_;
+};
+
+}  // namespace
+
+std::string solve_json(const SolvedMechanism& solved) {
+  return dump(SolveDocument(solved).whole());
+}
+
+}  // namespace slipproof

@@ -1,0 +1,36 @@
+// Exact values as JSON: rationals are strings, an infinite end is null.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "base/number/affine.hpp"
+#include "base/number/format.hpp"
+#include "mechanics/elements/force_interval.hpp"
+
+namespace slipproof {
+
+using Json = nlohmann::ordered_json;
+
+inline Json to_json(const Rational& x) {
+  return exact_text(x);
+}
+/// [alpha, beta].
+inline Json to_json(const Affine<Rational>& x) {
+  return Json::array({exact_text(x.alpha), exact_text(x.beta)});
+}
+inline Json to_json(const std::optional<Rational>& x) {
+  return x ? Json(exact_text(*x)) : Json(nullptr);
+}
+
+/// Adds the ends of a non-empty interval under `key`, and which of them belong to it under "closed".
+inline void put_interval(Json& object, const char* key, const ForceInterval& interval) {
+  object[key] = Json::array({to_json(interval.lower()), to_json(interval.upper())});
+  object["closed"] = Json::array({interval.lower_closed(), interval.upper_closed()});
+}
+
+/// The document as written everywhere: indented, names with broken UTF-8 replaced rather than refused.
+inline std::string dump(const Json& document) {
+  return document.dump(2, ' ', false, nlohmann::detail::error_handler_t::replace) + "\n";
+}
+
+}  // namespace slipproof

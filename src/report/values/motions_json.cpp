@@ -1,0 +1,91 @@
+#include "report/values/motions_json.hpp"
+
+#include <utility>
+
+#include "mechanics/mechanism/words.hpp"
+#include "report/values/mode_json.hpp"
+
+namespace slipproof {
+
+namespace {
+
+Json range_json(const Range& range) {
+  return Json::array({to_json(range.lower), to_json(range.upper)});
+}
+
+class MotionsDocument {
+ public:
+  explicit MotionsDocument(const Mechanism& mechanism)
+      : mechanism_(mechanism), accelerations_(acceleration_names(mechanism)), forces_(force_names(mechanism)) {}
+
+  void put(Json& document, const MotionsAtLoad& found) const {
+    Json motions = Json::array(), continua = Json::array(), rejected = Json::array();
+    for (const MotionAtLoad& motion : found.motions) motions.push_back(motion_json(motion));
+    for (const ContinuumAtLoad& continuum : found.continua) continua.push_back(continuum_json(continuum));
+    for (const RejectedMode& mode : found.rejected) rejected.push_back(rejected_json(mode));
+    document["motions"] = std::move(motions);
+    document["hysteresis"] = names_json(found.hysteresis);
+    document["continua"] = std::move(continua);
+    document["rejected"] = std::move(rejected);
+  }
+
+ private:
+  Json motion_json(const MotionAtLoad& motion) const {
+    Json accelerations = Json::object(), forces = Json::object(), undetermined = Json::object();
+    for (std::size_t i = 0; i < accelerations_.size(); ++i) {
+      accelerations[accelerations_[i]] = to_json(motion.accelerations[i]);
+    }
+    for (std::size_t i = 0; i < forces_.size(); ++i) {
+      if (motion.forces[i].is_point()) {
+        forces[forces_[i]] = to_json(*motion.forces[i].lower);
+      } else {
+        undetermined[forces_[i]] = range_json(motion.forces[i]);
+      }
+    }
+    return {{"modes", names_json(motion.modes)},
+            {"boundary_modes", names_json(motion.boundary_modes)},
+            {"status", motion.strict() ? "strict" : "boundary"},
+            {"accelerations", std::move(accelerations)},
+            {"forces", std::move(forces)},
+            {"force_ranges", std::move(undetermined)}};
+  }
+
+  Json continuum_json(const ContinuumAtLoad& continuum) const {
+    Json ranges = Json::object();
+    for (std::size_t i = 0; i < accelerations_.size(); ++i) {
+      ranges[accelerations_[i]] = range_json(continuum.accelerations[i]);
+    }
+    for (std::size_t i = 0; i < forces_.size(); ++i) ranges[forces_[i]] = range_json(continuum.forces[i]);
+    return {{"mode", name(continuum.mode)},
+            {"status", continuum.strict ? "strict" : "boundary"},
+            {"ranges", std::move(ranges)}};
+  }
+
+  Json rejected_json(const RejectedMode& mode) const {
+    Json because = Json::array();
+    for (const ViolatedCondition& c : mode.because) {
+      std::string text = condition_name(mechanism_, c.element, c.state, c.condition);
+      if (because.empty() || because.back() != text) because.push_back(std::move(text));
+    }
+    Json entry{{"mode", name(mode.mode)}};
+    if (mode.margin) {
+      entry["violated"] = because.front();
+      entry["margin"] = to_json(*mode.margin);
+    } else {
+      entry["violated"] = nullptr;
+      entry["because"] = std::move(because);
+    }
+    return entry;
+  }
+
+  const Mechanism& mechanism_;
+  std::vector<std::string> accelerations_, forces_;
+};
+
+}  // namespace
+
+void put_motions(Json& document, const Mechanism& mechanism, const MotionsAtLoad& found) {
+  MotionsDocument(mechanism).put(document, found);
+}
+
+}  // namespace slipproof

@@ -1,0 +1,30 @@
+#include "report/values/number_text.hpp"
+
+#include <fmt/format.h>
+
+#include "base/number/format.hpp"
+
+namespace slipproof {
+
+namespace {
+
+std::string end(const std::optional<Rational>& x, const char* infinite, int digits) {
+  return x ? decimal_text(*x, digits) : infinite;
+}
+
+}  // namespace
+
+std::string number_text(const Rational& x, int digits) {
+  const std::string exact = exact_text(x);
+  const std::string decimal = decimal_text(x, digits);
+  if (exact == decimal) return exact;
+  return fmt::format("{:<14} = {}", decimal, exact);
+}
+
+std::string interval_text(std::string_view symbol, const ForceInterval& i, int digits) {
+  if (i.is_point()) return fmt::format("{} = {}", symbol, decimal_text(*i.lower(), digits));
+  return fmt::format("{}{}, {}{}", i.lower_closed() ? '[' : '(', end(i.lower(), "-oo", digits),
+                     end(i.upper(), "+oo", digits), i.upper_closed() ? ']' : ')');
+}
+
+}  // namespace slipproof

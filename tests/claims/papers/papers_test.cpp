@@ -1,0 +1,98 @@
+// All papers in proofs/: their verdicts, their certificates, their pages.
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "proofs/check/files.hpp"
+#include "proofs/search/prove_files.hpp"
+#include "support/run_program.hpp"
+
+using slipproof::test::read_file;
+using slipproof::test::run;
+using slipproof::test::TemporaryFolder;
+using Json = nlohmann::json;
+
+namespace {
+
+const std::filesystem::path papers = SLIPPROOF_SOURCE_DIR "/proofs";
+
+std::vector<std::filesystem::path> folders() {
+  std::vector<std::filesystem::path> result;
+  for (const auto& entry : std::filesystem::directory_iterator(papers)) {
+    if (std::filesystem::exists(entry.path() / "claims.toml")) result.push_back(entry.path());
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("every claim of every paper has the verdict that its file expects, and a page") {
+  const TemporaryFolder folder;
+  const auto outcome =
+      run({"verify", papers, "--json", "--samples", "200", "--lines", "2", "--report", folder.path() / "pages"});
+  CHECK(outcome.exit_code == 0);
+  const Json document = Json::parse(outcome.out);
+  CHECK(document["schema"] == "slipproof/papers/1");
+  CHECK(document["papers"].size() == folders().size());
+  const std::string index = read_file(folder.path() / "pages" / "index.html");
+  int claims = 0, proved = 0, held = 0;
+  for (const Json& paper : document["papers"]) {
+    CAPTURE(paper.dump());
+    const std::string name = paper["name"];
+    CHECK(paper["as_expected"] == true);
+    CHECK(paper["found"] != "");
+    claims += paper["claims"].get<int>();
+    proved += paper["proved"].get<int>();
+    held += paper["proved"].get<int>() + paper["holds"].get<int>();
+    if (name != "rozenblat-yashin") CHECK(paper["undecided"].empty());
+    CHECK(index.find("href=\"" + name + ".html\"") != std::string::npos);
+    const std::string page = read_file(folder.path() / "pages" / (name + ".html"));
+    CHECK(page.find("href=\"index.html\"") != std::string::npos);
+    for (const Json& finding : paper["findings"]) {
+      CHECK(page.find("id=\"finding-" + finding["id"].get<std::string>() + "\"") != std::string::npos);
+    }
+  }
+  CHECK(claims > 350 + 134);  // those of the twelve published thresholds, and of the paper
+  CHECK(10 * proved >= 9 * held);
+}
+
+TEST_CASE("every statement of every paper has a certificate that is accepted") {
+  std::size_t accepted = 0;
+  for (const auto& folder : folders()) {
+    for (const auto& statement : slipproof::statements_in(folder)) {
+      CAPTURE(statement.string());
+      const auto verdict = slipproof::check::check_file(slipproof::certificate_of(statement)).verdict;
+      CHECK(verdict == slipproof::check::Verdict::accepted);
+      ++accepted;
+    }
+  }
+  CHECK(accepted > 1000);
+}
+
+TEST_CASE("mutants of the papers do not survive") {
+  // SLIPPROOF_MUTANTS_EVERY=1: all of them.
+  const char* every = std::getenv("SLIPPROOF_MUTANTS_EVERY");
+  for (const auto& folder : folders()) {
+    if (folder.filename() == "rozenblat-yashin") continue;  // tests/claims/verify
+    if (folder.filename() == "two-wheeler") continue;       // a few survive: its README, What remains open
+    CAPTURE(folder.string());
+    const auto outcome = run({"verify", folder / "claims.toml", "--mutants", "--samples", "200", "--every",
+                              every == nullptr ? "1200" : every, "--quiet"});
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.out.starts_with("s TIGHT mutants "));
+  }
+}
+
+TEST_CASE("a folder without papers, and what is about one paper, are refused") {
+  const TemporaryFolder folder;
+  CHECK(run({"verify", folder.path()}).exit_code == 3);
+  CHECK(run({"verify", folder.path()}).err.find("found no claims.toml in the folder") != std::string::npos);
+  CHECK(run({"verify", papers, "--mutants"}).exit_code == 2);
+  CHECK(run({"verify", papers, "--errata"}).err.find("--errata is about one paper") != std::string::npos);
+  CHECK(run({"report", papers, "--out", "-"}).exit_code == 2);
+}

@@ -1,0 +1,385 @@
+// FCLIB's files: what is in them, and what must not be followed or believed.
+#include "contact/formats/fclib.hpp"
+
+#include <random>
+#include <thread>
+
+#include "base/files/hdf5_file.hpp"
+#include "base/input/text_file.hpp"
+#include "hdf5_writer.hpp"
+
+using namespace slipproof;
+using namespace slipproof::test;
+
+TEST_CASE("without HDF5 a file in it is refused in words") {
+  const Folder folder;
+  const std::string path = folder.write("p.hdf5", std::string(hdf5_signature) + "rest");
+  CHECK(is_problem_file(path));
+  if (has_hdf5()) {
+    CHECK(problem_refusal(path) == "FILE: found no whole HDF5 file: it is cut off or damaged");
+  } else {
+    CHECK(problem_refusal(path) == "FILE: found an HDF5 file, which this program was built without HDF5 to read");
+  }
+}
+
+#ifdef SLIPPROOF_HDF5
+
+namespace {
+
+/// W = ((4, 3), (0, 5)), as rows.
+void write_local(const Hdf5Writer& out) {
+  out.group("/fclib_local");
+  out.integers("/fclib_local/spacedim", {2});
+  out.matrix("/fclib_local/W", 2, 2, -2, {0, 1, 1}, {0, 2, 3}, {4, 3, 5});
+  out.group("/fclib_local/vectors");
+  out.reals("/fclib_local/vectors/q", {-1, 2});
+  out.reals("/fclib_local/vectors/mu", {0.5});
+}
+
+void write_global(const Hdf5Writer& out) {
+  out.group("/fclib_global");
+  out.integers("/fclib_global/spacedim", {2});
+  out.matrix("/fclib_global/M", 3, 3, 3, {2, 1, 0}, {2, 1, 0}, {3, 2, 1});
+  out.matrix("/fclib_global/H", 3, 2, -1, {0, 2, 1}, {0, 2, 3}, {5, 6, 7});
+  out.group("/fclib_global/vectors");
+  out.reals("/fclib_global/vectors/f", {1, 2, 3});
+  out.reals("/fclib_global/vectors/w", {4, 5});
+  out.reals("/fclib_global/vectors/mu", {0.25});
+}
+
+using Write = std::function<void(const Hdf5Writer&)>;
+
+std::string written(
+    const Folder& folder, const Write& write, const Write& change = [](const Hdf5Writer&) {}) {
+  const Hdf5Writer out(folder.path("p.hdf5"));
+  write(out);
+  change(out);
+  return folder.path("p.hdf5");
+}
+
+void write_solution(const Hdf5Writer& out, const Numbers& r, const Numbers& u) {
+  out.group("/solution");
+  out.reals("/solution/r", r);
+  out.reals("/solution/u", u);
+}
+
+}  // namespace
+
+TEST_CASE("a local problem by rows, by columns and as triplets with the row in i") {
+  const Folder folder;
+  const ReadProblem read = read_problem_file(written(folder, write_local));
+  const ProblemFile& p = read.problem;
+  CHECK(p.form == ProblemForm::local);
+  CHECK(p.dimension == 2);
+  CHECK(p.contacts() == 1);
+  CHECK(dense(p.W) == Numbers{4, 3, 0, 5});
+  CHECK(p.q == Numbers{-1, 2});
+  CHECK(p.mu == Numbers{0.5});
+  CHECK(p.remarks.size() == 1);  // asymmetric
+  const auto other = [&](long long nz, const std::vector<long long>& i, const std::vector<long long>& j,
+                         const Numbers& x) {
+    return read_problem_file(written(folder, write_local,
+                                     [&](const Hdf5Writer& out) {
+                                       out.remove("/fclib_local/W");
+                                       out.matrix("/fclib_local/W", 2, 2, nz, i, j, x);
+                                     }))
+        .problem.W;
+  };
+  CHECK(other(-1, {0, 0, 1}, {0, 1, 3}, {4, 3, 5}) == p.W);
+  CHECK(other(3, {1, 0, 0}, {1, 1, 0}, {5, 3, 4}) == p.W);
+  // Lists may be longer than what is used of them.
+  CHECK(other(3, {1, 0, 0, 77}, {1, 1, 0, -5}, {5, 3, 4, 99}) == p.W);
+}
+
+TEST_CASE("a global problem with bilateral rows, and a local one") {
+  const Folder folder;
+  const ProblemFile p = read_problem_file(written(folder, write_global, [](const Hdf5Writer& out) {
+                          out.matrix("/fclib_global/G", 3, 1, -2, {0}, {0, 0, 1, 1}, {8});
+                          out.reals("/fclib_global/vectors/b", {9});
+                          out.group("/fclib_global/info");
+                          out.text("/fclib_global/info/title", "a heap");
+                        })).problem;
+  CHECK(p.form == ProblemForm::global);
+  CHECK(dense(p.M) == Numbers{1, 0, 0, 0, 2, 0, 0, 0, 3});
+  CHECK(dense(p.H) == Numbers{5, 0, 0, 7, 6, 0});
+  CHECK(dense(p.G) == Numbers{0, 8, 0});
+  CHECK(p.f == Numbers{1, 2, 3});
+  CHECK(p.w == Numbers{4, 5});
+  CHECK(p.b == Numbers{9});
+  CHECK(p.title == "a heap");
+  const ProblemFile l = read_problem_file(written(folder, write_local, [](const Hdf5Writer& out) {
+                          out.matrix("/fclib_local/V", 2, 1, 1, {1}, {0}, {6});
+                          out.matrix("/fclib_local/R", 1, 1, 1, {0}, {0}, {7});
+                          out.reals("/fclib_local/vectors/s", {8});
+                        })).problem;
+  CHECK(dense(l.V) == Numbers{0, 6});
+  CHECK(dense(l.R) == Numbers{7});
+  CHECK(l.s == Numbers{8});
+}
+
+TEST_CASE("where both forms stand, the global one is read") {
+  const Folder folder;
+  const ProblemFile p = read_problem_file(written(folder, write_global, write_local)).problem;
+  CHECK(p.form == ProblemForm::global);
+  CHECK(p.remarks == std::vector<std::string>{"/fclib_local is left unread, for /fclib_global is there"});
+}
+
+TEST_CASE("numbers of any plain type are read") {
+  const Folder folder;
+  const ProblemFile p = read_problem_file(written(folder, write_local, [](const Hdf5Writer& out) {
+                          const hid_t compact = H5Pcreate(H5P_DATASET_CREATE);
+                          H5Pset_layout(compact, H5D_COMPACT);
+                          out.reals("/fclib_local/W/x", {4, 3, 5}, H5T_IEEE_F64BE, compact);
+                          H5Pclose(compact);
+                          out.reals("/fclib_local/vectors/q", {-1, 0.1}, H5T_IEEE_F32BE);
+                          out.integers("/fclib_local/vectors/mu", {1});
+                          out.integers("/fclib_local/W/m", {2}, H5T_STD_U64BE);
+                          out.integers("/fclib_local/spacedim", {2}, H5T_STD_I8LE);
+                        })).problem;
+  CHECK(dense(p.W) == Numbers{4, 3, 0, 5});
+  CHECK(p.q == Numbers{-1, static_cast<double>(0.1F)});
+  CHECK(p.mu == Numbers{1});
+}
+
+TEST_CASE("a solution and guesses are answers; a solution with r = 0 and another u is remarked upon") {
+  const Folder folder;
+  const auto read = [&](const Numbers& r, const Numbers& u) {
+    return read_problem_file(written(folder, write_local, [&](const Hdf5Writer& out) {
+      write_solution(out, r, u);
+      out.group("/guesses");
+      out.integers("/guesses/number_of_guesses", {2});
+      for (const char* name : {"/guesses/1", "/guesses/2"}) {
+        out.group(name);
+        out.reals(std::string(name) + "/r", {std::nan(""), 1});
+        out.reals(std::string(name) + "/u", {2, HUGE_VAL});
+      }
+    }));
+  };
+  const ReadProblem wrong = read({0, 0}, {-1, 2.5});
+  REQUIRE(wrong.answers.size() == 3);
+  CHECK(wrong.answers[0].origin == "/solution");
+  CHECK(wrong.answers[0].u == Numbers{-1, 2.5});
+  CHECK(wrong.answers[2].origin == "/guesses/2");
+  CHECK(std::isnan(wrong.answers[2].r[0]));
+  CHECK(wrong.answers[2].u[1] == HUGE_VAL);
+  CHECK(wrong.problem.remarks.back() ==
+        "the stored /solution is no solution: r is 0, and u differs from W r + q by up to 0.5");
+  CHECK(read({0, 0}, {-1, 2}).problem.remarks.size() == 1);
+  CHECK(read({0, 1}, {-1, 7}).problem.remarks.size() == 1);
+  const SolverAnswer alone = read_answer_file(folder.path("p.hdf5"));
+  CHECK(alone.r == Numbers{0, 1});
+  CHECK(alone.origin == folder.path("p.hdf5"));
+}
+
+TEST_CASE("what was created and never written reads as zeros, and is told") {
+  const Folder folder;
+  const ReadProblem read = read_problem_file(written(folder, write_global, [](const Hdf5Writer& out) {
+    write_solution(out, {1, 1}, {4, 5});
+    out.set("/solution/r", H5T_IEEE_F64LE, {2}, H5T_NATIVE_DOUBLE, nullptr);
+    out.reals("/solution/v", {0, 0, 0});
+  }));
+  REQUIRE(read.answers.size() == 1);
+  CHECK(read.answers[0].r == Numbers{0, 0});
+  CHECK(
+      read.problem.remarks ==
+      std::vector<std::string>{"/solution/r was never written, and reads as zeros",
+                               "the stored /solution is no solution: r is 0, and M v differs from H r + f by up to 3"});
+}
+
+TEST_CASE("an answer may stand alone in its file") {
+  const Folder folder;
+  const std::string path = written(folder, [](const Hdf5Writer& out) { write_solution(out, {1, 2}, {3, 4}); });
+  CHECK(read_answer_file(path).u == Numbers{3, 4});
+  CHECK(problem_refusal(path) == "FILE: found neither /fclib_local nor /fclib_global, expected one of them");
+}
+
+TEST_CASE("readers of several threads wait for each other") {
+  const Folder folder;
+  const std::string path = written(folder, write_local);
+  std::vector<std::thread> threads;
+  std::vector<int> good(4);
+  for (int& mine : good) {
+    threads.emplace_back([&mine, path] {
+      for (int k = 0; k < 20; ++k) mine += read_problem_file(path).problem.W.entries() == 3 ? 1 : 0;
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  CHECK(good == std::vector<int>(4, 20));
+}
+
+TEST_CASE("strange HDF5 files are refused with the path") {
+  const std::string W = "/fclib_local/W", vectors = "/fclib_local/vectors";
+  struct Strange {
+    Write change;
+    std::string message;
+  };
+  const auto gone = [](const std::string& path) { return [path](const Hdf5Writer& out) { out.remove(path); }; };
+  const auto integers = [](const std::string& path, const std::vector<long long>& values, hid_t type = H5T_STD_I64LE) {
+    return [=](const Hdf5Writer& out) { out.integers(path, values, type); };
+  };
+  const auto reals = [](const std::string& path, const Numbers& values) {
+    return [=](const Hdf5Writer& out) { out.reals(path, values); };
+  };
+  const auto made = [](const std::string& path, const std::vector<hsize_t>& sizes,
+                       const std::function<void(hid_t)>& how) {
+    return [=](const Hdf5Writer& out) {
+      const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+      how(properties);
+      out.set(path, H5T_IEEE_F64LE, sizes, H5T_NATIVE_DOUBLE, nullptr, properties);
+      H5Pclose(properties);
+    };
+  };
+  const std::vector<Strange> files = {
+      {gone(W), W + "/m: found nothing, expected integers"},
+      {gone(W + "/x"), W + "/x: found nothing, expected numbers"},
+      {gone(W + "/nz"), W + "/nz: found nothing, expected integers"},
+      {gone(vectors), vectors + "/mu: found nothing, expected numbers"},
+      {gone(vectors + "/q"), vectors + "/q: found nothing, expected numbers"},
+      {gone("/fclib_local"), "found neither /fclib_local nor /fclib_global, expected one of them"},
+      {[](const Hdf5Writer& out) { out.remove("/fclib_local"), out.group("/fclib_global_rolling"); },
+       "/fclib_global_rolling: found rolling friction, expected /fclib_local or /fclib_global"},
+      {integers("/fclib_local/spacedim", {5}), "/fclib_local/spacedim: found 5, expected 2 or 3"},
+      {integers("/fclib_local/spacedim", {3}), "found 2 components, expected a multiple of the dimension 3"},
+      {integers("/fclib_local/spacedim", {2, 2}), "/fclib_local/spacedim: found 2 numbers, expected one"},
+      {reals("/fclib_local/spacedim", {2}), "/fclib_local/spacedim: found another type, expected integers"},
+      {integers(W + "/m", {3}), W + "/m: found 3, expected 2, as the vectors are long"},
+      {integers(W + "/n", {1LL << 40}), W + "/n: found 1099511627776, expected 2, as the vectors are long"},
+      {integers(W + "/m", {-1}), W + "/m: found -1, expected 2, as the vectors are long"},
+      {integers(W + "/m", {-1}, H5T_STD_U64LE), W + "/m: found"},
+      {integers(W + "/nz", {-3}), W + "/nz: found -3, expected a number of triplets, -1 or -2"},
+      {integers(W + "/nz", {1LL << 40}), W + "/nz: found 1099511627776, expected at most 3, as x is long"},
+      {integers(W + "/nz", {3}), W + "/p: found the index 2, expected one from 0 to 2 - 1"},
+      {integers(W + "/p", {0, 3}),
+       W + "/p: found 2 numbers, expected 3, where each row starts and where the last one ends"},
+      {integers(W + "/p", {0, 3, 2}), W + "/p: found starts that do not increase from 0 to at most 3"},
+      {integers(W + "/p", {0, 2, 4}), W + "/p: found starts that do not increase from 0 to at most 3"},
+      {integers(W + "/p", {-1, 2, 3}), W + "/p: found starts that do not increase from 0 to at most 3"},
+      {integers(W + "/p", {1, 2, 3}), W + "/p: found starts that do not increase from 0 to at most 3"},
+      {integers(W + "/i", {0, 1}), W + "/i: found 2 numbers, expected 3"},
+      {integers(W + "/i", {0, 2, 1}), W + "/i: found the index 2, expected one from 0 to 2 - 1"},
+      {integers(W + "/i", {0, -1, 1}), W + "/i: found the index -1, expected one from 0 to 2 - 1"},
+      {integers(W + "/i", {1LL << 40, 1, 1}), W + "/i: found the index 1099511627776, expected one from 0 to 2 - 1"},
+      {integers(W + "/i", {1, 1, 1}), W + ": found the entry in row 1 and column 2 twice, expected it once"},
+      {reals(W + "/x", {4, std::nan(""), 5}), "W[1][2]: found NaN, expected a finite number"},
+      {reals(W + "/x", {4, 3, HUGE_VAL}), "W[2][2]: found an infinity, expected a finite number"},
+      {reals(W + "/x", {4, 3}), W + "/p: found starts that do not increase from 0 to at most 2"},
+      {integers(W + "/x", {4, 3, 5}), W + "/x: found another type, expected numbers"},
+      {reals(vectors + "/q", {1, std::nan("")}), "q[2]: found NaN, expected a finite number"},
+      {reals(vectors + "/mu", {-0.5}), "mu[1]: found -0.5, expected a coefficient of friction, which is not negative"},
+      {reals(vectors + "/mu", {std::nan("")}), "mu[1]: found NaN, expected a finite number"},
+      {reals(vectors + "/mu", {1, 1}), "mu: found 2 numbers, expected 1"},
+      {reals(vectors + "/q", {1, 2, 3, 4}), W + "/m: found 2, expected 4, as the vectors are long"},
+      {[&](const Hdf5Writer& out) {
+         const Numbers q = {1, 2};
+         out.set(vectors + "/q", H5T_IEEE_F64LE, {2, 1}, H5T_NATIVE_DOUBLE, q.data());
+       },
+       vectors + "/q: found 2 dimensions, expected a list of numbers"},
+      {made(vectors + "/q", {hsize_t{1} << 40}, [](hid_t) {}),
+       vectors + "/q: found a size of 1099511627776, of which the file does not hold the data"},
+      {made(vectors + "/q", {2}, [](hid_t) {}),
+       vectors + "/q: found a size of 2, of which the file does not hold the data"},
+      {made(vectors + "/q", {2}, [](hid_t properties) { H5Pset_external(properties, "/etc/hostname", 0, 16); }),
+       vectors + "/q: found numbers in another file, expected them in this one"},
+      {[&](const Hdf5Writer& out) {
+         const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+         const hsize_t two = 2;
+         const hid_t space = H5Screate_simple(1, &two, nullptr);
+         H5Pset_virtual(properties, space, "/etc/hostname", "/x", space);
+         out.set(vectors + "/q", H5T_IEEE_F64LE, {2}, H5T_NATIVE_DOUBLE, nullptr, properties);
+         H5Sclose(space);
+         H5Pclose(properties);
+       },
+       vectors + "/q: found a virtual data set, expected the data itself"},
+      {[&](const Hdf5Writer& out) {
+         const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+         const hsize_t two = 2;
+         const Numbers q = {1, 2};
+         H5Pset_chunk(properties, 1, &two);
+         H5Pset_deflate(properties, 9);
+         out.set(vectors + "/q", H5T_IEEE_F64LE, {2}, H5T_NATIVE_DOUBLE, q.data(), properties);
+         H5Pclose(properties);
+       },
+       vectors + "/q: found numbers in chunks, expected them in one piece, as h5repack --layout=CONTI writes them"},
+      {[&](const Hdf5Writer& out) {
+         out.remove(W);
+         H5Lcreate_soft("/fclib_local/W", out.file(), W.c_str(), H5P_DEFAULT, H5P_DEFAULT);
+       },
+       W + ": found a link to another path, expected the data itself"},
+      {[&](const Hdf5Writer& out) {
+         out.remove(W);
+         H5Lcreate_external("/etc/hostname", "/W", out.file(), W.c_str(), H5P_DEFAULT, H5P_DEFAULT);
+       },
+       W + ": found a link out of the file, expected the data itself"},
+      {[&](const Hdf5Writer& out) {
+         out.remove(W + "/m");
+         H5Lcreate_hard(out.file(), "/fclib_local", out.file(), (W + "/m").c_str(), H5P_DEFAULT, H5P_DEFAULT);
+       },
+       W + "/m: found no data set, expected integers"},
+      {[&](const Hdf5Writer& out) {
+         out.remove(W);
+         out.reals(W, {1});
+       },
+       W + ": found no group, expected a group"},
+      {[&](const Hdf5Writer& out) {
+         const hid_t type = H5Tvlen_create(H5T_NATIVE_DOUBLE);
+         out.set(vectors + "/q", type, {2}, type, nullptr);
+         H5Tclose(type);
+       },
+       vectors + "/q: found another type, expected numbers"},
+      {[&](const Hdf5Writer& out) {
+         const hid_t type = H5Tcreate(H5T_COMPOUND, 8);
+         H5Tinsert(type, "x", 0, H5T_NATIVE_DOUBLE);
+         out.set(vectors + "/q", type, {2}, type, nullptr);
+         H5Tclose(type);
+       },
+       vectors + "/q: found another type, expected numbers"},
+      {[&](const Hdf5Writer& out) {
+         const hid_t type = H5Tcopy(H5T_STD_I32LE);
+         H5Tset_precision(type, 17);
+         const std::vector<long long> two = {2};
+         out.set(W + "/m", type, {1}, H5T_NATIVE_LLONG, two.data());
+         H5Tclose(type);
+       },
+       W + "/m: found another type, expected integers"},
+      {[](const Hdf5Writer& out) { out.group("/solution"); },
+       "/solution: found neither r nor u, expected a solver's answer"},
+      {[](const Hdf5Writer& out) {
+         write_solution(out, {1, 2, 3}, {1, 2});
+       },
+       "/solution/r: found 3 numbers, expected 2"},
+      {[](const Hdf5Writer& out) {
+         out.group("/guesses");
+         out.integers("/guesses/number_of_guesses", {1LL << 40}, H5T_STD_I64LE);
+       },
+       "/guesses/number_of_guesses: found 1099511627776, expected at most 1, as there are objects in /guesses"},
+      {[](const Hdf5Writer& out) {
+         out.group("/guesses");
+         out.integers("/guesses/number_of_guesses", {1});
+       },
+       "/guesses/1: found nothing, expected a solver's answer"},
+      {[](const Hdf5Writer& out) {
+         out.group("/guesses");
+         out.integers("/guesses/number_of_guesses", {1});
+         H5Lcreate_hard(out.file(), "/", out.file(), "/guesses/1", H5P_DEFAULT, H5P_DEFAULT);
+       },
+       "/guesses/1: found neither r nor u, expected a solver's answer"},
+  };
+  const Folder folder;
+  for (const Strange& file : files) {
+    CAPTURE(file.message);
+    const std::string said = problem_refusal(written(folder, write_local, file.change));
+    CHECK_MESSAGE(said.starts_with("FILE: " + file.message), said);
+  }
+}
+
+TEST_CASE("HDF5 files that are cut off anywhere are refused") {
+  const Folder folder;
+  const std::string whole = read_text_file(written(folder, write_local));
+  for (std::size_t size = 0; size < whole.size(); size += 1 + size / 50) {
+    CAPTURE(size);
+    CHECK_FALSE(problem_refusal(folder.write("cut", whole.substr(0, size))).empty());
+  }
+  CHECK_FALSE(problem_refusal(folder.write("cut", whole.substr(0, whole.size() - 1))).empty());
+}
+
+#endif

@@ -1,0 +1,83 @@
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "base/input/utf8.hpp"
+#include "support/run_program.hpp"
+
+using namespace slipproof::test;
+using Json = nlohmann::json;
+
+TEST_CASE("search: the last line says what was found, or that nothing was, and unique only with a proof") {
+  const TemporaryFolder folder;
+  const std::string file =
+      folder
+          .write("sled.toml",
+                 "schema = \"slipproof/mechanism/1\"\nname = \"sled\"\n[parameters]\nm = \"m > 0\"\nmu = \"mu >= 0\"\n"
+                 "g = \"g > 0\"\n[load]\nsymbol = \"F\"\n[unknowns]\naccelerations = [\"ax\", \"ay\"]\n[motion]\n"
+                 "ax = \"m*ax = F\"\nay = \"m*ay = -m*g\"\n[[contact]]\nname = \"floor\"\ngap = \"ay\"\nslip = \"ax\"\n"
+                 "friction = \"mu\"\n")
+          .string();
+  const auto sled = run({"search", file, "--samples", "20"});
+  CHECK(sled.exit_code == 0);
+  CHECK(last_line(sled.out).starts_with("s UNIQUE samples 20 one 20 none 0 "));
+  CHECK(last_line(sled.out).ends_with(" by theorem 1 of two-wheeler\n"));
+  const auto block = run({"search", "block-on-incline", "--samples", "20"});
+  CHECK(block.exit_code == 0);
+  CHECK(last_line(block.out).starts_with("s NONE FOUND samples 20 one 20 none 0 "));
+  const auto rod = run({"search", "painleve-rod", "--samples", "100"});
+  CHECK(rod.exit_code == 1);
+  CHECK(last_line(rod.out).starts_with("s FOUND samples 100 one "));
+  CHECK(rod.err.empty());
+  CHECK(run({"search", "painleve-rod", "--for", "none"}).exit_code == 1);
+  // From mu = 4/3 on there are several, which few samples meet.
+  const std::vector<std::string> near{"search", "painleve-rod", "--samples",
+                                      "40",     "--within",     "3*I = m*l^2 and mu < 1.35"};
+  const auto missed = run(near);
+  CHECK(missed.exit_code == 0);
+  CHECK(last_line(missed.out).starts_with("s NONE FOUND samples 40 one 40 "));
+  const auto below = run({"search", "painleve-rod", "--for", "none", "--within", "mu < 1 and 3*I = m*l^2"});
+  CHECK(below.exit_code == 0);
+  CHECK(last_line(below.out) == "s NONE FOUND samples 2000 for none\n");
+  const auto empty = run({"search", "ladder", "--within", "mu_f < mu_w and mu_w < mu_f", "--samples", "5"});
+  CHECK(empty.exit_code == 4);
+  CHECK(last_line(empty.out).starts_with("s UNDECIDED samples 0 "));
+}
+
+TEST_CASE("search: mistakes are told, with nothing on standard output") {
+  const auto within = run({"search", "ladder", "--within", "mu_f < 1 and q > 0"});
+  CHECK(within.exit_code == 3);
+  CHECK(within.out.empty());
+  CHECK(within.err.starts_with("--within:1:14: "));
+  CHECK(run({"search", "ladder", "--within", ""}).exit_code == 3);
+  CHECK(run({"search", "no-such-thing"}).exit_code == 3);
+  CHECK(run({"search", "ladder", "--for", "one"}).exit_code == 2);
+  CHECK(run({"search", "ladder", "--samples", "0"}).exit_code == 2);
+  CHECK(run({"search"}).exit_code == 2);
+}
+
+TEST_CASE("search: text has 80 columns, --quiet its last line, JSON the same counts") {
+  const std::vector<std::string> call{"search", "ladder", "--samples", "100"};
+  const auto with = [&](const char* option) {
+    auto longer = call;
+    longer.emplace_back(option);
+    return run(longer);
+  };
+  const auto text = run(call), quiet = with("--quiet"), json = with("--json");
+  std::istringstream lines(text.out);
+  for (std::string line; std::getline(lines, line);) CHECK(slipproof::utf8_count(line) <= 80);
+  CHECK(quiet.out == last_line(text.out));
+  const Json document = Json::parse(json.out);
+  CHECK(document["schema"] == "slipproof/search/1");
+  CHECK(document["samples"] == 100);
+  std::size_t longest = 0;
+  for (const Json& cell : document["cells"]) {
+    CHECK(cell["motions"] == cell["modes"].size() + cell["on_boundary"].get<std::size_t>());
+    CHECK(cell["simplest"].contains("W"));
+    CHECK(cell["simplest"]["theta"].contains("cos"));
+    longest = std::max(longest, cell["samples"].get<std::size_t>());
+  }
+  CHECK(longest <= 100);
+  CHECK(longest > 50);
+}

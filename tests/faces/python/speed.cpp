@@ -1,0 +1,59 @@
+// The C++ side of speed.py: the same scenes, the same calls.
+//   slipproof_python_speed COLUMNS SCENE: COLUMNS has 15 columns of binary64, one after the other
+// Prints the best rate of the batch filter on one core, in scenes a second, and the best time of one solution, in
+// seconds.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <vector>
+
+#include "floating/filter/batch.hpp"
+#include "mechanics/bicycle/scene.hpp"
+#include "report/scenes/solve_report.hpp"
+
+namespace {
+
+using namespace slipproof;
+
+double best_of(int repeats, const std::function<void()>& work) {
+  double best = 1e9;
+  for (int i = 0; i < repeats; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+  return best;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3) return 2;
+  std::ifstream file(argv[1], std::ios::binary);
+  const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
+  const std::size_t size = bytes.size() / sizeof(double) / 15;
+  const auto at = [&](std::size_t i) {
+    return Column(std::span(reinterpret_cast<const double*>(bytes.data()) + i * size, size));
+  };
+  const ForcedScene<Column> scenes{.bicycle = {.M = at(0),
+                                               .R = at(1),
+                                               .h = at(2),
+                                               .b2 = at(3),
+                                               .b3 = at(4),
+                                               .I1 = at(5),
+                                               .I2 = at(6),
+                                               .I3 = at(7),
+                                               .r1 = at(8),
+                                               .r2 = at(9),
+                                               .L = at(10),
+                                               .J = at(14)},
+                                   .road = {.f = at(11), .g = at(12)},
+                                   .F = at(13)};
+  const double batch = best_of(7, [&] { consistent_modes(scenes, 1); });
+  const Scene scene = read_scene(argv[2]);
+  const double solution = best_of(300, [&] { const SolvedScene solved(scene); });
+  std::printf("%.9g %.9g\n", static_cast<double>(size) / batch, solution);
+}

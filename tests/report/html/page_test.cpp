@@ -1,0 +1,389 @@
+// The report: well-formed, the same bytes each time, everything in it escaped, every link leading somewhere.
+#include "report/html/page.hpp"
+
+#include <doctest/doctest.h>
+
+#include <pugixml.hpp>
+#include <set>
+
+#include "base/input/diagnostic.hpp"
+#include "base/os/sha256.hpp"
+#include "proofs/statement/undecided.hpp"
+#include "report/html/trade_data.hpp"
+#include "report/papers/explain.hpp"
+#include "report/scenes/trade_report.hpp"
+#include "support/run_program.hpp"
+#include "support/shipped.hpp"
+#include "support/small_claims.hpp"
+
+using namespace slipproof;
+
+namespace {
+
+const std::string hostile = "</script><script>alert(1)</script><b onmouseover=x>\"'&amp;\xE2\x80\xAE\x01";
+
+const VerifyResult& small_result() {
+  static const VerifyResult result = [] {
+    VerifyOptions options;
+    options.samples = 60;
+    options.lines = 0;  // verdicts to show, not to trust
+    return verify(test::shipped_paper(), options);
+  }();
+  return result;
+}
+
+PageInput small_input() {
+  PageInput input;
+  input.claims = &test::shipped_paper();
+  input.result = &small_result();
+  input.command = "slipproof report";
+  input.version = "0";
+  input.figures = read_figures(SLIPPROOF_SOURCE_DIR "/proofs/rozenblat-yashin/figures.toml", *input.claims);
+  input.scenes.push_back(read_scene(SLIPPROOF_SOURCE_DIR "/cases/wheelie.toml"));
+  input.scenes.back().name = hostile;
+  input.certificates.push_back({"T<1>", "T.cert", "a < b & c", CertificateState::rejected, "line 1: " + hostile});
+  input.solvers.push_back({hostile, 10, {4, 3, 2, 1, 0, 0}, 1});
+  input.sources.push_back({hostile, sha256("")});
+  return input;
+}
+
+pugi::xml_document read(const std::string& html) {
+  pugi::xml_document tree;
+  const auto result = tree.load_string(html.c_str(), pugi::parse_default | pugi::parse_doctype | pugi::parse_ws_pcdata);
+  INFO(result.description() << " at " << result.offset);
+  REQUIRE(result);
+  return tree;
+}
+
+const std::string& small_page() {
+  static const std::string html = page_html(small_input());
+  return html;
+}
+
+/// Every link leads somewhere in the page, every id is there once, nothing comes from elsewhere.
+void check_links(const std::string& html) {
+  const auto tree = read(html);
+  std::set<std::string> ids;
+  for (const auto& found : tree.select_nodes("//*[@id]")) {
+    const std::string id = found.node().attribute("id").value();
+    CAPTURE(id);
+    CHECK(ids.insert(id).second);
+  }
+  for (const auto& found : tree.select_nodes("//a[@href]")) {
+    const std::string href = found.node().attribute("href").value();
+    CAPTURE(href);
+    if (found.node().attribute("download")) {  // a file inside of the page
+      CHECK(href.starts_with("data:text/plain"));
+      continue;
+    }
+    REQUIRE(href.starts_with("#"));
+    CHECK(ids.contains(href.substr(1)));
+  }
+  for (const auto& found : tree.select_nodes("//*[@fill]")) {
+    const std::string fill = found.node().attribute("fill").value();
+    if (fill.starts_with("url(#")) CHECK(ids.contains(fill.substr(5, fill.size() - 6)));
+  }
+  CHECK(tree.select_nodes("//*[@src]").empty());
+  CHECK(tree.select_nodes("//link[not(starts-with(@href, 'data:'))]").empty());
+  CHECK(html.find("@import") == std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("the page is well-formed, small, and the same bytes each time") {
+  CHECK(small_page().starts_with("<!DOCTYPE html>"));
+  read(small_page());
+  CHECK(small_page().size() < 3'000'000);
+  CHECK(page_html(small_input()) == small_page());
+}
+
+TEST_CASE("hostile names are text") {
+  const auto tree = read(small_page());
+  for (const auto& script : tree.select_nodes("//script")) {
+    CHECK(std::string(script.node().text().get()).find("alert") == std::string::npos);
+  }
+  CHECK(tree.select_nodes("//b[@onmouseover]").empty());
+  int shown = 0;
+  for (const auto& heading : tree.select_nodes("//figure//bdi")) {
+    shown += std::string(heading.node().text().get()).find("<script>alert(1)</script>") != std::string::npos;
+  }
+  CHECK(shown == 1);
+}
+
+TEST_CASE("every link leads somewhere in the page, every id is there once, nothing comes from elsewhere") {
+  check_links(small_page());
+}
+
+TEST_CASE("links to claims that were left out are no links") {
+  VerifyOptions options;
+  options.samples = 5;
+  options.lines = 0;
+  PageInput input = small_input();
+  input.figures.clear();
+  input.scenes.clear();
+  for (const std::string only : {"A5", "E4", "T"}) {
+    CAPTURE(only);
+    options.only = only;
+    const VerifyResult result = verify(test::shipped_paper(), options);
+    input.result = &result;
+    const std::string html = page_html(input);
+    check_links(html);
+    if (only == "A5") CHECK(html.find("A1.1") != html.npos);  // A5.2 speaks of it: as text
+  }
+}
+
+TEST_CASE("every claim is there with its verdicts, every finding in the errata, every counterexample with a picture") {
+  const auto tree = read(small_page());
+  const VerifyResult& result = small_result();
+  for (const ClaimResult& claim : result.claims) {
+    const std::string id = "claim-" + small_input().claims->claims[claim.claim].id;
+    CAPTURE(id);
+    const auto card = tree.select_node(("//details[@id='" + id + "']").c_str()).node();
+    REQUIRE(card);
+    const Claim& stated = small_input().claims->claims[claim.claim];
+    const bool formulas = stated.is<Interval>() || stated.is<Formula>() || stated.is<Consequence>() ||
+                          stated.is<System>() || stated.is<Equivalence>();
+    CHECK((!formulas || !card.select_nodes(".//math").empty()));
+    if (!claim.counterexample) continue;
+    CHECK(!card.select_nodes(".//*[@class='counterexample']").empty());
+    const bool moves =
+        is_about_motions(stated) && claim.counterexample->motions && !claim.counterexample->motions->motions.empty();
+    if (moves) CHECK(!card.select_nodes(".//svg[@class='bicycle']").empty());
+  }
+  CHECK(tree.select_nodes("//section[@id='errata']//li").size() > 20);
+}
+
+TEST_CASE("the arithmetic beside a counterexample comes to nothing wrong: each row ends in = 0, 11 rows a motion") {
+  const auto tree = read(small_page());
+  const auto tables = tree.select_nodes("//details[@class='data by-hand']/table[1]");
+  CHECK(tables.size() > 5);
+  for (const auto& table : tables) CHECK(table.node().select_nodes(".//tr").size() == 11);
+}
+
+TEST_CASE("a row that a formula heads has a name that can be read out") {
+  const auto tree = read(small_page());
+  const auto headers = tree.select_nodes("//th/math");
+  CHECK(headers.size() > 60);
+  for (const auto& math : headers) CHECK_FALSE(std::string(math.node().attribute("aria-label").value()).empty());
+  CHECK(tree.select_nodes("//th/math[@aria-label='b2']").size() >= 1);
+}
+
+TEST_CASE("the first page has the problem, the figure, the findings in words and the counts, in this order") {
+  const std::string& html = small_page();
+  std::size_t last = 0;
+  PageInput input = small_input();
+  input.model = read_scene(SLIPPROOF_SOURCE_DIR "/cases/city-bicycle.toml");
+  const std::string page = page_html(input);
+  for (const char* part : {"The problem", "class=\"labelled\"", "What was found", "claims are refuted, and there are",
+                           "What is false", "class=\"cards\"", "id=\"phase\""}) {
+    CAPTURE(part);
+    const std::size_t at = page.find(part);
+    REQUIRE(at != page.npos);
+    CHECK(at > last);
+    last = at;
+  }
+  CHECK(html.find("id=\"notation\"") != html.npos);
+  CHECK(html.find("How to cite") != html.npos);
+}
+
+TEST_CASE("formulas of the errata are typeset, and what is always true is said in words") {
+  const auto tree = read(small_page());
+  std::size_t parts = 0;
+  for (const auto& part : tree.select_nodes("//section[@id='errata']//div[@class='part']")) {
+    ++parts;
+    const std::string text = part.node().text().get();
+    CHECK(text.find("true") == std::string::npos);
+  }
+  CHECK(parts > 20);
+  CHECK(tree.select_nodes("//section[@id='errata']//dd//math").size() > 40);
+  CHECK(tree.select_nodes("//section[@id='errata']//dd/code").empty());
+}
+
+TEST_CASE(
+    "what is wrong has symbols as such, not only beside an operator, and leaves words and names of claims alone") {
+  const auto tree = read(small_page());
+  std::string plain, symbols;  // what stands beside formulas, what stands in them
+  for (const auto& found :
+       tree.select_nodes("//section[@id='errata']//dt[.='what is wrong']/following-sibling::dd[1]")) {
+    for (const auto& text : found.node().select_nodes("text()")) plain += std::string(text.node().value()) + ' ';
+    for (const auto& math : found.node().select_nodes("math")) {
+      symbols += ' ';
+      for (const auto& text : math.node().select_nodes(".//text()")) symbols += text.node().value();
+    }
+  }
+  for (const char* left : {"sigma", "xi2", " f becomes", "k1 and", "with h ", "M1)", "_"}) {
+    CAPTURE(left);
+    CHECK(plain.find(left) == plain.npos);
+  }
+  for (const char* kept :
+       {"and in slip-/slip+ there are motions", "There is also a motion", "A4.cover", "a continuum"}) {
+    CAPTURE(kept);
+    CHECK(plain.find(kept) != plain.npos);
+  }
+  for (const char* set : {" F1", " \xCF\x83", " k1"}) {
+    CAPTURE(set);
+    CHECK(symbols.find(set) != symbols.npos);
+  }
+}
+
+TEST_CASE("the note of a claim is typeset as the finding is that it explains") {
+  const auto tree = read(small_page());
+  const auto note = tree.select_node("//*[@id='claim-R2.3.2']//p[b='Note. ']").node();
+  REQUIRE(note);
+  CHECK(note.select_nodes("math").size() == 8);  // gap2, phi, g, b2, and the same of the front wheel
+  for (const auto& text : note.select_nodes("text()"))
+    CHECK(std::string(text.node().value()).find(">=") == std::string::npos);
+}
+
+TEST_CASE("each counterexample can be saved as a scene that solve reads") {
+  const auto tree = read(small_page());
+  const auto links = tree.select_nodes("//a[@download]");
+  CHECK(links.size() >= 15);
+  const std::string href = links.first().node().attribute("href").value(), head = "data:text/plain;charset=utf-8,";
+  REQUIRE(href.starts_with(head));
+  std::string text;
+  for (std::size_t i = head.size(); i < href.size(); ++i) {
+    if (href[i] != '%') {
+      text += href[i];
+    } else {
+      text += static_cast<char>(std::stoi(href.substr(i + 1, 2), nullptr, 16));
+      i += 2;
+    }
+  }
+  const test::TemporaryFolder folder;
+  CHECK(read_scene(folder.write("scene.toml", text)).name.starts_with("counterexample to "));
+}
+
+TEST_CASE("the page of a paper with open claims and no finding is no all-clear") {
+  test::SmallClaims small;
+  small.parameters = "b = { domain = \"b > 0\", meaning = \"b\" }\n";
+  small.claims = "[[claim]]\nid = \"X\"\nline = 7\nstatement = \"s\"\nkind = \"formula\"\nholds = \"1/(b - b) = 1\"\n";
+  const ClaimsFile file = parse_claims(small.text(), "small.toml");
+  VerifyOptions options;
+  options.samples = 20;
+  const VerifyResult result = verify(file, options);
+  PageInput input;
+  input.claims = &file;
+  input.result = &result;
+  const std::string html = page_html(input);
+  CHECK(html.find("no all-clear") != html.npos);
+  CHECK(html.find("Nothing was found to be wrong") == html.npos);
+  CHECK(html.find("Certified solvers") == html.npos);
+  CHECK(html.find("Speed and accuracy") == html.npos);
+}
+
+TEST_CASE("a paper of one's own asks, answers, has numbers of its scenes, and says what it leaves open") {
+  const std::string root = SLIPPROOF_SOURCE_DIR;
+  test::SmallClaims small;
+  small.parameters = "b = { domain = \"b > 0\", meaning = \"b\" }\n";
+  small.claims = "[[claim]]\nid = \"X\"\nline = 7\nstatement = \"s\"\nkind = \"formula\"\nholds = \"b > 0\"\n";
+  std::string text = small.text();
+  const std::string source = "[paper]\n";
+  text.insert(text.find(source) + source.size(),
+              "question = \"Why?\"\nfound = \"Because.\"\nopen = [\"Whether b is 1.\", \"What else.\"]\n"
+              "scenes = [\"ambiguous.toml\", \"motorcycle.toml\"]\n");
+  const test::TemporaryFolder folder;
+  const auto claims = folder.write("claims.toml", text);
+  for (const std::string scene : {"ambiguous.toml", "motorcycle.toml"})
+    folder.write(scene, test::read_file(root + "/cases/" + scene));
+  const ClaimsFile file = parse_claims(text, "claims.toml");
+  Certificates certificates(folder.path());
+  const PageFolders folders{claims, {}, {}, {}, {}};
+  PageInput input = gather(folders, file, certificates);
+  const auto inputs = files_of(folders, file);
+  CHECK(std::count(inputs.begin(), inputs.end(), folder.path() / "motorcycle.toml") == 1);
+  VerifyOptions options;
+  options.samples = 20;
+  const VerifyResult result = verify(file, options);
+  input.result = &result;
+  const auto tree = read(page_html(input));
+  CHECK(tree.select_node("//*[@id='overview']//p[.='Why?']"));
+  CHECK(tree.select_node("//*[@id='overview']//p[.='Because.']"));
+  CHECK(tree.select_nodes("//*[@id='open']//li").size() == 2);
+  REQUIRE(tree.select_nodes("//*[@id='machines']/div/table/tbody/tr").size() == 2);
+  const auto cell = [&](int row, int column) {
+    return std::string(tree.select_node(("//*[@id='machines']/div/table/tbody/tr[" + std::to_string(row) + "]/td[" +
+                                         std::to_string(column) + "]")
+                                            .c_str())
+                           .node()
+                           .child_value());
+  };
+  CHECK(cell(1, 1) == "0.4 = 2/5");     // theorem 1 of proofs/two-wheeler
+  CHECK(cell(1, 2) == "0.84 = 21/25");  // and theorem 3
+  CHECK(cell(1, 3) == "1");
+  CHECK(!tree.select_nodes("//*[@id='machines']//svg").empty());
+  std::filesystem::remove(folder.path() / "motorcycle.toml");
+  CHECK_THROWS_WITH_AS(gather(folders, file, certificates), doctest::Contains("motorcycle.toml"), InputError);
+}
+
+TEST_CASE("fingerprints are SHA-256") {
+  CHECK(sha256("") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  CHECK(sha256("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+TEST_CASE("a measurement of trade is read back, and drawn") {
+  TradeOptions options;
+  options.scenes = 2;
+  options.seconds = 0;
+  const Trade trade = measure_trade(options);
+  const test::TemporaryFolder folder;
+  const Trade back = read_trade(folder.write("trade.json", trade_json(trade)));
+  REQUIRE(back.rows.size() == trade.rows.size());
+  for (std::size_t i = 0; i < back.rows.size(); ++i) {
+    CHECK(back.rows[i].type == trade.rows[i].type);
+    CHECK(back.rows[i].wrong == trade.rows[i].wrong);
+    CHECK(back.rows[i].worst_force == trade.rows[i].worst_force);
+  }
+  PageInput input = small_input();
+  input.figures.clear();
+  input.scenes.clear();
+  input.trade = back;
+  CHECK(!read(page_html(input)).select_nodes("//svg[@class='scatter']").empty());
+  for (const std::string bad : {"", "[]", "{\"schema\":\"slipproof/trade/2\"}", "{\"schema\":\"slipproof/trade/1\"}"}) {
+    CHECK_THROWS_AS(read_trade(folder.write("bad.json", bad)), InputError);
+  }
+}
+
+TEST_CASE("a solver's outputs are judged as the table of cases/solvers says") {
+  const SolverVerdicts verdicts = certify_solver(SLIPPROOF_SOURCE_DIR "/cases/solvers/plain-enumerator.csv");
+  CHECK(verdicts.verdicts == std::array<std::uint64_t, 6>{145, 10, 7, 10, 0, 0});
+  CHECK(verdicts.unfounded == 10);
+}
+
+TEST_CASE("everything that comes with the program is gathered") {
+  const std::string root = SLIPPROOF_SOURCE_DIR;
+  const test::TemporaryFolder folder;
+  const auto claims = folder.write("claims.toml", test::read_file(root + "/proofs/rozenblat-yashin/claims.toml"));
+  std::filesystem::create_directory(folder.path() / "certificates");
+  for (const std::string name : {"A1.1a.statement", "A1.1a.cert", "A1.2a.statement"}) {
+    folder.write("certificates/" + name, test::read_file(test::shipped_certificates / name));
+  }
+  folder.write("certificates/A1.1.always.statement",
+               test::read_file(test::shipped_certificates / "A1.1.always.statement"));
+  folder.write("certificates/A1.1.always.cert", undecided_text("A1.1.always", {"no step left of 7"}));
+  Certificates certificates(folder.path());
+  PageInput input = gather({claims, root + "/cases/city-bicycle.toml", root + "/cases", root + "/cases/solvers", {}},
+                           test::shipped_paper(), certificates);
+  CHECK(input.figures.empty());  // there is no figures.toml beside the claims
+  CHECK(input.scenes.size() >= 10);
+  CHECK(input.solvers.size() == 12);
+  REQUIRE(input.certificates.size() == 3);
+  CHECK(input.certificates[0].state == CertificateState::undecided);
+  CHECK(input.certificates[1].state == CertificateState::accepted);
+  CHECK(input.certificates[2].state == CertificateState::missing);
+  // Each is called what it is, and none of them rejected.
+  VerifyOptions options;
+  options.samples = 5;
+  options.lines = 0;
+  options.only = "A1.1";
+  const VerifyResult result = verify(test::shipped_paper(), options);
+  input.result = &result;
+  const auto page = read(page_html(input));
+  const auto text = [&](const std::string& path) {
+    return std::string(page.select_node(path.c_str()).node().text().get());
+  };
+  CHECK(page.select_nodes("//section[@id='certificates']//span[@class='chip refuted']").empty());
+  const std::string chip = "//details[@id='certificate-A1.1.always']/summary/span[@class='chip undecided']";
+  CHECK(page.select_nodes(chip.c_str()).size() == 1);
+  CHECK(text("//section[@id='overview']//a[@href='#certificates']/span[@class='detail']") == "1 undecided, 1 missing");
+}

@@ -1,0 +1,84 @@
+// Formulas as MathML: what is nested stays nested, and every statement of the shipped paper is understood.
+#include <doctest/doctest.h>
+
+#include <pugixml.hpp>
+
+#include "base/expression/parser.hpp"
+#include "claims/reading/claims_file.hpp"
+#include "report/markup/latex.hpp"
+#include "report/markup/mathml.hpp"
+#include "report/markup/symbol.hpp"
+
+using namespace slipproof;
+
+namespace {
+
+/// The MathML without what only structures it, for short expectations.
+std::string math(std::string_view text) {
+  const Document document("p");
+  add_sentence(document.root(), "$" + std::string(text) + "$");
+  return document.xml();
+}
+
+std::string plain(const std::string& xml) {
+  pugi::xml_document tree;
+  REQUIRE(tree.load_string(xml.c_str()));
+  std::string all;
+  struct Walker : pugi::xml_tree_walker {
+    std::string* all;
+    bool for_each(pugi::xml_node& node) override {
+      *all += node.value();
+      return true;
+    }
+  } walker;
+  walker.all = &all;
+  tree.traverse(walker);
+  return all;
+}
+
+bool has(const std::string& text, std::string_view part) {
+  return text.find(part) != text.npos;
+}
+
+}  // namespace
+
+TEST_CASE("symbols have their letters and indices") {
+  CHECK(plain_symbol("xi1") == "ξ1");
+  CHECK(plain_symbol("b11") == "b11");
+  CHECK(plain_symbol("a_y") == "a_y");
+  CHECK(plain_symbol("F sigma") == "F σ");
+  CHECK(typeset_symbol("N2_1").superscript == "1");
+  CHECK(typeset_symbol("N2_1").subscript == "2");
+  CHECK(typeset_symbol("gap3").letter == "gap");
+  CHECK(typeset_symbol("F_sigma").subscript == "σ");
+}
+
+TEST_CASE("fractions, indices and parentheses") {
+  CHECK(has(math("\\frac{1}{2}"), "<mfrac><mrow><mn>1</mn></mrow><mrow><mn>2</mn></mrow></mfrac>"));
+  CHECK(has(math("M_{0}"), "<msub>"));
+  CHECK(has(math("N_{2}^{2}"), "<msubsup>"));
+  CHECK(plain(math("\\xi_{3}<F \\sigma \\leq \\left(b-f h\\right)")) == "ξ3<Fσ≤(b−fh)");
+}
+
+TEST_CASE("what is not understood stays as it was written") {
+  for (const std::string latex : {"\\unknown{x}", "\\frac{1}", "a_", "{a", "a}", "\\", "\\text{a"}) {
+    CAPTURE(latex);
+    CHECK(has(math(latex), "<code>"));
+    CHECK(plain(math(latex)) == latex);
+  }
+  CHECK(has(math(std::string(100'000, '{')), "<code>"));
+  CHECK(has(math("a" + std::string(100'000, '_')), "<code>"));
+}
+
+TEST_CASE("every statement of the shipped papers is set in full") {
+  for (const char* paper : {"rozenblat-yashin", "rear-drive"}) {
+    const auto claims = read_claims(std::string(SLIPPROOF_SOURCE_DIR) + "/proofs/" + paper + "/claims.toml");
+    for (const Claim& claim : claims.claims) {
+      const Document document("p");
+      add_sentence(document.root(), claim.statement);
+      CAPTURE(claim.statement);
+      CHECK(!has(document.xml(), "<code>"));
+      CHECK(!has(plain(document.xml()), "$"));
+    }
+  }
+}
