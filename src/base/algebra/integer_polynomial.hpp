@@ -9,7 +9,7 @@
 
 namespace slipproof {
 
-/// A commutative ring, without a division but for exact ones. Any degree; the zero polynomial has degree -1.
+/// A commutative ring with exact division only. Any degree; the zero polynomial has degree -1.
 class IntegerPolynomial {
  public:
   IntegerPolynomial(int constant = 0) {  // NOLINT: integers belong

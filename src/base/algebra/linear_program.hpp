@@ -30,8 +30,8 @@ struct LinearOptimum {
 };
 
 /// The least value of the objective over all x, of any sign, with every constraint >= 0. All forms have as many
-/// coefficients as the objective. The simplex method on dictionaries with Bland's rule: it ends, without a tolerance;
-/// or it gives up after so many pivots.
+/// coefficients as the objective. Uses the simplex method on dictionaries with Bland's rule, which terminates without a
+/// tolerance; gives up after that many pivots.
 LinearOptimum minimize(const AffineForm& objective, const std::vector<AffineForm>& constraints,
                        std::size_t max_pivots = std::numeric_limits<std::size_t>::max());
 
@@ -48,7 +48,7 @@ class LinearProgram {
   LinearProgram& operator=(const LinearProgram&) = delete;
 
   bool is_feasible() const { return is_feasible_; }
-  /// The least value of an objective, of a feasible program; nothing if it is unbounded.
+  /// The least value of an objective of a feasible program; nothing if it is unbounded.
   std::optional<Rational> least(const AffineForm& objective);
 
  private:

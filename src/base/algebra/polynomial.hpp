@@ -24,8 +24,8 @@ enum class MonomialOrder : std::uint8_t {
 };
 
 /// The variables, and the work done with polynomials in them: arithmetic spends the steps of the budget, and throws
-/// Budget::Spent where none are left. Without another limit there is none. Polynomials keep a pointer to their ring,
-/// which must outlive them; those of different rings do not mix.
+/// Budget::Spent if none are left. By default there is no limit. Polynomials keep a pointer to their ring, which must
+/// outlive them; polynomials of different rings do not mix.
 class PolynomialRing {
  public:
   explicit PolynomialRing(std::vector<std::string> names, MonomialOrder order = MonomialOrder::lexicographic);
@@ -42,7 +42,7 @@ class PolynomialRing {
   std::vector<std::string> names_;
   std::vector<const char*> pointers_;
   fmpq_mpoly_ctx_t context_;
-  mutable Budget budget_;  ///< of whoever works with the polynomials, one thread at a time
+  mutable Budget budget_;  ///< of all work in this ring, one thread at a time
 };
 
 struct Term {
@@ -58,7 +58,7 @@ class MultiPolynomial {
  public:
   explicit MultiPolynomial(const PolynomialRing& ring, const Rational& constant = 0);
   static MultiPolynomial variable(const PolynomialRing& ring, std::size_t index);
-  /// Reads what text() writes, and any other polynomial in that syntax; nothing if it is none.
+  /// Reads what text() writes, and any other polynomial in that syntax; nothing for other texts.
   static std::optional<MultiPolynomial> parse(const PolynomialRing& ring, const std::string& text);
 
   const PolynomialRing& ring() const { return *ring_; }
@@ -87,7 +87,7 @@ class MultiPolynomial {
   friend MultiPolynomial operator-(MultiPolynomial x, const MultiPolynomial& y) { return x -= y; }
   friend MultiPolynomial operator*(MultiPolynomial x, const MultiPolynomial& y) { return x *= y; }
   bool operator==(const MultiPolynomial& other) const;
-  /// The same for copies of one polynomial, and for no other one as long as any of them lives.
+  /// Equal for copies of one polynomial, and different from all others as long as one of the copies lives.
   const void* identity() const { return value_.get(); }
 
   MultiPolynomial scaled(const Rational& factor) const;
@@ -95,8 +95,8 @@ class MultiPolynomial {
   std::optional<MultiPolynomial> divided_by(const MultiPolynomial& divisor) const;
   /// The greatest common divisor, monic; nothing where FLINT gives up.
   std::optional<MultiPolynomial> common_divisor(const MultiPolynomial& other) const;
-  /// Nothing stops it once it has begun, so that who has a limit asks for the length first. What FLINT gives up on
-  /// comes back as_irreducible().
+  /// Cannot be stopped once begun, so a caller with a limit checks the length first. If FLINT gives up, returns
+  /// as_irreducible().
   Factorization factors() const;
   /// Its content and its primitive part, as if that had no factors; of a polynomial that is not 0.
   Factorization as_irreducible() const;

@@ -85,7 +85,7 @@ class RationalFunction {
   /// Written without the variable: then numerator().coefficient(0) is the value.
   bool is_constant() const { return numerator_.degree() == 0 && denominator_.degree() == 0; }
 
-  /// Of a constant, most of what claims compare among them: its denominator is 1.
+  /// The value of a constant. Most values that claims compare are constants; their denominator is 1.
   Rational value() const { return numerator_.coefficient(0); }
 
   friend RationalFunction operator+(const RationalFunction& x, const RationalFunction& y) {

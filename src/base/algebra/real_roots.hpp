@@ -25,8 +25,8 @@ struct RealRoot {
 /// rational where a factor is linear, and different factors have no root in common.
 std::vector<RealRoot> real_roots(const std::set<IntegerPolynomial>& polynomials, const LinePart& part = {});
 
-/// A number in every cell that the roots cut out of the part of the line: between two neighbours, and beyond the first
-/// and the last; each the simplest of its cell, or of a part of it where an end is irrational.
+/// A number in every cell into which the roots cut the part of the line: between two neighbours, and beyond the first
+/// and the last. Each is the simplest of its cell, or of a part of the cell if an end is irrational.
 std::vector<Rational> cell_points(const std::vector<RealRoot>& roots, const LinePart& part = {});
 
 }  // namespace slipproof

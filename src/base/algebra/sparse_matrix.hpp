@@ -9,8 +9,8 @@
 
 namespace slipproof {
 
-/// Rows, one after the other: row i has its entries from starts[i] to starts[i + 1], with columns that increase. No
-/// entry stands twice; a stored entry may be 0.
+/// Stores rows one after the other: row i has its entries from starts[i] to starts[i + 1], with increasing columns.
+/// There are no duplicate entries; a stored entry may be 0.
 struct SparseMatrix {
   std::size_t rows = 0, columns = 0;
   std::vector<std::size_t> starts = {0};  ///< rows + 1 of them
@@ -18,7 +18,7 @@ struct SparseMatrix {
   std::vector<double> value;
 
   std::size_t entries() const { return value.size(); }
-  /// Of a row: where its entries begin and end in `column` and `value`.
+  /// The columns and values of a row.
   std::span<const std::uint32_t> columns_of(std::size_t row) const {
     return {column.data() + starts[row], column.data() + starts[row + 1]};
   }
@@ -28,14 +28,14 @@ struct SparseMatrix {
   bool operator==(const SparseMatrix&) const = default;
 };
 
-/// One entry where it stands, counted from 0.
+/// An entry with its row and column, counted from 0.
 struct MatrixEntry {
   std::uint32_t row = 0, column = 0;
   double value = 0;
 };
 
-/// Entries in any order; all of them lie inside. An entry that stands twice is a mistake of whoever made them: `twice`
-/// gets the first one with its second, and stays empty otherwise. Linear but for sorting.
+/// Makes a matrix from entries in any order, all within its size. If an entry occurs twice, `twice` gets both
+/// occurrences; otherwise it stays empty. Linear time except for sorting.
 SparseMatrix sparse_matrix(std::size_t rows, std::size_t columns, std::vector<MatrixEntry> entries,
                            std::vector<MatrixEntry>& twice);
 

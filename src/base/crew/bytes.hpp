@@ -1,4 +1,4 @@
-// What ranks tell each other and journals keep: numbers and texts one after the other.
+// Serialization for messages between ranks and for journals: numbers and texts one after the other.
 #pragma once
 
 #include <cstdint>

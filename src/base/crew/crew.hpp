@@ -36,7 +36,7 @@ class Unfinished : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Of more ranks than these rank 0 only hands out and takes, and does not compute besides.
+/// With more ranks than this, rank 0 only coordinates and computes nothing itself.
 inline constexpr int most_ranks_helped = 32;
 
 /// The other ranks end: they wait for rank 0, also where it fails before it has a crew. Of rank 0, once.
@@ -54,14 +54,14 @@ class Crew {
 
   bool leads() const { return transport_.rank() == 0; }
 
-  /// Of the other ranks: answers until they are dismissed.
+  /// On the other ranks: answers requests until rank 0 dismisses them.
   void serve();
 
-  /// Of rank 0: take(i, result) for each request(i), i = 0, 1, ... count - 1, by default in this order, whoever answers
-  /// when. request() may be asked for the same number twice.
-  /// Memory holds a bounded number of results. Throws InputError, OutputError and std::runtime_error as the service
-  /// did, for the first request in the order that has no result; Unfinished, with the missing requests named, where a
-  /// stop is asked for; Stopped; what take() throws. After a throw each() is not called again.
+  /// On rank 0: calls take(i, result) for each request(i), i = 0, 1, ... count - 1, by default in this order, whatever
+  /// rank answers first. request() may be called twice for the same number. Memory holds a bounded number of results.
+  /// Throws InputError, OutputError and std::runtime_error as the service did, for the first request in the order that
+  /// has no result; Unfinished, which names the missing requests, if a stop is asked for; Stopped; and whatever take()
+  /// throws. After a throw each() must not be called again.
   void each(std::uint64_t count, const std::function<std::string(std::uint64_t)>& request,
             const std::function<void(std::uint64_t, std::string)>& take, Taking taking = Taking::in_order);
 
@@ -86,7 +86,7 @@ class Crew {
   Pool pool_;
 };
 
-/// "3-17, 20": numbers in order, from 1, for who reads; at most ten ranges, then how many more.
+/// "3-17, 20": increasing numbers from 1, for people; at most ten ranges, then how many more.
 std::string ranges_text(const std::vector<std::uint64_t>& numbers);
 
 }  // namespace slipproof

@@ -1,4 +1,4 @@
-// Results of long work, kept as they come, from which a later run goes on.
+// Keeps the results of long work as they come, so that a later run can continue.
 #pragma once
 
 #include <array>
@@ -13,31 +13,31 @@
 
 namespace slipproof {
 
-/// Up to `size` bytes of an open file from a place on, fewer at its end. Throws InputError.
+/// Up to `size` bytes of an open file from an offset on, fewer at its end. Throws InputError.
 std::string read_at(int file, std::uint64_t offset, std::uint64_t size, const std::filesystem::path& path);
 
-/// A file with the results of requests, each found again by the request, so that neither the number of ranks nor the
-/// order of the work matters. A result is written at once; what a killed program, or a full disk, leaves of one is no
-/// result: it is noticed by its length or its digest and cut off.
+/// A file with the results of requests. Each result is found again by its request, so neither the number of ranks nor
+/// the order of the work matters. A result is written at once. If a killed program or a full disk leaves part of one,
+/// its length or its digest shows this, and the part is cut off.
 ///
-/// Its form: `slipproof-journal 1`, a newline, the text of what the work is; then for each result the digest (SHA-256,
-/// hexadecimal) of request and result, the request's digest, and the result. Texts have their length before them.
+/// Format: `slipproof-journal 1`, a newline, the text that describes the work; then for each result the digest
+/// (SHA-256, hexadecimal) of request and result, the request's digest, and the result. Each text follows its length.
 class Journal {
  public:
-  /// Opens or makes it. `work` says what the results depend on beside the requests: version, arguments, input.
-  /// Throws InputError for a file that is no journal, or one of other work; OutputError where it cannot be written, or
-  /// another run is writing it.
+  /// Opens or creates the file. `work` describes what the results depend on, apart from the requests: version,
+  /// arguments, input. Throws InputError if the file is not a journal, or one of other work; OutputError if it cannot
+  /// be written, or another run is writing it.
   Journal(std::filesystem::path path, std::string_view work);
 
-  /// One that is there, to be read and not kept in, of whatever work. Throws InputError for what is no journal, is
+  /// Opens an existing journal read-only, whatever run wrote it. Throws InputError if the file is not a journal, is
   /// damaged, or is being written.
   explicit Journal(std::filesystem::path path);
 
-  /// The result of a request, if it is there. Throws InputError where the file has changed under it.
+  /// The result of a request, if there is one. Throws InputError if the file was changed meanwhile.
   std::optional<std::string> find(std::string_view request) const;
   /// Adds a result. Throws OutputError.
   void keep(std::string_view request, std::string_view result);
-  /// What was kept survives a failure of the machine, too. Throws OutputError.
+  /// Makes the kept results survive a failure of the machine. Throws OutputError.
   void flush() const;
 
   std::size_t size() const { return places_.size(); }

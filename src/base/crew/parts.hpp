@@ -15,7 +15,7 @@
 
 namespace slipproof {
 
-/// Bytes of the output, and where they stand.
+/// A range of the output, and where its bytes are.
 struct PartRange {
   std::string part;  ///< the end of the file's name, which begins as the index does
   std::uint64_t offset = 0, size = 0;
@@ -25,10 +25,11 @@ struct PartRange {
   static PartRange from_bytes(std::string_view bytes);
 };
 
-/// PREFIX.index: the journal of the run, in which its results say where their bytes stand.
+/// PREFIX.index: the journal of the run; its results say where their bytes are.
 std::filesystem::path parts_index(const std::string& prefix);
 
-/// The parts there are when it is made: before a run goes on, as its new parts may have the names of lost ones.
+/// The parts that exist when it is constructed: before a run continues, as its new parts may take the names of lost
+/// ones.
 class PartSizes {
  public:
   explicit PartSizes(const std::string& prefix);
@@ -39,8 +40,8 @@ class PartSizes {
   std::map<std::string, std::uintmax_t, std::less<>> sizes_;
 };
 
-/// The part of one rank, PREFIX.RANK.1; where an earlier run has left one PREFIX.RANK.2, and so on. Nothing is written
-/// over. The file is made when the first bytes come.
+/// Writes the part of one rank, PREFIX.RANK.1, or PREFIX.RANK.2 and so on if earlier runs left parts. Overwrites
+/// nothing. Creates the file when the first bytes come.
 class PartWriter {
  public:
   PartWriter(std::string prefix, int rank) : prefix_(std::move(prefix)), rank_(rank) {}

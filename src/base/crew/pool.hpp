@@ -1,4 +1,4 @@
-// The threads of one rank: requests in, answers out in whatever order.
+// The threads of one rank: requests in, answers out in any order.
 #pragma once
 
 #include <chrono>
@@ -22,22 +22,22 @@ namespace slipproof {
 /// Answers a request, from many threads at once, on whichever rank: the same bytes everywhere.
 using Service = std::function<std::string(std::string_view request)>;
 
-/// What came of a request: bytes, or why there are none.
+/// The outcome of a request: bytes, or why there are none.
 struct Reply {
   enum class Kind : std::uint8_t { result, bad_input, not_written, failure };
 
-  std::uint64_t number = 0;  ///< of the request, as who asked counts
+  std::uint64_t number = 0;  ///< of the request, in the numbering of its sender
   Kind kind = Kind::result;
   std::string bytes = {};                    ///< the result, or the message of a failure
   std::vector<Diagnostic> diagnostics = {};  ///< of bad input
 
   std::string to_bytes() const;
   static Reply from_bytes(std::string_view bytes);
-  /// The result. Throws InputError, OutputError, or std::runtime_error, where there is none.
+  /// The result. If there is none, throws InputError, OutputError, or std::runtime_error.
   std::string result() &&;
 };
 
-/// Asks the service, and takes what it throws; Stopped goes on to the caller.
+/// Asks the service, and catches what it throws, except Stopped.
 Reply reply_to(std::uint64_t number, std::string_view request, const Service& service);
 
 class Pool {

@@ -1,4 +1,4 @@
-// How long a crew of many ranks would take, from what was measured of few.
+// Predicts how long a crew of many ranks would take, from measurements on few.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,9 @@ namespace slipproof {
 
 /// What was measured, in seconds and bytes.
 struct MeasuredWork {
-  std::vector<double> requests;  ///< of each that was timed, the time its answer takes on one core
+  std::vector<double> requests;  ///< the time in which one core answers each timed request
   double bytes = 0;              ///< of a result, on average
-  double handling = 0;           ///< of rank 0 for one result, whatever its size: taking it and handing out the next
+  double handling = 0;           ///< time of rank 0 for one result of any size: taking it and handing out the next
   double seconds_a_byte = 0;     ///< of rank 0: to receive and to take a byte of a result
   double alone = 0;              ///< what rank 0 does by itself before and after
   double latency = 2e-6;         ///< of a message

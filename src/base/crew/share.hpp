@@ -1,4 +1,4 @@
-// Work by index, shared by whoever there is: the threads of this process, or a crew of many ranks.
+// Distributes work by index over the threads of this process, or over a crew of many ranks.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// How ranks, the processes of one run, send each other messages: MPI, or queues between threads.
+// Messages between ranks, the processes of one run: over MPI, or over queues between threads.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,7 @@ class Transport {
   virtual int ranks() const = 0;
   /// Does not wait for the receiver.
   virtual void send(int to, std::string bytes) = 0;
-  /// A message that is there; waits for none.
+  /// Returns a message if one has arrived; does not wait.
   virtual std::optional<Message> receive() = 0;
 };
 

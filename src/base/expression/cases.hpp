@@ -1,8 +1,8 @@
-// Conditions without functions: abs, sign, min and max as cases.
+// Conditions without functions: abs, sign, min and max written as cases.
 //
-// What compares with max(x, y) compares with x where x >= y, and with y where x < y. With a function of the force in
-// it, or in a statement, which has no word for functions, a condition is easier to judge as such cases. They say the
-// same, also where something has no value: the case itself compares both operands.
+// A comparison with max(x, y) is one with x if x >= y, and one with y if x < y. If a function contains the force, or if
+// a statement is to be written, whose language has no functions, a condition is easier to judge as such cases. They say
+// the same, also where something has no value: the case itself compares both operands.
 #pragma once
 
 #include <functional>
@@ -19,12 +19,12 @@ bool is_function(const Expression& e);
 bool has_function(const Expression& e);
 /// Of what is written without a division.
 bool has_no_division(const Expression& e);
-/// All that it divides by, bases of negative powers among it: it has a value where none of them is 0. What stands
-/// within a divisor comes before it.
+/// All divisors of an expression, bases of negative powers included: it has a value if none of them is 0. Divisors
+/// within a divisor come before it.
 std::vector<Expression> divisors(const Expression& e);
 
-/// The condition without the functions that are `wanted`. `defined` says of an expression that it has a value wherever
-/// the condition may be used; then less has to be said. Null where it takes more than 256 cases.
+/// The condition without the functions that are `wanted`. `defined` says whether an expression has a value wherever the
+/// condition may be used; then the cases need not say so. Null if it takes more than 256 cases.
 Expression by_cases(const Expression& truth, const OfExpression& wanted, const OfExpression& defined);
 
 }  // namespace slipproof

@@ -15,10 +15,10 @@ namespace slipproof {
 /// Why there is no value.
 enum class Failure : std::uint8_t {
   undefined,  ///< a division by zero
-  undecided   ///< the field cannot tell: the sign of a function of F, or a symbol that has no value
+  undecided   ///< the field cannot decide it: the sign of a function of F, or a symbol that has no value
 };
 
-/// Truth in Kleene's sense: `no and x` is no, `yes or x` is yes, whatever x.
+/// Truth in Kleene's logic: for any x, `no and x` is no, `yes or x` is yes.
 enum class Truth : std::uint8_t { no, yes, undefined, undecided };
 
 /// `decisive` on either side decides, `neutral` leaves the other side: no and yes for `and`, yes and no for `or`.
@@ -53,7 +53,7 @@ struct FieldOf<Rational> {
   std::optional<int> compare(const Rational& x, const Rational& y) const { return x.compare(y); }
 };
 
-/// What the slots of programs stand for: given values, and definitions by other slots (without cycles).
+/// The meaning of the slots of programs: given values, and definitions in terms of other slots (without cycles).
 struct Scope {
   struct Slot {
     std::string name;
@@ -125,7 +125,7 @@ class Evaluator {
     return cell.number ? &*cell.number : fail(cell.failure);
   }
 
-  // The value of an instruction, where it already stands or in `scratch`; null with failure_ set if there is none.
+  // The value of an instruction, where it already is or in `scratch`; null with failure_ set if there is none.
   const T* number(const Program& program, std::uint32_t index, std::optional<T>& scratch) {
     const Program::Instruction& instruction = program.code()[index];
     switch (instruction.operation) {

@@ -51,7 +51,7 @@ using Expression = std::shared_ptr<const Node>;
 
 struct Node {
   Operation operation = Operation::truth;
-  std::size_t column = 0;            ///< where it stands in the text it was read from, from 1; not part of its value
+  std::size_t column = 0;            ///< position in the text it was read from, from 1; not part of its value
   std::vector<Expression> operands;  ///< one, two, or one more than `relations`
   std::vector<Relation> relations;   ///< of a comparison
   Rational number;                   ///< of a literal, >= 0
@@ -71,7 +71,7 @@ Expression make_comparison(std::vector<Expression> operands, std::vector<Relatio
 /// Any of the other operations.
 Expression make(Operation operation, std::vector<Expression> operands, std::size_t column = 0);
 
-/// The same tree, whatever the columns.
+/// Whether the trees are the same, ignoring columns.
 bool same(const Expression& a, const Expression& b);
 
 /// Text that reads back as the same tree, with no more parentheses than that needs.
@@ -92,15 +92,15 @@ enum class Binding : std::uint8_t {
 Binding binding(Operation operation);
 Binding tighter(Binding binding);  ///< the next
 
-/// The names of its symbols, each once, in the order of the text.
+/// The names of its symbols, without repetition, in the order of the text.
 std::vector<std::string> symbols(const Expression& expression);
 
-/// Whether a number is a polynomial of degree at most 1 in the symbol as it stands.
+/// Whether a number, as written, is a polynomial of degree at most 1 in the symbol.
 bool is_linear_in(const Expression& number, const std::string& symbol);
 
 /// Every occurrence of a symbol replaced.
 Expression substitute(const Expression& expression, std::string_view symbol, const Expression& by);
-/// Every symbol replaced at once by what it stands for; null leaves it as it is.
+/// Replaces all symbols at once by their expressions; null leaves a symbol as it is.
 Expression substitute(const Expression& expression, const std::function<Expression(const std::string&)>& meaning);
 
 }  // namespace slipproof

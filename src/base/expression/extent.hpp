@@ -21,7 +21,8 @@ struct Extent {
 using ExtentOfDefinition = std::function<std::optional<Extent>(const std::string& symbol)>;
 Extent extent(const Expression& expression, const ExtentOfDefinition& of_definition);
 
-/// Why nobody should evaluate it: more than 10000 terms, or nested more than 1000 levels deep. Empty if it is fine.
+/// Why an expression is too large to evaluate: more than 10000 terms, or nested more than 1000 levels deep. Empty if it
+/// is not.
 std::string too_large(const Extent& extent);
 
 }  // namespace slipproof

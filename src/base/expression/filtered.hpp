@@ -9,7 +9,7 @@
 
 namespace slipproof {
 
-/// What is unsure is undecided; what is divided by and may be 0 gives a quotient of which nothing is sure.
+/// Unsure comparisons are undecided; a divisor that may be 0 gives a quotient about which nothing is sure.
 template <>
 struct FieldOf<Approximate> {
   Approximate constant(const Rational& value) const { return Approximate(value); }

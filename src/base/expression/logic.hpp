@@ -21,8 +21,8 @@ bool is_true(const Expression& truth);  ///< the word `true`
 Expression both(const Expression& x, const Expression& y);
 /// Joined by `and`; null for none.
 Expression all_of(const std::vector<Expression>& truths);
-/// What all of the conditions consist of together: chains of comparisons link by link, what stands under `or` and `not`
-/// whole, and no `true`.
+/// The conjuncts of all of the conditions together: chains of comparisons link by link, anything under `or` and `not`
+/// as a whole, and no `true`.
 std::vector<Expression> conjuncts(const std::vector<Expression>& truths);
 
 }  // namespace slipproof

@@ -30,8 +30,8 @@ class SureCondition {
     if (stale_ != nothing()) run(point);
     return results_.back().truth;
   }
-  /// The only number that a coordinate may be for the condition to hold, where an equation in it says so, which does
-  /// not depend on that coordinate; null where there is none. Of the point at which the truth was asked for last.
+  /// The only value of a coordinate for which the condition can hold, if an equation in it gives this value without
+  /// using the coordinate; null if there is none. For the point at which the truth was last computed.
   const Approximate* demanded(std::size_t coordinate) const {
     return demands_[coordinate] ? &results_[*demands_[coordinate]].number : nullptr;
   }
@@ -61,7 +61,7 @@ class SureCondition {
   /// The steps to be done when a coordinate changed; and last when several did.
   std::vector<std::vector<std::uint32_t>> behind_;
   std::size_t stale_;                                  ///< its place there, or nothing()
-  std::vector<std::optional<std::uint32_t>> demands_;  ///< by coordinate, the step that it has to equal
+  std::vector<std::optional<std::uint32_t>> demands_;  ///< for each coordinate the step that it must equal
 };
 
 }  // namespace slipproof

@@ -1,9 +1,9 @@
-// Values with everything that they were divided by.
+// Values together with all their divisors.
 //
-// Quotients of polynomials cancel: F/F becomes 1, and 1/(1/F) becomes F. What a claim says does not: where a divisor is
-// 0 it has no value (proofs/MEANING.md, Values). So each value carries the divisors of the whole expression that it
-// comes from, and whoever asks for its truth asks first where these vanish. It assumes that a value of the type below
-// is exact wherever its divisors are not 0.
+// Quotients of polynomials cancel: F/F becomes 1, and 1/(1/F) becomes F. A claim does not cancel: where a divisor is 0
+// it has no value (proofs/MEANING.md, Values). So each value carries the divisors of the whole expression that it comes
+// from, and code that asks for its truth asks first where these vanish. This assumes that a value of the type below is
+// exact wherever its divisors are not 0.
 #pragma once
 
 #include <algorithm>

@@ -68,7 +68,7 @@ class ByteRun {
   virtual void skip(std::uint64_t count) = 0;
 };
 
-/// Bytes as they stand.
+/// Uncompressed bytes of a file.
 class PlainRun final : public ByteRun {
  public:
   PlainRun(std::shared_ptr<const PlacedBytes> file, std::uint64_t offset) : file_(std::move(file)), offset_(offset) {}

@@ -29,11 +29,11 @@ struct CellType {
   bool is_native() const;
 };
 
-/// A number of the type: the nearest binary64 where an integer is none.
+/// A number of the type; an integer that binary64 cannot hold is rounded to the nearest.
 double number_at(const CellType& type, const char* cell);
 /// Of an integer type; the largest where it is beyond int64.
 std::int64_t integer_at(const CellType& type, const char* cell);
-/// Of a text type, as UTF-8 without the zeros after it.
+/// A cell of a text type, as UTF-8 without the trailing zeros.
 std::string text_at(const CellType& type, const char* cell);
 
 /// The numbers of `count` cells that are `stride` bytes apart.

@@ -16,7 +16,7 @@ struct ChunkPlace {
   std::uint64_t offset = 0, size = 0;
 };
 
-/// Where the chunks of a list of items stand and how they are packed.
+/// The places of the chunks of a list of items, and how they are packed.
 struct ChunkLayout {
   std::string path;  ///< how messages call it
   std::size_t item = 0;
@@ -24,7 +24,7 @@ struct ChunkLayout {
   std::vector<ChunkFilter> filters;   ///< in the order in which they were applied
   std::vector<ChunkPlace> chunks;
 
-  /// Throws InputError unless the chunks stand in the file and can hold what they should.
+  /// Throws InputError unless the chunks lie within the file and can hold their items.
   void check(const PlacedBytes& file) const;
 };
 

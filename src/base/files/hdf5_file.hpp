@@ -12,10 +12,10 @@ namespace slipproof {
 /// Whether this program was built with HDF5.
 bool has_hdf5();
 
-/// An HDF5 file in memory. One at a time may be open: others wait, since the library is not safe among threads. Links
-/// that lead elsewhere (soft, external), virtual and external storage, chunks, types of variable length or user-defined
-/// ones, and sizes that the file's bytes cannot hold are refused: nothing outside of `bytes` is read, and no more is
-/// allocated than they can stand for. All throw InputError, with the path in the message.
+/// An HDF5 file in memory. Only one may be open at a time, since the library is not thread-safe; others wait. Refuses
+/// links that lead elsewhere (soft, external), virtual and external storage, chunks, types of variable length or
+/// user-defined ones, and sizes for which the file has no data: nothing outside of `bytes` is read, and no more is
+/// allocated than they can describe. All functions throw InputError, with the path in the message.
 class Hdf5File {
  public:
   /// `file` is how messages call it. Throws, too, if the program was built without HDF5.
@@ -24,7 +24,7 @@ class Hdf5File {
   Hdf5File& operator=(const Hdf5File&) = delete;
   ~Hdf5File();
 
-  /// Whether an object stands at the path, which starts with a slash.
+  /// Whether there is an object at the path, which starts with a slash.
   bool has(const std::string& path) const;
   /// The number of objects in a group.
   std::size_t size_of_group(const std::string& path) const;
@@ -33,10 +33,11 @@ class Hdf5File {
   std::vector<std::int64_t> integers(const std::string& path) const;
   /// binary32, binary64 and integers that it holds exactly.
   std::vector<double> reals(const std::string& path) const;
-  /// The same of a data set that may have been created and never written, which the library reads as zeros: `written`
-  /// tells. All others are refused then. More than `most` are refused before room is made for them.
+  /// The same for a data set that may have been created and never written, which the library reads as zeros: `written`
+  /// says whether it was. All other functions refuse such a set. More than `most` numbers are refused before memory is
+  /// allocated for them.
   std::vector<double> reals(const std::string& path, bool& written, std::optional<std::size_t> most) const;
-  /// A text of fixed length, up to its first zero byte; nothing for what is none or is longer than 64 KiB.
+  /// A text of fixed length, up to its first zero byte; nothing if it is not a text or longer than 64 KiB.
   std::optional<std::string> text(const std::string& path) const;
 
   [[noreturn]] void refuse(const std::string& path, const std::string& message) const;

@@ -32,7 +32,7 @@ class Id {
   herr_t (*close_)(hid_t);
 };
 
-/// The library tells stderr of its errors unless told otherwise; what others have set is put back.
+/// Keeps the library from printing its errors to stderr; restores the former setting at the end.
 class Silence {
  public:
   Silence() {

@@ -1,4 +1,4 @@
-// What stands before the numbers of a NumPy array: a dictionary as Python writes it.
+// The header of a NumPy array: a dictionary as Python writes it.
 #pragma once
 
 #include <cstdint>
@@ -28,9 +28,9 @@ struct NpyHeader {
   std::uint64_t start = 0;           ///< where the data begin
 };
 
-/// Of an array of `size` bytes, after which the run stands at the data. These have exactly the size that the header
-/// says. Throws InputError with `where` before what is wrong. Arrays of objects are refused: only Python could read
-/// them, by running what they say.
+/// Reads the header of an array of `size` bytes, and leaves the run at the data, whose size must be exactly what the
+/// header says. Throws InputError with `where` in front of the message. Refuses arrays of objects: only Python could
+/// read them, by running their code.
 NpyHeader read_npy_header(ByteRun& run, std::uint64_t size, const std::string& file, const std::string& where);
 
 /// The type that '<f8' and its like name, in quotes or without.

@@ -16,9 +16,8 @@ struct NamedNumbers {
   std::vector<double> numbers;
 };
 
-/// Of binary64, binary32 or integers (the nearest binary64 where one is none), of either byte order, with one or two
-/// dimensions; the rows of two one after the other. More numbers than `most` are refused before they are read. Throws
-/// InputError.
+/// Reads an array of binary64, binary32 or integers (rounded to the nearest binary64), of either byte order, with one
+/// dimension, or with two, row by row. Refuses more numbers than `most` before reading them. Throws InputError.
 std::vector<double> read_npy(std::string_view bytes, const std::string& file, std::optional<std::size_t> most = {});
 
 /// What is read of an array in an archive.
@@ -27,8 +26,8 @@ struct WantedArray {
   std::optional<std::size_t> most = std::nullopt;
 };
 
-/// The arrays of an archive, stored or deflated: those that `wanted` says; the only one under the name "r" if its own
-/// is none of them. What they inflate to is at most 1032 times the file. Throws InputError.
+/// Reads those arrays of an archive, stored or deflated, that `wanted` selects; a single array with any other name is
+/// read as "r". They inflate to at most 1032 times the size of the file. Throws InputError.
 std::vector<NamedNumbers> read_npz(std::string_view bytes, const std::string& file,
                                    const std::function<WantedArray(std::string_view name)>& wanted);
 

@@ -1,4 +1,4 @@
-// Words of a text, one after the other, and the numbers that they are.
+// Reads a text word by word, and words as numbers.
 #pragma once
 
 #include <cstddef>
@@ -46,11 +46,11 @@ class WordReader {
   std::string_view next();
   /// Of the next word.
   std::size_t position();
-  /// What is left of the line, without the line end, which is taken too.
+  /// The rest of the line. Consumes the line end, too.
   std::string_view rest_of_line();
   std::string_view rest() { return text_.substr(position()); }
 
-  /// Digits only. Whatever is counted in a file stands there, in at least a byte: larger numbers are refused.
+  /// Reads a count: digits only. Each counted thing takes at least a byte of the file, so larger numbers are refused.
   std::size_t count(std::string_view expected);
   double finite_number(std::string_view expected);
   double number(std::string_view expected);

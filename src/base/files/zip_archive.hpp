@@ -13,7 +13,7 @@ namespace slipproof {
 
 inline constexpr std::string_view zip_signature = "PK\x03\x04";
 
-/// One file of an archive, as its directory says.
+/// One file of an archive, as described by the directory.
 struct ZipEntry {
   std::string name;
   std::uint64_t method = 0, checksum = 0, packed = 0, size = 0, offset = 0;
@@ -22,8 +22,8 @@ struct ZipEntry {
 /// The directory, also of archives beyond 4 GiB. Throws InputError, as everything here.
 std::vector<ZipEntry> zip_entries(const PlacedBytes& archive);
 
-/// The bytes of a stored or deflated entry. What is damaged is told when its end is reached. An entry inflates to at
-/// most 1032 times its packed size; what says that it is larger is refused.
+/// The bytes of a stored or deflated entry. Damage is reported at the entry's end. An entry inflates to at most 1032
+/// times its packed size; one that claims to be larger is refused.
 std::unique_ptr<ByteRun> zip_run(std::shared_ptr<const PlacedBytes> archive, const ZipEntry& entry);
 
 }  // namespace slipproof

@@ -15,8 +15,8 @@ using ByteSource = std::function<std::size_t(char* buffer, std::size_t size)>;
 /// The bytes of a file; of standard input for "-". Throws InputError if there is no such file.
 ByteSource open_bytes(const std::string& file);
 
-/// The bytes of a stream, which must outlive it. A stream does not tell what is there already: this one waits until the
-/// buffer is full. `file` is how messages call it.
+/// The bytes of a stream, which must outlive the source. Waits until the buffer is full, as a stream does not say how
+/// many bytes it has ready. `file` is its name in messages.
 ByteSource bytes_of(std::istream& stream, std::string file);
 
 }  // namespace slipproof

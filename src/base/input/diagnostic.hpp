@@ -31,7 +31,7 @@ struct Diagnostic {
 /// `file:line:column: message`.
 std::string to_string(const Diagnostic& diagnostic);
 
-/// The parts of a message `found ..., expected ...`, without what stands before; empty where it has none.
+/// The two parts of a message `found ..., expected ...`, without the text before them; empty if it has none.
 struct FoundAndExpected {
   std::string_view found, expected;
 };
@@ -47,7 +47,7 @@ class InputError : public std::runtime_error {
   std::vector<Diagnostic> diagnostics_;
 };
 
-/// The mistakes found in one file so far: a reader adds, goes on, and refuses the file at the end.
+/// The mistakes found in one file so far: a reader adds to them, continues, and refuses the file at the end.
 class Mistakes {
  public:
   explicit Mistakes(std::string file) : file_(std::move(file)) {}

@@ -7,16 +7,18 @@
 
 namespace slipproof {
 
-/// One of the words or of those numbers, and the byte of the line at which it stands, from 1.
+/// One of the words or of those numbers, and its byte position in the line, from 1.
 struct JsonWord {
   std::string_view text;
   std::size_t column = 0;
 };
 
-/// A line in which the words are texts of the same length, so that it can be read as JSON and every place stays.
+/// A line with these words replaced by texts of the same length, so that it can be read as JSON and every position
+/// stays.
 struct JsonLine {
   std::string text;
-  std::vector<JsonWord> texts;  ///< for each text of the line, keys too, in order: the word that it stands for, if any
+  /// for each text of the line, keys included, in order: the word that it replaces, if any
+  std::vector<JsonWord> texts;
 };
 
 /// `line` must outlive the result.

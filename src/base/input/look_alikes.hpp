@@ -19,7 +19,7 @@ struct OddCharacter {
 };
 std::optional<OddCharacter> first_odd_character(std::string_view text);
 
-/// "`µ` (U+00B5; write `mu`)"; of a character for which the language has nothing only its code, "U+202E".
+/// "`µ` (U+00B5; write `mu`)"; only the code, "U+202E", if the language has no replacement.
 std::string describe(const OddCharacter& character);
 
 }  // namespace slipproof

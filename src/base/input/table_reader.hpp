@@ -1,5 +1,5 @@
-// Reading one table of a TOML document: what is unknown, missing, of the wrong type or malformed goes to the list of
-// mistakes, and reading goes on.
+// Reads one table of a TOML document: adds unknown, missing and malformed keys and wrong types to the list of mistakes,
+// and continues.
 #pragma once
 
 #include <optional>
@@ -13,12 +13,12 @@
 
 namespace slipproof {
 
-/// The number in a value: a string in one of the forms of parse_rational, or a bare TOML number, of which the digits as
-/// written count. Anything else is reported at its place, after `name`.
+/// The number in a value: a string in one of the forms of parse_rational, or a bare TOML number, taken by its digits as
+/// written. Reports anything else at its place, after `name`.
 std::optional<Rational> read_number(const TomlValue& value, std::string_view name, Mistakes& mistakes);
 
 /// One table with the keys that it may have. Getters return nothing both for an absent key and for one whose value they
-/// have reported; `has` tells the two apart. The table and the mistakes must outlive the reader.
+/// have reported; `has` distinguishes the two. The table and the mistakes must outlive the reader.
 class TableReader {
  public:
   /// Reports every key that is not among `keys`, with the one that may have been meant. `name` is how messages call the
@@ -29,7 +29,7 @@ class TableReader {
   /// False, and "missing KEY, expected EXPECTED" is reported at the table, if the key is absent.
   bool require(std::string_view key, std::string_view expected) const;
 
-  /// The value, whatever its kind; null if absent.
+  /// The value, of any kind; null if absent.
   const TomlValue* value(std::string_view key) const;
   std::optional<Rational> number(std::string_view key) const;
   const PlacedText* string(std::string_view key) const;

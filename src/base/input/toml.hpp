@@ -16,8 +16,8 @@
 
 namespace slipproof {
 
-/// A text that came out of a file, able to say where each of its characters stands there: escapes, line-ending
-/// backslashes and line breaks inside a TOML string are accounted for.
+/// A text from a file that knows the place of each of its characters there: accounts for escapes, line-ending
+/// backslashes and line breaks inside a TOML string.
 class PlacedText {
  public:
   PlacedText() = default;
@@ -64,8 +64,8 @@ struct TomlEntry {
 /// "a string", "a number", ...
 std::string_view kind_name(TomlValue::Kind kind);
 
-/// The root table of a TOML 1.0 document. On a syntax error, of which the first is reported to `mistakes`, nothing. Any
-/// bytes are safe; beyond TOML's own rules, refused are: keys of more than 16 parts, values nested more than 32 deep.
+/// The root table of a TOML 1.0 document. Reports the first syntax error to `mistakes`, and then returns nothing. Safe
+/// for any bytes. Beyond TOML's own rules, refuses keys of more than 16 parts and values nested more than 32 deep.
 std::optional<TomlValue> parse_toml(std::string_view text, Mistakes& mistakes);
 
 /// `text` as a basic string of TOML, quotes included; bytes that are not UTF-8 become U+FFFD.

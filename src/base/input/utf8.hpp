@@ -14,8 +14,8 @@ std::size_t utf8_length(std::string_view text);
 /// The number of characters: of bytes that do not continue one.
 std::size_t utf8_count(std::string_view text);
 
-/// `text` after `start` and a line break, broken at blanks into lines of 80 columns unless a word is longer, with
-/// further lines indented as far as `start` is long.
+/// `start` and `text`, broken at blanks into lines of 80 columns unless a word is longer; further lines are indented by
+/// the length of `start`.
 std::string wrapped(const std::string& start, const std::string& text);
 
 }  // namespace slipproof

@@ -23,8 +23,8 @@ Work times(Work x, Work y);
 std::size_t bit_count(const Integer& x);
 std::size_t bit_count(const Rational& x);
 
-/// Of one product of two numbers of so many bits: n sqrt(n) for n words, between the school's n^2 and the fastest
-/// n log n, and what every product takes.
+/// The work of one product of two numbers with this many bits: n sqrt(n) for n words, between the schoolbook n^2 and
+/// the fastest n log n, plus a constant.
 Work product_work(std::size_t bits);
 
 /// More work would be needed than is allowed.

@@ -16,8 +16,8 @@
 
 namespace slipproof {
 
-/// What is known of the size of an integer: it is 0 for no bits, else its absolute value is under 2^bits. Formulas over
-/// rings, evaluated on bit lengths, give those of their results.
+/// What is known about the size of an integer: with 0 bits it is 0, otherwise its absolute value is below 2^bits. Ring
+/// formulas evaluated on bit lengths give the bit lengths of their results.
 struct BitLength {
   std::size_t bits = 0;
 
@@ -40,14 +40,14 @@ struct BitLength {
   }
 };
 
-/// An integer modulo 2^(64 limbs), read as the one that is nearest to 0 (of two, the negative one). Sums, differences
-/// and products of integers are right when they fit, whatever came between them and did not.
+/// An integer modulo 2^(64 limbs), read as the representative nearest to 0 (of two, the negative one). Sums,
+/// differences and products are correct if the result fits, even if intermediate values did not.
 template <std::size_t limbs>
 class FixedInteger {
   __extension__ using Double = unsigned __int128;
 
  public:
-  /// What |x| has to be under: 2^value_bits.
+  /// x| must be below 2^value_bits.
   static constexpr std::size_t value_bits = 64 * limbs - 1;
 
   FixedInteger() = default;
@@ -191,7 +191,8 @@ class FixedInteger {
     }
     return result;
   }
-  /// By Newton: each step doubles the number of bits that are right, of which an odd number's own are 3.
+  /// Newton iteration. An odd number is its own inverse modulo 8, so it starts with 3 correct bits; each step doubles
+  /// them.
   FixedInteger inverse_of_odd() const {
     std::uint64_t low = limbs_[0];
     for (int right = 3; right < 64; right *= 2) low *= 2 - limbs_[0] * low;

@@ -5,8 +5,8 @@
 
 namespace slipproof {
 
-/// For where a thread begins, or numbers come into being in one of whoever calls: it gives its memory back when it
-/// ends.
+/// Call this at the start of a thread, or where numbers are created in a caller's thread: the thread then gives FLINT's
+/// memory back when it ends.
 inline void give_back_flint_memory_at_end() {
   struct Memory {
     ~Memory() { flint_cleanup(); }

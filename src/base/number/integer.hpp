@@ -1,5 +1,5 @@
-// Integers of any size. FLINT's keep what fits into 62 bits in place of a pointer: most numbers here are short, and
-// half of the time went into memory for them when each had its own.
+// Integers of any size. FLINT's integers keep up to 62 bits in place of a pointer: most numbers here are short, and
+// with an allocation for each, memory took half of the time.
 #pragma once
 
 #include <flint/fmpz.h>
@@ -168,7 +168,7 @@ struct QuotientAndRemainder {
 /// What / and % give, at once.
 QuotientAndRemainder divide(const Integer& x, const Integer& y);
 
-/// A number as GMP's, for as long as this and the number live; nobody may write to it.
+/// A number in GMP's form, valid as long as this and the number live; read-only.
 class GmpInteger {
  public:
   explicit GmpInteger(const Integer& x);

@@ -14,7 +14,7 @@ namespace slipproof {
 class NumberError : public std::runtime_error {
  public:
   NumberError(std::size_t position, std::string found, std::string expected);
-  std::size_t position() const { return position_; }  ///< byte in the text at which the mistake stands, from 0
+  std::size_t position() const { return position_; }  ///< byte position of the mistake in the text, from 0
   const std::string& found() const { return found_; }
   const std::string& expected() const { return expected_; }
 
@@ -30,12 +30,12 @@ inline constexpr std::size_t max_number_length = 10'000;
 inline constexpr int max_decimal_exponent = 5'000;
 inline constexpr int max_binary_exponent = 20'000;
 
-/// The number that `text`, all of it, denotes, exactly. With an optional sign, + or -, in front, one of
+/// The number that all of `text` denotes, exactly. After an optional sign, + or -, one of
 /// - integers: 5, 007
-/// - fractions: 3/4; of two integers, since of 0.5/3 nobody can tell whether it is a slip of the pen
+/// - fractions: 3/4; of two integers, since 0.5/3 might be a slip of the pen
 /// - decimals: 0.1, .5, 5., 1e-3, 2.5E+7
-/// - hexadecimal: 0x1.8p-3, 0xFF; C's floating-point literals, where p stands before the exponent of 2
-/// No spaces, no separators of digits, no NaN, no infinity. Throws NumberError.
+/// - hexadecimal: 0x1.8p-3, 0xFF; C's floating-point literals, with p before the exponent of 2
+/// No spaces, no digit separators, no NaN, no infinity. Throws NumberError.
 Rational parse_rational(std::string_view text);
 
 }  // namespace slipproof

@@ -129,7 +129,7 @@ Rational abs(Rational x);
 Rational pow(const Rational& base, long exponent);
 std::ostream& operator<<(std::ostream& out, const Rational& x);
 
-/// A number as GMP's, for as long as this and the number live; nobody may write to it.
+/// A number in GMP's form, valid as long as this and the number live; read-only.
 class GmpRational {
  public:
   explicit GmpRational(const Rational& x);

@@ -1,5 +1,5 @@
-// Fractions that nobody has brought to lowest terms yet: a greatest common divisor takes longer than all that is asked
-// of most of them.
+// Fractions that need not be in lowest terms: computing a greatest common divisor costs more than most of them are used
+// for.
 #pragma once
 
 #include "base/number/rational.hpp"

@@ -15,8 +15,8 @@ Integer height(const Rational& x);
 /// infinite end. Throws std::invalid_argument if there is nothing between them.
 Rational simplest_between(const std::optional<Rational>& lower, const std::optional<Rational>& upper);
 
-/// How simple a sample is: the largest height of its values, then how many are not 1, then the sum of heights.
-/// Smaller is simpler.
+/// How simple a sample is: the largest height of its values, then the number of values other than 1, then the sum of
+/// heights. Smaller is simpler.
 struct Complexity {
   Integer height;
   std::size_t non_one = 0;
@@ -32,7 +32,7 @@ bool much_simpler(const std::vector<Rational>& values, const std::vector<Rationa
 /// Rationals of height up to h, both signs and 0, simplest first; 1 is the first.
 std::vector<Rational> numbers_up_to(int h);
 
-/// What might stand for a value and be simpler: numbers up to a height, and the simplest ones near by.
+/// Simpler candidates for a value: numbers up to a height, and the simplest ones near it.
 std::vector<Rational> simpler_numbers(const Rational& value, int h);
 
 }  // namespace slipproof

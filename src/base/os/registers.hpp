@@ -5,8 +5,8 @@
 
 namespace slipproof {
 
-/// Kinds of vector registers, by how many binary64 one holds: 2 (SSE2, or whatever the compiler targets), 4 (AVX2 with
-/// FMA, LZCNT, POPCNT and BMI) and 8 (AVX-512F and DQ besides).
+/// Kinds of vector registers, by the number of binary64 in one: 2 (SSE2, or the compiler's target), 4 (AVX2 with FMA,
+/// LZCNT, POPCNT and BMI) and 8 (also AVX-512F and DQ).
 enum class Registers : std::uint8_t { two, four, eight };
 
 /// The widest kind that this processor has and that the environment variable SLIPPROOF_REGISTERS (`sse2`, `avx2` or

@@ -9,26 +9,27 @@
 
 namespace slipproof {
 
-/// A file for the result of long work, looked at before it, so that no result is lost for want of a place.
+/// A file for the result of long work. Constructing it before the work shows whether it can be written, so that no
+/// result is lost for want of a place.
 ///
-/// What is written goes to a nameless file in the same folder, is flushed to the disk, and takes the name at once:
-/// whatever happens in between, the older content stands. The permissions of an older file are kept, and a symbolic
-/// link leads to the file that is replaced; other names of that file (hard links) keep the older content. Pipes,
-/// devices and open descriptors (/dev/stdout) are written as they are. Where a file system has no nameless files, one
-/// called .slipproof-PROCESS-NUMBER stands for it, and stays only where a signal ends the program while it writes.
+/// The contents go to a nameless file in the same folder, are flushed to the disk, and then take the name at once:
+/// whatever happens in between, the older content stays. The permissions of an older file are kept. A symbolic link is
+/// followed, and its target replaced; other names of that file (hard links) keep the older content. Pipes, devices and
+/// open descriptors (/dev/stdout) are written directly. On a file system without nameless files, a file called
+/// .slipproof-PROCESS-NUMBER is used; it remains only if a signal ends the program while it writes.
 class OutputFile {
  public:
-  /// Changes nothing yet. Throws OutputError where no file can be written: in a folder that is not there or cannot be
-  /// changed, on a folder, on a file that is write-protected. Throws InputError where `path` is one of the `inputs`,
-  /// under whatever name: it would be lost.
+  /// Changes nothing yet. Throws OutputError if no file can be written there: the folder is missing or cannot be
+  /// changed, the path is a folder, or the file is write-protected. Throws InputError if `path` is one of the `inputs`
+  /// under any name: it would be lost.
   explicit OutputFile(std::filesystem::path path, const Inputs& inputs = {});
 
   using Sink = std::function<void(std::string_view)>;
 
   /// Puts the contents there, as often as it is called. Throws OutputError.
   void write(std::string_view contents) const;
-  /// The same of whatever contents(sink) gives to the sink. What it throws is thrown on: of a file the older content
-  /// stands then.
+  /// The same for everything that contents(sink) passes to the sink. Rethrows what it throws; the older content of a
+  /// file then stays.
   void write_by(const std::function<void(const Sink&)>& contents) const;
 
  private:

@@ -1,4 +1,4 @@
-// Results for whoever reads the program's standard output.
+// Writes results to standard output.
 #pragma once
 
 #include <string_view>

@@ -9,7 +9,7 @@
 
 namespace slipproof {
 
-/// What a program says of its own failure, after its name.
+/// A program's message about its own failure, after its name.
 inline std::string failure_text(const std::string& what, const std::string& version) {
   return "the program failed: " + what +
          "\nThis is its own mistake. Please report this line, the command, its files, and the version, " + version;

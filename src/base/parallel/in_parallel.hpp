@@ -45,7 +45,7 @@ void in_parallel(std::size_t first, std::size_t last, const Work& work) {
   });
 }
 
-/// The same, each index a task of its own: for work that differs by orders of magnitude.
+/// The same with each index as a task of its own: for work that differs by orders of magnitude.
 template <class Work>
 void each_in_parallel(std::size_t first, std::size_t last, const Work& work) {
   tbb::parallel_for(

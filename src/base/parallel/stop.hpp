@@ -1,4 +1,4 @@
-// A call that takes long can be asked to end: by a signal, by the user of a window, by a time limit.
+// Lets a long call be stopped: by a signal, by the user of a window, by a time limit.
 #pragma once
 
 #include <exception>
@@ -13,13 +13,12 @@ class Stopped : public std::exception {
   const char* what() const noexcept override { return "stopped, as was asked"; }
 };
 
-/// While it lives, calls of the library on this thread, and what they hand to other threads, look at the token every
-/// few milliseconds and end with Stopped once it is asked for. Scopes nest; the innermost counts.
-///   std::stop_source source;             // shared with whoever may ask: source.request_stop()
+/// While it lives, calls of the library on this thread, and their work on other threads, look at the token every few
+/// milliseconds and end with Stopped once it is asked for. Scopes nest; the innermost counts.
+///   std::stop_source source;             // shared with the code that may ask: source.request_stop()
 ///   const StopScope scope(source.get_token());
 ///   verify(file, options);               // throws Stopped
-/// What one call of FLINT or Eigen does is not interrupted: with matrices of more than 600 unknowns that may be
-/// seconds.
+/// A single call of FLINT or Eigen is not interrupted: with matrices of more than 600 unknowns it may take seconds.
 class StopScope {
  public:
   explicit StopScope(std::stop_token token) : token_(std::move(token)), outer_(std::exchange(here(), &token_)) {}
@@ -27,7 +26,8 @@ class StopScope {
   StopScope(const StopScope&) = delete;
   StopScope& operator=(const StopScope&) = delete;
 
-  /// That of this thread, for the threads that it hands work to; one that is never asked where there is none.
+  /// The token of this thread, to pass to the threads that work for it; without a scope, one that is never asked to
+  /// stop.
   static std::stop_token token() { return here() ? *here() : std::stop_token(); }
   static bool asked() { return here() && here()->stop_requested(); }
 
@@ -41,7 +41,7 @@ class StopScope {
   const std::stop_token* outer_;
 };
 
-/// What long loops call: a few nanoseconds where nobody asks.
+/// Long loops call this; it takes a few nanoseconds unless a stop was asked for.
 inline void stop_if_asked() {
   if (StopScope::asked()) throw Stopped();
 }
