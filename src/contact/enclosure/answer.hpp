@@ -12,8 +12,8 @@ namespace slipproof {
 /// Cubic in their number where it exceeds a few hundred and A is dense.
 bool complete_free_unknowns(const MixedProblem& problem, std::vector<double>& x);
 
-/// An answer as files give it, in one vector; free unknowns that are missing are solved for. `reason` tells what is
-/// wrong with its size; NaN and infinities are kept.
+/// An answer as files give it, in one vector; solves for missing free unknowns. `reason` says what is wrong with its
+/// size; NaN and infinities are kept.
 std::vector<double> answer_vector(const ProblemFile& file, const MixedProblem& problem, const SolverAnswer& answer,
                                   std::string& reason);
 

@@ -11,8 +11,8 @@ namespace slipproof {
 
 struct DroppedEquation;
 
-/// What pivoting in floating point leaves out of some equations and some of their unknowns, to make them regular. As
-/// many are kept of one as of the other, or `regular` is false.
+/// The equations and unknowns that pivoting in floating point leaves out to make the others regular. It keeps as many
+/// equations as unknowns, or `regular` is false.
 struct DependentPart {
   std::vector<std::size_t> equations, unknowns;
   bool regular = false;
@@ -22,8 +22,8 @@ struct DependentPart {
 DependentPart dependent_part(const ModeSystem& system, std::span<const double> z,
                              std::span<const std::size_t> equations, std::span<const std::size_t> unknowns);
 
-/// What has to be pinned and dropped for a regular system; `reason` where that cannot be done exactly, with the
-/// unknowns that it is about.
+/// What to pin and to drop for a regular system; if this cannot be done exactly, `reason` with the unknowns in
+/// question.
 struct DependenceResult {
   std::vector<std::size_t> unknowns;
   std::vector<DroppedEquation> dropped;
@@ -31,9 +31,9 @@ struct DependenceResult {
 };
 
 /// Rigid bodies on many contacts leave forces undetermined: columns of the derivative depend on each other, and so do
-/// its rows, u = 0 of one contact following from u = 0 of others. Which ones to keep is chosen in floating point by
-/// pivoting; that the others follow is proved by writing each as a rational combination, coefficient by coefficient and
-/// constants included. Cubic in the size of the system, for systems up to `largest_dependent`.
+/// its rows, since u = 0 of one contact follows from u = 0 of others. Pivoting in floating point chooses which ones to
+/// keep. A proof that the others follow writes each as a rational combination, coefficient by coefficient and constants
+/// included. Cubic in the size of the system, for systems up to `largest_dependent`.
 DependenceResult exact_dependence(const MixedProblem& problem, const ModeSystem& system, std::span<const double> z);
 inline constexpr std::size_t largest_dependent = 600;
 

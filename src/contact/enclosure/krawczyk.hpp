@@ -10,15 +10,14 @@
 
 namespace slipproof {
 
-/// Unknowns and equations that belong together: no other equation contains these unknowns, but for pinned ones. As many
-/// of one as of the other.
+/// Unknowns and equations that belong together: no other equation contains these unknowns, except pinned ones. There
+/// are as many equations as unknowns.
 struct SystemBlock {
   std::vector<std::size_t> unknowns, equations;
   DenseMatrix inverse;  ///< approximate, of the derivative: rows for the unknowns, columns for the equations
 };
 
-/// The connected parts of a system, unknowns that are `pinned` and equations that are `dropped` left out. Some may not
-/// be square.
+/// The connected parts of a system, without the `pinned` unknowns and the `dropped` equations. Some may not be square.
 std::vector<SystemBlock> blocks_of(const ModeSystem& system, std::span<const double> z, const std::vector<bool>& pinned,
                                    const std::vector<bool>& dropped);
 

@@ -26,7 +26,7 @@ struct MixedProblem {
 
   std::size_t size() const { return c.size(); }
   std::size_t contacts() const { return mu.size(); }
-  /// Where the normal part of contact k stands in x and w.
+  /// The index of the normal part of contact k in x and w.
   std::size_t normal(std::size_t k) const { return free + dimension * k; }
 };
 

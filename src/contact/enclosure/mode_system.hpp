@@ -52,7 +52,7 @@ class ModeSystem {
 
   std::size_t size() const { return unknowns_.size(); }
   const ConeMode& mode() const { return mode_; }
-  /// Where an unknown stands in x; `none` for slips.
+  /// The index of an unknown in x; `none` for slips.
   std::size_t place(std::size_t unknown) const { return unknowns_[unknown]; }
   /// Which unknown a component of x is; `none` where it is 0 in this mode.
   std::size_t unknown(std::size_t place) const { return unknown_of_[place]; }
@@ -68,7 +68,7 @@ class ModeSystem {
   Rational value(std::size_t equation, std::span<const double> z, std::span<const double> x) const;
   /// Row i of the derivative of F, in no order, each unknown once.
   std::vector<Entry> derivative(std::size_t equation, std::span<const double> z) const;
-  /// Upper bound on the terms of second order in F_i for steps up to `radius`, but for rounding (a few ulps).
+  /// Upper bound on the terms of second order in F_i for steps up to `radius`, apart from rounding (a few ulps).
   double second_order(std::size_t equation, std::span<const double> radius) const;
 
  private:

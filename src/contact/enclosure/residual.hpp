@@ -45,7 +45,7 @@ struct Residual {
   /// most `moved` away from the answer in each component: forces just outside of their cones are moved back.
   double change = 0, moved = 0;
   double scale = 1;  ///< of contacts: the largest |q_i| (sizes.hpp); if all are 0, what the forces give
-  /// The largest change of a row over the size of its kind: `scale`, or of a free row its own.
+  /// The largest change of a row over the size of its kind: `scale`, or for a free row its own.
   double relative = 0;
   std::vector<FittedContact> contacts;
   std::vector<Violation> worst;  ///< the largest effect first, ten at most
@@ -53,8 +53,8 @@ struct Residual {
   double backward_error() const { return relative; }
 };
 
-/// `x` is finite and has the problem's size, `w` is A x + c (`exact_rows`). Linear in the nonzeros of A; exact but for
-/// the bounds.
+/// `x` is finite and has the problem's size, `w` is A x + c (`exact_rows`). Linear in the nonzeros of A; exact except
+/// for the bounds.
 Residual residual(const MixedProblem& problem, std::span<const double> x, std::span<const Rational> w,
                   FrictionLaw law = FrictionLaw::cone);
 

@@ -20,11 +20,10 @@ struct ExactLcpSolution {
 };
 
 /// A solution of a complementarity problem, from a proposal of its active components: those where x_i > 0. Floating
-/// point mends the proposal by principal pivoting, and proposes another by Lemke's method; the solution itself is
-/// computed, and all its signs are checked, without rounding. Where a sign is wrong nevertheless, a few more pivots are
-/// taken by exact signs, each of which solves anew. Other solutions may exist: unique_class.hpp excludes them. Nothing
-/// where none was found within the effort, and for what is no complementarity problem. See exact_solution() for what it
-/// takes.
+/// point improves the proposal by principal pivoting, and proposes another by Lemke's method. The solution itself and
+/// all its signs are computed without rounding. If a sign is still wrong, a few more pivots follow the exact signs,
+/// each with a new solution. Other solutions may exist: unique_class.hpp excludes them. Nothing if none was found
+/// within the effort, or if the problem is not a complementarity problem. See exact_solution() for the cost.
 std::optional<ExactLcpSolution> solve_lcp(const MixedProblem& problem, std::vector<bool> active, Effort& effort);
 
 /// The solution with these active components; nothing if there is none, or not exactly one. Throws TooMuchWork.

@@ -17,8 +17,8 @@ struct Exclusion {
 };
 
 /// Each row moves by at most the sum of its |a_ij| times the radius, so every condition of a contact has a radius up to
-/// which it is certain to fail; a way of obeying the law fails with one of its conditions, the law with all its ways.
-/// Linear in the nonzeros of A. `x` is finite, `w` is A x + c.
+/// which it is certain to fail. A state of the contact (open, stick, slide) fails with one of its conditions, the law
+/// with all its states. Linear in the nonzeros of A. `x` is finite, `w` is A x + c.
 Exclusion exclusion(const MixedProblem& problem, std::span<const double> x, std::span<const Rational> w);
 
 }  // namespace slipproof

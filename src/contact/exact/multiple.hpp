@@ -1,4 +1,4 @@
-// How many solutions a small problem has: all of its modes, tried exactly.
+// Counts the solutions of a small problem: tries all of its modes exactly.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct SolutionCount {
     none,
     one,
     several,    ///< finitely many
-    continuum,  ///< infinitely many, and maybe single ones besides
+    continuum,  ///< infinitely many, and maybe isolated ones, too
     unknown     ///< beyond the effort, or no problem of the kind
   };
   Kind kind = Kind::unknown;
@@ -24,8 +24,8 @@ struct SolutionCount {
   std::vector<std::vector<Rational>> solutions;
 };
 
-/// Of a problem in dimension 1 or 2 whose free unknowns can be eliminated. The number of modes is 2^n in n components,
-/// each of which takes an elimination: up to a dozen components in a second. `answer` is empty, or a finite x. Throws
+/// For a problem in dimension 1 or 2 whose free unknowns can be eliminated. There are 2^n modes in n components, and
+/// each takes an elimination: up to a dozen components in a second. `answer` is empty, or a finite x. Throws
 /// NumberError for NaN and infinities.
 SolutionCount count_solutions(const MixedProblem& problem, Effort& effort, std::span<const double> answer = {});
 

@@ -15,10 +15,10 @@ namespace slipproof {
 /// infeasibility() it throws NumberError for problems with NaN and infinities.
 bool shows_no_solution(const std::vector<Rational>& y, const MixedProblem& problem);
 
-/// Such multipliers, which were checked; nothing where there are none, or none were found within the effort. Linear
-/// programs in exact numbers, first with those of the problem cut short: milliseconds for most problems of 60
-/// components, up to a minute for hard ones. In dimension 3 each cone is replaced by a pyramid of 8 or 24 sides in it,
-/// and what needs the last hundredth of its width is missed.
+/// Such multipliers, checked; nothing if there are none, or none were found within the effort. Solves linear programs
+/// in exact numbers, first with the problem's numbers cut short: milliseconds for most problems of 60 components, up to
+/// a minute for hard ones. In dimension 3 each cone is replaced by an inscribed pyramid of 8 or 24 sides, so
+/// multipliers that need the last hundredth of its width are missed.
 std::optional<std::vector<Rational>> infeasibility(const MixedProblem& problem, Effort& effort);
 
 }  // namespace slipproof

@@ -1,5 +1,5 @@
-// Why a contact problem has exactly one solution, whatever its constant: classes of matrices without friction, theorems
-// of contact/every_load.hpp with friction in the plane.
+// Why a contact problem has exactly one solution for every constant: classes of matrices without friction, theorems of
+// contact/problem/every_load.hpp with friction in the plane.
 #pragma once
 
 #include <cstdint>
@@ -25,14 +25,14 @@ struct UniqueProof {
   enum class Class : std::uint8_t {
     dominant,     ///< a_ii > 0, and a_ii d_i > sum over j != i of |a_ij| d_j: an H-matrix
     definite,     ///< x . A x > 0 for all x but 0
-    p_matrix,     ///< all principal minors are positive; whoever checks it computes them
+    p_matrix,     ///< all principal minors are positive; a checker has to compute them
     bound,        ///< planar friction: A less some multiples of mu is definite (lowered_by_friction())
     determinants  ///< planar friction: A is definite, and all mode determinants are positive; computed as for p_matrix
   };
   Class kind = Class::p_matrix;
   std::vector<double> scale;  ///< dominant: d > 0, of each column
   /// definite, bound, determinants: L, with no entry above its diagonal. In each row of A + A^T - L L^T the diagonal
-  /// entry is greater than the sum of the absolute values of the others, where A of `bound` is the lowered one.
+  /// entry is greater than the sum of the absolute values of the others; for `bound`, A is the lowered one.
   SparseMatrix factor;
 };
 
@@ -42,8 +42,8 @@ struct UniqueProof {
 /// where its rounding errors leave it open again without any.
 bool proves(const UniqueProof& proof, const MixedProblem& problem);
 
-/// A proof, which was checked; nothing where none was found within the effort. Floating point finds d and L; of 20,000
-/// rows with a few entries each d takes a tenth of a second, of 1,000 full rows L takes a second.
+/// A proof, checked; nothing if none was found within the effort. Floating point finds d and L: for 20,000 rows with a
+/// few entries each d takes a tenth of a second, for 1,000 full rows L takes a second.
 std::optional<UniqueProof> prove_unique(const MixedProblem& problem, Effort& effort);
 
 /// Of planar friction: A with what the bound of contact/every_load.hpp subtracts from its diagonal, rounded down.

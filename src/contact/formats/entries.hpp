@@ -9,8 +9,8 @@
 
 namespace slipproof {
 
-/// The matrix of these entries; an entry that stands twice is what `twice` is told of, which does not return: "found
-/// the entry in row 3 and column 4 twice, expected it once", counted from 1.
+/// The matrix of these entries. For a duplicate entry, calls `twice(message)`, which must throw: "found the entry in
+/// row 3 and column 4 twice, expected it once", counted from 1.
 template <class Refuse>
 SparseMatrix matrix_of(std::size_t rows, std::size_t columns, std::vector<MatrixEntry> entries, Refuse&& twice) {
   std::vector<MatrixEntry> again;

@@ -11,8 +11,8 @@ namespace slipproof {
 /// How every HDF5 file begins.
 inline constexpr std::string_view hdf5_signature = "\x89HDF\r\n\x1a\n";
 
-/// The problem with its /solution and /guesses; see FORMATS.md. `file` is how messages call it. Throws InputError with
-/// the path of what is not as it should be. Linear in what is stored, but for sorting.
+/// Reads the problem with its /solution and /guesses; see FORMATS.md. `file` is its name in messages. Throws InputError
+/// with the path of the wrong part. Linear in the size of the file, except for sorting.
 ReadProblem read_fclib(const std::string& bytes, const std::string& file);
 
 /// The /solution of such a file, which need not hold a problem. Throws InputError.

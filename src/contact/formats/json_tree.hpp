@@ -14,9 +14,9 @@ struct JsonNode {
   Kind kind = Kind::other;
   double number = 0;            ///< the nearest binary64; NaN and infinities as Python's json writes them
   std::string text;             ///< of a text, as it is
-  std::vector<JsonNode> items;  ///< of a list; of an object, with its keys
+  std::vector<JsonNode> items;  ///< of a list, or of an object with its keys
   std::vector<std::string> keys;
-  std::vector<double> numbers;  ///< of a list of nothing but numbers, in place of the items: a tenth of the memory
+  std::vector<double> numbers;  ///< for a list of numbers only, in place of the items: a tenth of the memory
 
   /// Of a list.
   std::size_t size() const { return items.size() + numbers.size(); }
@@ -26,8 +26,8 @@ struct JsonNode {
   const JsonNode* find(std::string_view key) const;
 };
 
-/// The object that the text is. Throws InputError: on what is no JSON with line and column; for a key that stands
-/// twice, or values nested more than 8 deep.
+/// Reads a text that is one object. Throws InputError: with line and column if it is not JSON; for a duplicate key, and
+/// for values nested more than 8 deep.
 JsonNode read_json_tree(std::string_view text, const std::string& file);
 
 /// Reads numbers out of a tree and throws InputError with the path where there are none.

@@ -21,8 +21,8 @@ std::vector<double> read_market_vector(std::string_view text, const std::string&
 /// Throws InputError.
 SparseMatrix read_market_matrix(std::string_view text, const std::string& file, std::size_t rows, std::size_t columns);
 
-/// The problem whose W is `text`, the content of NAME.mtx, with the files NAME_q.mtx, NAME_mu.mtx, NAME_r.mtx and
-/// NAME_u.mtx beside it; see FORMATS.md. Throws InputError.
+/// Reads the problem whose W is `text`, the content of NAME.mtx, with the files NAME_q.mtx, NAME_mu.mtx, NAME_r.mtx and
+/// NAME_u.mtx in the same folder; see FORMATS.md. Throws InputError.
 ReadProblem read_matrix_market(std::string_view text, const std::string& file);
 
 }  // namespace slipproof

@@ -1,4 +1,4 @@
-// What every problem must hold, whatever the format it came in, and what a reader should be told of it.
+// The conditions that every problem must satisfy, in any format, and the remarks about it.
 #pragma once
 
 #include <optional>
@@ -13,9 +13,9 @@ namespace slipproof {
 /// does not fit, and of each matrix and vector the first number that does not. Rows and columns count from 1. Linear.
 void check_problem(const ProblemFile& problem, Mistakes& mistakes);
 
-/// The dimension of contacts with friction, where nothing says it: 2 or 3 components for each coefficient, or for each
-/// of as many contacts as there are, where one number stands for all of them (`coefficients` is nothing). What the
-/// sizes leave open, or do not allow, is a mistake, with the key that it is about before it.
+/// The dimension of contacts with friction, if a file does not give it: 2 or 3 components for each coefficient, or for
+/// each contact if one number is the coefficient of all (`coefficients` is nothing). If the sizes leave it open, or fit
+/// neither, returns a mistake that begins with the key.
 struct DimensionBySizes {
   std::size_t dimension = 0;
   std::string key, mistake;  ///< empty where the dimension is known
@@ -36,8 +36,9 @@ struct Asymmetry {
 /// Of a square matrix, rounded to binary64.
 Asymmetry asymmetry(const SparseMatrix& matrix);
 
-/// Why an answer with r = 0 is none: a sentence without a full stop; nothing where r is not 0 or not given, or nothing
-/// contradicts it by more than rounding. Files of the field store such answers beside problems that nobody solved.
+/// Why an answer with r = 0 is not a solution: a sentence without a full stop. Nothing if r is not 0 or not given, or
+/// nothing contradicts it by more than rounding. Files of the field store such answers with problems that nobody
+/// solved.
 std::optional<std::string> contradiction(const ProblemFile& problem, const SolverAnswer& answer);
 
 /// Adds to the remarks that a matrix is asymmetric (of a complementarity problem it may be), that there is no contact,

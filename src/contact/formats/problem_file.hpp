@@ -19,9 +19,9 @@ enum class ProblemForm : std::uint8_t {
   global
 };
 
-/// Impulses or forces r and velocities or accelerations u of contact k stand at dimension * k: the normal part, then
-/// the tangential one. A matrix that the form does not have, or the file leaves out, has no rows and no columns; V and
-/// G may be left out where there are no bilateral rows.
+/// Impulses or forces r and velocities or accelerations u of contact k are at dimension * k: the normal part, then the
+/// tangential one. A matrix that the form does not have, or the file leaves out, has no rows and no columns; V and G
+/// may be left out if there are no bilateral rows.
 struct ProblemFile {
   ProblemForm form = ProblemForm::local;
   std::size_t dimension = 3;  ///< 1 (complementarity), 2 or 3
@@ -48,15 +48,15 @@ struct SolverAnswer {
   std::vector<double> v, lambda;  ///< of the global form, and of bilateral rows
 };
 
-/// How many numbers the parts of an answer have: a reader makes no room for more. Nothing where that is not known.
+/// The number of components of each part of an answer: a reader allocates no more. Nothing if it is unknown.
 struct AnswerSizes {
   std::optional<std::size_t> r = std::nullopt, u = std::nullopt, v = std::nullopt, lambda = std::nullopt;
 };
 
-/// A file with what it holds besides the problem.
+/// A problem with everything else in its file.
 struct ReadProblem {
   ProblemFile problem;
-  std::vector<SolverAnswer> answers;  ///< that stand in the problem's own file: its solution first, then guesses
+  std::vector<SolverAnswer> answers;  ///< those in the problem's own file: its solution first, then guesses
 };
 
 enum class ProblemFormat : std::uint8_t { fclib, siconos, matrix_market, json };

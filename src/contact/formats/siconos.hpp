@@ -1,4 +1,4 @@
-// The text files of Siconos: one number after another, told apart by their content.
+// The text files of Siconos: numbers in sequence, whose content determines the kind of problem.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace slipproof {
 
-/// A local or global friction problem or a complementarity problem, whichever the whole text is; see FORMATS.md. Throws
-/// InputError where the grammar that came farthest stopped, or if the text fits more than one. `file` is how messages
-/// call it. Linear in the text, but for sorting.
+/// Reads a text as a local or global friction problem or a complementarity problem, whichever it fits as a whole; see
+/// FORMATS.md. Throws InputError where the grammar that read farthest stopped, or if the text fits more than one.
+/// `file` is its name in messages. Linear in the text, except for sorting.
 ProblemFile read_siconos(std::string_view text, const std::string& file);
 
 /// Whether a text begins as those files do: with three counts.

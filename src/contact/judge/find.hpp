@@ -19,8 +19,8 @@ struct FindOptions {
 /// rows cannot be eliminated or the problem is too large.
 std::vector<double> approximate_solution(const MixedProblem& problem, const FindOptions& options = {});
 
-/// A solution that is none of the first's box, found from modes in which one contact differs, and from no forces at
-/// all. Nothing if none was found, which proves nothing.
+/// A solution outside the first's box, searched from modes in which one contact differs, and from zero forces. Nothing
+/// if none was found, which proves nothing.
 std::optional<Enclosure> another_solution(const MixedProblem& problem, const Enclosure& first,
                                           const FindOptions& options = {});
 

@@ -17,7 +17,7 @@ namespace slipproof {
 
 enum class ContactVerdict : std::uint8_t {
   invalid,              ///< NaN, infinity, or no answer of the problem's size
-  wrong,                ///< no solution is near, as far as is known; or the backward error is above the tolerance
+  wrong,                ///< no solution near it is known; or the backward error is above the tolerance
   inaccurate,           ///< near an exact solution, with an error above the tolerance
   eps_solution,         ///< it solves a problem within the tolerance; nothing stronger is proved
   solution_within_rho,  ///< an exact solution is within rho of it, and within the tolerance
@@ -60,7 +60,7 @@ struct ContactJudgement {
   std::optional<Enclosure> other;  ///< a solution elsewhere: there are several
   std::vector<Rational> other_exact;
   std::optional<UniqueProof> unique_by;  ///< why there is no other; without it all modes were tried
-  std::vector<Rational> multipliers;     ///< why there is none at all (no_solution.hpp)
+  std::vector<Rational> multipliers;     ///< a proof that there is no solution at all (no_solution.hpp)
   std::vector<std::string> left_out;     ///< what was looked for beyond that, and failed: what it is, and why
 
   /// Whether a solution within rho is known.

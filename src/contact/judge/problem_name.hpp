@@ -1,4 +1,4 @@
-// The name of a contact problem: what certificates say that they are about (src/proofs/check_contact/FORMAT.md).
+// The name of a contact problem, by which certificates refer to it (src/proofs/check_contact/FORMAT.md).
 #pragma once
 
 #include <string>

@@ -9,8 +9,8 @@
 namespace slipproof {
 
 /// Whether each row of A + A^T - L L^T has its diagonal entry greater than the sum of the absolute values of the
-/// others, L having no entry above its diagonal. Then that matrix is positive definite (Gershgorin), and A + A^T with
-/// it. Floating point with bounds of its errors decides most; what it leaves open is computed again without rounding.
+/// others; L has no entry above its diagonal. Then that matrix is positive definite (Gershgorin), and A + A^T with it.
+/// Floating point with error bounds decides most rows; the others are computed again without rounding.
 bool is_definite(const SparseMatrix& A, const SparseMatrix& L);
 
 /// Such an L, which was checked, for a square matrix with a positive diagonal; nothing where none was found. The rows

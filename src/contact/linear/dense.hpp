@@ -21,8 +21,8 @@ struct DenseMatrix {
 /// 2 n^3 operations, with the widest vectors that the machine has.
 DenseMatrix approximate_inverse(DenseMatrix matrix);
 
-/// The entries' absolute values of I - R A as computed: each is a sum of n products in some order, fused or not, so
-/// that it differs from the exact one by at most gamma_(n+1) (|R| |A| + I) but for underflow. 2 n^3 operations.
+/// The absolute values of the entries of I - R A as computed. Each is a sum of n products in some order, fused or not,
+/// so apart from underflow it differs from the exact one by at most gamma_(n+1) (|R| |A| + I). 2 n^3 operations.
 DenseMatrix absolute_defect(const DenseMatrix& R, const DenseMatrix& A);
 
 }  // namespace slipproof

@@ -1,4 +1,4 @@
-// What rounding to nearest can do to sums, whatever their order and whether products are fused into them or not.
+// Bounds on what rounding to nearest can do to sums, in any order, with fused products or without.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@ namespace slipproof {
 /// u = 2^-53: a rounding changes a result by at most this much of it, underflow apart.
 inline constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
 
-/// Above gamma_(2n + 16) = k u / (1 - k u): a sum of n products is within gamma |a| . |b| of the exact one, n more
-/// roundings paid for.
+/// Above gamma_(2n + 16) = k u / (1 - k u): a sum of n products is within gamma |a| . |b| of the exact one; the bound
+/// includes n more roundings.
 constexpr double gamma_of(std::size_t n) {
   const double k = 2 * static_cast<double>(n) + 16;
   return k * unit_roundoff / (1 - k * unit_roundoff) * (1 + 4 * unit_roundoff);

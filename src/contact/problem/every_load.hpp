@@ -1,29 +1,29 @@
-// Whether a contact problem has exactly one solution whatever its constant q is: whatever else pushes the bodies.
+// Whether a contact problem has exactly one solution for every constant q, that is, whatever else pushes the bodies.
 //
-// Let a problem be w = W z + q. In each mode the equations that the mode adds make a matrix; its determinant, the mode
-// determinant, is that of W with the rows of T replaced by T = -mu N where the mode slips, and those of N and T by
-// N = T = 0 where it lifts. In a linear complementarity problem these are the principal minors of W.
+// Let a problem be w = W z + q. In each mode the equations that the mode adds make a matrix. Its determinant, the mode
+// determinant, is that of W with the rows of T replaced by T = -mu N where the mode slips, and those of N and T by N =
+// T = 0 where it lifts. In a linear complementarity problem these are the principal minors of W.
 //
 // Planar friction, W positive definite, symmetric or not: there is one solution for every q if and only if all mode
-// determinants are positive; a contact without friction has none for stick, as its T is 0. The solutions are the
-// preimages of q under a map that is linear on each of the cones that the modes' conditions cut out of the space, and
-// continuous. With positive determinants it keeps the orientation on each of them; its degree is 1, as it is for mu =
-// 0, since z . W z = sum of T slip <= 0 has no solution but z = 0 whatever mu is, so that no preimage escapes to
-// infinity while mu grows; hence it is one to one. A negative determinant makes a generic q inside of that cone's image
-// have three preimages, a zero one makes a continuum. (For q in general: S. Scholtes, Introduction to Piecewise
-// Differentiable Equations, section 2.3.) proofs/two-wheeler/README.md has the proof with each step.
+// determinants are positive. (A contact without friction has no stick, as its T is 0.) The solutions are the preimages
+// of q under a continuous map that is linear on each of the cones into which the modes' conditions cut the space. With
+// positive determinants it keeps the orientation on each of them. Its degree is 1, as it is for mu = 0: since z . W z =
+// sum of T slip <= 0 has only the solution z = 0 for every mu, no preimage escapes to infinity while mu grows. Hence
+// the map is one to one. A negative determinant gives a generic q inside that cone's image three preimages, a zero one
+// gives a continuum. (For q in general: S. Scholtes, Introduction to Piecewise Differentiable Equations, section 2.3.)
+// proofs/two-wheeler/README.md has the proof with each step.
 //
 // Linear complementarity: W is a P-matrix or not (Samelson, Thrall, Wesler 1958); it need not be symmetric.
 //
-// Beyond so many contacts that their modes can be tried, with friction: let W = S + K, S symmetric and K skew, t_i the
-// sum of the |S_jk| over the tangential columns k in the tangential row j of contact i, and k_ij the |K_jk| in row j
-// and its tangential column k. If S is positive definite with mu_i^2 t_i + mu_i (sum of k_ij over j) subtracted from
-// the diagonal entry of each N_i, and the sum of mu_i k_ij over i from that of each row j, the solution is unique for
-// every q. Let x be a vector of the N of contacts that slip and the N, T of those that stick, y = P x the force with T
+// With friction and too many contacts to try their modes: let W = S + K, S symmetric and K skew, t_i the sum of the
+// |S_jk| over the tangential columns k in the tangential row j of contact i, and k_ij the |K_jk| in row j and its
+// tangential column k. If S is positive definite after mu_i^2 t_i + mu_i (sum of k_ij over j) is subtracted from the
+// diagonal entry of each N_i, and the sum of mu_i k_ij over i from that of each row j, the solution is unique for every
+// q. Proof: let x be a vector of the N of contacts that slip and the N, T of those that stick, y = P x the force with T
 // = 0 and C x that with T = -+mu N where contacts slip, d = (C - P) x. In the norm of S, |d|^2 is at most b, the sum of
-// mu_i^2 t_i x_i^2, by Gershgorin. |y . K d| is at most D, half the sum of mu_i k_ij (y_j^2 + x_i^2). What is asked for
-// says that |y|^2 - 2 D > b for y != 0, so that (|y|^2 - D)^2 >= |y|^2 (|y|^2 - 2 D) > |y|^2 b and |y|^2 > D. Then
-// x . P^T W C x >= |y|^2 - |y| |d| - D > 0: a matrix with that property has a positive determinant, in every mode.
+// mu_i^2 t_i x_i^2, by Gershgorin. |y . K d| is at most D, half the sum of mu_i k_ij (y_j^2 + x_i^2). The assumption
+// says that |y|^2 - 2 D > b for y != 0, so (|y|^2 - D)^2 >= |y|^2 (|y|^2 - 2 D) > |y|^2 b and |y|^2 > D. Then x . P^T W
+// C x >= |y|^2 - |y| |d| - D > 0: a matrix with that property has a positive determinant, in every mode.
 #pragma once
 
 #include <optional>

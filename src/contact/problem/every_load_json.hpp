@@ -1,4 +1,4 @@
-// What is said of every q, as documents and lines have it.
+// The result about every q in JSON documents and lines.
 #pragma once
 
 #include <nlohmann/json.hpp>

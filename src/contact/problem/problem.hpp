@@ -37,8 +37,8 @@ struct ContactProblem {
 std::string mistake_in(const ContactProblem& problem);
 inline constexpr std::size_t max_problem_size = 64;
 
-/// A state for each contact. A component of an LCP is a contact without friction: `touch` stands for
-/// w_i = 0 <= z_i, `lift` for z_i = 0 <= w_i.
+/// A state for each contact. A component of an LCP is a contact without friction: `touch` means w_i = 0 <= z_i, `lift`
+/// means z_i = 0 <= w_i.
 using ProblemMode = std::vector<ContactState>;
 
 /// `stick/slip+/lift`; of an LCP a letter for each component, the one of z and w that need not be 0: `zwz`.

@@ -32,7 +32,7 @@ struct ModeOutcome {
   enum class Kind {
     solution,      ///< one solution
     violated,      ///< a condition is broken by all solutions of the equations alike
-    inconsistent,  ///< no solution of the equations, or none that keeps all conditions
+    inconsistent,  ///< no solution of the equations, or none that satisfies all conditions
     continuum
   };
   Kind kind = Kind::inconsistent;

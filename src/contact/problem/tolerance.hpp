@@ -1,4 +1,4 @@
-// The rule by which answers to contact problems are judged, in whatever form problem and answer are given.
+// The rule for judging answers to contact problems, in any form of problem and answer.
 #pragma once
 
 namespace slipproof {

@@ -1,15 +1,16 @@
 // What an error is relative to: one rule for every answer that is judged.
 //
 // Components of a solution have kinds: quantities of one unit, such as m/s^2, 1/s^2, N, N m. Nothing is compared across
-// kinds, so that no verdict depends on the units of the numbers. The yardstick of a kind is the largest exact quantity
-// of that kind: a component of the solution that is determined, or a known term of its equations, such as a weight; and
-// of components that the equations leave open the answer's own, as these are all that is known of their size.
+// kinds, so no verdict depends on the units of the numbers. The yardstick of a kind is the largest exact quantity of
+// that kind: a component of the solution that is determined, or a known term of its equations, such as a weight. For
+// components that the equations leave open it includes the answer's own values, as nothing else is known about their
+// size.
 //
 // The error of a component is relative to its exact value; if that is 0, or left open, to the yardstick of its kind. If
-// the yardstick is 0, too, then nothing but 0 is right, and everything else has the error 1.
+// the yardstick is 0, too, then only 0 is right, and everything else has the error 1.
 //
 // Example: forces (N, S) = (1000, 0) in newtons, and an answer (1000.001, 1e-6): the errors are 1e-6 and 1e-9. In
-// kilonewtons they are the same; that there are accelerations of 1e9 m/s^2 beside them changes nothing.
+// kilonewtons they are the same, and accelerations of 1e9 m/s^2 in the same solution change nothing.
 #pragma once
 
 #include <vector>
@@ -21,7 +22,7 @@ namespace slipproof {
 /// How far an answer is from a solution: largest errors of a component.
 struct Distance {
   Rational relative;  ///< as above: what a tolerance is held against
-  Rational scaled;    ///< relative to the yardstick of its kind, if that is larger: tells inaccurate from wrong
+  Rational scaled;    ///< relative to the yardstick of its kind, if that is larger: separates inaccurate from wrong
 };
 
 /// Whether a solution is the one that an answer means, rather than another one: one within the tolerance before one
@@ -40,7 +41,7 @@ class Yardsticks {
   std::vector<Rational> largest_;  ///< >= 0
 };
 
-/// What a solver says of one component, and what is right.
+/// A solver's value of one component, and the exact one.
 struct ComparedComponent {
   Rational answer, exact;
   Rational yardstick;  ///< of its kind; of an open component not below |answer|
@@ -57,9 +58,9 @@ struct OpenComponent {
   Rational yardstick;  ///< of its kind; not below |answer|
 };
 
-/// The parameters of the solution that is nearest to an answer: an exact linear program for the least possible largest
-/// error as compare() measures it. The solutions are those t where every condition is >= 0; there must be one. All
-/// forms have as many coefficients as there are parameters. Without components some solution. Throws TooMuchWork.
+/// The parameters of the solution nearest to an answer: an exact linear program minimizes the largest error as
+/// compare() measures it. The solutions are those t where every condition is >= 0; there must be one. All forms have as
+/// many coefficients as there are parameters. Without components returns some solution. Throws TooMuchWork.
 std::vector<Rational> nearest_solution(const std::vector<OpenComponent>& components,
                                        const std::vector<AffineForm>& conditions, std::size_t parameters,
                                        Effort& effort);

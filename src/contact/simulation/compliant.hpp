@@ -1,12 +1,12 @@
-// Contacts that give, from rest: a simulation in binary64, which proves nothing.
+// Compliant contacts, from rest: a simulation in binary64, which proves nothing.
 //
 // Each contact is a spring and a damper along its normal, N = max(0, -k gap - c gap') where gap < 0, and a bristle
-// along its tangent: T = -r k z - c_T z', where z follows the slip as long as |T| <= mu N, and else stays behind so
-// that |T| = mu N. Displacements from rest stay small, so that (gap, slip)'' = W (N, T) + q with one W throughout.
+// along its tangent: T = -r k z - c_T z'. z follows the slip as long as |T| <= mu N, and otherwise stays behind so that
+// |T| = mu N. Displacements from rest stay small, so that (gap, slip)'' = W (N, T) + q with one W throughout.
 //
-// This has no length of its own: with k s^2 for k all happens s times as fast and s^2 times as small, and accelerations
-// and forces are the same. So k is 1, time counts in periods of the slowest elastic vibration, and what is seen after
-// 100 times as many periods is what contacts 10^4 times as stiff show in the same time.
+// This has no length scale of its own: with k s^2 for k everything happens s times as fast and s^2 times as small, and
+// accelerations and forces are the same. So k is 1, and time counts in periods of the slowest elastic vibration. The
+// state after 100 times as many periods is the state of contacts 10^4 times as stiff at the same time.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// The contacts of a scene before and after its load is there: where a simulation starts, and what then pushes.
+// The contacts of a scene before and after its load is applied: the start of a simulation, and what then pushes.
 #pragma once
 
 #include "contact/problem/problem.hpp"
@@ -7,8 +7,9 @@
 namespace slipproof {
 
 struct LoadedContacts {
-  ContactProblem problem;      ///< with the load
-  std::vector<Rational> rest;  ///< q without it; 0 of a mechanism without a load: all that pushes is its load
+  ContactProblem problem;  ///< with the load
+  /// q without the load; 0 for a mechanism without a load, where everything that pushes is its load
+  std::vector<Rational> rest;
 };
 
 /// At the scene's load. Throws std::invalid_argument, with a message for people, where the scene gives

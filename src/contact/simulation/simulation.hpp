@@ -1,5 +1,5 @@
-// Which of several motions would be seen: what contacts that give come to, beside all motions of rigid ones. The
-// motions are exact; which of them a run comes to is a simulation and not a proof.
+// Which of several motions compliant contacts settle to, together with all motions of rigid ones. The motions are
+// exact; which of them a run reaches is a simulation and not a proof.
 #pragma once
 
 #include <array>
@@ -11,14 +11,14 @@
 
 namespace slipproof {
 
-/// The second half of a time, in which the load is there as a whole.
+/// The second half of a run, in which the load is fully applied.
 struct SeenMotion {
   double periods = 0;                 ///< how long, with the first half
   std::vector<double> accelerations;  ///< means of gap and slip of each contact
   std::vector<double> forces;         ///< means of N and T
   ProblemMode mode;                   ///< in which the contacts were for most of the time
   double share = 0;                   ///< for how much of it
-  std::optional<std::size_t> motion;  ///< of the exact ones, the one that these accelerations are close to
+  std::optional<std::size_t> motion;  ///< the exact motion that these accelerations are close to
 };
 
 struct SimulatedRun {

@@ -1,6 +1,5 @@
-// What all parts of one search share, in whatever branch they work: the statement, the limits and the budget, new names
-// for what is found, and what has been computed of a polynomial once, as the same ones come back in branch after
-// branch.
+// Shared by all parts of one search, in all branches: the statement, the limits and the budget, new names for what is
+// found, and results about polynomials that were computed once, as the same polynomials return in branch after branch.
 #pragma once
 
 #include <map>
@@ -48,7 +47,7 @@ class Context {
   /// The reference stays valid.
   const SignPattern& signs_at_samples(const Polynomial& p) { return both_signs(p).at_samples; }
   Replacements& replacements() { return replacements_; }
-  /// The coefficient of a variable in p, which is linear in it, the same one at each call.
+  /// The coefficient of a variable in p, which is linear in it; the same object at each call.
   Polynomial slope(const Polynomial& p, std::size_t variable);
   /// upper times the slope of lower, minus lower times the slope of upper: both are linear in the variable, which
   /// drops out. The same one at each call.
@@ -62,7 +61,7 @@ class Context {
   const Statement& statement_;
   Limits limits_;
   Samples samples_;
-  std::map<std::string, BothSigns> signed_;  ///< by the text of a polynomial, as what follows
+  std::map<std::string, BothSigns> signed_;  ///< by the text of a polynomial, as are the next ones
   std::map<std::string, Factorization> factorizations_;
   Replacements replacements_;
   Remembered<Polynomial, 1> slopes_;

@@ -1,10 +1,10 @@
-// Positivity as a sum of products: a polynomial is positive if multiples of the facts, by monomials of known sign, can
-// be taken from it until no negative coefficient is left.
+// Positivity as a sum of products: a polynomial is positive if subtracting multiples of the facts, by monomials of
+// known sign, leaves no negative coefficient.
 //
-// Which multiples help is read off the monomials: each that has a negative coefficient is covered by the multiples of
-// facts that have it, too, and what these bring along is covered in turn. How much of each is a linear program. Where
-// substitution of slack variables (slack.hpp) needs a fact that is linear in a variable with a positive coefficient,
-// this does not; but it finds no product of two facts of more than one term.
+// The monomials show which multiples help: multiples of facts cover each monomial with a negative coefficient, and new
+// monomials that these bring are covered in turn. A linear program finds how much of each to take. Substitution of
+// slack variables (slack.hpp) needs a fact that is linear in a variable with a positive coefficient; this does not. But
+// it finds no product of two facts of more than one term.
 #pragma once
 
 #include <optional>

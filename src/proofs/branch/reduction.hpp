@@ -1,6 +1,6 @@
-// Reduction: a multiple of an equation is added to a fact so that it loses a variable, or a product of two. Of a
-// variable the fact is multiplied by a power of the pivot first, which assumes that the pivot is known to be positive:
-// then what comes out is of the same sign.
+// Reduction: adds a multiple of an equation to a fact so that the fact loses a variable, or a product of two. To remove
+// a variable, it first multiplies the fact by a power of the pivot, which must be known to be positive: then the result
+// has the same sign.
 #pragma once
 
 #include "proofs/branch/context.hpp"

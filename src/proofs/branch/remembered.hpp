@@ -11,11 +11,11 @@
 
 namespace slipproof::prove {
 
-/// What is computed of `count` polynomials and a number. Branches of a search differ in a fact or two, so that the same
-/// things are asked again and again. A result that is remembered spends as many steps of the ring's budget as it did
-/// at first. Polynomials are told apart by identity(), which is cheap: copies of one are found again, equal ones that
-/// were made anew are not. Value has a length(), in terms; beyond some length of it all nothing more is kept. One
-/// thread at a time, as the ring's budget.
+/// Remembers what is computed from `count` polynomials and a number. Branches of a search differ in a fact or two, so
+/// the same questions return again and again. A remembered result spends as many steps of the ring's budget as it did
+/// at first. Polynomials are distinguished by identity(), which is cheap: copies of one are found again, equal ones
+/// that were computed separately are not. Value has a length(), in terms; beyond a certain total length nothing more is
+/// kept. For one thread at a time, as the ring's budget.
 template <class Value, std::size_t count>
 class Remembered {
  public:

@@ -1,11 +1,11 @@
-// Variables replaced by the slack of a hypothesis, in one polynomial after another.
+// Replaces variables by the slack of a hypothesis, in one polynomial after another.
 #pragma once
 
 #include "proofs/branch/remembered.hpp"
 
 namespace slipproof::prove {
 
-/// variable = numerator / denominator, where the variable's own name now stands for the slack.
+/// variable = numerator / denominator, where the variable's own name now means the slack.
 struct Replacement {
   std::size_t variable;
   Polynomial numerator, denominator;

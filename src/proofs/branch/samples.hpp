@@ -1,6 +1,6 @@
-// Sample values of the variables: where a polynomial is negative at one that meets the hypotheses, no search for a
-// proof that it is positive can succeed. They only tell what not to try: a wrong sign here costs a proof, never makes
-// one, so that binary64 will do.
+// Sample values of the variables. If a polynomial is negative at a sample that satisfies the hypotheses, no search for
+// a proof that it is positive can succeed. Samples only say what not to try: a wrong sign here can cost a proof, but
+// never makes one, so binary64 is enough.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,7 @@
-// The signs of polynomials by those of their factors. The sign of an irreducible factor is a fact in force, or found by
-// substitution of slack variables (slack.hpp) and derived then as a step of the proof. Everything here assumes that
-// facts that stay in force stay in the state: what is once known of a sign is not asked again in a branch.
+// The signs of polynomials from those of their factors. The sign of an irreducible factor is a fact in force, or is
+// found by substitution of slack variables (slack.hpp) and then derived as a step of the proof. All functions here
+// assume that facts in force stay in the state: once the sign of a polynomial is known, it is not asked again in a
+// branch.
 #pragma once
 
 #include "proofs/branch/context.hpp"

@@ -1,6 +1,5 @@
-// One branch of a proof under construction: the facts in force, what has been found out from them, and the steps so
-// far. A branch is closed when its steps end in a contradiction, or in a case distinction all of whose branches are
-// closed.
+// One branch of a proof under construction: the facts in force, what was derived from them, and the steps so far. A
+// branch is closed when its steps end in a contradiction, or in a case distinction all of whose branches are closed.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +17,8 @@ namespace slipproof::prove {
 /// Most techniques are tried with few attempts first, and again with more where all of them failed.
 enum class Pass : std::uint8_t { quick, thorough };
 
-/// An equation used to eliminate: of a variable, pivot * variable + rest = 0 with a pivot of known sign; or of a
-/// product of two variables that stands alone in it.
+/// An equation used for elimination: of a variable, pivot * variable + rest = 0 with a pivot of known sign; or of a
+/// product of two variables that is a term of its own.
 struct Rule {
   Fact equation;
   std::size_t variable;

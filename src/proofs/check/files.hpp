@@ -1,5 +1,5 @@
-// Checks certificate files, NAME.cert against NAME.statement beside it. judge.hpp decides; this finds and loads the
-// files and tells what came of it.
+// Checks certificate files, NAME.cert against NAME.statement in the same folder. judge.hpp decides; this finds and
+// loads the files and reports the results.
 #pragma once
 
 #include <filesystem>
@@ -23,10 +23,11 @@ struct FileResult {
 /// Checks one certificate. Never throws because of what the files contain or are; opens regular files only.
 FileResult check_file(const std::filesystem::path& certificate);
 
-/// The certificates that an argument names, in the order of their names: itself; of a statement its certificate; of a
-/// folder those of all statements in it and below, there or not, and those without a statement. Links to files count
-/// as files. For check_file to complain of there are what cannot be looked at, such as a path that is too long, folders
-/// that cannot be listed, and links to folders elsewhere, which are not followed.
+/// The certificates that an argument names, in the order of their names: a certificate itself; for a statement its
+/// certificate; for a folder those of all statements in it and below, present or not, and those without a statement.
+/// Links to files count as files. The result also has paths for check_file to report: those that cannot be examined,
+/// such as a path that is too long, folders that cannot be listed, and links to folders elsewhere, which are not
+/// followed.
 std::vector<std::filesystem::path> certificates_in(const std::filesystem::path& argument);
 
 struct Report {

@@ -1,4 +1,4 @@
-// Expressions and formulas: what they stand for, and how they are read (grammar and normal form: proofs/FORMAT.md).
+// Expressions and formulas: what they mean, and how they are read (grammar and normal form: proofs/FORMAT.md).
 #pragma once
 
 #include "proofs/check/polynomial.hpp"
@@ -6,7 +6,8 @@
 namespace slipproof::check {
 
 inline constexpr std::size_t kMaxAtoms = 100'000;  ///< of a formula
-inline constexpr int kMaxOperators = 1'000;        ///< of a value in a statement or witness, without the names in it
+/// in a value of a statement or witness, without those in the names it uses
+inline constexpr int kMaxOperators = 1'000;
 
 /// numerator / denominator, defined where no polynomial in `divisors` is zero; the denominator is a product of those.
 struct Fraction {
@@ -54,7 +55,7 @@ inline Formula negation(const Formula& formula) {
   return combine(formula.kind == Kind::conjunction ? Kind::disjunction : Kind::conjunction, std::move(parts));
 }
 
-/// What names stand for.
+/// The meanings of names.
 struct Names {
   std::map<std::string, Fraction, std::less<>> values;
   std::map<std::string, Formula, std::less<>> formulas;
@@ -80,7 +81,7 @@ class FormulaReader : public Reader {
     return result;
   }
 
-  /// An expression without division, in names that stand for such ones.
+  /// An expression without division, in names of expressions without division.
   Polynomial polynomial() {
     Fraction value = expression();
     require(!value.denominator, "expected a polynomial with integer coefficients");
@@ -88,7 +89,7 @@ class FormulaReader : public Reader {
   }
 
  private:
-  /// What stands in brackets. A failure ends the reading, so the depth need not come down after one.
+  /// The contents of brackets. A failure ends the reading, so the depth need not come down after one.
   template <class Read>
   auto nested(const char* closing, Read read) {
     require(++nesting_ <= kMaxNesting, "nested too deeply");

@@ -15,8 +15,8 @@ inline constexpr std::size_t kMaxCoefficient = 128;    ///< words of 64 bits
 inline constexpr std::size_t kWordsWork = 512;         ///< products of words that cost as much as a term
 inline constexpr std::size_t kMaxCounted = 1'000'000;  ///< polynomials and terms at a time
 
-/// What is counted while it exists, so that its number, and with it the memory, is bounded whatever is read. To make
-/// one is work.
+/// Objects counted while they exist. Their number is bounded for every input, and so is the memory. Making one counts
+/// as work.
 class Counted {
  public:
   Counted() {

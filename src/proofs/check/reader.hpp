@@ -27,8 +27,8 @@ inline void require(bool condition, const char* otherwise) {
   if (!condition) throw Rejection(otherwise);
 }
 
-/// What a statement or a proof has cost so far: bytes read, polynomials and terms made, divisors compared, and long
-/// multiplications. It is bounded, so that every check ends soon. An object begins anew.
+/// The cost of a statement or a proof so far: bytes read, polynomials and terms made, divisors compared, and long
+/// multiplications. It is bounded, so every check ends soon. A new object starts at zero.
 class Work {
  public:
   Work() { done = 0; }

@@ -129,7 +129,7 @@ class Proof {
   }
 
  private:
-  /// Adds a formula to the hypotheses in force: of a conjunction its parts, NAME.1, NAME.2, ...
+  /// Adds a formula to the hypotheses in force: for a conjunction its parts, NAME.1, NAME.2, ...
   void assume(const std::string& name, const Formula& formula) {
     if (formula.kind == Kind::conjunction) {
       std::size_t number = 0;
@@ -205,8 +205,8 @@ class Proof {
     --depth_;
   }
 
-  /// `have NAME: p > 0`, `p >= 0` or `p = 0`: an identity refutes the negation, which stands under the same name; for
-  /// an equation two do, of p > 0 and of p < 0.
+  /// `have NAME: p > 0`, `p >= 0` or `p = 0`: an identity refutes the negation, which has the same name; for an
+  /// equation there are two, one for p > 0 and one for p < 0.
   void have() {
     const std::string name = reader_.name();
     reader_.expect(":");

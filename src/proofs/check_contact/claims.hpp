@@ -6,8 +6,8 @@
 
 namespace slipproof::check_contact {
 
-/// Contact k obeys the law, of which |u_T| r_T = -m r_N u_T says without roots: where u_T is not 0, r_T is antiparallel
-/// to it, and |r_T| = m r_N.
+/// Contact k satisfies the law. Without roots, |u_T| r_T = -m r_N u_T says: if u_T is not 0, r_T is antiparallel to it,
+/// and |r_T| = m r_N.
 inline void check_law(const Problem& problem, std::size_t k, const Vector& x, const Vector& w) {
   const std::size_t normal = problem.normal(k);
   require(w[normal].sign() >= 0, "contact", k, "u_N is negative");
@@ -196,8 +196,8 @@ inline std::vector<Vector> eliminated(std::vector<Vector> m, std::size_t contact
 }
 
 /// All modes of the contacts k, k + 1, ..., where m is what elimination left of their rows and columns in one mode of
-/// those before: the determinant of a mode is the product of its pivots. For `stick` the first of its two is the mean
-/// of those of `slide+` and `slide-`.
+/// the contacts before them. The determinant of a mode is the product of its pivots. For `stick` the first of its two
+/// pivots is the mean of those of `slide+` and `slide-`.
 inline void check_modes(const Problem& problem, const std::vector<Vector>& m, std::size_t k) {
   if (k == problem.contacts()) return;
   check_modes(problem, without(without(m, 0), 0), k + 1);

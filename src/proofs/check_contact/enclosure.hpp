@@ -180,7 +180,7 @@ class Enclosure {
     return result;
   }
 
-  /// What the equations leave of the law, everywhere in the box.
+  /// The conditions of the law that the equations do not imply, everywhere in the box.
   void check_contact(std::size_t k) const {
     const std::size_t row = problem_.normal(k);
     if (modes_[k] == Mode::open) return require(least(motion(row)).sign() >= 0, "contact", k, "u_N may be negative");

@@ -1,5 +1,5 @@
-// Checks certificate files about contact problems. check_contact.hpp decides; this loads the files and tells what came
-// of it.
+// Checks certificate files about contact problems. check_contact.hpp decides; this loads the files and reports the
+// results.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The text of a certificate as tokens, and what happens if one is not as it should be.
+// The text of a certificate as tokens, and the errors for malformed text.
 #pragma once
 
 #include <map>

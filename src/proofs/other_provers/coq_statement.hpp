@@ -31,9 +31,10 @@ class Normalizer {
                   const std::vector<std::pair<prove::Polynomial, std::string>>& non_zero);
   /// The normal form of a formula.
   Formula normal(const Expression& formula) const;
-  /// The divisors of an expression, each once.
+  /// The divisors of an expression, without repetition.
   std::vector<prove::Polynomial> divisors(const Expression& expression) const;
-  /// The formula as it stands in the theorem, each comparison behind what says that its divisors are not zero.
+  /// The formula as it is written in the theorem, with the condition that its divisors are not zero before each
+  /// comparison.
   std::string proposition(const Expression& formula, bool inner = false) const;
   /// Tactics for the goal `formula <-> normal(formula)`.
   void prove_same(const Expression& formula);
@@ -44,7 +45,7 @@ class Normalizer {
   struct Divisor {
     prove::Polynomial polynomial;   ///< zero where the divisor is
     prove::Polynomial denominator;  ///< of the divisor's own value
-    Expression expression;          ///< null where it stands in a witness only
+    Expression expression;          ///< null if it occurs only in a witness
   };
   struct Value {
     prove::Polynomial numerator, denominator;
@@ -73,7 +74,7 @@ class Normalizer {
 
   const prove::Statement& statement_;
   std::map<std::string, Value> values_;
-  std::map<std::string, Value> theorem_values_;  ///< of the unknowns with values, and what has been abbreviated since
+  std::map<std::string, Value> theorem_values_;  ///< of the unknowns with values, and the abbreviations since
   std::map<std::string, Formula> formulas_;
   std::map<std::string, std::vector<prove::Polynomial>> premises_;  ///< of the fact about a fraction's value
   std::vector<std::string> transparent_;                            ///< abbreviations of polynomials

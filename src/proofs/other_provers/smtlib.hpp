@@ -6,9 +6,10 @@
 namespace slipproof {
 
 /// The negation of the statement in `text`, the content of `file`, as SMT-LIB 2: `unsat` confirms the statement, `sat`
-/// contradicts it. In the normal form of proofs/FORMAT.md, so without division, each sign condition scaled to integer
-/// coefficients; the statement stands in comments. Without `exists` the logic is QF_NRA; with it NRA, as the negation
-/// is that for some values of the variables all values of the unknowns violate the conclusion. Throws InputError.
+/// contradicts it. In the normal form of proofs/FORMAT.md, so without division; each sign condition is scaled to
+/// integer coefficients. The statement itself is included as comments. Without `exists` the logic is QF_NRA. With
+/// `exists` it is NRA, as the negation says that for some values of the variables all values of the unknowns violate
+/// the conclusion. Throws InputError.
 std::string smtlib_text(const std::string& file, const std::string& text);
 
 /// A statement with `exists` for the values that its certificate gives first, without a quantifier (QF_NRA): that for

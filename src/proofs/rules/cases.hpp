@@ -10,7 +10,7 @@ namespace slipproof::prove {
 /// Forgets disjunctions that are known to be true: their branches have nothing to say.
 void drop_known_cases(Context& context, State& state);
 
-/// The disjunction to open next, by its index. One of which no part can be true, so that opening it closes the state;
+/// The index of the disjunction to open next: one without a part that can be true, so that opening it closes the state;
 /// otherwise the shortest. There must be one.
 struct NextCases {
   std::size_t index = 0;

@@ -1,6 +1,6 @@
 // Fourier-Motzkin elimination: two inequalities that are linear in a variable, with coefficients of opposite known
-// signs, bound it from below and from above, and the bounds together are an inequality without it. That one is not
-// kept: it only counts if the signs of its factors contradict it, as the number of inequalities would grow without end.
+// signs, bound it from below and from above, and together imply an inequality without it. The new inequality is not
+// kept, as their number would grow without end; it only counts if the signs of its factors contradict it.
 #pragma once
 
 #include "proofs/branch/context.hpp"

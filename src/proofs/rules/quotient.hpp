@@ -22,7 +22,7 @@ Quotient sum(const Quotient& x, const Quotient& y, const Rational& weight);
 /// p with a quotient for a variable.
 Quotient substituted(const Polynomial& p, std::size_t variable, const Quotient& value);
 
-/// Divides by the factors of the denominator that the numerator has, too.
+/// Cancels the common factors of numerator and denominator.
 void cancel(Context& context, Quotient& value);
 
 }  // namespace slipproof::prove

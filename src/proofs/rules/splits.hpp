@@ -1,6 +1,6 @@
-// Case splits that nothing asks for: on the sign of a polynomial, < 0, = 0 and > 0. Whichever polynomial is taken, the
-// three cases are all there are; the art is in the choice. The candidates here are factors of facts, pivots of
-// equations and the statement's hints, or, when all of these failed, variables and their differences.
+// Case splits on the sign of a polynomial, < 0, = 0 and > 0, that no hypothesis requires. For any polynomial the three
+// cases are complete; the art is in the choice. The candidates here are factors of facts, pivots of equations and the
+// statement's hints, or, when all of these failed, variables and their differences.
 #pragma once
 
 #include "proofs/branch/context.hpp"
@@ -8,7 +8,7 @@
 
 namespace slipproof::prove {
 
-/// As Close; told also the fact that the branch begins with.
+/// As Close; also gets the fact that the branch begins with.
 using CloseSigned = std::function<bool(State& branch, const Fact& sign)>;
 
 /// Closes all three branches, or leaves the state as it was.

@@ -1,7 +1,7 @@
-// Proofs that something exists, by a witness: values of the unknowns, after which it is left to refute that they fail.
-// The values are numbers where the statement has no parameters, otherwise the solution of the conclusion's equations
-// (solution.hpp) or a value between bounds (bounds.hpp). Nothing else is tried: what exists only as a root of a
-// polynomial, without a formula in the parameters, is not found.
+// Proofs of existence by a witness: values of the unknowns, after which it remains to refute that they fail. The values
+// are numbers if the statement has no parameters, otherwise the solution of the conclusion's equations (solution.hpp)
+// or a value between bounds (bounds.hpp). Nothing else is tried: a root of a polynomial, without a formula in the
+// parameters, is not found.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ class Existence {
   /// `close` refutes what is left when the values are stated.
   Existence(Context& context, Close close) : context_(context), close_(std::move(close)) {}
 
-  /// Proves that the unknowns of the statement exist, in a state of its assumptions; or leaves it open.
+  /// Tries to prove that the unknowns of the statement exist, in a state of its assumptions.
   bool close(State& state) { return close_from(state, 0, 2); }
 
  private:

@@ -14,7 +14,7 @@ struct InstanceSearch {
   int attempts = 0;
   /// Conditions in one variable that are not linear: its values are chosen between their roots, and at them.
   bool roots = false;
-  /// What else is asked of the values; the search goes on where it is false.
+  /// A further condition on the values; the search continues if it is false.
   std::function<bool(const std::vector<Rational>& values)> accept = {};
 };
 

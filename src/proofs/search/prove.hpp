@@ -37,8 +37,8 @@ std::string_view name(ProofOutcome::Verdict verdict);
 /// Deterministic. Throws InputError.
 ProofOutcome prove_statement(const std::string& file, const std::string& text, const prove::Limits& limits = {});
 
-/// Whether a certificate never uses the conclusion of its statement, so that it shows that the assumptions contradict
-/// each other.
+/// Whether a certificate never uses the conclusion of its statement, and so shows that the assumptions contradict each
+/// other.
 bool uses_assumptions_only(std::string_view certificate);
 
 /// Whether the statement says just that: that its assumptions contradict each other. Throws InputError.

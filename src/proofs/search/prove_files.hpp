@@ -16,7 +16,7 @@ class Crew;
 /// The statements in a folder and the folders in it, in the order of their names.
 std::vector<std::filesystem::path> statements_in(const std::filesystem::path& folder);
 
-/// Where the certificate of a statement stands: beside it.
+/// The path of a statement's certificate: in the same folder.
 std::filesystem::path certificate_of(std::filesystem::path statement);
 
 /// What came of one file.
@@ -38,18 +38,18 @@ struct ProveOptions {
   unsigned threads = 0;  ///< 0: all cores
   bool again = false;    ///< search also for what has an accepted certificate
   Crew* crew = nullptr;  ///< does the searches, instead of threads; its service is answer_statement()
-  /// Told of each file as soon as it is done, in whatever order; from one thread at a time.
+  /// Called for each file as soon as it is done, in any order; from one thread at a time.
   std::function<void(std::size_t index, const FileOutcome& outcome)> finished;
   std::function<void(const ProveProgress& progress)> progress;  ///< now and then, from one thread at a time
 };
 
-/// What many ranks are asked: a statement's path and text. Each rank reads the certificate beside it itself. Of
-/// `options` those count that the outcome depends on. Throws InputError.
+/// Answers a request to a rank: a statement's path and text. Each rank reads the certificate itself. Only those
+/// `options` count that the outcome depends on. Throws InputError.
 std::string answer_statement(std::string_view request, const ProveOptions& options);
 
-/// Proves each; the outcomes in the order of the files, the same at any number of threads. An accepted certificate is
-/// never given up: where `again` finds none, the old one is kept. Throws InputError before any search with the mistakes
-/// of all files.
+/// Proves each; the outcomes are in the order of the files, the same at any number of threads. An accepted certificate
+/// is never given up: if `again` finds none, the old one is kept. Before any search, throws InputError with the
+/// mistakes of all files.
 std::vector<FileOutcome> prove_files(const std::vector<std::filesystem::path>& statements, const ProveOptions& options);
 
 }  // namespace slipproof

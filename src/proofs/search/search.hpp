@@ -1,15 +1,15 @@
 // The search for proofs, by refutation: the assumptions and the negated conclusion become facts, and the techniques
-// below look for a contradiction between them, the cheap ones first, in the cases that are left open again.
+// below look for a contradiction between them, the cheap ones first, then again in each open case.
 //
-//   context, state          what all of them share; the facts of one branch
-//   facts                   what is new comes in, in short form: reduction by equations, normal_form by known signs
+//   context, state          shared by all of them; the facts of one branch
+//   facts                   new facts in short form: reduction by equations, normal_form by known signs
 //   elimination             equations that determine a variable
 //   signs, slack            the signs of factors, by substitution of slack variables
 //   single_facts            one fact that the others contradict
 //   pairs                   Fourier-Motzkin elimination
 //   products                linear programming over products of hypotheses
 //   cases, splits, squares  case distinctions: those that the hypotheses make, and new ones
-//   existence               witnesses for what is to exist: solution of equations, bounds
+//   existence               witnesses for `exists`: solution of equations, bounds
 #pragma once
 
 #include <cstdint>
@@ -33,8 +33,8 @@ class Search {
  public:
   Search(const Statement& statement, const Limits& limits);
 
-  /// A proof that the statement holds, or nothing; then leftover() tells where the search got stuck. Takes at most the
-  /// steps of the limits.
+  /// Returns a proof that the statement holds, or nothing; then leftover() says where the search got stuck. Takes at
+  /// most the steps of the limits.
   std::optional<Proof> prove();
   const Leftover& leftover() const { return leftover_; }
   std::uint64_t steps() const { return context_.budget().spent(); }

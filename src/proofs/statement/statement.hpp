@@ -31,7 +31,8 @@ class Statement {
   const std::vector<std::pair<std::string, Formula>>& assumptions() const { return assumptions_; }
   /// Variables that the conclusion asks to exist, by index in the ring; the other variables come before them.
   const std::vector<std::size_t>& unknowns() const { return unknowns_; }
-  /// The first variable declared after an assumption: from there on they are unknowns of a motion, before, parameters.
+  /// The first variable declared after an assumption: from there on variables are unknowns of a motion, before it
+  /// parameters.
   std::size_t first_unknown() const { return first_unknown_; }
   /// Polynomials named on lines `# split: EXPRESSION`, worth a case split.
   const std::vector<Polynomial>& hints() const { return hints_; }

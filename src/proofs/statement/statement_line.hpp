@@ -17,9 +17,10 @@ struct GivenNames {
   std::set<std::string, std::less<>> formulas;  ///< what `define` abbreviates
 };
 
-/// Trees for expressions and formulas: a formula's name is a symbol where a formula stands, `false` the truth value,
-/// and a conjunction or disjunction has as many operands as the text joins, each pair of braces a node of its own: on
-/// that rest the names of its parts as hypotheses. All throw ExpressionError with the column of the first mistake.
+/// Trees for expressions and formulas. In the place of a formula, a formula's name is a symbol and `false` the truth
+/// value. A conjunction or disjunction has as many operands as the text joins, and each pair of braces is a node of its
+/// own: the names of its parts as hypotheses depend on this. All functions throw ExpressionError with the column of the
+/// first mistake.
 class StatementLine {
  public:
   /// Both must outlive the object.

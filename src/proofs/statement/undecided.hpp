@@ -1,5 +1,5 @@
-// What stands in place of a certificate where the search for a proof ended without one: a file NAME.cert that says so,
-// so that nobody takes the statement for proved, for refused or for never tried.
+// The record in place of a certificate if the search for a proof ended without one: a file NAME.cert that says so.
+// Nobody can then take the statement for proved, for refused or for never tried.
 //
 //     slipproof-undecided 1
 //     theorem NAME
