@@ -24,7 +24,7 @@ void need(const void* pointer, const char* argument);
 /// The status for the exception in flight; `error`, where there is a place for one, is set to what it says.
 slipproof_status status_of_exception(slipproof_error** error) noexcept;
 
-/// Runs `body`, which throws whatever is wrong.
+/// Runs `body`, and turns every exception into an error.
 template <class Body>
 slipproof_status call(slipproof_error** error, const Body& body) noexcept {
   if (error != nullptr) *error = nullptr;

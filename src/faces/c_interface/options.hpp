@@ -1,4 +1,4 @@
-// What a judgement may be told, from C.
+// The options of a judgement, for C.
 #pragma once
 
 #include "faces/c_interface/slipproof.h"

@@ -66,8 +66,8 @@ inline std::string last_line(const std::string& text) {
   return text.substr(text.rfind('\n', end) + 1);
 }
 
-/// A file that comes with the program, by its path in the repository: beside the installed program, or in the sources
-/// it was built from.
+/// The path of a file that comes with the program, given by its path in the repository: next to the installed program,
+/// or in the sources it was built from.
 std::filesystem::path shipped(const std::filesystem::path& file);
 
 /// The claims file that is asked for, or the shipped paper's.

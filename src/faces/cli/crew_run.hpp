@@ -1,4 +1,4 @@
-// Commands whose work is shared by many ranks, or goes on from a checkpoint.
+// Commands whose work is shared by many ranks, or continues from a checkpoint.
 #pragma once
 
 #include <functional>
@@ -38,7 +38,7 @@ class CrewRun {
   CrewRun(const CrewArguments& arguments, unsigned threads, const std::function<std::string()>& work,
           const Inputs& inputs, Service service);
 
-  /// Of the ranks that only answer: they do, until rank 0 has all results. The others go on with false.
+  /// On ranks that only answer: answers until rank 0 has all results. Elsewhere returns false at once.
   bool served();
   /// Null where none is wanted, as the crew.
   Journal* journal() { return journal_ ? &*journal_ : nullptr; }

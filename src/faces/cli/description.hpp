@@ -8,7 +8,7 @@
 namespace slipproof::cli {
 
 struct DescribedOption {
-  std::vector<std::string> names;  ///< "-o", "--out"; of a positional argument its name alone, "SCENE"
+  std::vector<std::string> names;  ///< "-o", "--out"; for a positional argument only its name, "SCENE"
   std::string text;                ///< what it is for, in one line
   std::string type;                ///< "TEXT", "FLOAT"; empty for a flag
   std::string limits;              ///< "INTEGER from 0 to 4096", or empty
@@ -37,7 +37,7 @@ DescribedCommand describe(const CLI::App& command);
 /// The subcommands that help shows, in its order.
 std::vector<DescribedCommand> described_subcommands(const CLI::App& app);
 
-/// A file's name and what stands in it.
+/// The name and contents of a file.
 struct WrittenPage {
   std::string name, text;
 };

@@ -1,4 +1,4 @@
-// The program, whoever starts it: alone, or as one rank of many.
+// The program, started alone or as one rank of many.
 #pragma once
 
 #include "base/crew/transport.hpp"

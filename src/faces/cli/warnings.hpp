@@ -9,7 +9,7 @@ namespace slipproof::cli {
 
 /// The findings of check_mechanism() that could be checked; nothing if quiet.
 void print_warnings(const Mechanism& mechanism, const CommonOptions& common);
-/// Of each mechanism of a claims file, once.
+/// Prints the warnings of each mechanism of a claims file once.
 void print_warnings(const ClaimsFile& claims, const CommonOptions& common);
 
 }  // namespace slipproof::cli

@@ -1,5 +1,5 @@
-// The parts of the extension module slipproof._core. They are thin: what a person sees stands in the Python files
-// beside them, and what is computed in the library.
+// The parts of the extension module slipproof._core. They are thin: the Python files in this folder contain what users
+// see, the library computes.
 #pragma once
 
 #include <pybind11/pybind11.h>

@@ -1,4 +1,4 @@
-// Calls that may take long: Python goes on meanwhile, and Ctrl-C ends them.
+// Calls that may take long: Python continues meanwhile, and Ctrl-C ends them.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -45,10 +45,10 @@ class Call {
   std::exception_ptr error_;
 };
 
-/// Runs `work` in a thread of its own and waits, without the lock of the interpreter. Every 20 ms signals are looked
-/// at and `progress(done, all)` is called, where it is not None. An exception of either, or of the work, is thrown.
-/// Then the work is told to stop, which takes milliseconds; what owns all that it uses, and still does not end within
-/// 100 ms, is left behind.
+/// Runs `work` in a thread of its own and waits, without the lock of the interpreter. Every 20 ms it checks for signals
+/// and calls `progress(done, all)`, unless that is None. Rethrows an exception of either, or of the work. On an
+/// exception it asks the work to stop, which takes milliseconds. Work that owns all that it uses, and still does not
+/// end within 100 ms, is left running.
 void wait_for(const std::shared_ptr<Call>& call, std::function<void()> work, const pybind11::object& progress,
               Uses uses);
 
@@ -69,8 +69,8 @@ auto interruptible(const Work& work, const pybind11::object& progress = pybind11
   return std::move(**result);
 }
 
-/// work() without the lock of the interpreter, for what is short. Unlike pybind11's guard it also outlives the
-/// interpreter: a daemon thread that comes back when the interpreter is gone has nowhere to go, and stays.
+/// Runs work() without the lock of the interpreter, for short work. Unlike pybind11's guard it also outlives the
+/// interpreter: a daemon thread that returns when the interpreter is gone has nowhere to go, and stays.
 class WithoutInterpreter {
  public:
   WithoutInterpreter() : state_(PyEval_SaveThread()) {}

@@ -16,8 +16,9 @@ struct UnitReport {
   std::vector<bool> scaled_well;
 };
 
-/// Where units are given: both operands of each sum, comparison and equation have the same. By virtual work a row of
-/// [motion] times its acceleration, and a force times the motion along which it works, are one power over time for all.
+/// Checks units, if they are given: both operands of each sum, comparison and equation must have the same. By virtual
+/// work, a row of [motion] times its acceleration, and a force times the motion along which it works, all have the unit
+/// of power over time.
 UnitReport check_units(const Mechanism& mechanism);
 
 /// The inertia in [motion]: it is the energy's, up to one factor for all rows, or symmetric and positive semidefinite,

@@ -33,8 +33,8 @@ class CheckPoints {
   /// ", at m = 1, b = 1/2": the values on which the quantity depends there; empty if it depends on none.
   std::string where(const CheckPoint& point, const Quantity& quantity) const;
 
-  /// The point with every push 0, as far as the domain allows it. A push is a parameter of which only the constants of
-  /// the equations and motions know, and which is not gravity.
+  /// The point with every push 0, if the domain allows it. A push is a parameter that occurs only in constants of the
+  /// equations and motions, and is not gravity.
   CheckPoint without_pushes(const CheckPoint& point) const;
 
  private:

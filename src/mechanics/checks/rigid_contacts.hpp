@@ -1,10 +1,10 @@
 // Inside the checks: whether contacts of one body move as its points do.
 //
-// Gap and slip of a contact are velocities of a point of a body across and along the contact. With n the direction of N
-// and t that of positive slip, as long as n, the velocity of the point is, for each acceleration q, the column
-// w_q = (gap_q n + slip_q t) / |n|^2. Of a rigid body with the translations x, y and the rotation phi, w_x and w_y are
-// perpendicular and of one length, the factor of the contact, and w_phi differs between contacts at p and p' by
-// that length times p - p' turned by a right angle. All of this is rational, whatever the turn of the axes.
+// Gap and slip of a contact are velocities of a point of a body across and along the contact. Let n be the direction of
+// N and t that of positive slip, as long as n. For each acceleration q the velocity of the point is the column w_q =
+// (gap_q n + slip_q t) / |n|^2. For a rigid body with the translations x, y and the rotation phi, w_x and w_y are
+// perpendicular and of one length, the factor of the contact, and w_phi differs between contacts at p and p' by that
+// length times p - p' turned by a right angle. All of this is rational, for any turn of the axes.
 #pragma once
 
 #include <array>
@@ -35,7 +35,7 @@ struct RigidMisfit {
     lengths,       ///< the translations are not perpendicular or not of one length
     translations,  ///< they are others than at the reference
     rotation,      ///< it is another one than at the reference
-    mirrored       ///< only a shift of the axes makes it fit, which the other sign of the rotation makes needless
+    mirrored       ///< fits only with a shift of the axes, and without one if the rotation had the other sign
   };
   std::size_t contact;
   Why why;

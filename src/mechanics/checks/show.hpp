@@ -1,4 +1,4 @@
-// What was understood of a mechanism, as text.
+// Prints how a mechanism file was understood.
 #pragma once
 
 #include <string>

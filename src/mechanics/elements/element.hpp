@@ -30,7 +30,7 @@ struct ElementKind {
   constexpr bool slides() const { return start == Start::slides_forward || start == Start::slides_backward; }
 };
 
-/// The state of one element. A tilde marks a guide that pulls: N <= 0, and -N stands for N in the friction law.
+/// The state of one element. A tilde marks a guide that pulls: N <= 0, and the friction law has -N for N.
 enum class ElementState : std::uint8_t {
   stick,                 ///< `stick`
   slip_forward,          ///< `slip+`: slip >= 0, S = -mu N
@@ -85,8 +85,8 @@ enum class StateEquation : std::uint8_t {
 };
 constexpr StateList<StateEquation> equations(const ElementKind& kind, ElementState state);
 
-/// One condition of a state: what must be >= 0, and > 0 in a strict motion. The limits are mu N of a contact (mu times
-/// -N where it is pulled), and the limit of a friction element.
+/// One condition of a state: a quantity that must be >= 0, and > 0 in a strict motion. The limits are mu N for a
+/// contact (mu times -N if it is pulled), and the limit of a friction element.
 enum class StateCondition : std::uint8_t {
   pushes,          ///< N >= 0
   pulls,           ///< N <= 0

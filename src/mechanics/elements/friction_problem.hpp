@@ -12,7 +12,7 @@
 namespace slipproof {
 
 /// The forms of one element, in any type with sums. A contact has gap and N, with friction also slip, S and its limits
-/// mu_s N and mu_k N; a friction element has slip, S and its limits. What it does not have stays empty.
+/// mu_s N and mu_k N; a friction element has slip, S and its limits. The other members stay empty.
 template <class Form>
 struct ElementForms {
   ElementKind kind;

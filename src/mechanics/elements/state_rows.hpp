@@ -1,4 +1,4 @@
-// What each state of each element asks for, kept in a form of a solver's own.
+// The equations and conditions of each state of each element, in the form that a solver uses.
 #pragma once
 
 #include <cstddef>

@@ -1,8 +1,8 @@
-// The solutions of linear equations, as they come: each equation fixes one unknown more.
+// The solutions of linear equations, added one at a time: each equation fixes one more unknown.
 //
 // Gauss-Jordan elimination that keeps the solved form: a fixed unknown is an affine form of those that are still free.
-// The load is chosen last, so that equations which leave no unknown fix the load. A mode extends the space of the modes
-// that begin alike, and no equation is eliminated twice.
+// The load is chosen last, so that equations without an unknown left fix the load. A mode extends the space that it
+// shares with modes of the same first states, so no equation is eliminated twice.
 #pragma once
 
 #include <vector>
@@ -27,7 +27,7 @@ class AffineSpace {
   /// What a variable is that is not free.
   const AffineForm& fixed(std::size_t variable) const { return fixed_[variable]; }
   bool is_free(std::size_t variable) const { return free_[variable]; }
-  /// The unknowns that are free, in order; the load is none of them.
+  /// The free unknowns, in order, without the load.
   std::vector<std::size_t> free_unknowns() const;
   std::size_t unknowns() const { return free_.size() - 1; }
   /// Of the solutions for one load.
@@ -44,7 +44,7 @@ class AffineSpace {
   std::size_t dimension_;
 };
 
-/// A form over the free unknowns of a space, which are these, and the load.
+/// A form in the free unknowns of a space, given as `free`, and the load.
 AffineForm compressed(const AffineSpace& space, const std::vector<std::size_t>& free, const AffineForm& form);
 
 /// What forms are where all that is free is 0.

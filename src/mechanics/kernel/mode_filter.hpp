@@ -1,9 +1,9 @@
-// Modes that have no solution, told in binary64 with bounds on the errors: of a mechanism's modes nearly all, and their
-// exact elimination would be most of the work.
+// Excludes modes without a solution in binary64 with error bounds: nearly all modes of a mechanism are of this kind,
+// and their exact elimination would be most of the work.
 //
-// The equations of a mode are eliminated with pivots that are surely not 0. Where that fixes every unknown, each
-// condition bounds the load, alpha + beta load >= 0; the mode is excluded where one is surely negative for all loads,
-// or a lower bound of the load is surely above an upper one. Whatever is unsure excludes nothing.
+// Eliminates the equations of a mode with pivots that are surely not 0. If this fixes every unknown, each condition
+// bounds the load, alpha + beta load >= 0. The mode is excluded if a condition is surely negative for all loads, or if
+// a lower bound of the load is surely above an upper one. Nothing unsure excludes a mode.
 #pragma once
 
 #include <optional>
@@ -35,7 +35,7 @@ class ModeFilter {
   std::size_t unknowns_;
   std::optional<Approximate> load_;             ///< the one there is
   std::vector<Row> equations_;                  ///< of every mode
-  std::vector<std::vector<StateRows>> states_;  ///< of each element, by the number of the state
+  std::vector<std::vector<StateRows>> states_;  ///< for each element, by the number of the state
   std::vector<Approximate> above_, below_;      ///< ends of the domain
 };
 

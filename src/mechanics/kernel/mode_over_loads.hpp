@@ -1,5 +1,5 @@
-// A mode for all its loads at once, as the cells of the loads ask about it: its accelerations and forces exactly, and
-// nearly, which mostly tells two motions apart.
+// A mode for all its loads at once, for the computation of cells: its accelerations and forces exactly, and
+// approximately, which is usually enough to distinguish two motions.
 #pragma once
 
 #include <optional>
@@ -26,7 +26,7 @@ class IntegerSpace {
 
  private:
   Integer denominator_;
-  std::vector<Integer> values_;  ///< of each unknown constant and slope, times the denominator
+  std::vector<Integer> values_;  ///< constant and slope of each unknown, times the denominator
 };
 
 /// Forms in binary64, coefficient by coefficient and then the constant.
@@ -34,8 +34,7 @@ using NearForms = std::vector<std::vector<Approximate>>;
 
 NearForms near(const std::vector<AffineForm>& forms);
 
-/// A mode of a problem, both of which have to outlive it. Its numbers are computed when they are asked for. Not shared
-/// between threads.
+/// A mode of a problem, both of which must outlive it. Computes its numbers on demand. Not shared between threads.
 class ModeOfCells {
  public:
   /// `accelerations` are the problem's, near(), or left out.

@@ -32,14 +32,14 @@ struct ModesOf {
   std::vector<RejectedMode> rejected;
 };
 
-/// A mode with its solutions, told whether they are one motion for each load.
+/// A mode with its solutions; says whether they are one motion for each load.
 ConsistentMode consistent_mode(const FrictionProblem& problem, const MechanismMode& mode, Polyhedron solutions);
 
 /// More modes are not tried.
 inline constexpr std::uint64_t max_modes = 65'536;
 
-/// Solves the modes of a problem, which must outlive it: at a load, outside the domain too; or for all loads of the
-/// domain. Immutable once made.
+/// Solves the modes of a problem, which must outlive it: at one load, also outside the domain, or for all loads of the
+/// domain. Immutable once constructed.
 class ModeSolver {
  public:
   ModeSolver(const FrictionProblem& problem, const std::optional<Rational>& load);
@@ -50,7 +50,8 @@ class ModeSolver {
   /// equations leave something open are then tried state by state, with a few linear programs each: what already
   /// contradicts itself for the first elements is not gone into. Throws TooMuchWork beyond an effort.
   ModesOf all(Effort* effort = nullptr) const;
-  /// The same without the others and their reasons; unless it is charged, most of them are told in binary64.
+  /// Only the consistent modes, without reasons for the others. Unless an effort is given, binary64 excludes most of
+  /// the others.
   std::vector<ConsistentMode> consistent(Effort* effort = nullptr) const;
   /// Those of some modes, with a state for each element, in the order in which they are given.
   std::vector<ConsistentMode> consistent_among(const std::vector<MechanismMode>& modes) const;

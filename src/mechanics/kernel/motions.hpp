@@ -1,7 +1,7 @@
 // Every motion of a problem: at one load, and for all loads.
 //
-// A motion is its accelerations. Modes, or solutions of one mode, that differ in their forces only are one motion,
-// whose forces are undetermined: a body on two contacts at rest. Only a mode whose accelerations vary is a continuum.
+// A motion is its accelerations. Modes, or solutions of one mode, that differ only in their forces are one motion with
+// undetermined forces, as for a body on two contacts at rest. A mode is a continuum only if its accelerations vary.
 #pragma once
 
 #include <cstdint>
@@ -38,8 +38,8 @@ struct MotionsAtLoad {
   std::vector<MechanismMode> hysteresis;
 };
 
-/// What the modes at one load are: motions, each with the places of its modes, and continua. A motion that a continuum
-/// contains is none of its own.
+/// The modes at one load, merged: motions, each with the indices of its modes, and continua. A motion within a
+/// continuum is not listed separately.
 struct MergedModes {
   struct Motion {
     std::vector<Rational> accelerations;
@@ -74,11 +74,11 @@ struct LoadCell {
   std::vector<MechanismMode> continua;
 };
 
-/// What is told of motions: with their modes only, without numbers, for who counts them.
+/// How much to report about motions: modes only, for counting, or modes and numbers.
 enum class Told : std::uint8_t { modes, numbers };
 
-/// The domain of the load as points and open intervals, from below, in each of which the motions are the same modes.
-/// `consistent` are the problem's modes for all loads; neighbours may be alike.
+/// Divides the domain of the load, from below, into points and open intervals, in each of which the motions have the
+/// same modes. `consistent` are the problem's modes for all loads; neighbours may be alike.
 std::vector<LoadCell> cells_of(const FrictionProblem& problem, const std::vector<ConsistentMode>& consistent,
                                Told told = Told::numbers);
 

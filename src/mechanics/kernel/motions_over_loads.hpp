@@ -1,5 +1,5 @@
-// The motions of one mechanism for every load, in the form in which claims and phase diagrams ask for them, however
-// they are found.
+// The motions of one mechanism for every load, in the form that claims and phase diagrams need, independent of the
+// algorithm that finds them.
 #pragma once
 
 #include <memory>
@@ -37,8 +37,8 @@ class MotionsOverLoads {
   virtual std::vector<LoadCell> cells(Told told = Told::numbers) const = 0;
 };
 
-/// By the kernel. Without `only`, all modes, of which there must be at most max_modes; with it, only these, for who
-/// asks for no others and for no cells.
+/// Uses the kernel. Without `only`, solves all modes, at most max_modes. With `only`, solves these modes and no others;
+/// then cells() must not be called.
 std::unique_ptr<const MotionsOverLoads> motions_over_loads(FrictionProblem problem,
                                                            const std::optional<std::vector<MechanismMode>>& only = {});
 

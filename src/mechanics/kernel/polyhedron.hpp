@@ -24,9 +24,9 @@ struct Polyhedron {
 
 /// There is no solution.
 struct Conflict {
-  /// That exclude each other for loads of the domain, by their indices. None: the space has no load of the domain.
+  /// Conditions, by index, that exclude each other for loads of the domain. None: the space has no load of the domain.
   std::vector<std::size_t> conditions;
-  std::optional<Rational> margin;  ///< of one condition that has the same, negative value for all solutions
+  std::optional<Rational> margin;  ///< of one condition that has the same negative value for all solutions
 };
 
 using Narrowed = std::variant<Polyhedron, Conflict>;
@@ -37,7 +37,8 @@ using Narrowed = std::variant<Polyhedron, Conflict>;
 Narrowed narrow(AffineSpace space, const std::vector<AffineForm>& conditions, const ForceInterval& domain,
                 Effort* effort = nullptr, std::vector<AffineForm> on_space = {});
 
-/// Why there is none, for less: also nothing where all that is left is an end that the domain does not have.
+/// Why there is no solution, computed faster: may also return nothing if all that is left is an end that the domain
+/// does not have.
 std::optional<Conflict> find_conflict(const AffineSpace& space, const std::vector<AffineForm>& conditions,
                                       const ForceInterval& domain, Effort* effort = nullptr);
 

@@ -27,7 +27,7 @@ struct ViolatedCondition {
 
 class RegularModes {
  public:
-  /// At a load, or for all. The problem is copied into integers, as far as modes of these states need it.
+  /// At one load, or for all. Copies the parts of the problem that modes of these states need into integers.
   RegularModes(const FrictionProblem& problem, const std::optional<Rational>& load, const StatesOfElements& states);
 
   /// A condition that the one solution at a load violates, the first one.
@@ -51,11 +51,11 @@ class RegularModes {
   /// A state for each element. Takes one elimination, with an effort: throws TooMuchWork beyond it.
   Outcome solve(const MechanismMode& mode, Effort* effort) const;
 
-  /// What a mode takes of which so many unknowns are left to elimination.
+  /// The work of a mode that leaves this many unknowns to elimination.
   Work work_of(std::size_t unknowns) const;
 
  private:
-  /// Coefficients of the unknowns, the constant, and for all loads that of the load; times `factor`.
+  /// Coefficients of the unknowns, the constant and, for all loads, the coefficient of the load; times `factor`.
   struct Row {
     std::vector<Integer> entries;
     Integer factor;
@@ -74,7 +74,7 @@ class RegularModes {
   std::optional<Rational> load_;  ///< the one load there is, 0 where the problem has none
   std::size_t right_sides_;
   std::vector<Row> equations_;                  ///< of every mode
-  std::vector<std::vector<StateRows>> states_;  ///< of each element, by the number of the state
+  std::vector<std::vector<StateRows>> states_;  ///< for each element, by the number of the state
   std::size_t bits_ = 0;                        ///< of the longest number
 };
 

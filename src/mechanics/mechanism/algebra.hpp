@@ -16,7 +16,8 @@ Expression product_of(const Expression& x, const Expression& y, const OfExpressi
 Expression appended(const Expression& x, const Expression& y);
 Expression negative_of(const Expression& x);
 Expression quotient_of(const Expression& x, const Expression& y);
-/// By a symbol that stands under no division and in no function; where it does, that part stands for its derivative.
+/// The derivative by a symbol that occurs under no division and in no function; a part where it does is returned in
+/// place of its derivative.
 Expression derivative_of(const Expression& x, std::string_view symbol);
 
 }  // namespace slipproof

@@ -1,5 +1,5 @@
-// What the equations and elements of a mechanism are, in any type of forms: in numbers at one point, or as programs for
-// all points.
+// Assembles the equations and elements of a mechanism, in any type of forms: numbers at one point, or programs for all
+// points.
 #pragma once
 
 #include <string>

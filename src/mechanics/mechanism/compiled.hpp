@@ -20,12 +20,12 @@ namespace slipproof {
 
 /// A SymbolicForm without its zeros.
 struct CompiledForm {
-  std::vector<std::pair<std::size_t, Program>> terms;  ///< by unknown; the number of unknowns stands for the load
+  std::vector<std::pair<std::size_t, Program>> terms;  ///< by unknown; the number of unknowns is the index of the load
   std::optional<Program> constant;                     ///< nothing: 0
 };
 
-/// A CompiledForm at a point: the coefficient of each unknown, of the load, and the constant. Nothing where one of them
-/// has no value, as where it divides by zero.
+/// A CompiledForm at a point: the coefficients of the unknowns and of the load, and the constant. Nothing if one of
+/// them has no value, for example because of a division by zero.
 template <class T, class Field>
 std::optional<std::vector<T>> coefficients(const CompiledForm& form, Evaluator<T, Field>& at, std::size_t unknowns) {
   std::vector<T> result(unknowns + 2, at.field().constant(Rational(0)));

@@ -20,7 +20,7 @@ struct NotLinear {
 
 struct Linear {
   Expression constant;                      ///< never null
-  std::map<std::size_t, Expression> terms;  ///< by unknown; the number of unknowns stands for the load
+  std::map<std::size_t, Expression> terms;  ///< by unknown; the number of unknowns is the index of the load
 };
 
 class Extraction {

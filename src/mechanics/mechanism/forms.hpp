@@ -10,8 +10,8 @@
 namespace slipproof {
 
 /// Finds all forms of a mechanism from its expressions, and what contacts, friction elements and links add to equations
-/// of [motion]. What is not linear in the unknowns and the load is reported with the product that is not, at its place;
-/// so is a gap, slip or zero without an acceleration. Null expressions are passed over. Linear in the length of the
+/// of [motion]. Reports an expression that is not linear in the unknowns and the load, with the offending product and
+/// its place; also a gap, slip or zero without an acceleration. Skips null expressions. Linear in the length of the
 /// file times the number of unknowns.
 void derive_forms(Mechanism& mechanism, Mistakes& mistakes);
 
@@ -26,7 +26,7 @@ struct LoadBound {
   Relation relation;          ///< to 0: greater, greater_equal or equal
   PlacedExpression source;
 };
-/// What is no interval, for whatever values of the parameters, is reported.
+/// Reports a domain that is not an interval for all values of the parameters.
 std::vector<LoadBound> load_bounds(const Mechanism& mechanism, Mistakes& mistakes);
 
 }  // namespace slipproof

@@ -26,7 +26,8 @@ struct PlacedExpression {
 };
 
 /// constant + load * (the load) + the sum of coefficients[i] * x_i over the unknowns of the mechanism, in their order.
-/// Coefficients have parameters, definitions and angle symbols in them, none is null; what is absent is the literal 0.
+/// Coefficients are expressions in parameters, definitions and angle symbols. None is null; absent ones are the literal
+/// 0.
 struct SymbolicForm {
   std::vector<Expression> coefficients;
   Expression load, constant;
@@ -152,15 +153,15 @@ struct Mechanism {
   std::vector<MechanismFriction> friction;
   std::vector<MechanismLink> links;
   std::vector<MechanismShape> shapes;
-  PlacedExpression energy;  ///< kinetic; accelerations' names stand for their velocities. Null: not given
+  PlacedExpression energy;  ///< kinetic energy; names of accelerations mean the velocities. Null: not given
   std::vector<SymbolicForm> energy_slopes;  ///< its derivatives by each of them: rows of a symmetric matrix
 
   /// Contacts and friction elements: what has a state in a mode.
   std::size_t elements() const { return contacts.size() + friction.size(); }
 };
 
-/// Names of what a motion consists of: unknown accelerations, the gap and slip of each contact, the slip of each
-/// friction element. In the order of FrictionProblem::accelerations.
+/// Names of the quantities that define a motion: unknown accelerations, the gap and slip of each contact, the slip of
+/// each friction element. In the order of FrictionProblem::accelerations.
 std::vector<std::string> acceleration_names(const Mechanism& mechanism);
 /// Names of all forces in the order of the file: FrictionProblem::forces.
 std::vector<std::string> force_names(const Mechanism& mechanism);
@@ -170,7 +171,7 @@ const std::string& element_name(const Mechanism& mechanism, std::size_t element)
 /// The parameters without which the contact's `lift` is not modelled, and which are not given.
 std::vector<std::size_t> missing_for_lift(const MechanismContact& contact, const std::vector<bool>& given);
 
-/// What the file says of the state before the motion, one for each element.
+/// The state of each element before the motion, as the file gives it.
 std::vector<ElementKind::Start> starts(const Mechanism& mechanism);
 /// What the elements are: with these states before the motion, and `given`, for each parameter, whether it has a value
 /// (which decides whether a contact may lift). The file's own states with all parameters given, if left out.

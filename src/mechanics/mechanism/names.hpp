@@ -1,4 +1,4 @@
-// What the names in a mechanism's expressions stand for.
+// The meanings of the names in a mechanism's expressions.
 #pragma once
 
 #include <cstddef>
@@ -46,7 +46,7 @@ class MechanismNames {
     std::size_t index;  ///< among its kind; of unknowns, among all unknowns
   };
 
-  /// Of a name given twice, the first counts.
+  /// If a name is given twice, the first counts.
   explicit MechanismNames(const Mechanism& mechanism);
   std::optional<Entry> find(std::string_view name) const;
   /// The names of these kinds, in alphabetic order.

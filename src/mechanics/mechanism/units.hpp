@@ -1,4 +1,4 @@
-// Physical units, as far as sums and products go.
+// Physical units with products, quotients and comparison.
 #pragma once
 
 #include <memory>

@@ -21,12 +21,13 @@ struct ModePattern {
   bool matches(const MechanismMode& mode) const;
 };
 
-/// The mode in a text. What is none is reported at its place there, after `key`, and gives nothing: a wrong number of
-/// states, or a state that the element does not have. `lift` is a state also where it is not modelled.
+/// Reads a mode. For a malformed one, such as a wrong number of states or a state that the element does not have,
+/// reports a mistake at its place in the text, after `key`, and returns nothing. `lift` is a state even if it is not
+/// modelled.
 std::optional<ModePattern> parse_mode(const Mechanism& mechanism, const std::vector<ElementKind>& kinds,
                                       const PlacedText& text, std::string_view key, Mistakes& mistakes);
 
-/// All modes that a pattern stands for, in the order of enumeration; the kinds decide which states there are.
+/// All modes that match a pattern, in the order of enumeration; the kinds determine the possible states.
 std::vector<MechanismMode> modes_of(const ModePattern& pattern, const std::vector<ElementKind>& kinds);
 
 }  // namespace slipproof

@@ -63,10 +63,11 @@ void read_equations(const TableReader& root, Context& context);
 /// Symbols that do not exist or must not be used where they are, and expressions too large to evaluate. Those become
 /// null. When everything is read.
 void check_uses(Context& context);
-/// What can be said only of the whole: accelerations that occur nowhere, the number of equations.
+/// Checks of the file as a whole: accelerations that occur nowhere, the number of equations.
 void check_whole(Context& context);
 
-/// Conditions of the domain that exclude each other, as far as linear ones show it. Of what has no mistakes.
+/// Reports conditions of the domain that exclude each other, if linear ones show it. Only for files without other
+/// mistakes.
 void check_domain(Context& context);
 
 /// "rest", "slides+", "slides-", "open"; nothing, and a report "KEY: found ..." at the place, for anything else and for

@@ -20,7 +20,7 @@ const std::vector<ShippedMechanism>& shipped_mechanisms();
 const ShippedMechanism* find_shipped(std::string_view name);
 
 /// The mechanism of a file, or the shipped one of this name if there is no such file. A relative path counts from
-/// `directory`, or from where the program runs if that is empty. Throws InputError.
+/// `directory`, or from the working directory if that is empty. Throws InputError.
 Mechanism open_mechanism(const std::string& file_or_name, const std::string& directory = {});
 
 }  // namespace slipproof

@@ -28,8 +28,9 @@ class DomainSampler {
     std::size_t angles = 0, parameters = 0;  ///< so many have their values, the first ones
     bool is_angle = false;
     const MechanismValues* values = nullptr;
-    const std::vector<Rational>* roots = nullptr;  ///< where sides of a condition become the same; of an angle: none
-    bool fixed = false;                            ///< only at the first of them an equation of the domain holds
+    /// values where sides of a condition become equal; none for an angle
+    const std::vector<Rational>* roots = nullptr;
+    bool fixed = false;  ///< only at the first of them an equation of the domain holds
   };
   using Draw = std::function<Rational(const Drawing&)>;
 
@@ -44,8 +45,8 @@ class DomainSampler {
   /// Whether all conditions hold.
   bool contains(const MechanismValues& values) const;
 
-  /// Gives parameters the values that equations of the domain, such as `3*I = m*l^2`, then ask of them: of each that
-  /// does not hold, the last parameter in it that is given and not `kept`.
+  /// Gives parameters the values that equations of the domain, such as `3*I = m*l^2`, require. For each equation that
+  /// does not hold, it changes the last parameter in it that is given and not `kept`.
   void restore(MechanismValues& values, std::size_t kept) const;
 
  private:

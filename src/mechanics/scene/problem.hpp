@@ -1,4 +1,4 @@
-// A mechanism at values of its parameters: what the kernel solves.
+// A mechanism at values of its parameters, as input of the kernel.
 #pragma once
 
 #include <stdexcept>
@@ -17,7 +17,7 @@ struct MechanismValues {
     Rational cosine = 1, sine = 0;  ///< on the unit circle
   };
   std::vector<Rational> parameters;
-  std::vector<bool> given;  ///< whether each has a value; 0 stands for those that have none
+  std::vector<bool> given;  ///< whether each has a value; those without one are 0
   std::vector<Circle> angles;
   std::vector<ElementKind::Start> starts;  ///< of each element, before the motion
 };

@@ -21,8 +21,8 @@ struct MechanismScene {
   std::vector<std::string> notes;  ///< what the reader should know of how the file was understood
 };
 
-/// Reads a scene file (name, mechanism, along, [values], [state]). Throws InputError with every mistake of the file, in
-/// the order of their places; mistakes of the mechanism's file among them.
+/// Reads a scene file (name, mechanism, along, [values], [state]). Throws InputError with all mistakes of the file in
+/// the order of their places, including those of the mechanism's file.
 MechanismScene read_mechanism_scene(const std::filesystem::path& path);
 /// The same from a text; `file` is how messages call it, and where a relative path of the mechanism counts from.
 MechanismScene parse_mechanism_scene(std::string_view text, const std::string& file);
@@ -32,8 +32,8 @@ MechanismScene parse_mechanism_scene(std::string_view text, const std::string& f
 /// std::invalid_argument where the scene has no value of the load that becomes a parameter.
 MechanismScene with_load(const MechanismScene& scene, std::string_view parameter);
 
-/// The first parameter that is a contact's coefficient of friction; if there is none, the first that is given, or the
-/// first angle.
+/// The first parameter that is a contact's coefficient of friction; if there is none, the first parameter that is
+/// given, or the first angle.
 std::string usual_parameter(const MechanismScene& scene);
 
 /// A scene file that reads back as the same scene, apart from its notes. `mechanism` and `along` are what it says

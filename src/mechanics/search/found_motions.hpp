@@ -44,8 +44,8 @@ struct FoundOverLoads {
   ForceInterval loads;  ///< a point, or an open interval; the whole line without a load
 };
 
-/// All loads of the domain, from below. The problem's equations are solved (without_equations), and its modes at most
-/// max_modes. With hysteresis kept apart, loads of several motions are parted where it begins and ends.
+/// Divides all loads of the domain, from below. The problem's equations must be solved (without_equations), with at
+/// most max_modes modes. If hysteresis is kept apart, loads of several motions are divided where it begins and ends.
 std::vector<FoundOverLoads> found_over_loads(const FrictionProblem& problem,
                                              const std::vector<std::size_t>& not_modelled, bool hysteresis_apart);
 

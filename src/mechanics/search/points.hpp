@@ -9,10 +9,10 @@
 
 namespace slipproof {
 
-/// Samples of the whole domain. Sample i depends on the seed and on i alone. The kinds take turns: mostly 1, small
-/// integers, small fractions, ratios from 2^-20 to 2^20, and parameters that are equal, cancel, or stand on a bound of
-/// the domain, so that thin sets are met. Every second sample is one that could be built, where there are any; optional
-/// parameters are given and left out by turns.
+/// Samples of the whole domain. Sample i depends only on the seed and on i. The kinds take turns: mostly 1, small
+/// integers, small fractions, ratios from 2^-20 to 2^20, and parameters that are equal, cancel, or lie on a bound of
+/// the domain, so that thin sets are met. Every second sample is one that could be built, if there are any; optional
+/// parameters are given and left out in turn.
 class PointSampler {
  public:
   /// What is given must outlive the sampler.

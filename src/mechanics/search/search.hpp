@@ -37,12 +37,11 @@ struct SearchCell {
 
 struct SearchResult {
   std::uint64_t tried = 0;           ///< samples that were asked for; with `wanted`, up to the first of it
-  std::uint64_t samples = 0;         ///< points of the domain that were found, at which everything has a value
+  std::uint64_t samples = 0;         ///< points found in the domain at which everything has a value
   std::uint64_t without_value = 0;   ///< points at which something divides by zero
   std::uint64_t one_everywhere = 0;  ///< samples with one motion at every load, hysteresis left out
   std::array<std::uint64_t, motion_counts> with{};  ///< by MotionCount: samples that have it at some load
-  /// What was found, but for hysteresis: none first, then several, continua, none_modelled, and one; the frequent
-  /// first.
+  /// Findings without hysteresis: none first, then several, continua, none_modelled, and one; frequent ones first.
   std::vector<SearchCell> cells;
 
   std::uint64_t count(MotionCount what) const { return with[static_cast<std::size_t>(what)]; }
@@ -61,7 +60,7 @@ class MotionSearch {
   /// The service of a crew, from many threads at once.
   std::string answer(std::string_view request) const;
 
-  /// By the crew, whose service is answer(), or by threads where there is none; once.
+  /// Computes the result with the crew, whose service is answer(), or with threads if there is no crew. Call it once.
   SearchResult result(Crew* crew = nullptr);
 
  private:

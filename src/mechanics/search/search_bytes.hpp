@@ -1,4 +1,4 @@
-// What ranks that search tell each other.
+// Messages between ranks of a search.
 #pragma once
 
 #include <set>

@@ -14,7 +14,7 @@ struct SearchPlace {
   std::optional<Rational> load;  ///< nothing in a mechanism without one
 };
 
-/// Of the parameters that are given, the cosine and sine of each angle, and the load.
+/// Complexity of the given parameters, the cosine and sine of each angle, and the load.
 Complexity complexity(const SearchPlace& place);
 
 /// The motions at the points of one mechanism.

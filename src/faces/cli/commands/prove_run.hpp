@@ -21,11 +21,11 @@ class ProveRun {
   /// No result is written over one of `inputs`, or over a statement that is to be proved.
   ProveRun(const ProveOptions& options, const CommonOptions& common, Inputs inputs = {});
 
-  /// Proves the statements where they stand, and writes the certificates beside them, or why there is none.
+  /// Proves the statements, and writes next to each its certificate, or why there is none.
   void prove(const std::vector<std::filesystem::path>& statements);
-  /// Writes the statements of the claims to the folder for what is made of them, and proves them, with all others that
-  /// are the paper's. Where a statement is false, writes and proves that, too; where a claim could not be settled,
-  /// tries the other way. A claim whose statements cannot be written or read fails, and no other with it.
+  /// Writes the statements of the claims to the folder for generated files, and proves them together with all others of
+  /// the paper. If a statement is false, writes and proves that, too; if a claim could not be settled, tries to refute
+  /// it. If the statements of a claim cannot be written or read, only this claim fails.
   void prove_claims(const ClaimsFile& file, const PaperFolder& paper);
   /// Says what came of all, and gives the exit code.
   Exit conclude();

@@ -64,7 +64,7 @@ class VerifyRun {
 
 Exit exit_of(Summary summary);
 
-/// Where the parts of the page come from: what comes with the program, and a measurement of trade if there is one.
+/// The sources of the page's parts: what comes with the program, and a measurement of trade if there is one.
 PageFolders page_folders(const std::filesystem::path& claims, const std::filesystem::path& trade);
 
 /// What the page about a verification is made from, all but the result. It is read before the work, so that bad input
@@ -72,8 +72,8 @@ PageFolders page_folders(const std::filesystem::path& claims, const std::filesys
 PageInput report_input(const std::filesystem::path& claims, const ClaimsFile& file, const JudgeArguments& arguments,
                        Certificates& certificates);
 
-/// The claims files of a folder and of the folders in it, in the order of their names. Nothing where the path is no
-/// folder. Throws InputError where there are none.
+/// The claims files of a folder and of the folders in it, in the order of their names. Nothing if the path is not a
+/// folder. Throws InputError if there are none.
 std::vector<std::filesystem::path> papers_in(const std::filesystem::path& path);
 
 /// So many samples for each setting, where a folder is judged and no number is asked for.
@@ -82,7 +82,7 @@ inline constexpr std::uint64_t samples_of_many = 2000;
 /// --samples, which is returned, --lines, and --second-checker.
 CLI::Option* add_judging_options(CLI::App& command, JudgeArguments& arguments);
 
-/// Judges each of them, on rank 0, and writes the page of each and that of all into a folder, if there is one.
+/// Judges each of them, on rank 0, and writes the page of each and that of all into a folder, if one is given.
 std::vector<JudgedPaper> judge_papers(const std::vector<std::filesystem::path>& papers, const JudgeArguments& arguments,
                                       const std::filesystem::path& report);
 
