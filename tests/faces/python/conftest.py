@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-SOURCE = Path(__file__).resolve().parents[2]
+SOURCE = Path(__file__).resolve().parents[3]
 PROGRAM = os.environ.get("SLIPPROOF_PROGRAM", str(SOURCE / "build" / "slipproof"))
 
 

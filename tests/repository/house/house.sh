@@ -1,0 +1,34 @@
+#!/bin/sh
+# house.sh PROJECT: at most nine wings, each with a page of its own; no folder with more than 20 source files, no source
+# file above 350 lines, but those that long.txt names; and the drawing in CONTRIBUTING.md is that of drawing.sh.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+cd "$1"
+status=0
+wrong() {
+  printf '%s\n' "$1"
+  status=1
+}
+
+wings=$(find src -mindepth 1 -maxdepth 1 -type d | wc -l)
+[ "$wings" -le 9 ] || wrong "src has $wings wings, at most 9 are told apart at a glance"
+for wing in src/*/; do
+  [ -e "${wing}README.md" ] || wrong "${wing}README.md is missing: a page on what stands in the wing"
+done
+
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+find src -name '*.hpp' -o -name '*.cpp' -o -name '*.h' -o -name '*.inc' -o -name '*.py' | sort >"$scratch/sources"
+sed 's#/[^/]*$##' "$scratch/sources" | uniq -c |
+  awk -v long="$here/long.txt" '
+  BEGIN { while ((getline folder < long) > 0) known[folder] = 1 }
+  $1 > 20 && !($2 in known) { print $2 " has " $1 " source files, at most 20 are one idea" }' >"$scratch/wrong"
+xargs wc -l <"$scratch/sources" | awk -v long="$here/long.txt" '
+  BEGIN { while ((getline file < long) > 0) known[file] = 1 }
+  $1 > 350 && $2 != "total" && !($2 in known) { print $2 " has " $1 " lines, at most 350 are read as one" }' >>"$scratch/wrong"
+[ ! -s "$scratch/wrong" ] || wrong "$(cat "$scratch/wrong")"
+
+sed -n '/^<!-- the house -->$/,/^<!-- end -->$/p' CONTRIBUTING.md | sed '1d;$d' | sed '/^```/d' >"$scratch/drawing"
+sh "$here/drawing.sh" src | diff "$scratch/drawing" - ||
+  wrong "the drawing in CONTRIBUTING.md is another one: sh tests/repository/house/drawing.sh src prints it"
+exit "$status"
