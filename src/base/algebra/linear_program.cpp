@@ -19,8 +19,8 @@ constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 /// Each row's variable as an affine form of the columns' variables (Chvatal's dictionary). Variables below `free_count`
 /// may have any sign, all others are >= 0; the point of the dictionary has 0 for all variables in columns.
 ///
-/// In integers over one denominator, as in number/bareiss.hpp: entries are minors of the constraints, each of which is
-/// multiplied by the common denominator of its numbers, and so is what its variable stands for.
+/// In integers over one denominator, as in base/algebra/bareiss.hpp: entries are minors of the constraints. Each
+/// constraint, and with it the meaning of its variable, is multiplied by the common denominator of its numbers.
 class LinearProgram::Dictionary {
  public:
   struct GivenUp {};
@@ -35,7 +35,7 @@ class LinearProgram::Dictionary {
     std::tie(objective_, objective_scale_) = to_row(objective);
   }
 
-  /// Goes to a feasible point; false if there is none.
+  /// Moves to a feasible point; false if there is none.
   bool start() {
     bring_free_variables_in();
     return make_feasible();
@@ -92,7 +92,7 @@ class LinearProgram::Dictionary {
 
   Rational value() const { return Rational(objective_[0], denominator_ * objective_scale_); }
 
-  /// Replaces the variable of a column, by which `leaving` is solved, in another row.
+  /// Replaces the variable of a column in another row, using `leaving` solved for it.
   void substitute(Row& row, std::size_t column, const Row& leaving) const {
     const Integer& pivot = leaving[column + 1];
     const bool negative = pivot.sign() < 0;

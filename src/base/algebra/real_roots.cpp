@@ -15,7 +15,7 @@ namespace slipproof {
 
 namespace {
 
-/// A root with the irreducible polynomial that it is of, so that its place can be told more exactly.
+/// A root with its irreducible polynomial, so that it can be located more precisely.
 struct Found {
   RealRoot place;
   const IntegerPolynomial* polynomial;
@@ -45,7 +45,7 @@ IntegerPolynomial without(const std::set<IntegerPolynomial>& factors, IntegerPol
   return p;
 }
 
-/// Which degrees factors of a polynomial may have, bit by bit, as those modulo a prime have it.
+/// The possible degrees of factors of a polynomial as a bit set, from its factors modulo a prime.
 std::uint64_t factor_degrees(const IntegerPolynomial& p, ulong prime) {
   std::uint64_t possible = ~std::uint64_t{0};
   if (fmpz_fdiv_ui(fmpz_poly_lead(p.flint()), prime) == 0) return possible;
@@ -186,7 +186,7 @@ std::vector<RealRoot> real_roots(const std::set<IntegerPolynomial>& polynomials,
     }
   }
   separate(found);
-  // Away from the ends of the part, too.
+  // Separates roots from the ends of the part, too.
   for (Found& root : found) {
     while (!root.place.is_rational() && (root.place.lower == part.lower || root.place.upper == part.upper))
       refine(root);

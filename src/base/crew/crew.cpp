@@ -40,7 +40,7 @@ class Crew::Stage {
     out_.emplace(next_, request);
     return {next_++, std::move(request)};
   }
-  /// The request that a number stands for, which is not out any longer.
+  /// The request with this number; it is no longer outstanding.
   std::string returned(std::uint64_t number) {
     auto request = out_.extract(number);
     if (request.empty()) throw BrokenBytes();

@@ -74,7 +74,7 @@ Journal::Journal(std::filesystem::path path, std::string_view work)
     : path_(std::move(path)), file_(open_journal(path_)) {
   const std::string head = journal_head(work);
   const std::string found = read_at(file_.number(), 0, head.size(), path_);
-  // What stands there of a head may be all that a killed run could write.
+  // A killed run may have written only part of the head.
   if (found.size() < head.size() && head.starts_with(found)) {
     if (::ftruncate(file_.number(), 0) != 0) throw OutputError(path_.string(), errno);
     if (::lseek(file_.number(), 0, SEEK_SET) < 0) throw OutputError(path_.string(), errno);

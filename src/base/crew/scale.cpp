@@ -19,7 +19,7 @@ constexpr std::uint64_t on_the_way = 2;
 using Arrivals = std::priority_queue<std::pair<double, std::uint64_t>, std::vector<std::pair<double, std::uint64_t>>,
                                      std::greater<>>;
 
-/// One stage of a crew, event by event.
+/// Simulates one stage of a crew, event by event.
 class PlayedStage {
  public:
   PlayedStage(const MeasuredWork& work, std::uint64_t cores, std::uint64_t seed)

@@ -8,7 +8,7 @@ namespace slipproof {
 
 namespace {
 
-/// -1, 0 or +1 where sure, and a number of which nothing is sure otherwise.
+/// -1, 0 or +1 if sure, otherwise a number about which nothing is sure.
 Approximate sign_number(const Approximate& x) {
   const auto sign = sure_sign(x);
   return sign ? Approximate(*sign) : Approximate(0, std::numeric_limits<double>::infinity());
@@ -103,7 +103,7 @@ SureCondition::SureCondition(const Scope& scope, const Program& condition, std::
   note_demands(Writer(*this, scope, first).write(condition));
 }
 
-/// Of a step that has to hold.
+/// Notes what a step that must hold demands.
 void SureCondition::note_demands(std::uint32_t i) {
   const Step& step = steps_[i];
   if (step.operation == Operation::logical_and) {

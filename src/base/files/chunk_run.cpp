@@ -13,7 +13,7 @@ namespace slipproof {
 
 namespace {
 
-/// The first bytes of all items stand first, then the second ones.
+/// Undoes shuffling, which puts the first bytes of all items first, then the second ones.
 std::string unshuffled(const std::string& bytes, std::size_t item) {
   const std::size_t count = bytes.size() / item;
   std::string result(bytes);

@@ -117,8 +117,8 @@ class Hdf5File::Library {
     return {id, &H5Dclose};
   }
 
-  /// The number of elements, all of which are stored in this file, or none if `written` can be told so. No more is made
-  /// of nothing than deflate makes of a byte.
+  /// The number of elements, all of which must be stored in this file; they may be unwritten if `written` is given to
+  /// report this. Unwritten data may be at most as much larger than the file as deflate allows.
   std::size_t length(const std::string& path, hid_t set, std::size_t element, bool* written = nullptr) const {
     const hdf5::Id space(H5Dget_space(set), &H5Sclose);
     if (!space.open()) owner_.refuse(path, "found a data set without a size");
@@ -164,7 +164,7 @@ class Hdf5File::Library {
 
 namespace {
 
-/// Whole bytes, every bit of which counts.
+/// Whether an integer consists of whole bytes without padding bits.
 bool is_plain_integer(hid_t type) {
   const std::size_t size = H5Tget_size(type);
   return H5Tget_class(type) == H5T_INTEGER && size <= 8 && H5Tget_precision(type) == 8 * size;

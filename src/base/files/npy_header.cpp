@@ -11,7 +11,7 @@ namespace slipproof {
 
 namespace {
 
-/// A value of Python's, as far as headers have them: texts, whole numbers, words, tuples and lists.
+/// A Python value of the kinds that headers contain: texts, whole numbers, words, tuples and lists.
 struct Literal {
   enum class Kind : std::uint8_t { text, number, word, list } kind = Kind::word;
   std::string text;            ///< of a text, a word or a number

@@ -12,7 +12,7 @@ namespace slipproof {
 
 namespace {
 
-/// The items in the order of C, whatever the file's is.
+/// The items in C order, for any order of the file.
 std::vector<double> in_rows(const NpyHeader& header, std::string_view data) {
   const CellType& type = header.fields[0].type;
   std::vector<double> numbers(static_cast<std::size_t>(header.items));

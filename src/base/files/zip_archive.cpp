@@ -14,7 +14,7 @@ namespace slipproof {
 
 namespace {
 
-constexpr std::uint64_t open_32 = 0xFFFFFFFF;  ///< the number stands elsewhere, in 64 bits
+constexpr std::uint64_t open_32 = 0xFFFFFFFF;  ///< the number is in a field of 64 bits elsewhere
 
 /// An unsigned integer of `size` bytes, the lowest first; 0 where they are not all there.
 std::uint64_t little_endian(std::string_view bytes, std::size_t at, std::size_t size) {
@@ -47,7 +47,7 @@ Directory directory_of(const PlacedBytes& archive) {
   return result;
 }
 
-/// Sizes and the place that do not fit into 32 bits stand in an extra field.
+/// Reads sizes and the offset that do not fit into 32 bits from an extra field.
 void read_large(ZipEntry& entry, std::string_view extra) {
   for (std::size_t at = 0; at + 4 <= extra.size(); at += 4 + little_endian(extra, at + 2, 2)) {
     if (little_endian(extra, at, 2) != 1) continue;

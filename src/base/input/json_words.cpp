@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> words{"NaN", "Infinity", "-Infinity"};
 
-/// The end of the text that begins at a quotation mark; of the line, where it does not end.
+/// The end of the text that begins at a quotation mark; the end of the line if it is not closed.
 std::size_t end_of_text(std::string_view line, std::size_t at) {
   for (++at; at < line.size() && line[at] != '"'; ++at) {
     if (line[at] == '\\') ++at;
@@ -20,7 +20,7 @@ std::size_t end_of_text(std::string_view line, std::size_t at) {
   return std::min(at + 1, line.size());
 }
 
-/// The end of what stands together as a number does.
+/// The end of a run of characters that numbers consist of.
 std::size_t end_of_number(std::string_view line, std::size_t at) {
   return std::min(line.find_first_not_of("0123456789.eE+-", at), line.size());
 }

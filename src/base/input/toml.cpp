@@ -1,8 +1,8 @@
 #include "base/input/toml.hpp"
 
-// toml++ 3.3 asserts, or tells the compiler to assume, what malformed documents violate and the code right after it
-// reports: take neither. And its test for white space calls unreachable what most accented letters reach: answer false
-// there.
+// toml++ 3.3 asserts, or tells the compiler to assume, conditions that malformed documents violate and that the code
+// right after reports: disable both. And its test for white space marks as unreachable a case that most accented
+// letters reach: return false there.
 #undef NDEBUG
 #define TOML_ASSERT(expression) static_assert(true)
 #define TOML_HEADER_ONLY 1
@@ -93,7 +93,7 @@ class Source {
   std::vector<std::size_t> lines_;
 };
 
-/// Follows the source of a string and tells where each byte of its value comes from.
+/// Follows the source of a string and finds where each byte of its value comes from.
 class StringPlacer {
  public:
   StringPlacer(std::string_view source, Place place, const std::string& value)

@@ -136,7 +136,7 @@ class NumberReader {
                       "a fraction of two integers, such as 3/4");
   }
 
-  /// The character at the position is not what should stand there; the usual slips get their own words.
+  /// Reports an unexpected character at the position; the usual slips get messages of their own.
   [[noreturn]] void refuse(const std::string& expected) const {
     if (position_ >= text_.size()) throw NumberError(position_, "the end of the text", expected);
     switch (peek()) {

@@ -23,7 +23,7 @@ std::filesystem::path folder_of(const std::filesystem::path& path) {
   return path.has_parent_path() ? path.parent_path() : ".";
 }
 
-/// The N of /dev/fd/N, and of what leads there: such a link is an open file, whatever it is called.
+/// The N of /dev/fd/N, and of links that lead there: such a link is an open file, whatever its name.
 std::optional<int> descriptor_named(const std::filesystem::path& path) {
   std::error_code error;
   const auto descriptors = std::filesystem::canonical("/proc/self/fd", error);
@@ -96,7 +96,7 @@ void OutputFile::write(std::string_view contents) const {
 
 void OutputFile::write_by(const std::function<void(const Sink&)>& contents) const {
   if (kind_ == Kind::file) return write_beside(contents);
-  // A second name of an open file would begin at its start: a copy of the descriptor goes on where it is.
+  // A second open of the file would begin at its start: a copy of the descriptor continues at its position.
   const Descriptor file(kind_ == Kind::descriptor ? ::dup(*descriptor_named(target_))
                                                   : ::open(target_.c_str(), O_WRONLY | O_CLOEXEC));
   if (!file.open()) throw OutputError(path_.string(), errno);

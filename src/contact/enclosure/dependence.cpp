@@ -59,7 +59,7 @@ void put_equation(FlintRationalMatrix& to, std::size_t column, const MixedProble
   to.set(problem.size(), column, to_rational(problem.c[row]));
 }
 
-/// Each dropped equation as a combination of linear ones that are kept; false where one is none.
+/// Writes each dropped equation as a combination of kept linear ones; false if this is impossible for one.
 bool combine(const MixedProblem& problem, const ModeSystem& system, std::vector<DroppedEquation>& dropped) {
   std::vector<bool> kept(system.size(), true);
   for (const DroppedEquation& d : dropped) kept[d.equation] = false;

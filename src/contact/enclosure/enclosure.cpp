@@ -55,7 +55,7 @@ class EnclosureSearch {
   }
 
  private:
-  /// The equations of a mode, with unknowns near x.
+  /// Starts with the equations of a mode, with unknowns near x.
   void enter(ConeMode mode, std::vector<double> x) {
     put_on_cones(mode, x);
     system_.emplace(problem_, std::move(mode));
@@ -138,7 +138,7 @@ class EnclosureSearch {
     return std::nullopt;
   }
 
-  /// Newton's method with the inverse that is there, while it converges; true if it did, so that only rounding is left.
+  /// Newton's method with the current inverse, while it converges; true if it converged, so that only rounding is left.
   bool improve() {
     double last = std::numeric_limits<double>::infinity(), size = 0;
     for (int step = 0; step < 20; ++step) {
@@ -152,7 +152,7 @@ class EnclosureSearch {
           largest = std::max(largest, std::abs(d[j]));
         }
       }
-      if (!all_finite(next)) {  // which no comparison would tell
+      if (!all_finite(next)) {  // no comparison would notice this
         z_ = std::move(next);
         return false;
       }
@@ -200,7 +200,7 @@ class EnclosureSearch {
     return {lower >= radius, lower > radius};
   }
 
-  /// Of a closed contact: r_N >= 0, and within the cone where it sticks.
+  /// The conditions of a closed contact: r_N >= 0, and r in the cone if it sticks.
   Sign force_conditions(const Enclosure& box, std::size_t k) const {
     const std::size_t first = problem_.normal(k), n = box.system.unknown(first);
     Sign sign = sign_of(to_rational(box.center[n]), box.radius[n]);

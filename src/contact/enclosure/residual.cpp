@@ -68,7 +68,7 @@ class ContactJudge {
     consider(ContactFit::stick, std::move(r), std::move(u));
   }
 
-  /// Planar friction, and each direction of the box, is a choice among -1, 0 and 1 times the bound; the diamond adds
+  /// Planar friction, and each direction of the box, chooses among -1, 0 and 1 times the bound; the diamond also has
   /// its edges, the cone all directions.
   void try_tangential() {
     const Rational N = to_rational(r_[0]), bound = to_rational(mu_) * N;
@@ -191,7 +191,7 @@ std::string_view name(FrictionLaw law) {
 }
 
 std::pair<Rational, Rational> unit_direction(double x, double y) {
-  // The tangent of half the angle to the nearer axis is at most 1, and rational whatever it is.
+  // The tangent of half the angle to the nearer axis is at most 1, and any value of it is rational.
   const bool steep = std::abs(y) > std::abs(x);
   const double near = std::abs(steep ? y : x), far = steep ? x : y;
   const double ratio = far / near;

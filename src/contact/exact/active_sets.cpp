@@ -21,13 +21,13 @@ Eigen::MatrixXd full_matrix(const SparseMatrix& A) {
   return result;
 }
 
-/// What principal pivoting sees of a set: which components have the wrong sign, x_i < 0 or w_i < 0.
+/// The view of a set that principal pivoting uses: which components have the wrong sign, x_i < 0 or w_i < 0.
 class PivotView {
  public:
   explicit PivotView(const MixedProblem& problem)
       : A_(full_matrix(problem.A)), c_(Eigen::Map<const Eigen::VectorXd>(problem.c.data(), A_.rows())) {}
 
-  /// Nothing where the system is singular, as far as floating point can tell.
+  /// Nothing if the system looks singular in floating point.
   std::optional<std::vector<std::size_t>> wrong(const std::vector<bool>& active, Effort& effort) const {
     std::vector<Index> in, out;
     for (std::size_t i = 0; i < active.size(); ++i) (active[i] ? in : out).push_back(static_cast<Index>(i));

@@ -98,7 +98,7 @@ class LinearMode {
   std::size_t held_ = 0;
 };
 
-/// Whether x solves the problem, whatever its mode.
+/// Whether x solves the problem, in any mode.
 class ExactCheck {
  public:
   ExactCheck(const MixedProblem& problem, const ExactVector& x)

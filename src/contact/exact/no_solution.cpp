@@ -26,10 +26,10 @@ std::vector<Rational> combined_rows(const SparseMatrix& A, const std::vector<Rat
 
 enum class Length { full, cut };
 
-/// The linear program: minimize c . y >= -1 over the y of free and normal rows, with g in pyramids. Exact pivots cost
-/// what their numbers are long. So the coefficients of normal rows, where y >= 0, may be cut to some bits, downwards in
-/// what has to be >= 0 and upwards in what has to be < 0: what is found then is right nevertheless, and is missed only
-/// where there is hardly any room.
+/// The linear program: minimize c . y >= -1 over the y of free and normal rows, with g in pyramids. The cost of exact
+/// pivots depends on the length of their numbers. So the coefficients of normal rows, where y >= 0, may be cut to some
+/// bits, downwards in quantities that must be >= 0 and upwards in those that must be < 0. A solution found this way is
+/// still right; it is missed only if there is hardly any room.
 class MultiplierProgram {
  public:
   explicit MultiplierProgram(const MixedProblem& problem) : problem_(problem), columns_(transposed(problem.A)) {
@@ -96,7 +96,8 @@ class MultiplierProgram {
     }
   }
 
-  /// Of a polygon around the unit disk, in short numbers. Should one be too near to it the check of y decides.
+  /// The corners of a polygon around the unit disk, in short numbers. If one lies too close to the disk, the check of y
+  /// decides.
   static std::vector<std::pair<Rational, Rational>> corners(int sides) {
     constexpr int unit = 1 << 12;
     const double radius = (unit + 2) / std::cos(std::numbers::pi / sides);

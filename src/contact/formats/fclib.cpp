@@ -18,7 +18,7 @@ class FclibMatrix {
  public:
   FclibMatrix(const Hdf5File& file, std::string path) : file_(file), path_(std::move(path)) {}
 
-  /// Of this size, since the vectors beside it have it.
+  /// Reads a matrix of this size, which the vectors give.
   SparseMatrix read(std::size_t rows, std::size_t columns) {
     size("m", rows);
     size("n", columns);

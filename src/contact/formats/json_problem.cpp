@@ -79,7 +79,7 @@ class JsonProblem {
     p.G = matrix("G", p.f.size(), p.b.size());
   }
 
-  /// One number stands for all contacts.
+  /// One number is the coefficient of all contacts.
   void read_coefficients() {
     ProblemFile& p = read_.problem;
     if (p.form == ProblemForm::complementarity) return;
@@ -197,7 +197,7 @@ class JsonProblem {
   ReadProblem read_;
 };
 
-/// Follows the keys of the first object until it knows, whatever stands between them.
+/// Follows the keys of the first object, skipping values, until it knows.
 class JsonPeek {
  public:
   /// False once nothing more is to be known.

@@ -135,7 +135,7 @@ class MarketText {
   std::vector<MatrixEntry> entries_;
 };
 
-/// The vector beside a matrix; nothing if there is no such file.
+/// The vector of a matrix, from the same folder; nothing if there is no such file.
 std::optional<std::vector<double>> vector_beside(const std::string& stem, const std::string& part,
                                                  std::optional<std::size_t> most = {}) {
   const std::string file = stem + "_" + part + ".mtx";

@@ -119,7 +119,7 @@ ProblemFile read_siconos(std::string_view text, const std::string& file) {
     }
   }
   if (fits.empty()) refuse(file, text, farthest);
-  // Of a file that one grammar reads to its end, others may take a part and call the rest a comment.
+  // If one grammar reads a file to its end, others may read a part and call the rest a comment.
   const auto whole = [](const Fit& fit) { return fit.reading.ends_with_data; };
   if (std::any_of(fits.begin(), fits.end(), whole)) std::erase_if(fits, [&](const Fit& fit) { return !whole(fit); });
   if (fits.size() > 1) {

@@ -8,7 +8,7 @@ namespace slipproof {
 
 namespace {
 
-/// What printf's %e prints without a precision: 7 digits, whatever the number was.
+/// Recognises numbers printed with printf's %e without a precision: 7 digits, whatever the number was.
 class ShortPrints {
  public:
   void see(std::string_view word) {
@@ -62,7 +62,7 @@ class SiconosMatrix {
     }
   }
 
-  /// Where each of the blocks ends: they increase, and the last one is the number of rows or columns.
+  /// The end of each block: the ends increase, and the last one is the number of rows or columns.
   std::vector<std::size_t> ends(std::size_t number, std::size_t last, const std::string& what) {
     std::vector<std::size_t> result = {0};
     const std::string expected = "the end of a block of " + what + " of " + name_;

@@ -67,7 +67,7 @@ class CertificateWriter {
     return true;
   }
 
-  /// A solution in numbers: nothing has to be changed for it. False where they are longer than the format allows.
+  /// Writes an exact solution: its problem needs no change. False if the numbers are longer than the format allows.
   bool write_exact(const std::vector<Rational>& x, double moved) {
     constexpr std::size_t longest = 4900;  // characters of a number in a certificate
     std::vector<Rational> w;
@@ -84,7 +84,7 @@ class CertificateWriter {
     if (proof.kind == UniqueProof::Class::dominant) {
       text_ += "unique ";
       vector("dominant", proof.scale);
-    } else if (proof.kind != UniqueProof::Class::p_matrix) {  // whose minors are computed again by whoever wants to
+    } else if (proof.kind != UniqueProof::Class::p_matrix) {  // a checker computes its minors again
       line("unique {} {}", class_word(proof.kind), proof.factor.entries());
       entries(proof.factor);
     }

@@ -42,7 +42,7 @@ std::optional<Delassus> delassus(const MixedProblem& problem) {
   return result;
 }
 
-/// The force of one contact, the others' given: a fixed-point iteration of projections on the cone.
+/// The force of one contact for given forces of the others: a fixed-point iteration of projections on the cone.
 class OneContact {
  public:
   OneContact(const Dense& block, double mu) : block_(block), mu_(mu) {

@@ -65,7 +65,7 @@ class ContactCase {
     if (const std::string failure = failure_of(find); !failure.empty()) j_.left_out.push_back(what + (": " + failure));
   }
 
-  /// Multipliers that show that there is none at all.
+  /// Looks for multipliers that show that there is no solution at all.
   bool none_at_all() {
     if (counted_ && count_.kind == SolutionCount::Kind::none) return true;
     if (problem_.size() > 60) return false;
@@ -90,7 +90,7 @@ class ContactCase {
     return error_of(problem_, j_.x, u_, solution);
   }
 
-  /// All solutions of a small problem in the plane or without friction: true if that settles it.
+  /// Finds all solutions of a small problem in the plane or without friction; true if that settles it.
   bool count_all() {
     const std::size_t few = problem_.dimension == 1 ? 12 : 6;
     return problem_.dimension < 3 && problem_.contacts() <= few && count();

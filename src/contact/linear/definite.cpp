@@ -181,7 +181,7 @@ bool is_lower(const SparseMatrix& L) {
   return std::all_of(L.value.begin(), L.value.end(), [](double x) { return std::isfinite(x); });
 }
 
-/// Of the entries between the first of each row and its diagonal: what Cholesky's elimination takes.
+/// Which entries between the first of each row and its diagonal Cholesky's elimination uses.
 struct EliminationWork {
   Work work = 0;
   std::size_t widest = 0;  ///< row

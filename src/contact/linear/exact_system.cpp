@@ -71,7 +71,8 @@ class IntegerSystem {
   /// Whether a row or a column has no entries.
   bool has_zeros() const { return has_zeros_; }
 
-  /// Of a numerator of the solution, at most: of A with a column replaced by the constants (Hadamard).
+  /// Bound on the bits of a numerator of the solution, the determinant of A with a column replaced by the constants
+  /// (Hadamard).
   std::size_t solution_bits() {
     double bits = static_cast<double>(std::abs(fmpz_mat_max_bits(constant_.get())));
     for (std::size_t i = 0; i < n_; ++i) {

@@ -37,7 +37,7 @@ void check_sizes(const Columns& columns, std::size_t count) {
   }
 }
 
-/// The judgement of one bicycle alone, which also weighs h and b2 against R and b3.
+/// Checks one bicycle by itself, including h and b2 against R and b3.
 void check_alone(const Columns& columns, std::size_t bicycle) {
   Record record;
   for (std::size_t i = 0; i < direct_count; ++i) {
@@ -58,7 +58,7 @@ void check_domain(const Columns& columns, std::size_t count) {
     for (std::size_t k = 0; k < std::min(column.size, count); ++k) {
       const double x = column.values[k];
       if (x >= least && x <= std::numeric_limits<double>::max()) continue;
-      const std::size_t last = column.size == 1 ? count : k + 1;  // the same number beside others
+      const std::size_t last = column.size == 1 ? count : k + 1;  // one number for all bicycles
       for (std::size_t bicycle = k; bicycle < last; ++bicycle) check_alone(columns, bicycle);
     }
   }

@@ -88,7 +88,7 @@ std::vector<Rational> exactly(const std::vector<double>& values) {
   return result;
 }
 
-/// The first number of an answer that is none, as the records of `certify` tell it.
+/// The first number of an answer that is not finite, in the words of `certify` for records.
 std::string not_finite_in(const SolverAnswer& answer) {
   for (const auto& [values, symbol] : {std::pair(&answer.r, "z"), std::pair(&answer.u, "w")}) {
     for (std::size_t i = 0; i < values->size(); ++i) {

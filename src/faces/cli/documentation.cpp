@@ -7,7 +7,7 @@ namespace slipproof::cli {
 void add_documentation(CLI::App& app, int& exit_code) {
   auto folder = std::make_shared<std::string>();
   CLI::App& command = *app.add_subcommand("documentation", "Man pages and shell completions, from this description");
-  command.group("");  // for who builds and packages the program
+  command.group("");  // for packagers; hidden from the help
   command.add_option("FOLDER", *folder, "Where they are written: man/, completions/")->required();
   command.callback([folder, &exit_code, &app] {
     const OutputFolder output(*folder);

@@ -26,8 +26,8 @@ namespace slipproof::cli {
 
 namespace {
 
-/// No file that is opened later takes the place of a standard stream that whoever started the program has closed: a
-/// result would be written into it. What stands there instead can be opened, and neither read nor written.
+/// Keeps files that are opened later from taking the place of a standard stream that the caller has closed: a result
+/// would be written into them. The placeholder can be opened, and neither read nor written.
 void keep_standard_streams_apart() {
   while (true) {
     const int unusable = open("/", O_PATH);
@@ -39,7 +39,7 @@ void keep_standard_streams_apart() {
   }
 }
 
-/// Of many ranks, each would do the whole of these.
+/// With many ranks each would run the whole of these commands.
 void refuse_alone(CLI::App& app, const std::vector<std::string>& shared) {
   for (CLI::App* command : app.get_subcommands({})) {
     if (std::ranges::find(shared, command->get_name()) != shared.end()) continue;

@@ -120,7 +120,7 @@ std::vector<std::string> certify_exact(const Doubles& W, const Doubles& q, const
 
 // Problems of any size.
 
-/// Verdicts about one problem; what is told of them is made when it is asked for.
+/// Verdicts about one problem; details are computed when asked for.
 class Judged {
  public:
   explicit Judged(std::shared_ptr<const JudgedProblem> problem) : problem_(std::move(problem)) {}

@@ -20,7 +20,7 @@ void raise(const char* type, const Arguments&... arguments) {
   PyErr_SetObject(cls.ptr(), error.ptr());
 }
 
-/// Bytes of a file may stand in a message: what is no UTF-8 comes as Python's file names have it.
+/// A message may contain bytes of a file: bytes that are not UTF-8 are decoded as Python does for file names.
 py::object decoded(const std::string& text) {
   return py::reinterpret_steal<py::object>(
       PyUnicode_DecodeUTF8(text.data(), static_cast<py::ssize_t>(text.size()), "surrogateescape"));

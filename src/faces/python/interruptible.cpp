@@ -19,7 +19,7 @@ namespace {
 namespace py = pybind11;
 using namespace std::chrono_literals;
 
-// A signal belongs to the process, so what counts it does, too. Python tells the main thread alone of Ctrl-C; the other
+// A signal belongs to the process, and so does its counter. Python informs only the main thread of Ctrl-C; the other
 // threads learn of it here.
 std::atomic<std::uint64_t> interrupt_count = 0;
 std::atomic<void (*)(int)> handler_of_python = nullptr;
@@ -51,7 +51,7 @@ bool interpreter_is_gone() {
 #endif
 }
 
-/// Calls that run, for the end of the program: work that goes on while it ends would use what is already gone.
+/// The running calls, for the end of the program: work that continued then would use objects that are already gone.
 class Running {
  public:
   void add(const std::shared_ptr<Call>& call) {
@@ -101,7 +101,7 @@ void check_signals(std::uint64_t since) {
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
   if (interrupt_count.load() == since) return;
   const py::module_ threading = py::module_::import("threading");
-  if (threading.attr("current_thread")().is(threading.attr("main_thread")())) return;  // it has been told
+  if (threading.attr("current_thread")().is(threading.attr("main_thread")())) return;  // Python has informed it
   PyErr_SetNone(PyExc_KeyboardInterrupt);
   throw py::error_already_set();
 }

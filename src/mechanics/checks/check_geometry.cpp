@@ -80,8 +80,8 @@ class GeometryCheck {
     return result;
   }
 
-  /// The bodies that may have these accelerations: by their units the one, without units those of which the inertia
-  /// is the same in both translations.
+  /// The bodies that may have these accelerations: if there are units, the one that they determine; otherwise those
+  /// with the same inertia in both translations.
   std::vector<Body> bodies_of(const std::vector<std::size_t>& accelerations) const {
     if (accelerations.size() > 3) return {};
     const bool units = std::ranges::all_of(accelerations, [&](std::size_t q) { return !m_.unknowns[q].unit.empty(); });
@@ -216,7 +216,7 @@ class GeometryCheck {
 
   const CheckPoints& points_;
   const Mechanism& m_;
-  std::vector<std::vector<Program>> programs_;  ///< of each contact: at, direction, slip_direction
+  std::vector<std::vector<Program>> programs_;  ///< for each contact: at, direction, slip_direction
 };
 
 }  // namespace

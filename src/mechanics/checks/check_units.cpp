@@ -8,7 +8,7 @@ namespace slipproof::mechanism_checks {
 
 namespace {
 
-/// The unit of an expression: nothing where it is not known, `any` for what fits everywhere, as 0 does.
+/// The unit of an expression: nothing if unknown, `any` if it fits everywhere, as for 0.
 struct InferredUnit {
   std::optional<Unit> unit;
   bool any = false;
@@ -92,7 +92,7 @@ class UnitCheck {
     }
   }
 
-  /// The unit of an equation, whose sides agree, as the contact forces in it do.
+  /// The unit of an equation whose sides agree, including the contact forces in it.
   InferredUnit check(const MechanismEquation& equation) {
     const InferredUnit left = walk(equation.left);
     PlacedExpression whole = equation.right;
@@ -162,8 +162,8 @@ class UnitCheck {
     }
   }
 
-  /// Whether the unit of rows times accelerations shows that none is divided by a mass of its own: it is that of a
-  /// force times an acceleration, or what it lacks is the unit of one symbol only.
+  /// Whether the unit of rows times accelerations shows that no row is divided by a mass of its own: it is that of a
+  /// force times an acceleration, or only one symbol has the missing unit.
   bool shows_scale(const Unit& common) {
     if (!natural() || common.same_dimension(*natural())) return natural().has_value();
     const Unit divisor = *natural() / common;

@@ -40,7 +40,7 @@ class KindSets {
   std::vector<std::optional<Unit>> unit_;
 };
 
-/// Symbols that stand for plain numbers.
+/// Symbols that are plain numbers.
 std::set<std::string> plain_symbols(const Mechanism& mechanism) {
   std::set<std::string> plain;
   for (const MechanismAngle& angle : mechanism.angles) plain.insert({angle.cosine, angle.sine});

@@ -36,7 +36,7 @@ class ModeNumbers {
   std::vector<std::uint64_t> below_;
 };
 
-/// The conditions of the states of some elements, and what they are.
+/// The conditions of the states of some elements, and their kinds.
 struct ModeConditions {
   std::vector<AffineForm> forms;
   std::vector<ViolatedCondition> labels;
@@ -89,7 +89,7 @@ struct NumberedModes {
   }
 };
 
-/// The tree of those modes that elimination leaves: a level for each element, a branch for each of its states.
+/// The tree of the modes that are left to elimination: a level for each element, a branch for each of its states.
 class ModeTree {
  public:
   using Numbers = std::vector<std::uint64_t>;

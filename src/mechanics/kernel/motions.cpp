@@ -149,7 +149,7 @@ class Cells {
     if (!loads.empty()) cells.push_back(cell(loads));
   }
 
-  /// A mode of a cell at a point of which it has more than one solution for a load.
+  /// A mode of a cell at a load for which it has more than one solution.
   struct AtPoint {
     ConsistentMode mode;
     ModeOfCells of_cells;
@@ -157,7 +157,8 @@ class Cells {
     AtPoint(const AtPoint&) = delete;
   };
 
-  /// The motions at one load, or at all loads of an open interval: inside they are those at one, and affine in it.
+  /// The motions at one load, or at all loads of an open interval: inside it they have the same modes, and are affine
+  /// in the load.
   LoadCell cell(const ForceInterval& loads) const {
     LoadCell result{loads, {}, {}};
     const Rational load = loads.sample();

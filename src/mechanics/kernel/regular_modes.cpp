@@ -81,7 +81,8 @@ class RegularModes::Elimination {
  private:
   using Column = std::vector<std::pair<std::size_t, Integer>>;
 
-  /// What the solution has in common, and the sign of the pivot: every form would be multiplied by it.
+  /// Divides by the common factor of the solution, and by the sign of the pivot: every form would be multiplied by
+  /// them.
   void cancel() {
     Integer common = abs(pivot_);
     for (const std::vector<Integer>& side : values_) {

@@ -14,7 +14,7 @@ using mechanism_forms::Extraction;
 using mechanism_forms::Linear;
 using mechanism_forms::NotLinear;
 
-/// Whether it is 0 as it stands, over whatever it is divided by.
+/// Whether the expression is 0 as written, over any divisor.
 bool vanishes(const Expression& x) {
   switch (x->operation) {
     case Operation::negate:
@@ -221,7 +221,7 @@ class BoundReader {
   std::string symbol_;
 };
 
-/// Of the conditions, those that are about the load, which leave the list.
+/// Moves the conditions about the load out of the list, and returns them.
 std::vector<PlacedExpression> taken_about_load(const Extraction& extraction,
                                                std::vector<MechanismCondition>& conditions) {
   std::vector<PlacedExpression> taken;

@@ -33,7 +33,7 @@ struct LinearCondition {
 };
 using Conditions = std::vector<LinearCondition>;
 
-/// Whether some point meets all; also if it takes too long to tell.
+/// Whether some point satisfies all; true also if deciding takes too long.
 bool have_point(const Conditions& all) {
   constexpr std::size_t enough = 500, largest = 24;
   std::map<std::size_t, std::size_t> columns;
@@ -142,7 +142,8 @@ class DomainCheck {
     return result;
   }
 
-  /// What must hold. Of an optional parameter, named here, only its own domain counts, which does not bind others.
+  /// Collects what must hold. For an optional parameter, named here, only its own domain counts, which does not bind
+  /// others.
   void collect(const PlacedExpression& placed, const Expression& truth, const std::string& optional) {
     if (truth->operation == Operation::logical_and) {
       for (const Expression& operand : truth->operands) collect(placed, operand, optional);

@@ -112,7 +112,7 @@ class UseCheck {
         message = "defines " + definition.symbol + " in a circle, by " + (used == index ? "itself" : symbol);
       }
       refuse(definition.expression, find(definition.expression.expression, symbol), definition.symbol, message);
-      uses_[index].clear();  // a circle is told once
+      uses_[index].clear();  // report a circle once
       return true;
     }
     return false;
@@ -226,7 +226,7 @@ void check_uses(Context& context) {
 
 void check_whole(Context& context) {
   const Mechanism& mechanism = context.mechanism;
-  if (!context.sound) return;  // what is missing may stand where a mistake is
+  if (!context.sound) return;  // the missing use may be where a mistake is
   const std::set<std::string> used = symbols_of_motion(mechanism);
   for (std::size_t i = 0; i < mechanism.accelerations; ++i) {
     const MechanismUnknown& unknown = mechanism.unknowns[i];

@@ -95,8 +95,8 @@ class ElementReader {
     }
   }
 
-  /// One expression for both, or { static = ..., kinetic = ... }. What cannot be read is told, and 1 stands in for it,
-  /// so that the element keeps its forces.
+  /// Reads one expression for both, or { static = ..., kinetic = ... }. Reports what cannot be read, and uses 1 in its
+  /// place, so that the element keeps its forces.
   void read_two(const TomlValue& value, const std::string& key, PlacedExpression& at_rest, PlacedExpression& in_slip) {
     if (value.kind == TomlValue::Kind::table) {
       static constexpr std::array<std::string_view, 2> keys{"static", "kinetic"};

@@ -8,7 +8,7 @@ namespace slipproof::mechanism_reader {
 
 namespace {
 
-/// `left = right`. What is none is reported and leaves both sides null.
+/// Splits `left = right`. Reports anything else, and leaves both sides null.
 void split_equation(const TomlValue& value, MechanismEquation& equation, Context& context) {
   const PlacedExpression whole = context.expression(value, equation.name, Sort::truth);
   equation.left.text = equation.right.text = whole.text;

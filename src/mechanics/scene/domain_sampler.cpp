@@ -69,7 +69,7 @@ bool DomainSampler::contains(const MechanismValues& values) const {
   return std::all_of(all.begin(), all.end(), [&](const Program* one) { return at.truth(*one) == Truth::yes; });
 }
 
-/// Where a difference that is affine in a parameter vanishes, given those that are known beside it.
+/// Where a difference that is affine in a parameter vanishes, for given values of the others.
 std::optional<Rational> DomainSampler::root(const Program& difference, const MechanismValues& values,
                                             const Known& known, std::size_t unknown) const {
   std::vector<Rational> at;
@@ -221,7 +221,7 @@ class DomainSampler::Run {
     return false;
   }
 
-  /// A value in one of the places where values are possible, as narrow as they are.
+  /// A value in one of the possible places, however narrow they are.
   template <class Drawn, class Take>
   bool choose_inside(const Drawn& drawn, const Take& take, std::optional<std::size_t> parameter, const Known& with) {
     std::vector<Place> places = sampler_.places(values_, known_, parameter);

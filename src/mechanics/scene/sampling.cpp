@@ -10,7 +10,7 @@ namespace slipproof {
 
 namespace {
 
-/// Small numbers, of which those that come first come often.
+/// Small numbers; the first ones of the list are the most frequent.
 Rational small_number(std::mt19937_64& random) {
   static const std::array<Rational, 16> pool{Rational(1),     Rational(2),     Rational(1, 2),  Rational(3),
                                              Rational(3, 2),  Rational(1, 3),  Rational(5),     Rational(2, 5),
@@ -19,7 +19,7 @@ Rational small_number(std::mt19937_64& random) {
   return pool[random() % pool.size()];
 }
 
-/// A small number; where several of them broke a condition, one near the ends of the conditions, or between two.
+/// A small number; if several of them violated a condition, one near the ends of the conditions, or between two.
 Rational draw(const DomainSampler::Drawing& drawing, std::mt19937_64& random) {
   constexpr int patience = 8;
   Rational small = small_number(random);

@@ -69,8 +69,8 @@ class MotionSearch::Run {
     return [this](std::string_view request) { return answer(request); };
   }
 
-  /// So many samples are drawn at once, and counted in their order. Many ranks wait for each other after them, which is
-  /// worth less the more there are, but for a search that may end with any.
+  /// The number of samples drawn at once, and counted in their order. Many ranks wait for each other after each batch,
+  /// so larger batches are better, except for a search that may end with any sample.
   std::uint64_t batch(const Crew* crew) const { return crew != nullptr && !options_.wanted ? 4096 : 64; }
 
   void sample(Crew* crew) {
@@ -129,7 +129,7 @@ class MotionSearch::Run {
     ended_ = options_.wanted && !shown.places.empty();
   }
 
-  /// The cells, in the order in which they are told, with simpler places.
+  /// Finds simpler places for the cells, in the order in which they are reported.
   void conclude(Crew* crew) {
     const auto rank = [](MotionCount count) {
       constexpr std::array<int, motion_counts> ranks{5, 0, 3, 1, 2, 4};

@@ -194,7 +194,7 @@ class Domination {
   std::size_t size_;
   Budget& budget_;
   Coefficients target_;
-  std::vector<const Fact*> signs_;  ///< of each variable, where it is a fact
+  std::vector<const Fact*> signs_;  ///< for each variable, if its sign is a fact
   std::vector<Shape> shapes_;
   std::vector<Multiple> multiples_;
 };

@@ -42,7 +42,7 @@ Division divided_by_variable(const Rule& rule, const Polynomial& equation, const
   return {*(p * power(rule.pivot, pivots) - remainder).divided_by(equation), remainder, pivots};
 }
 
-/// That the result follows from the fact and the equation, of which `multiple` is added; for an equation in both
+/// The identities by which the result follows from the fact and `multiple` times the equation; for an equation in both
 /// directions.
 std::vector<Identity> identities(const Rule& rule, const Fact& fact, const Fact& result, std::size_t pivots,
                                  const Polynomial& multiple) {

@@ -15,7 +15,7 @@ struct Slot {
 struct Substitution {
   Replacement replacement;
   Product denominator_product;
-  std::size_t degree;  ///< of the polynomial that is looked at, before: so often it was multiplied by the denominator
+  std::size_t degree;  ///< of the polynomial before: the number of times it was multiplied by the denominator
 };
 
 struct Coordinates {

@@ -1,5 +1,5 @@
-// slipproof-check CERT|STATEMENT|FOLDER...: checks certificates against the statements beside them. Exit codes: those
-// of Report::exit_code, 2 for wrong usage, 6 where the result cannot be written, and 70 where the program itself fails.
+// slipproof-check CERT|STATEMENT|FOLDER...: checks certificates against the statements in their folders. Exit codes:
+// those of Report::exit_code, 2 for wrong usage, 6 if the result cannot be written, and 70 if the program itself fails.
 #include <iostream>
 
 #include "proofs/check/files.hpp"

@@ -18,8 +18,8 @@ std::string claim(const Problem& problem, Reader& reader, const char* expected) 
   reader.refuse(expected);
 }
 
-/// What all claims of the file say, one after the other. A file that cannot be read to its end is that first of all:
-/// what is to be rejected in it waits.
+/// Checks all claims of the file, one after the other, and returns what is established. A file that cannot be read to
+/// its end is reported as such first; a rejection waits.
 std::string established(Reader& reader, std::string_view asked) {
   const Problem problem(reader);
   std::string result;

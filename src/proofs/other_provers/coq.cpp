@@ -279,7 +279,7 @@ class Writer {
   const prove::Statement& statement_;
   const std::vector<Directive>& lines_;
   coq::Normalizer normalizer_;
-  std::size_t conclusion_ = 0;  ///< of the lines: `exists` or `show`
+  std::size_t conclusion_ = 0;  ///< index of the line `exists` or `show`
   std::map<std::string, Hypothesis> hypotheses_;
   std::vector<std::string> order_;
   std::string out_;

@@ -81,8 +81,8 @@ void Normalizer::prove_fraction(const Expression& e) {
   script_ += "all: ring. ";
 }
 
-/// The theorem's guards `x <> 0` against those of the normal form, in order. Values of the unknowns bring guards of
-/// their own to the normal form, and take away what they make constant or equal to another.
+/// Matches the theorem's guards `x <> 0` with those of the normal form, in order. Values of the unknowns add
+/// guards of their own to the normal form, and remove those that they make constant or equal to another.
 void Normalizer::prove_guards(const Expression& difference, const std::vector<Divisor>& divisors) {
   auto next = divisors.begin();
   const auto known = [&] {

@@ -36,7 +36,7 @@ std::optional<Rule> rule_for(Context& context, State& state, const Fact& equatio
 }
 
 /// The cheapest equation to eliminate with: constant pivots first, then pivots of known sign; variables declared last
-/// go first. What the parameters are is not told by the unknowns.
+/// go first. A parameter is never expressed by unknowns.
 std::optional<Rule> find_rule(Context& context, State& state, std::size_t first) {
   const std::size_t first_unknown = context.statement().first_unknown();
   std::optional<Rule> best;

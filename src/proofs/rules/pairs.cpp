@@ -6,7 +6,7 @@ namespace slipproof::prove {
 
 namespace {
 
-/// A polynomial as constant * a product of facts, signs taken into the constant, as far as the signs are known.
+/// A polynomial as constant * a product of facts; known signs are moved into the constant.
 struct SignedProduct {
   Rational constant;
   Product product;

@@ -150,7 +150,7 @@ class ProductProgram {
     return identity(optimum.multipliers);
   }
 
-  /// With a weight for each product, and for each equation two, of which the difference counts.
+  /// The identity with a weight for each product, and for each equation two, whose difference counts.
   Identity identity(const std::vector<Rational>& weights) const {
     Identity identity;
     std::size_t next = 0;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int splits_on_pivots = 3, splits_on_bounds = 2;
 
-/// Leaves of a negated conclusion, in the parts that come of its alternatives, that one of them fails.
+/// Reduces a negated conclusion, in the parts from its alternatives, to the failure of one of them.
 void keep_alternative(Formula& failure, std::size_t alternative) {
   for (Formula& part : failure.parts) {
     if (part.kind != Formula::Kind::conjunction) continue;
@@ -115,8 +115,8 @@ bool Existence::close_by_solution(State& state) {
   return values && close_by_witness(state, *values);
 }
 
-/// Values for each alternative of the conclusion: not all of them fail. Splits, at most so often, on pivots of the
-/// equations whose sign is not known.
+/// Finds values for each alternative of the conclusion such that not all of them fail. Splits, at most `splits` times,
+/// on pivots of the equations whose sign is unknown.
 bool Existence::close_by_alternatives(State& state, int splits) {
   const std::size_t count = alternatives_in(statement().shown())->parts.size();
   std::vector<Solution> solutions;

@@ -57,7 +57,7 @@ class Prover {
  private:
   using Accept = std::function<bool(const std::vector<Rational>& values)>;
 
-  /// For what is done beside the search: a part of its steps, or what it takes, if there is so much.
+  /// The steps for additional work: a part of the limit, or as many as it needs, if there are that many.
   std::uint64_t at_least(std::uint64_t part, std::uint64_t needed) const {
     return std::min(limits_.steps, std::max(part, needed));
   }

@@ -66,7 +66,7 @@ FileOutcome read_outcome(std::string_view text) {
   return file;
 }
 
-/// The outcome that an accepted certificate beside the statement stands for.
+/// The outcome for an accepted certificate of the statement.
 std::optional<FileOutcome> kept(const std::filesystem::path& statement) {
   const std::filesystem::path certificate = certificate_of(statement);
   std::error_code error;

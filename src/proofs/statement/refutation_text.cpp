@@ -16,7 +16,7 @@ using Kind = Directive::Kind;
 
 constexpr std::string_view no_formula = "0 = 0";
 
-/// What stands behind the colon of `assume NAME: FORMULA`, or behind `show`.
+/// The formula after the colon of `assume NAME: FORMULA`, or after `show`.
 std::string formula_of(const std::string& line, Kind kind) {
   const std::string text = line.substr(kind == Kind::show ? line.find("show") + 4 : line.find(':') + 1);
   const std::size_t begin = text.find_first_not_of(" \t"), end = text.find_last_not_of(" \t\r");

@@ -96,7 +96,7 @@ Formula combine(Formula::Kind kind, std::vector<Formula> parts, std::size_t colu
 
 }  // namespace
 
-/// What the lines of a statement say, taken in their order; names mean what the lines before gave them.
+/// Interprets the lines of a statement in their order; names mean what earlier lines gave them.
 struct Statement::Meaning {
   const Ring& ring;
   std::map<std::string, ValueWithDivisors> values;

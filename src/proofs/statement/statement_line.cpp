@@ -81,7 +81,7 @@ void StatementLine::count_operator() {
   if (++operators_ > max_operators) throw ExpressionError(column(), "the expression has more than 1000 operators");
 }
 
-/// What stands in brackets. A failure ends the reading, so the depth need not come down after one.
+/// The contents of brackets. A failure ends the reading, so the depth need not come down after one.
 template <class Read>
 Expression StatementLine::nested(const char* closing, Read read) {
   if (++nesting_ > max_nesting) throw ExpressionError(tokens_[next_ - 1].column, "more than 100 levels of brackets");

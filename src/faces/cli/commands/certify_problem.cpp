@@ -69,7 +69,7 @@ std::string command_line(const CertifyProblemArguments& options) {
   return text;
 }
 
-/// What slipproof-check-contact says of a certificate that has to be about this problem.
+/// Checks a certificate that must be about this problem, as slipproof-check-contact does.
 int check_certificate(const CertifyProblemArguments& options, const ProblemFile& problem, const CommonOptions& common) {
   CertifyProblemArguments others = options;
   others.check_certificate.clear();

@@ -132,7 +132,7 @@ def _is_sparse(W: Any) -> bool:
 
 
 def _sparse(W: Any, size: int) -> Tuple[Any, ...]:
-    """(indptr, indices, data) of a SciPy matrix, or of whatever has the same members; sums what stands twice."""
+    """(indptr, indices, data) of a SciPy matrix, or of an object with the same members; sums duplicate entries."""
     csr = W.tocsr()
     if tuple(csr.shape) != (size, size):
         raise wrong_value("W", f"shape {tuple(csr.shape)}", f"{(size, size)} as q has {size} components")
@@ -148,7 +148,7 @@ def _sparse(W: Any, size: int) -> Tuple[Any, ...]:
 
 
 def _contacts(mu: Any, shape: Tuple[int, ...], dimension: Optional[int]) -> Tuple[int, Optional[Doubles]]:
-    """The dimension of the contacts, and a coefficient for each; a number stands for all of them."""
+    """The dimension of the contacts, and a coefficient for each; a number is the coefficient of all of them."""
     if mu is None:
         if dimension in (2, 3):
             raise wrong_value("mu", "None", f"the coefficients of friction of contacts in dimension {dimension}")

@@ -42,7 +42,7 @@ class Diagnostic(NamedTuple):
 
 
 class InputError(ValueError):
-    """A file, a dict or an array that cannot be used. All mistakes are told at once.
+    """A file, a dict or an array that cannot be used. All mistakes are reported at once.
 
     >>> import slipproof
     >>> try:
@@ -60,7 +60,7 @@ class InputError(ValueError):
 
     @property
     def place(self) -> str:
-        """Where the first mistake stands."""
+        """The place of the first mistake."""
         return self.diagnostics[0].place
 
     @property

@@ -11,7 +11,7 @@ from . import _core
 from ._arrays import Doubles, doubles, one_of, whole
 from ._errors import wrong_value
 
-#: All contact modes, rear wheel/front wheel; bit i of a mask stands for the mode with index i.
+#: All contact modes, rear wheel/front wheel; bit i of a mask belongs to the mode with index i.
 MODES: Tuple[str, ...] = _core.mode_names
 
 _NUMBERS = ("M", "R", "h", "b2", "b3", "I1", "I2", "I3", "r1", "r2", "L", "f", "g", "F")

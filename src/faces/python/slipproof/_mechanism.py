@@ -105,7 +105,7 @@ class Mechanism:
 
     def search(self, *, within: str = "", wanted: Optional[str] = None, samples: Optional[int] = None, seed: int = 1,
                hysteresis: bool = False, threads: int = 0, progress: Progress = None) -> Search:
-        """Is it ever undecided what it does? Samples of its domain, each for every load at once.
+        """Looks for points with no motion, several, or a continuum, at samples of the domain, each for every load.
 
         ``within`` narrows the domain, ``"mu < 1"``; ``wanted`` (none, several, continuum) ends at the first such place.
         """

@@ -164,7 +164,7 @@ class Check(Sequence[CheckedCertificate]):
 
 
 def check(*paths: _Path) -> Check:
-    """Checks certificates: files, statements, or folders of them. What is wrong with one is told, not raised."""
+    """Checks certificates: files, statements, or folders of them. Errors in one are reported, not raised."""
     if not paths:
         raise wrong_type("paths", None, "at least one certificate, statement or folder")
     return Check(*_core.check([_path("paths", p) for p in paths]))
