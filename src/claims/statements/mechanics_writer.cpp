@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <utility>
 
@@ -109,22 +110,23 @@ std::string MechanicsWriter::friction(const Expression& coefficient, const std::
 void MechanicsWriter::write_elements() {
   for (const MechanismContact& contact : setting_.mechanism->contacts) {
     ElementText& text = elements_.emplace_back();
+    const std::string& normal = unknowns_[contact.normal];
     text.name = as_name(contact.name);
-    text.gap = contact.gap_name;
-    text.normal = unknowns_[contact.normal];
+    text.gap = TextForm(contact.gap_name);
+    text.normal = TextForm(normal);
     if (contact.frictionless()) continue;
-    text.slip = contact.slip_name;
-    text.tangent = unknowns_[*contact.tangent];
-    text.static_limit = friction(contact.static_friction.expression, text.normal);
-    text.kinetic_limit = friction(contact.kinetic_friction.expression, text.normal);
+    text.slip = TextForm(contact.slip_name);
+    text.tangent = TextForm(unknowns_[*contact.tangent]);
+    text.static_limit = TextForm::limit(friction(contact.static_friction.expression, normal));
+    text.kinetic_limit = TextForm::limit(friction(contact.kinetic_friction.expression, normal));
   }
   for (const MechanismFriction& friction : setting_.mechanism->friction) {
     ElementText& text = elements_.emplace_back();
     text.name = as_name(friction.name);
-    text.slip = friction.slip_name;
-    text.tangent = unknowns_[friction.force];
-    text.static_limit = "(" + number(friction.static_limit.expression) + ")";
-    text.kinetic_limit = "(" + number(friction.kinetic_limit.expression) + ")";
+    text.slip = TextForm(friction.slip_name);
+    text.tangent = TextForm(unknowns_[friction.force]);
+    text.static_limit = TextForm::limit("(" + number(friction.static_limit.expression) + ")");
+    text.kinetic_limit = TextForm::limit("(" + number(friction.kinetic_limit.expression) + ")");
   }
 }
 
@@ -188,7 +190,7 @@ std::string MechanicsWriter::on_contacts() const {
   std::string result;
   for (std::size_t i = 0; i < setting_.mechanism->contacts.size(); ++i) {
     if (kinds_[i].start == ElementKind::Start::open) continue;
-    result += fmt::format("{}{} = 0", result.empty() ? "" : " and ", elements_[i].gap);
+    result += fmt::format("{}{} = 0", result.empty() ? "" : " and ", elements_[i].gap.text());
   }
   return result;
 }
@@ -207,121 +209,42 @@ std::vector<MechanismMode> MechanicsWriter::modes() const {
   return modes_of(kinds_);
 }
 
-std::string MechanicsWriter::equation(std::size_t element, ElementState state, StateEquation equation,
-                                      const char* is) const {
-  const ElementText& e = elements_[element];
-  const bool forward = (equation == StateEquation::resists_forward) != is_pulled(state);
-  switch (equation) {
-    case StateEquation::gap:
-      return fmt::format("{} {} 0", e.gap, is);
-    case StateEquation::slip:
-      return fmt::format("{} {} 0", e.slip, is);
-    case StateEquation::no_normal:
-      return fmt::format("{} {} 0", e.normal, is);
-    case StateEquation::no_tangent:
-      return fmt::format("{} {} 0", e.tangent, is);
-    default:
-      return fmt::format("{} {} {}{}", e.tangent, is, forward ? "-" : "", e.kinetic_limit);
-  }
+std::string MechanicsWriter::equations_of(std::size_t element, ElementState state, const char* is, const char* word,
+                                          bool of_accelerations) const {
+  return joined(slipproof::equations(kinds_[element], state), word, [&](StateEquation e) {
+    if (of_accelerations && !is_of_accelerations(e)) return std::string();
+    return form_of(elements_[element], state, e).compared(is, is);
+  });
 }
 
-/// Both of those on the friction of an element that sticks stand at the first.
-std::string MechanicsWriter::condition(std::size_t element, ElementState state, StateCondition condition,
-                                       bool strict) const {
+/// Both of those on the friction of an element that sticks stand at the first; equal limits are one condition.
+template <class Text>
+std::string MechanicsWriter::conditions_of(std::size_t element, ElementState state, const char* word,
+                                           const Text& text) const {
   const ElementText& e = elements_[element];
-  const char* above = strict ? ">" : ">=";
-  const char* below = strict ? "<" : "<=";
-  const bool pulled = is_pulled(state);
-  switch (condition) {
-    case StateCondition::pushes:
-      return fmt::format("{} {} 0", e.normal, above);
-    case StateCondition::pulls:
-      return fmt::format("{} {} 0", e.normal, below);
-    case StateCondition::holds_forward:
-      return fmt::format("{3}{0} {1} {2} {1} {4}{0}", e.static_limit, below, e.tangent, pulled ? "" : "-",
-                         pulled ? "-" : "");
-    case StateCondition::holds_backward:
-      return {};
-    case StateCondition::slips_forward:
-      return fmt::format("{} {} 0", e.slip, above);
-    case StateCondition::slips_backward:
-      return fmt::format("{} {} 0", e.slip, below);
-    case StateCondition::opens:
-      return fmt::format("{} {} 0", e.gap, above);
-    case StateCondition::static_limit:
-      return fmt::format("{} {} 0", e.static_limit, above);
-    case StateCondition::kinetic_limit:
-      break;
-  }
-  return e.kinetic_limit == e.static_limit ? std::string() : fmt::format("{} {} 0", e.kinetic_limit, above);
-}
-
-/// That it fails.
-std::string MechanicsWriter::missed(std::size_t element, ElementState state, StateCondition condition) const {
-  const ElementText& e = elements_[element];
-  const bool pulled = is_pulled(state);
-  switch (condition) {
-    case StateCondition::pushes:
-      return fmt::format("{} < 0", e.normal);
-    case StateCondition::pulls:
-      return fmt::format("{} > 0", e.normal);
-    case StateCondition::holds_forward:
-      return fmt::format("{0} < {2}{1} or {0} > {3}{1}", e.tangent, e.static_limit, pulled ? "" : "-",
-                         pulled ? "-" : "");
-    case StateCondition::holds_backward:
-      return {};
-    case StateCondition::slips_forward:
-      return fmt::format("{} < 0", e.slip);
-    case StateCondition::slips_backward:
-      return fmt::format("{} > 0", e.slip);
-    case StateCondition::opens:
-      return fmt::format("{} < 0", e.gap);
-    case StateCondition::static_limit:
-      return fmt::format("{} < 0", e.static_limit);
-    case StateCondition::kinetic_limit:
-      break;
-  }
-  return e.kinetic_limit == e.static_limit ? std::string() : fmt::format("{} < 0", e.kinetic_limit);
+  return joined(conditions(kinds_[element], state), word, [&](StateCondition c) {
+    const bool said = c == StateCondition::holds_backward ||
+                      (c == StateCondition::kinetic_limit && e.kinetic_limit.text() == e.static_limit.text());
+    return said ? std::string() : text(c);
+  });
 }
 
 std::string MechanicsWriter::state_name(std::size_t element, ElementState state) const {
-  const char* verb = "";
-  switch (state) {
-    case ElementState::stick:
-      verb = "sticks";
-      break;
-    case ElementState::slip_forward:
-      verb = "slips_forwards";
-      break;
-    case ElementState::slip_backward:
-      verb = "slips_backwards";
-      break;
-    case ElementState::lift:
-      verb = "lifts";
-      break;
-    case ElementState::touch:
-      verb = "touches";
-      break;
-    case ElementState::pulled_stick:
-      verb = "sticks_pulled";
-      break;
-    case ElementState::pulled_slip_forward:
-      verb = "slips_forwards_pulled";
-      break;
-    case ElementState::pulled_slip_backward:
-      verb = "slips_backwards_pulled";
-      break;
-  }
-  return fresh(fmt::format("{}_{}", elements_[element].name, verb));
+  constexpr std::array verbs{"sticks",  "slips_forwards", "slips_backwards",       "lifts",
+                             "touches", "sticks_pulled",  "slips_forwards_pulled", "slips_backwards_pulled"};
+  return fresh(fmt::format("{}_{}", elements_[element].name, verbs[static_cast<std::size_t>(state)]));
 }
 
 std::string MechanicsWriter::state_definition(std::size_t element, ElementState state, bool strict) const {
-  const auto& kind = kinds_[element];
-  const std::string all_equations = joined(slipproof::equations(kind, state), " and ",
-                                           [&](StateEquation e) { return equation(element, state, e, "="); });
-  const std::string all_conditions =
-      joined(conditions(kind, state), " and ", [&](StateCondition c) { return condition(element, state, c, strict); });
-  return fmt::format("define {}: {}{}{}\n", state_name(element, state), all_equations,
+  const ElementText& e = elements_[element];
+  const char *above = strict ? ">" : ">=", *below = strict ? "<" : "<=";
+  const std::string all_conditions = conditions_of(element, state, " and ", [&](StateCondition c) {
+    const TextForm form = form_of(e, state, c);
+    if (c != StateCondition::holds_forward) return form.compared(above, below);
+    return fmt::format("{} {} {}", form_of(e, state, StateCondition::holds_backward).bound(), below,
+                       form.compared(above, below));
+  });
+  return fmt::format("define {}: {}{}{}\n", state_name(element, state), equations_of(element, state, "=", " and "),
                      all_conditions.empty() ? "" : " and ", all_conditions);
 }
 
@@ -357,28 +280,23 @@ std::string MechanicsWriter::any_mode_text() const {
 
 std::string MechanicsWriter::mode_missed_text(const MechanismMode& mode) const {
   const bool any_forces = may_leave_forces_open();
-  std::string result;
+  std::vector<std::string> parts;
   for (std::size_t i = 0; i < mode.size(); ++i) {
-    const auto part = [&](const auto& items, const auto& text) {
-      const std::string one = joined(items, " or ", text);
-      if (!one.empty()) result += (result.empty() ? "" : " or ") + one;
-    };
-    part(slipproof::equations(kinds_[i], mode[i]), [&](StateEquation e) {
-      return any_forces && !is_of_accelerations(e) ? std::string() : equation(i, mode[i], e, "!=");
-    });
-    part(conditions(kinds_[i], mode[i]), [&](StateCondition c) {
-      return any_forces && !is_of_accelerations(c) ? std::string() : missed(i, mode[i], c);
-    });
+    parts.push_back(equations_of(i, mode[i], "!=", " or ", any_forces));
+    parts.push_back(conditions_of(i, mode[i], " or ", [&](StateCondition c) {
+      if (any_forces && !is_of_accelerations(c)) return std::string();
+      const std::string missed = form_of(elements_[i], mode[i], c).compared("<", ">");
+      if (c != StateCondition::holds_forward) return missed;
+      return form_of(elements_[i], mode[i], StateCondition::holds_backward).compared("<", ">") + " or " + missed;
+    }));
   }
+  const std::string result = joined(parts, " or ", [](const std::string& part) { return part; });
   return result.empty() ? "false" : result;
 }
 
 std::string MechanicsWriter::state_equations(const MechanismMode& mode) const {
   std::vector<std::string> all;
-  for (std::size_t i = 0; i < mode.size(); ++i) {
-    all.push_back(joined(slipproof::equations(kinds_[i], mode[i]), " and ",
-                         [&](StateEquation e) { return equation(i, mode[i], e, "="); }));
-  }
+  for (std::size_t i = 0; i < mode.size(); ++i) all.push_back(equations_of(i, mode[i], "=", " and "));
   return fmt::format("{}", fmt::join(all, " and "));
 }
 

@@ -6,11 +6,55 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "claims/reading/claims_file.hpp"
+#include "mechanics/elements/friction_problem.hpp"
 
 namespace slipproof {
+
+/// An unknown and a limit, or one of them, as form_of() adds them up, compared with 0 as one writes it: with the
+/// unknown alone on the left.
+class TextForm {
+ public:
+  TextForm() = default;
+  explicit TextForm(std::string unknown) : unknown_(std::move(unknown)) {}
+  static TextForm limit(std::string text) {
+    TextForm form;
+    form.limit_ = std::move(text);
+    return form;
+  }
+
+  /// That of an unknown or a limit.
+  const std::string& text() const { return unknown_.empty() ? limit_ : unknown_; }
+  /// `S >= -mu*N` for mu*N + S, with what stands for `>=`, and for it in the other direction.
+  std::string compared(std::string_view above, std::string_view below) const {
+    return text() + ' ' + std::string(negative_ ? below : above) + ' ' + bound();
+  }
+  /// What stands on the right.
+  std::string bound() const {
+    if (unknown_.empty() || limit_.empty()) return "0";
+    return (limit_negative_ == negative_ ? "-" : "") + limit_;
+  }
+
+  friend TextForm operator-(TextForm x) {
+    x.negative_ = !x.negative_;
+    x.limit_negative_ = !x.limit_negative_;
+    return x;
+  }
+  friend TextForm operator+(TextForm x, TextForm y) {
+    if (x.unknown_.empty()) std::swap(x, y);
+    x.limit_ = std::move(y.limit_);
+    x.limit_negative_ = y.limit_negative_;
+    return x;
+  }
+  friend TextForm operator-(TextForm x, TextForm y) { return std::move(x) + -std::move(y); }
+
+ private:
+  std::string unknown_, limit_;
+  bool negative_ = false, limit_negative_ = false;
+};
 
 class MechanicsWriter {
  public:
@@ -64,18 +108,20 @@ class MechanicsWriter {
   bool complete() const { return complete_; }
 
  private:
-  /// The forms of an element as texts.
-  struct ElementText {
-    std::string name, gap, slip, normal, tangent, static_limit, kinetic_limit;
+  struct ElementText : ElementForms<TextForm> {
+    std::string name;
   };
   void name_symbols();
   void write_elements();
   std::string fresh(std::string name) const;
   std::string number(const Expression& of_mechanism) const;
   std::string friction(const Expression& coefficient, const std::string& normal) const;
-  std::string equation(std::size_t element, ElementState state, StateEquation equation, const char* is) const;
-  std::string condition(std::size_t element, ElementState state, StateCondition condition, bool strict) const;
-  std::string missed(std::size_t element, ElementState state, StateCondition condition) const;
+  /// All of a state's equations, with `=` or `!=`, or those of them that are about accelerations.
+  std::string equations_of(std::size_t element, ElementState state, const char* is, const char* word,
+                           bool of_accelerations = false) const;
+  /// What `text` says of each condition of a state.
+  template <class Text>
+  std::string conditions_of(std::size_t element, ElementState state, const char* word, const Text& text) const;
 
   const Setting& setting_;
   Defined defined_;
