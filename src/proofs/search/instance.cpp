@@ -4,31 +4,12 @@
 #include <array>
 #include <numeric>
 #include <random>
-#include <set>
 #include <utility>
 
-#include "base/algebra/real_roots.hpp"
+#include "proofs/search/value_choice.hpp"
 
 namespace slipproof::prove {
 namespace {
-
-struct Condition {
-  Polynomial p;
-  Sign sign;
-  bool either_sign = false;  ///< p != 0
-
-  bool is_equation() const { return sign == Sign::zero; }
-  bool holds_at(const Rational& value) const {
-    if (either_sign) return value != 0;
-    return sign == Sign::zero ? value == 0 : sign == Sign::positive ? value > 0 : value >= 0;
-  }
-};
-
-/// One side of the values that a variable may have.
-struct End {
-  Rational value;
-  bool included;
-};
 
 Rational value_at(const Polynomial& p, const std::vector<Rational>& values) {
   p.ring().budget().spend(p.length() + 20);
@@ -49,7 +30,7 @@ class Attempt {
       : ring_(ring),
         random_(random),
         late_choices_(late_choices),
-        roots_(roots),
+        choice_(ring, random, roots),
         values_(ring.size()),
         chosen_(ring.size()),
         order_(ring.size()) {
@@ -190,7 +171,7 @@ class Attempt {
   }
 
   bool assign(std::size_t v) {
-    const auto value = choose(v);
+    const auto value = choice_.choose(v, conditions_);
     if (value) substitute(v, Polynomial(ring_, *value));
     return value.has_value();
   }
@@ -226,91 +207,6 @@ class Attempt {
            solve(v);
   }
 
-  /// Small and large ones, too, where nothing is known of what is wanted.
-  Rational anything() {
-    const Rational size = simple();
-    const std::uint64_t kind = random_() % 8;
-    const Rational value = kind == 0 ? Rational(0) : kind < 4 ? size : kind < 6 ? Rational(1 / size) : size * size * 4;
-    return random_() % 2 == 0 ? value : Rational(-value);
-  }
-  Rational simple() { return Rational(1 + static_cast<int>(random_() % 8), 1 + static_cast<int>(random_() % 2)); }
-
-  /// Anything between the ends, if there are any.
-  Rational between(const std::optional<Rational>& lower, const std::optional<Rational>& upper) {
-    if (lower && upper) {
-      const int parts = 2 << (random_() % 6);
-      const int part = 1 + static_cast<int>(random_() % static_cast<std::uint64_t>(parts - 1));
-      return *lower + (*upper - *lower) * Rational(part, parts);
-    }
-    const Rational size = random_() % 4 == 0 ? Rational(1 / simple()) : simple();
-    return lower ? Rational(*lower + size) : upper ? Rational(*upper - size) : anything();
-  }
-
-  /// One of the values between the roots of conditions in v alone, and at them, at which these hold; as there may be
-  /// none, nothing may come of it.
-  std::optional<Rational> choose_by_roots(std::size_t v, const std::vector<const Condition*>& conditions) {
-    std::set<IntegerPolynomial> polynomials;
-    std::vector<IntegerPolynomial> all;
-    for (const Condition* c : conditions) {
-      std::vector<Rational> coefficients;
-      for (std::size_t k = 0; k <= c->p.degree(v); ++k) coefficients.push_back(c->p.coefficient(v, k).constant());
-      ring_.budget().spend(coefficients.size() * coefficients.size() * 20);
-      all.push_back(IntegerPolynomial::proportional_to(coefficients));
-      polynomials.insert(all.back());
-    }
-    const std::vector<RealRoot> roots = real_roots(polynomials);
-    std::vector<Rational> values = random_() % 2 == 0 ? cell_points(roots) : std::vector<Rational>();
-    for (std::size_t i = 0; i <= roots.size(); ++i) {
-      if (i < roots.size() && roots[i].is_rational()) values.push_back(roots[i].lower);
-      values.push_back(between(i > 0 ? std::optional(roots[i - 1].upper) : std::nullopt,
-                               i < roots.size() ? std::optional(roots[i].lower) : std::nullopt));
-    }
-    std::erase_if(values, [&](const Rational& value) {
-      for (std::size_t i = 0; i < all.size(); ++i) {
-        if (!conditions[i]->holds_at(all[i].sign_at(value))) return true;
-      }
-      return false;
-    });
-    if (values.empty()) return std::nullopt;
-    return values[random_() % values.size()];
-  }
-
-  std::optional<Rational> choose(std::size_t v) {
-    if (roots_) {
-      std::vector<const Condition*> alone;
-      bool linear = true;
-      for (const Condition& c : conditions_) {
-        if (c.p.variables() != std::vector<std::size_t>{v}) continue;
-        alone.push_back(&c);
-        linear = linear && c.p.degree(v) == 1;
-      }
-      if (!linear) return choose_by_roots(v, alone);
-    }
-    std::optional<End> lower, upper;
-    for (const Condition& c : conditions_) {
-      if (c.is_equation() || c.either_sign || c.p.degree(v) != 1 || c.p.variables().size() != 1) continue;
-      const Rational slope = c.p.coefficient(v, 1).constant();
-      const Rational end = -c.p.coefficient(v, 0).constant() / slope;
-      std::optional<End>& side = slope > 0 ? lower : upper;
-      if (side && side->value == end) {
-        side->included = side->included && c.sign == Sign::non_negative;
-      } else if (!side || (slope > 0 ? end > side->value : end < side->value)) {
-        side = End{end, c.sign == Sign::non_negative};
-      }
-    }
-    if (lower && lower->included && random_() % 4 == 0 && !(upper && upper->value < lower->value)) return lower->value;
-    if (upper && upper->included && random_() % 4 == 0 && !(lower && upper->value < lower->value)) return upper->value;
-    if (lower && upper) {
-      if (lower->value == upper->value && lower->included && upper->included) return lower->value;
-      if (lower->value >= upper->value) return std::nullopt;
-      return lower->value + (upper->value - lower->value) * Rational(1 + static_cast<int>(random_() % 3), 4);
-    }
-    if (lower) return lower->value + simple();
-    if (upper) return upper->value - simple();
-    if (roots_) return anything();
-    return random_() % 2 == 0 ? simple() : Rational(-simple());
-  }
-
   /// The values of variables that were expressed by later ones.
   std::vector<Rational> numbers() {
     std::vector<Rational> result(ring_.size());
@@ -327,7 +223,7 @@ class Attempt {
   const Ring& ring_;
   std::mt19937_64& random_;
   bool late_choices_;
-  bool roots_;
+  ValueChoice choice_;
   std::vector<const Formula*> unchosen_;
   std::vector<Condition> conditions_;
   std::vector<Condition> late_;
