@@ -6,7 +6,7 @@
 #include "base/crew/crew.hpp"
 #include "base/input/diagnostic.hpp"
 #include "claims/mutation/mutation.hpp"
-#include "claims/reading/claims_file.hpp"
+#include "claims/reading/read_claims_file.hpp"
 #include "claims/statements/claim_statements.hpp"
 #include "claims/uniqueness/ranges.hpp"
 #include "claims/uniqueness/scene_setting.hpp"

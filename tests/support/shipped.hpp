@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "claims/reading/claims_file.hpp"
+#include "claims/reading/read_claims_file.hpp"
 
 namespace slipproof::test {
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <memory>
 #include <numeric>
-#include <span>
 
 #include "base/expression/logic.hpp"
 #include "base/expression/parser.hpp"
@@ -31,7 +30,7 @@ class IdentitySearch {
   /// Whether it is one; then divisors() has what it divides by.
   bool find() {
     if (!is_identity()) return false;
-    add_half_tangents(!modes(body_.says).empty());
+    add_half_tangents(!body_.modes.empty());
     return true;
   }
 
@@ -40,18 +39,15 @@ class IdentitySearch {
 
  private:
   bool is_identity() {
-    if (const auto* formula = std::get_if<Formula>(&body_.says)) {
-      if (formula->modes.empty()) {
-        SymbolicEvaluator symbols = symbols_of_setting();
-        return is_true(symbols, programs_.holds);
-      }
-      return std::all_of(formula->modes.begin(), formula->modes.end(), [&](const MechanismMode& mode) {
-        return holds_in(mode, {&programs_.holds, 1});
-      });
+    if (!body_.kind->may_be_identity(body_)) return false;
+    std::vector<Program> programs = programs_.equations;
+    programs.push_back(programs_.holds);
+    if (!body_.modes.empty()) {
+      return std::all_of(body_.modes.begin(), body_.modes.end(),
+                         [&](const MechanismMode& mode) { return holds_in(mode, programs); });
     }
-    const auto* consequence = std::get_if<Consequence>(&body_.says);
-    return consequence != nullptr && consequence->from_model() && consequence->assume.empty() && consequence->mode &&
-           holds_in(*consequence->mode, programs_.equations);
+    SymbolicEvaluator symbols = symbols_of_setting();
+    return std::all_of(programs.begin(), programs.end(), [&](const Program& p) { return is_true(symbols, p); });
   }
 
   /// They stand side by side.
@@ -121,7 +117,7 @@ class IdentitySearch {
     return true;
   }
 
-  bool holds_in(const MechanismMode& mode, std::span<const Program> programs) {
+  bool holds_in(const MechanismMode& mode, const std::vector<Program>& programs) {
     SymbolicEvaluator symbols = symbols_of_setting();
     const SymbolicMotion motion = symbolic_motion(setting_, mode, symbols);
     if (!motion.found) return false;  // singular for all parameters, not modelled, or too large
@@ -159,11 +155,9 @@ class NeverZero {
     if (book_ == nullptr) return false;
     if (!read_) read_ = as_read(file_, reading_);
     const ClaimBody& body = claim_.body(reading_);
-    std::vector<Expression> given = {body.region};
-    for (const Expression* forces : parts(body, BodyPart::forces)) given.push_back(*forces);
     Lemmas lemmas;
     return Implications(*read_, claim_.setting, *book_)
-        .implies(given, make_comparison({number, make_number(0)}, {Relation::not_equal}), lemmas);
+        .implies({body.region, body.forces}, make_comparison({number, make_number(0)}, {Relation::not_equal}), lemmas);
   }
 
  private:
@@ -203,10 +197,8 @@ std::optional<Identity> find_identity(const ClaimsFile& file, const CompiledClai
   }
   const PlainSigns signs(file.settings[c.setting], reading);
   const ClaimBody& body = c.body(reading);
-  for (const BodyPart part : {BodyPart::region, BodyPart::forces}) {
-    for (const Expression* condition : parts(body, part)) {
-      if (!signs.defined(*condition)) identity.unless_zero.push_back("a divisor in " + to_string(*condition));
-    }
+  for (const Expression& condition : {body.region, body.forces}) {
+    if (!signs.defined(condition)) identity.unless_zero.push_back("a divisor in " + to_string(condition));
   }
   return identity;
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "claims/identity/lemmas.hpp"
-#include "claims/reading/compiled.hpp"
+#include "claims/paper/compiled.hpp"
 
 namespace slipproof {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "claims/reading/setting_names.hpp"
+#include "claims/paper/setting_names.hpp"
 #include "proofs/statement/limits.hpp"
 
 namespace slipproof {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "claims/identity/symbolic.hpp"
-#include "claims/reading/compiled.hpp"
+#include "claims/paper/compiled.hpp"
 
 namespace slipproof {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "claims/identity/symbolic.hpp"
-#include "claims/reading/compiled.hpp"
+#include "claims/paper/compiled.hpp"
 
 namespace slipproof {
 

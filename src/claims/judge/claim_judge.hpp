@@ -1,47 +1,63 @@
-// How each kind of claim is judged at a sample, a function for each row of the table in proofs/MEANING.md: claims about
-// single modes, formulas and regions in judge.cpp, about all motions at a force in judge_motions.cpp, about a continuum
-// in judge_continuum.cpp.
+// A claim at a sample: what its kind judges it by, and how kinds say what they find.
 #pragma once
 
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "claims/judge/judge.hpp"
-#include "claims/judge/linear_system.hpp"
 
 namespace slipproof {
 
 class ClaimJudge {
  public:
+  using Intervals = std::vector<ForceInterval>;
+
   ClaimJudge(const ClaimsFile& file, const CompiledClaims& compiled, std::size_t claim, Reading reading,
              SolvedSample& sample)
       : file_(file),
         compiled_(compiled),
         claim_(file.claims[claim]),
-        body_(claim_.body(reading)),
         programs_(compiled.claims[claim].body(reading)),
         reading_(reading),
         sample_(sample) {}
 
   Judgement judge();
 
- private:
-  Judgement judged();
-  /// Whether what it compares over the forces has a value everywhere, but was not decided.
-  bool is_unsure();
-  using Intervals = std::vector<ForceInterval>;
-  /// Where a claim that uniqueness refers to states forces, and where it is near them: their ends included.
-  struct Stated {
-    MechanismMode mode;
-    Intervals forces, near;
-  };
+  const ClaimBody& body() const { return claim_.body(reading_); }
+  const CompiledBody& programs() const { return programs_; }
+  /// Those of another claim.
+  const ClaimBody& body(std::size_t claim) const { return file_.claims[claim].body(reading_); }
+  const CompiledBody& programs(std::size_t claim) const { return compiled_.claims[claim].body(reading_); }
+  const Setting& setting() const { return file_.settings[claim_.setting]; }
+  const CompiledSetting& compiled() const { return compiled_.settings[claim_.setting]; }
+  SolvedSample& sample() { return sample_; }
 
-  static Judgement made(Outcome outcome, Reason reason) {
+  const ForceInterval& domain() const { return *sample_.force_domain(); }
+  bool strict() const { return setting().strict; }
+  /// The forces of a mode inside the paper's domain.
+  ForceInterval forces_of(const ModeOverLoads& mode) const { return sample_.forces_of(mode, strict()); }
+  /// Nothing for a mode that is not modelled.
+  std::optional<ModeOverLoads> find(const MechanismMode& mode) { return sample_.motions().find(mode); }
+  /// All states of all elements are modelled.
+  bool complete() const { return compiled().complete(); }
+
+  /// `holds` where one of the forces and a mode with more than one solution at a force meet: of all solutions.
+  Judgement holds_of_all(const ForceInterval& forces, const MechanismMode& mode, const ModeForms& forms);
+
+  static Judgement made(Outcome outcome, Reason reason, std::optional<MechanismMode> mode = {},
+                        std::optional<ForceInterval> witnesses = {}) {
     Judgement result;
     result.outcome = outcome;
     result.reason = reason;
+    result.mode = std::move(mode);
+    result.witnesses = std::move(witnesses);
     return result;
   }
-  static Judgement refuted(Reason reason) { return made(Outcome::refuted, reason); }
+  static Judgement refuted(Reason reason, std::optional<MechanismMode> mode = {},
+                           std::optional<ForceInterval> witnesses = {}) {
+    return made(Outcome::refuted, reason, std::move(mode), std::move(witnesses));
+  }
   static Judgement undecided() { return made(Outcome::undecided, Reason::no_value); }
   static Judgement holds() { return made(Outcome::holds, Reason::none); }
   /// Judgements of several forces, modes or bicycles as one: the first of wrong, no value, right, nothing that occurs.
@@ -60,63 +76,15 @@ class ClaimJudge {
     x.intersect(y);
     return x;
   }
-  static bool contains(const Intervals& parts, const Rational& force);
 
-  const ForceInterval& domain() const { return *sample_.force_domain(); }
-  bool strict() const { return file_.settings[claim_.setting].strict; }
-  /// The forces of a mode inside the paper's domain.
-  ForceInterval forces_of(const ModeOverLoads& mode) const { return sample_.forces_of(mode, strict()); }
-  /// Nothing for a mode that is not modelled.
-  std::optional<ModeOverLoads> find(const MechanismMode& mode) { return sample_.motions().find(mode); }
-  bool complete() const { return compiled_.settings[claim_.setting].complete(); }
-
-  Judgement of(const Interval& claim);
-  Judgement of(const Impossible& claim);
-  Judgement of(const Formula& claim);
-  Judgement of(const Motions& claim);
-  Judgement of(const Unique& claim);
-  Judgement of(const Cover& claim);
-  Judgement of(const ForceCover& claim);
-  Judgement of(const Equivalence& claim);
-  Judgement of(const Limit& claim);
-  Judgement of(const Exists& claim);
-  Judgement of(const Consequence& claim);
-  Judgement of(const System& claim);
-
-  Judgement formula_in_modes(const Modes& modes, const Intervals& where);
-  Judgement formula_in(const MechanismMode& mode, const ModeOverLoads& s, Intervals here);
-  /// Of functions of the force; of a mode, of those that its motion is.
-  Judgement formula_on(const Intervals& here, const MechanismMode* mode);
-  /// Of all solutions of a mode at the forces.
-  Judgement formula_about_all(const ForceInterval& forces, const MechanismMode& mode, const ModeForms& forms);
-
-  /// The rows of a claim of equations: its hypotheses, what it says, and the whole right side of a system.
-  struct Sides {
-    LinearRows left, equations, right;
-  };
-  std::optional<Sides> sides(const LinearEquations& claim);
-  std::optional<LinearRows> rows_of(const References& claims);
-  std::optional<LinearRows> rows_of(const std::vector<Program>& equations);
-  /// The unknowns that the text of a system's right side has.
-  std::vector<bool> occurring(const LinearEquations& claim) const;
-
-  /// The motions of a cell that count: in a strict setting those that are strict.
-  std::vector<const MotionOverLoads*> counted(const LoadCell& cell) const;
-  /// The modes of a motion that count.
-  Modes modes_of(const MotionOverLoads& motion) const;
-  /// A mode with a continuum of motions that count at the forces of a cell.
-  std::optional<MechanismMode> continuum_at(const LoadCell& cell);
-  std::optional<Judgement> other_motions(const Motions& claim, const LoadCell& cell);
-  /// Nothing where a condition of it has no value.
-  std::optional<Stated> stated(std::size_t claim);
-  /// Points and open intervals of forces on which neither the motions nor the claims change.
-  Intervals pieces(const std::vector<Intervals>& changes);
-  std::optional<Judgement> not_one_motion(const ForceInterval& piece, const Modes& expected);
+ private:
+  Judgement judged();
+  /// Whether what it compares over the forces has a value everywhere, but was not decided.
+  bool is_unsure();
 
   const ClaimsFile& file_;
   const CompiledClaims& compiled_;
   const Claim& claim_;
-  const ClaimBody& body_;
   const CompiledBody& programs_;
   Reading reading_;
   SolvedSample& sample_;

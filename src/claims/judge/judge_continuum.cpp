@@ -137,8 +137,7 @@ class PointSearch {
 
 }  // namespace
 
-Judgement ClaimJudge::formula_about_all(const ForceInterval& forces, const MechanismMode& mode,
-                                        const ModeForms& forms) {
+Judgement ClaimJudge::holds_of_all(const ForceInterval& forces, const MechanismMode& mode, const ModeForms& forms) {
   const std::size_t variables = 1 + forms.free;
   const Linear x = Linear::variable(0, variables);
   const auto linear = [&](const AffineForm& form) {
@@ -148,7 +147,7 @@ Judgement ClaimJudge::formula_about_all(const ForceInterval& forces, const Mecha
     for (std::size_t k = 0; k < forms.free; ++k) result.coefficients[k + 1] = form.coefficients[k];
     return result;
   };
-  const CompiledSetting& setting = compiled_.settings[claim_.setting];
+  const CompiledSetting& setting = compiled();
   Evaluator<Linear, LinearField> evaluator(setting.scope());
   for (std::size_t k = 0; k < sample_.values().size(); ++k) {
     evaluator.set(CompiledSetting::parameter_slot(k), LinearField().constant(sample_.values()[k]));
@@ -170,10 +169,7 @@ Judgement ClaimJudge::formula_about_all(const ForceInterval& forces, const Mecha
 
   PointSearch search(programs_.holds, evaluator, std::move(polytope));
   if (const auto point = search.find(Wanted::no)) {
-    Judgement j = refuted(Reason::formula);
-    j.mode = mode;
-    j.witnesses = ForceInterval::point(point->front());
-    return j;
+    return refuted(Reason::formula, mode, ForceInterval::point(point->front()));
   }
   return search.find(Wanted::not_yes) ? undecided() : holds();
 }

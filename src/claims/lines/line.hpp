@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "claims/reading/compiled.hpp"
+#include "claims/paper/compiled.hpp"
 
 namespace slipproof {
 

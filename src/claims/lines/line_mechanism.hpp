@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "claims/lines/critical_set.hpp"
-#include "claims/reading/compiled.hpp"
+#include "claims/paper/compiled.hpp"
 #include "mechanics/mechanism/system.hpp"
 
 namespace slipproof {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/expression/logic.hpp"
-#include "claims/reading/setting_names.hpp"
+#include "claims/paper/setting_names.hpp"
 
 namespace slipproof {
 
@@ -14,7 +14,11 @@ namespace {
 template <class File>
 auto& part_of(File& file, const ClaimsMutant& mutant) {
   if (!mutant.part) return file.settings[mutant.setting].definitions[mutant.index].printed;
-  return *parts(file.claims[mutant.index].printed, *mutant.part)[mutant.item];
+  decltype(&file.settings[0].definitions[0].printed) found = nullptr;
+  for_each_part(file.claims[mutant.index].printed, [&](BodyPart part, std::size_t item, auto& expression) {
+    if (part == *mutant.part && item == mutant.item) found = &expression;
+  });
+  return *found;
 }
 
 Program& part_of(CompiledBody& body, BodyPart part, std::size_t item) {
@@ -72,7 +76,7 @@ class ClaimsEnumeration {
   std::vector<std::string> symbols_for(const Claim& claim, BodyPart part) const {
     std::vector<std::string> symbols;
     const bool linear = part == BodyPart::equations || part == BodyPart::assume;
-    const bool quantities = part == BodyPart::holds && !modes(claim.printed.says).empty();
+    const bool quantities = part == BodyPart::holds && !claim.printed.modes.empty();
     for (const auto& [symbol, entry] : names_[claim.setting].all()) {
       const bool quantity = entry.kind == SettingNames::Kind::quantity;
       if (quantity && !(linear ? file_.settings[claim.setting].unknown_index(symbol).has_value() : quantities))
@@ -104,7 +108,7 @@ class ClaimsEnumeration {
   void add_referring(std::vector<std::size_t>& claims) const {
     const std::vector<std::size_t> direct = claims;
     for (std::size_t c = 0; c < file_.claims.size(); ++c) {
-      const References to = references(file_.claims[c].printed.says);
+      const References to = file_.claims[c].printed.references();
       if (std::find_first_of(to.begin(), to.end(), direct.begin(), direct.end()) != to.end()) claims.push_back(c);
     }
     std::sort(claims.begin(), claims.end());

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "claims/mutation/mutate.hpp"
-#include "claims/reading/claims_file.hpp"
-#include "claims/reading/compiled.hpp"
+#include "claims/paper/claims_file.hpp"
+#include "claims/paper/compiled.hpp"
 
 namespace slipproof {
 

@@ -13,10 +13,9 @@
 #include "base/parallel/failure.hpp"
 #include "base/parallel/in_parallel.hpp"
 #include "claims/lines/claim_lines.hpp"
+#include "claims/mutation/baselines.hpp"
 #include "claims/mutation/settle.hpp"
-#include "claims/sampling/edges.hpp"
 #include "claims/sampling/reach.hpp"
-#include "claims/sampling/sampler.hpp"
 
 namespace slipproof {
 
@@ -32,15 +31,6 @@ std::uint64_t MutationResult::count(MutantEnd end) const {
 }
 
 namespace {
-
-using Samples = std::vector<std::unique_ptr<SolvedSample>>;
-
-/// What a claim comes to at a sample, unchanged.
-struct Baseline {
-  Outcome outcome = Outcome::outside;
-  bool speaks = false;  ///< it holds, and is about some force
-  std::vector<ForceInterval> reach;
-};
 
 /// What a thread works on: claims that it may change, and its own samples, which remember values.
 struct Workshop {
@@ -70,7 +60,7 @@ bool is_failure(Outcome outcome) {
 
 /// Claims whose equations have to be solved take longest.
 bool is_costly(const Claim& claim) {
-  return claim.is<Consequence>() || claim.is<System>();
+  return claim.kind().is_linear();
 }
 
 class MutationRun {
@@ -79,8 +69,7 @@ class MutationRun {
       : file_(as_read(file, Reading::repaired)),
         options_(options),
         compiled_(file_),
-        samples_(file_.settings.size()),
-        baselines_(file_.claims.size()) {}
+        baselines_(file_, compiled_, options_) {}
 
   MutationResult result() {
     MutationResult result;
@@ -97,7 +86,7 @@ class MutationRun {
   void judge_all(MutationResult& result) {
     std::vector<std::size_t> every_claim(file_.claims.size());
     std::iota(every_claim.begin(), every_claim.end(), std::size_t{0});
-    for (std::size_t s = 0; s < file_.settings.size(); ++s) solve_samples(s, options_.samples, every_claim);
+    for (std::size_t s = 0; s < file_.settings.size(); ++s) baselines_.solve(s, options_.samples, every_claim);
     collect(result);
     std::vector<MutantResult>& all = result.mutants;
     // The mutants of one formula are judged in turn, by one thread: what refutes one is tried first on the next.
@@ -124,7 +113,7 @@ class MutationRun {
   void collect(MutationResult& result) {
     std::vector<std::size_t>& left_out = result.not_mutated;
     for (std::size_t c = 0; c < file_.claims.size(); ++c) {
-      const auto& here = baselines_[c];
+      const auto& here = baselines_.of(c);
       const auto has = [&](Outcome outcome) {
         return std::any_of(here.begin(), here.end(), [&](const Baseline& b) { return b.outcome == outcome; });
       };
@@ -160,53 +149,16 @@ class MutationRun {
     for (std::size_t s = 0; s < file_.settings.size(); ++s) {
       std::sort(claims[s].begin(), claims[s].end());
       claims[s].erase(std::unique(claims[s].begin(), claims[s].end()), claims[s].end());
-      if (!claims[s].empty()) solve_samples(s, options_.samples + options_.more_samples, claims[s]);
+      if (!claims[s].empty()) baselines_.solve(s, options_.samples + options_.more_samples, claims[s]);
     }
     in_parallel(0, rest.size(), [&](std::size_t i) {
       MutantResult& m = *rest[i];
       Workshop& shop = workshop();
-      Order order = samples_from(m.mutant.setting, options_.samples);
+      std::vector<std::size_t> order = baselines_.samples_from(m.mutant.setting, options_.samples);
       with_change(shop, m, [&] {
         if (!caught(shop, m, order) && !caught_on_lines(shop, m)) settle(m, shop.thorough, shop.compiled);
       });
     });
-  }
-
-  /// Solves samples of a setting, up to a number of them, and judges claims there: those of the setting.
-  void solve_samples(std::size_t s, std::uint64_t count, const std::vector<std::size_t>& claims) {
-    Samples& samples = samples_[s];
-    const std::size_t first = samples.size();
-    if (count <= first) return;
-    samples.resize(count);
-    for (std::size_t c = 0; c < file_.claims.size(); ++c) {
-      if (file_.claims[c].setting == s) baselines_[c].resize(count);
-    }
-    const Sampler sampler(compiled_.settings[s], options_.seed);
-    in_parallel(first, count, [&](std::size_t i) {
-      std::vector<Rational> values = sampler.at(i);
-      if (values.empty()) return;
-      if (i >= options_.samples && i % 2 == 1) {  // what survived has seen all that the sampler is good at
-        values = toward_edges(file_.settings[s], compiled_.settings[s], values, i);
-      }
-      auto sample = SolvedSample::make(compiled_.settings[s], std::move(values));
-      if (!sample) return;
-      for (const std::size_t c : claims) {
-        if (file_.claims[c].setting != s) continue;
-        Baseline& baseline = baselines_[c][i];
-        const std::string failure = failure_of([&] { baseline = baseline_of(c, *sample); });
-        if (!failure.empty()) baseline.outcome = Outcome::undecided;
-      }
-      if (failure_of([&] { sample->motions(); }).empty()) samples[i] = std::move(sample);  // solved before it is shared
-    });
-  }
-
-  Baseline baseline_of(std::size_t c, SolvedSample& sample) const {
-    Baseline result;
-    result.outcome = judge(file_, compiled_, c, Reading::printed, sample).outcome;
-    result.reach = reach(file_, compiled_, c, sample);
-    result.speaks =
-        result.outcome == Outcome::holds && !sample.true_at(compiled_.claims[c].printed.forces).parts.empty();
-    return result;
   }
 
   /// The work with the mutant in place of the original. Where it fails, the mutant survives, and says why.
@@ -218,16 +170,6 @@ class MutationRun {
     m.mutant.put(m.mutant.original(file_), shop.compiled);
   }
 
-  using Order = std::vector<std::size_t>;
-  /// The samples of a setting from one on.
-  Order samples_from(std::size_t setting, std::size_t first) const {
-    Order order;
-    for (std::size_t i = first; i < samples_[setting].size(); ++i) {
-      if (samples_[setting][i]) order.push_back(i);
-    }
-    return order;
-  }
-
   Workshop& workshop() {
     std::unique_ptr<Workshop>& shop = workshops_.local();
     if (!shop) shop = std::make_unique<Workshop>(file_, compiled_, quick_, thorough_);
@@ -235,7 +177,7 @@ class MutationRun {
   }
 
   void judge_group(Workshop& shop, MutantResult* first, MutantResult* last) {
-    Order order = samples_from(first->mutant.setting, 0);
+    std::vector<std::size_t> order = baselines_.samples_from(first->mutant.setting, 0);
     for (MutantResult* m = first; m != last; ++m) {
       with_change(shop, *m, [&] {
         if (!caught(shop, *m, order)) settle(*m, shop.quick, shop.compiled);
@@ -245,16 +187,17 @@ class MutationRun {
 
   /// The sample of a workshop whose claims are changed.
   SolvedSample& changed(Workshop& shop, const ClaimsMutant& m, std::size_t i) const {
+    const Samples& all = baselines_.samples(m.setting);
     Samples& own = shop.samples[m.setting];
-    if (own.size() < samples_[m.setting].size()) own.resize(samples_[m.setting].size());
+    if (own.size() < all.size()) own.resize(all.size());
     // Definitions are evaluated once for a sample: another definition needs another one.
     if (!m.part || !own[i]) {
-      own[i] = samples_[m.setting][i]->under(shop.compiled.settings[m.setting]);
+      own[i] = all[i]->under(shop.compiled.settings[m.setting]);
     }
     return *own[i];
   }
 
-  bool caught(Workshop& shop, MutantResult& m, Order& order) const {
+  bool caught(Workshop& shop, MutantResult& m, std::vector<std::size_t>& order) const {
     const bool found = fails(shop, m, order) || reaches_elsewhere(shop, m, order);
     if (!m.mutant.part) {  // its samples remember what is changed back
       for (auto& sample : shop.samples[m.mutant.setting]) sample.reset();
@@ -286,12 +229,12 @@ class MutationRun {
     return true;
   }
 
-  bool fails(Workshop& shop, MutantResult& m, Order& order) const {
+  bool fails(Workshop& shop, MutantResult& m, std::vector<std::size_t>& order) const {
     for (auto i = order.begin(); i != order.end(); ++i) {
       SolvedSample& sample = changed(shop, m.mutant, *i);
       for (const std::size_t c : m.mutant.claims) {
         if (file_.claims[c].setting != m.mutant.setting) continue;
-        if (is_failure(baselines_[c][*i].outcome)) continue;
+        if (is_failure(baselines_.of(c)[*i].outcome)) continue;
         if (!fails(shop, m, c, sample)) continue;
         std::rotate(order.begin(), i, i + 1);
         return true;
@@ -300,12 +243,12 @@ class MutationRun {
     return false;
   }
 
-  bool reaches_elsewhere(Workshop& shop, MutantResult& m, const Order& order) const {
+  bool reaches_elsewhere(Workshop& shop, MutantResult& m, const std::vector<std::size_t>& order) const {
     for (const std::size_t i : order) {
       SolvedSample& sample = changed(shop, m.mutant, i);
       for (const std::size_t c : m.mutant.claims) {
         if (file_.claims[c].setting != m.mutant.setting) continue;
-        if (reaches_elsewhere(shop, m, c, sample, baselines_[c][i].reach)) return true;
+        if (reaches_elsewhere(shop, m, c, sample, baselines_.of(c)[i].reach)) return true;
       }
     }
     return false;
@@ -319,7 +262,7 @@ class MutationRun {
   }
 
   bool caught_on_lines(Workshop& shop, MutantResult& m, std::size_t c) const {
-    const auto bases = speaks_at(c);
+    const auto bases = baselines_.speaks_at(c);
     const auto lines = claim_lines(file_, shop.compiled, c, Reading::printed);
     if (bases.empty() || !lines) return false;
     // Lines through a surface leave it at once.
@@ -343,18 +286,6 @@ class MutationRun {
     return fails(shop, m, c, *changed) || reaches_elsewhere(shop, m, c, *changed, reach(file_, compiled_, c, sample));
   }
 
-  /// The first bicycles among the samples at which a claim speaks of some force; if there are none, at which it holds.
-  std::vector<std::vector<Rational>> speaks_at(std::size_t c) const {
-    constexpr std::size_t enough = 64;
-    std::vector<std::vector<Rational>> speaks, holds;
-    const Samples& samples = samples_[file_.claims[c].setting];
-    for (std::size_t i = 0; i < samples.size() && speaks.size() < enough; ++i) {
-      const Baseline& here = baselines_[c][i];
-      if (here.outcome == Outcome::holds) (here.speaks ? speaks : holds).push_back(samples[i]->values());
-    }
-    return speaks.empty() ? holds : speaks;
-  }
-
   static void settle(MutantResult& m, Settler& settler, const CompiledClaims& changed) {
     auto settlement = settler.settle(m.mutant, changed);
     if (!settlement) return;
@@ -368,8 +299,7 @@ class MutationRun {
   ClaimsFile file_;
   const MutationOptions& options_;
   const CompiledClaims compiled_;
-  std::vector<Samples> samples_;                  ///< by setting; null: no bicycle
-  std::vector<std::vector<Baseline>> baselines_;  ///< by claim and sample
+  Baselines baselines_;
   LemmaBook quick_{
       {.split_depth = 1, .slack_attempts = 100, .products = 0, .quick_samples = 0, .samples = 0, .steps = 2'000'000}},
       thorough_{{.split_depth = 2, .products = 0, .quick_samples = 0, .samples = 0, .steps = 40'000'000}};

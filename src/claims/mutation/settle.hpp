@@ -1,47 +1,44 @@
 // Exact arguments for changes of a claims file that no sample tells apart: they say the same, or what is true, too.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "claims/identity/lemmas.hpp"
+#include "claims/identity/claim_change.hpp"
+#include "claims/identity/same_function.hpp"
 #include "claims/mutation/claims_mutants.hpp"
 
 namespace slipproof {
-
-/// What a change comes to, and why.
-struct Settlement {
-  enum class Kind {
-    equivalent,  ///< it says the same
-    theorem,     ///< it says something else, which is true for all parameters
-    vacuous      ///< it says nothing about the motion: the signs of the parameters make it true
-  };
-  Kind kind = Kind::equivalent;
-  std::size_t claim = 0;  ///< that the argument is about, the first of several
-  std::string argument;   ///< in words
-  Lemmas lemmas;          ///< what it rests on
-};
 
 /// Settles mutants of one claims file with one reading, with proofs from a book. Not shared between threads.
 class Settler {
  public:
   /// What is given must outlive it.
   Settler(const ClaimsFile& file, const CompiledClaims& compiled, LemmaBook& book);
-  ~Settler();
-  Settler(const Settler&) = delete;
-  Settler& operator=(const Settler&) = delete;
 
-  /// `changed` is `compiled` with the mutant. Nothing: no argument was found.
-  std::optional<Settlement> settle(const ClaimsMutant& mutant, const CompiledClaims& changed);
+  using Result = std::optional<Settlement>;
+  /// `now` is `compiled` with the mutant. Nothing: no argument was found.
+  Result settle(const ClaimsMutant& m, const CompiledClaims& now);
 
   /// A claim about motions, by its index, that is true of all parameters whatever the motion.
-  bool is_vacuous(std::size_t claim);
+  bool is_vacuous(std::size_t claim) const;
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  const Implications& in() const { return logic_[setting_]; }
+  Result settle_claim(std::size_t claim, const ClaimBody& before, const ClaimBody& after) const;
+  Result settle_definition(const ClaimsMutant& m) const;
+  /// What other claims refer to must say the same as before.
+  Result accepted(const ClaimsMutant& m, const std::vector<std::size_t>& direct, Result result) const;
+  /// An expression with every definition written out that a changed one leads to, and the changed one replaced.
+  Expression rewritten(const Expression& e, const std::string& symbol, const Expression& by) const;
+
+  const ClaimsFile& file_;
+  const CompiledClaims& compiled_;
+  std::vector<Implications> logic_;   ///< by setting
+  std::vector<Functions> functions_;  ///< by setting
+  std::size_t setting_ = 0;           ///< of the mutant
+  const CompiledClaims* changed_ = nullptr;
 };
 
 }  // namespace slipproof

@@ -2,9 +2,9 @@
 #include <utility>
 
 #include "base/expression/extent.hpp"
+#include "claims/paper/compiled.hpp"
+#include "claims/paper/setting_names.hpp"
 #include "claims/reading/claims_reader.hpp"
-#include "claims/reading/compiled.hpp"
-#include "claims/reading/setting_names.hpp"
 
 namespace slipproof::claims_reader {
 

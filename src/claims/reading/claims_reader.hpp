@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/input/table_reader.hpp"
-#include "claims/reading/claims_file.hpp"
+#include "claims/paper/claims_file.hpp"
 
 namespace slipproof::claims_reader {
 
@@ -63,6 +63,36 @@ void read_settings(const TableReader& root, Context& context);
 bool read_mechanism(const TableReader& table, Context& context, Setting& setting);
 /// What the mechanism's symbols are, after the paper's symbols.
 void read_scene(const TableReader& table, Context& context, Setting& setting);
+/// The references of claims, by their texts: ids are known only when all claims are read.
+class OpenReferences {
+ public:
+  void add(const TableReader& table, std::size_t claim, Reading reading, const ClaimKind& kind);
+  void add_part(std::size_t claim, const PlacedText& id) { parts_.emplace_back(claim, &id); }
+  /// A repaired reading at this place that has nothing of its own.
+  void add_only_expecting(std::size_t claim, Place place) { only_expecting_.emplace_back(claim, place); }
+
+  /// Resolves them, and adds the readings that claims have because of others.
+  void resolve(Context& context) const;
+
+ private:
+  struct Texts {
+    std::size_t claim;
+    Reading reading;
+    std::string_view key;
+    References ClaimBody::*list;
+    std::vector<const PlacedText*> ids;
+  };
+  std::vector<Texts> texts_;
+  std::vector<std::pair<std::size_t, Place>> only_expecting_;
+  std::vector<std::pair<std::size_t, const PlacedText*>> parts_;
+};
+
+/// All keys that some kind of claim has, and those that say something of every kind.
+std::vector<std::string_view> body_keys();
+/// Refuses a table that lacks what claims of the kind have to have.
+void require_body(const TableReader& table, const ClaimKind& kind);
+/// Reads over what `body`, whose kind is known, already holds; but for references.
+void read_body(const TableReader& table, Context& context, std::size_t setting, ClaimBody& body);
 /// After the settings.
 void read_claims(const TableReader& root, Context& context);
 /// Symbols that do not exist or must not be used, definitions in circles or too large to evaluate.

@@ -14,37 +14,36 @@ void append(std::vector<const Program*>& list, const std::vector<Program>& progr
 
 ClaimParts parts_of(const ClaimsFile& file, const CompiledClaims& compiled, std::size_t claim, Reading reading) {
   const Claim& c = file.claims[claim];
+  const Setting& setting = file.settings[c.setting];
+  const ClaimKind::Traits& kind = c.kind().traits();
   const ClaimBody& body = c.body(reading);
   const CompiledBody& programs = compiled.claims[claim].body(reading);
   ClaimParts parts;
-  const LinearEquations* linear = std::get_if<Consequence>(&body.says);
-  if (linear == nullptr) linear = std::get_if<System>(&body.says);
   parts.conditions = {&programs.region, &programs.forces};
-  parts.modes = modes(body.says);
-  (c.is<Formula>() && !parts.modes.empty() ? parts.of_motions : parts.conditions).push_back(&programs.holds);
-  if (c.is<Motions>() || c.is<Unique>()) {
-    const auto kinds = file.settings[c.setting].kinds();
+  parts.modes = body.modes;
+  (parts.modes.empty() ? parts.conditions : parts.of_motions).push_back(&programs.holds);
+  if (kind.of_all_motions) {
+    const auto kinds = setting.kinds();
     parts.too_many_modes = mode_count(kinds) > max_line_modes;
     if (!parts.too_many_modes) parts.modes = modes_of(kinds);
   }
   // Boundary motions count in closed settings, and a motion may be in several modes there.
-  const bool closed = !file.settings[c.setting].strict;
-  parts.modes_meet = c.is<Unique>() || c.is<Exists>() || (c.is<Motions>() && closed);
-  if (const auto* limit = std::get_if<Limit>(&body.says)) {
-    parts.grows = file.settings[c.setting].parameter_index(limit->parameter);
-  }
-  for (const std::size_t other : references(body.says)) {
+  using Compares = ClaimKind::Traits::Compares;
+  parts.modes_meet = kind.compares_modes == Compares::always ||
+                     (kind.compares_modes == Compares::in_closed_settings && !setting.strict);
+  if (!body.parameter.empty()) parts.grows = setting.parameter_index(body.parameter);
+  for (const std::size_t other : body.references()) {
     const CompiledBody& referred = compiled.claims[other].body(reading);
-    if (linear != nullptr) {
+    if (c.kind().is_linear()) {
       append(parts.equations, referred.equations);
     } else {
       parts.conditions.push_back(&referred.region);
-      if (!c.is<Cover>()) parts.conditions.push_back(&referred.forces);
+      if (c.kind().has("forces")) parts.conditions.push_back(&referred.forces);
     }
   }
   append(parts.equations, programs.equations);
   append(parts.equations, programs.assume);
-  parts.model_equations = linear != nullptr && linear->from_model();
+  parts.model_equations = c.kind().is_linear() && body.from_model();
   return parts;
 }
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "claims/reading/compiled.hpp"
+#include "claims/paper/compiled.hpp"
 
 namespace slipproof {
 

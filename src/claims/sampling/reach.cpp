@@ -16,34 +16,22 @@ void keep_common(std::vector<ForceInterval>& parts, const ForceInterval& forces)
 std::vector<ForceInterval> reach(const ClaimsFile& file, const CompiledClaims& compiled, std::size_t claim,
                                  SolvedSample& sample) {
   const Claim& c = file.claims[claim];
+  const Setting& setting = file.settings[c.setting];
+  const ClaimBody& body = c.printed;
   const CompiledBody& programs = compiled.claims[claim].printed;
   if (!sample.force_domain()) return {};
-  Truth inside = Truth::yes;
-  if (const auto* limit = std::get_if<Limit>(&c.printed.says)) {
-    inside = sample.eventually(programs.region, file.settings[c.setting].parameter_index(limit->parameter));
-  } else {
-    inside = sample.region(programs.region);
-  }
+  const Truth inside = body.parameter.empty()
+                           ? sample.region(programs.region)
+                           : sample.eventually(programs.region, setting.parameter_index(body.parameter));
   if (inside != Truth::yes) return {};
-  const auto all = [&] { return std::vector{*sample.force_domain()}; };
-  const auto some = [&](const Modes& moving) {
-    auto where = sample.true_at(programs.forces);
-    if (!where.valued()) where.parts.clear();
-    const bool strict = file.settings[c.setting].strict;
-    for (const MechanismMode& mode : moving) {
-      if (const auto s = sample.motions().find(mode)) keep_common(where.parts, sample.forces_of(*s, strict));
-    }
-    std::erase_if(where.parts, [](const ForceInterval& forces) { return forces.empty(); });
-    return where.parts;
-  };
-  return std::visit(Cases{[&](const Formula& f) { return some(f.modes.size() == 1 ? f.modes : Modes{}); },
-                          [&](const Exists& e) { return some(e.modes); }, [&](const Impossible&) { return some({}); },
-                          [&](const ForceCover&) { return some({}); }, [&](const Motions&) { return some({}); },
-                          [&](const Unique&) { return some({}); }, [&](const Interval&) { return all(); },
-                          [&](const Cover&) { return all(); }, [&](const Equivalence&) { return all(); },
-                          [&](const Limit&) { return all(); }, [&](const Consequence&) { return all(); },
-                          [&](const System&) { return all(); }},
-                    c.printed.says);
+  if (!body.kind->forces_say_where()) return {*sample.force_domain()};
+  auto where = sample.true_at(programs.forces);
+  if (!where.valued()) return {};
+  for (const MechanismMode& mode : body.kind->moving(body)) {
+    if (const auto s = sample.motions().find(mode)) keep_common(where.parts, sample.forces_of(*s, setting.strict));
+  }
+  std::erase_if(where.parts, [](const ForceInterval& forces) { return forces.empty(); });
+  return where.parts;
 }
 
 }  // namespace slipproof

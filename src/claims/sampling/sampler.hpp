@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/expression/sure_condition.hpp"
-#include "claims/reading/compiled.hpp"
+#include "claims/paper/compiled.hpp"
 
 namespace slipproof {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/expression/filtered.hpp"
-#include "claims/reading/compiled.hpp"
-#include "claims/reading/force_truth.hpp"
+#include "claims/paper/compiled.hpp"
+#include "claims/paper/force_truth.hpp"
 #include "mechanics/kernel/motions_over_loads.hpp"
 
 namespace slipproof {

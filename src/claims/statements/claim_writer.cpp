@@ -80,6 +80,33 @@ void ClaimWriter::implied(const Implication& implication, const std::string& sho
   statements_.push_back({name_ + implication.suffix, result + fmt::format("show {}\n", shown), implication.refutes});
 }
 
+void ClaimWriter::implied_of_each(const Modes& modes, const Expression& forces, const Expression& shown) {
+  const Assumptions assumptions = {{"region", body_.region}, {"force", forces}};
+  const bool refutes = always_defined(shown);
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    const std::string suffix = modes.size() == 1 ? "" : fmt::format(".{}", i + 1);
+    implied({suffix, assumptions, motion(modes[i]), true, {}, refutes}, shown);
+  }
+  if (modes.empty()) implied({"", assumptions, {}, true, {}, refutes}, shown);
+  have_values(".defined", body_.region, forces);
+}
+
+MotionText ClaimWriter::one_of(const std::vector<ModeAndMore>& modes, bool strict) const {
+  std::vector<std::string> parts;
+  for (const auto& [mode, more] : modes) parts.push_back("{" + mechanics().mode_text(mode) + more + "}");
+  return {mechanics().equations() + mechanics().all_state_definitions(strict),
+          fmt::format("{} and {{{}}}", mechanics().dynamics(), fmt::join(parts, " or "))};
+}
+
+std::vector<ClaimWriter::ModeAndMore> ClaimWriter::modelled(const Modes& modes) {
+  std::vector<ModeAndMore> result;
+  for (const MechanismMode& mode : modes) {
+    if (mechanics().is_modelled(mode)) result.emplace_back(mode, "");
+  }
+  if (result.empty()) give_up();
+  return result;
+}
+
 void ClaimWriter::exists(const Implication& implication, const std::vector<std::string>& unknowns,
                          const MotionText& shown, const std::vector<Expression>& uses) {
   std::string result = opening(implication.suffix);
@@ -198,9 +225,8 @@ std::string ClaimWriter::hint(const Boundary& boundary) const {
 Expression ClaimWriter::in_one_of(const References& others, bool stated) const {
   Expression result;
   for (const std::size_t other : others) {
-    const ClaimBody& body = claims_.claims[other].body(reading());
-    const auto forces = parts(body, BodyPart::forces);
-    const Expression here = stated && !forces.empty() ? both(body.region, *forces.front()) : body.region;
+    const ClaimBody& its = body(other);
+    const Expression here = stated ? both(its.region, its.forces) : its.region;
     result = result ? make(Operation::logical_or, {result, here}) : here;
   }
   return result;
@@ -246,18 +272,6 @@ std::vector<NamedStatement> ClaimWriter::take() {
   if (!complete()) return {};
   for (NamedStatement& statement : statements_) statement.text = without_zero_divisors(std::move(statement.text));
   return std::move(statements_);
-}
-
-Equations equations_of(const ClaimWriter& writer, const References& claims, const Equations& others) {
-  Equations result;
-  for (const std::size_t claim : claims) {
-    for (const Expression* equation :
-         parts(writer.claims().claims[claim].body(writer.reading()), BodyPart::equations)) {
-      result.push_back(*equation);
-    }
-  }
-  result.insert(result.end(), others.begin(), others.end());
-  return result;
 }
 
 }  // namespace slipproof

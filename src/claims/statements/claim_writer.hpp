@@ -1,4 +1,4 @@
-// Statements about a setting of a claims file, line by line; claim_statements.cpp and claim_refutations.cpp say which.
+// Statements about a claim of a claims file, line by line; its kind says which.
 #pragma once
 
 #include <optional>
@@ -17,6 +17,8 @@ class ClaimWriter : public SettingWriter {
   const ClaimsFile& claims() const { return claims_; }
   const Claim& claim() const { return claim_; }
   const ClaimBody& body() const { return body_; }
+  /// That of another claim, in the same reading.
+  const ClaimBody& body(std::size_t claim) const { return claims_.claims[claim].body(reading()); }
 
   using Assumptions = std::vector<std::pair<std::string, Expression>>;  ///< by name; `true` is left out
 
@@ -31,6 +33,9 @@ class ClaimWriter : public SettingWriter {
   };
   void implied(const Implication& implication, const Expression& shown);
   void implied(const Implication& implication, const std::string& shown, const std::vector<Expression>& uses);
+  /// ID, or ID.1, ID.2, ... where there are several modes: `shown` of all motions in each of the modes, at the forces;
+  /// without modes, of all forces. And that region and forces have values.
+  void implied_of_each(const Modes& modes, const Expression& forces, const Expression& shown);
   /// For all parameters with `assumptions`, and all values of the other unknowns, some `unknowns` with `shown`.
   void exists(const Implication& implication, const std::vector<std::string>& unknowns, const MotionText& shown,
               const std::vector<Expression>& uses = {});
@@ -60,6 +65,12 @@ class ClaimWriter : public SettingWriter {
   Expression in_one_of(const References& others, bool stated) const;
   /// Hints to split at the boundaries that are numbers.
   std::string hints_to_numbers() const;
+  /// A mode, and what else is to hold, as text; empty: nothing.
+  using ModeAndMore = std::pair<MechanismMode, std::string>;
+  /// A motion in one of `modes`, each with what else is to hold of it.
+  MotionText one_of(const std::vector<ModeAndMore>& modes, bool strict) const;
+  /// Those of the modes that are modelled. Gives up where there are none.
+  std::vector<ModeAndMore> modelled(const Modes& modes);
   /// Some parameters, force and motion with all of `truths`.
   void somewhere(const std::string& suffix, const std::vector<Expression>& truths,
                  const std::vector<MotionText>& motions, const std::vector<Expression>& more_uses = {});
@@ -68,9 +79,9 @@ class ClaimWriter : public SettingWriter {
   std::vector<NamedStatement> take();
 
  private:
-  /// All of `motions` at once, under names of their own from the second on.
   /// That the accelerations of the first motion are those of another one; motions count from 1.
   std::string same_accelerations(std::size_t other) const;
+  /// All of `motions` at once, under names of their own from the second on.
   void together(const std::string& suffix, const Assumptions& assumptions, const std::vector<MotionText>& motions,
                 const std::string& hints, const std::string& shown);
   std::string opening(const std::string& suffix);
@@ -86,7 +97,7 @@ class ClaimWriter : public SettingWriter {
   std::vector<NamedStatement> statements_;
 };
 
-/// The equations of claims, and others.
-Equations equations_of(const ClaimWriter& writer, const References& claims, const Equations& others);
+/// The suffix of refutations.
+inline constexpr const char* refuted_suffix = ".refuted";
 
 }  // namespace slipproof

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "claims/reading/claims_file.hpp"
+#include "claims/paper/claims_file.hpp"
 #include "mechanics/elements/friction_problem.hpp"
 
 namespace slipproof {

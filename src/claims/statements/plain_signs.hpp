@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "claims/reading/setting_names.hpp"
+#include "claims/paper/setting_names.hpp"
 
 namespace slipproof {
 

@@ -10,14 +10,9 @@ namespace {
 
 std::string reason(const Setting& setting, const ClaimBody& body) {
   if (body.expect == Expectation::undecided) return "the claims file expects it to stay undecided";
-  const auto* limit = std::get_if<Limit>(&body.says);
-  if (limit != nullptr && body.expect == Expectation::refuted) return "statements cannot say that a limit is false";
-  if (limit != nullptr && !limit->from) {
-    return "a limit needs `from`: a value of " + limit->parameter + " from which on it can be shown";
-  }
-  const Modes named = modes(body.says);
+  if (std::string why = body.kind->why_unstated(body); !why.empty()) return why;
   const auto kinds = setting.kinds();
-  for (const MechanismMode& mode : named) {
+  for (const MechanismMode& mode : body.modes) {
     for (std::size_t i = 0; i < mode.size(); ++i) {
       if (mode[i] != ElementState::lift || kinds[i].lifts) continue;
       const Mechanism& mechanism = *setting.mechanism;

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "claims/reading/claims_file.hpp"
+#include "claims/paper/claims_file.hpp"
 #include "mechanics/bicycle/scene.hpp"
 #include "mechanics/scene/scene.hpp"
 

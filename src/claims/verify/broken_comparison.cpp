@@ -41,14 +41,6 @@ class Comparisons {
   Evaluator<Rational> values_;
 };
 
-/// What has to hold and does not; null for claims of kinds that compare nothing.
-Expression blamed(const ClaimBody& body, Comparisons& at) {
-  if (const auto* formula = std::get_if<Formula>(&body.says)) return formula->holds;
-  const auto* equivalence = std::get_if<Equivalence>(&body.says);
-  if (equivalence == nullptr) return nullptr;
-  return at.is_false(equivalence->forces) ? equivalence->forces : equivalence->holds;
-}
-
 }  // namespace
 
 std::vector<BrokenComparison> broken_comparisons(const Claim& claim, Reading reading, const CompiledSetting& setting,
@@ -70,8 +62,11 @@ std::vector<BrokenComparison> broken_comparisons(const Claim& claim, Reading rea
     }
   }
   std::vector<BrokenComparison> found;
-  const Expression condition = blamed(claim.body(reading), at);
-  if (condition && at.is_false(condition)) at.collect(condition, found);
+  // What has to hold and does not: of two conditions that should be true of the same, the one that is false.
+  const ClaimBody& body = claim.body(reading);
+  const bool of_two = !body.kind->forces_say_where();
+  const Expression& condition = of_two && at.is_false(body.forces) ? body.forces : body.holds;
+  if (at.is_false(condition)) at.collect(condition, found);
   return found;
 }
 

@@ -114,7 +114,7 @@ void add_certificates(const ClaimsFile& file, ClaimResult& claim, Certificates& 
     return;
   }
   // A proof about nothing proves nothing: the claim has to be right somewhere.
-  if (claim.held == 0 && !stated.is<Exists>()) return;
+  if (claim.held == 0 && !stated.kind().traits().seeks) return;
   if (claim.undecided > 0) return;  // it has no value somewhere: statements are not about those bicycles
   claim.verdict = Verdict::holds;
   claim.proved = true;

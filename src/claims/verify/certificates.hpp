@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "claims/reading/claims_file.hpp"
-#include "claims/reading/paper_folder.hpp"
+#include "claims/paper/claims_file.hpp"
+#include "claims/paper/paper_folder.hpp"
 #include "proofs/check/verdict.hpp"
 #include "proofs/statement/refutation_text.hpp"
 

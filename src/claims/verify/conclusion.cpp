@@ -52,7 +52,7 @@ Conclusion read_conclusion(std::string_view text) {
 bool is_concluded(const PaperTasks& tasks, const ClaimTask& task, const Tally& tally) {
   if (tally.refuted > 0) return false;
   if (tally.held > 0) return true;
-  return tasks.options.certificates && tasks.claim_of(task).is<Exists>() &&
+  return tasks.options.certificates && tasks.claim_of(task).kind().traits().seeks &&
          settled_by_certificates(tasks.file, task.claim, task.reading, *tasks.options.certificates);
 }
 
@@ -63,7 +63,7 @@ Conclusion conclude(const PaperTasks& tasks, const ClaimTask& task, const Tally&
       found.failures = simplest_failures(
           tasks.file, tasks.compiled, task.claim, task.reading, {tally.simplest.values, tally.realisable.values},
           tasks.options.simplify ? Showing::simplest : Showing::as_found, tasks.options.seed);
-    } else if (tasks.claim_of(task).is<Exists>()) {
+    } else if (tasks.claim_of(task).kind().traits().seeks) {
       found.vacuous = is_nowhere(tasks.file, task.claim, task.reading, tasks.book);
     } else {
       found.vacuous = tally.undecided == 0 && is_vacuous(tasks.file, task.claim, task.reading, tasks.book);
@@ -91,7 +91,7 @@ ClaimResult result_of(const PaperTasks& tasks, const ClaimTask& task, const Tall
   if (tally.refuted > 0) {
     result.verdict = Verdict::refuted;
     if (conclusion.failures) add_counterexamples(tasks, *conclusion.failures, result);
-  } else if (tasks.claim_of(task).is<Exists>()) {
+  } else if (tasks.claim_of(task).kind().traits().seeks) {
     result.verdict = tally.held > 0 ? Verdict::holds : Verdict::undecided;
     result.proved = tally.held > 0;
     if (conclusion.vacuous) result.verdict = Verdict::refuted;

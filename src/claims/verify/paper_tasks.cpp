@@ -19,7 +19,7 @@ std::vector<ClaimTask> tasks_of(const ClaimsFile& file, const CompiledClaims& co
       if (reading == Reading::repaired && !claim.repaired) continue;
       ClaimTask task{i, reading, {}, false, {}};
       task.failure = failure_of([&] { task.identity = find_identity(file, compiled, i, reading, &book); });
-      task.rational = task.identity || claim.is<Consequence>() || claim.is<System>();
+      task.rational = task.identity || claim.kind().is_linear();
       tasks.push_back(std::move(task));
     }
   }

@@ -6,7 +6,7 @@
 
 #include "claims/identity/identity.hpp"
 #include "claims/identity/lemmas.hpp"
-#include "claims/reading/compiled.hpp"
+#include "claims/paper/compiled.hpp"
 #include "claims/verify/verify.hpp"
 
 namespace slipproof {

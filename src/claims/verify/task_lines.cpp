@@ -14,8 +14,7 @@ namespace {
 
 /// What samples refute needs no lines. Identities do: they may lack a value where something vanishes.
 bool wants_lines(const Claim& claim, const Tally& tally) {
-  const bool linear = claim.is<Consequence>() || claim.is<System>();
-  return !linear && tally.refuted == 0 && (!claim.is<Exists>() || tally.held == 0);
+  return !claim.kind().is_linear() && tally.refuted == 0 && (!claim.kind().traits().seeks || tally.held == 0);
 }
 
 /// The first bicycles among the samples of a setting.

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "claims/judge/judge.hpp"
-#include "claims/reading/claims_file.hpp"
+#include "claims/paper/claims_file.hpp"
 #include "claims/verify/certificates.hpp"
 #include "mechanics/bicycle_modes/motions.hpp"
 #include "mechanics/kernel/motions.hpp"

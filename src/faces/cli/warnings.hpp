@@ -1,7 +1,7 @@
 // What looks wrong in the mechanisms that a command reads, on stderr: their answers may be right all the same.
 #pragma once
 
-#include "claims/reading/claims_file.hpp"
+#include "claims/paper/claims_file.hpp"
 #include "faces/cli/command.hpp"
 #include "mechanics/mechanism/mechanism.hpp"
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "claims/reading/read_claims_file.hpp"
 #include "faces/python/bind.hpp"
 #include "faces/python/interruptible.hpp"
 #include "mechanics/reading/shipped.hpp"

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "base/number/format.hpp"
-#include "claims/reading/setting_names.hpp"
+#include "claims/paper/setting_names.hpp"
 #include "report/papers/explain.hpp"
 
 namespace slipproof {
@@ -27,14 +27,16 @@ FindingParts changed(const ClaimBody& body, const ClaimBody& other) {
   FindingParts result;
   constexpr std::array<std::string_view, 5> keys{"where", "forces", "claim", "equation", ""};
   for_each_part(body, [&](BodyPart what, std::size_t i, const Expression& expression) {
-    const auto others = parts(other, what);
     const std::string_view key = keys[static_cast<std::size_t>(what)];
-    const bool differs = i >= others.size() || !same(expression, *others[i]);
+    bool differs = true;
+    for_each_part(other, [&](BodyPart its, std::size_t k, const Expression& others) {
+      if (its == what && k == i) differs = !same(expression, others);
+    });
     if (!key.empty() && differs) result.push_back(part(key, what, expression));
   });
-  if (modes(body.says) != modes(other.says)) {
+  if (body.modes != other.modes) {
     std::string names;
-    for (const MechanismMode& mode : modes(body.says)) names += (names.empty() ? "" : ", ") + name(mode);
+    for (const MechanismMode& mode : body.modes) names += (names.empty() ? "" : ", ") + name(mode);
     result.push_back({"motions", nullptr, names, false});
   }
   return result;

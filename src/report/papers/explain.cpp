@@ -6,7 +6,7 @@
 #include <cctype>
 
 #include "base/number/format.hpp"
-#include "claims/reading/setting_names.hpp"
+#include "claims/paper/setting_names.hpp"
 #include "mechanics/bicycle/scene.hpp"
 #include "mechanics/scene/degrees.hpp"
 
@@ -59,9 +59,8 @@ class Explanation {
       case Reason::uncovered:
         return uncovered();
       case Reason::limit:
-        return fmt::format("it stays false, however large {} becomes", std::get<Limit>(body_.says).parameter);
       case Reason::equation:
-        return equation();
+        return failing();
       case Reason::none:
       case Reason::no_value:
       case Reason::unsure:
@@ -105,14 +104,10 @@ class Explanation {
                                     side(broken.right, right, broken.right_value, "the right side")};
       text += values[0] + (values[0].empty() || values[1].empty() ? "" : " and ") + values[1];
     }
-    if (text.empty()) {
-      text = std::holds_alternative<Equivalence>(body_.says) ? "only one of the two conditions is true"
-                                                             : "what the claim says is false";
-    }
+    if (text.empty()) text = failing();
     if (j_.mode) text += ", in " + mode();
-    if (std::holds_alternative<Equivalence>(body_.says) && !example_.broken.empty()) {
-      text = "only one of the two conditions is true, for " + text;
-    }
+    const bool of_two_conditions = !body_.kind->forces_say_where();
+    if (of_two_conditions && !example_.broken.empty()) text = failing() + ", for " + text;
     if (!depends_on_force(setting_, claim_, reading_, example_)) return text;
     if (!example_.broken.empty() && example_.force)
       text += fmt::format(", at {} = {}", F_, exact_text(*example_.force));
@@ -127,24 +122,15 @@ class Explanation {
     return fmt::format("{} is {}", which, exact_text(value));
   }
   std::string uncovered() const {
-    if (std::holds_alternative<ForceCover>(body_.says)) {
-      return fmt::format("none of the claims that it names states what happens {}", for_forces(F_, *j_.witnesses));
-    }
-    const std::string none = fmt::format("no case of the claim covers this {}", noun(setting_));
-    if (!j_.mode) return none;
+    if (!j_.mode) return failing() + (j_.witnesses ? " " + for_forces(F_, *j_.witnesses) : "");
     if (j_.real && !j_.real->empty()) {
-      return fmt::format("{}, and in {} there are motions {}", none, mode(), for_forces(F_, *j_.real));
+      return fmt::format("{}, and in {} there are motions {}", failing(), mode(), for_forces(F_, *j_.real));
     }
-    return fmt::format("{} (in {} there is no motion)", none, mode());
+    return fmt::format("{} (in {} there is no motion)", failing(), mode());
   }
 
-  std::string equation() const {
-    const auto* consequence = std::get_if<Consequence>(&body_.says);
-    if (consequence == nullptr) return "the equations do not say the same as those that they are to replace";
-    const std::string from = consequence->from_model() ? "the equations of motion" : "what is given";
-    if (!j_.equation) return "an equation does not follow from " + from;
-    return fmt::format("{} does not follow from {}", to_string(consequence->equations[*j_.equation]), from);
-  }
+  /// In the words of the claim's kind.
+  std::string failing() const { return body_.kind->failing(body_, j_, noun(setting_)); }
 
   const Claim& claim_;
   const ClaimBody& body_;
@@ -175,8 +161,8 @@ std::string explain(const ClaimsFile& file, const ClaimResult& result) {
     case Verdict::vacuous:
       return fmt::format("it says something of no {} at all, and that is proved", noun);
     case Verdict::refuted:
-      return file.claims[result.claim].is<Exists>() ? "proved: there is no such motion"
-                                                    : "proved to be false; no sample is a counterexample";
+      return file.claims[result.claim].kind().traits().seeks ? "proved: there is no such motion"
+                                                             : "proved to be false; no sample is a counterexample";
     case Verdict::undecided: {
       if (result.undecided == 0) {
         return fmt::format("none of the {} that were tried is one of which it says anything",
@@ -198,7 +184,8 @@ std::string missing_text(std::size_t missing) {
 }
 
 bool is_about_motions(const Claim& claim) {
-  return !modes(claim.printed.says).empty() || claim.is<Unique>() || claim.is<Cover>() || claim.is<ForceCover>();
+  const bool by_others = claim.kind().has("claims") && !claim.kind().is_linear();
+  return !claim.printed.modes.empty() || by_others;
 }
 
 std::vector<std::pair<std::string, Rational>> place_of(const ClaimsFile& file, const ClaimResult& result,

@@ -5,8 +5,8 @@
 
 #include "base/input/diagnostic.hpp"
 #include "claims/judge/judge.hpp"
-#include "claims/reading/compiled.hpp"
-#include "claims/reading/setting_names.hpp"
+#include "claims/paper/compiled.hpp"
+#include "claims/paper/setting_names.hpp"
 #include "report/phase/plane_words.hpp"
 
 namespace slipproof {
@@ -36,10 +36,6 @@ void collect(const Expression& expression, const SettingNames& names, std::vecto
   }
 }
 
-bool states_motions(const Claim& claim) {
-  return claim.is<Interval>() || claim.is<Impossible>() || claim.is<Motions>() || claim.is<Unique>();
-}
-
 /// All that solving a column needs.
 class ColumnSolver {
  public:
@@ -51,14 +47,16 @@ class ColumnSolver {
         setting_(compiled_.settings[figure.setting]),
         given_(claims.settings[figure.setting]),
         names_(given_) {
+    using InPlanes = ClaimKind::Traits::InPlanes;
     std::vector<Threshold> lines;
     for (std::size_t i = 0; i < claims.claims.size(); ++i) {
       const Claim& claim = claims.claims[i];
-      if (claim.setting != figure.setting || !states_motions(claim)) continue;
+      const InPlanes drawn = claim.kind().traits().in_planes;
+      if (claim.setting != figure.setting || drawn == InPlanes::no) continue;
       judged_.push_back(i);
-      if (!claim.is<Interval>() && !claim.is<Impossible>()) continue;
+      if (drawn != InPlanes::with_thresholds) continue;
       for (const Reading r : all_readings) {
-        for (const Expression* forces : parts(claim.body(r), BodyPart::forces)) collect(*forces, names_, thresholds_);
+        collect(claim.body(r).forces, names_, thresholds_);
         collect(claim.body(r).region, names_, lines);
       }
     }

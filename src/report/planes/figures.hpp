@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "claims/reading/claims_file.hpp"
+#include "claims/paper/claims_file.hpp"
 
 namespace slipproof {
 

@@ -14,7 +14,7 @@
 
 #include "base/parallel/in_parallel.hpp"
 #include "claims/mutation/mutation.hpp"
-#include "claims/reading/claims_file.hpp"
+#include "claims/reading/read_claims_file.hpp"
 #include "claims/verify/verify.hpp"
 #include "floating/filter/batch.hpp"
 #include "mechanics/reading/read_mechanism.hpp"

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "base/crew/bytes.hpp"
-#include "claims/reading/claims_file.hpp"
+#include "claims/reading/read_claims_file.hpp"
 #include "claims/verify/verify.hpp"
 #include "mechanics/bicycle/scene.hpp"
 #include "records/certify/pieces.hpp"

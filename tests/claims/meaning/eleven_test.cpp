@@ -7,6 +7,7 @@
 
 #include "base/input/diagnostic.hpp"
 #include "claims/mutation/claims_mutants.hpp"
+#include "claims/reading/read_claims_file.hpp"
 #include "claims/statements/claim_statements.hpp"
 #include "claims/verify/verify.hpp"
 #include "proofs/check/judge.hpp"

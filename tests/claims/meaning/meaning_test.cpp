@@ -9,10 +9,12 @@
 
 #include "base/input/diagnostic.hpp"
 #include "claims/judge/judge.hpp"
+#include "claims/kinds/kinds.hpp"
 #include "claims/meaning/random_kinds.hpp"
 #include "claims/meaning/second_judge.hpp"
 #include "claims/meaning/shrink.hpp"
 #include "claims/meaning/statement_judge.hpp"
+#include "claims/reading/read_claims_file.hpp"
 #include "claims/statements/claim_statements.hpp"
 #include "support/run_program.hpp"
 
@@ -182,18 +184,18 @@ std::string unreadable(const std::vector<NamedStatement>& statements) {
 
 /// How many claims of each kind have statements, and how many have refutations.
 struct Stated {
-  std::map<std::string_view, std::uint64_t> claims, refutations;
+  std::map<std::string, std::uint64_t, std::less<>> claims, refutations;
 };
 
 /// The statements of a claim say together that it says nothing or is right; its refutation, that it is wrong.
 std::string stated_otherwise(const Pair& pair, meaning::Dice& dice, Stated& stated) {
   const Claim& claim = pair.file.claims[pair.claim];
   const meaning::StatementJudge judge(pair.random, pair.world, pair.claim, dice);
-  const bool exists = claim.is<Exists>();
+  const bool exists = claim.kind().name() == "exists";
   const auto refutations = claim_refutation(pair.file, claim, Reading::printed);
   const auto statements = claim_statements(pair.file, claim, Reading::printed);
-  stated.claims[name(claim.printed.says)] += statements.empty() ? 0 : 1;
-  stated.refutations[name(claim.printed.says)] += refutations.empty() ? 0 : 1;
+  stated.claims[std::string(claim.kind().name())] += statements.empty() ? 0 : 1;
+  stated.refutations[std::string(claim.kind().name())] += refutations.empty() ? 0 : 1;
   for (const auto& texts : {refutations, statements}) {
     if (const std::string difference = unreadable(texts); !difference.empty()) return difference;
   }
@@ -208,9 +210,9 @@ std::string stated_otherwise(const Pair& pair, meaning::Dice& dice, Stated& stat
   if (statements.empty()) return "";
   const auto untrue = std::find_if_not(statements.begin(), statements.end(), is_true);
   const bool fine = pair.says == Says::right || (!exists && pair.says == Says::nothing);
-  if (claim.is<Limit>() && fine) return "";  // `from` may be too low
+  if (claim.kind().name() == "limit" && fine) return "";  // `from` may be too low
   // Statements of uniqueness ask for each motion's own forces: where these are undetermined, they say too much.
-  if (claim.is<Unique>() && fine && pair.world.leaves_forces_open()) return "";
+  if (claim.kind().name() == "unique" && fine && pair.world.leaves_forces_open()) return "";
   if (fine == (untrue == statements.end())) return "";
   if (!fine) return "all statements are true";
   return "a statement is false:" + untrue->name.substr(claim.id.size());
@@ -236,10 +238,11 @@ void compare_statements(bool mechanisms, std::uint64_t seed) {
   Comparison comparison(mechanisms, [&](const Pair& pair) { return stated_otherwise(pair, dice, stated); });
   comparison.run(number_from("SLIPPROOF_MEANING_STATEMENTS", mechanisms ? quick : quick / 2), seed);
   if (comparison.pairs < 1'000) return;  // too few to see every kind
-  for (const std::string_view kind : kind_names()) {
+  for (const ClaimKind* known : claim_kinds()) {
+    const std::string kind(known->name());
     CAPTURE(kind);
     CHECK(stated.claims[kind] * 500 >= comparison.pairs);
-    if (kind != Limit::name) CHECK(stated.refutations[kind] * 500 >= comparison.pairs);
+    if (kind != "limit") CHECK(stated.refutations[kind] * 500 >= comparison.pairs);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "claims/reading/read_claims_file.hpp"
 #include "claims/statements/claim_statements.hpp"
 #include "claims/verify/verify.hpp"
 #include "proofs/search/prove.hpp"
@@ -80,7 +81,7 @@ TEST_CASE("a coefficient without a value makes no point: nothing is refuted ther
     options.simplify = false;
     for (const ClaimResult& result : verify(file, options).claims) {
       const Claim& claim = file.claims[result.claim];
-      if (claim.is<Interval>()) continue;  // they are there to be covered
+      if (claim.kind().name() == "interval") continue;  // they are there to be covered
       CAPTURE(claim.id);
       CHECK(result.verdict != Verdict::refuted);
     }
@@ -141,7 +142,7 @@ TEST_CASE("a motion is in a mode by other forces, too: no refutation says that i
   options.samples = 3;
   for (const ClaimResult& result : verify(file, options).claims) {
     const Claim& claim = file.claims[result.claim];
-    if (claim.is<Interval>()) continue;
+    if (claim.kind().name() == "interval") continue;
     CAPTURE(claim.id);
     CHECK(result.verdict == Verdict::holds);
     for (const NamedStatement& statement : claim_refutation(file, claim, Reading::printed)) {

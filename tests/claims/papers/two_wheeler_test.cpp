@@ -8,7 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "claims/reading/compiled.hpp"
+#include "claims/paper/compiled.hpp"
+#include "claims/reading/read_claims_file.hpp"
 #include "mechanics/bicycle_modes/motions.hpp"
 #include "support/random_scene.hpp"
 
@@ -257,7 +258,7 @@ TEST_CASE("motions occur together as the two-wheeler's theorems list them, and i
     for (const Claim& claim : file.claims) {
       if (!claim.id.starts_with(prefix)) continue;
       Modes modes;
-      for (const MechanismMode& mode : slipproof::modes(claim.printed.says)) modes.insert(name(mode));
+      for (const MechanismMode& mode : claim.printed.modes) modes.insert(name(mode));
       sets.insert(modes);
     }
     return sets;

@@ -1,5 +1,3 @@
-#include "claims/reading/claims_file.hpp"
-
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -8,7 +6,8 @@
 
 #include "base/expression/parser.hpp"
 #include "base/input/diagnostic.hpp"
-#include "claims/reading/compiled.hpp"
+#include "claims/paper/compiled.hpp"
+#include "claims/reading/read_claims_file.hpp"
 #include "support/formula.hpp"
 #include "support/shipped.hpp"
 
@@ -130,13 +129,12 @@ TEST_CASE("a claims file is read as it is written") {
   REQUIRE(file.claims.size() == 4);
   const Claim& interval = file.claims[0];
   CHECK(interval.line == 12);
-  CHECK(std::get<Interval>(interval.printed.says).mode ==
-        (MechanismMode{ElementState::stick, ElementState::slip_forward}));
-  CHECK(same(std::get<Interval>(interval.printed.says).forces, truth("0 < P < xi")));
-  CHECK(modes(file.claims[1].printed.says).size() == 5);
+  CHECK(interval.printed.mode() == (MechanismMode{ElementState::stick, ElementState::slip_forward}));
+  CHECK(same(interval.printed.forces, truth("0 < P < xi")));
+  CHECK(file.claims[1].printed.modes.size() == 5);
   CHECK(same(file.claims[1].printed.region, truth("true")));
-  CHECK(std::get<Unique>(file.claims[2].printed.says).claims == References{0});
-  CHECK(std::get<Unique>(file.claims[2].printed.says).except == References{1});
+  CHECK(file.claims[2].printed.claims == References{0});
+  CHECK(file.claims[2].printed.except == References{1});
   CHECK(file.find("A4") == &file.claims[3]);
   CHECK(file.find("A5") == nullptr);
 }
@@ -153,8 +151,8 @@ TEST_CASE("a claim has a second reading where it, or what it builds on, is repai
                                                "elsewhere\"\n[claim.repaired]\nforces = \"P <= 3\"\n"),
                                       "claims.toml");
   REQUIRE(own.claims[1].repaired);
-  CHECK(same(*parts(*own.claims[1].repaired, BodyPart::forces).front(), truth("P <= 3")));
-  CHECK(modes(own.claims[1].repaired->says) == modes(own.claims[1].printed.says));
+  CHECK(same(own.claims[1].repaired->forces, truth("P <= 3")));
+  CHECK(own.claims[1].repaired->modes == own.claims[1].printed.modes);
   CHECK(own.claims[1].printed.expect == Expectation::refuted);
   CHECK(own.claims[1].repaired->expect == Expectation::none);
 }
@@ -295,7 +293,7 @@ TEST_CASE("where a limit begins is an expression without its parameter") {
            parameter + "\"\nholds = \"b > f\"\nfrom = \"" + from + "\"\n";
   };
   const ClaimsFile file = parse_claims(limit("b", "2*f"), "claims.toml");
-  CHECK(same(std::get<Limit>(file.claims[4].printed.says).from, number("2*f")));
+  CHECK(same(file.claims[4].printed.from, number("2*f")));
   CHECK(mistakes(limit("b", "f + xi")) ==
         std::vector<std::string>{"claims.toml:78:13: from: depends on b itself"});  // xi = b/b1
   CHECK(mistakes(limit("b", "P")) ==

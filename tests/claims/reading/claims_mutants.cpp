@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "claims/reading/compiled.hpp"
+#include "claims/paper/compiled.hpp"
 #include "support/shipped.hpp"
 
 using namespace slipproof;

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "base/input/diagnostic.hpp"
-#include "claims/reading/claims_file.hpp"
+#include "claims/reading/read_claims_file.hpp"
 
 using namespace slipproof;
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "claims/reading/read_claims_file.hpp"
 #include "claims/verify/verify.hpp"
 #include "support/run_program.hpp"
 

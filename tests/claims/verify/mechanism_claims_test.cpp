@@ -9,6 +9,7 @@
 #include "claims/judge/judge.hpp"
 #include "claims/lines/critical.hpp"
 #include "claims/mutation/mutation.hpp"
+#include "claims/reading/read_claims_file.hpp"
 #include "claims/sampling/sampler.hpp"
 #include "claims/statements/claim_statements.hpp"
 #include "claims/verify/verify.hpp"

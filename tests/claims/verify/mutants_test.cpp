@@ -7,6 +7,7 @@
 #include <set>
 
 #include "claims/mutation/mutation.hpp"
+#include "claims/reading/read_claims_file.hpp"
 #include "claims/sampling/sampler.hpp"
 #include "proofs/check/files.hpp"
 #include "support/run_program.hpp"

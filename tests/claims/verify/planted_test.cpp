@@ -11,6 +11,7 @@
 #include "base/expression/parser.hpp"
 #include "base/number/format.hpp"
 #include "claims/mutation/claims_mutants.hpp"
+#include "claims/reading/read_claims_file.hpp"
 #include "claims/sampling/sampler.hpp"
 #include "claims/verify/verify.hpp"
 #include "support/shipped.hpp"
@@ -38,7 +39,8 @@ class Gardener {
       const std::filesystem::path path = test::shipped_folder.parent_path() / folder / "claims.toml";
       const ClaimsFile& paper = papers_.emplace_back(as_read(read_claims(path), Reading::repaired));
       for (const Claim& claim : paper.claims) {
-        const bool plantable = claim.is<Formula>() || claim.is<Interval>() || claim.is<Equivalence>();
+        const std::string_view kind = claim.kind().name();
+        const bool plantable = kind == "formula" || kind == "interval" || kind == "equivalence";
         if (plantable) choice_.push_back(alone(paper, claim));
       }
     }
@@ -76,7 +78,7 @@ class Gardener {
     Planted planted{file, "not (" + bounds(what, value, width) + ")"};
     const Expression outside = parse_expression(planted.text, Sort::truth);
     ClaimBody& body = planted.file.claims[0].printed;
-    Expression& where = *parts(body, file.claims[0].is<Interval>() ? BodyPart::forces : BodyPart::holds).front();
+    Expression& where = file.claims[0].kind().name() == "interval" ? body.forces : body.holds;
     where = make(Operation::logical_and, {where, outside});
     planted.text = file.claims[0].id + ": " + planted.text;
     // It has to be true without, and false here.

@@ -4,6 +4,7 @@
 
 #include "base/expression/parser.hpp"
 #include "claims/mutation/claims_mutants.hpp"
+#include "claims/reading/read_claims_file.hpp"
 #include "claims/sampling/simplify.hpp"
 #include "mechanics/bicycle/conditions.hpp"
 #include "report/papers/verify_report.hpp"
@@ -44,10 +45,6 @@ ClaimResult judged(const std::string& id, const std::function<void(ClaimBody&)>&
   return verify(file, options(400)).claims.front();
 }
 
-Expression& put(ClaimBody& body, BodyPart part) {
-  return *parts(body, part).front();
-}
-
 Expression truth(const char* text) {
   return parse_expression(text, Sort::truth);
 }
@@ -66,7 +63,7 @@ TEST_CASE("the shipped paper: every verdict is the expected one") {
     CAPTURE(file.claims[claim.claim].id);
     CAPTURE(name(claim.reading));
     CHECK(as_expected(file, claim));
-    const bool of_existence = file.claims[claim.claim].is<Exists>();  // refuted by finding nothing
+    const bool of_existence = file.claims[claim.claim].kind().traits().seeks;  // refuted by finding nothing
     if (claim.verdict == Verdict::refuted && !of_existence) CHECK(claim.counterexample.has_value());
   }
   CHECK(summary(file, result) == Summary::as_expected);
@@ -153,23 +150,20 @@ TEST_CASE("motions of a counterexample satisfy the raw equations and their condi
 
 TEST_CASE("each way to fail has its reason") {
   CHECK(judged("A1.1", [](ClaimBody&) {}).verdict == Verdict::holds);
-  CHECK(reason(judged("A1.1", [](ClaimBody& b) { put(b, BodyPart::forces) = truth("0 < F*sigma <= xi1"); })) ==
-        Reason::ends);
-  CHECK(reason(judged("A1.1", [](ClaimBody& b) { put(b, BodyPart::forces) = truth("0 < F*sigma < xi2"); })) ==
-        Reason::forces);
+  CHECK(reason(judged("A1.1", [](ClaimBody& b) { b.forces = truth("0 < F*sigma <= xi1"); })) == Reason::ends);
+  CHECK(reason(judged("A1.1", [](ClaimBody& b) { b.forces = truth("0 < F*sigma < xi2"); })) == Reason::forces);
   CHECK(reason(judged("A2.4", [](ClaimBody& b) { b.region = truth("b >= b11"); })) == Reason::exists);
-  CHECK(reason(judged("A2.1a", [](ClaimBody& b) { put(b, BodyPart::holds) = truth("a = a22 + F"); })) ==
-        Reason::formula);
+  CHECK(reason(judged("A2.1a", [](ClaimBody& b) { b.holds = truth("a = a22 + F"); })) == Reason::formula);
   CHECK(reason(judged("A2.2", [](ClaimBody& b) { b.region = truth("b1 <= b < b11"); })) == Reason::continuum);
-  CHECK(reason(judged("A5.1", [](ClaimBody& b) { std::get<Motions>(b.says).modes.pop_back(); })) == Reason::extra);
+  CHECK(reason(judged("A5.1", [](ClaimBody& b) { b.modes.pop_back(); })) == Reason::extra);
   CHECK(reason(judged("A5.1", [](ClaimBody& b) {
-          std::get<Motions>(b.says).modes.push_back({ElementState::slip_backward, ElementState::lift});
+          b.modes.push_back({ElementState::slip_backward, ElementState::lift});
         })) == Reason::missing);
 }
 
 TEST_CASE("uniqueness: several motions are refuted although each of them is stated by some claim") {
   ClaimsFile file = as_read(test::shipped_paper(), Reading::repaired);
-  std::get<Unique>(file.claims[test::index_of(file, "A5.2")].printed.says).except.clear();
+  file.claims[test::index_of(file, "A5.2")].printed.except.clear();
   VerifyOptions uniqueness = options(400);
   uniqueness.only = "A5.2";
   const VerifyResult result = verify(file, uniqueness);
@@ -199,8 +193,7 @@ TEST_CASE(
 }
 
 TEST_CASE("no value in its own region is undecided, never a success") {
-  const auto undefined =
-      judged("A1.1", [](ClaimBody& b) { put(b, BodyPart::forces) = truth("0 < F*sigma < 1/(b - b)"); });
+  const auto undefined = judged("A1.1", [](ClaimBody& b) { b.forces = truth("0 < F*sigma < 1/(b - b)"); });
   CHECK(undefined.verdict == Verdict::undecided);
   const auto never = judged("A1.1", [](ClaimBody& b) { b.region = truth("b < 0"); });
   CHECK(never.verdict == Verdict::vacuous);
@@ -218,16 +211,13 @@ TEST_CASE("another paper needs another file, and no C++: massless wheels, and th
 }
 
 TEST_CASE("equations, limits and identities that are false are refuted or not proved") {
-  const auto equations = [](const char* text) {
-    return [text](ClaimBody& b) { std::get<Consequence>(b.says).equations = {truth(text)}; };
-  };
+  const auto equations = [](const char* text) { return [text](ClaimBody& b) { b.equations = {truth(text)}; }; };
   CHECK(judged("E4.12.1", [](ClaimBody&) {}).proved);
   CHECK(reason(judged("E4.12.1", equations("N2 = g*b + F*sigma*R"))) == Reason::equation);
   CHECK(judged("E4.12.1", equations("N2*N2 = 1")).verdict == Verdict::undecided);  // not linear
-  CHECK(reason(judged("R3.3.1", [](ClaimBody& b) { put(b, BodyPart::holds) = truth("b > b11"); })) == Reason::limit);
-  CHECK(reason(judged("E4.10", [](ClaimBody& b) { put(b, BodyPart::holds) = truth("F*sigma > f*N2_3"); })) ==
-        Reason::formula);
-  const auto weaker = judged("E4.4", [](ClaimBody& b) { put(b, BodyPart::holds) = truth("N2 > 0"); });
+  CHECK(reason(judged("R3.3.1", [](ClaimBody& b) { b.holds = truth("b > b11"); })) == Reason::limit);
+  CHECK(reason(judged("E4.10", [](ClaimBody& b) { b.holds = truth("F*sigma > f*N2_3"); })) == Reason::formula);
+  const auto weaker = judged("E4.4", [](ClaimBody& b) { b.holds = truth("N2 > 0"); });
   CHECK(weaker.verdict == Verdict::holds);
   CHECK_FALSE(weaker.proved);
   CHECK(judged("R3.4", [](ClaimBody& b) { b.region = truth("b > b0"); }).verdict == Verdict::refuted);

@@ -11,6 +11,7 @@
 
 #include "base/expression/parser.hpp"
 #include "base/input/diagnostic.hpp"
+#include "claims/reading/read_claims_file.hpp"
 #include "claims/statements/claim_statements.hpp"
 #include "claims/statements/truth_text.hpp"
 #include "mechanics/bicycle_modes/motions.hpp"
@@ -116,21 +117,21 @@ TEST_CASE("uniqueness is not proved of other claims than those whose motions it 
   const auto tampered = [&](auto change) {
     ClaimsFile claims = shipped;
     for (Claim& claim : claims.claims) {
-      if (claim.id == "A5.2") change(std::get<Unique>(claim.repaired->says));
+      if (claim.id == "A5.2") change(*claim.repaired);
     }
     return proved(claims);
   };
-  CHECK(tampered([](Unique&) {}));
-  CHECK(!tampered([](Unique& claim) { claim.except.clear(); }));
-  CHECK(!tampered([](Unique& claim) { claim.claims.pop_back(); }));
-  CHECK(!tampered([](Unique& claim) { claim.modes.pop_back(); }));
+  CHECK(tampered([](ClaimBody&) {}));
+  CHECK(!tampered([](ClaimBody& claim) { claim.except.clear(); }));
+  CHECK(!tampered([](ClaimBody& claim) { claim.claims.pop_back(); }));
+  CHECK(!tampered([](ClaimBody& claim) { claim.modes.pop_back(); }));
 }
 
 TEST_CASE("where a motion is left out of those that are stated, uniqueness is not found") {
   ClaimsFile claims = read_claims(shipped_folder / "claims.toml");
   const auto stick_stick = static_cast<std::size_t>(claims.find("A1.1") - claims.claims.data());
   for (Claim& claim : claims.claims) {
-    if (claim.id == "A5.2") std::erase(std::get<Unique>(claim.repaired->says).claims, stick_stick);
+    if (claim.id == "A5.2") std::erase(claim.repaired->claims, stick_stick);
   }
   prove::Limits limits;
   limits.split_depth = 1;
@@ -149,7 +150,7 @@ TEST_CASE("a limit is proved from a value on, and only if that value is defined 
   ClaimsFile claims = read_claims(shipped_folder / "claims.toml");
   const auto proved = [&](const std::string& from) {
     Claim claim = *claims.find("R3.3.1");  // as f grows, b < b11 and b < b0
-    std::get<Limit>(claim.printed.says).from = from.empty() ? nullptr : parse_expression(from, Sort::number);
+    claim.printed.from = from.empty() ? nullptr : parse_expression(from, Sort::number);
     const auto statements = claim_statements(claims, claim, Reading::printed);
     return !statements.empty() && std::all_of(statements.begin(), statements.end(), [](const NamedStatement& s) {
       return prove_statement(s.name, s.text, {.split_depth = 1, .products = 0, .steps = 100'000}).proved();

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "claims/reading/claims_file.hpp"
+#include "claims/reading/read_claims_file.hpp"
 #include "claims/statements/claim_statements.hpp"
 #include "mechanics/kernel/motions.hpp"
 #include "mechanics/scene/scene.hpp"

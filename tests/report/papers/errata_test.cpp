@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "claims/reading/read_claims_file.hpp"
 #include "support/shipped.hpp"
 #include "support/small_claims.hpp"
 

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "claims/reading/read_claims_file.hpp"
 #include "report/papers/verify_report.hpp"
 #include "support/small_claims.hpp"
 

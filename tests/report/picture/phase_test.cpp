@@ -9,6 +9,7 @@
 
 #include "base/input/diagnostic.hpp"
 #include "base/number/binary64.hpp"
+#include "claims/reading/read_claims_file.hpp"
 #include "claims/sampling/solved_sample.hpp"
 #include "mechanics/bicycle/scene.hpp"
 #include "mechanics/bicycle_modes/bicycle_motions.hpp"

@@ -4,7 +4,7 @@
 #include <pugixml.hpp>
 
 #include "base/expression/parser.hpp"
-#include "claims/reading/claims_file.hpp"
+#include "claims/reading/read_claims_file.hpp"
 #include "report/markup/latex.hpp"
 #include "report/markup/mathml.hpp"
 #include "report/markup/symbol.hpp"

@@ -6,6 +6,7 @@
 
 #include "base/os/sha256.hpp"
 #include "base/output/output_file.hpp"
+#include "claims/reading/read_claims_file.hpp"
 #include "faces/cli/command.hpp"
 #include "faces/cli/commands/verify_run.hpp"
 #include "faces/cli/warnings.hpp"

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/input/diagnostic.hpp"
+#include "claims/reading/read_claims_file.hpp"
 #include "faces/cli/warnings.hpp"
 #include "report/html/gallery.hpp"
 

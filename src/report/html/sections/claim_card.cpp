@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "base/number/format.hpp"
-#include "claims/reading/setting_names.hpp"
+#include "claims/paper/setting_names.hpp"
 #include "report/html/sections.hpp"
 #include "report/markup/latex.hpp"
 #include "report/markup/mathml.hpp"
@@ -56,7 +56,7 @@ void add_evidence(const Element& parent, const PageInput& input, const Claim& cl
   p.add("b").text("Evidence. ");
   const std::string samples = std::to_string(result.samples());
   if (result.verdict == Verdict::holds) {
-    if (result.proved && claim.is<Exists>()) {
+    if (result.proved && claim.kind().traits().seeks) {
       p.text("Such a motion was found, which proves it. ");
     } else if (!result.certificates.empty()) {
       p.text("Proved for all parameters: ");

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/number/format.hpp"
-#include "claims/reading/compiled.hpp"
-#include "claims/reading/setting_names.hpp"
+#include "claims/paper/compiled.hpp"
+#include "claims/paper/setting_names.hpp"
 #include "mechanics/bicycle_modes/bicycle_motions.hpp"
 #include "mechanics/mechanism/words.hpp"
 #include "report/html/sections.hpp"

@@ -13,6 +13,10 @@ namespace slipproof {
 /// - ID.rest.one.I-K for the modes of `modes`, two at a time and each with itself: what is in both is one motion.
 /// All count boundary motions, whatever the setting says.
 /// Writes nothing where a claim's forces could have infinitely many ends.
-void unique_statements(ClaimWriter& writer, const Unique& claim);
+void unique_statements(ClaimWriter& writer);
+
+/// A strict motion, which is in one mode only, where a claim states another mode; or where no claim is near, and its
+/// mode is not listed. Gives up where no mode is wrong anywhere.
+void unique_refutation(ClaimWriter& writer);
 
 }  // namespace slipproof

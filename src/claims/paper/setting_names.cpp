@@ -1,4 +1,4 @@
-#include "claims/reading/setting_names.hpp"
+#include "claims/paper/setting_names.hpp"
 
 #include <algorithm>
 #include <functional>

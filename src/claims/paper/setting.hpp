@@ -1,11 +1,7 @@
-// What a paper states, as data: its symbols, its definitions, and its claims about the model, read from a file
-// `slipproof/claims/1`. proofs/CLAIMS.md describes the file for those who write one.
+// How a paper looks at a mechanism: its symbols and definitions, and what the mechanism's symbols are in them.
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -14,47 +10,11 @@
 #include <vector>
 
 #include "base/expression/expression.hpp"
-#include "claims/reading/claim_kinds.hpp"
+#include "claims/paper/paper.hpp"
 #include "mechanics/bicycle/bicycle.hpp"
 #include "mechanics/mechanism/mechanism.hpp"
 
 namespace slipproof {
-
-/// What stands in print; and, where the print is plainly a misprint, what was meant.
-enum class Reading : std::uint8_t { printed, repaired };
-inline constexpr std::array<Reading, 2> all_readings{Reading::printed, Reading::repaired};
-std::string_view name(Reading reading);
-
-struct Paper {
-  std::string title;
-  std::vector<std::string> authors;
-  std::string reference;            ///< where it is published; may be empty
-  std::string found;                ///< what the claims show of it, in a sentence; may be empty
-  std::string source;               ///< file name of the text that line numbers refer to
-  std::string question;             ///< what the paper asks, in a few sentences; may be empty
-  std::vector<std::string> open;    ///< what it leaves open, a sentence or more each
-  std::vector<std::string> scenes;  ///< scene files that its report has numbers of, relative to the claims file
-  struct Equation {
-    std::string number;
-    std::size_t line = 0;
-  };
-  std::vector<Equation> equations;  ///< all that the paper numbers, in its order
-  /// `Section 3`, `Assertion 5`: what a reader of the printed paper finds, and on which line it begins.
-  std::map<std::size_t, std::string> headings;
-
-  /// Where a line is for who has the paper and not its source: `Section 4.2, after (4.3)`; empty without headings.
-  std::string place(std::size_t line) const;
-  /// The same with the line: `Section 4.2, (4.3) (line 265)`; `Line 265` without headings.
-  std::string where(std::size_t line) const;
-};
-
-/// A statement that no calculation can judge.
-struct Unchecked {
-  std::string id;
-  std::size_t line = 0;
-  std::string statement;
-  std::string why;
-};
 
 /// A symbol of the paper that may take any value in its domain.
 struct Parameter {
@@ -161,67 +121,5 @@ struct Setting {
   /// Of a symbol that is a parameter.
   std::size_t parameter_index(std::string_view symbol) const;
 };
-
-/// How a claim fails, if it does.
-enum class Grade : std::uint8_t { misprint, gap, boundary, wrong };
-std::string_view name(Grade grade);  ///< `wrong` is written `false`
-
-/// What a claim is known to get.
-enum class Expectation : std::uint8_t { none, holds, refuted, undecided, vacuous };
-std::string_view name(Expectation expectation);
-
-/// What one reading of a claim says.
-struct ClaimBody {
-  Expression region = make_truth(true);  ///< bicycles: over parameters and definitions, independent of the force
-  ClaimKind says;
-  Expectation expect = Expectation::none;
-};
-
-/// All conditions and equations of a body.
-std::vector<Expression> expressions(const ClaimBody& body);
-
-struct Claim {
-  std::string id;
-  std::string equation;  ///< number in the paper, or empty
-  std::size_t line = 0;
-  std::string statement;    ///< in words or as printed
-  std::size_t setting = 0;  ///< index
-  ClaimBody printed;
-  /// There if the repaired reading is another one: the claim's own repair, or that of a definition that it uses.
-  std::optional<ClaimBody> repaired;
-  std::string why;  ///< of the claim's own repair
-  std::string note;
-  std::optional<Grade> grade;
-  /// Findings of others that it shows once more: ids of graded claims, or `3.1.b1` of a repaired definition.
-  std::vector<std::string> part_of;
-
-  const ClaimBody& body(Reading reading) const {
-    return reading == Reading::repaired && repaired ? *repaired : printed;
-  }
-  /// The same in every reading.
-  template <class Kind>
-  bool is() const {
-    return std::holds_alternative<Kind>(printed.says);
-  }
-};
-
-struct ClaimsFile {
-  std::string file;
-  Paper paper;
-  std::vector<Setting> settings;
-  std::vector<Claim> claims;
-  std::vector<Unchecked> unchecked;
-
-  const Claim* find(std::string_view id) const;
-};
-
-/// Reads a claims file. Throws InputError with every mistake of the file, in the order of their places.
-ClaimsFile read_claims(const std::filesystem::path& path);
-
-/// The same from a text; `file` is how messages call it.
-ClaimsFile parse_claims(std::string_view text, const std::string& file);
-
-/// The file with one reading only: what was `repaired`, or else printed, becomes `printed`.
-ClaimsFile as_read(const ClaimsFile& file, Reading reading);
 
 }  // namespace slipproof

@@ -1,4 +1,4 @@
-#include "claims/reading/claims_file.hpp"
+#include "claims/reading/read_claims_file.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -9,74 +9,6 @@
 #include "claims/reading/claims_reader.hpp"
 
 namespace slipproof {
-
-std::string_view name(Reading reading) {
-  return reading == Reading::printed ? "printed" : "repaired";
-}
-
-std::string_view name(Grade grade) {
-  constexpr std::array<std::string_view, 4> names{"misprint", "gap", "boundary", "false"};
-  return names[static_cast<std::size_t>(grade)];
-}
-
-std::string_view name(Expectation expectation) {
-  constexpr std::array<std::string_view, 5> names{"none", "holds", "refuted", "undecided", "vacuous"};
-  return names[static_cast<std::size_t>(expectation)];
-}
-
-bool Parameter::is_positive() const {
-  if (domain->operation != Operation::compare || domain->relations.size() != 1) return false;
-  const bool greater = domain->relations[0] == Relation::greater, less = domain->relations[0] == Relation::less;
-  const Expression &large = domain->operands[greater ? 0 : 1], &small = domain->operands[greater ? 1 : 0];
-  return (greater || less) && large->operation == Operation::symbol && large->symbol == symbol &&
-         small->operation == Operation::number && small->number == 0;
-}
-
-bool Definition::is_nowhere(Reading reading) const {
-  const Expression& e = value(reading);
-  return e->operation == Operation::divide && e->operands[1]->operation == Operation::number &&
-         e->operands[1]->number == 0;
-}
-
-std::string id(const Definition& definition) {
-  return (definition.equation.empty() ? "" : definition.equation + ".") + definition.symbol;
-}
-
-std::string Paper::place(std::size_t line) const {
-  std::string section, item;
-  std::size_t begin = 0;  // of what is named so far
-  for (const auto& [at, heading] : headings) {
-    if (at > line) break;
-    const bool is_section = heading.starts_with("Section ");
-    if (is_section) section = heading;
-    item = is_section ? "" : heading;
-    begin = at;
-  }
-  const Equation* last = nullptr;
-  for (const Equation& equation : equations) {
-    if (begin <= equation.line && equation.line <= line) last = &equation;
-  }
-  std::string result = section;
-  if (!item.empty()) result += (result.empty() ? "" : ", ") + item;
-  if (last == nullptr || headings.empty()) return result;
-  return result + (result.empty() ? "" : ", ") + (last->line == line ? "(" : "after (") + last->number + ")";
-}
-
-std::string Paper::where(std::size_t line) const {
-  const std::string named = place(line), numbered = std::to_string(line);
-  return named.empty() ? "Line " + numbered : named + " (line " + numbered + ")";
-}
-
-std::vector<Expression> expressions(const ClaimBody& body) {
-  std::vector<Expression> all;
-  for_each_part(body, [&](BodyPart, std::size_t, const Expression& expression) { all.push_back(expression); });
-  return all;
-}
-
-const Claim* ClaimsFile::find(std::string_view id) const {
-  const auto found = std::find_if(claims.begin(), claims.end(), [&](const Claim& claim) { return claim.id == id; });
-  return found == claims.end() ? nullptr : &*found;
-}
 
 namespace claims_reader {
 
@@ -219,23 +151,6 @@ ClaimsFile parse_claims(std::string_view text, const std::string& file) {
 
 ClaimsFile read_claims(const std::filesystem::path& path) {
   return parse_claims(read_text_file(path), path.string());
-}
-
-ClaimsFile as_read(const ClaimsFile& file, Reading reading) {
-  ClaimsFile result = file;
-  for (Setting& setting : result.settings) {
-    for (Definition& definition : setting.definitions) {
-      if (reading == Reading::repaired && definition.repaired) definition.printed = definition.repaired;
-      definition.repaired = nullptr;
-      definition.why.clear();
-    }
-  }
-  for (Claim& claim : result.claims) {
-    claim.printed = ClaimBody(claim.body(reading));
-    claim.repaired.reset();
-    claim.why.clear();
-  }
-  return result;
 }
 
 }  // namespace slipproof

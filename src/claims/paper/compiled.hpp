@@ -12,7 +12,7 @@
 
 #include "base/expression/evaluate.hpp"
 #include "base/expression/program.hpp"
-#include "claims/reading/claims_file.hpp"
+#include "claims/paper/claims_file.hpp"
 #include "mechanics/scene/problem.hpp"
 
 namespace slipproof {

@@ -1,4 +1,4 @@
-#include "claims/reading/force_truth.hpp"
+#include "claims/paper/force_truth.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,11 +1,9 @@
-#include "claims/statements/unique_statements.hpp"
+#include "claims/kinds/unique_statements.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-
-#include "base/expression/logic.hpp"
+#include "claims/kinds/kind_base.hpp"
 
 namespace slipproof {
 namespace {
@@ -45,10 +43,10 @@ bool has_single_ends(const ClaimWriter& writer, const Expression& truth) {
 
 class UniqueWriter {
  public:
-  UniqueWriter(ClaimWriter& writer, const Unique& claim) : writer_(writer), claim_(claim) {}
+  explicit UniqueWriter(ClaimWriter& writer) : writer_(writer), claim_(writer.body()) {}
 
   void write() {
-    common_ = {{"region", writer_.body().region}, {"force", claim_.forces}};
+    common_ = {{"region", claim_.region}, {"force", claim_.forces}};
     for (std::size_t i = 0; i < claim_.except.size(); ++i) {
       common_.emplace_back(fmt::format("not_excepted{}", i + 1), beyond(claim_.except[i]));
     }
@@ -58,9 +56,9 @@ class UniqueWriter {
   }
 
  private:
-  const ClaimBody& other(std::size_t index) const { return writer_.claims().claims[index].body(writer_.reading()); }
+  const ClaimBody& other(std::size_t index) const { return writer_.body(index); }
   const std::string& id(std::size_t index) const { return writer_.claims().claims[index].id; }
-  const Expression& forces(std::size_t index) const { return *parts(other(index), BodyPart::forces).front(); }
+  const Expression& forces(std::size_t index) const { return other(index).forces; }
 
   /// Not near the claim.
   Expression beyond(std::size_t index) {
@@ -72,7 +70,7 @@ class UniqueWriter {
   void write_stated(std::size_t index) {
     ClaimWriter::Assumptions assumptions = common_;
     assumptions.emplace_back("stated", make(Operation::logical_and, {other(index).region, forces(index)}));
-    const MechanismMode mode = modes(other(index).says).front();
+    const MechanismMode mode = other(index).modes.front();
     writer_.implied({"." + id(index), assumptions, motion_, true, hints_}, writer_.mechanics().mode_text(mode), {});
     writer_.one_motion("." + id(index) + ".one", assumptions, mode, mode, false, hints_);
     writer_.exists({"." + id(index) + ".exists", assumptions, {}, true, hints_}, writer_.motion(mode, false));
@@ -105,12 +103,12 @@ class UniqueWriter {
   }
 
   void write_values() {
-    writer_.have_values(".defined", writer_.body().region, claim_.forces);
+    writer_.have_values(".defined", claim_.region, claim_.forces);
     References named = claim_.claims;
     named.insert(named.end(), claim_.except.begin(), claim_.except.end());
     for (const std::size_t index : named) {
-      writer_.has_value(".defined." + id(index) + ".region", {{"region", writer_.body().region}}, other(index).region);
-      writer_.has_value(".defined." + id(index), {{"region", writer_.body().region}, {"stated", other(index).region}},
+      writer_.has_value(".defined." + id(index) + ".region", {{"region", claim_.region}}, other(index).region);
+      writer_.has_value(".defined." + id(index), {{"region", claim_.region}, {"stated", other(index).region}},
                         forces(index));
     }
   }
@@ -138,16 +136,81 @@ class UniqueWriter {
   }
 
   ClaimWriter& writer_;
-  const Unique& claim_;
+  const ClaimBody& claim_;
   const MotionText motion_ = writer_.any_motion(false);
   const std::string hints_ = writer_.hints_to_numbers();
   ClaimWriter::Assumptions common_;
 };
 
+/// What a condition compares and may have no value.
+void collect_unvalued(const ClaimWriter& writer, const Expression& e, std::vector<Expression>& found) {
+  const bool number = sort(*e) == Sort::number;
+  if (number && !writer.always_defined(e)) found.push_back(e);
+  if (number) return;
+  for (const Expression& operand : e->operands) collect_unvalued(writer, operand, found);
+}
+
+/// In the region, the forces have a value at every force. Gives up where that may depend on the force.
+Expression valued_at_all(ClaimWriter& writer, const Expression& region, const Expression& forces) {
+  std::vector<Expression> unvalued;
+  collect_unvalued(writer, forces, unvalued);
+  Expression valued = make_truth(true);
+  for (const Expression& e : unvalued) {
+    if (writer.depends_on_force(e)) writer.give_up();
+    valued = both(valued, make_comparison({e, e}, {Relation::less_equal}));
+  }
+  return is_true(region) ? valued : make(Operation::logical_or, {opposite(region), valued});
+}
+
 }  // namespace
 
-void unique_statements(ClaimWriter& writer, const Unique& claim) {
-  UniqueWriter(writer, claim).write();
+void unique_statements(ClaimWriter& writer) {
+  UniqueWriter(writer).write();
+}
+
+void unique_refutation(ClaimWriter& writer) {
+  const ClaimBody& claim = writer.body();
+  const auto beyond = [&](std::size_t index) {
+    return opposite(both(writer.body(index).region, closure(writer.body(index).forces)));
+  };
+  std::vector<Expression> truths = {claim.region, claim.forces}, uses;
+  for (const std::size_t index : claim.except) truths.push_back(beyond(index));
+  Expression near_none = make_truth(true);
+  for (const std::size_t index : claim.claims) near_none = both(near_none, beyond(index));
+  // In none of `right`, which where the motion's own mode is another one is plain, but for undetermined forces.
+  const auto in_none = [&](const Expression& where, const Modes& right) {
+    std::string text = writer.text(where);
+    for (const MechanismMode& mode : right) text += " and {" + writer.mechanics().mode_missed_text(mode) + "}";
+    return "{" + text + "}";
+  };
+  std::vector<ClaimWriter::ModeAndMore> wrong;
+  for (const MechanismMode& mode : writer.mechanics().modes()) {
+    Expression where = names(claim.modes, mode) ? nullptr : near_none;
+    std::vector<std::string> parts;
+    if (where) parts.push_back(in_none(near_none, claim.modes));
+    for (const std::size_t index : claim.claims) {
+      const Modes& right = writer.body(index).modes;
+      if (right.front() == mode) continue;
+      const Expression stated = both(writer.body(index).region, writer.body(index).forces);
+      where = where ? make(Operation::logical_or, {where, stated}) : stated;
+      parts.push_back(in_none(stated, right));
+    }
+    if (!where) continue;
+    uses.push_back(where);
+    const std::string text = writer.mechanics().may_leave_forces_open() ? fmt::format("{}", fmt::join(parts, " or "))
+                             : is_true(where)                           ? ""
+                                                                        : writer.text(where);
+    wrong.emplace_back(mode, text.empty() ? "" : " and {" + text + "}");
+  }
+  if (wrong.empty()) writer.give_up();
+  References named = claim.claims;  // where one of them has no value, even at another force, nothing is claimed
+  named.insert(named.end(), claim.except.begin(), claim.except.end());
+  for (const std::size_t index : named) {
+    const ClaimBody& other = writer.body(index);
+    if (!writer.always_defined(other.region)) writer.give_up();
+    if (!writer.always_defined(other.forces)) truths.push_back(valued_at_all(writer, other.region, other.forces));
+  }
+  writer.somewhere(refuted_suffix, truths, {writer.one_of(wrong, true)}, uses);
 }
 
 }  // namespace slipproof

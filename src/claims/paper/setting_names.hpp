@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "claims/reading/claims_file.hpp"
+#include "claims/paper/claims_file.hpp"
 
 namespace slipproof {
 

@@ -1,9 +1,10 @@
 // What follows from a setting and its mechanism.
+#include "claims/paper/setting.hpp"
+
 #include <algorithm>
 #include <set>
 
 #include "base/expression/cases.hpp"
-#include "claims/reading/claims_file.hpp"
 #include "mechanics/mechanism/coefficients.hpp"
 
 namespace slipproof {
@@ -43,6 +44,24 @@ std::vector<Expression> divisors_of_coefficients(const Setting& setting) {
 }
 
 }  // namespace
+
+bool Parameter::is_positive() const {
+  if (domain->operation != Operation::compare || domain->relations.size() != 1) return false;
+  const bool greater = domain->relations[0] == Relation::greater, less = domain->relations[0] == Relation::less;
+  const Expression &large = domain->operands[greater ? 0 : 1], &small = domain->operands[greater ? 1 : 0];
+  return (greater || less) && large->operation == Operation::symbol && large->symbol == symbol &&
+         small->operation == Operation::number && small->number == 0;
+}
+
+bool Definition::is_nowhere(Reading reading) const {
+  const Expression& e = value(reading);
+  return e->operation == Operation::divide && e->operands[1]->operation == Operation::number &&
+         e->operands[1]->number == 0;
+}
+
+std::string id(const Definition& definition) {
+  return (definition.equation.empty() ? "" : definition.equation + ".") + definition.symbol;
+}
 
 Expression PaperAngle::cosine_value() const {
   const Expression t = make_symbol(name);

@@ -1,11 +1,11 @@
-#include "claims/reading/compiled.hpp"
+#include "claims/paper/compiled.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include "base/expression/cases.hpp"
 #include "base/expression/logic.hpp"
-#include "claims/reading/setting_names.hpp"
+#include "claims/paper/setting_names.hpp"
 
 namespace slipproof {
 
@@ -204,28 +204,14 @@ CompiledClaims::CompiledClaims(const ClaimsFile& file) {
   for (const Claim& claim : file.claims) {
     const CompiledSetting& setting = settings[claim.setting];
     const auto compile = [&](const ClaimBody& body, Reading reading) {
-      const Program always = setting.compile(make_truth(true), reading);
-      CompiledBody programs{always, always, always, always, {}, {}};
-      for_each_part(body, [&](BodyPart part, std::size_t, const Expression& expression) {
-        switch (part) {
-          case BodyPart::region:
-            programs.region = setting.compile(expression, reading);
-            break;
-          case BodyPart::forces:
-            programs.forces = setting.compile(expression, reading);
-            programs.closure = setting.compile(closure(expression), reading);
-            break;
-          case BodyPart::holds:
-            programs.holds = setting.compile(expression, reading);
-            break;
-          case BodyPart::equations:
-            programs.equations.push_back(setting.compile_equation(expression, reading));
-            break;
-          case BodyPart::assume:
-            programs.assume.push_back(setting.compile_equation(expression, reading));
-            break;
-        }
-      });
+      CompiledBody programs{setting.compile(body.region, reading),
+                            setting.compile(body.forces, reading),
+                            setting.compile(closure(body.forces), reading),
+                            setting.compile(body.holds, reading),
+                            {},
+                            {}};
+      for (const Expression& e : body.equations) programs.equations.push_back(setting.compile_equation(e, reading));
+      for (const Expression& e : body.assume) programs.assume.push_back(setting.compile_equation(e, reading));
       return programs;
     };
     claims.push_back({compile(claim.printed, Reading::printed), std::nullopt});

@@ -1,0 +1,64 @@
+// What most kinds of claims have in common, and what their files use.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/expression/logic.hpp"
+#include "claims/identity/claim_change.hpp"
+#include "claims/judge/claim_judge.hpp"
+#include "claims/paper/claim_kind.hpp"
+#include "claims/statements/claim_writer.hpp"
+
+namespace slipproof {
+
+class KindBase : public ClaimKind {
+ public:
+  using ClaimKind::ClaimKind;
+
+  /// Its region is empty, or has none of the forces of which it speaks.
+  bool says_nothing(const Implications& logic, std::size_t claim, const ClaimBody& body) const override;
+  /// Where it speaks of the same as before and `holds` is another, settle_holds(); else whether it is about the same
+  /// bicycles and forces, and settle_theorem().
+  ClaimChange::Result settle(const ClaimChange& change) const override;
+
+ protected:
+  using Need = ClaimField::Need;
+  using Assumptions = ClaimWriter::Assumptions;
+  using Intervals = ClaimJudge::Intervals;
+
+  /// Of another `holds` that does not say the same under `given`.
+  virtual ClaimChange::Result settle_holds(const ClaimChange& change, const std::vector<Expression>& given) const;
+  /// Whether the changed claim is true of all parameters.
+  virtual ClaimChange::Result settle_theorem(const ClaimChange& change) const;
+
+ private:
+  ClaimChange::Result settle_where(const ClaimChange& change) const;
+};
+
+inline bool names(const Modes& modes, const MechanismMode& mode) {
+  return std::find(modes.begin(), modes.end(), mode) != modes.end();
+}
+
+/// Whether a motion in one of the modes is in one of the others.
+inline bool have_common(const Modes& x, const Modes& y) {
+  return std::any_of(x.begin(), x.end(), [&](const MechanismMode& mode) { return names(y, mode); });
+}
+
+inline Modes with_boundary(const MotionOverLoads& motion) {
+  Modes modes = motion.modes;
+  modes.insert(modes.end(), motion.boundary_modes.begin(), motion.boundary_modes.end());
+  return modes;
+}
+
+/// None of them empty.
+inline ClaimJudge::Intervals within(ClaimJudge::Intervals parts, const ForceInterval& forces) {
+  for (ForceInterval& part : parts) part.intersect(forces);
+  std::erase_if(parts, [](const ForceInterval& part) { return part.empty(); });
+  return parts;
+}
+
+}  // namespace slipproof

@@ -1,0 +1,161 @@
+#include "claims/kinds/linear.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace slipproof {
+
+namespace {
+
+void append(LinearRows& rows, const LinearRows& more) {
+  rows.insert(rows.end(), more.begin(), more.end());
+}
+
+void append(Equations& equations, const Equations& more) {
+  equations.insert(equations.end(), more.begin(), more.end());
+}
+
+}  // namespace
+
+LinearKind::LinearKind(std::string_view name)
+    : KindBase({.name = name,
+                .fields = {{"equations"},
+                           {"given", Need::optional, {"consequence", "system"}},
+                           {"assume", Need::optional},
+                           {"claims", Need::optional, {"consequence", "system"}},
+                           {"mode", Need::optional}}}) {}
+
+Judgement LinearKind::judge(ClaimJudge& at) const {
+  const auto rows_of = [&](const std::vector<Program>& equations) {
+    return linear_rows(at.compiled(), at.sample().values(), equations);
+  };
+  const auto rows_of_claims = [&](const References& claims) -> std::optional<LinearRows> {
+    LinearRows rows;
+    for (const std::size_t claim : claims) {
+      const auto more = rows_of(at.programs(claim).equations);
+      if (!more) return std::nullopt;
+      append(rows, *more);
+    }
+    return rows;
+  };
+  const ClaimBody& claim = at.body();
+  const auto given = rows_of_claims(claim.given), claims = rows_of_claims(claim.claims),
+             equations = rows_of(at.programs().equations), assumed = rows_of(at.programs().assume);
+  if (!given || !claims || !equations || !assumed) return ClaimJudge::undecided();
+  Sides rows{*given, *equations, *given};
+  append(rows.left, claim.from_model() ? at.sample().equations(claim.mode()) : *claims);
+  append(rows.left, *assumed);
+  append(rows.right, *equations);
+  return judge_rows(at, rows);
+}
+
+void LinearKind::refute(ClaimWriter& writer) const {
+  const ClaimBody& claim = writer.body();
+  std::vector<MotionText> motions = {{"", "0 = 0"}};
+  if (claim.from_model()) motions = {writer.equations(claim.mode())};
+  std::vector<Expression> truths = {claim.region, opposite(all_of(claim.equations))};
+  append(truths, equations_of(writer, sources(claim), claim.assume));
+  writer.somewhere(refuted_suffix, truths, motions);
+}
+
+References LinearKind::sources(const ClaimBody& claim) {
+  References all = claim.given;
+  all.insert(all.end(), claim.claims.begin(), claim.claims.end());
+  return all;
+}
+
+std::string LinearKind::conjunction(ClaimWriter& writer, const Equations& equations) {
+  std::vector<std::string> texts;
+  for (const Expression& equation : equations) {
+    std::string text = writer.text(equation);
+    const bool cases = text.find(" or ") != text.npos;  // of functions
+    texts.push_back(cases ? "{" + text + "}" : std::move(text));
+  }
+  return fmt::format("{}", fmt::join(texts, " and "));
+}
+
+MotionText LinearKind::hypotheses(ClaimWriter& writer, const Equations& others) {
+  MotionText result{"", ""};
+  if (writer.body().from_model()) result = writer.equations(writer.body().mode());
+  if (!others.empty()) result.formula += (result.formula.empty() ? "" : " and ") + conjunction(writer, others);
+  return result;
+}
+
+void LinearKind::have_values(ClaimWriter& writer, const Equations& equations) {
+  const Expression& region = writer.body().region;
+  writer.has_value(".defined.region", {}, region);
+  Equations divided = equations;
+  std::erase_if(divided, [&](const Expression& e) { return writer.always_defined(e); });
+  if (divided.empty()) return;
+  std::string shown;
+  for (const Expression& e : divided) {
+    const Expression valued = make(Operation::logical_or, {e, opposite(e)});
+    shown += (shown.empty() ? "{" : " and {") + writer.text(valued) + "}";
+  }
+  writer.implied({".defined", {{"region", region}}, MotionText{"", "0 = 0"}, false}, shown, {all_of(divided)});
+}
+
+ClaimChange::Result LinearKind::settle(const ClaimChange& change) const {
+  using Kind = Settlement::Kind;
+  const ClaimBody &before = change.before(), &after = change.after();
+  const Implications& in = change.in();
+  Lemmas lemmas;
+  if (!same(before.region, after.region)) {
+    if (in.equivalent({}, before.region, after.region, lemmas)) {
+      return change.made(Kind::equivalent, "before and after imply each other", std::move(lemmas));
+    }
+    if (before.from_model() && change.is_identity()) {
+      return change.made(Kind::theorem, "an identity of rational functions");
+    }
+  }
+  // The same solutions, with all that stands beside it.
+  const auto claims_in = [&](std::size_t claim) -> const ClaimBody& { return change.other(claim); };
+  std::vector<Expression> beside{before.region};
+  Expression x = make_truth(true), y = make_truth(true);
+  const bool assumed = !std::equal(before.assume.begin(), before.assume.end(), after.assume.begin(), same);
+  const Equations &then = assumed ? before.assume : before.equations, &now = assumed ? after.assume : after.equations;
+  for (std::size_t i = 0; i < then.size(); ++i) {
+    if (same(then[i], now[i])) {
+      beside.push_back(then[i]);
+    } else {
+      x = both(x, then[i]);
+      y = both(y, now[i]);
+    }
+  }
+  append(beside, equations_of(claims_in, assumed ? sources(before) : before.given));
+  const bool on_road = assumed && before.from_model() && before.modes.empty();
+  if (in.equivalent(beside, x, y, lemmas, on_road ? Obeying::equations_on_road : Obeying::nothing)) {
+    return change.made(Kind::equivalent, "with the equations beside it, before and after have the same solutions",
+                       std::move(lemmas));
+  }
+  return assumed ? settle_assumption(change) : settle_equation(change, y);
+}
+
+ClaimChange::Result LinearKind::settle_assumption(const ClaimChange&) const {
+  return std::nullopt;
+}
+
+ClaimChange::Result LinearKind::settle_equation(const ClaimChange&, const Expression&) const {
+  return std::nullopt;
+}
+
+ClaimWords LinearKind::words(const ClaimBody& claim, std::string_view) const {
+  ClaimWords words;
+  if (claim.from_model()) {
+    words = {"the model's equations "};
+  } else {
+    if (!claim.claims.empty()) words.push_back(claim.claims);
+    if (!claim.claims.empty() && !claim.given.empty()) words.push_back(" with ");
+    if (!claim.given.empty()) words.push_back(claim.given);
+  }
+  if (!claim.modes.empty()) words.insert(words.end(), {" in ", claim.modes});
+  if (!claim.assume.empty()) {
+    words.push_back(" together with ");
+    words.emplace_back(std::in_place_type<Equations>, claim.assume);
+  }
+  words.push_back(relation());
+  words.emplace_back(std::in_place_type<Equations>, claim.equations);
+  return words;
+}
+
+}  // namespace slipproof
