@@ -4,7 +4,7 @@
 # itself, the standard library and GMP.
 set -eu
 cd "$1"
-name=$(basename "$PWD")
+name=proofs/$(basename "$PWD")
 deciding=$(ls ./*.cpp ./*.hpp | grep -vE '^\./(files\.[ch]pp|main\.cpp)$')
 # shellcheck disable=SC2086
 lines=$(cat $deciding | grep -cvE '^[[:space:]]*(//.*)?$')

@@ -11,7 +11,7 @@ mkdir "$tree"
 plant() {  # LINE TIMES: a good checker of three lines, with this line as often
   rm -f "$tree"/*
   yes 'int a_line;' | head -n 900 | tee "$tree/files.cpp" "$tree/files.hpp" >"$tree/main.cpp"
-  printf '#include <vector>\n#include <gmpxx.h>\n#include "check/b.hpp"\n// #include <boost/a.hpp>\n\n' >"$tree/a.cpp"
+  printf '#include <vector>\n#include <gmpxx.h>\n#include "proofs/check/b.hpp"\n// #include <boost/a.hpp>\n\n' >"$tree/a.cpp"
   yes "$1" | head -n "$2" >"$tree/b.hpp"
 }
 refused() {
@@ -27,8 +27,8 @@ sh "$here/size.sh" "$tree" 800
 plant '  // a comment' 900
 sh "$here/size.sh" "$tree" 800
 refused 'int a_line;  // of code' 798
-for include in '"prove/statement.hpp"' '<boost/rational.hpp>' '<flint.h>' '<prove/statement.hpp>' '"b.hpp"' '"../a.hpp"' \
-  '"check/files.hpp"' '<filesystem>' '<fstream>'; do
+for include in '"proofs/search/prove.hpp"' '<boost/rational.hpp>' '<flint.h>' '<proofs/search/prove.hpp>' '"b.hpp"' '"../a.hpp"' \
+  '"proofs/check/files.hpp"' '<filesystem>' '<fstream>'; do
   refused "#include $include" 1
 done
 refused '  #  include <fmt/core.h>' 1
