@@ -12,6 +12,7 @@
 
 #include "base/crew/transport.hpp"
 #include "base/output/standard_output.hpp"
+#include "report/document/document.hpp"
 
 namespace slipproof::cli {
 
@@ -42,12 +43,15 @@ inline constexpr std::array<std::pair<Exit, std::string_view>, 8> exit_codes{{
 /// --json, --seed, --threads, --quiet.
 struct CommonOptions {
   bool json = false;
+  bool markdown = false;  ///< of commands with add_report_options
   std::uint64_t seed = 1;
   unsigned threads = 0;  ///< 0: as many as the machine has
   bool quiet = false;
 };
 
 void add_common_options(CLI::App& command, CommonOptions& options);
+/// The same with --markdown, of commands that answer with a document, and so with print_report().
+void add_report_options(CLI::App& command, CommonOptions& options);
 
 /// A whole number from low to high in decimal digits and nothing else: no sign, blank, octal or hexadecimal.
 CLI::Validator whole_number(std::uint64_t low, std::uint64_t high = std::numeric_limits<std::uint64_t>::max());
@@ -60,10 +64,13 @@ inline void print(std::string_view text) {
   write_standard_output(text);
 }
 
-/// What --quiet leaves of a text.
-inline std::string last_line(const std::string& text) {
-  const std::size_t end = text.find_last_not_of('\n');
-  return text.substr(text.rfind('\n', end) + 1);
+/// A document as text or Markdown; with --quiet its status.
+void print(const Document& document, const CommonOptions& options);
+
+/// JSON or a document, whichever is asked for.
+template <class MakeJson, class MakeDocument>
+void print_report(const CommonOptions& options, const MakeJson& json, const MakeDocument& document) {
+  options.json ? print(json()) : print(document(), options);
 }
 
 /// The path of a file that comes with the program, given by its path in the repository: next to the installed program,

@@ -12,7 +12,7 @@ struct xml_node_struct;
 
 namespace slipproof {
 
-/// One element of a Document: a handle, cheap to copy, good for as long as the document is. Setters return it.
+/// One element of a ElementTree: a handle, cheap to copy, good for as long as the document is. Setters return it.
 class Element {
  public:
   /// A new last child.
@@ -34,17 +34,17 @@ class Element {
   Element add_children_of(const Element& other) const;
 
  private:
-  friend class Document;
+  friend class ElementTree;
   explicit Element(pugi::xml_node_struct* node) : node_(node) {}
   pugi::xml_node_struct* node_;
 };
 
-class Document {
+class ElementTree {
  public:
-  explicit Document(const char* root);
-  ~Document();
-  Document(Document&&) noexcept;
-  Document& operator=(Document&&) noexcept;
+  explicit ElementTree(const char* root);
+  ~ElementTree();
+  ElementTree(ElementTree&&) noexcept;
+  ElementTree& operator=(ElementTree&&) noexcept;
 
   Element root() const;
   /// With the document type of HTML 5; at the same time well-formed XML.

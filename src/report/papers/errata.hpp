@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "claims/verify/verify.hpp"
+#include "report/document/document.hpp"
 
 namespace slipproof {
 
@@ -77,15 +78,18 @@ std::string standing_text(const Errata& errata);
 /// How the refuted claims come to the findings: whole sentences, empty where there is none of either.
 std::string sum_text(const Errata& errata);
 
-std::string errata_text(const ClaimsFile& file, const Errata& errata);
-std::string errata_markdown(const ClaimsFile& file, const Errata& errata);
+/// The document may be written as long as the claims file is there.
+Document errata_document(const ClaimsFile& file, const Errata& errata);
+/// One finding: where it is and how grave, and the facts about it.
+Line finding_heading(const ClaimsFile& file, const Finding& finding);
+Document finding_document(const ClaimsFile& file, const Finding& finding);
 /// One JSON document, schema slipproof/errata/1.
 std::string errata_json(const ClaimsFile& file, const Errata& errata);
 /// SARIF 2.1.0, with the lines of the paper's source.
 std::string errata_sarif(const ClaimsFile& file, const Errata& errata);
 
-/// A table in Markdown: every numbered equation of the paper with its claims.
-std::string coverage_markdown(const ClaimsFile& file);
+/// A table: every numbered equation of the paper with its claims.
+Document coverage_document(const ClaimsFile& file);
 /// The numbered equations without a claim.
 std::vector<std::string> uncovered_equations(const ClaimsFile& file);
 

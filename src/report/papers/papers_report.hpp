@@ -18,9 +18,8 @@ struct JudgedPaper {
 /// The worst of all.
 Summary summary(const std::vector<JudgedPaper>& papers);
 
-/// A screen of 80 columns: for each paper how its claims stand as printed, and what was found; what is not as it should
-/// be, claim by claim.
-std::string papers_text(const std::vector<JudgedPaper>& papers, bool quiet);
+/// For each paper how its claims stand as printed, and what was found; what is not as it should be, claim by claim.
+Document papers_document(const std::vector<JudgedPaper>& papers);
 /// One JSON document, schema slipproof/papers/1.
 std::string papers_json(const std::vector<JudgedPaper>& papers);
 

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "claims/verify/verify.hpp"
+#include "report/document/document.hpp"
 #include "report/papers/explain.hpp"
 
 namespace slipproof {
@@ -12,9 +13,9 @@ namespace slipproof {
 /// One JSON document, schema slipproof/verify/1, ending in a newline.
 std::string verify_json(const ClaimsFile& file, const VerifyResult& result);
 
-/// For people; the last line begins with `s VERIFIED`, `s REFUTED`, `s UNDECIDED` or `s REJECTED`, with counts; those
-/// that hold include the proved ones. `quiet`: it alone.
-std::string verify_text(const ClaimsFile& file, const VerifyResult& result, bool quiet = false);
+/// For people; the status begins with `s VERIFIED`, `s REFUTED`, `s UNDECIDED` or `s REJECTED`, with counts; those that
+/// hold include the proved ones.
+Document verify_document(const ClaimsFile& file, const VerifyResult& result);
 
 /// All verdicts as expected; or the first of: a certificate rejected, something else refuted, something else undecided,
 /// which it also is where no claim was judged.

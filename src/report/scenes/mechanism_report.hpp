@@ -8,6 +8,7 @@
 #include "contact/problem/every_load.hpp"
 #include "mechanics/kernel/motions.hpp"
 #include "mechanics/scene/scene.hpp"
+#include "report/document/document.hpp"
 
 namespace slipproof {
 
@@ -24,14 +25,14 @@ struct SolvedMechanism {
   std::optional<EveryLoad> for_every_q;  ///< nothing where the contacts are none that the theorem is about
 };
 
-/// The notes of a scene, and what of it is not modelled; a line each.
-std::string notes_text(const MechanismScene& scene);
+/// The beginning of what is said of a scene: what it is about, its notes, and what of it is not modelled.
+Document scene_document(const MechanismScene& scene, const std::string& about);
 
 /// What a mode without a motion breaks: `N1 >= 0`, `gap1 >= 0 against N2 >= 0`, or that its equations have no solution.
 std::string what_is_broken(const Mechanism& mechanism, const RejectedMode& mode);
 
 /// For people; `digits` is how many significant ones a decimal has.
-std::string solve_text(const SolvedMechanism& solved, int digits);
+Document solve_document(const SolvedMechanism& solved, int digits);
 /// The document slipproof/solve/2.
 std::string solve_json(const SolvedMechanism& solved);
 

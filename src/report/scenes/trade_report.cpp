@@ -2,14 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
+
+#include "report/values/exact_json.hpp"
 
 namespace slipproof {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// JSON has no infinity: null.
 Json number(double x) {
@@ -33,30 +33,8 @@ Json row_json(const TradeRow& r) {
   return row;
 }
 
-/// One type over all workloads.
-struct Total {
-  std::size_t scenes = 0, wrong = 0, undecided = 0;
-  double typical_speed = 0, typical_error = 0;
-  std::optional<int> first_wrong_bits;
-};
-
-Total total(const Trade& trade, const std::string& type) {
-  Total t;
-  for (std::size_t i = 0; i < trade.rows.size(); ++i) {
-    const TradeRow& r = trade.rows[i];
-    if (r.type != type) continue;
-    const std::size_t workload = i / trade.types.size();
-    t.scenes += r.scenes;
-    t.wrong += r.wrong;
-    t.undecided += r.undecided;
-    if (workload == 0) {
-      t.typical_speed = r.scenes_per_second;
-      t.typical_error = std::max(r.worst_acceleration, r.worst_force);
-    }
-    const auto& bits = trade.workloads[workload].threshold_bits;
-    if (bits && r.wrong != 0 && !t.first_wrong_bits) t.first_wrong_bits = bits;
-  }
-  return t;
+std::string rounded(double x, int digits) {
+  return std::isfinite(x) ? fmt::format("{:.{}g}", x, digits) : "oo";
 }
 
 }  // namespace
@@ -89,38 +67,87 @@ std::string trade_json(const Trade& trade) {
                                         {"digits_lost", c.digits_lost},
                                         {"mean_digits_lost", c.mean_digits_lost}});
   }
-  return document.dump(2) + "\n";
+  return dump(document);
 }
 
-std::string trade_text(const Trade& trade) {
-  const Machine& m = trade.machine;
-  std::string text = fmt::format("{}, {} cores\n{}, {}\n{} scenes a workload, seed {}; CPU time of one thread\n",
-                                 m.processor, m.cores, m.compiler, m.flags, trade.options.scenes, trade.options.seed);
+TradeTotal total(const Trade& trade, const std::string& type) {
+  TradeTotal t;
   for (std::size_t i = 0; i < trade.rows.size(); ++i) {
     const TradeRow& r = trade.rows[i];
-    if (i % trade.types.size() == 0) {
-      text += fmt::format("\n{:<28}{:>11}{:>7}{:>11}{:>10}{:>14}{:>8}{:>11}\n", r.workload, "scenes/s", "wrong",
-                          "undecided", "error a", "error forces", "digits", "condition");
+    if (r.type != type) continue;
+    const std::size_t workload = i / trade.types.size();
+    t.scenes += r.scenes;
+    t.wrong += r.wrong;
+    t.undecided += r.undecided;
+    if (workload == 0) {
+      t.typical_speed = r.scenes_per_second;
+      t.typical_error = std::max(r.worst_acceleration, r.worst_force);
     }
-    text +=
-        fmt::format("  {:<26}{:>11.3g}{:>7}{:>11}{:>10.2g}{:>14.2g}{:>8.1f}{:>11.2g}\n", r.type, r.scenes_per_second,
-                    r.wrong, r.undecided, r.worst_acceleration, r.worst_force, r.digits_lost, r.condition);
+    const auto& bits = trade.workloads[workload].threshold_bits;
+    if (bits && r.wrong != 0 && !t.first_wrong_bits) t.first_wrong_bits = bits;
   }
-  text += fmt::format("\n{:<28}{:>11}{:>11}{:>15}{:>9}{:>11}{:>12}\n", "all workloads", "typical/s", "to exact",
-                      "error typical", "wrong", "undecided", "wrong from");
-  const Total exact = total(trade, "exact");
+  return t;
+}
+
+std::vector<Table> workload_tables(const Trade& trade) {
+  std::vector<Table> tables;
+  for (std::size_t w = 0; w < trade.workloads.size(); ++w) {
+    const std::string& name = trade.workloads[w].name;
+    Table table{{{name, false, 26},
+                 {"scenes/s", true, 9},
+                 {"wrong", true},
+                 {"undecided", true},
+                 {"error a", true, 8},
+                 {"error forces", true},
+                 {"digits", true},
+                 {"condition", true}}};
+    for (std::size_t t = 0; t < trade.types.size(); ++t) {
+      const TradeRow& r = trade.rows[w * trade.types.size() + t];
+      table.row({r.type, rounded(r.scenes_per_second, 3), Cell::count(r.wrong, true), Cell::count(r.undecided),
+                 rounded(r.worst_acceleration, 2), rounded(r.worst_force, 2), rounded(r.digits_lost, 2),
+                 rounded(r.condition, 2)});
+    }
+    table.label = "Measurements: " + name;
+    tables.push_back(std::move(table));
+  }
+  return tables;
+}
+
+Document trade_document(const Trade& trade) {
+  const Machine& m = trade.machine;
+  Document document;
+  document.title("Speed and accuracy");
+  document.line(fmt::format("{}, {} cores", m.processor, m.cores));
+  document.line(m.compiler + ", " + m.flags);
+  document.line(
+      fmt::format("{} scenes a workload, seed {}; CPU time of one thread", trade.options.scenes, trade.options.seed));
+  for (Table& table : workload_tables(trade)) document.table(std::move(table));
+  Table& table = document.table({{{"all workloads", false, 26},
+                                  {"typical/s", true},
+                                  {"to exact", true, 9},
+                                  {"error typical", true},
+                                  {"wrong", true, 7},
+                                  {"undecided", true},
+                                  {"wrong from", true}}});
+  const TradeTotal exact = total(trade, "exact");
   for (const TradeType& type : trade.types) {
-    const Total t = total(trade, type.name);
-    text += fmt::format("  {:<26}{:>11.3g}{:>10.1f}x{:>15.2g}{:>9}{:>11}{:>12}\n", type.name, t.typical_speed,
-                        t.typical_speed / exact.typical_speed, t.typical_error, t.wrong, t.undecided,
-                        t.first_wrong_bits ? fmt::format("2^-{}", *t.first_wrong_bits) : "never");
+    const TradeTotal t = total(trade, type.name);
+    table.row({type.name, rounded(t.typical_speed, 3), fmt::format("{:.1f}x", t.typical_speed / exact.typical_speed),
+               rounded(t.typical_error, 2), Cell::count(t.wrong, true), Cell::count(t.undecided),
+               t.first_wrong_bits ? fmt::format("2^-{}", *t.first_wrong_bits) : "never"});
   }
-  return text + fmt::format(
-                    "\nOf {} scenes. wrong: another set of contact modes than the exact one. undecided: NaN or a "
-                    "division by 0;\nfilter: passed on to a later tier, which decided. digits: decimal digits lost by "
-                    "the worst value, whose condition\nnumber stands beside. wrong from: the distance from a threshold "
-                    "from which on wrong answers occur.\n",
-                    exact.scenes);
+  document.paragraph(
+      fmt::format("Of {} scenes. wrong: another set of contact modes than the exact one. undecided: NaN or a division "
+                  "by 0; filter: "
+                  "passed on to a later tier, which decided. digits: decimal digits lost by the worst value, whose "
+                  "condition number "
+                  "follows. wrong from: the distance from a threshold from which on wrong answers occur.",
+                  exact.scenes));
+  document.status(fmt::format(
+      "s {} workloads {} types {} scenes {}",
+      trade.sound() ? "MEASURED" : "REFUTED the filter differs from the exact answer:", trade.workloads.size(),
+      trade.types.size(), trade.workloads.size() * trade.options.scenes));
+  return document;
 }
 
 }  // namespace slipproof

@@ -20,7 +20,7 @@ TEST_CASE("critical tells where several motions begin, as text and as JSON") {
   CHECK(document["critical"] == "21/25");
   CHECK(document["at_value"]["one_motion"] == false);
   CHECK(document["ranges"].size() == 5);
-  CHECK(text.out.find("f = 2/5\n      one motion at every F\n      not one under all other forces: the determinant of "
+  CHECK(text.out.find("f = 2/5\n    one motion at every F\n    not one under all other forces: the determinant of "
                       "slip-/slip+ is 0\n  f in (2/5, 21/25)\n") != std::string::npos);
 }
 

@@ -1,0 +1,108 @@
+#include <algorithm>
+#include <optional>
+
+#include "report/document/document.hpp"
+
+namespace slipproof {
+
+namespace {
+
+using Kind = Block::Kind;
+
+const char* heading(int level) {
+  constexpr const char* names[] = {"h1", "h2", "h3", "h4", "h5", "h6"};
+  return names[std::clamp(level, 1, 6) - 1];
+}
+
+/// The element that neighbours of a kind share.
+const char* shared_element(Kind kind) {
+  return kind == Kind::item ? "ul" : kind == Kind::fact ? "dl" : nullptr;
+}
+
+void add_block(const Element& parent, const Block& block, int level) {
+  switch (block.kind) {
+    case Kind::title:
+      return add_line(parent.add(heading(level - 1)), block.line);
+    case Kind::section:
+      add_line(parent.add(heading(level)), block.line);
+      return add_document(parent, block.inside, level + 1);
+    case Kind::item: {
+      const Element item = parent.add("li");
+      add_line(item, block.line);
+      return add_document(item, block.inside, level);
+    }
+    case Kind::fact:
+      parent.add("dt").text(block.term);
+      return add_line(parent.add("dd"), block.line);
+    case Kind::details: {
+      const Element details = parent.add("details", "data");
+      add_line(details.add("summary"), block.line);
+      return add_document(details, block.inside, level);
+    }
+    case Kind::table:
+      return add_table(parent, block.table);
+    case Kind::verbatim:
+    case Kind::status:
+      return add_line(parent.add("pre").set("tabindex", 0).add("code"), block.line);
+    case Kind::paragraph:
+    case Kind::line:
+      return add_line(parent.add("p"), block.line);
+  }
+}
+
+}  // namespace
+
+void add_line(const Element& parent, const Line& line) {
+  for (const Span& span : line.spans()) {
+    if (span.drawn) {
+      span.drawn(parent);
+    } else if (span.kind == Span::Kind::text) {
+      parent.text(span.text);
+    } else if (span.kind == Span::Kind::link) {
+      parent.add("a").set("href", span.target).text(span.text);
+    } else {
+      parent.add(span.kind == Span::Kind::code ? "code" : "b").text(span.text);
+    }
+  }
+}
+
+void add_document(const Element& parent, const Document& document, int level) {
+  std::optional<Element> shared;
+  const char* name = nullptr;
+  for (const Block& block : document.blocks()) {
+    const char* const needed = shared_element(block.kind);
+    if (needed != name) shared.reset();
+    name = needed;
+    if (name != nullptr && !shared) shared = parent.add(name);
+    add_block(shared.value_or(parent), block, level);
+  }
+}
+
+void add_table(const Element& parent, const Table& table) {
+  const Element scroll = parent.add("div", "scroll").set("tabindex", 0).set("role", "region");
+  scroll.set("aria-label", table.label);
+  const Element whole = scroll.add("table");
+  if (!table.css_class.empty()) whole.set("class", table.css_class);
+  if (!table.caption.empty()) whole.add("caption").text(table.caption);
+  if (table.has_head()) {
+    const Element head = whole.add("thead").add("tr");
+    for (const Column& column : table.columns) add_line(head.add("th").set("scope", "col"), column.name);
+  }
+  const Element body = whole.add("tbody");
+  for (const TableRow& row : table.rows) {
+    const Element line = body.add("tr");
+    for (std::size_t i = 0; i < row.cells.size(); ++i) {
+      const Element cell = i == 0 ? line.add("th").set("scope", "row") : line.add("td");
+      const bool number = i > 0 && i < table.columns.size() && table.columns[i].number;
+      const std::string& own = row.cells[i].css_class;
+      if (number || !own.empty()) cell.set("class", (number ? "number" : "") + (own.empty() ? "" : " " + own));
+      add_line(cell, row.cells[i]);
+    }
+    if (!row.below.blocks().empty()) {
+      const auto columns = static_cast<int>(std::max(table.columns.size(), row.cells.size()));
+      add_document(body.add("tr").add("td").set("colspan", columns), row.below, 4);
+    }
+  }
+}
+
+}  // namespace slipproof
