@@ -27,7 +27,7 @@ void add_report_options(CLI::App& command, CommonOptions& options) {
 
 void print(const Document& document, const CommonOptions& options) {
   const auto& blocks = document.blocks();
-  if (options.quiet && !blocks.empty() && blocks.back().kind == Block::Kind::status) {
+  if (options.quiet && !blocks.empty() && blocks.back().kind == ReportBlock::Kind::status) {
     return print(blocks.back().line.text() + "\n");
   }
   print(options.markdown ? markdown_of(document) : text_of(document));

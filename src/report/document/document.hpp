@@ -15,124 +15,124 @@
 namespace slipproof {
 
 /// A piece of a line.
-struct Span {
+struct ReportSpan {
   enum class Kind : std::uint8_t { text, strong, code, link };
   Kind kind = Kind::text;
   std::string text;
   std::string target = {};                              ///< of a link
   std::function<void(const Element&)> drawn = nullptr;  ///< what HTML has in place of the text; null: the text
 
-  Span(std::string words) : text(std::move(words)) {}
-  Span(std::string_view words) : text(words) {}
-  Span(const char* words) : text(words) {}
-  Span(Kind what, std::string words) : kind(what), text(std::move(words)) {}
+  ReportSpan(std::string words) : text(std::move(words)) {}
+  ReportSpan(std::string_view words) : text(words) {}
+  ReportSpan(const char* words) : text(words) {}
+  ReportSpan(Kind what, std::string words) : kind(what), text(std::move(words)) {}
 };
 
-Span strong(std::string text);
+ReportSpan strong(std::string text);
 /// What is typed or read by programs.
-Span code(std::string text);
+ReportSpan code(std::string text);
 /// `target` is an address or, within a page, `#id`: Markdown and text have the words alone of the second.
-Span link(std::string text, std::string target);
+ReportSpan link(std::string text, std::string target);
 /// An expression; with `symbol`, its definition. HTML typesets it.
-Span formula(const Expression& expression, const std::string& symbol = "");
+ReportSpan formula(const Expression& expression, const std::string& symbol = "");
 /// A text for which HTML has something of its own.
-Span drawn(std::string text, std::function<void(const Element&)> html);
+ReportSpan drawn(std::string text, std::function<void(const Element&)> html);
 
 /// What stands in one line: a string, a span or a list of spans.
-class Line {
+class ReportLine {
  public:
-  Line() = default;
-  Line(std::string text) { *this += Span(std::move(text)); }
-  Line(std::string_view text) : Line(std::string(text)) {}
-  Line(const char* text) : Line(std::string(text)) {}
-  Line(Span span) { *this += std::move(span); }
-  Line(std::initializer_list<Span> spans) : spans_(spans) { std::erase_if(spans_, is_empty); }
+  ReportLine() = default;
+  ReportLine(std::string text) { *this += ReportSpan(std::move(text)); }
+  ReportLine(std::string_view text) : ReportLine(std::string(text)) {}
+  ReportLine(const char* text) : ReportLine(std::string(text)) {}
+  ReportLine(ReportSpan span) { *this += std::move(span); }
+  ReportLine(std::initializer_list<ReportSpan> spans) : spans_(spans) { std::erase_if(spans_, is_empty); }
 
-  Line& operator+=(Span span);
-  Line& operator+=(const Line& other);
+  ReportLine& operator+=(ReportSpan span);
+  ReportLine& operator+=(const ReportLine& other);
   bool empty() const { return spans_.empty(); }
-  const std::vector<Span>& spans() const { return spans_; }
+  const std::vector<ReportSpan>& spans() const { return spans_; }
   /// All texts one after the other.
   std::string text() const;
 
  private:
-  static bool is_empty(const Span& span) { return span.text.empty() && !span.drawn; }
-  std::vector<Span> spans_;
+  static bool is_empty(const ReportSpan& span) { return span.text.empty() && !span.drawn; }
+  std::vector<ReportSpan> spans_;
 };
 
-struct Block;
+struct ReportBlock;
 
 /// Blocks one below the other. What is returned by reference is good for as long as the document is.
 class Document {
  public:
   /// What the whole is about: its first line.
-  void title(Line text);
+  void title(ReportLine text);
   /// Broken into lines of 80 columns; nothing where the text is empty.
-  void paragraph(Line text);
+  void paragraph(ReportLine text);
   /// Never broken, as the lines that somebody searches for; nothing where it is empty.
-  void line(Line text);
+  void line(ReportLine text);
   /// `term: value`, never broken; nothing where the value is empty.
-  void fact(std::string term, Line value);
+  void fact(std::string term, ReportLine value);
   /// A heading; what stands below is returned.
-  Document& section(Line heading);
+  Document& section(ReportLine heading);
   /// An entry of a list; what stands below it is returned.
-  Document& item(Line text);
+  Document& item(ReportLine text);
   /// What HTML shows when it is asked for.
-  Document& details(Line summary);
-  struct Table& table(struct Table table);
+  Document& details(ReportLine summary);
+  struct ReportTable& table(struct ReportTable table);
   void verbatim(std::string text);
   /// `s VERIFIED ...`: what happened, for programs.
   void status(std::string text);
 
-  const std::list<Block>& blocks() const { return blocks_; }
+  const std::list<ReportBlock>& blocks() const { return blocks_; }
 
  private:
-  std::list<Block> blocks_;
+  std::list<ReportBlock> blocks_;
 };
 
-struct Column {
-  Line name;
+struct TableColumn {
+  ReportLine name;
   bool number = false;    ///< stands to the right
   std::size_t width = 0;  ///< at least, in text
 
-  Column(Line text, bool is_number = false, std::size_t least = 0)
+  TableColumn(ReportLine text, bool is_number = false, std::size_t least = 0)
       : name(std::move(text)), number(is_number), width(least) {}
-  Column(std::string text, bool is_number = false) : Column(Line(std::move(text)), is_number) {}
-  Column(const char* text, bool is_number = false) : Column(Line(text), is_number) {}
+  TableColumn(std::string text, bool is_number = false) : TableColumn(ReportLine(std::move(text)), is_number) {}
+  TableColumn(const char* text, bool is_number = false) : TableColumn(ReportLine(text), is_number) {}
 };
 
-struct Cell : Line {
-  using Line::Line;
-  Cell(Line line) : Line(std::move(line)) {}
+struct TableCell : ReportLine {
+  using ReportLine::ReportLine;
+  TableCell(ReportLine line) : ReportLine(std::move(line)) {}
   /// A number of which 0 is of no interest; in HTML what is alarming is marked.
-  static Cell count(std::uint64_t n, bool alarming = false);
+  static TableCell count(std::uint64_t n, bool alarming = false);
   std::string css_class = {};
 };
 
 struct TableRow {
-  std::vector<Cell> cells;  ///< the first says what the row is about; a last one may have no column
+  std::vector<TableCell> cells;  ///< the first says what the row is about; a last one may have no column
   Document below = {};
 };
 
-struct Table {
-  std::vector<Column> columns;  ///< all without a name: there is no head
+struct ReportTable {
+  std::vector<TableColumn> columns;  ///< all without a name: there is no head
   std::vector<TableRow> rows = {};
   std::string label = {};      ///< what it is about, for those who have a page read out
   std::string caption = {};    ///< in HTML
   std::string css_class = {};  ///< in HTML
 
   /// What stands below the row is returned; it is good until the next row.
-  Document& row(std::vector<Cell> cells);
+  Document& row(std::vector<TableCell> cells);
   bool has_head() const;
 };
 
-struct Block {
+struct ReportBlock {
   enum class Kind : std::uint8_t { title, paragraph, line, fact, section, item, details, table, verbatim, status };
   Kind kind;
-  Line line = {};         ///< also of a heading, an item, a summary; the value of a fact
+  ReportLine line = {};   ///< also of a heading, an item, a summary; the value of a fact
   std::string term = {};  ///< of a fact
   Document inside = {};   ///< of a section, an item, details
-  Table table = {};
+  ReportTable table = {};
 };
 
 /// For a terminal of 80 columns: what stands below a heading or an entry is indented.
@@ -142,8 +142,8 @@ std::string markdown_of(const Document& document);
 /// Adds the blocks to an element; headings begin at h`level`.
 void add_document(const Element& parent, const Document& document, int level = 3);
 /// One line of them.
-void add_line(const Element& parent, const Line& line);
+void add_line(const Element& parent, const ReportLine& line);
 /// The table in a region that scrolls by itself.
-void add_table(const Element& parent, const Table& table);
+void add_table(const Element& parent, const ReportTable& table);
 
 }  // namespace slipproof

@@ -7,7 +7,7 @@ namespace slipproof {
 
 namespace {
 
-using Kind = Block::Kind;
+using Kind = ReportBlock::Kind;
 
 const char* heading(int level) {
   constexpr const char* names[] = {"h1", "h2", "h3", "h4", "h5", "h6"};
@@ -19,7 +19,7 @@ const char* shared_element(Kind kind) {
   return kind == Kind::item ? "ul" : kind == Kind::fact ? "dl" : nullptr;
 }
 
-void add_block(const Element& parent, const Block& block, int level) {
+void add_block(const Element& parent, const ReportBlock& block, int level) {
   switch (block.kind) {
     case Kind::title:
       return add_line(parent.add(heading(level - 1)), block.line);
@@ -52,16 +52,16 @@ void add_block(const Element& parent, const Block& block, int level) {
 
 }  // namespace
 
-void add_line(const Element& parent, const Line& line) {
-  for (const Span& span : line.spans()) {
+void add_line(const Element& parent, const ReportLine& line) {
+  for (const ReportSpan& span : line.spans()) {
     if (span.drawn) {
       span.drawn(parent);
-    } else if (span.kind == Span::Kind::text) {
+    } else if (span.kind == ReportSpan::Kind::text) {
       parent.text(span.text);
-    } else if (span.kind == Span::Kind::link) {
+    } else if (span.kind == ReportSpan::Kind::link) {
       parent.add("a").set("href", span.target).text(span.text);
     } else {
-      parent.add(span.kind == Span::Kind::code ? "code" : "b").text(span.text);
+      parent.add(span.kind == ReportSpan::Kind::code ? "code" : "b").text(span.text);
     }
   }
 }
@@ -69,7 +69,7 @@ void add_line(const Element& parent, const Line& line) {
 void add_document(const Element& parent, const Document& document, int level) {
   std::optional<Element> shared;
   const char* name = nullptr;
-  for (const Block& block : document.blocks()) {
+  for (const ReportBlock& block : document.blocks()) {
     const char* const needed = shared_element(block.kind);
     if (needed != name) shared.reset();
     name = needed;
@@ -78,7 +78,7 @@ void add_document(const Element& parent, const Document& document, int level) {
   }
 }
 
-void add_table(const Element& parent, const Table& table) {
+void add_table(const Element& parent, const ReportTable& table) {
   const Element scroll = parent.add("div", "scroll").set("tabindex", 0).set("role", "region");
   scroll.set("aria-label", table.label);
   const Element whole = scroll.add("table");
@@ -86,7 +86,7 @@ void add_table(const Element& parent, const Table& table) {
   if (!table.caption.empty()) whole.add("caption").text(table.caption);
   if (table.has_head()) {
     const Element head = whole.add("thead").add("tr");
-    for (const Column& column : table.columns) add_line(head.add("th").set("scope", "col"), column.name);
+    for (const TableColumn& column : table.columns) add_line(head.add("th").set("scope", "col"), column.name);
   }
   const Element body = whole.add("tbody");
   for (const TableRow& row : table.rows) {

@@ -7,7 +7,7 @@ namespace slipproof {
 
 namespace {
 
-using Kind = Block::Kind;
+using Kind = ReportBlock::Kind;
 
 bool is_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0;
@@ -61,35 +61,35 @@ std::string fenced(std::string_view text, std::size_t least) {
   return std::string(std::max(least, longest + 1), '`');
 }
 
-std::string in_markdown(const Span& span) {
+std::string in_markdown(const ReportSpan& span) {
   switch (span.kind) {
-    case Span::Kind::text:
+    case ReportSpan::Kind::text:
       break;
-    case Span::Kind::strong:
+    case ReportSpan::Kind::strong:
       return "**" + escaped(span.text) + "**";
-    case Span::Kind::code: {
+    case ReportSpan::Kind::code: {
       const std::string fence = fenced(span.text, 1), blank = fence.size() > 1 ? " " : "";
       return fence + blank + span.text + blank + fence;
     }
-    case Span::Kind::link:
+    case ReportSpan::Kind::link:
       if (!span.target.starts_with('#')) return "[" + escaped(span.text) + "](" + span.target + ")";
       break;
   }
   return escaped(span.text);
 }
 
-std::string in_markdown(const Line& line) {
+std::string in_markdown(const ReportLine& line) {
   std::string text;
-  for (const Span& span : line.spans()) text += in_markdown(span);
+  for (const ReportSpan& span : line.spans()) text += in_markdown(span);
   return text;
 }
 
 /// A bar ends a cell even in code.
-std::string in_cell(const Line& line) {
+std::string in_cell(const ReportLine& line) {
   std::string text;
-  for (const Span& span : line.spans()) {
+  for (const ReportSpan& span : line.spans()) {
     const std::string part = in_markdown(span);
-    for (const char c : part) text += c == '|' && span.kind == Span::Kind::code ? "\\|" : std::string(1, c);
+    for (const char c : part) text += c == '|' && span.kind == ReportSpan::Kind::code ? "\\|" : std::string(1, c);
   }
   return text;
 }
@@ -97,8 +97,8 @@ std::string in_cell(const Line& line) {
 class MarkdownWriter {
  public:
   void write(const Document& document, int level, const std::string& margin) {
-    const Block* before = nullptr;
-    for (const Block& block : document.blocks()) {
+    const ReportBlock* before = nullptr;
+    for (const ReportBlock& block : document.blocks()) {
       const bool entry = block.kind == Kind::item || block.kind == Kind::fact;
       const bool goes_on = before != nullptr && entry && (before->kind == Kind::item || before->kind == Kind::fact);
       if (!text_.empty() && !goes_on) text_ += "\n";
@@ -110,7 +110,7 @@ class MarkdownWriter {
   std::string take() { return std::move(text_); }
 
  private:
-  void write(const Block& block, int level, const std::string& margin) {
+  void write(const ReportBlock& block, int level, const std::string& margin) {
     const std::string text = in_markdown(block.line);
     const auto line = [&](const std::string& whole) { text_ += margin + whole + "\n"; };
     switch (block.kind) {
@@ -153,7 +153,7 @@ class MarkdownWriter {
   }
 
   /// What stands below rows follows as a list.
-  void write(const Table& table, int level, const std::string& margin) {
+  void write(const ReportTable& table, int level, const std::string& margin) {
     if (table.rows.empty()) return;
     std::size_t columns = table.columns.size();
     for (const TableRow& row : table.rows) columns = std::max(columns, row.cells.size());

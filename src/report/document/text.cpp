@@ -7,10 +7,10 @@ namespace slipproof {
 
 namespace {
 
-using Kind = Block::Kind;
+using Kind = ReportBlock::Kind;
 
 /// Whether an empty line stands between such a block and its neighbours.
-bool stands_apart(const Block& block) {
+bool stands_apart(const ReportBlock& block) {
   return block.kind == Kind::section || block.kind == Kind::details || block.kind == Kind::verbatim ||
          block.kind == Kind::status || (block.kind == Kind::table && block.table.has_head());
 }
@@ -18,8 +18,8 @@ bool stands_apart(const Block& block) {
 class TextWriter {
  public:
   void write(const Document& document, std::size_t indent) {
-    const Block* before = nullptr;
-    for (const Block& block : document.blocks()) {
+    const ReportBlock* before = nullptr;
+    for (const ReportBlock& block : document.blocks()) {
       const bool after = before != nullptr && (stands_apart(block) || stands_apart(*before));
       const bool apart = after || block.kind == Kind::section || block.kind == Kind::status;
       if (apart && !text_.empty()) text_ += '\n';
@@ -31,7 +31,7 @@ class TextWriter {
   std::string take() { return std::move(text_); }
 
  private:
-  void write(const Block& block, std::size_t indent) {
+  void write(const ReportBlock& block, std::size_t indent) {
     const std::string margin(indent, ' ');
     switch (block.kind) {
       case Kind::paragraph:
@@ -52,10 +52,10 @@ class TextWriter {
     }
   }
 
-  void write(const Table& table, std::size_t indent) {
+  void write(const ReportTable& table, std::size_t indent) {
     const std::size_t gap = table.has_head() ? 2 : 1;
     std::vector<std::size_t> widths;
-    for (const Column& column : table.columns) {
+    for (const TableColumn& column : table.columns) {
       widths.push_back(std::max(column.width, utf8_count(column.name.text())));
       for (const TableRow& row : table.rows) {
         if (widths.size() > row.cells.size()) continue;

@@ -135,7 +135,7 @@ void add_reasons(const Element& parent, const ContactJudgement& j) {
 void add_worst(const Element& parent, const Residual& residual, std::size_t answer) {
   if (residual.worst.empty()) return;
   parent.add("h3").text("What is violated most");
-  Table table{{"where", "what is violated", {"by", true}, {"effect on velocities", true}}};
+  ReportTable table{{"where", "what is violated", {"by", true}, {"effect on velocities", true}}};
   table.label = label_of("What is violated most", answer);
   table.caption = "The largest effect first, ten at most. Contacts count from 1. All bounds are upper bounds.";
   table.css_class = "worst";
@@ -210,7 +210,7 @@ std::string left_out(const ConeDisc& disc) {
 void add_disc_table(const Element& parent, const ConeDisc& disc, const JudgedProblem& problem, std::size_t answer) {
   const ContactJudgement& j = problem.answers[answer].judgement;
   Document hidden;
-  Table& table =
+  ReportTable& table =
       hidden.details("The same as a table").table({{"contact", "mode", {"r_N", true}, {"r_T / (μ r_N)", true}}});
   if (disc.dimension == 3) {
     table.columns.back().name = "r_T1 / (μ r_N)";
@@ -223,8 +223,8 @@ void add_disc_table(const Element& parent, const ConeDisc& disc, const JudgedPro
                       : fmt::format("The first {} contacts that are drawn, rounded to four digits.", rows);
   for (std::size_t i = 0; i < rows; ++i) {
     const ConePoint& point = disc.points[i];
-    std::vector<Cell> cells{std::to_string(point.contact + 1), point.slides ? "slides" : "sticks",
-                            fmt::format("{:.4g}", j.x[problem.mixed.normal(point.contact)])};
+    std::vector<TableCell> cells{std::to_string(point.contact + 1), point.slides ? "slides" : "sticks",
+                                 fmt::format("{:.4g}", j.x[problem.mixed.normal(point.contact)])};
     for (std::size_t t = 0; t + 1 < disc.dimension; ++t) cells.emplace_back(fmt::format("{:.4g}", point.at[t]));
     table.row(std::move(cells));
   }

@@ -18,7 +18,7 @@ std::vector<std::string> uncovered_equations(const ClaimsFile& file) {
 
 Document coverage_document(const ClaimsFile& file) {
   Document document;
-  Table& table = document.table({{"equation", "line", "claims"}});
+  ReportTable& table = document.table({{"equation", "line", "claims"}});
   for (const auto& equation : file.paper.equations) {
     std::vector<std::string> ids;
     for (const Claim& claim : file.claims) {

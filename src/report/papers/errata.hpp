@@ -81,7 +81,7 @@ std::string sum_text(const Errata& errata);
 /// The document may be written as long as the claims file is there.
 Document errata_document(const ClaimsFile& file, const Errata& errata);
 /// One finding: where it is and how grave, and the facts about it.
-Line finding_heading(const ClaimsFile& file, const Finding& finding);
+ReportLine finding_heading(const ClaimsFile& file, const Finding& finding);
 Document finding_document(const ClaimsFile& file, const Finding& finding);
 /// One JSON document, schema slipproof/errata/1.
 std::string errata_json(const ClaimsFile& file, const Errata& errata);

@@ -110,9 +110,9 @@ std::string repair_certainty(const Finding& finding) {
 namespace {
 
 /// What stands in print or is meant; typeset, a line for each part.
-Line parts_line(const FindingParts& parts) {
+ReportLine parts_line(const FindingParts& parts) {
   if (parts.empty()) return {};
-  Span whole = code(to_string(parts));
+  ReportSpan whole = code(to_string(parts));
   whole.drawn = [parts](const Element& parent) {
     for (const FindingPart& part : parts) {
       const Element line = parent.add("div", "part");
@@ -133,9 +133,10 @@ Line parts_line(const FindingParts& parts) {
 
 }  // namespace
 
-Line finding_heading(const ClaimsFile& file, const Finding& f) {
+ReportLine finding_heading(const ClaimsFile& file, const Finding& f) {
   const std::string grade = grade_text(f);
-  return {file.paper.where(f.line) + ", ", file.find(f.id) == nullptr ? Span(f.id) : link(f.id, "#claim-" + f.id), " ",
+  return {file.paper.where(f.line) + ", ", file.find(f.id) == nullptr ? ReportSpan(f.id) : link(f.id, "#claim-" + f.id),
+          " ",
           drawn("(" + grade + ")", [grade, css_class = "grade " + std::string(name(f.grade))](const Element& parent) {
             parent.add("span", css_class).text(grade);
           })};

@@ -97,7 +97,7 @@ Document mutation_document(const MutationResult& result) {
     const auto caught = std::count_if(first, last, is_caught_by_failure);
     Document& formula = document.section(first->mutant.where + ": " + to_string(first->mutant.original(result.file)));
     formula.line(fmt::format("{} of {} make a claim fail", caught, last - first));
-    Table& table = formula.table({{{"", false, 14}, ""}});
+    ReportTable& table = formula.table({{{"", false, 14}, ""}});
     for (; first != last; ++first) {
       if (is_caught_by_failure(*first)) continue;
       table.row({name(first->end), change(*first)}).line(argument(result, *first, numbers));

@@ -71,12 +71,12 @@ Document papers_document(const std::vector<JudgedPaper>& papers) {
   document.paragraph(
       "What is printed about dry friction, held against the equations of motion. proved: true of all parameters, with "
       "a certificate; holds: at every sample; refuted: false, with numbers to check by hand; open: neither.");
-  Table& table = document.table({{{"paper", false, 28},
-                                  {"claims", true},
-                                  {"proved", true},
-                                  {"holds", true, 6},
-                                  {"refuted", true},
-                                  {"open", true}}});
+  ReportTable& table = document.table({{{"paper", false, 28},
+                                        {"claims", true},
+                                        {"proved", true},
+                                        {"holds", true, 6},
+                                        {"refuted", true},
+                                        {"open", true}}});
   Standing all;
   std::size_t open = 0, findings = 0;
   for (const JudgedPaper& paper : papers) {
@@ -88,9 +88,9 @@ Document papers_document(const std::vector<JudgedPaper>& papers) {
     open += open_claims(standing);
     all.missing += standing.missing;
     findings += list.findings.size();
-    Document& below =
-        table.row({paper.name, Cell::count(standing.judged), Cell::count(standing.proved), Cell::count(standing.held),
-                   Cell::count(standing.refuted), Cell::count(open_claims(standing))});
+    Document& below = table.row({paper.name, TableCell::count(standing.judged), TableCell::count(standing.proved),
+                                 TableCell::count(standing.held), TableCell::count(standing.refuted),
+                                 TableCell::count(open_claims(standing))});
     below.paragraph(paper.file.paper.found);
     if (standing.missing > 0) below.paragraph(missing_text(standing.missing));
     write_unexpected(below, paper);

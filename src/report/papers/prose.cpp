@@ -107,7 +107,7 @@ void add_prose(const Element& parent, const ClaimsFile& claims, const std::strin
   parent.text(printed_operators(text.substr(plain)));
 }
 
-Span prose(const ClaimsFile& claims, const std::string& text) {
+ReportSpan prose(const ClaimsFile& claims, const std::string& text) {
   if (text.empty()) return text;
   return drawn(text, [&claims, text](const Element& parent) { add_prose(parent, claims, text); });
 }

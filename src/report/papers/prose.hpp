@@ -11,6 +11,6 @@ namespace slipproof {
 /// A text with formulas as claims files write them, `xi1 = F0`: their symbols are typeset.
 void add_prose(const Element& parent, const ClaimsFile& claims, const std::string& text);
 /// The same as a part of a document that is written as long as the claims file is there; nothing of no text.
-Span prose(const ClaimsFile& claims, const std::string& text);
+ReportSpan prose(const ClaimsFile& claims, const std::string& text);
 
 }  // namespace slipproof

@@ -38,8 +38,8 @@ std::string forces_text(const Counterexample& e, const MotionAtLoad& motion) {
   return listed(words, " ");
 }
 
-Table motions_table(const Counterexample& e) {
-  Table table{{{"", false, 23}, {"", false, 9}, ""}};
+ReportTable motions_table(const Counterexample& e) {
+  ReportTable table{{{"", false, 23}, {"", false, 9}, ""}};
   for (const MotionAtLoad& motion : e.motions->motions) {
     const std::string accelerations = accelerations_text(e, motion), forces = forces_text(e, motion);
     table.row({equal_modes(motion.all_modes()), motion.strict() ? "strict" : "boundary",
@@ -132,13 +132,13 @@ Document verify_document(const ClaimsFile& file, const VerifyResult& result) {
       "says: at how many {}s the claim says something; tried: of how many (equations and identities are tried at one "
       "in {})",
       noun(file), thinned_to));
-  Table& table = document.table({{{"claim", false, 10},
-                                  {"reading", false, 8},
-                                  {"verdict", false, 9},
-                                  {"says", true, 8},
-                                  {"tried", true, 7},
-                                  {"refuted", true, 7},
-                                  "line"}});
+  ReportTable& table = document.table({{{"claim", false, 10},
+                                        {"reading", false, 8},
+                                        {"verdict", false, 9},
+                                        {"says", true, 8},
+                                        {"tried", true, 7},
+                                        {"refuted", true, 7},
+                                        "line"}});
   std::map<Verdict, int> count;
   int unexpected = 0, proved = 0;
   for (const ClaimResult& claim : result.claims) {
@@ -147,13 +147,13 @@ Document verify_document(const ClaimsFile& file, const VerifyResult& result) {
     if (!expected) ++unexpected;
     if (claim.proved) ++proved;
     const Claim& stated = file.claims[claim.claim];
-    std::vector<Cell> cells{stated.id,
-                            name(claim.reading),
-                            claim.proved ? "proved" : name(claim.verdict),
-                            std::to_string(claim.samples()),
-                            std::to_string(claim.tried),
-                            std::to_string(claim.refuted),
-                            std::to_string(stated.line)};
+    std::vector<TableCell> cells{stated.id,
+                                 name(claim.reading),
+                                 claim.proved ? "proved" : name(claim.verdict),
+                                 std::to_string(claim.samples()),
+                                 std::to_string(claim.tried),
+                                 std::to_string(claim.refuted),
+                                 std::to_string(stated.line)};
     if (!expected) cells.emplace_back("unexpected");
     Document& below = table.row(std::move(cells));
     write_certificates(below, claim);

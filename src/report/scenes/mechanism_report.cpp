@@ -71,7 +71,7 @@ class SolveText {
   }
 
  private:
-  void write_value(Table& table, const std::string& name, const Range& range) const {
+  void write_value(ReportTable& table, const std::string& name, const Range& range) const {
     table.row({name, range.is_point()
                          ? number_text(*range.lower, digits_)
                          : "in " + to_string(ForceInterval::between(range.lower, true, range.upper, true))});
@@ -83,7 +83,7 @@ class SolveText {
     if (motion.strict() && !motion.boundary_modes.empty()) {
       below.line("on the boundary of " + equal_modes(motion.boundary_modes));
     }
-    Table& table = below.table({{"", ""}});
+    ReportTable& table = below.table({{"", ""}});
     for (std::size_t i = 0; i < accelerations_.size(); ++i) {
       table.row({accelerations_[i], number_text(motion.accelerations[i], digits_)});
     }
@@ -91,10 +91,10 @@ class SolveText {
   }
 
   void write_continuum(Document& document, const ContinuumAtLoad& continuum) const {
-    Table& table = document
-                       .section(name(continuum.mode) + "  a continuum of motions " +
-                                (continuum.strict ? "(strict)" : "(boundary)"))
-                       .table({{"", ""}});
+    ReportTable& table = document
+                             .section(name(continuum.mode) + "  a continuum of motions " +
+                                      (continuum.strict ? "(strict)" : "(boundary)"))
+                             .table({{"", ""}});
     for (std::size_t i = 0; i < accelerations_.size(); ++i) {
       write_value(table, accelerations_[i], continuum.accelerations[i]);
     }
@@ -116,7 +116,7 @@ class SolveText {
           equal_modes(found.hysteresis));
     }
     if (!found.rejected.empty()) {
-      Table& table = document_.section("Rejected, with what is violated").table({{{"", false, 12}, "", ""}});
+      ReportTable& table = document_.section("Rejected, with what is violated").table({{{"", false, 12}, "", ""}});
       for (const RejectedMode& mode : found.rejected) {
         table.row(
             {name(mode.mode), what_is_broken(mechanism_, mode), mode.margin ? number_text(*mode.margin, digits_) : ""});
@@ -131,8 +131,8 @@ class SolveText {
 
   void write_ranges() {
     const std::string& symbol = mechanism_.load->symbol;
-    Table& table = document_.section("Loads " + symbol + " for which each mode has a motion")
-                       .table({{{"", false, 12}, {"", false, 28}, ""}});
+    ReportTable& table = document_.section("Loads " + symbol + " for which each mode has a motion")
+                             .table({{{"", false, 12}, {"", false, 28}, ""}});
     for (const ConsistentMode& mode : solved_.modes) {
       table.row({name(mode.mode), interval_text(symbol, mode.solutions.loads, digits_),
                  to_string(mode.solutions.loads) + (mode.determined ? "" : "  a continuum of motions")});
@@ -140,7 +140,8 @@ class SolveText {
   }
 
   void write_cells() {
-    Table& table = document_.section("The line of loads, cut where the motions change").table({{{"", false, 28}, ""}});
+    ReportTable& table =
+        document_.section("The line of loads, cut where the motions change").table({{{"", false, 28}, ""}});
     for (const LoadCell& cell : solved_.cells) {
       std::vector<std::string> motions;
       for (const MotionOverLoads& motion : cell.motions) {

@@ -66,12 +66,12 @@ void write_runs(Document& document, const Simulation& simulation) {
   section.paragraph(
       "The load comes on in `rise` periods of the slowest elastic vibration; the times count from then on. What is "
       "seen after 10 times as many is what contacts 100 times as stiff show in the same time.");
-  Table& table = section.table({{"stiffness T/N", "damping", "rise"}});
+  ReportTable& table = section.table({{"stiffness T/N", "damping", "rise"}});
   for (const double horizon : horizons) table.columns.push_back(fmt::format("after {} periods", horizon));
   for (const SimulatedRun& run : simulation.runs) {
     const Compliance& c = run.compliance;
-    std::vector<Cell> cells{fmt::format("{}", c.stiffness_ratio), fmt::format("{}", c.damping),
-                            fmt::format("{}", c.rise)};
+    std::vector<TableCell> cells{fmt::format("{}", c.stiffness_ratio), fmt::format("{}", c.damping),
+                                 fmt::format("{}", c.rise)};
     for (const SeenMotion& seen : run.seen) cells.emplace_back(in_words(seen, simulation.exact));
     table.row(std::move(cells));
   }

@@ -89,23 +89,23 @@ TradeTotal total(const Trade& trade, const std::string& type) {
   return t;
 }
 
-std::vector<Table> workload_tables(const Trade& trade) {
-  std::vector<Table> tables;
+std::vector<ReportTable> workload_tables(const Trade& trade) {
+  std::vector<ReportTable> tables;
   for (std::size_t w = 0; w < trade.workloads.size(); ++w) {
     const std::string& name = trade.workloads[w].name;
-    Table table{{{name, false, 26},
-                 {"scenes/s", true, 9},
-                 {"wrong", true},
-                 {"undecided", true},
-                 {"error a", true, 8},
-                 {"error forces", true},
-                 {"digits", true},
-                 {"condition", true}}};
+    ReportTable table{{{name, false, 26},
+                       {"scenes/s", true, 9},
+                       {"wrong", true},
+                       {"undecided", true},
+                       {"error a", true, 8},
+                       {"error forces", true},
+                       {"digits", true},
+                       {"condition", true}}};
     for (std::size_t t = 0; t < trade.types.size(); ++t) {
       const TradeRow& r = trade.rows[w * trade.types.size() + t];
-      table.row({r.type, rounded(r.scenes_per_second, 3), Cell::count(r.wrong, true), Cell::count(r.undecided),
-                 rounded(r.worst_acceleration, 2), rounded(r.worst_force, 2), rounded(r.digits_lost, 2),
-                 rounded(r.condition, 2)});
+      table.row({r.type, rounded(r.scenes_per_second, 3), TableCell::count(r.wrong, true),
+                 TableCell::count(r.undecided), rounded(r.worst_acceleration, 2), rounded(r.worst_force, 2),
+                 rounded(r.digits_lost, 2), rounded(r.condition, 2)});
     }
     table.label = "Measurements: " + name;
     tables.push_back(std::move(table));
@@ -121,19 +121,19 @@ Document trade_document(const Trade& trade) {
   document.line(m.compiler + ", " + m.flags);
   document.line(
       fmt::format("{} scenes a workload, seed {}; CPU time of one thread", trade.options.scenes, trade.options.seed));
-  for (Table& table : workload_tables(trade)) document.table(std::move(table));
-  Table& table = document.table({{{"all workloads", false, 26},
-                                  {"typical/s", true},
-                                  {"to exact", true, 9},
-                                  {"error typical", true},
-                                  {"wrong", true, 7},
-                                  {"undecided", true},
-                                  {"wrong from", true}}});
+  for (ReportTable& table : workload_tables(trade)) document.table(std::move(table));
+  ReportTable& table = document.table({{{"all workloads", false, 26},
+                                        {"typical/s", true},
+                                        {"to exact", true, 9},
+                                        {"error typical", true},
+                                        {"wrong", true, 7},
+                                        {"undecided", true},
+                                        {"wrong from", true}}});
   const TradeTotal exact = total(trade, "exact");
   for (const TradeType& type : trade.types) {
     const TradeTotal t = total(trade, type.name);
     table.row({type.name, rounded(t.typical_speed, 3), fmt::format("{:.1f}x", t.typical_speed / exact.typical_speed),
-               rounded(t.typical_error, 2), Cell::count(t.wrong, true), Cell::count(t.undecided),
+               rounded(t.typical_error, 2), TableCell::count(t.wrong, true), TableCell::count(t.undecided),
                t.first_wrong_bits ? fmt::format("2^-{}", *t.first_wrong_bits) : "never"});
   }
   document.paragraph(

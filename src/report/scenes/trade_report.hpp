@@ -22,7 +22,7 @@ struct TradeTotal {
 TradeTotal total(const Trade& trade, const std::string& type);
 
 /// All measurements, a table for each workload.
-std::vector<Table> workload_tables(const Trade& trade);
+std::vector<ReportTable> workload_tables(const Trade& trade);
 
 /// These, then the types over all workloads. The status is `s MEASURED`, or `s REFUTED` where the filter was wrong.
 Document trade_document(const Trade& trade);

@@ -29,12 +29,12 @@ Document example() {
   document.title("ladder: 2 contacts");
   document.paragraph(std::string("long ") + std::string(76, 'x') + " end");
   Document& section = document.section("Findings");
-  section.fact("what", Line{"see ", link("A1", "#claim-A1"), ", ", formula(parse_expression("b < 2*h"))});
+  section.fact("what", ReportLine{"see ", link("A1", "#claim-A1"), ", ", formula(parse_expression("b < 2*h"))});
   section.fact("why", "");
   section.item("stick/lift").line("a = 1/2");
-  Table& table = document.table({{"claim", {"says", true, 6}}});
-  table.row({"A1", Cell::count(12, true)}).line("by A1.cert");
-  table.row({"longer", Cell::count(0), "unexpected"});
+  ReportTable& table = document.table({{"claim", {"says", true, 6}}});
+  table.row({"A1", TableCell::count(12, true)}).line("by A1.cert");
+  table.row({"longer", TableCell::count(0), "unexpected"});
   document.details("More").verbatim("a\n  b");
   document.status("s VERIFIED holds 1");
   return document;
@@ -88,7 +88,7 @@ TEST_CASE("no text becomes markup, in Markdown and in HTML") {
   const std::string hostile = "# *a* _b_ [c](d) `e` <img src=x> | f\n- g";
   Document document;
   document.paragraph(hostile);
-  document.table({{"x"}}).row({Line(code("a | `b`"))});
+  document.table({{"x"}}).row({ReportLine(code("a | `b`"))});
   CHECK(markdown_of(document).starts_with("\\# \\*a\\* \\_b\\_ \\[c](d) \\`e\\` \\<img src=x> \\| f - g\n"));
   CHECK(has(markdown_of(document), "| `` a \\| `b` `` |\n"));
   CHECK_FALSE(has(html_of(document), "<img"));

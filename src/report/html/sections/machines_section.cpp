@@ -26,10 +26,10 @@ void add_machines_section(const Element& main, const PageInput& input) {
           "From which coefficient of friction on a machine has several motions (at that coefficient itself perhaps "
           "infinitely many, or several under a single load), by the equations of its scene and without the claims of "
           "this page: under some push whatever, and under some load of its own.");
-  Table table{{"scene",
-               {"several under some push, from", true},
-               {"several under some load, from", true},
-               {"in the scene", true}}};
+  ReportTable table{{"scene",
+                     {"several under some push, from", true},
+                     {"several under some load, from", true},
+                     {"in the scene", true}}};
   table.label = "Critical friction of machines";
   for (const SceneAlong& machine : input.machines) {
     table.row({machine.scene.name, critical_text(machine.along.first_apart_for_some_q()),

@@ -49,14 +49,14 @@ constexpr std::array<Entry, 28> model{{
     {"slip2", "tangential acceleration of the rear contact, forwards; slip3: of the front contact", "m/s²"},
 }};
 
-Table symbols_table(std::string caption, const char* last_column) {
-  Table table{{"symbol", "meaning", last_column}};
+ReportTable symbols_table(std::string caption, const char* last_column) {
+  ReportTable table{{"symbol", "meaning", last_column}};
   table.label = table.caption = std::move(caption);
   table.css_class = "notation";
   return table;
 }
 
-Cell symbol_cell(std::string_view symbol) {
+TableCell symbol_cell(std::string_view symbol) {
   return drawn(plain_symbol(symbol), [symbol = std::string(symbol)](const Element& parent) {
     const Element math = add_math(parent);
     math.set("aria-label", plain_symbol(symbol));  // a formula has no name of its own, and a header needs one
@@ -72,7 +72,7 @@ std::string load_meaning(const Setting& setting) {
 /// The symbols of a mechanism of a file: what stands in it, in words and units.
 void add_mechanism(const Element& section, const Setting& setting) {
   const Mechanism& mechanism = *setting.mechanism;
-  Table table = symbols_table("Symbols of the mechanism: " + mechanism.name, "unit");
+  ReportTable table = symbols_table("Symbols of the mechanism: " + mechanism.name, "unit");
   const auto add = [&](const std::string& symbol, const std::string& meaning, const std::string& unit) {
     table.row({symbol_cell(symbol), meaning, unit == "1" ? "" : unit});
   };
@@ -93,7 +93,7 @@ void add_mechanism(const Element& section, const Setting& setting) {
 
 void add_setting(const Element& section, const Setting& setting) {
   const std::string name = setting.statement.empty() ? setting.id : setting.id + ": " + setting.statement;
-  Table table = symbols_table("The paper's symbols, " + name, "domain");
+  ReportTable table = symbols_table("The paper's symbols, " + name, "domain");
   for (const Parameter& parameter : setting.parameters) {
     table.row({symbol_cell(parameter.symbol), parameter.meaning, formula(parameter.domain)});
   }
@@ -123,7 +123,7 @@ void add_models(const Element& section, const ClaimsFile& claims) {
       add_mechanism(section, setting);
       continue;
     }
-    Table table = symbols_table("Symbols of the model", "unit");
+    ReportTable table = symbols_table("Symbols of the model", "unit");
     for (const Entry& entry : model) table.row({symbol_cell(entry.symbol), entry.meaning, entry.unit});
     add_table(section, table);
   }

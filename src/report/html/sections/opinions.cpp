@@ -77,7 +77,7 @@ void add_second_opinions(const Element& parent, const SecondOpinions& opinions, 
 }
 
 void add_opinions_table(const Element& parent, const SecondOpinions& opinions, std::size_t certificates) {
-  Table table{{"program", {"agrees", true}, {"timed out", true}, {"could not tell", true}, {"not asked", true}}};
+  ReportTable table{{"program", {"agrees", true}, {"timed out", true}, {"could not tell", true}, {"not asked", true}}};
   table.label = "Second opinions by program";
   table.caption =
       "Second opinions: what programs that share nothing with slipproof say of the same statements. z3 and cvc5 look "
@@ -87,9 +87,9 @@ void add_opinions_table(const Element& parent, const SecondOpinions& opinions, s
     std::array<std::size_t, 4> counts{};
     for (const auto& [statement, row] : opinions) ++counts[static_cast<std::size_t>(row[program])];
     counts[static_cast<std::size_t>(Opinion::not_asked)] += certificates - opinions.size();
-    std::vector<Cell> cells{opinion_programs[program]};
+    std::vector<TableCell> cells{opinion_programs[program]};
     for (const Opinion opinion : {Opinion::agrees, Opinion::timeout, Opinion::unknown, Opinion::not_asked}) {
-      cells.push_back(Cell::count(counts[static_cast<std::size_t>(opinion)]));
+      cells.push_back(TableCell::count(counts[static_cast<std::size_t>(opinion)]));
     }
     table.row(std::move(cells));
   }

@@ -54,7 +54,7 @@ std::string column_name(const Plane& plane, const Rational& x) {
 
 void add_columns(const Element& parent, const PhaseDiagram& diagram) {
   Document hidden;
-  Table& table =
+  ReportTable& table =
       hidden.details("The same as a table")
           .table({{plain_symbol(diagram.plane.x.symbol), {plain_symbol(diagram.plane.y.symbol), true}, "motions"}});
   table.label = "Table of " + diagram.plane.title;

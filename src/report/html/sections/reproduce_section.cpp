@@ -40,7 +40,7 @@ void add_reproduce_section(const Element& main, const PageInput& input) {
   add_citation(section, input);
   if (input.sources.empty()) return;
   Document sources;
-  Table& table =
+  ReportTable& table =
       sources.details("SHA-256 of the " + counted(input.sources.size(), "input")).table({{"file", "SHA-256"}});
   table.label = "Inputs";
   table.css_class = "inputs";

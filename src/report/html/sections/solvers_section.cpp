@@ -27,7 +27,7 @@ bool occurs(const PageInput& input, std::size_t verdict) {
 }
 
 /// The colour of a verdict in the bars.
-Span key(std::size_t verdict) {
+ReportSpan key(std::size_t verdict) {
   return drawn("", [verdict](const Element& head) {
     const Element svg = head.add("svg", "key").set("viewBox", "0 0 10 10").set("aria-hidden", "true");
     svg.add("rect", classes[verdict]).set("width", 10).set("height", 10);
@@ -44,7 +44,7 @@ void add_solvers_section(const Element& main, const PageInput& input) {
           "What floating-point solvers answered, judged record by record by slipproof certify with its "
           "default tolerance. Certified: the one motion. Ambiguous: right, but one of several. Inaccurate: "
           "the right motion, with an error above the tolerance. Wrong: no motion is near.");
-  Table table{{"solver", {"records", true}, "share"}};
+  ReportTable table{{"solver", {"records", true}, "share"}};
   table.label = "Verdicts by solver";
   table.css_class = "solvers";
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
@@ -52,12 +52,12 @@ void add_solvers_section(const Element& main, const PageInput& input) {
   }
   table.columns.emplace_back("of these two, called a success", true);
   for (const SolverVerdicts& solver : input.solvers) {
-    std::vector<Cell> cells{solver.name, std::to_string(solver.records),
-                            drawn("", [&](const Element& cell) { add_bar(cell, parts_of(solver), 200, 14); })};
+    std::vector<TableCell> cells{solver.name, std::to_string(solver.records),
+                                 drawn("", [&](const Element& cell) { add_bar(cell, parts_of(solver), 200, 14); })};
     for (std::size_t i = 0; i < verdicts.size(); ++i) {
-      if (occurs(input, i)) cells.push_back(Cell::count(solver.verdicts[i]));
+      if (occurs(input, i)) cells.push_back(TableCell::count(solver.verdicts[i]));
     }
-    cells.push_back(Cell::count(solver.unfounded.value_or(0), true));
+    cells.push_back(TableCell::count(solver.unfounded.value_or(0), true));
     if (!solver.unfounded) cells.back() = "–";
     table.row(std::move(cells));
   }

@@ -15,12 +15,12 @@ bool ours(const std::string& type) {
 }
 
 void add_matrix(const Element& parent, const Trade& trade) {
-  Table table{{"workload"}};
+  ReportTable table{{"workload"}};
   for (const TradeType& type : trade.types) table.columns.emplace_back(type.name, true);
   for (std::size_t w = 0; w < trade.workloads.size(); ++w) {
-    std::vector<Cell> cells{trade.workloads[w].name};
+    std::vector<TableCell> cells{trade.workloads[w].name};
     for (std::size_t t = 0; t < trade.types.size(); ++t) {
-      cells.push_back(Cell::count(trade.rows[w * trade.types.size() + t].wrong, true));
+      cells.push_back(TableCell::count(trade.rows[w * trade.types.size() + t].wrong, true));
     }
     table.row(std::move(cells));
   }
@@ -88,7 +88,7 @@ void add_trade_section(const Element& main, const PageInput& input) {
   add_matrix(section, trade);
   Document all;
   Document& measurements = all.details("All measurements");
-  for (Table& table : workload_tables(trade)) measurements.table(std::move(table));
+  for (ReportTable& table : workload_tables(trade)) measurements.table(std::move(table));
   add_document(section, all);
   section.add("p", "how")
       .text(fmt::format("Measured on {}, {} cores; {}, {}; {} scenes in each workload, seed {}. "
