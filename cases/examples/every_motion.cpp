@@ -8,17 +8,14 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    const slipproof::Scene scene = slipproof::read_scene(argv[1]);
-    const slipproof::ModeTable table(scene.bicycle, scene.road, scene.force_kind);
-    for (const slipproof::ModeSolution& solution : table.solutions()) {
-      if (!solution.closed().empty())
-        std::cout << name(solution.mode()) << " for F in " << to_string(solution.closed()) << '\n';
+    const slipproof::SolvedMechanism solved(slipproof::read_scene(argv[1]));
+    for (const slipproof::ConsistentMode& mode : solved.modes) {
+      std::cout << name(mode.mode) << " for F in " << to_string(mode.solutions.loads) << '\n';
     }
-    if (!scene.F) return 0;
-    const slipproof::MotionsAtForce found = motions_at(table, *scene.F);
-    std::cout << "at F = " << *scene.F << ":\n";
-    for (const auto& motion : found.motions) {
-      std::cout << "  " << name(motion.modes.front()) << " with a = " << motion.values[slipproof::Quantity::a] << '\n';
+    if (!solved.at_load) return 0;
+    std::cout << "at F = " << *solved.scene.load << ":\n";
+    for (const slipproof::MotionAtLoad& motion : solved.at_load->motions) {
+      std::cout << "  " << name(motion.all_modes().front()) << " with a = " << motion.accelerations.front() << '\n';
     }
     return 0;
   } catch (const slipproof::InputError& error) {

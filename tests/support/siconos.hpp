@@ -16,7 +16,7 @@
 
 #include "base/number/binary64.hpp"
 #include "floating/filter/filter.hpp"
-#include "mechanics/bicycle_modes/delassus.hpp"
+#include "support/bicycle_scenes.hpp"
 
 namespace slipproof::test {
 
@@ -30,10 +30,10 @@ inline SiconosOptions siconos_options(int solver) {
 struct ContactProblem {
   explicit ContactProblem(const ForcedScene<double>& s) : f(s.road.f) {
     const auto exact = to_rational(s);
-    const auto form = delassus(exact.bicycle, exact.road, exact.force_kind);
+    const auto contacts = contacts_of(exact.bicycle, exact.road, exact.force_kind, exact.F);
     for (std::size_t i = 0; i < 4; ++i) {
-      for (std::size_t j = 0; j < 4; ++j) W[i][j] = nearest_binary64(form->W[i][j]);
-      q[i] = nearest_binary64(Rational(form->free[i] + form->per_force[i] * exact.F));
+      for (std::size_t j = 0; j < 4; ++j) W[i][j] = nearest_binary64(contacts.W[i][j]);
+      q[i] = nearest_binary64(contacts.q[i]);
     }
   }
   double W[4][4], q[4], f;

@@ -4,7 +4,6 @@
 #include <array>
 #include <utility>
 
-#include "claims/lines/line_bicycle.hpp"
 #include "claims/lines/line_mechanism.hpp"
 #include "claims/sampling/sampler.hpp"
 
@@ -61,13 +60,8 @@ class View {
       add_comparisons(*program, parts_.grows ? growing_ : evaluator_);
     }
     if (parts_.modes.empty()) return;
-    if (compiled_.bicycle()) {
-      const LineBicycle bicycle(compiled_, evaluator_);
-      if (bicycle.has_value()) add_modes(bicycle);
-    } else {
-      const LineMechanism mechanism(compiled_, evaluator_);
-      if (mechanism.has_value()) add_modes(mechanism);
-    }
+    LineMechanism mechanism(compiled_, evaluator_);
+    if (mechanism.has_value()) add_modes(mechanism);
   }
 
  private:
@@ -79,13 +73,12 @@ class View {
     }
   }
 
-  template <class OnLine>
-  void add_modes(const OnLine& on_line) {
+  void add_modes(LineMechanism& on_line) {
     std::vector<std::size_t> wanted = slots_behind(compiled_.scope(), parts_.of_motions);
     std::erase_if(wanted, [&](std::size_t slot) { return !compiled_.is_quantity(slot); });
     for (std::size_t i = 0; i < parts_.modes.size(); ++i) {
       found_.begin_group(parts_.modes_meet ? 1 : i + 1);
-      if (!on_line.add_mode(parts_.modes[i], wanted, found_, evaluator_)) continue;
+      if (!on_line.add_mode(parts_.modes[i], wanted)) continue;
       for (const Program* program : parts_.of_motions) add_comparisons(*program, evaluator_);
     }
   }

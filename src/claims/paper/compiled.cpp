@@ -112,7 +112,6 @@ void CompiledSetting::compile_scene(const Setting& setting) {
   mechanism_ = setting.mechanism;
   maker_ = std::make_shared<const ProblemMaker>(mechanism);
   starts_ = setting.starts;
-  bicycle_ = setting.bicycle;
   kinds_ = setting.kinds();
   for (const ElementKind& kind : kinds_) complete_ = complete_ && kind.lifts;
   for (const MechanismParameter& parameter : mechanism.parameters) scene_.parameters.push_back(value(parameter.symbol));

@@ -73,11 +73,10 @@ class CompiledSetting {
   const CompiledScene& scene() const { return scene_; }
   /// The part of is_point() that is about the scene alone; without the slope of the load.
   const Program& is_scene() const { return *is_scene_; }
-  /// Problems of the setting's mechanism, its states before the motion, and Setting::bicycle.
+  /// Problems of the setting's mechanism and its states before the motion.
   const ProblemMaker& maker() const { return *maker_; }
   const Mechanism& mechanism() const { return *mechanism_; }
   const std::vector<ElementKind::Start>& starts() const { return starts_; }
-  std::optional<ForceKind> bicycle() const { return bicycle_; }
   /// The elements as their states are modelled; and whether every state of every element is.
   const std::vector<ElementKind>& kinds() const { return kinds_; }
   bool complete() const { return complete_; }
@@ -110,7 +109,6 @@ class CompiledSetting {
   std::shared_ptr<const Mechanism> mechanism_;
   std::shared_ptr<const ProblemMaker> maker_;
   std::vector<ElementKind::Start> starts_;
-  std::optional<ForceKind> bicycle_;
   std::vector<ElementKind> kinds_;
   bool complete_ = true;
   CompiledScene scene_;

@@ -85,9 +85,7 @@ struct Setting {
   std::string mechanism_name;              ///< as the file names it; of the bicycle of old settings, `bicycle`
   std::string along;                       ///< another parameter as the load; empty: the mechanism's own
   std::vector<ElementKind::Start> starts;  ///< of the elements, before the motion
-  /// The mechanism is the bicycle from rest, and the force is of this kind: its table of modes gives the motions.
-  std::optional<ForceKind> bicycle;
-  bool strict = true;  ///< the paper's motions satisfy their conditions strictly
+  bool strict = true;                      ///< the paper's motions satisfy their conditions strictly
   std::vector<Parameter> parameters;
   std::vector<PaperAngle> angles;
   ForceVariable force;

@@ -58,6 +58,10 @@ class Context {
 };
 
 void read_settings(const TableReader& root, Context& context);
+/// Whether a setting names no mechanism: it is of the bicycle, and its force says whether it is external.
+inline bool of_bicycle(const TableReader& setting) {
+  return !setting.has("mechanism");
+}
 /// The mechanism of a setting with its states before the motion, before everything else of the setting; false if there
 /// is none, which is reported.
 bool read_mechanism(const TableReader& table, Context& context, Setting& setting);

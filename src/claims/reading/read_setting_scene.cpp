@@ -5,33 +5,34 @@
 
 #include "base/expression/logic.hpp"
 #include "claims/reading/claims_reader.hpp"
-#include "mechanics/bicycle_modes/bicycle_motions.hpp"
 #include "mechanics/kernel/mode_solver.hpp"
+#include "mechanics/scene/bicycle_scene.hpp"
 #include "mechanics/scene/scene.hpp"
 
 namespace slipproof::claims_reader {
 
 namespace {
 
+/// Null where it is missing, or no text: that is reported with the force.
+const TomlValue* force_kind(const TableReader& setting) {
+  const TomlValue* force = setting.table("force");
+  const TomlEntry* kind = force == nullptr ? nullptr : force->find("kind");
+  return kind == nullptr || kind->value.kind != TomlValue::Kind::string ? nullptr : &kind->value;
+}
+
 /// The bicycle of settings that say where the force comes from.
 bool read_bicycle(const TableReader& table, Context& context, Setting& setting) {
   setting.mechanism = std::shared_ptr<const Mechanism>(&bicycle_mechanism(), [](const Mechanism*) {});
   setting.starts = starts(*setting.mechanism);
-  setting.bicycle = ForceKind::internal;
   setting.mechanism_name = "bicycle";
   for (const char* key : {"state", "along"}) {
     if (table.has(key)) table.refuse(key, "found without `mechanism`, expected it only beside one");
   }
-  const TomlValue* force = table.table("force");
-  if (force == nullptr) return true;  // reported with the force
-  const TomlEntry* kind = force->find("kind");
-  if (kind == nullptr || kind->value.kind != TomlValue::Kind::string) return true;
-  const std::string& found = kind->value.text.text();
-  if (found != "internal" && found != "external") {
-    context.mistakes.add(kind->value.place,
-                         "kind: found " + in_quotes(found) + ", expected \"internal\" or \"external\"");
+  const TomlValue* kind = force_kind(table);
+  if (kind != nullptr && kind->text.text() != "internal" && kind->text.text() != "external") {
+    context.mistakes.add(kind->place,
+                         "kind: found " + in_quotes(kind->text.text()) + ", expected \"internal\" or \"external\"");
   }
-  if (found == "external") setting.bicycle = ForceKind::external;
   return true;
 }
 
@@ -41,8 +42,7 @@ class SceneReader {
       : table_(table), context_(context), setting_(setting), index_(context.file.settings.size()) {}
 
   void read() {
-    const bool needed = setting_.bicycle.has_value();
-    if (needed && !table_.require("scene", "the table [setting.scene]")) return;
+    if (of_bicycle(table_) && !table_.require("scene", "the table [setting.scene]")) return;
     TomlValue empty;
     empty.kind = TomlValue::Kind::table;
     empty.place = table_.place("scene");
@@ -51,13 +51,13 @@ class SceneReader {
     const std::vector<std::string_view> keys = known_keys();
     const TableReader reader(*scene, "[setting.scene]", keys, context_.mistakes);
     for (const MechanismParameter& parameter : setting_.mechanism->parameters) {
-      if (!(setting_.bicycle && parameter.symbol == "external"))
-        read_number(reader, parameter.symbol, parameter.optional);
+      if (!is_force_kind(parameter)) read_number(reader, parameter.symbol, parameter.optional);
     }
     for (const MechanismAngle& angle : setting_.mechanism->angles) read_angle(reader, angle);
     if (setting_.mechanism->load) read_number(reader, setting_.mechanism->load->symbol, false);
-    if (setting_.bicycle) {
-      setting_.scene.emplace("external", make_number(*setting_.bicycle == ForceKind::external ? 1 : 0));
+    if (of_bicycle(table_)) {
+      const TomlValue* kind = force_kind(table_);
+      setting_.scene.emplace("external", make_number(kind != nullptr && kind->text.text() == "external" ? 1 : 0));
     }
     complete();
     refuse_open_without_lift();
@@ -69,11 +69,16 @@ class SceneReader {
   }
 
  private:
+  /// A parameter of the bicycle that its settings say as the kind of the force.
+  bool is_force_kind(const MechanismParameter& parameter) const {
+    return of_bicycle(table_) && parameter.symbol == "external";
+  }
+
   std::vector<std::string_view> known_keys() const {
     std::vector<std::string_view> keys;
     const Mechanism& mechanism = *setting_.mechanism;
     for (const MechanismParameter& parameter : mechanism.parameters) {
-      if (!(setting_.bicycle && parameter.symbol == "external")) keys.push_back(parameter.symbol);
+      if (!is_force_kind(parameter)) keys.push_back(parameter.symbol);
     }
     for (const MechanismAngle& angle : mechanism.angles) keys.push_back(angle.name);
     if (mechanism.load) keys.push_back(mechanism.load->symbol);
@@ -94,7 +99,7 @@ class SceneReader {
   void read_number(const TableReader& reader, const std::string& symbol, bool optional) {
     if (!reader.has(symbol)) {
       // Settings of the bicycle name everything, so that a forgotten symbol is a mistake.
-      if (!setting_.bicycle && has_symbol(symbol)) {
+      if (!of_bicycle(table_) && has_symbol(symbol)) {
         setting_.scene.emplace(symbol, make_symbol(symbol));
       } else if (!optional) {
         reader.require(symbol, "an expression over the parameters");

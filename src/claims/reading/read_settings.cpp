@@ -114,7 +114,7 @@ class SettingReader {
   void read_force() {
     setting_.force.domain = make_truth(true);
     const auto& load = setting_.mechanism->load;
-    if (!setting_.bicycle && !table_.has("force")) {  // the mechanism's load by its own name
+    if (!of_bicycle(table_) && !table_.has("force")) {  // the mechanism's load by its own name
       if (!load) return;
       setting_.force.symbol = load->symbol;
       return declare(load->symbol, table_.place("mechanism"));
@@ -127,7 +127,7 @@ class SettingReader {
     if (!load) return table_.refuse("force", "found a force, but the mechanism has no load");
     setting_.force.symbol = context_.text(table, "symbol", "the paper's symbol of the force");
     if (table.string("symbol") != nullptr) declare(setting_.force.symbol, table.place("symbol"));
-    if (setting_.bicycle) {
+    if (of_bicycle(table_)) {
       context_.text(table, "kind", "\"internal\" or \"external\"");
     } else if (table.has("kind")) {
       table.refuse("kind", "found beside `mechanism`, expected it only for the bicycle of settings without one");

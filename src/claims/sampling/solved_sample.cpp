@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "mechanics/bicycle_modes/bicycle_motions.hpp"
 #include "mechanics/kernel/affine_space.hpp"
 
 namespace slipproof {
@@ -48,7 +47,6 @@ bool SolvedSample::read_scene() {
     point_.angles[i] = {std::move(*cosine), std::move(*sine)};
   }
   if (constants_.truth(setting_->is_scene()) != Truth::yes || !read_load()) return false;
-  if (setting_->bicycle()) return true;  // divides by nothing
   try {
     problem_ = std::make_shared<const FrictionProblem>(setting_->maker().problem(point_));
   } catch (const NoValue&) {
@@ -103,19 +101,9 @@ ForceInterval SolvedSample::forces_of(const ModeOverLoads& mode, bool strict) co
   return forces;
 }
 
-const FrictionProblem& SolvedSample::problem() {
-  if (!problem_) problem_ = std::make_shared<const FrictionProblem>(setting_->maker().problem(point_));
-  return *problem_;
-}
-
 const MotionsOverLoads& SolvedSample::motions() {
   if (motions_) return *motions_;
-  if (setting_->bicycle()) {
-    const BicycleOfValues scene = bicycle_of(point_);
-    motions_ = bicycle_motions(scene.bicycle, scene.road, scene.kind, only_modes_);
-  } else {
-    motions_ = motions_over_loads(problem(), only_modes_);
-  }
+  motions_ = motions_over_loads(*problem_, only_modes_);
   return *motions_;
 }
 

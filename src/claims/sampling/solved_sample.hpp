@@ -28,7 +28,7 @@ class SolvedSample {
   const std::vector<Rational>& values() const { return values_; }
   /// The mechanism's own parameters.
   const MechanismValues& point() const { return point_; }
-  const FrictionProblem& problem();
+  const FrictionProblem& problem() const { return *problem_; }
   /// All modes, over the load; solved when first asked for, since most samples are outside of most regions.
   const MotionsOverLoads& motions();
   /// Lets motions() have these modes only: for one claim that asks for no others. Before motions() is first used.

@@ -164,7 +164,7 @@ class SceneLine {
     std::set<IntegerPolynomial> result;
     if (!mechanism.has_value()) return result;
     for (const MechanismMode& mode : modes) {
-      result.insert(determinant_of(mechanism.equations(mode, found), compiled_.unknowns()));
+      result.insert(determinant_of(mechanism.equations(mode), compiled_.unknowns()));
     }
     return result;
   }

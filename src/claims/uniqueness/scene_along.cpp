@@ -4,13 +4,12 @@
 #include <utility>
 
 #include "base/input/diagnostic.hpp"
-#include "base/input/text_file.hpp"
 #include "claims/uniqueness/scene_setting.hpp"
 
 namespace slipproof {
 
 SceneAlong read_scene_along(const std::filesystem::path& file, const std::string& parameter) {
-  MechanismScene scene = parse_any_scene(read_text_file(file), file.string());
+  MechanismScene scene = read_scene(file);
   try {
     UniquenessAlong along = uniqueness_along(scene, parameter.empty() ? usual_parameter(scene) : parameter);
     return {std::move(scene), std::move(along)};

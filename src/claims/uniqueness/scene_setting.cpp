@@ -6,7 +6,6 @@
 
 #include "base/expression/logic.hpp"
 #include "base/input/near_match.hpp"
-#include "mechanics/bicycle_modes/bicycle_motions.hpp"
 
 namespace slipproof {
 
@@ -54,15 +53,6 @@ Setting setting_along(const MechanismScene& scene, const std::string& parameter)
     }
   }
   return setting;
-}
-
-MechanismScene mechanism_scene(const Scene& scene) {
-  return {scene.name, bicycle_mechanism(), bicycle_values(scene.bicycle, scene.road, scene.force_kind), scene.F,
-          scene.notes};
-}
-
-MechanismScene parse_any_scene(const std::string& text, const std::string& file) {
-  return is_mechanism_scene(text) ? parse_mechanism_scene(text, file) : mechanism_scene(parse_scene(text, file));
 }
 
 }  // namespace slipproof

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "claims/paper/claims_file.hpp"
-#include "mechanics/bicycle/scene.hpp"
 #include "mechanics/scene/scene.hpp"
 
 namespace slipproof {
@@ -12,11 +11,5 @@ namespace slipproof {
 /// The setting whose only parameter is `parameter`, which the scene gives; all else is as in the scene. Throws
 /// std::invalid_argument, with a message for people, for what is no parameter of the scene.
 Setting setting_along(const MechanismScene& scene, const std::string& parameter);
-
-/// A scene of the bicycle as one of its mechanism.
-MechanismScene mechanism_scene(const Scene& scene);
-
-/// The text of a scene file, of a mechanism or of the bicycle in its old form. Throws InputError.
-MechanismScene parse_any_scene(const std::string& text, const std::string& file);
 
 }  // namespace slipproof

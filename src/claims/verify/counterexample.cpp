@@ -5,7 +5,6 @@
 
 #include "claims/sampling/simplify.hpp"
 #include "claims/verify/broken_comparison.hpp"
-#include "mechanics/bicycle_modes/bicycle_motions.hpp"
 
 namespace slipproof {
 
@@ -57,7 +56,6 @@ class Maker {
       if (setting().mechanism->load) example.scene.load = sample->load(*example.force);
       example.motions = motions_of(sample->problem(), example.scene.load);
     }
-    if (setting().bicycle) add_bicycle(example);
     for (const std::size_t i : unrealisable(setting_, found.values)) {
       example.unrealisable.push_back(setting().realisable[i].name);
     }
@@ -88,13 +86,6 @@ class Maker {
     };
   }
   const Setting& setting() const { return file_.settings[claim_.setting]; }
-  void add_bicycle(Counterexample& example) const {
-    const BicycleOfValues scene = bicycle_of(example.scene.values);
-    BicycleExample& bicycle = example.bicycle.emplace();
-    bicycle.scene = {example.scene.name, scene.bicycle, scene.road, scene.kind, example.scene.load, {}};
-    bicycle.table = std::make_shared<const ModeTable>(scene.bicycle, scene.road, scene.kind);
-    if (example.motions) bicycle.motions = motions_at(*bicycle.table, *example.scene.load);
-  }
   Judgement judged(const std::vector<Rational>& at) const {
     const auto sample = SolvedSample::make(setting_, at);
     return sample ? judge(file_, compiled_, index_, reading_, *sample) : Judgement{};

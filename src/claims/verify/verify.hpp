@@ -12,7 +12,6 @@
 #include "claims/judge/judge.hpp"
 #include "claims/paper/claims_file.hpp"
 #include "claims/verify/certificates.hpp"
-#include "mechanics/bicycle_modes/motions.hpp"
 #include "mechanics/kernel/motions.hpp"
 #include "mechanics/scene/scene.hpp"
 
@@ -52,22 +51,14 @@ struct BrokenComparison {
   Rational left_value, right_value;
 };
 
-/// The same as a scene of the bicycle, by its table of modes.
-struct BicycleExample {
-  Scene scene;                             ///< with the pedal force, if there is a force
-  std::shared_ptr<const ModeTable> table;  ///< what `motions` points into
-  std::optional<MotionsAtForce> motions;
-};
-
 /// A sample at which a claim fails, with all that a person needs to check it.
 struct Counterexample {
   std::vector<Rational> values;  ///< of the setting's parameters
   Judgement judgement;
-  std::optional<Rational> force;          ///< a value of the force variable at which claim and truth differ
-  MechanismScene scene;                   ///< with the load, if there is a force
-  std::optional<MotionsAtLoad> motions;   ///< what is really there at the force
-  std::optional<BicycleExample> bicycle;  ///< of a setting of the bicycle
-  bool minimal = false;                   ///< no simpler one exists: see simplify()
+  std::optional<Rational> force;         ///< a value of the force variable at which claim and truth differ
+  MechanismScene scene;                  ///< with the load, if there is a force
+  std::optional<MotionsAtLoad> motions;  ///< what is really there at the force
+  bool minimal = false;                  ///< no simpler one exists: see simplify()
   /// Which conditions of Setting::realisable it does not meet: with none of them, it can be built.
   std::vector<std::string> unrealisable;
   /// What `holds` compares, and is false there. Empty where no single comparison is to blame.

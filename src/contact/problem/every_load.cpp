@@ -27,10 +27,10 @@ RationalMatrix mode_matrix(const ContactProblem& p, const ProblemMode& mode) {
   const auto unit = [&](std::size_t i) { matrix[i].assign(p.size(), 0), matrix[i][i] = 1; };
   for (std::size_t i = 0; i < mode.size(); ++i) {
     const std::size_t normal = p.frictional() ? 2 * i : i;
-    if (mode[i] == ContactState::lift) unit(normal);
-    if (!p.frictional() || mode[i] == ContactState::stick) continue;
+    if (mode[i] == ElementState::lift) unit(normal);
+    if (!p.frictional() || mode[i] == ElementState::stick) continue;
     unit(normal + 1);
-    if (mode[i] != ContactState::lift) matrix[normal + 1][normal] = p.mu[i] * slip_direction(mode[i]);
+    if (mode[i] != ElementState::lift) matrix[normal + 1][normal] = p.mu[i] * slip_direction(mode[i]);
   }
   return matrix;
 }
@@ -51,7 +51,7 @@ class ModeCounter {
   }
 
  private:
-  std::vector<ContactState> states_;
+  std::vector<ElementState> states_;
   std::vector<std::size_t> digits_;
   ProblemMode mode_;
 };
@@ -59,7 +59,7 @@ class ModeCounter {
 /// Without friction nothing sticks strictly: such modes are borders of others.
 bool has_inside(const ContactProblem& p, const ProblemMode& mode) {
   for (std::size_t i = 0; i < mode.size(); ++i) {
-    if (mode[i] == ContactState::stick && p.mu[i].is_zero()) return false;
+    if (mode[i] == ElementState::stick && p.mu[i].is_zero()) return false;
   }
   return true;
 }

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 
-#include "mechanics/bicycle_modes/delassus.hpp"
-
 namespace slipproof {
 
 std::string name(const ContactProblem& problem, const ProblemMode& mode) {
   if (problem.frictional()) return name(mode);
   std::string text;
-  for (const ContactState state : mode) text += state == ContactState::lift ? 'w' : 'z';
+  for (const ElementState state : mode) text += state == ElementState::lift ? 'w' : 'z';
   return text;
 }
 
@@ -17,7 +15,7 @@ std::optional<ProblemMode> parse_mode(const ContactProblem& problem, std::string
   ProblemMode mode;
   if (!problem.frictional()) {
     if (text.find_first_not_of("zw") != std::string_view::npos) return std::nullopt;
-    for (const char c : text) mode.push_back(c == 'w' ? ContactState::lift : ContactState::touch);
+    for (const char c : text) mode.push_back(c == 'w' ? ElementState::lift : ElementState::touch);
   } else {
     const auto known = states(problem.kind());
     while (true) {
@@ -84,19 +82,6 @@ FrictionProblem friction_problem(const ContactProblem& p) {
     e.static_limit.coefficients[normal] = p.mu[i];
     e.kinetic_limit = e.static_limit;
   }
-  return problem;
-}
-
-std::optional<ContactProblem> contact_problem(const Bicycle<Rational>& bicycle, const Road<Rational>& road,
-                                              ForceKind kind, const Rational& F) {
-  const auto form = delassus(bicycle, road, kind);
-  if (!form) return std::nullopt;
-  ContactProblem problem;
-  for (std::size_t i = 0; i < form->W.size(); ++i) {
-    problem.W.emplace_back(form->W[i].begin(), form->W[i].end());
-    problem.q.push_back(form->free[i] + form->per_force[i] * F);
-  }
-  problem.mu = {road.f, road.f};
   return problem;
 }
 

@@ -7,8 +7,6 @@
 #include <vector>
 
 #include "base/number/rational.hpp"
-#include "mechanics/bicycle/bicycle.hpp"
-#include "mechanics/bicycle/contact_mode.hpp"
 #include "mechanics/kernel/regular_modes.hpp"
 
 namespace slipproof {
@@ -18,7 +16,7 @@ using RationalMatrix = std::vector<std::vector<Rational>>;
 /// Without `mu` a linear complementarity problem: z >= 0, w >= 0, z_i w_i = 0.
 /// With it planar frictional contact: z = (N_1, T_1, N_2, T_2, ...) are the normal and tangential forces (or impulses),
 /// w = (gap_1, slip_1, ...) the accelerations (or velocities) of the contacts, each contact in one of the states of
-/// ContactState with its conditions: slip+ has T = -mu N, slip >= 0.
+/// ElementState with its conditions: slip+ has T = -mu N, slip >= 0.
 struct ContactProblem {
   RationalMatrix W;          ///< square; the Delassus matrix, M of an LCP
   std::vector<Rational> q;   ///< w without contact forces
@@ -37,9 +35,9 @@ struct ContactProblem {
 std::string mistake_in(const ContactProblem& problem);
 inline constexpr std::size_t max_problem_size = 64;
 
-/// A state for each contact. A component of an LCP is a contact without friction: `touch` means w_i = 0 <= z_i, `lift`
-/// means z_i = 0 <= w_i.
-using ProblemMode = std::vector<ContactState>;
+/// A state for each contact. A component of an LCP is a contact without friction: `touch` stands for
+/// w_i = 0 <= z_i, `lift` for z_i = 0 <= w_i.
+using ProblemMode = std::vector<ElementState>;
 
 /// `stick/slip+/lift`; of an LCP a letter for each component, the one of z and w that need not be 0: `zwz`.
 std::string name(const ContactProblem& problem, const ProblemMode& mode);
@@ -54,10 +52,5 @@ std::vector<Rational> accelerations(const ContactProblem& problem, const std::ve
 
 /// What the kernel solves: the unknowns are z, and a motion is a z.
 FrictionProblem friction_problem(const ContactProblem& problem);
-
-/// The contacts of a bicycle with J at a force, rear then front; nothing where a body without inertia makes their
-/// matrix infinite.
-std::optional<ContactProblem> contact_problem(const Bicycle<Rational>& bicycle, const Road<Rational>& road,
-                                              ForceKind kind, const Rational& F);
 
 }  // namespace slipproof

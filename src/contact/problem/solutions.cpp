@@ -116,8 +116,8 @@ std::optional<ContactSolution> ContactSolver::only(ProblemMode mode, Effort& eff
         solution.strict = outcome.strict;
         return solution;
       }
-      ContactState& state = mode[outcome.condition->element];
-      state = state == ContactState::lift ? ContactState::touch : ContactState::lift;
+      ElementState& state = mode[outcome.condition->element];
+      state = state == ElementState::lift ? ElementState::touch : ElementState::lift;
     }
   } catch (const TooMuchWork&) {
     return std::nullopt;

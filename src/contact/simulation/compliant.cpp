@@ -107,10 +107,10 @@ void CompliantMotion::find_forces() {
     const double T = std::clamp(held, -limit, limit);
     bristles_[i] -= dt_ * (T + ratio_ * bristles_[i]) / (ratio_ * dt_ + c);
     forces_[2 * i] = N, forces_[2 * i + 1] = T;
-    mode_[i] = N == 0      ? ContactState::lift
-               : T == held ? ContactState::stick
-               : T < 0     ? ContactState::slip_forward
-                           : ContactState::slip_backward;
+    mode_[i] = N == 0      ? ElementState::lift
+               : T == held ? ElementState::stick
+               : T < 0     ? ElementState::slip_forward
+                           : ElementState::slip_backward;
   }
 }
 

@@ -94,8 +94,8 @@ typedef struct slipproof_motion {
   size_t mode_count;
   int strict; /* every condition of one of its modes holds strictly */
   int continuum;
-  /* At one load: accelerations and forces; a force that is not determined is an interval. Of a bicycle's continuum the
-   * free parameters alone. In a cell of the partition none: they depend on the load, and the JSON has them. */
+  /* At one load: accelerations and forces; a force that is not determined is an interval.
+   * In a cell of the partition none: they depend on the load, and the JSON has them. */
   const slipproof_value* values;
   size_t value_count;
 } slipproof_motion;

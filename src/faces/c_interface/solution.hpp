@@ -5,12 +5,10 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "faces/c_interface/slipproof.h"
 #include "report/scenes/mechanism_report.hpp"
-#include "report/scenes/solve_report.hpp"
 
 namespace slipproof::c {
 
@@ -27,9 +25,8 @@ class Tables {
   const char* keep(std::string text) { return texts_.emplace_back(std::move(text)).c_str(); }
   slipproof_interval interval(const ForceInterval& interval);
   slipproof_interval interval(const Range& range);
-  /// Of modes with a name(); `values` are those of a motion at a load.
-  template <class Mode>
-  slipproof_motion motion(const std::vector<Mode>& modes, bool strict, bool continuum,
+  /// `values` are those of a motion at a load.
+  slipproof_motion motion(const std::vector<MechanismMode>& modes, bool strict, bool continuum,
                           std::vector<slipproof_value> values = {});
   void add_cell(const ForceInterval& loads, std::vector<slipproof_motion> motions);
 
@@ -40,27 +37,15 @@ class Tables {
   std::deque<std::vector<slipproof_motion>> cell_motions_;
 };
 
-template <class Mode>
-slipproof_motion Tables::motion(const std::vector<Mode>& modes, bool strict, bool continuum,
-                                std::vector<slipproof_value> values) {
-  auto& names = lists_.emplace_back();
-  for (const Mode& mode : modes) names.push_back(keep(slipproof::name(mode)));
-  const auto& kept = values_.emplace_back(std::move(values));
-  return {names.data(), names.size(), strict, continuum, kept.data(), kept.size()};
-}
-
-Tables tables(const SolvedScene& solved);
 Tables tables(const SolvedMechanism& solved);
 
 }  // namespace slipproof::c
 
 struct slipproof_solution {
-  /// `Solved` is SolvedScene or SolvedMechanism.
-  template <class Solved, class Scene>
-  slipproof_solution(std::in_place_type_t<Solved> type, Scene scene)
-      : solved(type, std::move(scene)), tables(slipproof::c::tables(std::get<Solved>(solved))) {}
+  explicit slipproof_solution(slipproof::MechanismScene scene)
+      : solved(std::move(scene)), tables(slipproof::c::tables(solved)) {}
 
-  const std::variant<slipproof::SolvedScene, slipproof::SolvedMechanism> solved;
+  const slipproof::SolvedMechanism solved;
   const slipproof::c::Tables tables;
   mutable std::once_flag json_written;
   mutable std::string json;

@@ -1,21 +1,12 @@
 #include <memory>
 
-#include "base/input/text_file.hpp"
 #include "faces/c_interface/call.hpp"
 #include "faces/c_interface/solution.hpp"
-#include "mechanics/bicycle/scene.hpp"
 #include "mechanics/scene/scene.hpp"
 
 namespace slipproof::c {
 
 namespace {
-
-std::unique_ptr<slipproof_solution> solve(std::string_view toml, const std::string& name) {
-  if (is_mechanism_scene(toml)) {
-    return std::make_unique<slipproof_solution>(std::in_place_type<SolvedMechanism>, parse_mechanism_scene(toml, name));
-  }
-  return std::make_unique<slipproof_solution>(std::in_place_type<SolvedScene>, parse_scene(toml, name));
-}
 
 /// An array of a solution, and its length where that is asked for.
 template <class Element>
@@ -35,7 +26,7 @@ slipproof_status slipproof_solve_file(const char* path, slipproof_solution** sol
   return slipproof::c::call(error, [&] {
     slipproof::c::need(path, "path");
     slipproof::c::need(solution, "solution");
-    *solution = slipproof::c::solve(slipproof::read_text_file(path), path).release();
+    *solution = std::make_unique<slipproof_solution>(slipproof::read_scene(path)).release();
   });
 }
 
@@ -45,7 +36,7 @@ slipproof_status slipproof_solve_text(const char* toml, const char* name, slippr
     slipproof::c::need(toml, "toml");
     slipproof::c::need(name, "name");
     slipproof::c::need(solution, "solution");
-    *solution = slipproof::c::solve(toml, name).release();
+    *solution = std::make_unique<slipproof_solution>(slipproof::parse_scene(toml, name)).release();
   });
 }
 
@@ -55,9 +46,7 @@ void slipproof_solution_free(slipproof_solution* solution) {
 
 const char* slipproof_solution_json(const slipproof_solution* solution) {
   if (solution == nullptr) return nullptr;
-  const auto write = [&] {
-    solution->json = std::visit([](const auto& solved) { return slipproof::solve_json(solved); }, solution->solved);
-  };
+  const auto write = [&] { solution->json = slipproof::solve_json(solution->solved); };
   try {
     std::call_once(solution->json_written, write);
     return solution->json.c_str();

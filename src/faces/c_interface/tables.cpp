@@ -21,34 +21,6 @@ std::vector<slipproof_value> values(Tables& to, const std::vector<std::string>& 
   return result;
 }
 
-std::vector<slipproof_value> values(Tables& to, const Motion<Rational>& motion) {
-  std::vector<slipproof_value> result;
-  for (const Quantity q : all_quantities()) {
-    result.push_back({to.keep(std::string(name(q))), to.interval(exactly(motion[q]))});
-  }
-  return result;
-}
-
-std::vector<slipproof_value> values(Tables& to, const FoundContinuum& found) {
-  std::vector<slipproof_value> result;
-  for (std::size_t i = 0; i < found.parameters.size(); ++i) {
-    const std::string symbol(name(found.continuum->parameters[i]));
-    result.push_back({to.keep(symbol), to.interval(found.parameters[i])});
-  }
-  return result;
-}
-
-void put(Tables& to, const MotionsAtForce& found) {
-  for (const auto& m : found.motions) to.motions.push_back(to.motion(m.modes, m.strict, false, values(to, m.values)));
-  for (const FoundContinuum& c : found.continua) {
-    to.motions.push_back(to.motion(std::vector<ContactMode>{c.continuum->mode}, c.strict, true, values(to, c)));
-  }
-  for (const Rejection& r : found.rejected) {
-    to.rejections.push_back({to.keep(name(r.mode)), to.keep(r.violated ? name(*r.violated) : reason(r)),
-                             r.violated ? to.keep(exact_text(r.margin)) : nullptr});
-  }
-}
-
 void put(Tables& to, const Mechanism& mechanism, const MotionsAtLoad& found) {
   std::vector<std::string> names = acceleration_names(mechanism);
   const std::vector<std::string> forces = force_names(mechanism);
@@ -62,7 +34,7 @@ void put(Tables& to, const Mechanism& mechanism, const MotionsAtLoad& found) {
   for (const ContinuumAtLoad& c : found.continua) {
     std::vector<Range> ranges = c.accelerations;
     ranges.insert(ranges.end(), c.forces.begin(), c.forces.end());
-    to.motions.push_back(to.motion(std::vector<MechanismMode>{c.mode}, c.strict, true, values(to, names, ranges)));
+    to.motions.push_back(to.motion({c.mode}, c.strict, true, values(to, names, ranges)));
   }
   for (const RejectedMode& r : found.rejected) {
     to.rejections.push_back({to.keep(name(r.mode)), to.keep(what_is_broken(mechanism, r)),
@@ -88,26 +60,17 @@ slipproof_interval Tables::interval(const Range& range) {
   return interval(ForceInterval::between(range.lower, range.lower.has_value(), range.upper, range.upper.has_value()));
 }
 
+slipproof_motion Tables::motion(const std::vector<MechanismMode>& modes, bool strict, bool continuum,
+                                std::vector<slipproof_value> values) {
+  auto& names = lists_.emplace_back();
+  for (const MechanismMode& mode : modes) names.push_back(keep(slipproof::name(mode)));
+  const auto& kept = values_.emplace_back(std::move(values));
+  return {names.data(), names.size(), strict, continuum, kept.data(), kept.size()};
+}
+
 void Tables::add_cell(const ForceInterval& loads, std::vector<slipproof_motion> of_cell) {
   const auto& kept = cell_motions_.emplace_back(std::move(of_cell));
   cells.push_back({interval(loads), kept.data(), kept.size()});
-}
-
-Tables tables(const SolvedScene& solved) {
-  Tables to;
-  to.name = solved.scene.name;
-  if (solved.scene.F) to.load = exact_text(*solved.scene.F);
-  if (solved.at_force) put(to, *solved.at_force);
-  for (const ModeSolution& s : solved.table.solutions()) {
-    if (!s.closed().empty()) to.ranges.push_back({to.keep(name(s.mode())), to.interval(s.closed())});
-  }
-  for (const Cell& cell : solved.cells) {
-    std::vector<slipproof_motion> motions;
-    for (const auto& m : cell.motions) motions.push_back(to.motion(m.modes, m.strict, false));
-    for (const ContactMode m : cell.continua) motions.push_back(to.motion(std::vector<ContactMode>{m}, false, true));
-    to.add_cell(cell.forces, std::move(motions));
-  }
-  return to;
 }
 
 Tables tables(const SolvedMechanism& solved) {
@@ -123,8 +86,7 @@ Tables tables(const SolvedMechanism& solved) {
     for (const MotionOverLoads& m : cell.motions) {
       motions.push_back(to.motion(m.modes.empty() ? m.boundary_modes : m.modes, !m.modes.empty(), false));
     }
-    for (const MechanismMode& m : cell.continua)
-      motions.push_back(to.motion(std::vector<MechanismMode>{m}, false, true));
+    for (const MechanismMode& m : cell.continua) motions.push_back(to.motion({m}, false, true));
     to.add_cell(cell.loads, std::move(motions));
   }
   return to;

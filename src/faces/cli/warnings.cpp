@@ -17,7 +17,7 @@ void print_warnings(const Mechanism& mechanism, const CommonOptions& common) {
 void print_warnings(const ClaimsFile& claims, const CommonOptions& common) {
   std::set<const Mechanism*> told;
   for (const Setting& setting : claims.settings) {
-    if (!setting.bicycle && told.insert(setting.mechanism.get()).second) print_warnings(*setting.mechanism, common);
+    if (told.insert(setting.mechanism.get()).second) print_warnings(*setting.mechanism, common);
   }
 }
 

@@ -1,21 +1,15 @@
 #include <pybind11/stl.h>
 
-#include <algorithm>
-#include <memory>
 #include <optional>
 #include <string>
 
-#include "base/input/diagnostic.hpp"
 #include "base/number/parse.hpp"
 #include "base/output/output_file.hpp"
 #include "faces/python/bind.hpp"
 #include "faces/python/interruptible.hpp"
-#include "mechanics/bicycle/scene.hpp"
 #include "mechanics/scene/scene.hpp"
-#include "report/phase/phase_points.hpp"
 #include "report/phase/phase_svg.hpp"
 #include "report/planes/mechanism_plane.hpp"
-#include "report/planes/scene_plane.hpp"
 
 namespace slipproof::python {
 
@@ -35,8 +29,11 @@ struct Drawn {
   std::string svg, json;
 };
 
-template <class Axes>
-void set_ranges(Axes& axes, const Wanted& wanted) {
+Drawn draw_map(const Wanted& wanted) {
+  MechanismScene scene = parse_scene(wanted.text, wanted.file);
+  if (!wanted.y.empty()) scene = with_load(scene, wanted.y);
+  MechanismAxes axes;
+  axes.x = wanted.x;
   if (wanted.x_range) {
     axes.x_from = parse_rational(wanted.x_range->first);
     axes.x_to = parse_rational(wanted.x_range->second);
@@ -45,35 +42,14 @@ void set_ranges(Axes& axes, const Wanted& wanted) {
     axes.y_from = parse_rational(wanted.y_range->first);
     axes.y_to = parse_rational(wanted.y_range->second);
   }
-}
-
-Drawn draw_mechanism(const Wanted& wanted) {
-  MechanismScene scene = parse_mechanism_scene(wanted.text, wanted.file);
-  if (!wanted.y.empty()) scene = with_load(scene, wanted.y);
-  MechanismAxes axes;
-  axes.x = wanted.x;
-  set_ranges(axes, wanted);
   const PhaseDiagram diagram = phase_diagram(mechanism_plane(scene, axes, "map"), wanted.columns);
   return {phase_svg_file(diagram), map_json(diagram, scene)};
-}
-
-Drawn draw_bicycle(const Wanted& wanted) {
-  SceneAxes axes;
-  if (!wanted.x.empty()) axes.x = wanted.x;
-  if (!wanted.y.empty() && wanted.y != "F") {
-    throw std::invalid_argument("y: found " + in_quotes(wanted.y) + ", expected F, the force of a bicycle");
-  }
-  set_ranges(axes, wanted);
-  const PhaseDiagram diagram =
-      phase_diagram(scene_plane(parse_scene(wanted.text, wanted.file), axes, "map"), wanted.columns);
-  return {phase_svg_file(diagram), map_json(diagram)};
 }
 
 py::tuple draw(const std::string& text, const std::string& file, const std::string& x, const std::string& y,
                const Range& x_range, const Range& y_range, std::size_t columns) {
   const Wanted wanted{text, file, x, y, x_range, y_range, columns};
-  const Drawn drawn = interruptible(
-      [wanted](Call&) { return is_mechanism_scene(wanted.text) ? draw_mechanism(wanted) : draw_bicycle(wanted); });
+  const Drawn drawn = interruptible([wanted](Call&) { return draw_map(wanted); });
   return py::make_tuple(drawn.svg, drawn.json);
 }
 

@@ -8,7 +8,7 @@
 #include "base/input/text_file.hpp"
 #include "faces/python/bind.hpp"
 #include "faces/python/interruptible.hpp"
-#include "mechanics/bicycle/scene.hpp"
+#include "mechanics/bicycle_modes/bicycle_motions.hpp"
 #include "mechanics/reading/shipped.hpp"
 #include "records/certify/certify.hpp"
 #include "records/certify/columns.hpp"
@@ -42,9 +42,9 @@ CertifyOptions record_options(const std::string& path, const std::optional<std::
   if (!scene) return options;
   const std::string text = read_text_file(*scene);
   if (is_mechanism_scene(text)) {
-    options.mechanism.emplace(parse_mechanism_scene(text, *scene));
+    options.mechanism.emplace(parse_scene(text, *scene));
   } else {
-    options.scene = parse_scene(text, *scene);
+    options.scene = bicycle_scene(parse_scene(text, *scene));
   }
   return options;
 }
@@ -98,7 +98,7 @@ class RecordsInMemory {
       : arrays_(std::move(arrays)), columns_(columns_of(arrays_, records)) {
     options_.judge.tolerance = tolerance;
     if (effort) options_.judge.effort = *effort;
-    if (scene) options_.scene = parse_scene(*scene, "scene");
+    if (scene) options_.scene = bicycle_scene(parse_scene(*scene, "scene"));
     judge_.emplace(columns_, options_);
   }
 

@@ -1,23 +1,20 @@
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
-#include <variant>
 
 #include "base/input/diagnostic.hpp"
-#include "claims/uniqueness/scene_setting.hpp"
+#include "claims/uniqueness/along.hpp"
 #include "faces/python/bind.hpp"
 #include "faces/python/interruptible.hpp"
 #include "faces/python/numbers.hpp"
-#include "mechanics/bicycle/scene.hpp"
-#include "mechanics/bicycle_modes/motions.hpp"
 #include "mechanics/checks/checks.hpp"
 #include "mechanics/checks/show.hpp"
 #include "mechanics/reading/shipped.hpp"
 #include "mechanics/scene/scene.hpp"
 #include "report/scenes/mechanism_report.hpp"
-#include "report/scenes/solve_report.hpp"
 #include "report/scenes/uniqueness_report.hpp"
 
 namespace slipproof::python {
@@ -32,22 +29,6 @@ py::object integer(const Integer& x) {
   return py::reinterpret_steal<py::object>(PyLong_FromString(x.str(16).c_str(), nullptr, 16));
 }
 
-/// Of a bicycle, or of a mechanism; a struct, as pybind11 would take a variant apart.
-struct AnyScene {
-  std::variant<Scene, MechanismScene> of;
-
-  AnyScene(const std::string& text, const std::string& file)
-      : of(is_mechanism_scene(text) ? decltype(of)(parse_mechanism_scene(text, file)) : parse_scene(text, file)) {}
-
-  const std::string& name() const {
-    return std::visit([](const auto& scene) -> const std::string& { return scene.name; }, of);
-  }
-  const std::vector<std::string>& notes() const {
-    return std::visit([](const auto& scene) -> const std::vector<std::string>& { return scene.notes; }, of);
-  }
-  bool is_mechanism() const { return std::holds_alternative<MechanismScene>(of); }
-};
-
 /// Modes that are solved before somebody could want to stop it.
 constexpr double few_modes = 300;
 
@@ -58,47 +39,24 @@ bool is_short(const MechanismScene& scene) {
 /// A scene with all of its motions. Numbers are made when they are asked for.
 class Solution {
  public:
-  explicit Solution(std::unique_ptr<const SolvedScene> solved) : solved_(std::move(solved)) {}
-  explicit Solution(std::unique_ptr<const SolvedMechanism> solved) : solved_(std::move(solved)) {}
+  explicit Solution(std::unique_ptr<const SolvedMechanism> solved)
+      : solved_(std::move(solved)),
+        accelerations_(acceleration_names(solved_->scene.mechanism)),
+        forces_(force_names(solved_->scene.mechanism)) {}
 
-  std::string json() const {
-    return std::visit([](const auto& solved) { return solve_json(*solved); }, solved_);
-  }
-  std::string text(int digits) const {
-    if (const auto* bicycle = std::get_if<OfBicycle>(&solved_)) return solve_text(**bicycle, {.digits = digits});
-    return solve_text(*std::get<OfMechanism>(solved_), digits);
-  }
+  std::string json() const { return solve_json(*solved_); }
+  std::string text(int digits) const { return solve_text(*solved_, digits); }
 
-  /// (modes, whether strict) of each motion of a bicycle at its force; None for what has to be read from the document.
-  py::object motions() const {
-    const MotionsAtForce* found = at_force();
-    if (found == nullptr) return py::none();
-    py::list list;
-    for (const auto& motion : found->motions) {
-      py::list modes;
-      for (const ContactMode mode : motion.modes) modes.append(name(mode));
-      list.append(py::make_tuple(std::move(modes), motion.strict));
-    }
-    return list;
-  }
-  py::tuple number(std::size_t motion, const std::string& quantity) const {
-    const auto q = parse_quantity(quantity);
-    if (!q) throw py::key_error(quantity);
-    return to_python(at_force()->motions.at(motion).values[*q]);
-  }
-  /// The partition of the loads of a mechanism; None for what has to be read from the document.
-  py::object cells() const;
+  /// (modes, boundary modes, names of the numbers, ranges of the other forces) of each motion at the load; None where
+  /// the scene has none.
+  py::object motions() const;
+  py::tuple number(std::size_t motion, const std::string& quantity) const;
+  /// The partition of the loads.
+  py::list cells() const;
 
  private:
-  using OfBicycle = std::unique_ptr<const SolvedScene>;
-  using OfMechanism = std::unique_ptr<const SolvedMechanism>;
-
-  const MotionsAtForce* at_force() const {
-    const auto* bicycle = std::get_if<OfBicycle>(&solved_);
-    return bicycle != nullptr && (*bicycle)->at_force ? &*(*bicycle)->at_force : nullptr;
-  }
-
-  std::variant<OfBicycle, OfMechanism> solved_;
+  std::unique_ptr<const SolvedMechanism> solved_;
+  std::vector<std::string> accelerations_, forces_;
 };
 
 py::object end(const std::optional<Rational>& x) {
@@ -122,17 +80,43 @@ py::dict named(const std::vector<std::string>& names, const Values& values) {
   return dict;
 }
 
-py::object Solution::cells() const {
-  const auto* mechanism = std::get_if<OfMechanism>(&solved_);
-  if (mechanism == nullptr) return py::none();
-  const auto accelerations = acceleration_names((*mechanism)->scene.mechanism);
-  const auto forces = force_names((*mechanism)->scene.mechanism);
+py::object Solution::motions() const {
+  if (!solved_->at_load) return py::none();
+  py::list list;
+  for (const MotionAtLoad& motion : solved_->at_load->motions) {
+    py::list known = py::cast(accelerations_);
+    py::dict ranges;
+    for (std::size_t i = 0; i < forces_.size(); ++i) {
+      const Range& force = motion.forces[i];
+      if (force.is_point()) {
+        known.append(forces_[i]);
+      } else {
+        ranges[py::str(forces_[i])] = py::make_tuple(end(force.lower), end(force.upper));
+      }
+    }
+    list.append(py::make_tuple(names(motion.modes), names(motion.boundary_modes), std::move(known), std::move(ranges)));
+  }
+  return list;
+}
+
+py::tuple Solution::number(std::size_t index, const std::string& quantity) const {
+  const MotionAtLoad& motion = solved_->at_load->motions.at(index);
+  const auto place = [&](const std::vector<std::string>& names) {
+    return static_cast<std::size_t>(std::find(names.begin(), names.end(), quantity) - names.begin());
+  };
+  if (const std::size_t i = place(accelerations_); i < accelerations_.size()) return to_python(motion.accelerations[i]);
+  const std::size_t i = place(forces_);
+  if (i == forces_.size() || !motion.forces[i].is_point()) throw py::key_error(quantity);
+  return to_python(*motion.forces[i].lower);
+}
+
+py::list Solution::cells() const {
   py::list cells;
-  for (const LoadCell& cell : (*mechanism)->cells) {
+  for (const LoadCell& cell : solved_->cells) {
     py::list motions;
     for (const MotionOverLoads& motion : cell.motions) {
       motions.append(py::make_tuple(names(motion.modes), names(motion.boundary_modes),
-                                    named(accelerations, motion.accelerations), named(forces, motion.forces)));
+                                    named(accelerations_, motion.accelerations), named(forces_, motion.forces)));
     }
     const ForceInterval& loads = cell.loads;
     cells.append(py::make_tuple(end(loads.lower()), end(loads.upper()), loads.lower_closed(), loads.upper_closed(),
@@ -141,22 +125,18 @@ py::object Solution::cells() const {
   return cells;
 }
 
-Solution solve(const AnyScene& scene) {
-  if (const Scene* bicycle = std::get_if<Scene>(&scene.of)) {
-    const WithoutInterpreter released;
-    return Solution(std::make_unique<const SolvedScene>(*bicycle));
+Solution solve(const MechanismScene& scene) {
+  if (!is_short(scene)) {
+    return Solution(interruptible([scene](Call&) { return std::make_unique<const SolvedMechanism>(scene); }));
   }
-  const auto& mechanism = std::get<MechanismScene>(scene.of);
-  const auto work = [scene = mechanism](Call&) { return std::make_unique<const SolvedMechanism>(scene); };
-  if (!is_short(mechanism)) return Solution(interruptible(work));
   const WithoutInterpreter released;
-  return Solution(std::make_unique<const SolvedMechanism>(mechanism));
+  return Solution(std::make_unique<const SolvedMechanism>(scene));
 }
 
 /// (document, text). `x` empty: the usual parameter.
 py::tuple critical(const std::string& text, const std::string& file, const std::string& x) {
   const auto work = [text, file, x](Call&) {
-    const MechanismScene scene = parse_any_scene(text, file);
+    const MechanismScene scene = parse_scene(text, file);
     try {
       const UniquenessAlong along = uniqueness_along(scene, x.empty() ? usual_parameter(scene) : x);
       return std::pair(uniqueness_json(scene, along), uniqueness_text(scene, along, 6));
@@ -169,11 +149,10 @@ py::tuple critical(const std::string& text, const std::string& file, const std::
 }
 
 void bind_scene(py::module_& module) {
-  py::class_<AnyScene>(module, "Scene")
-      .def(py::init<const std::string&, const std::string&>())
-      .def_property_readonly("name", &AnyScene::name)
-      .def_property_readonly("notes", &AnyScene::notes)
-      .def_property_readonly("is_mechanism", &AnyScene::is_mechanism)
+  py::class_<MechanismScene>(module, "Scene")
+      .def(py::init(&parse_scene))
+      .def_property_readonly("name", [](const MechanismScene& scene) { return scene.name; })
+      .def_property_readonly("notes", [](const MechanismScene& scene) { return scene.notes; })
       .def("solve", &solve);
   py::class_<Solution>(module, "Solution")
       .def("json", &Solution::json)

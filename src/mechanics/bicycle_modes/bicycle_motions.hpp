@@ -1,25 +1,13 @@
-// The bicycle as the mechanism of its file, and its modes by the table of modes behind the interface of the kernel.
-//
-// ModeTable solves a bicycle several times as fast as the kernel, which is what keeps it; tests/mechanics/bicycle_modes
-// holds both equal. Where a bicycle has a continuum, the kernel answers.
+// The bicycle as the mechanism of its file, and back.
 #pragma once
 
-#include <memory>
 #include <optional>
-#include <string_view>
-#include <vector>
 
 #include "mechanics/bicycle/bicycle.hpp"
 #include "mechanics/bicycle/contact_mode.hpp"
-#include "mechanics/kernel/motions_over_loads.hpp"
-#include "mechanics/scene/problem.hpp"
+#include "mechanics/scene/bicycle_scene.hpp"
 
 namespace slipproof {
-
-/// The shipped mechanism `bicycle`.
-const Mechanism& bicycle_mechanism();
-/// The index of a parameter of it.
-std::size_t bicycle_parameter(std::string_view symbol);
 
 /// visit(symbol, number) for each number of a bicycle on its road, by the symbols of the mechanism's parameters.
 template <class Cycle, class Ground, class Visit>
@@ -54,9 +42,7 @@ const MechanismMode& mechanism_mode(ContactMode mode);
 /// Nothing unless it has two states of wheels.
 std::optional<ContactMode> contact_mode(const MechanismMode& mode);
 
-/// By the table of modes; with `only`, of these alone.
-std::unique_ptr<const MotionsOverLoads> bicycle_motions(const Bicycle<Rational>& bicycle, const Road<Rational>& road,
-                                                        ForceKind kind,
-                                                        const std::optional<std::vector<MechanismMode>>& only = {});
+/// A scene of the mechanism `bicycle` as one of a bicycle.
+Scene bicycle_scene(const MechanismScene& scene);
 
 }  // namespace slipproof

@@ -10,6 +10,7 @@
 #include "mechanics/mechanism/names.hpp"
 #include "mechanics/reading/reader.hpp"
 #include "mechanics/reading/shipped.hpp"
+#include "mechanics/scene/bicycle_scene.hpp"
 #include "mechanics/scene/degrees.hpp"
 #include "mechanics/scene/scene.hpp"
 
@@ -215,6 +216,11 @@ class MechanismSceneReader {
   bool complete_ = true;  ///< every parameter and angle has a value
 };
 
+/// Whether a scene is written for any mechanism, even if it forgets to say for which.
+bool names_mechanism(const TomlValue& document) {
+  return document.find("mechanism") != nullptr || document.find("values") != nullptr;
+}
+
 }  // namespace
 
 std::optional<Mechanism> named_mechanism(const TableReader& table, const std::string& directory) {
@@ -257,16 +263,19 @@ void read_states(const TomlValue& table, const Mechanism& mechanism, std::vector
   }
 }
 
-MechanismScene parse_mechanism_scene(std::string_view text, const std::string& file) {
+MechanismScene parse_scene(std::string_view text, const std::string& file) {
   Mistakes mistakes(file);
   MechanismScene scene;
-  if (const auto document = parse_toml(text, mistakes)) scene = MechanismSceneReader(*document, file, mistakes).read();
+  if (const auto document = parse_toml(text, mistakes)) {
+    scene = names_mechanism(*document) ? MechanismSceneReader(*document, file, mistakes).read()
+                                       : read_bicycle_scene(*document, file, mistakes);
+  }
   mistakes.refuse_if_any();
   return scene;
 }
 
-MechanismScene read_mechanism_scene(const std::filesystem::path& path) {
-  return parse_mechanism_scene(read_text_file(path), path.string());
+MechanismScene read_scene(const std::filesystem::path& path) {
+  return parse_scene(read_text_file(path), path.string());
 }
 
 bool is_mechanism_scene(std::string_view text) {

@@ -12,6 +12,7 @@ MechanismScene with_load(const MechanismScene& scene, std::string_view parameter
   if (before.load && before.load->symbol == parameter) return scene;
   MechanismScene changed = scene;
   changed.mechanism = with_load(before, parameter);
+  changed.combined.clear();
   if (before.load && !scene.load) {
     throw std::invalid_argument("the scene has no value of " + before.load->symbol +
                                 ", expected one: it is a parameter where " + std::string(parameter) + " is the load");

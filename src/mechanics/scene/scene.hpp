@@ -5,27 +5,38 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/input/table_reader.hpp"
+#include "base/number/affine.hpp"
 #include "mechanics/mechanism/mechanism.hpp"
 #include "mechanics/scene/problem.hpp"
 
 namespace slipproof {
 
-struct MechanismScene {
-  std::string name;
-  Mechanism mechanism;             ///< with the load that `along` asks for
-  MechanismValues values;          ///< in the domain, with all of [assume]
-  std::optional<Rational> load;    ///< absent: every load at once, or a mechanism without one
-  std::vector<std::string> notes;  ///< what the reader should know of how the file was understood
+/// A name for several parameters, or for a number that one of them follows from: each of `sets` is affine in it.
+struct CombinedParameter {
+  std::string symbol, unit;
+  Rational value;  ///< in the scene
+  std::vector<std::pair<std::string, Affine<Rational>>> sets;
 };
 
-/// Reads a scene file (name, mechanism, along, [values], [state]). Throws InputError with all mistakes of the file in
-/// the order of their places, including those of the mechanism's file.
-MechanismScene read_mechanism_scene(const std::filesystem::path& path);
+struct MechanismScene {
+  std::string name;
+  Mechanism mechanism;                           ///< with the load that `along` asks for
+  MechanismValues values;                        ///< in the domain, with all of [assume]
+  std::optional<Rational> load;                  ///< absent: every load at once, or a mechanism without one
+  std::vector<std::string> notes;                ///< what the reader should know of how the file was understood
+  std::vector<CombinedParameter> combined = {};  ///< what may be varied beside the mechanism's own parameters
+};
+
+/// Reads a scene file: of any mechanism (name, mechanism, along, [values], [state]), or of the bicycle in its own words
+/// (bicycle_scene.hpp), which has no key `mechanism`. Throws InputError with every mistake of the file, in the order of
+/// their places; mistakes of the mechanism's file among them.
+MechanismScene read_scene(const std::filesystem::path& path);
 /// The same from a text; `file` is how messages call it, and where a relative path of the mechanism counts from.
-MechanismScene parse_mechanism_scene(std::string_view text, const std::string& file);
+MechanismScene parse_scene(std::string_view text, const std::string& file);
 
 /// The same scene with another parameter as its load, as `along` in its file has it; the load that it had becomes a
 /// parameter. Throws InputError, with places in the mechanism's file, where that cannot be the load, and

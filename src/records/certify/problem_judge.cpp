@@ -148,13 +148,13 @@ class Judge {
       const Rational size = abs(problem_.W[normal][normal]);
       const bool nothing = N.is_zero() && (!problem_.frictional() || answer_.z[normal + 1].is_zero());
       if (nothing || N * (size.is_zero() ? Rational(1) : size) <= w[normal]) {
-        mode.push_back(ContactState::lift);
+        mode.push_back(ElementState::lift);
       } else if (!problem_.frictional()) {
-        mode.push_back(ContactState::touch);
+        mode.push_back(ElementState::touch);
       } else if (abs(answer_.z[normal + 1]) < problem_.mu[i] * N * Rational(999999, 1000000)) {
-        mode.push_back(ContactState::stick);
+        mode.push_back(ElementState::stick);
       } else {
-        mode.push_back(answer_.z[normal + 1].sign() < 0 ? ContactState::slip_forward : ContactState::slip_backward);
+        mode.push_back(answer_.z[normal + 1].sign() < 0 ? ElementState::slip_forward : ElementState::slip_backward);
       }
     }
     return mode;

@@ -9,7 +9,7 @@
 #include "claims/uniqueness/scene_along.hpp"
 #include "claims/verify/verify.hpp"
 #include "floating/trade/trade.hpp"
-#include "mechanics/bicycle/scene.hpp"
+#include "mechanics/scene/scene.hpp"
 #include "report/html/second_opinions.hpp"
 #include "report/html/solvers.hpp"
 #include "report/planes/figures.hpp"
@@ -39,8 +39,8 @@ struct PageInput {
   std::vector<Figure> figures;
   std::vector<PageCertificate> certificates;
   std::optional<SecondOpinions> opinions;  ///< by the theorems of `certificates`
-  std::optional<Scene> model;              ///< the bicycle of the labelled figure
-  std::vector<Scene> scenes;               ///< a plane of f and F is drawn for each
+  std::optional<MechanismScene> model;     ///< the bicycle of the labelled figure
+  std::vector<MechanismScene> scenes;      ///< a plane of its friction and load is drawn for each
   std::vector<SceneAlong> machines;        ///< the paper's scenes, and which friction makes several motions there
   std::vector<SolverVerdicts> solvers;
   std::optional<Trade> trade;

@@ -5,7 +5,6 @@
 
 #include "base/expression/expression.hpp"
 #include "base/number/rational.hpp"
-#include "mechanics/bicycle/contact_mode.hpp"
 #include "report/markup/element.hpp"
 
 namespace slipproof {

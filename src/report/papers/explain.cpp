@@ -7,8 +7,8 @@
 
 #include "base/number/format.hpp"
 #include "claims/paper/setting_names.hpp"
-#include "mechanics/bicycle/scene.hpp"
 #include "mechanics/scene/degrees.hpp"
+#include "mechanics/scene/scene.hpp"
 
 namespace slipproof {
 
@@ -215,7 +215,6 @@ std::vector<std::pair<std::string, Rational>> parameters_of(const Setting& setti
 }
 
 std::string scene_text(const Setting& setting, const Counterexample& example) {
-  if (example.bicycle) return to_toml(example.bicycle->scene);
   return to_toml(example.scene, setting.mechanism_name, setting.along);
 }
 
@@ -233,7 +232,7 @@ std::string realisability(const ClaimsFile& file, const ClaimResult& result) {
   const Setting& setting = file.settings[file.claims[result.claim].setting];
   if (!result.counterexample || setting.realisable.empty()) return "";
   const Counterexample& example = *result.counterexample;
-  const std::string_view what = setting.bicycle ? "bicycle" : "mechanism";
+  const std::string_view what = noun(setting, "mechanism");
   if (example.unrealisable.empty()) return fmt::format("this {} can be built", what);
   return fmt::format(
       "this {} cannot be built: it breaks {}; none that can was found, neither among the {} at which "
@@ -251,19 +250,21 @@ std::string no_motions(const Counterexample& example) {
     }
   }
   if (needs.empty()) return "there is no motion at all";
-  return fmt::format("there is no motion with {}; without {} no other is modelled",
-                     example.bicycle ? "both wheels on the road" : "those contacts closed that are not modelled open",
-                     needs);
+  return fmt::format(
+      "there is no motion with those contacts closed that are not modelled open; without {} no other is modelled",
+      needs);
 }
 
-std::string_view noun(const Setting& setting) {
-  return setting.bicycle ? "bicycle" : "point";
+std::string_view noun(const Setting& setting, std::string_view otherwise) {
+  const std::string& name = setting.mechanism->name;
+  const auto is_letter = [](char c) { return 'a' <= c && c <= 'z'; };
+  return std::all_of(name.begin(), name.end(), is_letter) ? std::string_view(name) : otherwise;
 }
 
 std::string_view noun(const ClaimsFile& file) {
   const auto& all = file.settings;
-  return std::all_of(all.begin(), all.end(), [](const Setting& s) { return s.bicycle.has_value(); }) ? "bicycle"
-                                                                                                     : "point";
+  const std::string_view first = all.empty() ? "point" : noun(all.front());
+  return std::all_of(all.begin(), all.end(), [&](const Setting& s) { return noun(s) == first; }) ? first : "point";
 }
 
 std::string sentence(std::string text) {

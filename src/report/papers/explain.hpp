@@ -37,7 +37,7 @@ std::vector<std::pair<std::string, Rational>> place_of(const ClaimsFile& file, c
 /// The paper's parameters there, cosines and sines of its angles among them.
 std::vector<std::pair<std::string, Rational>> parameters_of(const Setting& setting, const Counterexample& example);
 
-/// The counterexample as a scene file; where it is of a mechanism, to be read from beside the claims file.
+/// The counterexample as a scene file; where the mechanism is a file, to be read from beside the claims file.
 std::string scene_text(const Setting& setting, const Counterexample& example);
 
 /// What there is at the counterexample in place of motions, where there are none.
@@ -46,8 +46,9 @@ std::string no_motions(const Counterexample& example);
 /// With a capital, if it begins with a word and not with a formula, and with a full stop.
 std::string sentence(std::string text);
 
-/// What a sample of a setting, or of all settings of a file, is called: a bicycle, or a point of a mechanism.
-std::string_view noun(const Setting& setting);
+/// What a sample of a setting, or of all settings of a file, is called: by the mechanism's name where that is a word,
+/// as of a bicycle.
+std::string_view noun(const Setting& setting, std::string_view otherwise = "point");
 std::string_view noun(const ClaimsFile& file);
 
 }  // namespace slipproof

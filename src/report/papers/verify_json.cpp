@@ -1,10 +1,9 @@
 #include <utility>
 
-#include "mechanics/bicycle/scene.hpp"
 #include "report/papers/explain.hpp"
 #include "report/papers/second_checker_json.hpp"
 #include "report/papers/verify_report.hpp"
-#include "report/values/motion_json.hpp"
+#include "report/values/exact_json.hpp"
 #include "report/values/motions_json.hpp"
 
 namespace slipproof {
@@ -48,11 +47,7 @@ Json counterexample_json(const ClaimsFile& file, const ClaimResult& result, cons
   if (e.judgement.real) object["real"] = interval_json(*e.judgement.real);
   if (e.judgement.witnesses) object["witnesses"] = interval_json(*e.judgement.witnesses);
   object["force"] = to_json(e.force);
-  if (e.bicycle && e.bicycle->motions) {
-    put_motions(object, *e.bicycle->motions, e.bicycle->scene);
-  } else if (e.motions) {
-    put_motions(object, e.scene.mechanism, *e.motions);
-  }
+  if (e.motions) put_motions(object, e.scene.mechanism, *e.motions);
   return object;
 }
 

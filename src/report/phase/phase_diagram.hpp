@@ -24,7 +24,7 @@ struct PhaseColumn {
   Rational x;
   bool even = true;                                   ///< one of the evenly spaced ones
   bool after_gap = false;                             ///< between it and the column before x leaves the domain
-  std::vector<LoadCell> cells;                        ///< the load is the vertical axis' variable
+  std::vector<LoadCell> cells;                        ///< modes only; the load is the vertical axis' variable
   std::vector<std::optional<Rational>> curves;        ///< where the plane's curves are
   std::vector<std::optional<ForceInterval>> refuted;  ///< for each claim of the plane: loads at which it is false
 };
@@ -64,6 +64,8 @@ struct Plane {
   std::function<std::string(const MechanismMode&)> words;  ///< what a mode is for people
   /// Solves a column; nothing where the parameter has no meaning.
   std::function<std::optional<PhaseColumn>(const Rational& x)> solve;
+  /// The cells of a column that there is, with the numbers of the motions, which cost more than all else.
+  std::function<std::vector<LoadCell>(const Rational& x)> numbers;
 };
 
 struct PhaseDiagram {

@@ -31,9 +31,11 @@ std::vector<PhasePoint> sample_points(const PhaseDiagram& diagram, std::size_t a
   const std::size_t step = std::max<std::size_t>(1, even.size() / std::max<std::size_t>(across, 1));
   std::vector<PhasePoint> points;
   for (std::size_t i = step / 2; i < even.size(); i += step) {
+    PhaseColumn column;
+    column.cells = diagram.plane.numbers(even[i]->x);
     for (std::size_t j = 0; j < up; ++j) {
       const Rational load = y.from + (y.to - y.from) * Rational(2 * j + 1) / Rational(2 * up);
-      const LoadCell* cell = find_cell(*even[i], load);
+      const LoadCell* cell = find_cell(column, load);
       if (cell == nullptr) continue;
       PhasePoint point{even[i]->x, load, {}, cell->continua};
       for (const MotionOverLoads& motion : cell->motions) {
@@ -74,32 +76,6 @@ std::string points_json(const PhaseDiagram& diagram, const std::vector<PhasePoin
     text += c == '<' ? "\\u003c" : c == '&' ? "\\u0026" : c == '>' ? "\\u003e" : std::string(1, c);
   }
   return text;
-}
-
-std::string map_json(const PhaseDiagram& diagram) {
-  Json document, columns = Json::array();
-  document["schema"] = "slipproof/map/1";
-  document["scene"] = diagram.plane.title;
-  document["x"] = diagram.plane.x.symbol;
-  document["y"] = diagram.plane.y.symbol;
-  document["x_range"] = {to_json(diagram.plane.x.from), to_json(diagram.plane.x.to)};
-  document["y_range"] = {to_json(diagram.plane.y.from), to_json(diagram.plane.y.to)};
-  for (const PhaseColumn& column : diagram.columns) {
-    Json entry, cells = Json::array();
-    entry[diagram.plane.x.symbol] = to_json(column.x);
-    for (const LoadCell& cell : column.cells) {
-      Json one, motions = Json::array();
-      put_interval(one, diagram.plane.y.symbol.c_str(), cell.loads);
-      for (const MotionOverLoads& motion : cell.motions) motions.push_back(names_json(modes_in_order(motion)));
-      one["motions"] = std::move(motions);
-      if (!cell.continua.empty()) one["continua"] = names_json(cell.continua);
-      cells.push_back(std::move(one));
-    }
-    entry["cells"] = std::move(cells);
-    columns.push_back(std::move(entry));
-  }
-  document["columns"] = std::move(columns);
-  return dump(document);
 }
 
 }  // namespace slipproof

@@ -26,7 +26,4 @@ std::vector<PhasePoint> sample_points(const PhaseDiagram& diagram, std::size_t a
 /// The points of a diagram as JSON for a script: exact numbers as strings, `<` and `&` nowhere.
 std::string points_json(const PhaseDiagram& diagram, const std::vector<PhasePoint>& points);
 
-/// One JSON document, schema slipproof/map/1: every column with its exact intervals.
-std::string map_json(const PhaseDiagram& diagram);
-
 }  // namespace slipproof

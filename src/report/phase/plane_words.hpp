@@ -6,10 +6,7 @@
 
 namespace slipproof {
 
-/// For columns that are cells of bicycle_motions(): the names of the model, and "both wheels roll".
-void tell_of_bicycles(Plane& plane);
-
-/// Of any mechanism: the names of its file, and "left sticks, right is open".
+/// The names of its file, and "left sticks, right is open".
 void tell_of_mechanism(Plane& plane, const Mechanism& mechanism);
 
 }  // namespace slipproof

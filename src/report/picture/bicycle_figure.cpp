@@ -26,7 +26,7 @@ constexpr std::string_view description =
 
 class LabelledFigure {
  public:
-  LabelledFigure(const Element& svg, const Scene& scene)
+  LabelledFigure(const Element& svg, const MechanismScene& scene)
       : svg_(svg), sketch_(svg, scene, {figure_width, margin, figure_top, figure_road}) {}
 
   void draw() const {
@@ -190,7 +190,7 @@ class LabelledFigure {
   const BicycleSketch sketch_;
 };
 
-void draw_figure(const Element& svg, const Scene& scene) {
+void draw_figure(const Element& svg, const MechanismScene& scene) {
   svg.set("role", "img").set("viewBox", fmt::format("0 0 {} {}", figure_width, figure_height));
   svg.add("title").text("The bicycle of the model with its axes, signs and symbols");
   svg.add("desc").text(description);
@@ -199,13 +199,13 @@ void draw_figure(const Element& svg, const Scene& scene) {
 
 }  // namespace
 
-Element add_bicycle_figure(const Element& parent, const Scene& scene) {
+Element add_bicycle_figure(const Element& parent, const MechanismScene& scene) {
   const Element svg = parent.add("svg", "labelled").set("xmlns", "http://www.w3.org/2000/svg");
   draw_figure(svg, scene);
   return svg;
 }
 
-std::string bicycle_figure_file(const Scene& scene) {
+std::string bicycle_figure_file(const MechanismScene& scene) {
   const Document document("svg");
   const Element svg = document.root().set("xmlns", "http://www.w3.org/2000/svg");
   svg.set("width", figure_width).set("height", figure_height);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/number/binary64.hpp"
+#include "mechanics/scene/bicycle_scene.hpp"
 #include "report/markup/number.hpp"
 
 namespace slipproof {
@@ -17,12 +18,13 @@ constexpr double largest_sprocket = 0.45;
 
 }  // namespace
 
-BicycleSketch::BicycleSketch(const Element& svg, const Scene& scene, const SketchBox& box, Raised raised)
+BicycleSketch::BicycleSketch(const Element& svg, const MechanismScene& scene, const SketchBox& box, Raised raised)
     : svg_(svg), raised_(raised), width_(box.width), road_(box.road) {
-  const auto number = [](const Rational& x) { return nearest_binary64(x); };
-  const Bicycle<Rational>& p = scene.bicycle;
-  R_ = number(p.R), h0_ = number(p.h) + R_, b2_ = number(p.b2), b3_ = number(p.b3);
-  r1_ = number(p.r1), r2_ = number(p.r2), L_ = number(p.L);
+  const auto number = [&](std::string_view symbol) {
+    return nearest_binary64(scene.values.parameters[bicycle_parameter(symbol)]);
+  };
+  R_ = number("R"), h0_ = number("h") + R_, b2_ = number("b2"), b3_ = number("b3");
+  r1_ = number("r1"), r2_ = number("r2"), L_ = number("L");
   const double shrink = std::min(1.0, largest_sprocket * R_ / std::max(r1_, r2_));
   r1_ *= shrink, r2_ *= shrink;
   const double left = std::min({-b2_ - R_, 0.0}), right = std::max({b3_ + R_, 0.0});

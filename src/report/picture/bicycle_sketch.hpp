@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "mechanics/bicycle/scene.hpp"
+#include "mechanics/scene/scene.hpp"
 #include "report/markup/element.hpp"
 #include "report/picture/drawing.hpp"
 
@@ -27,7 +27,7 @@ struct SketchBox {
 /// drawn smaller, in that ratio.
 class BicycleSketch {
  public:
-  BicycleSketch(const Element& svg, const Scene& scene, const SketchBox& box, Raised raised = {});
+  BicycleSketch(const Element& svg, const MechanismScene& scene, const SketchBox& box, Raised raised = {});
 
   /// The road, wheels, frame, chain, and the pedal at its arm below the axles' line.
   void draw() const;

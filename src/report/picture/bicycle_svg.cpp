@@ -7,8 +7,10 @@
 #include <string>
 
 #include "base/number/binary64.hpp"
+#include "mechanics/scene/bicycle_scene.hpp"
 #include "report/markup/symbol.hpp"
 #include "report/picture/bicycle_sketch.hpp"
+#include "report/picture/motion_words.hpp"
 
 namespace slipproof {
 
@@ -16,48 +18,62 @@ namespace {
 
 constexpr double width = 360, height = 300, road = 206, longest_arrow = 88;
 
+std::size_t place(const std::vector<std::string>& names, std::string_view symbol) {
+  return static_cast<std::size_t>(std::find(names.begin(), names.end(), symbol) - names.begin());
+}
+const Rational& acceleration(const MotionAtLoad& motion, std::string_view symbol) {
+  return motion.accelerations[place(acceleration_names(bicycle_mechanism()), symbol)];
+}
+const Range& force(const MotionAtLoad& motion, std::string_view symbol) {
+  return motion.forces[place(force_names(bicycle_mechanism()), symbol)];
+}
+Range exactly(const Rational& x) {
+  return {x, x};
+}
+
 /// Whether a motion takes a wheel off the road.
-Raised raised_by(const FoundMotion<Rational>& motion) {
-  return {motion.values[Quantity::gap2] > 0, motion.values[Quantity::gap3] > 0};
+Raised raised_by(const MotionAtLoad& motion) {
+  return {acceleration(motion, "gap2") > 0, acceleration(motion, "gap3") > 0};
 }
 
 class MotionDrawing {
  public:
-  MotionDrawing(const Element& svg, const Scene& scene, Raised raised)
+  MotionDrawing(const Element& svg, const MechanismScene& scene, Raised raised)
       : svg_(svg), scene_(scene), raised_(raised), sketch_(svg, scene, {width, 55, 46, road}, raised) {
     sketch_.draw();
   }
 
-  void forces(const FoundMotion<Rational>& motion) {
-    using enum Quantity;
-    const auto& v = motion.values;
-    const Rational weight = scene_.bicycle.M * scene_.road.g;
-    const Rational F = scene_.F.value_or(Rational(0));
-    Rational largest = abs(weight);
-    for (const Rational& force : {v[N2], v[N3], v[S2], v[S3], F}) largest = std::max(largest, Rational(abs(force)));
-    unit_ = longest_arrow / number(largest);
+  void forces(const MotionAtLoad& motion) {
+    const Range N2 = force(motion, "N2"), N3 = force(motion, "N3"), S2 = force(motion, "S2"), S3 = force(motion, "S3");
+    const Rational weight = value("M") * value("g");
+    const Range F = exactly(scene_.load.value_or(Rational(0)));
+    double largest = nearest_binary64(weight);
+    for (const Range& one : {N2, N3, S2, S3, F}) largest = std::max(largest, std::abs(number(one)));
+    unit_ = longest_arrow / largest;
 
     const double rear = sketch_.x(-sketch_.b2()), front = sketch_.x(sketch_.b3()), below = road + 6;
     // Labels of both wheels stand on lines of their own: contacts may be close to each other.
-    normal(rear, v[N2], "N2", -1);
-    normal(front, v[N3], "N3", +1);
-    tangential(rear, below, v[S2], "S2", -1);
-    tangential(front, below, v[S3], "S3", +1);
-    if (raised_.rear) gap(rear, v[gap2], "gap2", -1);
-    if (raised_.front) gap(front, v[gap3], "gap3", +1);
+    normal(rear, N2, "N2", -1);
+    normal(front, N3, "N3", +1);
+    tangential(rear, below, S2, "S2", -1);
+    tangential(front, below, S3, "S3", +1);
+    if (raised_.rear) gap(rear, slipproof::acceleration(motion, "gap2"), "gap2", -1);
+    if (raised_.front) gap(front, slipproof::acceleration(motion, "gap3"), "gap3", +1);
     const auto [cx, cy] = sketch_.place(0, sketch_.h0());
-    sketch_.arrow({cx, cy + 6}, 0, number(weight) * unit_, "load");
-    label(cx + 7, cy + 6 + number(weight) * unit_ / 2, "Mg", weight, "start", "ink");
+    const double down = nearest_binary64(weight) * unit_;
+    sketch_.arrow({cx, cy + 6}, 0, down, "load");
+    label(cx + 7, cy + 6 + down / 2, "Mg", exactly(weight), "start", "ink");
     pedal(F);
-    acceleration(v[a]);
+    acceleration(slipproof::acceleration(motion, "a"));
   }
 
  private:
-  static double number(const Rational& x) { return nearest_binary64(x); }
+  static double number(const Range& range) { return nearest_binary64(shown_value(range).value_or(Rational(0))); }
+  const Rational& value(std::string_view symbol) const { return scene_.values.parameters[bicycle_parameter(symbol)]; }
   /// Beside a point; long values are moved into the picture.
-  void label(double at_x, double at_y, std::string_view symbol, const Rational& value, std::string_view anchor,
+  void label(double at_x, double at_y, std::string_view symbol, const Range& value, std::string_view anchor,
              std::string_view css_class) const {
-    const std::string number = " = " + label_value(value);
+    const std::string number = " " + (value.is_point() ? "= " + label_value(*value.lower) : range_text(value));
     const double length = 7.0 * static_cast<double>(number.size() + symbol.size()), edge = 4;
     if (anchor == "start" && at_x + length > width - edge) at_x = width - edge, anchor = "end";
     if (anchor == "end" && at_x - length < edge && at_x < width / 2) at_x = edge, anchor = "start";
@@ -68,46 +84,46 @@ class MotionDrawing {
   }
 
   /// The reaction pushes up from below the road; its label stands beside it, away from the other wheel.
-  void normal(double at, const Rational& N, std::string_view symbol, int side) const {
+  void normal(double at, const Range& N, std::string_view symbol, int side) const {
     const double length = number(N) * unit_;
     sketch_.arrow({at, road + 4 + length}, 0, -length, "normal");
     label(at + side * 9, road + 44, symbol, N, side < 0 ? "end" : "start", "ink");
   }
 
-  void tangential(double at, double level, const Rational& S, std::string_view symbol, int side) const {
+  void tangential(double at, double level, const Range& S, std::string_view symbol, int side) const {
     sketch_.arrow({at, level}, number(S) * unit_, 0, "friction");
     label(at + side * 9, road + 64, symbol, S, side < 0 ? "end" : "start", "ink");
   }
 
   /// The acceleration with which a wheel leaves the road.
   void gap(double at, const Rational& acceleration, std::string_view symbol, int side) const {
-    label(at + side * 9, road + 84, symbol, acceleration, side < 0 ? "end" : "start", "ink");
+    label(at + side * 9, road + 84, symbol, exactly(acceleration), side < 0 ? "end" : "start", "ink");
   }
 
   /// The pedal force acts along -x, where the pedal is.
-  void pedal(const Rational& F) const {
+  void pedal(const Range& F) const {
     const Point at = sketch_.pedal();
     sketch_.arrow(at, -number(F) * unit_, 0, "load");
-    if (!F.is_zero()) {  // the value stands apart: near the pedal there is no room for it
+    if (!F.lower->is_zero()) {  // the value stands apart: near the pedal there is no room for it
       const Element name = svg_.add("text", "ink halo").set("x", at[0] + 10).set("y", at[1] + 4).set("font-size", 13);
       svg_symbol(name, "F");
     }
-    const bool inside = scene_.force_kind == ForceKind::internal;
     const Element text = svg_.add("text", "ink halo").set("x", width - 12).set("y", 20).set("font-size", 13);
     text.set("text-anchor", "end");
     svg_symbol(text, "F");
-    text.add("tspan").text(" = " + label_value(F) + (inside ? " (internal)" : " (external)"));
+    text.add("tspan").text(" = " + label_value(*F.lower) +
+                           (value("external").is_zero() ? " (internal)" : " (external)"));
   }
 
   void acceleration(const Rational& a) const {
     const double length = a > 0 ? 34 : a < 0 ? -34 : 0;
     const auto [cx, cy] = sketch_.place(0, sketch_.h0());
     sketch_.arrow({cx + (a > 0 ? 10 : -10), cy - 2}, length, 0, "normal");
-    label(12, 20, "a", a, "start", "ink");
+    label(12, 20, "a", exactly(a), "start", "ink");
   }
 
   const Element svg_;
-  const Scene& scene_;
+  const MechanismScene& scene_;
   const Raised raised_;
   const BicycleSketch sketch_;
   double unit_ = 1;
@@ -115,7 +131,7 @@ class MotionDrawing {
 
 }  // namespace
 
-Element add_bicycle(const Element& parent, const Scene& scene, const FoundMotion<Rational>* motion,
+Element add_bicycle(const Element& parent, const MechanismScene& scene, const MotionAtLoad* motion,
                     std::string_view title) {
   const Element svg = parent.add("svg", "bicycle").set("xmlns", "http://www.w3.org/2000/svg").set("role", "img");
   svg.set("viewBox", fmt::format("0 0 {} {}", width, height));

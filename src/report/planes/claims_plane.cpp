@@ -94,18 +94,21 @@ class ColumnSolver {
     return lines;
   }
 
+  std::vector<LoadCell> numbers(const Rational& x) const {
+    return SolvedSample::make(setting_, values_at(x))->cells_with_numbers();
+  }
+
   std::optional<PhaseColumn> at(const Rational& x) const {
-    std::vector<Rational> values = figure_.values;
-    values[figure_.x] = x;
+    std::vector<Rational> values = values_at(x);
     Evaluator<Rational> domain(setting_.scope());
     for (std::size_t k = 0; k < values.size(); ++k) domain.set(CompiledSetting::parameter_slot(k), values[k]);
     for (const Program& inside : setting_.domains()) {
       if (domain.truth(inside) != Truth::yes) return std::nullopt;
     }
-    const auto sample = SolvedSample::make(setting_, values);
+    const auto sample = SolvedSample::make(setting_, std::move(values));
     if (!sample) return std::nullopt;
     PhaseColumn column;
-    column.cells = sample->cells_with_numbers();
+    column.cells = sample->cells();
     for (std::size_t c = 0; c < thresholds_.size(); ++c) column.curves.push_back(force_of(c, x));
     for (const std::size_t claim : judged_) {
       const Judgement judgement = judge(*claims_, compiled_, claim, reading_, *sample);
@@ -116,6 +119,12 @@ class ColumnSolver {
   }
 
  private:
+  std::vector<Rational> values_at(const Rational& x) const {
+    std::vector<Rational> values = figure_.values;
+    values[figure_.x] = x;
+    return values;
+  }
+
   Evaluator<Rational> evaluator(const Rational& x) const {
     Evaluator<Rational> values(setting_.scope());
     for (std::size_t k = 0; k < figure_.values.size(); ++k) {
@@ -169,13 +178,9 @@ Plane claims_plane(const ClaimsFile& claims, const Figure& figure, Reading readi
   plane.curves = solver->curves();
   plane.lines = solver->lines();
   plane.claims = solver->judged();
-  const Setting& setting = claims.settings[figure.setting];
-  if (setting.bicycle) {
-    tell_of_bicycles(plane);
-  } else {
-    tell_of_mechanism(plane, *setting.mechanism);
-  }
+  tell_of_mechanism(plane, *claims.settings[figure.setting].mechanism);
   plane.solve = [solver](const Rational& x) { return solver->at(x); };
+  plane.numbers = [solver](const Rational& x) { return solver->numbers(x); };
   return plane;
 }
 

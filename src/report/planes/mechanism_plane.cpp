@@ -17,15 +17,18 @@
 #include "mechanics/scene/domain_sampler.hpp"
 #include "report/phase/plane_words.hpp"
 #include "report/values/mode_json.hpp"
+#include "report/values/motions_json.hpp"
 
 namespace slipproof {
 
 namespace {
 
-/// What varies across: a parameter, or tan(angle/2).
+/// What varies across: tan(angle/2), a parameter, or several of these.
 struct AcrossVariable {
-  bool is_angle = false;
-  std::size_t index = 0;
+  std::string symbol, unit;
+  std::optional<std::size_t> angle;
+  Rational own;                                                     ///< of parameters, in the scene
+  std::vector<std::pair<std::size_t, Affine<Rational>>> sets = {};  ///< the parameters, over the variable
 };
 
 /// The points of a scene's mechanism across a plane, and the motions there.
@@ -34,19 +37,19 @@ class MechanismColumns {
   MechanismColumns(const MechanismScene& scene, AcrossVariable across)
       : mechanism_(scene.mechanism),
         values_(scene.values),
-        across_(across),
+        across_(std::move(across)),
         maker_(mechanism_),
         sampler_(mechanism_, maker_) {}
   MechanismColumns(const MechanismColumns&) = delete;
   MechanismColumns& operator=(const MechanismColumns&) = delete;
 
   const Mechanism& mechanism() const { return mechanism_; }
-  AcrossVariable across() const { return across_; }
+  const AcrossVariable& across() const { return across_; }
 
   /// The scene's own; nothing for half a turn.
   std::optional<Rational> own() const {
-    if (!across_.is_angle) return values_.parameters[across_.index];
-    const MechanismValues::Circle& point = values_.angles[across_.index];
+    if (!across_.angle) return across_.own;
+    const MechanismValues::Circle& point = values_.angles[*across_.angle];
     if (point.cosine == -1) return std::nullopt;
     return Rational(point.sine / (1 + point.cosine));
   }
@@ -54,12 +57,9 @@ class MechanismColumns {
   /// The values there, in the domain or not; what is tied to x follows.
   MechanismValues values(const Rational& x) const {
     MechanismValues changed = values_;
-    if (across_.is_angle) {
-      changed.angles[across_.index] = point_of_tan_half(x);
-    } else {
-      changed.parameters[across_.index] = x;
-    }
-    sampler_.restore(changed, across_.is_angle ? changed.parameters.size() : across_.index);
+    if (across_.angle) changed.angles[*across_.angle] = point_of_tan_half(x);
+    for (const auto& [parameter, value] : across_.sets) changed.parameters[parameter] = value.at(x);
+    sampler_.restore(changed, across_.angle ? changed.parameters.size() : across_.sets.front().first);
     return changed;
   }
 
@@ -80,9 +80,11 @@ class MechanismColumns {
     auto there = problem(x);
     if (!there) return std::nullopt;
     PhaseColumn column;
-    column.cells = motions_over_loads(std::move(*there))->cells();
+    column.cells = motions_over_loads(std::move(*there))->cells(Told::modes);
     return column;
   }
+
+  std::vector<LoadCell> numbers(const Rational& x) const { return motions_over_loads(*problem(x))->cells(); }
 
   /// A condition that does not hold there; empty if all do.
   std::string broken(const Rational& x) const {
@@ -95,7 +97,7 @@ class MechanismColumns {
     std::vector<std::string> symbols;
     const MechanismValues left = values(from), right = values(to);
     for (std::size_t i = 0; i < values_.parameters.size(); ++i) {
-      if (!across_.is_angle && i == across_.index) continue;
+      if (std::ranges::any_of(across_.sets, [&](const auto& set) { return set.first == i; })) continue;
       const Rational& own = values_.parameters[i];
       if (left.parameters[i] != own || right.parameters[i] != own) symbols.push_back(mechanism_.parameters[i].symbol);
     }
@@ -111,18 +113,29 @@ class MechanismColumns {
 };
 
 AcrossVariable find_across(const MechanismScene& scene, const std::string& x) {
+  const Mechanism& mechanism = scene.mechanism;
   std::vector<std::string_view> known;
-  for (std::size_t i = 0; i < scene.mechanism.parameters.size(); ++i) {
-    const std::string& symbol = scene.mechanism.parameters[i].symbol;
-    if (symbol == x && !scene.values.given[i]) throw std::invalid_argument("the scene has no " + x);
-    if (symbol == x) return {false, i};
-    known.push_back(symbol);
+  for (std::size_t i = 0; i < mechanism.parameters.size(); ++i) {
+    const MechanismParameter& parameter = mechanism.parameters[i];
+    if (parameter.symbol == x && !scene.values.given[i]) throw std::invalid_argument("the scene has no " + x);
+    if (parameter.symbol == x) return {x, parameter.unit, {}, scene.values.parameters[i], {{i, {0, 1}}}};
+    known.push_back(parameter.symbol);
   }
-  for (std::size_t i = 0; i < scene.mechanism.angles.size(); ++i) {
-    if (scene.mechanism.angles[i].name == x) return {true, i};
-    known.push_back(scene.mechanism.angles[i].name);
+  for (const CombinedParameter& combined : scene.combined) {
+    known.push_back(combined.symbol);
+    if (combined.symbol != x) continue;
+    AcrossVariable across{x, combined.unit, {}, combined.value};
+    for (const auto& [symbol, value] : combined.sets) {
+      const auto same = std::ranges::find(mechanism.parameters, symbol, &MechanismParameter::symbol);
+      across.sets.emplace_back(static_cast<std::size_t>(same - mechanism.parameters.begin()), value);
+    }
+    return across;
   }
-  if (scene.mechanism.load && scene.mechanism.load->symbol == x) {
+  for (std::size_t i = 0; i < mechanism.angles.size(); ++i) {
+    if (mechanism.angles[i].name == x) return {x, {}, i, {}};
+    known.push_back(mechanism.angles[i].name);
+  }
+  if (mechanism.load && mechanism.load->symbol == x) {
     throw std::invalid_argument("found the load " + x + " across, expected a parameter or an angle: the load goes up");
   }
   throw std::invalid_argument(unknown_name("parameter or angle", x, known));
@@ -145,14 +158,12 @@ class AxisChoice {
       : columns_(columns), scene_(scene), wanted_(wanted) {}
 
   Axis across() const {
-    const auto& mechanism = columns_.mechanism();
-    const std::size_t index = columns_.across().index;
-    const bool angle = columns_.across().is_angle;
+    const AcrossVariable& variable = columns_.across();
     Axis axis;
-    axis.symbol = angle ? mechanism.angles[index].name : mechanism.parameters[index].symbol;
-    axis.is_angle = angle;
-    if (!angle) axis.unit = mechanism.parameters[index].unit;
-    const auto [from, to] = angle ? angle_range() : parameter_range(axis.symbol);
+    axis.symbol = variable.symbol;
+    axis.is_angle = variable.angle.has_value();
+    axis.unit = variable.unit;
+    const auto [from, to] = axis.is_angle ? angle_range() : parameter_range(axis.symbol);
     axis.from = wanted_.x_from ? end(axis.symbol, *wanted_.x_from) : from;
     axis.to = wanted_.x_to ? end(axis.symbol, *wanted_.x_to) : to;
     expect_order(axis.symbol, wanted_.x_from.value_or(axis.from), wanted_.x_to.value_or(axis.to));
@@ -189,7 +200,7 @@ class AxisChoice {
   using Ends = std::pair<Rational, Rational>;
 
   Rational end(const std::string& symbol, const Rational& given) const {
-    if (!columns_.across().is_angle) return given;
+    if (!columns_.across().angle) return given;
     if (abs(given) < 180) {
       const MechanismValues::Circle point = angle_from_degrees(given).point;
       return Rational(point.sine / (1 + point.cosine));
@@ -264,7 +275,7 @@ class AxisChoice {
     see(Rational(0));
     if (scene_.load) see(*scene_.load);
     if (problem) {
-      for (const LoadCell& cell : motions_over_loads(*problem)->cells()) {
+      for (const LoadCell& cell : motions_over_loads(*problem)->cells(Told::modes)) {
         if (cell.loads.is_point()) see(*cell.loads.lower());
       }
       if (!problem->load_domain.empty() && !problem->load_domain.contains(Rational(0)) && *low == *high) {
@@ -312,17 +323,6 @@ Json across_json(const Axis& axis, const Rational& x) {
   return {{"cos", to_json(point.cosine)}, {"sin", to_json(point.sine)}};
 }
 
-Json cell_json(const LoadCell& cell) {
-  Json entry, motions = Json::array();
-  put_interval(entry, "load", cell.loads);
-  for (const MotionOverLoads& motion : cell.motions) {
-    motions.push_back({{"modes", names_json(motion.modes)}, {"boundary_modes", names_json(motion.boundary_modes)}});
-  }
-  entry["motions"] = std::move(motions);
-  entry["continua"] = names_json(cell.continua);
-  return entry;
-}
-
 }  // namespace
 
 Plane mechanism_plane(const MechanismScene& scene, const MechanismAxes& axes, std::string id) {
@@ -331,8 +331,8 @@ Plane mechanism_plane(const MechanismScene& scene, const MechanismAxes& axes, st
                                 " has no load, expected one, or a parameter that takes its place");
   }
   refuse_too_many_modes(scene.mechanism, element_kinds(scene.mechanism, scene.values.starts, scene.values.given));
-  const AcrossVariable across = find_across(scene, axes.x.empty() ? usual_parameter(scene) : axes.x);
-  const auto columns = std::make_shared<const MechanismColumns>(scene, across);
+  const auto columns = std::make_shared<const MechanismColumns>(
+      scene, find_across(scene, axes.x.empty() ? usual_parameter(scene) : axes.x));
   const AxisChoice choice(*columns, scene, axes);
   Plane plane;
   plane.id = std::move(id);
@@ -346,6 +346,7 @@ Plane mechanism_plane(const MechanismScene& scene, const MechanismAxes& axes, st
     plane.mark = Plane::Mark{*own, *scene.load, "the scene"};
   tell_of_mechanism(plane, scene.mechanism);
   plane.solve = [columns](const Rational& x) { return columns->column(x); };
+  plane.numbers = [columns](const Rational& x) { return columns->numbers(x); };
   return plane;
 }
 

@@ -11,7 +11,7 @@ namespace slipproof {
 
 /// What a plane of a mechanism is asked for; what is left open is chosen from the scene and the domain.
 struct MechanismAxes {
-  std::string x;                         ///< a parameter or an angle; empty: the first coefficient of friction
+  std::string x;  ///< a parameter, an angle, or a combined parameter; empty: the first coefficient of friction
   std::optional<Rational> x_from, x_to;  ///< of an angle: in degrees, between -180 and 180
   std::optional<Rational> y_from, y_to;  ///< of the load
 };

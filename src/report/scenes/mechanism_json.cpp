@@ -14,10 +14,7 @@ namespace {
 class SolveDocument {
  public:
   explicit SolveDocument(const SolvedMechanism& solved)
-      : solved_(solved),
-        mechanism_(solved.scene.mechanism),
-        accelerations_(acceleration_names(mechanism_)),
-        forces_(force_names(mechanism_)) {}
+      : solved_(solved), mechanism_(solved.scene.mechanism), accelerations_(acceleration_names(mechanism_)) {}
 
   Json whole() const {
     Json document;
@@ -31,6 +28,7 @@ class SolveDocument {
     if (solved_.at_load) put_motions(document, mechanism_, *solved_.at_load);
     document["not_modelled"] = not_modelled();
     if (mechanism_.load) document["ranges"] = ranges();
+    if (!solved_.at_load) document["cells"] = cells();
     return document;
   }
 
@@ -64,8 +62,7 @@ class SolveDocument {
       for (std::size_t i = 0; i < accelerations_.size(); ++i) {
         const AffineForm form = mode.solutions.space.on(solved_.problem.accelerations[i]);
         if (!is_free_of_unknowns(form)) continue;
-        accelerations[accelerations_[i]] = {{"const", to_json(form.constant)},
-                                            {"per_load", to_json(form.coefficients.back())}};
+        accelerations[accelerations_[i]] = over_load_json({form.constant, form.coefficients.back()});
       }
       entry["accelerations"] = std::move(accelerations);
       entries.push_back(std::move(entry));
@@ -73,9 +70,15 @@ class SolveDocument {
     return entries;
   }
 
+  Json cells() const {
+    Json entries = Json::array();
+    for (const LoadCell& cell : solved_.cells) entries.push_back(cell_json(cell, mechanism_));
+    return entries;
+  }
+
   const SolvedMechanism& solved_;
   const Mechanism& mechanism_;
-  std::vector<std::string> accelerations_, forces_;
+  std::vector<std::string> accelerations_;
 };
 
 }  // namespace

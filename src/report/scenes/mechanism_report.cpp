@@ -106,9 +106,14 @@ class SolveText {
     for (std::size_t i = 0; i < forces_.size(); ++i) write_value(forces_[i], continuum.forces[i]);
   }
 
+  /// What a single condition breaks stands in a column of its own, before the margins.
   void write_rejected(const RejectedMode& mode) {
-    fmt::format_to(out_, "    {:<12} {}{}\n", name(mode.mode), what_is_broken(mechanism_, mode),
-                   mode.margin ? "  " + number_text(*mode.margin, digits_) : "");
+    const std::string broken = what_is_broken(mechanism_, mode);
+    if (mode.margin) {
+      fmt::format_to(out_, "    {:<12} {:<14} {}\n", name(mode.mode), broken, number_text(*mode.margin, digits_));
+    } else {
+      fmt::format_to(out_, "    {:<12} {}\n", name(mode.mode), broken);
+    }
   }
 
   void write_motions(const MotionsAtLoad& found) {
@@ -139,9 +144,9 @@ class SolveText {
   void write_ranges() {
     fmt::format_to(out_, "\nLoads {} for which each mode has a motion\n", mechanism_.load->symbol);
     for (const ConsistentMode& mode : solved_.modes) {
-      fmt::format_to(out_, "    {:<12} {:<28} {}\n", name(mode.mode),
+      fmt::format_to(out_, "    {:<12} {:<28} {}{}\n", name(mode.mode),
                      interval_text(mechanism_.load->symbol, mode.solutions.loads, digits_),
-                     to_string(mode.solutions.loads));
+                     to_string(mode.solutions.loads), mode.determined ? "" : "  a continuum of motions");
     }
   }
 

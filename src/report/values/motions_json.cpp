@@ -84,6 +84,39 @@ class MotionsDocument {
 
 }  // namespace
 
+Json over_load_json(const Affine<Rational>& value) {
+  return {{"const", to_json(value.alpha)}, {"per_load", to_json(value.beta)}};
+}
+
+Json cell_json(const LoadCell& cell) {
+  Json entry, motions = Json::array();
+  put_interval(entry, "load", cell.loads);
+  for (const MotionOverLoads& motion : cell.motions) {
+    motions.push_back({{"modes", names_json(motion.modes)}, {"boundary_modes", names_json(motion.boundary_modes)}});
+  }
+  entry["motions"] = std::move(motions);
+  entry["continua"] = names_json(cell.continua);
+  return entry;
+}
+
+Json cell_json(const LoadCell& cell, const Mechanism& mechanism) {
+  const auto accelerations = acceleration_names(mechanism), forces = force_names(mechanism);
+  Json entry = cell_json(cell);
+  for (std::size_t k = 0; k < cell.motions.size(); ++k) {
+    const MotionOverLoads& motion = cell.motions[k];
+    Json of_bodies = Json::object(), of_forces = Json::object();
+    for (std::size_t i = 0; i < accelerations.size(); ++i) {
+      of_bodies[accelerations[i]] = over_load_json(motion.accelerations[i]);
+    }
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+      of_forces[forces[i]] = motion.forces[i] ? over_load_json(*motion.forces[i]) : Json(nullptr);
+    }
+    entry["motions"][k]["accelerations"] = std::move(of_bodies);
+    entry["motions"][k]["forces"] = std::move(of_forces);
+  }
+  return entry;
+}
+
 void put_motions(Json& document, const Mechanism& mechanism, const MotionsAtLoad& found) {
   MotionsDocument(mechanism).put(document, found);
 }

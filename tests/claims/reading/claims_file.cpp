@@ -115,7 +115,8 @@ TEST_CASE("a claims file is read as it is written") {
   REQUIRE(file.settings.size() == 1);
   const Setting& setting = file.settings[0];
   CHECK(setting.strict);
-  CHECK(setting.bicycle == ForceKind::internal);
+  CHECK(setting.mechanism_name == "bicycle");
+  CHECK(same(setting.scene.at("external"), number("0")));
   CHECK(setting.parameters.size() == 2);
   CHECK(same(setting.parameters[1].domain, truth("f >= 0")));
   CHECK(same(setting.scene.at("F"), number("P")));

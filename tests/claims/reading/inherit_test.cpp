@@ -113,7 +113,7 @@ printed = "v/2"
   CHECK(to_string(second.parameters[0].domain) == "b > 0");
   CHECK(to_string(second.parameters[1].domain) == "c > 1");
   CHECK(second.parameters[2].symbol == "d");
-  CHECK(second.bicycle == ForceKind::external);
+  CHECK(to_string(second.scene.at("external")) == "1");
   CHECK(second.force.symbol == "P");
   CHECK(to_string(second.scene.at("h")) == "d");
   CHECK(to_string(second.scene.at("b2")) == "b");

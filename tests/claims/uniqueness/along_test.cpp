@@ -7,10 +7,10 @@
 
 #include "claims/uniqueness/ranges.hpp"
 #include "claims/uniqueness/scene_setting.hpp"
-#include "mechanics/bicycle/scene.hpp"
 #include "mechanics/bicycle_modes/mode_table.hpp"
 #include "mechanics/bicycle_modes/motions.hpp"
 #include "mechanics/kernel/mode_solver.hpp"
+#include "support/bicycle_scenes.hpp"
 #include "support/random_scene.hpp"
 
 using namespace slipproof;
@@ -18,8 +18,8 @@ using namespace slipproof;
 namespace {
 
 /// The numbers of motions over all forces, from below, neighbours that are alike joined; a continuum counts as -1.
-std::vector<int> counts(const Scene& scene, const Rational& f) {
-  const ModeTable table(scene.bicycle, {f, scene.road.g}, scene.force_kind);
+std::vector<int> counts(const BicycleOfValues& scene, const Rational& f) {
+  const ModeTable table(scene.bicycle, {f, scene.road.g}, scene.kind);
   std::vector<int> result;
   for (const Cell& cell : partition(table)) {
     const int count = cell.continua.empty() ? static_cast<int>(cell.motions.size()) : -1;
@@ -62,11 +62,12 @@ TEST_CASE("ranges of friction say what the table of modes finds at numbers in th
   test::RandomScenes random(233);
   int ambiguous = 0;
   for (int i = 0; i < 12; ++i) {
-    Scene scene;
+    BicycleOfValues scene;
     scene.bicycle = i % 2 == 0 ? random.bicycle(true) : random.reduced(true);
     scene.road = random.road();
-    scene.force_kind = i % 3 == 0 ? ForceKind::external : ForceKind::internal;
-    const UniquenessAlong along = uniqueness_along(mechanism_scene(scene), "f");
+    scene.kind = i % 3 == 0 ? ForceKind::external : ForceKind::internal;
+    const MechanismScene of_mechanism = test::scene_of(scene.bicycle, scene.road, scene.kind);
+    const UniquenessAlong along = uniqueness_along(of_mechanism, "f");
     CHECK(along.own == scene.road.f);
     CHECK(counts(along.at_own) == counts(scene, scene.road.f));
     const auto all = ranges(along);
@@ -77,12 +78,12 @@ TEST_CASE("ranges of friction say what the table of modes finds at numbers in th
       if (!range.motions.apart.empty()) ++ambiguous;
       CAPTURE(range.sample);
       CHECK(counts(scene, range.sample) == counts(range.motions));
-      check_every_q(mechanism_scene(scene), range.sample, range.motions);
+      check_every_q(of_mechanism, range.sample, range.motions);
       if (!range.upper || !range.lower || range.lower->lower == range.upper->upper) continue;
       for (int k = 1; k < 4; ++k) {
         const Rational f = range.lower->upper + (range.upper->lower - range.lower->upper) * Rational(k, 4);
         CHECK(counts(scene, f) == counts(range.motions));
-        check_every_q(mechanism_scene(scene), f, range.motions);
+        check_every_q(of_mechanism, f, range.motions);
       }
     }
   }
@@ -90,8 +91,8 @@ TEST_CASE("ranges of friction say what the table of modes finds at numbers in th
 }
 
 TEST_CASE("the ambiguous bicycle of the paper: from f = 21/25 on, a continuum there and then three motions") {
-  const Scene scene = read_scene(SLIPPROOF_SOURCE_DIR "/cases/ambiguous.toml");
-  const UniquenessAlong along = uniqueness_along(mechanism_scene(scene), "f");
+  const MechanismScene scene = read_scene(SLIPPROOF_SOURCE_DIR "/cases/ambiguous.toml");
+  const UniquenessAlong along = uniqueness_along(scene, "f");
   REQUIRE(along.first_apart());
   CHECK(along.first_apart()->lower == Rational(21, 25));
   const auto all = ranges(along);
@@ -111,6 +112,6 @@ TEST_CASE("the ambiguous bicycle of the paper: from f = 21/25 on, a continuum th
 }
 
 TEST_CASE("what is no parameter of the scene is refused") {
-  const Scene scene = read_scene(SLIPPROOF_SOURCE_DIR "/cases/ambiguous.toml");
-  CHECK_THROWS_WITH_AS(uniqueness_along(mechanism_scene(scene), "ff"), doctest::Contains("ff"), std::invalid_argument);
+  const MechanismScene scene = read_scene(SLIPPROOF_SOURCE_DIR "/cases/ambiguous.toml");
+  CHECK_THROWS_WITH_AS(uniqueness_along(scene, "ff"), doctest::Contains("ff"), std::invalid_argument);
 }

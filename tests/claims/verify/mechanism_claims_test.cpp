@@ -63,12 +63,6 @@ Verdict verdict(const std::string& says) {
   return result_of(block(says)).verdict;
 }
 
-/// The same file with the bicycle as the mechanism of its file, without its table of modes.
-ClaimsFile as_data(ClaimsFile file) {
-  for (Setting& setting : file.settings) setting.bicycle.reset();
-  return file;
-}
-
 }  // namespace
 
 TEST_CASE("a block rests, slides or tips: claims about a statically indeterminate body on a slope") {
@@ -163,7 +157,7 @@ TEST_CASE("a counterexample is a scene that reads back, with the motions that th
   const ClaimResult result = result_of(file);
   REQUIRE(result.counterexample);
   const Counterexample& example = *result.counterexample;
-  const MechanismScene scene = parse_mechanism_scene(scene_text(file.settings[0], example), "scene.toml");
+  const MechanismScene scene = parse_scene(scene_text(file.settings[0], example), "scene.toml");
   CHECK(scene.values.parameters == example.scene.values.parameters);
   CHECK(scene.load == example.scene.load);
   const MotionsAtLoad motions = motions_of(friction_problem(scene.mechanism, scene.values), scene.load);
@@ -216,43 +210,8 @@ motions = "closed"
   CHECK(result.claims[1].verdict == Verdict::refuted);
 }
 
-TEST_CASE("the bicycle as data is judged as by its table of modes: every claim of the shipped papers") {
-  int compared = 0;
-  for (const char* folder : {"rozenblat-yashin", "rear-drive"}) {
-    const ClaimsFile file = read_claims(test::shipped_folder.parent_path() / folder / "claims.toml");
-    const ClaimsFile data = as_data(file);
-    const CompiledClaims compiled(file), compiled_data(data);
-    for (std::size_t s = 0; s < file.settings.size(); ++s) {
-      const Sampler sampler(compiled.settings[s], 11);
-      for (std::uint64_t i = 0; i < 24; ++i) {
-        const auto values = sampler.at(i);
-        const auto table = SolvedSample::make(compiled.settings[s], values);
-        const auto kernel = SolvedSample::make(compiled_data.settings[s], values);
-        REQUIRE((table == nullptr) == (kernel == nullptr));
-        if (!table) continue;
-        for (std::size_t c = 0; c < file.claims.size(); ++c) {
-          if (file.claims[c].setting != s) continue;
-          for (const Reading reading : all_readings) {
-            const Judgement x = judge(file, compiled, c, reading, *table),
-                            y = judge(data, compiled_data, c, reading, *kernel);
-            CAPTURE(file.claims[c].id);
-            CAPTURE(i);
-            CHECK(x.outcome == y.outcome);
-            CHECK(x.reason == y.reason);
-            CHECK(x.mode == y.mode);
-            CHECK(x.witnesses == y.witnesses);
-            CHECK(x.real == y.real);
-            ++compared;
-          }
-        }
-      }
-    }
-  }
-  CHECK(compared > 4'000);
-}
-
 TEST_CASE("along lines of a mechanism the judgement changes at critical values only") {
-  const ClaimsFile data = as_data(as_read(test::shipped_paper(), Reading::repaired));
+  const ClaimsFile data = as_read(test::shipped_paper(), Reading::repaired);
   ClaimsFile file = block("kind = \"motions\"\nregion = \"s > mu*c\"\nmodes = [\"slip+/slip+\", \"lift/slip+\"]");
   int compared = 0;
   const auto compare = [&](const ClaimsFile& claims, std::size_t index, const Line& line) {

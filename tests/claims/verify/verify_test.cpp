@@ -7,10 +7,11 @@
 #include "claims/reading/read_claims_file.hpp"
 #include "claims/sampling/simplify.hpp"
 #include "mechanics/bicycle/conditions.hpp"
+#include "mechanics/bicycle/equations.hpp"
+#include "mechanics/bicycle_modes/bicycle_motions.hpp"
 #include "report/papers/verify_report.hpp"
 #include "support/shipped.hpp"
 #include "support/thread_ranks.hpp"
-#include "support/unknowns.hpp"
 
 using namespace slipproof;
 
@@ -115,7 +116,7 @@ TEST_CASE("every counterexample to the shipped paper can be built: its wheels do
     if (!claim.counterexample) continue;
     CAPTURE(file.claims[claim.claim].id);
     CHECK(claim.counterexample->unrealisable.empty());
-    const Bicycle<Rational>& p = claim.counterexample->bicycle->scene.bicycle;
+    const Bicycle<Rational> p = bicycle_of(claim.counterexample->scene.values).bicycle;
     CHECK(p.b2 + p.b3 > 2 * p.R);
     CHECK(p.I2 + p.I3 <= p.M * p.R * p.R);
     CHECK(p.L < p.R);
@@ -132,15 +133,16 @@ TEST_CASE("motions of a counterexample satisfy the raw equations and their condi
   int checked = 0;
   for (const ClaimResult& claim : whole_paper().claims) {
     if (!claim.counterexample || !claim.counterexample->motions) continue;
-    const Scene& scene = claim.counterexample->bicycle->scene;
-    if (claim.counterexample->motions->continua.empty()) {
-      CHECK(claim.counterexample->bicycle->motions->motions.size() == claim.counterexample->motions->motions.size());
-    }
-    for (const auto& found : claim.counterexample->bicycle->motions->motions) {
-      const auto u = test::unknowns(scene.bicycle, *scene.F, found.values);
-      for (const auto& r : equations_of_motion(scene.bicycle, scene.road, scene.force_kind, u, *scene.F)) CHECK(r == 0);
-      for (const ContactMode m : found.modes) {
-        for (const Condition& c : conditions(m)) CHECK(condition_value(c, found.values, scene.road.f) >= 0);
+    const BicycleOfValues scene = bicycle_of(claim.counterexample->scene.values);
+    const Rational F = *claim.counterexample->scene.load;
+    for (const MotionAtLoad& found : claim.counterexample->motions->motions) {
+      const auto& x = found.accelerations;
+      const auto force = [&](std::size_t i) { return *found.forces[i].lower; };  // T, N2, S2, N3, S3
+      const Unknowns<Rational> u{x[0], x[1], x[2], x[3], x[4], x[5], force(0), force(2), force(4), force(1), force(3)};
+      for (const auto& r : equations_of_motion(scene.bicycle, scene.road, scene.kind, u, F)) CHECK(r == 0);
+      const Motion<Rational> motion = motion_of(scene.bicycle, u);
+      for (const MechanismMode& m : found.all_modes()) {
+        for (const Condition& c : conditions(*contact_mode(m))) CHECK(condition_value(c, motion, scene.road.f) >= 0);
       }
       ++checked;
     }

@@ -6,9 +6,9 @@
 #include <array>
 
 #include "contact/problem/solutions.hpp"
-#include "mechanics/bicycle_modes/bicycle_motions.hpp"
-#include "mechanics/bicycle_modes/delassus.hpp"
+#include "mechanics/bicycle_modes/motions.hpp"
 #include "mechanics/kernel/mode_solver.hpp"
+#include "support/bicycle_scenes.hpp"
 #include "support/random_scene.hpp"
 
 using namespace slipproof;
@@ -66,7 +66,7 @@ void put_inside(ContactProblem& problem, const ProblemMode& mode) {
   std::vector<Rational> z(n), w(n);
   for (std::size_t i = 0; i < mode.size(); ++i) {
     const std::size_t normal = problem.frictional() ? 2 * i : i;
-    if (mode[i] == ContactState::lift) {
+    if (mode[i] == ElementState::lift) {
       w[normal] = 1;
       continue;
     }
@@ -83,22 +83,41 @@ void put_inside(ContactProblem& problem, const ProblemMode& mode) {
 
 }  // namespace
 
-TEST_CASE("a mechanism's contacts are those of its Delassus form") {
+TEST_CASE("a bicycle's contact matrix is symmetric, and gives the accelerations of every motion") {
   test::RandomScenes random(211);
   for (int i = 0; i < 40; ++i) {
     const auto p = random.bicycle(true);
     const auto road = random.road();
     const ForceKind kind = i % 2 == 0 ? ForceKind::internal : ForceKind::external;
-    const auto contacts =
-        contact_problem(without_equations(friction_problem(bicycle_mechanism(), bicycle_values(p, road, kind))));
-    const auto known = contact_problem(p, road, kind, 0);
-    REQUIRE(contacts);
-    CHECK(contacts->W == known->W);
-    CHECK(contacts->q == known->q);
-    CHECK(contacts->mu == known->mu);
+    const Rational F = random.any();
+    const ContactProblem contacts = test::contacts_of(p, road, kind, F);
+    CHECK(contacts.mu == std::vector<Rational>{road.f, road.f});
+    for (std::size_t r = 0; r < 4; ++r) {
+      CHECK(contacts.W[r][r] > 0);
+      // slip is the acceleration along x, S the force along x; gap points up, N acts up: both pairs do work.
+      for (std::size_t c = 0; c < r; ++c) CHECK(contacts.W[r][c] == contacts.W[c][r]);
+    }
+    const ModeTable table(p, road, kind);
+    for (const ModeSolution& s : table.solutions()) {
+      if (s.kind() != ModeSolution::Kind::regular) continue;
+      const auto at = [&](Quantity q) { return s.quantity(q).at(F); };
+      CHECK(accelerations(contacts, {at(Quantity::N2), at(Quantity::S2), at(Quantity::N3), at(Quantity::S3)}) ==
+            std::vector<Rational>{at(Quantity::gap2), at(Quantity::slip2), at(Quantity::gap3), at(Quantity::slip3)});
+    }
   }
-  const auto without_J = bicycle_values(random.bicycle(false), random.road(), ForceKind::internal);
-  CHECK_FALSE(contact_problem(without_equations(friction_problem(bicycle_mechanism(), without_J))));
+}
+
+TEST_CASE("contacts that cannot all open, or a wheel without inertia, make no contact problem") {
+  test::RandomScenes random(212);
+  auto p = random.bicycle(true);
+  const auto none = [&](const Bicycle<Rational>& bicycle) {
+    const MechanismScene scene = test::scene_of(bicycle, random.road(), ForceKind::internal);
+    return !contact_problem(without_equations(friction_problem(scene.mechanism, scene.values)));
+  };
+  CHECK_FALSE(none(p));
+  p.I3 = 0;
+  CHECK(none(p));
+  CHECK(none(random.bicycle(false)));
 }
 
 TEST_CASE("the bicycle's critical coefficient is the one worked out by hand") {
@@ -108,7 +127,7 @@ TEST_CASE("the bicycle's critical coefficient is the one worked out by hand") {
     const Rational f = critical_coefficient(p);
     if (f.is_zero()) continue;
     const auto verdict = [&](const Rational& factor) {
-      return for_every_load(*contact_problem(p, {f * factor, 1}, ForceKind::internal, 0)).verdict;
+      return for_every_load(test::contacts_of(p, {f * factor, 1}, ForceKind::internal, 0)).verdict;
     };
     CHECK(verdict(Rational(999'999, 1'000'000)) == EveryLoad::Verdict::unique);
     CHECK(verdict(1) == EveryLoad::Verdict::not_unique);

@@ -22,7 +22,7 @@ LoadedContacts pushed_block(const Rational& F) {
 }
 
 MechanismScene ambiguous(const std::string& force) {
-  return parse_any_scene(
+  return parse_scene(
       "[bicycle]\nR = '1/4'\nh = '1'\nb = '0.4'\nM2 = '1/20'\nM3 = '1/20'\nJ = '0.4'\n"
       "[road]\nf = '1'\ng = '9.81'\n[force]\nkind = 'internal'\nP = '" +
           force + "'\n",

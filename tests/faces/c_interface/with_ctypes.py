@@ -126,14 +126,15 @@ class Solving(unittest.TestCase):
             self.assertTrue(rejection.violated)
         ranges = [(r.mode.decode(), ends(r.loads), [bool(r.loads.lower_closed), bool(r.loads.upper_closed)])
                   for r in solution.array("ranges")]
-        self.assertEqual(ranges, [(r["mode"], r.get("F", r.get("load")), r["closed"])
+        self.assertEqual(ranges, [(r["mode"], r["load"], r["closed"])
                                   for r in document.get("ranges", [])])
         cells = solution.array("cells")
         self.assertEqual(bool(cells), not at_load)
         if "cells" in document:
-            self.assertEqual([ends(cell.loads) for cell in cells], [cell["F"] for cell in document["cells"]])
+            self.assertEqual([ends(cell.loads) for cell in cells], [cell["load"] for cell in document["cells"]])
             self.assertEqual([[modes(m) for m in cell.motions[:cell.motion_count]] for cell in cells],
-                             [[m["modes"] for m in cell["motions"]] + [[m] for m in cell["continua"]]
+                             [[m["modes"] or m["boundary_modes"] for m in cell["motions"]] +
+                              [[m] for m in cell["continua"]]
                               for cell in document["cells"]])
 
     def values_agree(self, motion, expected):

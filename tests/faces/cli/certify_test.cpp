@@ -50,8 +50,9 @@ class Bench {
     const Outcome solved = run({"solve", "--json", file});
     REQUIRE(solved.exit_code == 0);
     const Json motion = Json::parse(solved.out)["motions"].at(0);
-    std::string line = F + "," + motion["modes"][0].get<std::string>();
-    for (const char* key : {"a", "S2", "S3", "N2", "N3"}) line += "," + motion[key].get<std::string>();
+    const Json& modes = motion["modes"].empty() ? motion["boundary_modes"] : motion["modes"];
+    std::string line = F + "," + modes[0].get<std::string>() + "," + motion["accelerations"]["a"].get<std::string>();
+    for (const char* force : {"S2", "S3", "N2", "N3"}) line += "," + motion["forces"][force].get<std::string>();
     return line + "\n";
   }
   Outcome certify(const std::string& records, std::vector<std::string> more = {},

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "floating/filter/batch.hpp"
-#include "mechanics/bicycle/scene.hpp"
-#include "report/scenes/solve_report.hpp"
+#include "mechanics/scene/scene.hpp"
+#include "report/scenes/mechanism_report.hpp"
 
 namespace {
 
@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
                                    .road = {.f = at(11), .g = at(12)},
                                    .F = at(13)};
   const double batch = best_of(7, [&] { consistent_modes(scenes, 1); });
-  const Scene scene = read_scene(argv[2]);
-  const double solution = best_of(300, [&] { const SolvedScene solved(scene); });
+  const MechanismScene scene = read_scene(argv[2]);
+  const double solution = best_of(300, [&] { const SolvedMechanism solved(scene); });
   std::printf("%.9g %.9g\n", static_cast<double>(size) / batch, solution);
 }

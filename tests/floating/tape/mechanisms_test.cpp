@@ -163,7 +163,7 @@ TEST_CASE("bodies at rest on two contacts need no kernel") {
     CAPTURE(name);
     const Mechanism mechanism = open_mechanism(name);
     const MechanismScene scene =
-        read_mechanism_scene(std::string(SLIPPROOF_SOURCE_DIR) + "/cases/mechanisms/scenes/" + name + ".toml");
+        read_scene(std::string(SLIPPROOF_SOURCE_DIR) + "/cases/mechanisms/scenes/" + name + ".toml");
     std::vector<double> parameters, halves;
     for (const Rational& x : scene.values.parameters) parameters.push_back(nearest_binary64(x));
     for (const auto& at : scene.values.angles) halves.push_back(nearest_binary64(Rational(at.sine / (1 + at.cosine))));

@@ -53,7 +53,7 @@ std::string unknown_symbols(int from, int to) {
 }
 
 void read_good_scene(const std::string& text) {
-  parse_mechanism_scene(text, "scene.toml");
+  parse_scene(text, "scene.toml");
 }
 
 }  // namespace

@@ -88,7 +88,7 @@ TEST_CASE("every shipped mechanism is found by name, has a scene, and is shown i
     const Mechanism m = open_mechanism(stem);
     CHECK_FALSE(m.source.empty());
     CHECK(shipped->text.starts_with("# Shows: "));
-    const MechanismScene scene = read_mechanism_scene(mechanisms / "scenes" / (stem + ".toml"));
+    const MechanismScene scene = read_scene(mechanisms / "scenes" / (stem + ".toml"));
     CHECK(scene.mechanism.name == m.name);
     const auto findings = check_mechanism(m);
     CHECK(std::ranges::none_of(findings, &MechanismFinding::checkable));

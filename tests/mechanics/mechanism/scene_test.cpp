@@ -17,7 +17,7 @@ const std::string crate =
     "mu_k = \"0.6\"\ng = \"9.81\"\n";
 
 MechanismScene with_angle(const std::string& angle) {
-  return parse_mechanism_scene(crate + "theta = " + angle + "\n", "folder/crate.toml");
+  return parse_scene(crate + "theta = " + angle + "\n", "folder/crate.toml");
 }
 
 }  // namespace
@@ -73,11 +73,11 @@ TEST_CASE("states of a scene come before those of the file, and optional paramet
       "\"0.01\"\n"
       "I2 = \"0.12\"\nI3 = \"0.2\"\nr1 = \"0.09\"\nr2 = \"0.036\"\nL = \"0.17\"\nf = \"0.8\"\ng = \"9.81\"\nexternal = "
       "\"0\"\n";
-  const MechanismScene plain = parse_mechanism_scene(text, "x.toml");
+  const MechanismScene plain = parse_scene(text, "x.toml");
   CHECK_FALSE(plain.values.given[11]);
   const FrictionProblem problem = friction_problem(plain.mechanism, plain.values);
   CHECK_FALSE(problem.elements[0].kind.lifts);
-  const MechanismScene sliding = parse_mechanism_scene(text + "[state]\nfront = \"slides-\"\n", "x.toml");
+  const MechanismScene sliding = parse_scene(text + "[state]\nfront = \"slides-\"\n", "x.toml");
   const FrictionProblem slides = friction_problem(sliding.mechanism, sliding.values);
   CHECK(slides.elements[1].kind.start == ElementKind::Start::slides_backward);
   CHECK(slides.elements[0].kind.start == ElementKind::Start::rest);
@@ -88,12 +88,12 @@ TEST_CASE("along another parameter the file's load must have a value, and the pa
       "mechanism = \"ladder\"\nalong = \"d\"\n[values]\nm = \"12\"\nl = \"2\"\nI = \"16\"\nmu_f = \"0.5\"\nmu_w = "
       "\"0.2\"\n"
       "g = \"9.81\"\ntheta = { tan_half = \"1/2\" }\nW = \"100\"\n";
-  const MechanismScene scene = parse_mechanism_scene(text, "x.toml");
+  const MechanismScene scene = parse_scene(text, "x.toml");
   CHECK_FALSE(scene.load);
   CHECK(scene.mechanism.load->symbol == "d");
   CHECK(to_string(friction_problem(scene.mechanism, scene.values).load_domain) == "[-2, 2]");
-  CHECK(parse_mechanism_scene(text + "d = \"1\"\n", "x.toml").load == Rational(1));
-  CHECK_THROWS_WITH(parse_mechanism_scene(text + "d = \"3\"\n", "x.toml"),
+  CHECK(parse_scene(text + "d = \"1\"\n", "x.toml").load == Rational(1));
+  CHECK_THROWS_WITH(parse_scene(text + "d = \"3\"\n", "x.toml"),
                     "x.toml:12:5: d: found '3', expected a value in [-2, 2]");
 }
 

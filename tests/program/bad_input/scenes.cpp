@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mechanics/bicycle/scene.hpp"
+#include "mechanics/scene/scene.hpp"
 #include "table.hpp"
 
 using namespace slipproof;

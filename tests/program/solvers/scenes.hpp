@@ -10,7 +10,6 @@
 
 #include "base/number/binary64.hpp"
 #include "base/number/format.hpp"
-#include "mechanics/bicycle_modes/delassus.hpp"
 #include "mechanics/bicycle_modes/motions.hpp"
 #include "support/filter_scenes.hpp"
 

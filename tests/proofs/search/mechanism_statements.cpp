@@ -94,7 +94,7 @@ TEST_CASE("what statements say of a mode of a shipped mechanism is true of its m
   const std::filesystem::path folder = SLIPPROOF_SOURCE_DIR "/cases/mechanisms/scenes";
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     CAPTURE(entry.path().string());
-    MechanismScene scene = read_mechanism_scene(entry.path());
+    MechanismScene scene = read_scene(entry.path());
     const FrictionProblem problem = friction_problem(scene.mechanism, scene.values);
     if (problem.has_load && !scene.load) scene.load = problem.load_domain.sample();
     const MotionsAtLoad found = motions_of(problem, scene.load);

@@ -305,8 +305,7 @@ namespace {
 /// A ladder that rests: undetermined forces N_floor in [200.26, 241.342], and so on.
 CertifyOptions ladder() {
   CertifyOptions options;
-  options.mechanism.emplace(
-      read_mechanism_scene(std::string(SLIPPROOF_SOURCE_DIR) + "/cases/mechanisms/scenes/ladder.toml"));
+  options.mechanism.emplace(read_scene(std::string(SLIPPROOF_SOURCE_DIR) + "/cases/mechanisms/scenes/ladder.toml"));
   return options;
 }
 

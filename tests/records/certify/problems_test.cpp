@@ -5,10 +5,11 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "mechanics/bicycle/scene.hpp"
+#include "mechanics/scene/scene.hpp"
 #include "records/certify/certify.hpp"
 #include "records/certify/problem_reader.hpp"
 #include "records/certify/record_reader.hpp"
+#include "support/bicycle_scenes.hpp"
 #include "support/certified.hpp"
 
 using namespace slipproof;
@@ -225,11 +226,10 @@ TEST_CASE("recorded answers of Siconos get the same verdict as contact problems 
       CAPTURE(row);
       const Record record = reader.read(row);
       const auto s = exact_scene(record);
-      const auto problem = contact_problem(s.bicycle, s.road, s.force_kind, s.F);
-      REQUIRE(problem);
+      const ContactProblem problem = slipproof::test::contacts_of(s.bicycle, s.road, s.force_kind, s.F);
       ProblemAnswer answer;
       for (const Field f : {Field::N2, Field::S2, Field::N3, Field::S3}) answer.z.push_back(record.exactly(f));
-      const auto judgement = judge_problem(*problem, answer, options.judge);
+      const auto judgement = judge_problem(problem, answer, options.judge);
       ++records;
       CHECK(judgement.motions == scene["motions"]);
       const std::string found(name(judgement.verdict));
@@ -267,15 +267,13 @@ TEST_CASE("the shipped examples get the verdicts that their table tells, and the
   CHECK(lines[7]["solutions"] == 3);
   CHECK(lines[9]["solutions"] == 3);
 
-  const Scene scene = read_scene(folder + "ambiguous.toml");
-  const auto problem = contact_problem(scene.bicycle, scene.road, scene.force_kind, *scene.F);
-  REQUIRE(problem);
+  const ContactProblem problem = loaded_contacts(read_scene(folder + "ambiguous.toml")).problem;
   const std::string all = text.str();
   const std::size_t last = all.rfind("{");
   const auto record = read_problem(std::string_view(all).substr(last, all.find('\n', last) - last), false, false);
-  CHECK(record.problem.W == problem->W);
-  CHECK(record.problem.q == problem->q);
-  CHECK(record.problem.mu == problem->mu);
+  CHECK(record.problem.W == problem.W);
+  CHECK(record.problem.q == problem.q);
+  CHECK(record.problem.mu == problem.mu);
 }
 
 TEST_CASE("one mu for what may be planar or in space asks for the dimension") {

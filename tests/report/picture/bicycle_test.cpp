@@ -1,11 +1,12 @@
 // The small picture of a bicycle: wheels on the road touch it, one that leaves the road is above it.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <map>
 #include <pugixml.hpp>
 #include <set>
 
-#include "mechanics/bicycle/scene.hpp"
+#include "mechanics/scene/bicycle_scene.hpp"
 #include "report/markup/element.hpp"
 #include "report/picture/bicycle_figure.hpp"
 #include "report/picture/bicycle_svg.hpp"
@@ -22,7 +23,7 @@ struct DrawnBicycle {
   std::string label, text;
 };
 
-DrawnBicycle draw(const Scene& scene, const FoundMotion<Rational>* motion) {
+DrawnBicycle draw(const MechanismScene& scene, const MotionAtLoad* motion) {
   const Document document("svg");
   add_bicycle(document.root(), scene, motion, "A bicycle");
   pugi::xml_document tree;
@@ -38,21 +39,31 @@ DrawnBicycle draw(const Scene& scene, const FoundMotion<Rational>* motion) {
   return drawn;
 }
 
+std::vector<MotionAtLoad> motions_at_load(const MechanismScene& scene) {
+  return motions_of(friction_problem(scene.mechanism, scene.values), scene.load).motions;
+}
+
+Rational acceleration(const MotionAtLoad& motion, std::string_view symbol) {
+  const auto names = acceleration_names(bicycle_mechanism());
+  return motion.accelerations[static_cast<std::size_t>(std::find(names.begin(), names.end(), symbol) - names.begin())];
+}
+
 }  // namespace
 
 TEST_CASE("a wheel is raised exactly where a motion takes it off the road") {
   // Three motions at one force: rolling, slipping, and the front wheel off the road.
-  Scene scene = read_scene(SLIPPROOF_SOURCE_DIR "/cases/ambiguous.toml");
+  MechanismScene scene = read_scene(SLIPPROOF_SOURCE_DIR "/cases/ambiguous.toml");
+  const Rational own = *scene.load;
   std::map<std::string, bool> seen;
-  for (const ForceKind kind : {ForceKind::internal, ForceKind::external}) {
-    scene.force_kind = kind;
-    for (const Rational& F : {Rational(-200), Rational(-3), *scene.F, Rational(200)}) {
-      scene.F = F;
-      for (const auto& motion : motions_at(ModeTable(scene.bicycle, scene.road, kind), F).motions) {
-        const bool rear = motion.values[Quantity::gap2] > 0, front = motion.values[Quantity::gap3] > 0;
+  for (const int external : {0, 1}) {
+    scene.values.parameters[bicycle_parameter("external")] = external;
+    for (const Rational& F : {Rational(-200), Rational(-3), own, Rational(200)}) {
+      scene.load = F;
+      for (const MotionAtLoad& motion : motions_at_load(scene)) {
+        const bool rear = acceleration(motion, "gap2") > 0, front = acceleration(motion, "gap3") > 0;
         const DrawnBicycle drawn = draw(scene, &motion);
         REQUIRE(drawn.lowest.size() == 2);
-        CAPTURE(name(motion.modes.front()));
+        CAPTURE(name(motion.all_modes().front()));
         CHECK((drawn.lowest[0] < drawn.road - 8) == rear);
         CHECK((drawn.lowest[1] < drawn.road - 8) == front);
         if (!rear) CHECK(drawn.lowest[0] == doctest::Approx(drawn.road));
@@ -99,8 +110,8 @@ TEST_CASE("the figure names every length, force and acceleration of the model") 
 }
 
 TEST_CASE("the pedal force starts at the pedal, L below the axles, and points backwards when positive") {
-  Scene scene = read_scene(SLIPPROOF_SOURCE_DIR "/cases/city-bicycle.toml");
-  const auto motion = motions_at(ModeTable(scene.bicycle, scene.road, scene.force_kind), *scene.F).motions.front();
+  const MechanismScene scene = read_scene(SLIPPROOF_SOURCE_DIR "/cases/city-bicycle.toml");
+  const MotionAtLoad motion = motions_at_load(scene).front();
   const Document document("svg");
   add_bicycle(document.root(), scene, &motion, "A bicycle");
   pugi::xml_document tree;

@@ -25,7 +25,7 @@ namespace {
 const std::string mechanism_scenes = SLIPPROOF_SOURCE_DIR "/cases/mechanisms/scenes/";
 
 MechanismScene shipped_scene(const std::string& name) {
-  return read_mechanism_scene(mechanism_scenes + name + ".toml");
+  return read_scene(mechanism_scenes + name + ".toml");
 }
 
 std::size_t parameter(const Mechanism& mechanism, const std::string& symbol) {
@@ -122,7 +122,7 @@ TEST_CASE("points of every shipped mechanism's diagram are what its kernel finds
   std::size_t scenes = 0, points = 0;
   for (const auto& entry : std::filesystem::directory_iterator(mechanism_scenes)) {
     CAPTURE(entry.path());
-    MechanismScene scene = read_mechanism_scene(entry.path());
+    MechanismScene scene = read_scene(entry.path());
     if (!scene.mechanism.load) scene = with_load(scene, "g");
     points += check_points(scene, {});
     if (!scene.mechanism.angles.empty()) {

@@ -140,7 +140,7 @@ const std::string runner = "[[contact]]\nname = \"runner\"\ngap = \"ay\"\nslip =
 }  // namespace
 
 TEST_CASE("the polygon of a block stands where its file says, to scale and y up") {
-  const MechanismScene scene = read_mechanism_scene(drawn_scenes + "block-shaken.toml");  // b = 1/2, h = 1
+  const MechanismScene scene = read_scene(drawn_scenes + "block-shaken.toml");  // b = 1/2, h = 1
   const DrawnMechanism picture = drawn(scene);
   // Corners (-b, -h), (b, -h), (b, h), (-b, h); an arrow below reaches down to -5/4 h, so that all is 9/4 high.
   const double scale = std::min(270 / 1.0, 220 / 2.25);
@@ -204,7 +204,7 @@ TEST_CASE("what a guide pulls is drawn away from the body") {
 }
 
 TEST_CASE("undetermined forces are dashed, with their ranges") {
-  const MechanismScene scene = read_mechanism_scene(drawn_scenes + "ladder.toml");
+  const MechanismScene scene = read_scene(drawn_scenes + "ladder.toml");
   const MotionsAtLoad found = motions(scene);
   REQUIRE(found.motions.size() == 1);
   const DrawnMechanism picture = drawn(scene, &found.motions[0]);
@@ -219,7 +219,7 @@ TEST_CASE("every shipped mechanism has a picture, alone and with each motion, in
   int pictures = 0;
   for (const auto& entry : std::filesystem::directory_iterator(drawn_scenes)) {
     CAPTURE(entry.path());
-    const MechanismScene scene = read_mechanism_scene(entry.path());
+    const MechanismScene scene = read_scene(entry.path());
     CHECK(has_picture(scene.mechanism));
     check_readable(drawn(scene));
     ++pictures;
@@ -264,7 +264,7 @@ TEST_CASE("a coordinate without a value is refused at its place") {
 }
 
 TEST_CASE("inside of a page the same picture has a title and a description") {
-  const MechanismScene scene = read_mechanism_scene(drawn_scenes + "gripper.toml");
+  const MechanismScene scene = read_scene(drawn_scenes + "gripper.toml");
   const Document document("div");
   add_mechanism(document.root(), scene, nullptr, "A gripper");
   pugi::xml_document tree;

@@ -11,14 +11,14 @@
 #include "base/number/binary64.hpp"
 #include "claims/reading/read_claims_file.hpp"
 #include "claims/sampling/solved_sample.hpp"
-#include "mechanics/bicycle/scene.hpp"
-#include "mechanics/bicycle_modes/bicycle_motions.hpp"
+#include "mechanics/bicycle/domain.hpp"
 #include "mechanics/bicycle_modes/motions.hpp"
 #include "report/phase/axis.hpp"
 #include "report/phase/phase_points.hpp"
 #include "report/phase/phase_svg.hpp"
 #include "report/planes/claims_plane.hpp"
-#include "report/planes/scene_plane.hpp"
+#include "report/planes/mechanism_plane.hpp"
+#include "support/bicycle_scenes.hpp"
 #include "support/random_scene.hpp"
 #include "support/shipped.hpp"
 
@@ -38,18 +38,44 @@ std::vector<MechanismMode> mechanism_modes(const std::vector<ContactMode>& modes
   return result;
 }
 
+/// A number of a motion by its symbol.
+std::optional<Rational> value_of(const PhasePoint::Motion& motion, const Plane& plane, std::string_view symbol) {
+  const auto found = std::find_if(plane.quantities.begin(), plane.quantities.end(),
+                                  [&](const MotionQuantity& quantity) { return quantity.name == symbol; });
+  REQUIRE(found != plane.quantities.end());
+  return motion.values[static_cast<std::size_t>(found - plane.quantities.begin())];
+}
+
 /// The motions by another way than the partition: at one force.
-void check_point(const PhasePoint& point, const ModeTable& table, const Rational& force) {
+void check_point(const Plane& plane, const PhasePoint& point, const BicycleOfValues& p, const Rational& force) {
+  const ModeTable table(p.bicycle, p.road, p.kind);
   const MotionsAtForce there = motions_at(table, force);
   REQUIRE(point.motions.size() == there.motions.size());
   CHECK(point.continua.size() == there.continua.size());
   for (const auto& motion : there.motions) {
     const auto same = [&](const PhasePoint::Motion& other) {
-      std::vector<std::optional<Rational>> values(motion.values.values.begin(), motion.values.values.end());
-      return other.modes == mechanism_modes(motion.modes) && other.strict == motion.strict && other.values == values;
+      const auto all = all_quantities();
+      return other.modes == mechanism_modes(motion.modes) && other.strict == motion.strict &&
+             std::all_of(all.begin(), all.end(),
+                         [&](Quantity q) { return value_of(other, plane, name(q)) == motion.values[q]; });
     };
     CHECK(std::count_if(point.motions.begin(), point.motions.end(), same) == 1);
   }
+}
+
+/// The bicycle of a scene with another value of a parameter, or of what says several; nothing outside of the domain.
+std::optional<BicycleOfValues> with_parameter(const MechanismScene& scene, std::string_view symbol, const Rational& x) {
+  MechanismValues values = scene.values;
+  for (const CombinedParameter& combined : scene.combined) {
+    if (combined.symbol != symbol) continue;
+    for (const auto& [parameter, over] : combined.sets) values.parameters[bicycle_parameter(parameter)] = over.at(x);
+  }
+  const auto& own = scene.mechanism.parameters;
+  if (std::any_of(own.begin(), own.end(), [&](const auto& p) { return p.symbol == symbol; })) {
+    values.parameters[bicycle_parameter(symbol)] = x;
+  }
+  const BicycleOfValues there = bicycle_of(values);
+  return in_domain(there.bicycle, there.road) ? std::optional(there) : std::nullopt;
 }
 
 MotionSet set_at(const ModeTable& table, const Rational& force) {
@@ -68,13 +94,12 @@ TEST_CASE("sample points of every scene of cases/ are what solving it there give
   for (const auto& entry : std::filesystem::directory_iterator(source + "/cases")) {
     if (entry.path().extension() != ".toml") continue;
     CAPTURE(entry.path());
-    const Scene scene = read_scene(entry.path());
-    const PhaseDiagram diagram = phase_diagram(scene_plane(scene, {}, "s"), 12);
+    const MechanismScene scene = read_scene(entry.path());
+    const PhaseDiagram diagram = phase_diagram(mechanism_plane(scene, {}, "s"), 12);
     const auto points = sample_points(diagram, 6, 5);
     CHECK(points.size() >= 25);
     for (const PhasePoint& point : points) {
-      const Scene there = *with_parameter(scene, "f", point.x);
-      check_point(point, ModeTable(there.bicycle, there.road, there.force_kind), point.y);
+      check_point(diagram.plane, point, *with_parameter(scene, "f", point.x), point.y);
     }
     ++scenes;
   }
@@ -82,12 +107,12 @@ TEST_CASE("sample points of every scene of cases/ are what solving it there give
 }
 
 TEST_CASE("the regions as drawn have the motions that they are coloured by") {
-  const Scene scene = read_scene(source + "/cases/city-bicycle.toml");
-  for (const char* parameter : {"f", "h0", "b2", "J"}) {
+  const MechanismScene scene = read_scene(source + "/cases/city-bicycle.toml");
+  for (const char* parameter : {"f", "h0", "b2", "b", "mu", "J"}) {
     CAPTURE(parameter);
-    SceneAxes axes;
+    MechanismAxes axes;
     axes.x = parameter;
-    const PhaseDiagram diagram = phase_diagram(scene_plane(scene, axes, "s"), 24);
+    const PhaseDiagram diagram = phase_diagram(mechanism_plane(scene, axes, "s"), 24);
     const PhaseRegions regions = phase_regions(diagram);
     int inside = 0;
     for (const Strip& strip : regions.strips) {
@@ -99,7 +124,7 @@ TEST_CASE("the regions as drawn have the motions that they are coloured by") {
         const auto there = with_parameter(scene, parameter, x);
         if (!there || height < width / 50) continue;
         const Rational force = to_rational((strip.upper[i].y + strip.lower[i].y) / 2);
-        const ModeTable table(there->bicycle, there->road, there->force_kind);
+        const ModeTable table(there->bicycle, there->road, there->kind);
         if (i == 0 || i + 1 == strip.lower.size()) continue;  // the ends are drawn on to the next run
         CHECK(set_at(table, force) == strip.set);
         ++inside;
@@ -120,7 +145,7 @@ TEST_CASE("the paper's plane: points solved again, borders on thresholds exactly
       values[figure.x] = point.x;
       const auto sample = SolvedSample::make(setting, values);
       const BicycleOfValues scene = bicycle_of(sample->point());
-      check_point(point, ModeTable(scene.bicycle, scene.road, scene.kind), sample->load(point.y));
+      check_point(diagram.plane, point, scene, sample->load(point.y));
     }
     const std::vector<std::string> expected{"xi1", "xi2", "xi3", "xi4", "xi5", "xi6"};
     auto curves = diagram.plane.curves;
@@ -201,43 +226,41 @@ TEST_CASE("the third motion of the ambiguous region shows, and the claim that de
 TEST_CASE("random scenes: every point, and pictures that are well-formed") {
   test::RandomScenes random(11);
   for (int i = 0; i < 12; ++i) {
-    Scene scene;
+    const Bicycle<Rational> bicycle = random.bicycle(i % 3 != 0);
+    const Rational f = random.fraction(0, 30), g = random.positive();
+    MechanismScene scene = test::scene_of(bicycle, {f, g}, i % 2 == 0 ? ForceKind::internal : ForceKind::external);
     scene.name = "<&\x01 \xFF> scene " + std::to_string(i);
-    scene.bicycle = random.bicycle(i % 3 != 0);
-    scene.road = {random.fraction(0, 30), random.positive()};
-    scene.force_kind = i % 2 == 0 ? ForceKind::internal : ForceKind::external;
-    SceneAxes axes;
+    MechanismAxes axes;
     axes.x = i % 2 == 0 ? "f" : "b3";
-    const PhaseDiagram diagram = phase_diagram(scene_plane(scene, axes, "s"), 8);
+    const PhaseDiagram diagram = phase_diagram(mechanism_plane(scene, axes, "s"), 8);
     for (const PhasePoint& point : sample_points(diagram, 4, 5)) {
-      const Scene there = *with_parameter(scene, axes.x, point.x);
-      check_point(point, ModeTable(there.bicycle, there.road, there.force_kind), point.y);
+      check_point(diagram.plane, point, *with_parameter(scene, axes.x, point.x), point.y);
     }
     pugi::xml_document svg;
     CHECK(svg.load_string(phase_svg_file(diagram).c_str()));
-    CHECK(phase_svg_file(diagram) == phase_svg_file(phase_diagram(scene_plane(scene, axes, "s"), 8)));
-    const auto json = nlohmann::json::parse(map_json(diagram));
+    CHECK(phase_svg_file(diagram) == phase_svg_file(phase_diagram(mechanism_plane(scene, axes, "s"), 8)));
+    const auto json = nlohmann::json::parse(map_json(diagram, scene));
     CHECK(json["columns"].size() == diagram.columns.size());
   }
 }
 
 TEST_CASE("a plane that cannot be is refused in words") {
-  const Scene scene = read_scene(source + "/cases/city-bicycle.toml");
+  const MechanismScene scene = read_scene(source + "/cases/city-bicycle.toml");
   const auto refused = [&](const char* x, std::optional<Rational> from, std::optional<Rational> to) {
-    SceneAxes axes;
+    MechanismAxes axes;
     axes.x = x;
     axes.x_from = from;
     axes.x_to = to;
-    CHECK_THROWS_AS(scene_plane(scene, axes, "s"), std::invalid_argument);
+    CHECK_THROWS_AS(mechanism_plane(scene, axes, "s"), std::invalid_argument);
   };
   refused("frog", std::nullopt, std::nullopt);
   refused("f", Rational(1), Rational(1));
   refused("R", Rational(-2), Rational(-1));
-  Scene light = scene;
-  light.bicycle.J.reset();
-  SceneAxes axes;
+  MechanismScene light = scene;
+  light.values.given[bicycle_parameter("J")] = false;
+  MechanismAxes axes;
   axes.x = "J";
-  CHECK_THROWS_AS(scene_plane(light, axes, "s"), std::invalid_argument);
+  CHECK_THROWS_AS(mechanism_plane(light, axes, "s"), std::invalid_argument);
 }
 
 TEST_CASE("every mistake of a figures file is reported") {

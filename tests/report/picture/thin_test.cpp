@@ -9,10 +9,9 @@
 #include <sstream>
 
 #include "base/number/binary64.hpp"
-#include "mechanics/bicycle/scene.hpp"
 #include "report/phase/phase_svg.hpp"
 #include "report/phase/thin_regions.hpp"
-#include "report/planes/scene_plane.hpp"
+#include "report/planes/mechanism_plane.hpp"
 
 using namespace slipproof;
 
@@ -20,8 +19,8 @@ namespace {
 
 const std::filesystem::path cases = SLIPPROOF_SOURCE_DIR "/cases";
 
-std::vector<Scene> shipped_bicycles() {
-  std::vector<Scene> scenes;
+std::vector<MechanismScene> shipped_bicycles() {
+  std::vector<MechanismScene> scenes;
   for (const auto& folder : {cases, cases / "short-and-tall"}) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
       if (entry.path().extension() == ".toml") scenes.push_back(read_scene(entry.path()));
@@ -97,9 +96,9 @@ double drawn_width(const pugi::xml_node& picture, const std::string& set) {
 TEST_CASE(
     "every set of motions of every shipped bicycle is in the picture, as wide as can be seen, and in the legend") {
   int thin = 0;
-  for (const Scene& scene : shipped_bicycles()) {
+  for (const MechanismScene& scene : shipped_bicycles()) {
     CAPTURE(scene.name);
-    const PhaseDiagram diagram = phase_diagram(scene_plane(scene, {}, "s"), 48);
+    const PhaseDiagram diagram = phase_diagram(mechanism_plane(scene, {}, "s"), 48);
     pugi::xml_document document;
     REQUIRE(document.load_string(phase_svg_file(diagram).c_str()));
     const pugi::xml_node picture = document.select_node("//svg[@data-plot]").node();
@@ -125,8 +124,8 @@ TEST_CASE(
 }
 
 TEST_CASE("the three motions of the ambiguous bicycle are enlarged until they can be seen") {
-  const Scene scene = read_scene(cases / "ambiguous.toml");
-  const PhaseDiagram diagram = phase_diagram(scene_plane(scene, {}, "s"), 60);
+  const MechanismScene scene = read_scene(cases / "ambiguous.toml");
+  const PhaseDiagram diagram = phase_diagram(mechanism_plane(scene, {}, "s"), 60);
   const PhasePicture picture = phase_picture(diagram);
   const auto three = std::find_if(picture.regions.sets.begin(), picture.regions.sets.end(),
                                   [](const MotionSet& set) { return set.motions.size() == 3; });

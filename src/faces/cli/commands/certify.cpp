@@ -16,7 +16,7 @@
 #include "faces/cli/commands/certify_problem.hpp"
 #include "faces/cli/crew_run.hpp"
 #include "faces/cli/warnings.hpp"
-#include "mechanics/bicycle/scene.hpp"
+#include "mechanics/bicycle_modes/bicycle_motions.hpp"
 #include "mechanics/reading/shipped.hpp"
 #include "mechanics/scene/scene.hpp"
 #include "records/certify/contact_file.hpp"
@@ -84,9 +84,9 @@ void read_setting(CertifyArguments& options) {
   if (!options.scene.empty()) {
     const std::string text = read_text_file(options.scene);
     if (is_mechanism_scene(text)) {
-      options.certify.mechanism.emplace(parse_mechanism_scene(text, options.scene));
+      options.certify.mechanism.emplace(parse_scene(text, options.scene));
     } else {
-      options.certify.scene = parse_scene(text, options.scene);
+      options.certify.scene = bicycle_scene(parse_scene(text, options.scene));
     }
   }
   if (options.certify.mechanism) print_warnings(options.certify.mechanism->mechanism, options.common);

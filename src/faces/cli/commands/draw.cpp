@@ -4,12 +4,10 @@
 #include <string>
 
 #include "base/input/diagnostic.hpp"
-#include "base/input/text_file.hpp"
 #include "base/output/output_file.hpp"
 #include "faces/cli/command.hpp"
 #include "faces/cli/warnings.hpp"
-#include "mechanics/bicycle/scene.hpp"
-#include "mechanics/scene/scene.hpp"
+#include "mechanics/scene/bicycle_scene.hpp"
 #include "report/picture/bicycle_figure.hpp"
 #include "report/picture/mechanism_svg.hpp"
 #include "report/scenes/mechanism_report.hpp"
@@ -37,17 +35,13 @@ MotionAtLoad motion_of(const MechanismScene& scene, const DrawArguments& argumen
   return {};
 }
 
-/// Scenes of mechanisms, and those of the bicycle in their old form.
 std::string figure_of(const DrawArguments& arguments, Inputs& inputs) {
-  const std::string text = read_text_file(arguments.scene);
-  if (!is_mechanism_scene(text)) {
-    if (arguments.motion == 0) return bicycle_figure_file(parse_scene(text, arguments.scene));
-    throw CLI::ValidationError("--motion", "found a scene of the bicycle, expected one of a mechanism");
-  }
-  const MechanismScene scene = parse_mechanism_scene(text, arguments.scene);
+  const MechanismScene scene = read_scene(arguments.scene);
   inputs.add(scene.mechanism.file);
   print_warnings(scene.mechanism, arguments.common);
-  if (arguments.motion == 0) return mechanism_svg_file(scene, nullptr);
+  if (arguments.motion == 0) {
+    return is_bicycle(scene.mechanism) ? bicycle_figure_file(scene) : mechanism_svg_file(scene, nullptr);
+  }
   const MotionAtLoad motion = motion_of(scene, arguments);
   return mechanism_svg_file(scene, &motion);
 }
@@ -63,7 +57,7 @@ void add_draw(CLI::App& app, int& exit_code) {
   command.add_option("SCENE", options->scene, "Scene file (TOML), of a bicycle or of a mechanism")->required();
   command
       .add_option("--motion", options->motion,
-                  "Of a mechanism: the forces of this motion, as `solve` lists them, from 1; default: where they "
+                  "The forces of this motion, as `solve` lists them, from 1; default: where they "
                   "count as positive")
       ->check(whole_number(1, 1'000'000));
   command.add_option("-o,--out", options->out, "The file to write; default: standard output");

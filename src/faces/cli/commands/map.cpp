@@ -1,24 +1,19 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "base/input/diagnostic.hpp"
-#include "base/input/text_file.hpp"
 #include "base/number/parse.hpp"
 #include "base/output/output_file.hpp"
 #include "faces/cli/command.hpp"
 #include "faces/cli/png.hpp"
 #include "faces/cli/warnings.hpp"
-#include "mechanics/bicycle/scene.hpp"
 #include "mechanics/scene/scene.hpp"
-#include "report/phase/phase_points.hpp"
+#include "report/phase/phase_regions.hpp"
 #include "report/phase/phase_svg.hpp"
 #include "report/planes/mechanism_plane.hpp"
-#include "report/planes/scene_plane.hpp"
 
 namespace slipproof::cli {
 
@@ -59,43 +54,20 @@ void expect_picture_name(const MapArguments& options) {
 /// What is to be drawn, before the work.
 struct PlannedMap {
   Plane plane;
-  std::optional<MechanismScene> mechanism;  ///< nothing: a scene of the bicycle
-  Inputs inputs;
+  MechanismScene scene;
 };
 
-PlannedMap map_of_bicycle(const MapArguments& options, const Scene& scene) {
-  const auto known = scene_parameters();
-  SceneAxes axes;
-  if (!options.x.empty()) axes.x = options.x;
-  if (std::find(known.begin(), known.end(), axes.x) == known.end()) {
-    throw CLI::ValidationError(
-        "--x", fmt::format("no parameter of a scene: {}; expected one of {}", axes.x, fmt::join(known, ", ")));
-  }
-  if (!options.y.empty() && options.y != "F") {
-    throw CLI::ValidationError("--y", "found " + in_quotes(options.y) + ", expected F, the force of a bicycle");
-  }
-  set_range(options.x_range, axes.x_from, axes.x_to);
-  set_range(options.y_range, axes.y_from, axes.y_to);
-  return {scene_plane(scene, axes, "map"), std::nullopt, {options.scene}};
-}
-
-PlannedMap map_of_mechanism(const MapArguments& options, MechanismScene scene) {
-  if (!options.y.empty()) scene = with_load(scene, options.y);
-  print_warnings(scene.mechanism, options.common);
-  MechanismAxes axes;
-  axes.x = options.x;
-  set_range(options.x_range, axes.x_from, axes.x_to);
-  set_range(options.y_range, axes.y_from, axes.y_to);
-  Plane plane = mechanism_plane(scene, axes, "map");
-  Inputs inputs{options.scene, scene.mechanism.file};
-  return {std::move(plane), std::move(scene), std::move(inputs)};
-}
-
 PlannedMap planned(const MapArguments& options) {
-  const std::string text = read_text_file(options.scene);
+  MechanismScene scene = read_scene(options.scene);
   try {
-    if (is_mechanism_scene(text)) return map_of_mechanism(options, parse_mechanism_scene(text, options.scene));
-    return map_of_bicycle(options, parse_scene(text, options.scene));
+    if (!options.y.empty()) scene = with_load(scene, options.y);
+    print_warnings(scene.mechanism, options.common);
+    MechanismAxes axes;
+    axes.x = options.x;
+    set_range(options.x_range, axes.x_from, axes.x_to);
+    set_range(options.y_range, axes.y_from, axes.y_to);
+    Plane plane = mechanism_plane(scene, axes, "map");
+    return {std::move(plane), std::move(scene)};
   } catch (const std::invalid_argument& error) {
     throw InputError({{options.scene, 0, 0, error.what()}});
   }
@@ -105,11 +77,12 @@ void draw_map(const MapArguments& options) {
   expect_picture_name(options);
   PlannedMap map = planned(options);
   std::optional<OutputFile> out;
-  if (!options.out.empty() && options.out != "-") out.emplace(options.out, map.inputs);
+  if (!options.out.empty() && options.out != "-")
+    out.emplace(options.out, Inputs{options.scene, map.scene.mechanism.file});
   const PhaseDiagram diagram = phase_diagram(std::move(map.plane), options.columns);
   std::string contents;
   if (options.common.json) {
-    contents = map.mechanism ? map_json(diagram, *map.mechanism) : map_json(diagram);
+    contents = map_json(diagram, map.scene);
   } else {
     contents = phase_svg_file(diagram);
     if (options.png || (!options.svg && options.out.ends_with(".png"))) contents = png_of(contents);
@@ -127,11 +100,12 @@ void add_map(CLI::App& app, int& exit_code) {
   CLI::App& command =
       *app.add_subcommand("map", "The phase diagram of a scene: a parameter and the load, exact in every column");
   command.add_option("SCENE", options->scene, "Scene file (TOML), of a bicycle or of a mechanism")->required();
-  command.add_option("--x", options->x,
-                     "The parameter or angle across: f, b, h, R, ... of a bicycle; default: f, or a mechanism's first "
-                     "coefficient of friction");
+  command.add_option(
+      "--x", options->x,
+      "The parameter or angle across; of a bicycle in its own words also b, h0 and mu; default: the first "
+      "coefficient of friction");
   command.add_option("--y", options->y,
-                     "The load: F, or of a mechanism any parameter that multiplies no unknown; default: its own load");
+                     "The load: any parameter that multiplies no unknown; default: the mechanism's own load");
   command.add_option("--x-range", options->x_range, "FROM TO of the parameter; of an angle in degrees")
       ->expected(2)
       ->check(number_or_complaint);

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "base/input/diagnostic.hpp"
-#include "base/input/text_file.hpp"
 #include "base/number/parse.hpp"
 #include "claims/uniqueness/scene_setting.hpp"
 #include "faces/cli/command.hpp"
@@ -34,7 +33,7 @@ std::vector<Compliance> compliances(const SimulateArguments& arguments) {
 }
 
 std::string simulated(const SimulateArguments& arguments) {
-  MechanismScene scene = parse_any_scene(read_text_file(arguments.scene), arguments.scene);
+  MechanismScene scene = read_scene(arguments.scene);
   print_warnings(scene.mechanism, arguments.common);
   try {
     if (!arguments.load.empty()) scene.load = parse_rational(arguments.load);

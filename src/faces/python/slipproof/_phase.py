@@ -30,14 +30,12 @@ class PhaseDiagram(Document):
     def bands(self) -> Dict[str, List[Tuple[float, float, float]]]:
         """For each set of motions (x, from, to), column by column, in floats: what a plotting program needs."""
         document = self.to_dict()
-        of_mechanism = document["schema"] == "slipproof/map/2"
-        symbol = document["x"]["symbol"] if of_mechanism else document["x"]
-        low, high = _ends(document["load"]["range"] if of_mechanism else document["y_range"])
+        low, high = _ends(document["load"]["range"])
         result: Dict[str, List[Tuple[float, float, float]]] = {}
         for column in document["columns"]:
-            x = _across(column["x" if of_mechanism else symbol])
+            x = _across(column["x"])
             for cell in column["cells"]:
-                ends = cell["load" if of_mechanism else document["y"]]
+                ends = cell["load"]
                 bottom = low if ends[0] is None else max(low, float(fraction(ends[0])))
                 top = high if ends[1] is None else min(high, float(fraction(ends[1])))
                 if bottom < top:
@@ -51,14 +49,13 @@ class PhaseDiagram(Document):
 
             ax = matplotlib.pyplot.gca()
         document = self.to_dict()
-        of_mechanism = document["schema"] == "slipproof/map/2"
         columns = sorted({x for bands in self.bands().values() for x, _, _ in bands})
         for name, bands in self.bands().items():
             left, width = _sides(columns, [x for x, _, _ in bands])
             ax.bar(left, [top - bottom for _, bottom, top in bands], width, [bottom for _, bottom, _ in bands],
                    align="edge", linewidth=0, label=name)
-        ax.set_xlabel(document["x"]["symbol"] if of_mechanism else document["x"])
-        ax.set_ylabel(document["load"]["symbol"] if of_mechanism else document["y"])
+        ax.set_xlabel(document["x"]["symbol"])
+        ax.set_ylabel(document["load"]["symbol"])
         ax.set_title(document["scene"])
         ax.legend()
         return ax
@@ -82,11 +79,8 @@ def _ends(texts: Any) -> Tuple[float, float]:
 
 
 def _set_name(cell: Mapping[str, Any]) -> str:
-    motions = []
-    for motion in cell["motions"]:
-        modes = motion if isinstance(motion, list) else motion["modes"] or motion["boundary_modes"]
-        motions.append(" = ".join(modes))
-    return ", ".join([*motions, *(f"continuum of {mode}" for mode in cell.get("continua", ()))]) or "no motion"
+    motions = [" = ".join(motion["modes"] or motion["boundary_modes"]) for motion in cell["motions"]]
+    return ", ".join([*motions, *(f"continuum of {mode}" for mode in cell["continua"])]) or "no motion"
 
 
 def _sides(columns: List[float], xs: List[float]) -> Tuple[List[float], List[float]]:

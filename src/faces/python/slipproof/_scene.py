@@ -134,7 +134,7 @@ class Scene:
     @property
     def is_mechanism(self) -> bool:
         """Whether it is of a mechanism's file, and not the bicycle in its own form."""
-        return self._scene.is_mechanism
+        return "mechanism" in self.to_dict()
 
     def _source(self) -> Tuple[bytes, bytes]:
         return _bytes(self._text, self._file)

@@ -9,18 +9,14 @@ from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
 
 from . import _core
 from ._html import table, phase_line
-from ._numbers import Affine, Interval, Values, fraction, ratio, value
-
-#: The numbers of a bicycle's motion.
-QUANTITIES = ("a", "a_y", "phi", "eps2", "eps3", "S2", "S3", "N2", "N3", "gap2", "gap3", "slip2", "slip3")
-
+from ._numbers import Affine, Interval, Values, ratio, value
 
 class Motion:
     """One motion, with every mode that gives it.
 
     Its numbers are attributes, ``motion.a``, and stand in ``values``: Fractions at one load, :class:`Affine` in a cell.
-    Of a mechanism ``values`` has its accelerations, gaps, slips and forces; a force that is undetermined is none of them:
-    its range stands in ``force_ranges``.
+    ``values`` has accelerations, gaps, slips and forces; a force that is undetermined is none of them: its range stands
+    in ``force_ranges``. ``modes`` are those in which every condition holds strictly, ``boundary_modes`` the others.
     """
 
     __slots__ = ("modes", "boundary_modes", "strict", "values", "force_ranges")
@@ -32,6 +28,11 @@ class Motion:
         self.strict = strict
         self.values = values
         self.force_ranges = force_ranges
+
+    @property
+    def all_modes(self) -> Tuple[str, ...]:
+        """``modes`` and ``boundary_modes``."""
+        return self.modes + self.boundary_modes
 
     @property
     def status(self) -> str:
@@ -57,12 +58,12 @@ class Motion:
 
 
 class _Native(Values):
-    """The numbers of a bicycle's motion at its force, straight from the library."""
+    """The numbers of a motion at its load, straight from the library."""
 
     __slots__ = ("_solution", "_index")
 
-    def __init__(self, solution: "_core.Solution", index: int):
-        super().__init__(dict.fromkeys(QUANTITIES))
+    def __init__(self, solution: "_core.Solution", index: int, names: Sequence[str]):
+        super().__init__(dict.fromkeys(names))
         self._solution, self._index = solution, index
 
     def __getitem__(self, name: str) -> Any:
@@ -83,11 +84,8 @@ class Continuum:
 
     @property
     def ranges(self) -> Any:
-        """Of each number, or of each free parameter, its ends; None where there is none."""
-        ranges = self.details.get("ranges", {})
-        if isinstance(ranges, dict):
-            return {name: tuple(value(x) for x in ends) for name, ends in ranges.items()}
-        return dict(zip(self.details["parameters"], (tuple(value(x) for x in ends) for ends in ranges)))
+        """Of each number its ends; None where there is none."""
+        return {name: tuple(value(x) for x in ends) for name, ends in self.details["ranges"].items()}
 
     def __repr__(self) -> str:
         return f"<Continuum {self.mode}>"
@@ -167,33 +165,27 @@ class Solution:
 
     @property
     def load(self) -> Optional[Fraction]:
-        """The force F, or a mechanism's load; None where the scene has none: then every load was solved."""
-        load = self._document["load"] if self._is_mechanism else {"value": self._document["F"]}
+        """The load, F of a bicycle; None where the scene has none: then every load was solved."""
+        load = self._document["load"]
         return value(load["value"]) if load else None
 
     @property
     def load_symbol(self) -> Optional[str]:
-        """``F``, or how a mechanism calls its load; None where it has none."""
-        if not self._is_mechanism:
-            return "F"
+        """How the mechanism calls its load, ``F`` of a bicycle; None where it has none."""
         load = self._document["load"]
         return load["symbol"] if load else None
-
-    @property
-    def _is_mechanism(self) -> bool:
-        return bool(self._document["schema"] == "slipproof/solve/2")
 
     @cached_property
     def motions(self) -> Tuple[Motion, ...]:
         """Every motion at the load. Raises ValueError where the scene has none: then there are ``cells``."""
-        native = self._solution.motions()
-        if native is not None:
-            return tuple(Motion(modes, (), strict, _Native(self._solution, i), {})
-                         for i, (modes, strict) in enumerate(native))
-        if "motions" not in self._document:
+        found = self._solution.motions()
+        if found is None:
             raise ValueError(f"found no {self.load_symbol} in the scene, expected one for motions; without it ask for "
                              "cells and ranges")
-        return tuple(_motion(m) for m in self._document["motions"])
+        return tuple(Motion(modes, boundary_modes, bool(modes), _Native(self._solution, i, names),
+                            {name: (lower and ratio(lower), upper and ratio(upper))
+                             for name, (lower, upper) in ranges.items()})
+                     for i, (modes, boundary_modes, names, ranges) in enumerate(found))
 
     @cached_property
     def rejected(self) -> Tuple[Rejected, ...]:
@@ -202,7 +194,7 @@ class Solution:
 
     @cached_property
     def continua(self) -> Tuple[Continuum, ...]:
-        """Modes with infinitely many motions at the load; without one, of a bicycle, at any."""
+        """Modes with infinitely many motions at the load; without a load, ``cells`` have them."""
         return tuple(Continuum(c) for c in self._document.get("continua", ()))
 
     @property
@@ -213,17 +205,12 @@ class Solution:
     @cached_property
     def ranges(self) -> Tuple[Range, ...]:
         """For each mode that is consistent at some load, at which; nothing for a mechanism without a load."""
-        key = "load" if self._is_mechanism else "F"
-        return tuple(Range(r["mode"], Interval.read(r[key], r["closed"]), r) for r in self._document.get("ranges", ()))
+        return tuple(Range(r["mode"], Interval.read(r["load"], r["closed"]), r) for r in self._document.get("ranges", ()))
 
     @cached_property
     def cells(self) -> Tuple[Cell, ...]:
         """The line of all loads as points and open intervals with the same motions; nothing where the load is given."""
-        native = self._solution.cells()
-        if native is not None:
-            return tuple(_cell(*cell) for cell in native)
-        return tuple(Cell(Interval.read(c["F"], c["closed"]), [_motion(m) for m in c["motions"]], c["continua"])
-                     for c in self._document.get("cells", ()))
+        return tuple(_cell(*cell) for cell in self._solution.cells())
 
     def phase_line(self) -> str:
         """The loads of each mode as SVG."""
@@ -244,18 +231,8 @@ class Solution:
         return table(head, rows, self.name) + (self.phase_line() if self.ranges else "")
 
 
-def _motion(document: Mapping[str, Any]) -> Motion:
-    if "accelerations" in document:
-        values = {**document["accelerations"], **document["forces"]}
-        ranges = {name: (value(ends[0]), value(ends[1])) for name, ends in document["force_ranges"].items()}
-        return Motion(document["modes"], document["boundary_modes"], document["status"] == "strict", Values(values),
-                      ranges)
-    values = {name: document[name] for name in QUANTITIES}
-    return Motion(document["modes"], (), document["status"] == "strict", Values(values), {})
-
-
 class _Pairs(Values):
-    """Affine numbers of a mechanism's cell."""
+    """Affine numbers of a cell."""
 
     __slots__ = ()
 

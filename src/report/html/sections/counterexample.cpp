@@ -12,6 +12,7 @@
 #include "claims/paper/setting_names.hpp"
 #include "mechanics/bicycle_modes/bicycle_motions.hpp"
 #include "mechanics/mechanism/words.hpp"
+#include "mechanics/scene/bicycle_scene.hpp"
 #include "report/html/sections.hpp"
 #include "report/markup/mathml.hpp"
 #include "report/papers/explain.hpp"
@@ -173,24 +174,14 @@ void add_arithmetic(const Element& parent, const MechanismScene& scene, const Mo
   }
 }
 
-/// The same motion as the table of a bicycle's modes has it.
-const FoundMotion<Rational>* of_bicycle(const Counterexample& e, const MotionAtLoad& motion) {
-  if (!e.bicycle || !e.bicycle->motions) return nullptr;
-  const std::vector<MechanismMode> modes = motion.all_modes();
-  for (const FoundMotion<Rational>& found : e.bicycle->motions->motions) {
-    if (std::find(modes.begin(), modes.end(), mechanism_mode(found.modes.front())) != modes.end()) return &found;
-  }
-  return nullptr;
-}
-
 void add_motion(const Element& parent, const Counterexample& e, const MotionAtLoad& motion) {
   const Element box = parent.add("div", "motion");
   const std::string modes = equal_modes(motion.all_modes());
   const Element heading = box.add("p", "motion-name");
   heading.add("b").text(modes);
   if (!motion.strict()) heading.text(" (boundary)");
-  if (const FoundMotion<Rational>* found = of_bicycle(e, motion)) {
-    add_bicycle(box, e.bicycle->scene, found, "The bicycle with the forces of the motion " + modes);
+  if (is_bicycle(e.scene.mechanism)) {
+    add_bicycle(box, e.scene, &motion, "The bicycle with the forces of the motion " + modes);
   } else if (has_picture(e.scene.mechanism)) {
     add_mechanism(box, e.scene, &motion, "The mechanism with the forces of the motion " + modes);
   }
@@ -278,7 +269,7 @@ void add_counterexample(const Element& parent, const PageInput& input, const Cla
   where.text("The same fails ");
   add_place(where, file, result, *result.simplest);
   add_prose(where, input,
-            ". This " + std::string(setting.bicycle ? "bicycle" : "mechanism") + " cannot be built: it breaks " +
+            ". This " + std::string(noun(setting, "mechanism")) + " cannot be built: it breaks " +
                 broken_conditions(setting, *result.simplest) + ".");
   if (is_about_motions(claim)) add_motions(simplest, *result.simplest);
   add_scene(simplest, scene_text(setting, *result.simplest), file_name + "-simplest.toml");

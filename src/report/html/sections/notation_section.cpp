@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mechanics/scene/bicycle_scene.hpp"
 #include "report/html/sections.hpp"
 #include "report/markup/mathml.hpp"
 #include "report/markup/symbol.hpp"
@@ -65,7 +66,6 @@ void add_row_symbol(const Element& row, std::string_view symbol) {
 }
 
 std::string load_meaning(const Setting& setting) {
-  if (setting.bicycle) return *setting.bicycle == ForceKind::internal ? "the force, internal" : "the force, external";
   const MechanismLoad& load = *setting.mechanism->load;
   return load.meaning.empty() ? "the load" : load.meaning;
 }
@@ -111,8 +111,7 @@ void add_setting(const Element& section, const Setting& setting) {
   }
   if (setting.realisable.empty()) return;
   const Element p = section.add("p");
-  p.text("Called buildable, in this setting, is a " + std::string(setting.bicycle ? "bicycle" : "mechanism") +
-         " with ");
+  p.text("Called buildable, in this setting, is a " + std::string(noun(setting, "mechanism")) + " with ");
   for (const Realisable& condition : setting.realisable) {
     if (&condition != &setting.realisable.front()) p.text(", ");
     add_math(p, condition.condition);
@@ -128,7 +127,7 @@ void add_models(const Element& section, const ClaimsFile& claims) {
     const std::string& name = setting.mechanism->name;
     if (std::find(told.begin(), told.end(), name) != told.end()) continue;
     told.push_back(name);
-    if (!setting.bicycle) {
+    if (!is_bicycle(*setting.mechanism)) {
       add_mechanism(section, setting);
       continue;
     }
@@ -148,7 +147,7 @@ void add_notation_section(const Element& main, const PageInput& input) {
   const Element section = add_section(main, "notation", "Notation");
   const auto& settings = input.claims->settings;
   const bool bicycles =
-      std::all_of(settings.begin(), settings.end(), [](const Setting& s) { return s.bicycle.has_value(); });
+      std::all_of(settings.begin(), settings.end(), [](const Setting& s) { return is_bicycle(*s.mechanism); });
   const std::string strict =
       " A motion is strict in its mode if all conditions of the mode hold strictly, and a boundary motion if one holds "
       "with equality.";

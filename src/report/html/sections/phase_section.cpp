@@ -4,7 +4,7 @@
 #include "report/html/sections.hpp"
 #include "report/markup/symbol.hpp"
 #include "report/planes/claims_plane.hpp"
-#include "report/planes/scene_plane.hpp"
+#include "report/planes/mechanism_plane.hpp"
 
 namespace slipproof {
 
@@ -49,11 +49,11 @@ void add_phase_section(const Element& main, const PageInput& input) {
   section.add("h3").text("The scenes of cases/, in the plane of friction and force");
   const Element grid = section.add("div", "grid");
   for (std::size_t i = 0; i < input.scenes.size(); ++i) {
-    const Scene& scene = input.scenes[i];
-    const PhaseDiagram diagram = phase_diagram(scene_plane(scene, {}, "scene-" + std::to_string(i + 1)), scene_columns);
-    std::string caption = scene.force_kind == ForceKind::internal ? "Internal force." : "External force.";
-    if (!diagram.plane.note.empty()) caption += " " + diagram.plane.note;
-    if (scene.F) caption += " The dot is the scene itself.";
+    const MechanismScene& scene = input.scenes[i];
+    const PhaseDiagram diagram =
+        phase_diagram(mechanism_plane(scene, {}, "scene-" + std::to_string(i + 1)), scene_columns);
+    std::string caption = diagram.plane.note;
+    if (scene.load) caption += std::string(caption.empty() ? "" : " ") + "The dot is the scene itself.";
     add_phase_figure(grid, {diagram, caption, true});
   }
 }

@@ -4,34 +4,40 @@
 #include <set>
 #include <string>
 
-#include "mechanics/bicycle/scene.hpp"
-#include "mechanics/bicycle_modes/motions.hpp"
+#include "mechanics/kernel/motions.hpp"
+#include "mechanics/scene/bicycle_scene.hpp"
 
 using namespace slipproof;
 
 namespace {
 
-Scene shipped(const std::string& name) {
+MechanismScene shipped(const std::string& name) {
   return read_scene(SLIPPROOF_SOURCE_DIR "/cases/" + name + ".toml");
 }
 
+MotionsAtLoad motions_of(const MechanismScene& scene) {
+  return slipproof::motions_of(friction_problem(scene.mechanism, scene.values), scene.load);
+}
+
 /// The modes of all motions at the scene's force.
-std::set<std::string> modes_of(const Scene& scene) {
-  const ModeTable table(scene.bicycle, scene.road, scene.force_kind);
-  const MotionsAtForce found = motions_at(table, *scene.F);
+std::set<std::string> modes_of(const MechanismScene& scene) {
   std::set<std::string> result;
-  for (const auto& motion : found.motions) {
-    for (const auto mode : motion.modes) result.insert(name(mode));
+  for (const MotionAtLoad& motion : motions_of(scene).motions) {
+    for (const MechanismMode& mode : motion.all_modes()) result.insert(name(mode));
   }
   return result;
 }
 
 /// sign of the acceleration of the one motion.
-int direction(const Scene& scene) {
-  const ModeTable table(scene.bicycle, scene.road, scene.force_kind);
-  const MotionsAtForce found = motions_at(table, *scene.F);
+int direction(const MechanismScene& scene) {
+  const MotionsAtLoad found = motions_of(scene);
   REQUIRE(found.motions.size() == 1);
-  return sign(found.motions[0].values[Quantity::a]);
+  REQUIRE(acceleration_names(scene.mechanism).front() == "a");
+  return sign(found.motions[0].accelerations.front());
+}
+
+Rational parameter_of(const MechanismScene& scene, std::string_view symbol) {
+  return scene.values.parameters[bicycle_parameter(symbol)];
 }
 
 using Modes = std::set<std::string>;
@@ -46,9 +52,10 @@ TEST_CASE("asphalt holds, ice does not, and a pull at the handlebar lifts the fr
 }
 
 TEST_CASE("the low recumbent is low, the penny-farthing high") {
-  CHECK(shipped("low-recumbent").bicycle.h < 0);
-  const auto penny = shipped("penny-farthing").bicycle;
-  CHECK(penny.h + penny.R > (penny.b2 + penny.b3) * Rational(3, 2));
+  CHECK(parameter_of(shipped("low-recumbent"), "h") < 0);
+  const MechanismScene penny = shipped("penny-farthing");
+  CHECK(parameter_of(penny, "h") + parameter_of(penny, "R") >
+        (parameter_of(penny, "b2") + parameter_of(penny, "b3")) * Rational(3, 2));
 }
 
 TEST_CASE("Problem 2: with the force for sigma < 1, against it for sigma > 1, at rest for sigma = 1") {
@@ -59,10 +66,12 @@ TEST_CASE("Problem 2: with the force for sigma < 1, against it for sigma > 1, at
   };
   for (const Side& side :
        {Side{"pulled-pedal", -1, -1}, Side{"pulled-pedal-low-gear", 1, 1}, Side{"pulled-pedal-balanced", 0, 0}}) {
-    const Scene scene = shipped(side.file);
+    const MechanismScene scene = shipped(side.file);
     CAPTURE(side.file);
-    CHECK(scene.force_kind == ForceKind::external);
-    CHECK(sign(Rational(sigma(scene.bicycle) - 1)) == side.sigma_side);
+    CHECK(parameter_of(scene, "external") == 1);
+    const Rational sigma =
+        parameter_of(scene, "r2") * parameter_of(scene, "L") / (parameter_of(scene, "r1") * parameter_of(scene, "R"));
+    CHECK(sign(Rational(sigma - 1)) == side.sigma_side);
     CHECK(modes_of(scene) == Modes{"stick/stick"});
     CHECK(direction(scene) == side.a_sign);
   }

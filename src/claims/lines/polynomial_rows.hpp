@@ -1,0 +1,45 @@
+// Elimination in rows of polynomials along a line, without fractions: where a pivot, or a factor that is divided out,
+// vanishes, the elimination is another one, so these polynomials are critical.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "claims/lines/critical_set.hpp"
+
+namespace slipproof {
+
+/// Over the unknowns, the force variable and 1.
+using PolynomialRow = std::vector<IntegerPolynomial>;
+
+/// Equations, solved for as many unknowns as they determine.
+class SolvedRows {
+ public:
+  SolvedRows(std::vector<PolynomialRow> rows, std::size_t unknowns, CriticalSet& found);
+
+  /// Whether there are solutions at some force.
+  bool solvable() const { return solvable_; }
+  /// The unknowns that they leave open.
+  const std::vector<std::size_t>& free() const { return free_; }
+  /// A form on the solutions, times a polynomial that is critical anyway, which is returned: over the free unknowns.
+  IntegerPolynomial reduce(PolynomialRow& form) const;
+
+ private:
+  std::optional<std::pair<std::size_t, std::size_t>> next_pivot(const std::vector<bool>& used) const;
+  void subtract(PolynomialRow& row, const PolynomialRow& pivot, std::size_t column);
+  void add_rest(const PolynomialRow& row);
+
+  std::size_t unknowns_;
+  std::vector<PolynomialRow> rows_;
+  std::vector<std::optional<std::size_t>> pivot_row_;  ///< by unknown; nothing: it is free
+  std::vector<std::size_t> free_;
+  bool solvable_ = true;
+  CriticalSet& found_;
+};
+
+/// Eliminates an unknown from conditions, whatever their signs, pair by pair; false where that makes too many.
+bool eliminate(std::vector<PolynomialRow>& forms, std::size_t unknown, CriticalSet& found);
+
+}  // namespace slipproof
