@@ -68,7 +68,7 @@ class Crew::Stage {
       const bool kept = waiting_.contains(i) || (i >= next_ && is_kept(request_(i)));
       if (!kept) missing.push_back(i + 1);
     }
-    return fmt::format("stopped, as was asked: {} of {} pieces are there, missing: {}", count_ - missing.size(), count_,
+    return fmt::format("stopped on request: {} of {} pieces are done, missing: {}", count_ - missing.size(), count_,
                        ranges_text(missing));
   }
 
@@ -220,8 +220,7 @@ void Crew::look_after(const Stage& stage) {
 }
 
 void Crew::stop_if_asked() const {
-  if (options_.stop_asked && options_.stop_asked())
-    throw Unfinished("stopped, as was asked, by rank 0 at its own work");
+  if (options_.stop_asked && options_.stop_asked()) throw Unfinished("stopped on request, while rank 0 worked alone");
 }
 
 std::string ranges_text(const std::vector<std::uint64_t>& numbers) {

@@ -45,7 +45,7 @@ Descriptor journal_to_read(const std::filesystem::path& path) {
     throw InputError({{path.string(), 0, 0, "cannot be read: " + std::generic_category().message(errno)}});
   }
   if (::flock(file.number(), LOCK_SH | LOCK_NB) != 0) {
-    throw InputError({{path.string(), 0, 0, "found a run that is writing it, expected one that has come to its end"}});
+    throw InputError({{path.string(), 0, 0, "found a run that is still writing it, expected a finished one"}});
   }
   return file;
 }

@@ -115,7 +115,7 @@ PartsEnd read_end(const std::string& prefix) {
   const auto found = Journal(path).find(end_request);
   if (!found) {
     throw InputError({{path.string(), 0, 0,
-                       "found a run that has not come to its end, expected one that has: the same command goes on"}});
+                       "found an unfinished run, expected a finished one: run the same command again to continue"}});
   }
   ByteReader bytes(*found);
   PartsEnd end;
@@ -141,7 +141,7 @@ void read_parts(const std::string& prefix, const PartsEnd& end, const std::funct
   if (complaints.empty()) return;
   std::vector<Diagnostic> diagnostics;
   for (auto& [path, message] : complaints) {
-    diagnostics.push_back({path, 0, 0, message + "; without this file the command that wrote it writes them again"});
+    diagnostics.push_back({path, 0, 0, message + "; delete this file and run the same command again"});
   }
   throw InputError(std::move(diagnostics));
 }

@@ -43,7 +43,7 @@ ByteFile::ByteFile(const std::string& path)
   if (!descriptor_.open()) refuse(path, system_message(errno));
   struct stat found {};
   if (::fstat(descriptor_.number(), &found) != 0) refuse(path, system_message(errno));
-  if (!S_ISREG(found.st_mode)) refuse(path, "found nothing that can be read at any place, expected a regular file");
+  if (!S_ISREG(found.st_mode)) refuse(path, "found a file without random access, expected a regular file");
   size_ = static_cast<std::uint64_t>(found.st_size);
 }
 
@@ -52,7 +52,7 @@ void ByteFile::copy(std::uint64_t offset, char* to, std::size_t count) const {
     const ssize_t got = ::pread(descriptor_.number(), to, count, static_cast<off_t>(offset));
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) refuse(name(), system_message(errno));
-    if (got == 0) refuse(name(), "found its end too soon: the file has become shorter while it was read");
+    if (got == 0) refuse(name(), "found its end too soon: the file became shorter while it was read");
     to += got;
     offset += static_cast<std::uint64_t>(got);
     count -= static_cast<std::size_t>(got);

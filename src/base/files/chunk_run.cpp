@@ -41,7 +41,7 @@ void ChunkLayout::check(const PlacedBytes& file) const {
     const bool holds = deflated ? size / 1032 <= chunk.size + 1 : chunk.size >= size;
     if (there && holds) continue;
     refuse(file.name(), path + ": found a chunk of " + std::to_string(chunk.size) + " bytes at byte " +
-                            std::to_string(chunk.offset) + ", of which the file does not hold the data");
+                            std::to_string(chunk.offset) + ", for which the file has no data");
   }
 }
 
@@ -58,7 +58,7 @@ std::string ChunkRun::inflated(const std::string& packed) const {
   if (code != Z_OK || size != result.size()) fail("found a chunk that is damaged");
   return result;
 #else
-  fail("found compressed data, which this program was built without zlib to read");
+  fail("found compressed data, which this program cannot read: it was built without zlib");
 #endif
 }
 

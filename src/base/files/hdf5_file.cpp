@@ -134,7 +134,7 @@ class Hdf5File::Library {
     const bool nothing = written != nullptr && stored == 0 && elements <= 1032 * size_ / element;
     if (nothing) *written = false;
     if (!nothing && (stored > size_ || stored / element < elements)) {
-      owner_.refuse(path, "found a size of " + std::to_string(elements) + ", of which the file does not hold the data");
+      owner_.refuse(path, "found a size of " + std::to_string(elements) + ", for which the file has no data");
     }
     return elements;
   }
@@ -219,7 +219,7 @@ bool has_hdf5() {
 }
 
 Hdf5File::Hdf5File(const std::string&, std::string file) : file_(std::move(file)) {
-  slipproof::refuse(file_, "found an HDF5 file, which this program was built without HDF5 to read");
+  slipproof::refuse(file_, "found an HDF5 file, which this program cannot read: it was built without HDF5");
 }
 
 bool Hdf5File::has(const std::string&) const {

@@ -167,7 +167,7 @@ std::unique_ptr<ByteRun> zip_run(std::shared_ptr<const PlacedBytes> archive, con
 #ifdef SLIPPROOF_ZLIB
   return std::make_unique<InflatedRun>(std::move(archive), entry, data);
 #else
-  fail("found compressed data, which this program was built without zlib to read");
+  fail("found compressed data, which this program cannot read: it was built without zlib");
   return nullptr;
 #endif
 }

@@ -13,7 +13,7 @@
 #include <utility>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
-#error "slipproof tells NaN and infinities from numbers and trusts rounding: compile without fast-math"
+#error "slipproof distinguishes NaN and infinities from numbers and relies on rounding: compile without fast-math"
 #endif
 
 namespace slipproof {

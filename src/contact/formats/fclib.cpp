@@ -41,7 +41,7 @@ class FclibMatrix {
     const std::int64_t found = file_.integer(path);
     if (std::cmp_equal(found, expected)) return;
     file_.refuse(path, "found " + std::to_string(found) + ", expected " + std::to_string(expected) +
-                           ", as the vectors are long");
+                           ", the length of the vectors");
   }
 
   /// Lists may be as long as nzmax, with entries that are not used at their end.
@@ -61,7 +61,7 @@ class FclibMatrix {
     const std::size_t number = std::cmp_less(nz, x_.size()) ? static_cast<std::size_t>(nz) : x_.size();
     if (std::cmp_greater(nz, x_.size())) {
       file_.refuse(path_ + "/nz", "found " + std::to_string(nz) + ", expected at most " + std::to_string(x_.size()) +
-                                      ", as x is long");
+                                      ", the length of x");
     }
     enough("i", i_.size(), number);
     enough("p", p_.size(), number);
@@ -108,7 +108,7 @@ class FclibFile {
                         : "found neither /fclib_local nor /fclib_global, expected one of them");
     }
     global ? read_global("/fclib_global") : read_local("/fclib_local");
-    if (global && local) read_.problem.remarks.emplace_back("/fclib_local is left unread, for /fclib_global is there");
+    if (global && local) read_.problem.remarks.emplace_back("/fclib_local is not read, since /fclib_global is there");
     if (file_.has("/solution")) read_.answers.push_back(answer("/solution", answer_sizes(read_.problem)));
     read_guesses();
     return std::move(read_);

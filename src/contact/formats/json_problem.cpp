@@ -110,7 +110,7 @@ class JsonProblem {
       const JsonNode* node = root_.find(name);
       if (node == nullptr) continue;
       if (!result.empty())
-        numbers_.refuse(name, "found it beside " + std::string(*names.begin()) + ", expected one of them");
+        numbers_.refuse(name, "found it together with " + std::string(*names.begin()) + ", expected one of them");
       result = numbers_.list(*node, name, true);
     }
     return result;
@@ -131,7 +131,7 @@ class JsonProblem {
   void size(const std::string& where, std::size_t found, std::size_t expected) const {
     if (found == expected) return;
     numbers_.refuse(where, "found " + std::to_string(found) + ", expected " + std::to_string(expected) +
-                               ", as the vectors are long");
+                               ", the length of the vectors");
   }
 
   void read_rows(const JsonNode& node, const std::string& name, std::size_t rows, std::size_t columns,

@@ -54,7 +54,7 @@ class MarketText {
     };
     if (rows_ != rows || columns_ != columns) {
       throw FormatStop{start_, "found " + shape(rows_, columns_) + ", expected " + shape(rows, columns) +
-                                   ", as the vector beside it is long"};
+                                   ", the length of the vector"};
     }
     if (symmetry_ != "general" && rows_ != columns_) {
       throw FormatStop{start_, "found " + shape(rows_, columns_) + ", expected a square matrix that is " + symmetry_};
@@ -165,12 +165,13 @@ SparseMatrix read_market_matrix(std::string_view text, const std::string& file, 
 
 ReadProblem read_matrix_market(std::string_view text, const std::string& file) {
   constexpr std::string_view ending = ".mtx";
-  if (!file.ends_with(ending)) refuse(file, "found a matrix, expected a name that ends in .mtx, with q beside it");
+  if (!file.ends_with(ending))
+    refuse(file, "found a matrix, expected a name that ends in .mtx, with q in the same folder");
   const std::string stem = file.substr(0, file.size() - ending.size());
   ReadProblem result;
   ProblemFile& problem = result.problem;
   const auto q = vector_beside(stem, "q");
-  if (!q) refuse(file, "found no " + stem + "_q.mtx beside it, expected the vector q there");
+  if (!q) refuse(file, "found no " + stem + "_q.mtx in the same folder, expected the vector q there");
   problem.q = *q;
   problem.W = read_market_matrix(text, file, q->size(), q->size());
   problem.mu = vector_beside(stem, "mu", q->size()).value_or(std::vector<double>());

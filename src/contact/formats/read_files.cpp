@@ -117,7 +117,7 @@ void refuse_unknown(std::string_view bytes, const std::string& file) {
   if (!word.empty() && word[0] >= '0' && word[0] <= '9') return;
   for (; !word.empty(); word.remove_prefix(utf8_length(word))) {
     const bool is_text = utf8_length(word) > 0 && word[0] != '\0';
-    if (!is_text) refuse(file, "found bytes that are no text, expected " + expected);
+    if (!is_text) refuse(file, "found bytes that are not text, expected " + expected);
   }
   try {
     words.stop(expected);

@@ -85,7 +85,7 @@ class SiconosText {
       }
     }
     const std::string_view line = rest.substr(0, rest.find_first_of("\r\n"));
-    reading_.problem.remarks.push_back("after the data stands " + in_quotes(line) + ", which is left unread");
+    reading_.problem.remarks.push_back("after the data there is " + in_quotes(line) + ", which is not read");
   }
 
   WordReader words_;
@@ -123,7 +123,7 @@ ProblemFile read_siconos(std::string_view text, const std::string& file) {
   const auto whole = [](const Fit& fit) { return fit.reading.ends_with_data; };
   if (std::any_of(fits.begin(), fits.end(), whole)) std::erase_if(fits, [&](const Fit& fit) { return !whole(fit); });
   if (fits.size() > 1) {
-    refuse(file, "found what is " + fits[0].name + " as well as " + fits[1].name + ", expected one of them");
+    refuse(file, "found a text that is " + fits[0].name + " as well as " + fits[1].name + ", expected one of them");
   }
   return std::move(fits[0].reading.problem);
 }

@@ -219,7 +219,7 @@ class SiconosMatrix {
   }
 
   void remark_digits(const std::string& digits) {
-    remarks_.push_back(name_ + " is printed with " + digits + " digits, which are taken as they stand");
+    remarks_.push_back(name_ + " is printed with " + digits + " digits, which are taken as printed");
   }
 
   WordReader& words_;

@@ -10,14 +10,14 @@
 namespace slipproof::cli {
 
 void add_common_options(CLI::App& command, CommonOptions& options) {
-  command.add_flag("--json", options.json, "JSON on standard output");
-  command.add_option("--seed", options.seed, "Seed of everything random")
+  command.add_flag("--json", options.json, "Write JSON to standard output");
+  command.add_option("--seed", options.seed, "Seed of all random numbers")
       ->check(whole_number(0))
       ->capture_default_str();
   command.add_option("--threads", options.threads, "Number of threads; 0: all cores")
       ->check(whole_number(0, 4096))
       ->capture_default_str();
-  command.add_flag("--quiet", options.quiet, "The result only: no progress, no details");
+  command.add_flag("--quiet", options.quiet, "Print only the result: no progress, no details");
 }
 
 CLI::Validator whole_number(std::uint64_t low, std::uint64_t high) {

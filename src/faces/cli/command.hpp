@@ -32,7 +32,7 @@ inline constexpr std::array<std::pair<Exit, std::string_view>, 8> exit_codes{{
     {as_it_should_be, "all as it should be"},
     {refuted_or_not_certified, "refuted, or not certified"},
     {usage, "wrong usage"},
-    {bad_input, "bad input: all mistakes are told, with file, line and column"},
+    {bad_input, "bad input: all mistakes are reported, with file, line and column"},
     {undecided, "undecided, and nothing refuted"},
     {certificate_rejected, "a certificate is rejected"},
     {not_written, "a result could not be written"},

@@ -21,8 +21,8 @@ std::string digest_of(const std::filesystem::path& file) {
 
 CLI::Option* add_crew_options(CLI::App& command, CrewArguments& arguments) {
   return command.add_option("--checkpoint", arguments.checkpoint,
-                            "Keep results in this file as they come: whatever ends the run, the same command\n"
-                            "goes on from there, by any number of threads and ranks");
+                            "Keep results in this file as they come: if the run is interrupted, the same command\n"
+                            "continues from there, with any number of threads and ranks");
 }
 
 CrewRun::CrewRun(const CrewArguments& arguments, unsigned threads, const std::function<std::string()>& work,

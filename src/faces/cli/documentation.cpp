@@ -6,9 +6,9 @@ namespace slipproof::cli {
 
 void add_documentation(CLI::App& app, int& exit_code) {
   auto folder = std::make_shared<std::string>();
-  CLI::App& command = *app.add_subcommand("documentation", "Man pages and shell completions, from this description");
+  CLI::App& command = *app.add_subcommand("documentation", "Write man pages and shell completions");
   command.group("");  // for packagers; hidden from the help
-  command.add_option("FOLDER", *folder, "Where they are written: man/, completions/")->required();
+  command.add_option("FOLDER", *folder, "Folder to write to: man/, completions/")->required();
   command.callback([folder, &exit_code, &app] {
     const OutputFolder output(*folder);
     for (const WrittenPage& page : manual_pages(app, SLIPPROOF_VERSION)) output.write("man/" + page.name, page.text);

@@ -77,7 +77,7 @@ WrittenPage page_of(const DescribedCommand& command, const std::string& version)
   }
   page.section("DESCRIPTION");
   page.add(roff(command.text) + ".\n");
-  if (also_alone) page.paragraph("slipproof-check is a program of its own, which shares no code with the prover.");
+  if (also_alone) page.paragraph("slipproof-check is a separate program that shares no code with the prover.");
   page.options(command.positional());
   page.section("OPTIONS");
   page.options(command.with_names());
@@ -105,7 +105,7 @@ WrittenPage page_of_program(const CLI::App& app, const std::string& version) {
   page.section("OPTIONS");
   page.options(program.with_names());
   page.section("NUMBERS");
-  page.add("Exact wherever they are written: 3/4, 0.1 (one tenth), 1e\\-3, 0x1.8p\\-3.\n");
+  page.add("Exact in every form: 3/4, 0.1 (one tenth), 1e\\-3, 0x1.8p\\-3.\n");
   page.add(exit_status());
   page.see_also(pages + "slipproof-check-contact(1)");
   return std::move(page).written();
@@ -113,16 +113,18 @@ WrittenPage page_of_program(const CLI::App& app, const std::string& version) {
 
 /// It has no options and no code in common with this program.
 WrittenPage page_of_check_contact(const std::string& version) {
-  Page page("slipproof-check-contact", version, "Certificates about contact problems, checked again");
+  Page page("slipproof-check-contact", version, "Check certificates about contact problems");
   page.section("SYNOPSIS");
   page.synopsis("slipproof-check-contact", "[--problem NAME] FILE...");
   page.section("DESCRIPTION");
-  page.add("Checks what\n.B slipproof certify \\-\\-certificate\nwrites, and shares no code with the search for it.\n");
+  page.add(
+      "Checks the certificates that\n.B slipproof certify \\-\\-certificate\nwrites. It shares no code with the "
+      "program that finds them.\n");
   page.item("FILE...", "Certificates; - is standard input");
   page.section("OPTIONS");
-  page.item("--problem NAME", "Reject certificates about another problem than the one of this name");
-  page.item("--help", "How it is used");
-  page.item("--version", "Its version");
+  page.item("--problem NAME", "Reject certificates about a problem with another name");
+  page.item("--help", "Show how to use it");
+  page.item("--version", "Show its version");
   page.add(exit_status());
   page.see_also("slipproof-certify(1), slipproof-check(1)");
   return std::move(page).written();

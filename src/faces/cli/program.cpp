@@ -44,7 +44,8 @@ void refuse_alone(CLI::App& app, const std::vector<std::string>& shared) {
   for (CLI::App* command : app.get_subcommands({})) {
     if (std::ranges::find(shared, command->get_name()) != shared.end()) continue;
     command->preparse_callback([command](std::size_t) {
-      throw CLI::ValidationError(command->get_name(), "found more than one rank, expected one: this is not shared out");
+      throw CLI::ValidationError(command->get_name(),
+                                 "found more than one rank, expected one: this command runs on one rank only");
     });
   }
 }

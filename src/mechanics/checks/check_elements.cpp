@@ -156,7 +156,7 @@ class ElementCheck {
         };
         return find(m_.links[count - 1].zero, "the link " + m_.links[count - 1].name + " contradicts " +
                                                   (count == 1 ? "itself" : "those before it") +
-                                                  ": no accelerations meet all of them" +
+                                                  ": no accelerations satisfy all of them" +
                                                   points_.where(point, quantity) + gravity_of(point, count));
       }
     }
@@ -191,7 +191,7 @@ class ElementCheck {
       return rank(rows, m_.accelerations) == before;
     };
     if (!std::ranges::all_of(points_.all(), fixed)) return;
-    find(contact.gap, "the links fix " + contact.gap_name + ": they bear what presses on the contact " + contact.name +
+    find(contact.gap, "the links fix " + contact.gap_name + ": they carry the load of the contact " + contact.name +
                           ", whose force nothing determines");
   }
 

@@ -40,10 +40,11 @@ class GeometryCheck {
       if (auto finding = check(group, bodies)) findings.push_back(std::move(*finding));
     }
     if (!skipped.empty()) {
-      findings.push_back(not_checkable(
-          Check::geometry, "geometry of the contacts " + skipped +
-                               ": their gaps and slips have not the accelerations of one body, two translations and a "
-                               "rotation"));
+      findings.push_back(
+          not_checkable(Check::geometry,
+                        "geometry of the contacts " + skipped +
+                            ": their gaps and slips do not use the accelerations of one body, two translations and a "
+                            "rotation"));
     }
     return findings;
   }
@@ -194,7 +195,7 @@ class GeometryCheck {
       case RigidMisfit::Why::mirrored:
         break;
     }
-    return "with the other sign of the rotation it would be there";
+    return "with the opposite sign of the rotation it would match";
   }
 
   MechanismFinding finding(const CheckPoint& point, const RigidMisfit& misfit, const std::vector<std::size_t>& group,

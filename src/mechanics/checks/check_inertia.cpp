@@ -57,8 +57,8 @@ class InertiaCheck {
         if (matrix[i][k] == matrix[k][i]) continue;
         const bool late = matrix[k][i].is_zero();  // then the row of k lacks a term
         return warning(Check::inertia, row(late ? k : i).left.place(),
-                       "the inertia is not symmetric, as virtual work has it: in row " + row(i).name + " stands " +
-                           exact_text(matrix[i][k]) + " times " + acceleration(k) + ", in row " + row(k).name + " " +
+                       "the inertia is not symmetric, as virtual work requires: row " + row(i).name + " has " +
+                           exact_text(matrix[i][k]) + " times " + acceleration(k) + ", row " + row(k).name + " " +
                            exact_text(matrix[k][i]) + " times " + acceleration(i) + ", expected the same" +
                            points_.where(point, [&](const CheckPoint& there) -> std::optional<Rational> {
                              const auto& equations = there.problem.equations;
@@ -126,8 +126,9 @@ class InertiaCheck {
     const MechanismFriction* absolute = absolute_limit();
     if (absolute == nullptr || factor == 1) return std::nullopt;
     return warning(Check::inertia, absolute->static_limit.place(),
-                   "all rows are " + exact_text(factor) + " times what the energy gives, and so is the force of " +
-                       absolute->name + ", but not its limit");
+                   "all rows are " + exact_text(factor) +
+                       " times the derivatives of the energy, and so is the force of " + absolute->name +
+                       ", but not its limit");
   }
 
   /// A friction element whose limit does not grow with the forces of the other elements.

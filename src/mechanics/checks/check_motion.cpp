@@ -24,7 +24,7 @@ std::optional<MechanismFinding> reciprocity_at(const CheckPoints& points, const 
     for (std::size_t k = 0; k < i; ++k) {
       if (matrix[i][k] == matrix[k][i]) continue;
       return warning(Check::reciprocity, pairings[i].place,
-                     "forces and accelerations are not reciprocal, as virtual work has them: " + force(k) + " gives " +
+                     "forces and accelerations are not reciprocal, as virtual work requires: " + force(k) + " gives " +
                          pairings[i].name + " " + exact_text(matrix[i][k]) + ", " + force(i) + " gives " +
                          pairings[k].name + " " + exact_text(matrix[k][i]) + ", expected the same" + where(i, k));
     }

@@ -62,9 +62,9 @@ class UnitCheck {
     if (auto unit = parse_unit(text)) {
       units_[symbol] = {std::move(unit), false};
     } else {
-      report_.findings.push_back(
-          not_checkable(MechanismFinding::Check::units,
-                        "units: " + in_quotes(text) + " of " + symbol + " is no unit that is known", place));
+      report_.findings.push_back(not_checkable(MechanismFinding::Check::units,
+                                               "units: " + in_quotes(text) + " of " + symbol + " is not a known unit",
+                                               place));
     }
   }
 

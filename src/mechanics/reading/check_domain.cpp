@@ -217,7 +217,7 @@ class DomainCheck {
       others += (others.empty() ? " together with " : ", ") + in_quotes(to_string(one.comparison));
     }
     context_.mistakes.add(last.placed->place(last.comparison), "found " + in_quotes(to_string(last.comparison)) +
-                                                                   ", which no point meets" + others +
+                                                                   ", which no point satisfies" + others +
                                                                    ", expected a domain that has a point");
   }
 

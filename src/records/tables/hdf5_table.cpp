@@ -208,7 +208,7 @@ class TableReader {
                                           : "found a compact or virtual data set, expected one piece or chunks");
     }
     if (offset > bytes_->size() || size > bytes_->size() - offset) {
-      fail(path, "found " + std::to_string(items) + " items, of which the file does not hold the data");
+      fail(path, "found " + std::to_string(items) + " items, for which the file has no data");
     }
     return std::make_unique<PlainRun>(bytes_, offset);
   }
@@ -293,7 +293,7 @@ bool has_contact_problem(const std::string&) {
 }
 
 void read_hdf5_table(TableBuilder& table, const std::shared_ptr<const ByteFile>&, const std::string&) {
-  table.fail("found an HDF5 file, which this program was built without HDF5 to read");
+  table.fail("found an HDF5 file, which this program cannot read: it was built without HDF5");
 }
 
 #endif

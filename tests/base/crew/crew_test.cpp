@@ -110,7 +110,7 @@ TEST_CASE("a stop ends the work, and says what is missing") {
   } catch (const Unfinished& unfinished) {
     text = unfinished.what();
   }
-  CHECK(text.starts_with("stopped, as was asked: "));
+  CHECK(text.starts_with("stopped on request: "));
   CHECK(text.ends_with("5"));
 }
 

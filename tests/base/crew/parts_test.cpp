@@ -110,7 +110,7 @@ TEST_CASE("the index has the end of a run, once there is one") {
     index.keep("request", "result");
     CHECK_THROWS_WITH_AS(read_end(prefix), doctest::Contains("is writing it"), InputError);
   }
-  CHECK_THROWS_WITH_AS(read_end(prefix), doctest::Contains("not come to its end"), InputError);
+  CHECK_THROWS_WITH_AS(read_end(prefix), doctest::Contains("found an unfinished run"), InputError);
   const PartsEnd end = some_parts(prefix);
   {
     Journal index(parts_index(prefix), "work");

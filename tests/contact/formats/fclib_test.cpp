@@ -18,7 +18,8 @@ TEST_CASE("without HDF5 a file in it is refused in words") {
   if (has_hdf5()) {
     CHECK(problem_refusal(path) == "FILE: found no whole HDF5 file: it is cut off or damaged");
   } else {
-    CHECK(problem_refusal(path) == "FILE: found an HDF5 file, which this program was built without HDF5 to read");
+    CHECK(problem_refusal(path) ==
+          "FILE: found an HDF5 file, which this program cannot read: it was built without HDF5");
   }
 }
 
@@ -121,7 +122,7 @@ TEST_CASE("where both forms stand, the global one is read") {
   const Folder folder;
   const ProblemFile p = read_problem_file(written(folder, write_global, write_local)).problem;
   CHECK(p.form == ProblemForm::global);
-  CHECK(p.remarks == std::vector<std::string>{"/fclib_local is left unread, for /fclib_global is there"});
+  CHECK(p.remarks == std::vector<std::string>{"/fclib_local is not read, since /fclib_global is there"});
 }
 
 TEST_CASE("numbers of any plain type are read") {
@@ -242,12 +243,12 @@ TEST_CASE("strange HDF5 files are refused with the path") {
       {integers("/fclib_local/spacedim", {3}), "found 2 components, expected a multiple of the dimension 3"},
       {integers("/fclib_local/spacedim", {2, 2}), "/fclib_local/spacedim: found 2 numbers, expected one"},
       {reals("/fclib_local/spacedim", {2}), "/fclib_local/spacedim: found another type, expected integers"},
-      {integers(W + "/m", {3}), W + "/m: found 3, expected 2, as the vectors are long"},
-      {integers(W + "/n", {1LL << 40}), W + "/n: found 1099511627776, expected 2, as the vectors are long"},
-      {integers(W + "/m", {-1}), W + "/m: found -1, expected 2, as the vectors are long"},
+      {integers(W + "/m", {3}), W + "/m: found 3, expected 2, the length of the vectors"},
+      {integers(W + "/n", {1LL << 40}), W + "/n: found 1099511627776, expected 2, the length of the vectors"},
+      {integers(W + "/m", {-1}), W + "/m: found -1, expected 2, the length of the vectors"},
       {integers(W + "/m", {-1}, H5T_STD_U64LE), W + "/m: found"},
       {integers(W + "/nz", {-3}), W + "/nz: found -3, expected a number of triplets, -1 or -2"},
-      {integers(W + "/nz", {1LL << 40}), W + "/nz: found 1099511627776, expected at most 3, as x is long"},
+      {integers(W + "/nz", {1LL << 40}), W + "/nz: found 1099511627776, expected at most 3, the length of x"},
       {integers(W + "/nz", {3}), W + "/p: found the index 2, expected one from 0 to 2 - 1"},
       {integers(W + "/p", {0, 3}),
        W + "/p: found 2 numbers, expected 3, where each row starts and where the last one ends"},
@@ -268,16 +269,15 @@ TEST_CASE("strange HDF5 files are refused with the path") {
       {reals(vectors + "/mu", {-0.5}), "mu[1]: found -0.5, expected a coefficient of friction, which is not negative"},
       {reals(vectors + "/mu", {std::nan("")}), "mu[1]: found NaN, expected a finite number"},
       {reals(vectors + "/mu", {1, 1}), "mu: found 2 numbers, expected 1"},
-      {reals(vectors + "/q", {1, 2, 3, 4}), W + "/m: found 2, expected 4, as the vectors are long"},
+      {reals(vectors + "/q", {1, 2, 3, 4}), W + "/m: found 2, expected 4, the length of the vectors"},
       {[&](const Hdf5Writer& out) {
          const Numbers q = {1, 2};
          out.set(vectors + "/q", H5T_IEEE_F64LE, {2, 1}, H5T_NATIVE_DOUBLE, q.data());
        },
        vectors + "/q: found 2 dimensions, expected a list of numbers"},
       {made(vectors + "/q", {hsize_t{1} << 40}, [](hid_t) {}),
-       vectors + "/q: found a size of 1099511627776, of which the file does not hold the data"},
-      {made(vectors + "/q", {2}, [](hid_t) {}),
-       vectors + "/q: found a size of 2, of which the file does not hold the data"},
+       vectors + "/q: found a size of 1099511627776, for which the file has no data"},
+      {made(vectors + "/q", {2}, [](hid_t) {}), vectors + "/q: found a size of 2, for which the file has no data"},
       {made(vectors + "/q", {2}, [](hid_t properties) { H5Pset_external(properties, "/etc/hostname", 0, 16); }),
        vectors + "/q: found numbers in another file, expected them in this one"},
       {[&](const Hdf5Writer& out) {

@@ -107,7 +107,7 @@ TEST_CASE("malformed MatrixMarket files are refused at their place") {
     CHECK_MESSAGE(said.starts_with(file.message), said);
   }
   CHECK(problem_refusal(folder.write("p.txt", banner + "array real general\n1 1\n1\n")) ==
-        "FILE: found a matrix, expected a name that ends in .mtx, with q beside it");
+        "FILE: found a matrix, expected a name that ends in .mtx, with q in the same folder");
   for (const char* vector : {"array real general\n2 2\n1 2 3 4", "coordinate real general\n2 1 0"}) {
     const std::string q = folder.write("p_q.mtx", banner + vector);
     CHECK(problem_refusal(folder.path("p.mtx"))

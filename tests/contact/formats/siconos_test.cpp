@@ -39,7 +39,7 @@ TEST_CASE("blocks, columns and triplets hold what the dense storage holds") {
                                       "      1 : 1\n    col 1 : locations 2 to 3\n      0 : 3\n      1 : 5\n" +
                                       rest);
   CHECK(columns.W == W);
-  CHECK(columns.remarks == std::vector<std::string>{"W is printed with six digits, which are taken as they stand"});
+  CHECK(columns.remarks == std::vector<std::string>{"W is printed with six digits, which are taken as printed"});
   const ProblemFile rows =
       siconos("2\n1\n2\n2\n2\n3\n" + csparse +
               "csr: 2-by-2, nzmax: 4 nnz: 4, 1-norm: nan\n    row 0 : locations 0 to 1\n"
@@ -78,7 +78,7 @@ TEST_CASE("global problems: q of the file is f, b of the file is w, H has a colu
   CHECK(p.w == Numbers{10, 11});
   CHECK(p.mu == Numbers{.25});
   CHECK(p.b.empty());
-  CHECK(p.remarks == std::vector<std::string>{"after the data stands '1', which is left unread"});
+  CHECK(p.remarks == std::vector<std::string>{"after the data there is '1', which is not read"});
 }
 
 TEST_CASE("a global problem without contacts is one") {
@@ -98,7 +98,7 @@ TEST_CASE("complementarity problems, with words about them") {
   CHECK(dense(p.W) == Numbers{1, 2, 3, 4});
   CHECK(p.q == Numbers{-1, -1});
   CHECK(p.mu.empty());
-  CHECK(p.remarks == std::vector<std::string>{"after the data stands 'Remark 4.1.14 of a book', which is left unread"});
+  CHECK(p.remarks == std::vector<std::string>{"after the data there is 'Remark 4.1.14 of a book', which is not read"});
 }
 
 TEST_CASE("the grammar that reads a file to its end is taken before one that leaves words") {
@@ -220,10 +220,10 @@ TEST_CASE("malformed texts of Siconos are refused at their place") {
            "FILE:6:1: read as a local friction problem: found '1', expected 9 entries of W altogether"},
           {std::string("2 1 0 2 2 2 2 \0\xff\xfe\x01", 19),
            "FILE:1:15: read as a local friction problem: found '\\x00"},
-          {std::string("\0\0\xff\xfe\x01", 5), "FILE: found bytes that are no text, expected a contact problem"},
+          {std::string("\0\0\xff\xfe\x01", 5), "FILE: found bytes that are not text, expected a contact problem"},
           {"\xff\xfe"
            "2",
-           "FILE: found bytes that are no text, expected a contact problem"},
+           "FILE: found bytes that are not text, expected a contact problem"},
       },
       "p.dat", problem_refusal);
 }

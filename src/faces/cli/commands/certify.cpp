@@ -228,8 +228,7 @@ void add_certify(CLI::App& app, int& exit_code, Transport& transport) {
   auto options = std::make_shared<CertifyArguments>();
   options->crew.transport = &transport;
   CLI::App& command = *app.add_subcommand(
-      "certify",
-      "Certify outputs of floating-point solvers, of scenes or of contact problems:\na line of JSON for each");
+      "certify", "Certify outputs of floating-point solvers, for scenes or contact problems:\na line of JSON for each");
   command
       .add_option(
           "FILE", options->file,
@@ -237,17 +236,16 @@ void add_certify(CLI::App& app, int& exit_code, Transport& transport) {
           "problem's file: FCLIB HDF5, Siconos text,\nMatrixMarket, JSON")
       ->required();
   auto* scene = command.add_option("--scene", options->scene,
-                                   "Scene file, of a bicycle or a mechanism, with what is the same for all records");
+                                   "Scene file, of a bicycle or a mechanism, with the values that all records share");
   command
-      .add_option("--mechanism", options->mechanism,
-                  "Records are of this mechanism: its file, or the name of a shipped one")
+      .add_option("--mechanism", options->mechanism, "Mechanism of the records: its file, or the name of a shipped one")
       ->excludes(scene);
   command
       .add_option(
           "--tolerance", options->tolerance,
-          "Largest relative error of a component, 1e-9;\nof contact problems, relative to the largest force, 1e-6")
+          "Largest relative error of a component, 1e-9;\nfor contact problems, relative to the largest force, 1e-6")
       ->check(number_in(0, 1));
-  command.add_option("--decimal", options->decimal, "What a decimal means: the nearest binary64, or exactly itself")
+  command.add_option("--decimal", options->decimal, "Value of a decimal: the nearest binary64, or exactly as written")
       ->check(CLI::IsMember({"nearest", "exact"}))
       ->capture_default_str();
   command.add_option("--format", options->format, "csv or jsonl; default: by the file's name, or by the first byte")
@@ -255,29 +253,30 @@ void add_certify(CLI::App& app, int& exit_code, Transport& transport) {
   command.add_option("--broken", options->broken, "Records that cannot be read: report them as invalid, or stop")
       ->check(CLI::IsMember({"report", "stop"}))
       ->capture_default_str();
-  command.add_option("--from", options->certify.first_record, "Record to begin with, to go on where a run stopped")
+  command.add_option("--from", options->certify.first_record, "Record to begin with, to continue where a run stopped")
       ->check(whole_number(1))
       ->capture_default_str();
   command
-      .add_option("--effort", options->effort,
-                  fmt::format("What one record may take, in operations on words, {};\nof a contact problem's file {}",
-                              JudgeOptions().effort, ContactJudgeOptions().effort))
+      .add_option(
+          "--effort", options->effort,
+          fmt::format("Limit of work for one record, in operations on words, {};\nfor a contact problem's file {}",
+                      JudgeOptions().effort, ContactJudgeOptions().effort))
       ->check(whole_number(1));
   command
       .add_option("--columns", options->table.names,
-                  "Names of the columns of an array that has none, as in --columns F,a,S2,S3,N2,N3")
+                  "Names of the columns of an array without names, as in --columns F,a,S2,S3,N2,N3")
       ->delimiter(',');
-  command.add_option("--table", options->table.place, "Data set or group of an HDF5 file that holds several tables");
-  command.add_flag("--ignore-unknown", options->certify.ignore_unknown, "Pass over columns that are no field");
+  command.add_option("--table", options->table.place, "Data set or group in an HDF5 file with several tables");
+  command.add_flag("--ignore-unknown", options->certify.ignore_unknown, "Skip unknown columns");
   command.add_option("--summary", options->summary, "Write the counts to this file, as JSON");
   command.add_flag("--every-q", options->certify.judge.every_q,
-                   "Of each contact problem in a line: is there one solution whatever its q is?");
+                   "For each contact problem in a line: does it have one solution for every q?");
   add_problem_options(command, options->problem);
   CLI::Option* checkpoint = add_crew_options(command, options->crew);
   command
       .add_option("--parts", options->parts,
                   "Each rank writes its lines to files of its own, PREFIX.RANK.1, which slipproof join\nputs together; "
-                  "the same command goes on where a run ended")
+                  "the same command continues where a run ended")
       ->type_name("PREFIX")
       ->excludes(checkpoint);
   add_common_options(command, options->common);

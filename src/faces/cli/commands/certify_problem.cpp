@@ -75,7 +75,7 @@ int check_certificate(const CertifyProblemArguments& options, const ProblemFile&
   others.check_certificate.clear();
   if (others.any()) {
     throw CLI::ValidationError("--check-certificate",
-                               "found an option about an answer, too, expected none: it judges no answer");
+                               "found an option about an answer, expected none: --check-certificate judges no answer");
   }
   const std::string name = problem_name(mixed_problem(problem));
   const check_contact::ContactReport report = check_contact::check_contact_files({options.check_certificate}, name);
@@ -104,15 +104,16 @@ void add_problem_options(CLI::App& command, CertifyProblemArguments& options) {
       ->add_option("--refine", options.refined,
                    "Look for a solution near the answer, or without one;\nwith a FILE write it there, as JSON")
       ->expected(0, 1);
-  group->add_option("--certificate", options.certificate, "Write what slipproof-check-contact checks again");
-  group->add_option("--report", options.report, "Write a page with the contacts in their cones");
-  group->add_option("--within", options.within, "Is there no solution within this radius of the answer?")
+  group->add_option("--certificate", options.certificate,
+                    "Write a certificate for slipproof-check-contact to this file");
+  group->add_option("--report", options.report, "Write a page that draws the contacts in their cones");
+  group->add_option("--within", options.within, "Try to prove that no solution is within this radius of the answer")
       ->check(number_in(0, 1e300));
-  group->add_option("--law", options.law, "The friction that was meant: cone, or a pyramid (box, diamond)")
+  group->add_option("--law", options.law, "The law of friction: cone, or a pyramid (box, diamond)")
       ->check(CLI::IsMember({"cone", "box", "diamond"}))
       ->capture_default_str();
   group->add_option("--check-certificate", options.check_certificate,
-                    "Judge no answer: check this certificate, and that it is about this problem");
+                    "Judge no answer; check this certificate, and that it is about this problem");
 }
 
 int run_certify_problem(const CertifyProblemArguments& options, const CommonOptions& common) {

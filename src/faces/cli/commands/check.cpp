@@ -20,7 +20,7 @@ struct CheckArguments {
 void add_check(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CheckArguments>();
   CLI::App& command =
-      *app.add_subcommand("check", "Certificates against their statements; slipproof-check does the same");
+      *app.add_subcommand("check", "Check certificates against their statements, as slipproof-check does");
   command.add_option("CERT", options->certificates, "Certificates, their statements, or folders of them")->required();
   add_common_options(command, options->common);
   command.callback([options, &exit_code] {

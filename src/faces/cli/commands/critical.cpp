@@ -48,16 +48,17 @@ std::string critical_text(const CriticalArguments& arguments) {
 
 void add_critical(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CriticalArguments>();
-  CLI::App& command = *app.add_subcommand(
-      "critical", "For which coefficients of friction each load has one motion, and which loads have several");
+  CLI::App& command =
+      *app.add_subcommand("critical", "Find the coefficients of friction and the loads with several motions");
   command.add_option("SCENE", options->scene, "Scene file (TOML), of a bicycle or of a mechanism")->required();
   command.add_option("--x", options->x,
-                     "The parameter that is varied; default: f of a bicycle, or a mechanism's first coefficient of "
+                     "The parameter to vary; default: f of a bicycle, or a mechanism's first coefficient of "
                      "friction");
   command.add_option("--digits", options->digits, "Significant digits of decimals")
       ->check(whole_number(1, 1000))
       ->capture_default_str();
-  command.add_option("-o,--out", options->out, "Also draw it, over the parameter and the load: a file .svg or .png");
+  command.add_option("-o,--out", options->out,
+                     "Also draw a picture over the parameter and the load: a file .svg or .png");
   add_common_options(command, options->common);
   command.callback([options, &exit_code] {
     expect_drawing_name(options->out);

@@ -50,15 +50,14 @@ std::string figure_of(const DrawArguments& arguments, Inputs& inputs) {
 
 void add_draw(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<DrawArguments>();
-  CLI::App& command =
-      *app.add_subcommand("draw",
-                          "What a scene looks like, to scale: a bicycle with its axes, signs and symbols, or a "
-                          "mechanism with the forces at its contacts; a labelled SVG");
+  CLI::App& command = *app.add_subcommand("draw",
+                                          "Draw a scene to scale: a bicycle with its axes, signs and symbols, or a "
+                                          "mechanism with the forces at its contacts; a labelled SVG");
   command.add_option("SCENE", options->scene, "Scene file (TOML), of a bicycle or of a mechanism")->required();
   command
       .add_option("--motion", options->motion,
-                  "The forces of this motion, as `solve` lists them, from 1; default: where they "
-                  "count as positive")
+                  "Draw the forces of this motion, as `solve` numbers them, from 1; default: forces in their positive "
+                  "directions")
       ->check(whole_number(1, 1'000'000));
   command.add_option("-o,--out", options->out, "The file to write; default: standard output");
   add_common_options(command, options->common);

@@ -38,9 +38,9 @@ int run_join(const JoinArguments& options) {
 
 void add_join(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<JoinArguments>();
-  CLI::App& command = *app.add_subcommand(
-      "join", "The output that certify --parts wrote in parts: checks them, and prints what it would have printed");
-  command.add_option("PREFIX", options->prefix, "What the names of the parts begin with")->required();
+  CLI::App& command =
+      *app.add_subcommand("join", "Check the parts that certify --parts wrote, and print them as one output");
+  command.add_option("PREFIX", options->prefix, "Beginning of the parts' names")->required();
   command.add_option("-o,--out", options->out, "The file to write; default: standard output");
   command.callback([options, &exit_code] { exit_code = run_join(*options); });
 }

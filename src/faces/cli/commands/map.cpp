@@ -97,8 +97,8 @@ void draw_map(const MapArguments& options) {
 
 void add_map(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<MapArguments>();
-  CLI::App& command =
-      *app.add_subcommand("map", "The phase diagram of a scene: a parameter and the load, exact in every column");
+  CLI::App& command = *app.add_subcommand(
+      "map", "Draw the phase diagram of a scene over a parameter and the load, exact in every column");
   command.add_option("SCENE", options->scene, "Scene file (TOML), of a bicycle or of a mechanism")->required();
   command.add_option(
       "--x", options->x,
@@ -106,7 +106,7 @@ void add_map(CLI::App& app, int& exit_code) {
       "coefficient of friction");
   command.add_option("--y", options->y,
                      "The load: any parameter that multiplies no unknown; default: the mechanism's own load");
-  command.add_option("--x-range", options->x_range, "FROM TO of the parameter; of an angle in degrees")
+  command.add_option("--x-range", options->x_range, "FROM TO of the parameter; for an angle in degrees")
       ->expected(2)
       ->check(number_or_complaint);
   command.add_option("--y-range", options->y_range, "FROM TO of the load")->expected(2)->check(number_or_complaint);

@@ -206,24 +206,26 @@ void add_prove(CLI::App& app, int& exit_code, Transport& transport) {
   auto options = std::make_shared<ProveArguments>();
   options->crew.transport = &transport;
   CLI::App& command = *app.add_subcommand(
-      "prove", "The claims of a paper, or statements of one's own, for all parameters;\nwrites a certificate for each");
+      "prove",
+      "Prove the claims of a paper, or your own statements, for all parameters;\nwrite a certificate for each");
   command.add_option(
       "INPUT", options->inputs,
-      "A claims file, beside which and below may stand statements of one's own, but not in folders of\n"
+      "A claims file, with your own statements next to it and below, except those in folders of\n"
       "other papers; default: the shipped paper. Or, without claims: files *.statement and folders of them");
-  command.add_option("--out", options->out,
-                     "Folder for statements and certificates; default: where they stand, those of claims in\n"
-                     "`certificates` beside the claims file; of NAME.toml beside others in `NAME.certificates`");
+  command.add_option(
+      "--out", options->out,
+      "Folder for statements and certificates; default: next to your own statements, those of claims in\n"
+      "`certificates` next to the claims file, or `NAME.certificates` if NAME.toml is one of several");
   command.add_option("--smtlib", options->smtlib,
-                     "Search for nothing, but write the negation of each statement to this folder as SMT-LIB 2");
+                     "Do not search; write the negation of each statement to this folder as SMT-LIB 2");
   command.add_option("--coq", options->coq,
-                     "Search for nothing, but write each statement with its certificate to this folder as a Coq file");
+                     "Do not search; write each statement with its certificate to this folder as a Coq file");
   command
       .add_option("--effort", options->prove.limits.steps,
                   "Steps of polynomial arithmetic for each statement: the same on every machine, unlike time")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}))
       ->capture_default_str();
-  command.add_flag("--again", options->prove.again, "Search also for what has a certificate that is accepted");
+  command.add_flag("--again", options->prove.again, "Search again for theorems that have an accepted certificate");
   add_crew_options(command, options->crew);
   add_common_options(command, options->common);
   command.callback([options, &exit_code] { exit_code = run_prove(*options); });

@@ -229,7 +229,8 @@ void ProveRun::prove_claims(const ClaimsFile& file, const PaperFolder& paper) {
     unstated_ = unstated_claims(file);
     for (const UnstatedClaim& claim : unstated_) note("no statement of " + claim.id + ": " + claim.why);
     for (const UnstatedClaim& claim : failed_) note("failed    " + claim.id + ": " + claim.why);
-    for (const std::string& name : outdated_) note("outdated  " + name + ": no claim says this, it was left alone");
+    for (const std::string& name : outdated_)
+      note("outdated  " + name + ": no claim says this; the file was not changed");
   } catch (const InputError& error) {
     throw naming_claims(error, claims);
   }

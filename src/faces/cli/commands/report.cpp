@@ -40,15 +40,17 @@ int report_papers(const std::vector<std::filesystem::path>& papers, const Report
 void add_report(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ReportArguments>();
   CLI::App& command =
-      *app.add_subcommand("report", "One self-contained HTML file with everything: verdicts, proofs, pictures");
+      *app.add_subcommand("report", "Write one self-contained HTML file with verdicts, proofs and pictures");
   command.add_option("CLAIMS", options->claims,
                      "Claims file (TOML), or a folder of papers; default: the shipped paper");
   command.add_option("--out", options->out,
-                     "The file to write, report.html if not given; - for standard output. Of a folder of papers: the "
-                     "folder to write, report if not given");
+                     "The file to write; default: report.html; - for standard output. For a folder of papers: the "
+                     "folder to write; default: report");
   auto* samples = add_judging_options(command, *options);
-  command.add_option("--only", options->verify.only, "Only the claims whose id begins with this, such as A or E4.7");
-  command.add_option("--trade", options->trade, "What slipproof trade --json wrote, for speed against accuracy");
+  command.add_option("--only", options->verify.only,
+                     "Judge only the claims whose id begins with this, such as A or E4.7");
+  command.add_option("--trade", options->trade,
+                     "Output of slipproof trade --json, for the section on speed and accuracy");
   add_common_options(command, options->common);
   command.callback([options, samples, &exit_code] {
     const std::filesystem::path path = claims_path(options->claims);

@@ -70,17 +70,18 @@ void add_search(CLI::App& app, int& exit_code, Transport& transport) {
   auto options = std::make_shared<SearchArguments>();
   options->crew.transport = &transport;
   CLI::App& command =
-      *app.add_subcommand("search", "Is it ever undecided what a mechanism does? No motion, several, a continuum");
+      *app.add_subcommand("search", "Search for points where a mechanism has no motion, several, or a continuum");
   command.add_option("MECHANISM", options->mechanism, "Mechanism file (TOML), or the name of a shipped one")
       ->required();
-  auto* within = command.add_option("--within", options->within, "Only where this holds, such as \"b < h and mu < 1\"");
-  command.add_option("--for", options->wanted, "Look for this alone, and end at the first")
+  auto* within =
+      command.add_option("--within", options->within, "Search only where this holds, such as \"b < h and mu < 1\"");
+  command.add_option("--for", options->wanted, "Look only for this, and stop at the first")
       ->check(CLI::IsMember({"none", "several", "continuum"}));
   command.add_flag("--hysteresis", options->search.hysteresis,
-                   "Also several motions that are one with static coefficients as low as the kinetic ones");
+                   "Also report several motions that become one if static coefficients equal the kinetic ones");
   command
       .add_option("--samples", options->search.samples,
-                  "Points of the domain, each for every load; default: 30 to 2000, fewer where there are more modes")
+                  "Points of the domain, each for every load; default: 30 to 2000, fewer for more modes")
       ->check(whole_number(1, 1'000'000'000));
   add_crew_options(command, options->crew);
   add_common_options(command, options->common);

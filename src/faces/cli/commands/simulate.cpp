@@ -54,18 +54,21 @@ std::string simulated(const SimulateArguments& arguments) {
 void add_simulate(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<SimulateArguments>();
   CLI::App& command = *app.add_subcommand(
-      "simulate", "Which of several motions contacts that give come to, from rest: a simulation, not a proof");
+      "simulate", "Simulate which of several motions compliant contacts settle to, from rest; no proof");
   command.add_option("SCENE", options->scene, "Scene file (TOML), of a bicycle or of a mechanism")->required();
   command.add_option("--load", options->load, "The load, in place of the scene's");
   command
       .add_option("--stiffness-ratio", options->ratios,
-                  "Tangential over normal stiffness of the contacts, each in turn")
+                  "Tangential over normal stiffness of the contacts; each value in turn")
       ->check(number_in(0.01, 100))
       ->capture_default_str();
-  command.add_option("--damping", options->dampings, "Damping of each contact, of the critical one, each in turn")
+  command
+      .add_option("--damping", options->dampings,
+                  "Damping of each contact over the critical damping; each value in turn")
       ->check(number_in(0, 1))
       ->capture_default_str();
-  command.add_option("--rise", options->rises, "Elastic periods in which the load comes on, each in turn; 0: at once")
+  command
+      .add_option("--rise", options->rises, "Elastic periods over which the load rises; each value in turn; 0: at once")
       ->check(number_in(0, 10'000))
       ->capture_default_str();
   command.add_option("--digits", options->digits, "Significant digits of decimals")

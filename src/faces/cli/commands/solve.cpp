@@ -26,7 +26,8 @@ std::string answer(const SolveArguments& arguments) {
 
 void add_solve(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<SolveArguments>();
-  CLI::App& command = *app.add_subcommand("solve", "Every motion of a scene; without a force, for every force at once");
+  CLI::App& command =
+      *app.add_subcommand("solve", "Find every motion of a scene; without a force, for every force at once");
   command.add_option("SCENE", options->scene, "Scene file (TOML)")->required();
   command.add_option("--digits", options->digits, "Significant digits of decimals")
       ->check(whole_number(1, 1000))

@@ -55,13 +55,13 @@ int run_trade(TradeArguments& options) {
 void add_trade(CLI::App& app, int& exit_code, Transport& transport) {
   auto options = std::make_shared<TradeArguments>();
   options->crew.transport = &transport;
-  CLI::App& command = *app.add_subcommand("trade", "Measure speed against accuracy over the number types");
+  CLI::App& command = *app.add_subcommand("trade", "Measure speed and accuracy of the number types");
   auto* quick = command.add_flag("--quick", options->quick, "25 scenes of each workload, rough timings: seconds");
   command.add_option("--scenes", options->trade.scenes, "Scenes of each workload")
       ->check(whole_number(1, 1'000'000))
       ->excludes(quick)
       ->capture_default_str();
-  command.add_option("--seconds", options->trade.seconds, "CPU time for each measurement of speed, at least")
+  command.add_option("--seconds", options->trade.seconds, "Least CPU time for each measurement of speed")
       ->check(number_in(0, 60))
       ->excludes(quick)
       ->capture_default_str();

@@ -48,8 +48,9 @@ void refuse_report_without_verdicts(const VerifyArguments& options) {
 /// A crew judges papers, and nothing else.
 void refuse_crew_without_verdicts(const VerifyArguments& options) {
   if (!options.crew.wanted() || (!options.mutants && !options.coverage)) return;
-  throw CLI::ValidationError(options.mutants ? "--mutants" : "--coverage",
-                             "found --checkpoint or many ranks, expected neither: this is not shared out");
+  throw CLI::ValidationError(
+      options.mutants ? "--mutants" : "--coverage",
+      "found --checkpoint or many ranks, expected neither: this runs on one rank only, without a checkpoint");
 }
 
 int judge_mutants(const std::filesystem::path& claims, const ClaimsFile& file, VerifyArguments& options) {
@@ -89,31 +90,32 @@ void add_verify(CLI::App& app, int& exit_code, Transport& transport) {
   auto options = std::make_shared<VerifyArguments>();
   options->crew.transport = &transport;
   CLI::App& command =
-      *app.add_subcommand("verify", "The claims of a paper at sampled rational bicycles, every force at once");
+      *app.add_subcommand("verify", "Judge the claims of a paper at sampled rational bicycles, every force at once");
   command.add_option("CLAIMS", options->claims,
                      "Claims file (TOML), or a folder of papers; default: the shipped paper");
   auto* samples = add_judging_options(command, *options);
   auto* list = command.add_flag("--errata", options->errata, "List what is wrong with the paper");
-  auto* markdown = command.add_flag("--markdown", options->markdown, "The errata in Markdown")->needs(list);
-  auto* sarif = command.add_flag("--sarif", options->sarif, "The errata as SARIF 2.1.0, for editors and code hosts");
-  command.add_flag("--coverage", options->coverage, "Which claims each numbered equation has, and judge nothing")
+  auto* markdown = command.add_flag("--markdown", options->markdown, "Write the errata in Markdown")->needs(list);
+  auto* sarif =
+      command.add_flag("--sarif", options->sarif, "Write the errata as SARIF 2.1.0, for editors and code hosts");
+  command.add_flag("--coverage", options->coverage, "List the claims of each numbered equation; judge nothing")
       ->excludes(list)
       ->excludes(sarif);
   sarif->excludes(markdown);
   auto* only = command.add_option("--only", options->verify.only,
                                   "Judge only the claims whose id begins with this, such as A or E4.7");
   auto* mutants = command.add_flag("--mutants", options->mutants,
-                                   "Change every formula in every small way: is each change noticed?");
+                                   "Change every formula in every small way, and report which changes are noticed");
   mutants->excludes(list)->excludes(sarif)->excludes(only);
-  command.add_option("--every", options->mutation.every, "Judge one mutant in so many")
+  command.add_option("--every", options->mutation.every, "Judge one mutant in this many")
       ->check(whole_number(1, 1'000'000'000))
       ->needs(mutants);
-  command.add_option("--lemmas", options->lemmas, "Folder for what the arguments rest on, with certificates")
+  command.add_option("--lemmas", options->lemmas, "Folder for the lemmas of the arguments, with certificates")
       ->needs(mutants);
-  auto* report =
-      command.add_option("--report", options->report,
-                         "Also write the HTML report of the verdicts to this file; of a folder: to this folder");
-  command.add_option("--trade", options->trade, "For the report: what slipproof trade --json wrote")->needs(report);
+  auto* report = command.add_option(
+      "--report", options->report,
+      "Also write the HTML report of the verdicts to this file; for a folder of papers: to this folder");
+  command.add_option("--trade", options->trade, "Output of slipproof trade --json, for the report")->needs(report);
   add_crew_options(command, options->crew);
   add_common_options(command, options->common);
   command.callback([options, samples, &exit_code] {

@@ -72,16 +72,16 @@ VerifyResult VerifyRun::result(std::size_t paper) {
 CLI::Option* add_judging_options(CLI::App& command, JudgeArguments& arguments) {
   VerifyOptions& options = arguments.verify;
   auto* samples = command.add_option("--samples", options.samples,
-                                     "Bicycles, or points of a mechanism, for each setting of the paper; of a folder "
+                                     "Bicycles, or points of a mechanism, for each setting of the paper; for a folder "
                                      "of papers: " +
-                                         std::to_string(samples_of_many) + "; of mutants: for those that survive 400");
+                                         std::to_string(samples_of_many) + "; for mutants: those that survive 400");
   samples->check(whole_number(1, 1'000'000'000))->capture_default_str();
   command
       .add_option("--lines", options.lines,
                   "Lines of bicycles for each claim, 0 for none; default: one for 200 samples, and 64 for a mutant")
       ->check(whole_number(0, 1'000'000));
   command.add_option("--second-checker", arguments.second_checker,
-                     "A program that has to accept each certificate, too, such as slipproof-check-verified");
+                     "A program that must also accept each certificate, such as slipproof-check-verified");
   return samples;
 }
 
@@ -150,8 +150,8 @@ std::vector<std::filesystem::path> papers_in(const std::filesystem::path& path) 
   }
   std::sort(papers.begin(), papers.end());
   if (!papers.empty()) return papers;
-  throw InputError({{path.string(), 0, 0,
-                     "found no claims.toml in the folder, nor in the folders in it, and no other claims file"}});
+  throw InputError(
+      {{path.string(), 0, 0, "found no claims.toml in the folder or in the folders in it, and no other claims file"}});
 }
 
 std::vector<JudgedPaper> judge_papers(const std::vector<std::filesystem::path>& papers, const JudgeArguments& arguments,
