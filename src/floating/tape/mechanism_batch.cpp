@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
 #include "base/number/binary64.hpp"
 #include "base/parallel/stop.hpp"
-#include "floating/tape/mode_run.hpp"
+#include "floating/tape/block_points.hpp"
+#include "floating/tape/lane_points.hpp"
 #include "mechanics/kernel/mode_solver.hpp"
 #include "mechanics/mechanism/words.hpp"
 #include "mechanics/scene/degrees.hpp"
@@ -65,6 +68,12 @@ MechanismBatch::MechanismBatch(const Mechanism& mechanism, std::vector<ElementKi
 
 MechanismBatch::~MechanismBatch() = default;
 
+namespace {
+
+constexpr std::size_t chunk_points = 256;
+
+}  // namespace
+
 MechanismAnswers MechanismBatch::modes_at(const MechanismColumns& columns, Unsure unsure) const {
   const Points points(*this, columns);
   MechanismAnswers answers{modes_.size(), std::vector<ModeAt>(points.count * modes_.size()), {}};
@@ -72,33 +81,34 @@ MechanismAnswers MechanismBatch::modes_at(const MechanismColumns& columns, Unsur
     for (std::size_t i = 0; i < points.count; ++i) pass_on(points, i, unsure, answers);
     return answers;
   }
-  ModeRun run(*code_);
-  for (std::size_t first = 0; first < points.count; first += lane_count) {
+  const auto see = [&](std::size_t point, std::size_t mode, ModeAt status) {
+    answers.status[point * modes_.size() + mode] = status;
+  };
+  LanePoints lanes(*code_, columns, given_);
+  std::optional<BlockPoints> blocks;
+  if (points.count >= block_points) blocks.emplace(code_->programs(), columns, given_);
+  std::vector<std::size_t> left;
+  for (std::size_t begin = 0; begin < points.count; begin += chunk_points) {
     stop_if_asked();
-    for (std::size_t lane = 0; lane < lane_count; ++lane) {
-      const std::size_t point = std::min(first + lane, points.count - 1);
-      for (std::size_t i = 0; i < columns.parameters.size(); ++i) {
-        run.set(i, lane, given_[i] ? columns.parameters[i][point] : 0);
-      }
-      for (std::size_t i = 0; i < columns.tan_halves.size(); ++i) run.set_angle(i, lane, columns.tan_halves[i][point]);
-      run.set(code_->programs().load(), lane, points.has_load() ? columns.load[point] : 0);
+    const std::size_t end = std::min(points.count, begin + chunk_points);
+    left.clear();
+    if (blocks) {
+      blocks->decide(begin, end, see, left);
+    } else {
+      for (std::size_t point = begin; point < end; ++point) left.push_back(point);
     }
-    run.decide();
-    for (std::size_t point = first; point < std::min<std::size_t>(points.count, first + lane_count); ++point) {
-      const std::size_t lane = point - first;
-      bool sure = true;
-      for (std::size_t mode = 0; mode < modes_.size() && sure; ++mode) {
-        const LaneModes& found = run.modes()[mode];
-        ModeAt& status = answers.status[point * modes_.size() + mode];
-        status = found.strict[lane] != 0     ? ModeAt::strict
-                 : found.boundary[lane] != 0 ? ModeAt::boundary
-                                             : ModeAt::inconsistent;
-        sure = status != ModeAt::inconsistent || found.inconsistent[lane] != 0;
-      }
-      if (sure) {
-        ++answers.tiers[static_cast<std::size_t>(Tier::filter)];
-      } else {
-        pass_on(points, point, unsure, answers);
+    answers.tiers[static_cast<std::size_t>(Tier::filter)] += end - begin - left.size();
+    for (std::size_t i = 0; i < left.size(); i += lane_count) {
+      const auto some = std::span(left).subspan(i, std::min<std::size_t>(lane_count, left.size() - i));
+      lanes.decide(some, see);
+      for (const std::size_t point : some) {
+        const auto status = answers.status.begin() + static_cast<std::ptrdiff_t>(point * modes_.size());
+        if (std::find(status, status + static_cast<std::ptrdiff_t>(modes_.size()), ModeAt::unsure) ==
+            status + static_cast<std::ptrdiff_t>(modes_.size())) {
+          ++answers.tiers[static_cast<std::size_t>(Tier::filter)];
+        } else {
+          pass_on(points, point, unsure, answers);
+        }
       }
     }
   }

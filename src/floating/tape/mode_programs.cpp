@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "floating/tape/tape_inputs.hpp"
 #include "mechanics/kernel/mode_solver.hpp"
 #include "mechanics/mechanism/assemble.hpp"
 #include "mechanics/mechanism/words.hpp"
@@ -91,45 +92,6 @@ struct TapeProblem {
   std::vector<ElementForms<TapeForm>> elements;
 };
 
-/// What `x > 0` and its like say of a parameter.
-InputSign sign_of(const Expression& domain, const std::string& symbol) {
-  const Node& node = *domain;
-  if (node.operation == Operation::logical_and) {
-    return std::max(sign_of(node.operands[0], symbol), sign_of(node.operands[1], symbol));
-  }
-  if (node.operation != Operation::compare || node.operands.size() != 2) return InputSign::unknown;
-  const bool first = node.operands[0]->operation == Operation::symbol && node.operands[0]->symbol == symbol;
-  const Node& other = *node.operands[first ? 1 : 0];
-  const Node& own = *node.operands[first ? 0 : 1];
-  if (own.operation != Operation::symbol || own.symbol != symbol || other.operation != Operation::number) {
-    return InputSign::unknown;
-  }
-  const Relation relation = node.relations[0];
-  if (relation == (first ? Relation::greater : Relation::less)) return InputSign::positive;
-  if (relation != (first ? Relation::greater_equal : Relation::less_equal)) return InputSign::unknown;
-  return other.number.is_zero() ? InputSign::not_negative : InputSign::positive;
-}
-
-std::vector<InputSign> input_signs(const Mechanism& mechanism) {
-  std::vector<InputSign> signs;
-  for (const MechanismParameter& p : mechanism.parameters) signs.push_back(sign_of(p.domain.expression, p.symbol));
-  for (const MechanismAngle& angle : mechanism.angles) {
-    signs.push_back(sign_of(angle.domain.expression, angle.cosine));
-    signs.push_back(sign_of(angle.domain.expression, angle.sine));
-  }
-  signs.push_back(InputSign::unknown);
-  return signs;
-}
-
-std::vector<std::pair<std::size_t, std::size_t>> circles(const Mechanism& mechanism) {
-  std::vector<std::pair<std::size_t, std::size_t>> result;
-  for (std::size_t i = 0; i < mechanism.angles.size(); ++i) {
-    const std::size_t cosine = mechanism.parameters.size() + 2 * i;
-    result.emplace_back(cosine, cosine + 1);
-  }
-  return result;
-}
-
 class ProgramMaker {
  public:
   ProgramMaker(const Mechanism& mechanism, const std::vector<bool>& given)
@@ -155,6 +117,7 @@ class ProgramMaker {
     TapeForms forms(tape_, at_, mechanism_.unknowns.size(), tape_.input(result_.load()));
     assemble(mechanism_, compiled_, kinds, forms, problem_);
     add_domain();
+    reduce();
     result_.modes = modes_of(kinds);
     for (const MechanismMode& mode : result_.modes) add_mode(mode);
     join_motions();
@@ -194,6 +157,8 @@ class ProgramMaker {
         const auto x = at_.number(program, instruction.first), y = at_.number(program, instruction.second);
         if (!x.number || !y.number) throw NoTape{};
         step.difference = (*x.number - *y.number).ref;
+        if (step.relation == Relation::greater) tape_.assume_positive(step.difference);
+        if (step.relation == Relation::less) tape_.assume_positive(tape_.negate(step.difference));
       }
     }
     result.steps.push_back(step);
@@ -217,22 +182,36 @@ class ProgramMaker {
     }
   }
 
+  /// What all modes have in common.
+  void reduce() {
+    rows_ = problem_.equations;
+    common_.eliminate(rows_, TapeBuilder::Doubt::nonzero_in_domain);
+    elements_ = problem_.elements;
+    for (auto& element : elements_) {
+      for (TapeForm* form : {&element.gap, &element.normal, &element.slip, &element.tangent, &element.static_limit,
+                             &element.kinetic_limit}) {
+        if (!form->coefficients.empty()) *form = common_.reduced(std::move(*form));
+      }
+    }
+  }
+
   void add_mode(const MechanismMode& mode) {
-    std::vector<TapeForm> rows = problem_.equations;
+    std::vector<TapeForm> rows = rows_;
     for (std::size_t i = 0; i < mode.size(); ++i) {
-      const auto& element = problem_.elements[i];
+      const auto& element = elements_[i];
       for (const StateEquation e : equations(element.kind, mode[i])) rows.push_back(form_of(element, mode[i], e));
     }
-    const TapeSolution solution(tape_, std::move(rows), problem_.unknowns);
+    const TapeSolution solution(common_, std::move(rows), problem_.unknowns);
     ModeProgram program;
+    program.core = solution.core();
     program.pivots = solution.pivots();
     program.residuals = solution.residuals();
     program.free = solution.free();
     std::vector<bool> slipless(mode.size(), false);
     for (std::size_t i = 0; i < mode.size(); ++i) {
-      const auto& element = problem_.elements[i];
+      const auto& element = elements_[i];
       for (const StateCondition c : conditions(element.kind, mode[i])) {
-        FreeForm form = solution.on(form_of(element, mode[i], c));
+        SolvedForm form = solution.on(form_of(element, mode[i], c));
         if (!form.is_zero()) {
           program.conditions.push_back(std::move(form));
           continue;
@@ -244,7 +223,9 @@ class ProgramMaker {
     for (const TapeForm& form : problem_.accelerations) program.accelerations.push_back(solution.on(form));
     for (const TapeForm& form : problem_.forces) program.forces.push_back(solution.on(form));
     program.determined = std::none_of(program.accelerations.begin(), program.accelerations.end(),
-                                      [](const FreeForm& form) { return form.varies(); });
+                                      [](const SolvedForm& form) { return form.varies(); });
+    MotionValues& values = motions_.emplace_back(MotionValues{solution.divisor(), {}});
+    for (const SolvedForm& form : program.accelerations) values.numerators.push_back(solution.numerator(form));
     result_.programs.push_back(std::move(program));
     slipless_.push_back(std::move(slipless));
     if (tape_.nodes().size() > max_tape_length) throw NoTape{};
@@ -255,19 +236,37 @@ class ProgramMaker {
     return mode;
   }
 
+  /// The accelerations of a mode that determines them.
+  struct MotionValues {
+    TapeRef divisor;
+    std::vector<TapeRef> numerators;
+  };
+
+  /// Whether it is proved that all are the same.
+  bool is_same(const MotionValues& x, const MotionValues& y) {
+    for (std::size_t i = 0; i < x.numerators.size(); ++i) {
+      const TapeRef a = tape_.multiply(x.numerators[i], y.divisor), b = tape_.multiply(y.numerators[i], x.divisor);
+      if (tape_.subtract(a, b) != TapeBuilder::zero) return false;
+    }
+    return true;
+  }
+
   /// Modes whose accelerations are the same programs. And where an element that slips cannot do so, all solutions solve
   /// the equations of the mode in which it sticks: if these determine the accelerations, it is the same motion.
   void join_motions() {
-    std::map<std::vector<TapeRef>, std::size_t> known;
+    std::map<std::vector<TapeBuilder::Residues>, std::size_t> known;
     std::map<MechanismMode, std::size_t> places;
     for (std::size_t i = 0; i < result_.modes.size(); ++i) {
       places.emplace(result_.modes[i], i);
       ModeProgram& program = result_.programs[i];
       program.motion = i;
       if (!program.determined) continue;
-      std::vector<TapeRef> values;
-      for (const FreeForm& form : program.accelerations) values.push_back(form.constant);
-      program.motion = known.emplace(std::move(values), i).first->second;
+      std::vector<TapeBuilder::Residues> values;
+      for (const TapeRef numerator : motions_[i].numerators) {
+        values.push_back(tape_.quotient_residues(numerator, motions_[i].divisor));
+      }
+      const std::size_t first = known.emplace(std::move(values), i).first->second;
+      if (is_same(motions_[first], motions_[i])) program.motion = first;
     }
     for (std::size_t i = 0; i < result_.modes.size(); ++i) {
       for (std::size_t k = 0; k < result_.modes[i].size(); ++k) {
@@ -303,6 +302,10 @@ class ProgramMaker {
   TapeBuilder tape_;
   TapeEvaluator at_;
   TapeProblem problem_;
+  TapeElimination common_{tape_};
+  std::vector<TapeForm> rows_;                    ///< the equations that are left
+  std::vector<ElementForms<TapeForm>> elements_;  ///< reduced
+  std::vector<MotionValues> motions_;
   std::vector<std::vector<bool>> slipless_;  ///< of each mode: elements whose slip is 0 at all points
 };
 

@@ -7,24 +7,26 @@
 #include <vector>
 
 #include "base/expression/evaluate.hpp"
-#include "floating/tape/tape_form.hpp"
+#include "floating/program/tape_form.hpp"
 #include "mechanics/checks/kinds.hpp"
 #include "mechanics/mechanism/mechanism.hpp"
 
 namespace slipproof {
 
-/// One mode: its equations solved, its conditions as forms over what these leave free.
+/// One mode: its equations solved but for a core of at most two, its conditions and quantities as forms.
 struct ModeProgram {
-  std::vector<TapeRef> pivots;       ///< where none of them is 0 the rest means what it says
-  std::vector<TapeRef> residuals;    ///< where one is not 0 there is no solution
-  std::vector<FreeForm> conditions;  ///< what must be >= 0; those that are 0 at all points are left out
-  bool never_strict = false;         ///< one was left out
-  std::size_t free = 0;              ///< how many forces, or accelerations, are left free
-  bool determined = false;           ///< no acceleration varies with them
+  /// Where none of them is 0, nor the determinant of the core, the rest means what it says.
+  std::vector<TapeRef> pivots;
+  std::vector<TapeRef> residuals;      ///< where one is not 0 there is no solution
+  std::vector<SolvedForm> core;        ///< equations, as many as unknowns
+  std::vector<SolvedForm> conditions;  ///< what must be >= 0; those that are 0 at all points are left out
+  bool never_strict = false;           ///< one was left out
+  std::size_t free = 0;                ///< how many forces, or accelerations, are left free
+  bool determined = false;             ///< no acceleration varies with them
   /// Modes with the same number have the same accelerations wherever all of them have a solution of their equations and
   /// no pivot of any is 0.
   std::size_t motion = 0;
-  std::vector<FreeForm> accelerations, forces;  ///< as acceleration_names() and force_names() name them
+  std::vector<SolvedForm> accelerations, forces;  ///< as acceleration_names() and force_names() name them
 };
 
 /// A condition of the domain: a tree, children before parents.

@@ -8,44 +8,25 @@
 #include <span>
 #include <vector>
 
-#include "floating/tape/mode_programs.hpp"
-#include "floating/tape/running_error.hpp"
+#include "floating/tape/linear_mode.hpp"
+#include "floating/tape/mode_code.hpp"
 
 namespace slipproof {
 
-/// results[target] = results[first] operation results[second]
-struct TapeInstruction {
-  TapeOperation operation;
-  std::uint32_t target, first, second;
-};
-
-/// What of a tape is needed for decisions, and what else for the numbers of each mode, with places for the results.
-class ModeCode {
- public:
-  explicit ModeCode(ModePrograms programs);
-
-  const ModePrograms& programs() const { return programs_; }
-
- private:
-  friend class ModeRun;
-  using Code = std::vector<TapeInstruction>;
-
-  /// What computes the results that are wanted and not `done`, which become so.
-  Code code_for(const std::vector<TapeRef>& wanted, std::vector<bool>& done);
-  std::uint32_t place(TapeRef ref);
-
-  ModePrograms programs_;
-  std::vector<std::uint32_t> places_;  ///< of nodes of the tape among the results of a run
-  std::uint32_t results_ = 0;
-  std::vector<std::pair<std::uint32_t, RunningError>> constants_;
-  Code decision_, scales_;
-  std::vector<Code> values_;  ///< of each mode
-};
-
-/// A mode at the points of a run, a mask for each answer.
+/// A mode at the points of a run, a mask for each answer. Aligned as RunningError is.
 struct LaneModes {
-  LaneBits inconsistent{}, boundary{}, strict{};  ///< none: unsure. Boundary: consistent, and surely not strict
-  LaneBits valid{};                               ///< its programs mean what they say
+  alignas(sizeof(LaneBits)) LaneBits inconsistent{};
+  alignas(sizeof(LaneBits)) LaneBits boundary{};  ///< consistent, and surely not strict
+  alignas(sizeof(LaneBits)) LaneBits strict{};    ///< none of these: unsure
+  alignas(sizeof(LaneBits)) LaneBits valid{};     ///< its programs mean what they say
+};
+
+/// constant + slopes . t, of a mode at several points.
+struct LaneForm {
+  RunningError constant;
+  std::array<RunningError, LinearMode<RunningError>::most_free> slopes;
+
+  RunningError at(std::span<const RunningError> free) const;
 };
 
 /// One block of points. Not shared between threads; made once for many blocks.
@@ -76,25 +57,32 @@ class ModeRun {
     return code_->programs().programs[x].motion == code_->programs().programs[y].motion;
   }
 
-  /// Computes accelerations and forces of a mode at all points, and what zeros are held against.
-  void compute_values(std::size_t mode);
+  /// Accelerations, forces and conditions of a mode at all points.
+  struct Values {
+    std::vector<LaneForm> accelerations, forces, conditions;
+  };
+  const Values& compute_values(std::size_t mode);
+  /// What zeros are held against; then at() has it.
   void compute_scales();
-  const RunningError& at(TapeRef ref) const { return results_[code_->places_[ref]]; }
-  /// A form at values of what a mode leaves free.
-  RunningError at(const FreeForm& form, std::span<const RunningError> free) const;
+  const RunningError& at(TapeRef ref) const { return results_[code_->place(ref)]; }
 
  private:
+  friend struct JudgeKernel;
+  friend struct ValuesKernel;
+
   void compute_angles();
+  void find_domain();
   LaneBits holds(const TruthProgram& program) const;
-  LaneModes judge(const ModeProgram& program) const;
-  void judge_determined(const ModeProgram& program, LaneBits& violated, LaneModes& result) const;
-  void judge_with_free(const ModeProgram& program, LaneBits& violated, LaneModes& result) const;
+  LaneModes judge(const ModeProgram& program, const LaneBits& valid) const;
 
   const ModeCode* code_;
   std::vector<RunningError> results_;
   std::vector<RunningError> tan_halves_;
   std::vector<LaneModes> modes_;
-  LaneBits in_domain_{}, in_load_domain_{};
+  std::vector<LaneForm> conditions_;  ///< of the mode that is judged, with the sign that a divisor gives them
+  Values values_;
+  alignas(sizeof(LaneBits)) LaneBits in_domain_{};
+  alignas(sizeof(LaneBits)) LaneBits in_load_domain_{};
 };
 
 }  // namespace slipproof

@@ -34,18 +34,17 @@ LaneAnswers answers_in(const std::vector<MechanismRecord>& records, std::size_t 
 /// Forces that a mode leaves free, found from those that an answer has.
 class FreeForces {
  public:
-  FreeForces(const ModeRun& run, const ModeProgram& program) : run_(run), program_(program) {}
+  explicit FreeForces(std::size_t free) : free_(free) {}
 
   /// A force of the answer that varies with what is free.
-  void take(const FreeForm& form, const LaneAnswers& answer) {
-    if (!form.varies()) return;
+  void take(const LaneForm& form, const LaneAnswers& answer) {
     asked_ |= answer.present;
-    const RunningError rest = answer.value - run_.at(form.constant);
-    if (program_.free == 1) {
-      const RunningError value = rest / run_.at(form.slopes[0]);
+    const RunningError rest = answer.value - form.constant;
+    if (free_ == 1) {
+      const RunningError value = rest / form.slopes[0];
       put(values_[0], value, answer.present & ~known_);
       known_ |= answer.present;
-    } else if (program_.free == 2) {
+    } else if (free_ == 2) {
       take_of_two(form, rest, answer.present);
     }
   }
@@ -53,7 +52,7 @@ class FreeForces {
   /// Records whose answers say nothing of what is free, or all of it.
   LaneBits settled() const { return ~asked_ | known_; }
   LaneBits asked() const { return asked_; }
-  const std::array<RunningError, 2>& values() const { return values_; }
+  std::span<const RunningError> values() const { return std::span(values_).first(std::min<std::size_t>(free_, 2)); }
 
  private:
   static void put(RunningError& to, const RunningError& from, const LaneBits& mask) {
@@ -62,8 +61,8 @@ class FreeForces {
   }
 
   /// The first force is kept, the next that says something else gives both.
-  void take_of_two(const FreeForm& form, const RunningError& rest, const LaneBits& present) {
-    const RunningError x = run_.at(form.slopes[0]), y = run_.at(form.slopes[1]);
+  void take_of_two(const LaneForm& form, const RunningError& rest, const LaneBits& present) {
+    const RunningError &x = form.slopes[0], &y = form.slopes[1];
     const RunningError determinant = first_[0] * y - first_[1] * x;
     const LaneBits solves = present & has_first_ & ~known_ & surely_not_zero(determinant);
     put(values_[0], (first_rest_ * y - first_[1] * rest) / determinant, solves);
@@ -76,8 +75,7 @@ class FreeForces {
     has_first_ |= is_first;
   }
 
-  const ModeRun& run_;
-  const ModeProgram& program_;
+  std::size_t free_;
   LaneBits asked_{}, known_{}, has_first_{};
   std::array<RunningError, 2> values_{}, first_{};
   RunningError first_rest_;
@@ -190,8 +188,7 @@ void MechanismBlock::decide() {
   }
   if (!modes.empty()) run_->compute_scales();
   for (const std::size_t mode : modes) {
-    run_->compute_values(mode);
-    const Lanes error = answer_error(mode);
+    const Lanes error = answer_error(mode, run_->compute_values(mode));
     for (std::size_t lane = 0; lane < judgements_.size(); ++lane) {
       if (motions[lane] == mode && error[lane] <= options_.tolerance) certify(lane, mode, error[lane]);
     }
@@ -211,37 +208,37 @@ std::optional<std::size_t> MechanismBlock::claimed_motion(std::size_t lane) cons
 }
 
 /// Of each record, against the motion of a mode: an upper bound on the largest relative error of a component.
-Lanes MechanismBlock::answer_error(std::size_t mode) const {
-  const ModeProgram& program = batch_->code()->programs().programs[mode];
+Lanes MechanismBlock::answer_error(std::size_t mode, const ModeRun::Values& values) const {
   const ModePrograms& programs = batch_->code()->programs();
+  const ModeProgram& program = programs.programs[mode];
   const MechanismFields& fields = setting_.fields;
-  FreeForces free(*run_, program);
+  FreeForces free(program.free);
   Lanes error{};
   std::vector<LaneAnswers> forces;
   for (std::size_t i = 0; i < program.forces.size(); ++i) {
     forces.push_back(answers_in(records_, fields.first_answer() + fields.accelerations() + i));
-    free.take(program.forces[i], forces.back());
+    if (program.forces[i].varies()) free.take(values.forces[i], forces.back());
   }
   LaneBits inside = free.settled();
-  for (const FreeForm& condition : program.conditions) {
-    inside &= ~free.asked() | surely_not_negative(run_->at(condition, free.values()));
+  for (const LaneForm& condition : values.conditions) {
+    inside &= ~free.asked() | surely_not_negative(condition.at(free.values()));
   }
   const std::vector<Lanes> yardsticks = least_yardsticks(*run_, programs);
   const auto compare = [&](const LaneAnswers& answer, const RunningError& exact, std::size_t kind,
-                           const FreeForm& form) {
+                           const SolvedForm& form, const LaneForm& at) {
     LaneBits open{};
-    for (const TapeRef slope : form.slopes) open |= surely_not_zero(run_->at(slope));
+    for (std::size_t k = 0; k < free.values().size(); ++k) open |= surely_not_zero(at.slopes[k]);
     const Lanes relative = relative_error(answer.value, exact, yardsticks[kind], form.varies(), open);
     error = worse(error, chosen(answer.present, relative, Lanes{}));
   };
   for (std::size_t i = 0; i < program.accelerations.size(); ++i) {
-    const FreeForm& form = program.accelerations[i];
-    compare(answers_in(records_, fields.first_answer() + i), run_->at(form.constant), programs.kinds.accelerations[i],
-            form);
+    const LaneForm& at = values.accelerations[i];
+    compare(answers_in(records_, fields.first_answer() + i), at.constant, programs.kinds.accelerations[i],
+            program.accelerations[i], at);
   }
   for (std::size_t i = 0; i < program.forces.size(); ++i) {
-    const FreeForm& form = program.forces[i];
-    compare(forces[i], run_->at(form, free.values()), programs.kinds.forces[i], form);
+    const LaneForm& at = values.forces[i];
+    compare(forces[i], at.at(free.values()), programs.kinds.forces[i], program.forces[i], at);
   }
   return chosen(inside, error, Lanes{} + infinite);
 }

@@ -53,7 +53,7 @@ class MechanismBlock {
   bool put(const MechanismRecord& record, std::size_t lane);
   std::optional<Number> angle(const MechanismRecord& record, std::size_t index) const;
   void decide();
-  Lanes answer_error(std::size_t mode) const;
+  Lanes answer_error(std::size_t mode, const ModeRun::Values& values) const;
   std::optional<std::size_t> claimed_motion(std::size_t lane) const;
   void certify(std::size_t lane, std::size_t mode, double error);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <span>
 
 #include "base/number/binary64.hpp"
 #include "base/number/dice.hpp"
@@ -173,6 +174,49 @@ TEST_CASE("bodies at rest on two contacts need no kernel") {
         batch.modes_at({{parameters.begin(), parameters.end()}, {halves.begin(), halves.end()}, Column(load)});
     CHECK(answers.tiers[static_cast<std::size_t>(Tier::filter)] == 1);
   }
+}
+
+TEST_CASE("points together have the modes and the tiers that each has alone") {
+  std::size_t by_filter = 0;
+  for (const char* name : {"bicycle", "block-on-incline", "painleve-rod", "stacked-blocks"}) {
+    CAPTURE(name);
+    const Mechanism mechanism = open_mechanism(name);
+    const MechanismBatch batch(mechanism);
+    const MechanismValues sample = sample_values(mechanism, ProblemMaker(mechanism), 1, 3).front();
+    // Beside the sample, and a few of another size: those are outside of the ranges that the others share.
+    constexpr std::size_t count = 700;
+    std::vector<std::vector<double>> parameters(sample.parameters.size()), halves(sample.angles.size());
+    std::vector<double> loads;
+    Dice dice(17, 1);
+    for (std::size_t i = 0; i < count; ++i) {
+      const DoublePoint point = double_point(mechanism, sample, i % 90 == 89 ? 2 : 0, dice);
+      for (std::size_t k = 0; k < parameters.size(); ++k) {
+        parameters[k].push_back(point.parameters[k] * (k % 3 == 0 ? between(dice, 0.97, 1.03) : 1));
+      }
+      for (std::size_t k = 0; k < halves.size(); ++k) halves[k].push_back(point.tan_halves[k]);
+      loads.push_back(between(dice, -20, 20));
+    }
+    const auto columns = [&](std::size_t first, std::size_t size) {
+      const auto part = [&](const std::vector<double>& all) { return Column(std::span(all).subspan(first, size)); };
+      MechanismColumns result;
+      for (const auto& column : parameters) result.parameters.push_back(part(column));
+      for (const auto& column : halves) result.tan_halves.push_back(part(column));
+      if (mechanism.load) result.load = part(loads);
+      return result;
+    };
+    const MechanismAnswers together = batch.modes_at(columns(0, count));
+    TierCounts alone{};
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const MechanismAnswers one = batch.modes_at(columns(i, 1));
+      for (std::size_t mode = 0; mode < one.modes; ++mode) different += one.at(0, mode) == together.at(i, mode) ? 0 : 1;
+      for (std::size_t tier = 0; tier < tier_count; ++tier) alone[tier] += one.tiers[tier];
+    }
+    CHECK(different == 0);
+    CHECK(together.tiers == alone);
+    by_filter += together.tiers[static_cast<std::size_t>(Tier::filter)];
+  }
+  CHECK(by_filter > 1400);
 }
 
 TEST_CASE("running errors enclose what is exact, whatever the sizes") {

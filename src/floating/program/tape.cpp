@@ -1,4 +1,4 @@
-#include "floating/tape/tape.hpp"
+#include "floating/program/tape.hpp"
 
 #include <algorithm>
 #include <random>
@@ -101,6 +101,8 @@ TapeRef TapeBuilder::subtract(TapeRef x, TapeRef y) {
   if (y == zero) return x;
   if (literal(x) && literal(y)) return constant(*literal(x) - *literal(y));
   if (nodes_[y].operation == TapeOperation::negate) return add(x, nodes_[y].first);
+  if (nodes_[x].operation == TapeOperation::negate) return negate(add(nodes_[x].first, y));
+  if (x > y) return negate(make(TapeOperation::subtract, y, x));
   return make(TapeOperation::subtract, x, y);
 }
 
@@ -127,10 +129,14 @@ TapeRef TapeBuilder::divide(TapeRef x, TapeRef y) {
   return make(TapeOperation::divide, x, y);
 }
 
+TapeRef TapeBuilder::divide_often(TapeRef x, TapeRef y) {
+  const bool shorter = x == zero || x == y || literal(y) != nullptr || negate(x) == y;
+  return shorter ? divide(x, y) : multiply(x, divide(one, y));
+}
+
 TapeRef TapeBuilder::negate(TapeRef x) {
   if (literal(x)) return constant(-*literal(x));
   if (nodes_[x].operation == TapeOperation::negate) return nodes_[x].first;
-  if (nodes_[x].operation == TapeOperation::subtract) return subtract(nodes_[x].second, nodes_[x].first);
   return make(TapeOperation::negate, x, zero);
 }
 
@@ -156,6 +162,10 @@ TapeBuilder::Residues TapeBuilder::residues(TapeOperation operation, TapeRef x, 
     }
   }
   return result;
+}
+
+TapeBuilder::Residues TapeBuilder::quotient_residues(TapeRef x, TapeRef y) const {
+  return residues(TapeOperation::divide, x, y);
 }
 
 TapeBuilder::Signs TapeBuilder::signs(TapeOperation operation, TapeRef first, TapeRef second) const {
@@ -186,10 +196,11 @@ TapeRef TapeBuilder::make(TapeOperation operation, TapeRef x, TapeRef y) {
   return place->second = push(node, values, signs(operation, x, y));
 }
 
-int TapeBuilder::doubt_as_divisor(TapeRef x) const {
-  if (literal(x)) return 0;
-  if (residues_[x] == Residues{0, 0}) return 3;
-  return signs_[x].not_zero ? 1 : 2;
+TapeBuilder::Doubt TapeBuilder::doubt_as_divisor(TapeRef x) const {
+  if (literal(x)) return Doubt::literal;
+  if (residues_[x] == Residues{0, 0}) return Doubt::looks_like_zero;
+  if (signs_[x].not_zero) return Doubt::nonzero_in_domain;
+  return signs_[x].not_negative || signs_[x].not_positive ? Doubt::one_sign : Doubt::any;
 }
 
 }  // namespace slipproof

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "base/number/rational.hpp"
-#include "floating/tape/zero_proof.hpp"
+#include "floating/program/zero_proof.hpp"
 
 namespace slipproof {
 
@@ -47,17 +47,25 @@ class TapeBuilder {
   TapeRef multiply(TapeRef x, TapeRef y);
   /// The divisor must not be the literal 0; where it vanishes at a point the result means nothing.
   TapeRef divide(TapeRef x, TapeRef y);
+  /// The same by the reciprocal, which is computed once.
+  TapeRef divide_often(TapeRef x, TapeRef y);
   TapeRef negate(TapeRef x);
+
+  /// Positive on the domain: as InputSign it proves nothing.
+  void assume_positive(TapeRef x) { signs_[x] = {true, false, true}; }
 
   const std::vector<TapeNode>& nodes() const { return nodes_; }
   const std::vector<Rational>& constants() const { return constants_; }
 
-  /// How bad a divisor a result is: 0 for a literal, 1 for what the domain keeps from 0, 2 for others, 3 for what looks
-  /// like 0.
-  int doubt_as_divisor(TapeRef x) const;
+  /// How bad a divisor a result is.
+  enum class Doubt : std::uint8_t { literal, nonzero_in_domain, one_sign, any, looks_like_zero };
+  Doubt doubt_as_divisor(TapeRef x) const;
+
+  using Residues = std::array<std::uint64_t, 2>;
+  /// Of x / y at the two random points; the same where two quotients are.
+  Residues quotient_residues(TapeRef x, TapeRef y) const;
 
  private:
-  using Residues = std::array<std::uint64_t, 2>;
   struct Signs {
     bool not_negative = false, not_positive = false, not_zero = false;
   };

@@ -1,8 +1,8 @@
-#include "floating/tape/zero_proof.hpp"
+#include "floating/program/zero_proof.hpp"
 
 #include <string>
 
-#include "floating/tape/tape.hpp"
+#include "floating/program/tape.hpp"
 
 namespace slipproof {
 
