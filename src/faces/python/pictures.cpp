@@ -16,12 +16,12 @@ namespace slipproof::python {
 namespace {
 
 namespace py = pybind11;
-using Range = std::optional<std::pair<std::string, std::string>>;
+using DrawnRange = std::optional<std::pair<std::string, std::string>>;
 
 /// What is asked for; what is left out is chosen from the scene.
 struct Wanted {
   std::string text, file, x, y;
-  Range x_range, y_range;
+  DrawnRange x_range, y_range;
   std::size_t columns = 240;
 };
 
@@ -47,7 +47,7 @@ Drawn draw_map(const Wanted& wanted) {
 }
 
 py::tuple draw(const std::string& text, const std::string& file, const std::string& x, const std::string& y,
-               const Range& x_range, const Range& y_range, std::size_t columns) {
+               const DrawnRange& x_range, const DrawnRange& y_range, std::size_t columns) {
   const Wanted wanted{text, file, x, y, x_range, y_range, columns};
   const Drawn drawn = interruptible([wanted](Call&) { return draw_map(wanted); });
   return py::make_tuple(drawn.svg, drawn.json);
