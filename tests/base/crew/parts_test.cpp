@@ -108,7 +108,7 @@ TEST_CASE("the index has the end of a run, once there is one") {
   {
     Journal index(parts_index(prefix), "work");
     index.keep("request", "result");
-    CHECK_THROWS_WITH_AS(read_end(prefix), doctest::Contains("is writing it"), InputError);
+    CHECK_THROWS_WITH_AS(read_end(prefix), doctest::Contains("found a run that is still writing it"), InputError);
   }
   CHECK_THROWS_WITH_AS(read_end(prefix), doctest::Contains("found an unfinished run"), InputError);
   const PartsEnd end = some_parts(prefix);

@@ -90,7 +90,7 @@ TEST_CASE("malformed MatrixMarket files are refused at their place") {
       {banner + "coordinate real general\n2 2 1\n1 1 1/2\n", "FILE:3:5: found '1/2', expected an entry of the matrix"},
       {banner + "coordinate real general\n2 2 1\n1 1 4\n9\n", "FILE:4:1: found '9', expected the end of the file"},
       {banner + "coordinate real general\n3 3 0\n",
-       "FILE:2:1: found 3 rows and 3 columns, expected 2 rows and 2 columns, as"},
+       "FILE:2:1: found 3 rows and 3 columns, expected 2 rows and 2 columns, the length"},
       {banner + "coordinate real general\n1099511627776 2 0\n",
        "FILE:2:1: found '1099511627776', expected the number of"},
       {banner + "coordinate real general\n2 2 1099511627776\n",

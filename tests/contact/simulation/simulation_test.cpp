@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "claims/uniqueness/scene_setting.hpp"
+#include "mechanics/elements/element.hpp"
 
 using namespace slipproof;
 
@@ -121,7 +122,7 @@ TEST_CASE(
         const double now = energy(motion, 0.5);
         CHECK_MESSAGE(now <= least + 1e-3 * std::abs(start), motion.periods());
         least = std::min(least, now);
-        flew = flew || motion.mode()[0] == ContactState::lift;
+        flew = flew || motion.mode()[0] == ElementState::lift;
       }
       CHECK(flew);
       if (damping == 0 && mu.is_zero()) {

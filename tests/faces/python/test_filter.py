@@ -6,10 +6,10 @@ import pytest
 import slipproof
 
 
-def modes_of(scene, strict):
+def modes_of(scene):
     """By the solver."""
     solution = slipproof.solve(kind="internal", **scene)
-    found = {mode for m in solution.motions if m.strict or not strict for mode in m.modes}
+    found = {mode for m in solution.motions for mode in m.all_modes}
     return found | {c.mode for c in solution.continua}
 
 
@@ -19,7 +19,7 @@ def test_masks_are_the_solvers(random_scenes):
     assert found.consistent.dtype == np.uint16 and found.consistent.shape == (150,)
     for i in range(150):
         scene = {name: float(values[i]) for name, values in columns.items()}
-        assert set(found.names(i)) == modes_of(scene, strict=False)
+        assert set(found.names(i)) == modes_of(scene)
     assert sum(found.tiers.values()) == 150
     assert [int(n) for n in np.bincount(found.tier, minlength=3)] == list(found.tiers.values())
     assert not (found.strict & ~found.consistent).any()

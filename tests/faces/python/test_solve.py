@@ -114,8 +114,12 @@ def test_a_scene_without_a_force_has_no_motions_but_says_so():
 
 
 def test_continua_have_ranges():
-    solution = slipproof.solve("cases/reduced-form.toml")
-    assert solution.to_dict()["continua"] == [] or solution.continua[0].ranges
+    assert slipproof.solve("cases/reduced-form.toml").continua == ()
+    braked, rolling = slipproof.solve("cases/mechanisms/scenes/three-axles.toml").continua
+    assert (braked.mode, rolling.mode) == ("stick/slip-/stick", "slip+/stick/stick")
+    # They meet where no axle slips.
+    assert braked.ranges["ax"] == (0, Fraction(25, 17)) and rolling.ranges["ax"] == (Fraction(25, 17), Fraction(225, 152))
+    assert braked.ranges["N_middle"][0] == 0 < rolling.ranges["N_middle"][0]
 
 
 def test_ranges_contain_their_loads():
