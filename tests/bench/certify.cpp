@@ -8,6 +8,7 @@
 
 #include "records/certify/columns.hpp"
 #include "records/certify/table_records.hpp"
+#include "records/record/bicycle_records.hpp"
 #include "support/npy_file.hpp"
 #include "support/solver_records.hpp"
 
@@ -72,19 +73,23 @@ void certify_npy(benchmark::State& state) {
 /// The rows of the file in memory, and answers in arrays: no text at all.
 void certify_columns(benchmark::State& state) {
   measure(state, [](const RecordFiles& files, const CertifyOptions& options, const LineSink&) {
+    const RecordJudge judge(bicycle_records(), options.judge);
     Table table = open_table(files.npy());
     TableBlock block;
     CertifySummary summary;
     while (table.next(block)) {
-      RecordColumns columns{.records = block.rows};
+      RecordColumns columns(judge.fields(), block.rows);
       for (const TableColumn& column : table.columns) {
-        if (const auto field = parse_field(column.name)) {
-          columns[*field] = {table.cells(block, column), static_cast<std::ptrdiff_t>(table.stride(column))};
+        if (const auto field = judge.fields().find(column.name)) {
+          columns.numbers[*field] = {table.cells(block, column), static_cast<std::ptrdiff_t>(table.stride(column))};
         }
       }
-      columns.kinds = {table.cells(block, table.columns[test::kind_cell]),
-                       static_cast<std::ptrdiff_t>(table.stride(table.columns[test::kind_cell]))};
-      summary.add(certify(columns, {.judge = options.judge, .threads = 1}).summary);
+      const auto* const kinds = table.cells(block, table.columns[test::kind_cell]);
+      const std::size_t stride = table.stride(table.columns[test::kind_cell]);
+      std::vector<double> external(block.rows);
+      for (std::size_t i = 0; i < block.rows; ++i) external[i] = kinds[i * stride];
+      columns.numbers[judge.fields().word_field()] = std::span<const double>(external);
+      summary.add(certify(columns, judge, 1).summary);
     }
     return summary;
   });

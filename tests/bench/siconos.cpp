@@ -1,9 +1,10 @@
-// Siconos's enumeration and Lemke solvers beside the filter and the exact solver, on the same scenes.
+// Siconos's enumeration and Lemke solvers beside the exact solver, on the same scenes.
 #include "support/siconos.hpp"
 
 #include <benchmark/benchmark.h>
 
-#include "support/filter_scenes.hpp"
+#include "support/bicycle/motions.hpp"
+#include "support/bicycle_populations.hpp"
 
 namespace {
 
@@ -11,7 +12,7 @@ using namespace slipproof;
 
 const std::vector<ForcedScene<double>>& scenes() {
   static const auto all = [] {
-    test::FilterScenes random(101);
+    test::RandomBicycles random(101);
     std::vector<ForcedScene<double>> result;
     while (result.size() < 256) {
       result.push_back(random.typical());
@@ -44,12 +45,6 @@ void siconos_fc2d(benchmark::State& state, int solver) {
 }
 BENCHMARK_CAPTURE(siconos_fc2d, enum, SICONOS_FRICTION_2D_ENUM)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(siconos_fc2d, lemke, SICONOS_FRICTION_2D_LEMKE)->Unit(benchmark::kMicrosecond);
-
-void siconos_scenes_filtered(benchmark::State& state) {
-  std::size_t i = 0;
-  for (auto _ : state) benchmark::DoNotOptimize(consistent_modes(scenes()[i++ % scenes().size()]));
-}
-BENCHMARK(siconos_scenes_filtered)->Unit(benchmark::kMicrosecond);
 
 void siconos_scenes_exact(benchmark::State& state) {
   std::size_t i = 0;

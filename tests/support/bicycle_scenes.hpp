@@ -1,10 +1,10 @@
-// Bicycles in numbers as scenes of the mechanism `bicycle`.
+// RandomBicycles in numbers as scenes of the mechanism `bicycle`.
 #pragma once
 
 #include <optional>
 
 #include "contact/simulation/loaded_contacts.hpp"
-#include "mechanics/bicycle_modes/bicycle_motions.hpp"
+#include "support/bicycle/bicycle_motions.hpp"
 
 namespace slipproof::test {
 

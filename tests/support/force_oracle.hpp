@@ -6,9 +6,15 @@
 #include <vector>
 
 #include "base/number/binary64.hpp"
-#include "floating/filter/filter.hpp"
+#include "support/bicycle/forced_scene.hpp"
+#include "support/bicycle/mode_table.hpp"
 
 namespace slipproof::test {
+
+/// Modes as bits by their indices.
+struct OracleModes {
+  std::uint16_t consistent = 0, strict = 0;
+};
 
 class ForceOracle {
  public:
@@ -23,8 +29,8 @@ class ForceOracle {
   }
 
   /// Modes consistent at the force, and strictly so.
-  ConsistentModes at(double force) const {
-    ConsistentModes result{0, 0, Tier::exact};
+  OracleModes at(double force) const {
+    OracleModes result;
     for (const auto& r : ranges_) {
       const auto bit = 1U << r.mode;
       if (r.closed.contains(force)) result.consistent = static_cast<std::uint16_t>(result.consistent | bit);

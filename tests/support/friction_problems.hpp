@@ -1,8 +1,8 @@
 // Problems for the kernel in src/mechanics/kernel: bicycles by the equations of proofs/MODEL.md.
 #pragma once
 
-#include "mechanics/bicycle/linear_form.hpp"
 #include "mechanics/elements/friction_problem.hpp"
+#include "support/bicycle/linear_form.hpp"
 
 namespace slipproof::test {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "mechanics/bicycle/contact_mode.hpp"
+#include "support/bicycle/contact_mode.hpp"
 #include "support/solver_records.hpp"
 
 namespace slipproof::test {

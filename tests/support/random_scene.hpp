@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "mechanics/bicycle/bicycle.hpp"
+#include "support/bicycle/bicycle.hpp"
 
 namespace slipproof::test {
 

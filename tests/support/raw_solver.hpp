@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "mechanics/bicycle/linear_form.hpp"
+#include "support/bicycle/linear_form.hpp"
 #include "support/eigen_rational.hpp"
 
 namespace slipproof::test {

@@ -15,7 +15,7 @@
 #include <memory>
 
 #include "base/number/binary64.hpp"
-#include "floating/filter/filter.hpp"
+#include "support/bicycle/forced_scene.hpp"
 #include "support/bicycle_scenes.hpp"
 
 namespace slipproof::test {

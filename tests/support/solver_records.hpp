@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "mechanics/bicycle_modes/motions.hpp"
 #include "records/certify/certify.hpp"
-#include "support/filter_scenes.hpp"
+#include "support/bicycle/motions.hpp"
+#include "support/bicycle_populations.hpp"
 
 namespace slipproof::test {
 
@@ -59,7 +59,7 @@ class SolverRecords {
     }
   }
 
-  FilterScenes& random() { return random_; }
+  RandomBicycles& random() { return random_; }
 
  private:
   Cells cells(double F, const ModeSolution& mode) const {
@@ -80,7 +80,7 @@ class SolverRecords {
     return result;
   }
 
-  FilterScenes random_;
+  RandomBicycles random_;
   ForcedScene<Rational> scene_;
   std::optional<ModeTable> table_;
   int left_ = 0;

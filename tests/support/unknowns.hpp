@@ -1,8 +1,8 @@
 // From a motion back to the unknowns of proofs/MODEL.md.
 #pragma once
 
-#include "mechanics/bicycle/chain.hpp"
-#include "mechanics/bicycle/equations.hpp"
+#include "support/bicycle/chain.hpp"
+#include "support/bicycle/equations.hpp"
 
 namespace slipproof::test {
 

@@ -1,109 +1,89 @@
 #include <array>
-#include <limits>
+#include <string>
+#include <utility>
 
 #include "faces/c_interface/call.hpp"
 #include "faces/c_interface/options.hpp"
-#include "floating/filter/batch.hpp"
+#include "floating/batch/bicycle_batch.hpp"
 #include "records/certify/columns.hpp"
+#include "records/record/bicycle_records.hpp"
 
 namespace slipproof::c {
 
 namespace {
 
-using Columns = std::array<const slipproof_column*, direct_count>;
+using NamedColumn = std::pair<std::string_view, const slipproof_column*>;
 
-/// In the order of Field.
-Columns columns_of(const slipproof_bicycles& b) {
-  return {&b.M, &b.R, &b.h, &b.b2, &b.b3, &b.I1, &b.I2, &b.I3, &b.r1, &b.r2, &b.L, &b.J, &b.f, &b.g, &b.F};
-}
-
-double at(const slipproof_column& column, std::size_t i) {
-  return column.values[column.size == 1 ? 0 : i];
-}
-
-void check_size(const slipproof_column& column, std::size_t count, Field field) {
-  const std::string symbol(field_names[index(field)]);
-  if (column.size != 1 && (column.size != count || count == 0)) {
-    throw BadArgument(symbol,
-                      "found " + std::to_string(column.size) + " numbers, expected 1 or " + std::to_string(count));
+/// The columns in the order of BicycleColumns, then F.
+std::array<NamedColumn, 15> columns_of(const slipproof_bicycles& b) {
+  const std::array<const slipproof_column*, 15> given{&b.M,  &b.R,  &b.h, &b.b2, &b.b3, &b.I1, &b.I2, &b.I3,
+                                                      &b.r1, &b.r2, &b.L, &b.J,  &b.f,  &b.g,  &b.F};
+  std::array<NamedColumn, 15> named;
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    named[i] = {i + 1 < named.size() ? BicycleColumns::symbols[i] : "F", given[i]};
   }
-  need(column.values, symbol.c_str());
+  return named;
 }
 
-void check_sizes(const Columns& columns, std::size_t count) {
-  for (std::size_t i = 0; i < direct_count; ++i) {
-    const auto field = static_cast<Field>(i);
-    if (columns[i]->size != 0 || field != Field::J) check_size(*columns[i], count, field);
+void check_size(const NamedColumn& named, std::size_t count) {
+  const auto& [symbol, column] = named;
+  if (column->size != 1 && (column->size != count || count == 0)) {
+    throw BadArgument(std::string(symbol),
+                      "found " + std::to_string(column->size) + " numbers, expected 1 or " + std::to_string(count));
   }
+  need(column->values, std::string(symbol).c_str());
 }
 
-/// Checks one bicycle by itself, including h and b2 against R and b3.
-void check_alone(const Columns& columns, std::size_t bicycle) {
-  Record record;
-  for (std::size_t i = 0; i < direct_count; ++i) {
-    if (columns[i]->size != 0) record.set(static_cast<Field>(i), at(*columns[i], bicycle));
+BicycleColumns bicycles_of(const slipproof_bicycles& b, std::size_t count) {
+  BicycleColumns result;
+  result.external = b.external != 0;
+  const auto columns = columns_of(b);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const auto& [symbol, column] = columns[i];
+    if (symbol == "J" && column->size == 0) continue;
+    check_size(columns[i], count);
+    (i < result.numbers.size() ? result.numbers[i] : result.F) =
+        Column(std::span<const double>(column->values, column->size));
   }
-  const std::string message = outside_domain(record);
-  if (!message.empty()) throw BadArgument("bicycle " + std::to_string(bicycle + 1), message);
+  return result;
 }
 
-/// Column by column, as that takes a fraction of the time.
-void check_domain(const Columns& columns, std::size_t count) {
-  for (std::size_t i = 0; i < direct_count; ++i) {
-    const slipproof_column& column = *columns[i];
-    const auto field = static_cast<Field>(i);
-    const double least = field == Field::h || field == Field::b2 ? std::numeric_limits<double>::denorm_min()
-                         : field == Field::b3                    ? 0
-                                                                 : lowest_inside(field);
-    for (std::size_t k = 0; k < std::min(column.size, count); ++k) {
-      const double x = column.values[k];
-      if (x >= least && x <= std::numeric_limits<double>::max()) continue;
-      const std::size_t last = column.size == 1 ? count : k + 1;  // one number for all bicycles
-      for (std::size_t bicycle = k; bicycle < last; ++bicycle) check_alone(columns, bicycle);
-    }
-  }
+const RecordFields& fields_of_bicycles() {
+  static const RecordFields fields(bicycle_records());
+  return fields;
 }
 
-Column column(const slipproof_column& given) {
-  return Column(std::span<const double>(given.values, given.size));
+/// Converts each of the solver's codes to a mode number.
+std::vector<std::uint16_t> mode_codes(const std::uint8_t* modes, std::size_t count) {
+  std::vector<std::uint16_t> codes(modes == nullptr ? 0 : count);
+  for (std::size_t i = 0; i < codes.size(); ++i) codes[i] = modes[i] == 255 ? no_mode : modes[i];
+  return codes;
 }
 
-ForcedScene<Column> scenes_of(const slipproof_bicycles& b) {
-  ForcedScene<Column> s{.bicycle = {.M = column(b.M),
-                                    .R = column(b.R),
-                                    .h = column(b.h),
-                                    .b2 = column(b.b2),
-                                    .b3 = column(b.b3),
-                                    .I1 = column(b.I1),
-                                    .I2 = column(b.I2),
-                                    .I3 = column(b.I3),
-                                    .r1 = column(b.r1),
-                                    .r2 = column(b.r2),
-                                    .L = column(b.L)},
-                        .road = {column(b.f), column(b.g)},
-                        .force_kind = b.external != 0 ? ForceKind::external : ForceKind::internal,
-                        .F = column(b.F)};
-  if (b.J.size != 0) s.bicycle.J = column(b.J);
-  return s;
-}
-
-/// All columns as the library takes them; one that is not given stays away.
-RecordColumns records_of(const slipproof_bicycles& bicycles, const slipproof_answers& answers, std::size_t count) {
-  RecordColumns records{.records = count};
-  const auto put = [&](Field field, const slipproof_column& column) {
-    if (column.size == 0) return;
-    check_size(column, count, field);
-    records[field] = {column.values, column.size == 1 ? 0 : static_cast<std::ptrdiff_t>(sizeof(double))};
+/// All given columns as the library takes them.
+RecordColumns records_of(const slipproof_bicycles& bicycles, const slipproof_answers& x,
+                         const std::vector<std::uint16_t>& modes, const double& external, std::size_t count) {
+  RecordColumns records(fields_of_bicycles(), count);
+  const auto put = [&](const NamedColumn& named) {
+    const auto& [symbol, column] = named;
+    if (column->size == 0) return;
+    check_size(named, count);
+    records.number(symbol) = {column->values, column->size == 1 ? 0 : static_cast<std::ptrdiff_t>(sizeof(double))};
   };
-  const Columns parameters = columns_of(bicycles);
-  for (std::size_t i = 0; i < direct_count; ++i) put(static_cast<Field>(i), *parameters[i]);
-  const slipproof_answers& x = answers;
-  const std::array<const slipproof_column*, answer_count> given{&x.a,  &x.a_y, &x.phi, &x.eps2, &x.eps3,
-                                                                &x.S2, &x.S3,  &x.N2,  &x.N3};
-  for (std::size_t i = 0; i < answer_count; ++i) put(static_cast<Field>(parameter_count + i), *given[i]);
-  static constexpr std::array<std::uint8_t, 2> kinds{0, 1};
-  records.kinds = {&kinds[bicycles.external != 0 ? 1 : 0], 0};
-  if (answers.modes != nullptr) records.modes = {answers.modes, 1};
+  for (const NamedColumn& named : columns_of(bicycles)) put(named);
+  for (const NamedColumn& named : {NamedColumn{"a", &x.a},
+                                   {"a_y", &x.a_y},
+                                   {"phi", &x.phi},
+                                   {"eps2", &x.eps2},
+                                   {"eps3", &x.eps3},
+                                   {"S2", &x.S2},
+                                   {"S3", &x.S3},
+                                   {"N2", &x.N2},
+                                   {"N3", &x.N3}}) {
+    put(named);
+  }
+  records.number("external") = {&external, 0};
+  if (!modes.empty()) records.modes = std::span<const std::uint16_t>(modes);
   return records;
 }
 
@@ -112,26 +92,39 @@ std::span<T> wanted(T* array, std::size_t count) {
   return {array, array == nullptr ? 0 : count};
 }
 
-/// An enumeration has a type of its own, which C does not know.
-template <class Enumeration>
-void copy_codes(const std::vector<Enumeration>& from, std::uint8_t* to) {
-  for (std::size_t i = 0; i < from.size(); ++i) to[i] = static_cast<std::uint8_t>(from[i]);
+/// Converts an enumeration, which has a type of its own, to the type that C has.
+template <class From, class To>
+void copy_codes(const std::vector<From>& from, To* to) {
+  for (std::size_t i = 0; i < from.size(); ++i) to[i] = static_cast<To>(from[i]);
 }
 
-void certify_records(const RecordColumns& records, const ColumnsOptions& options, const slipproof_judgements& to) {
+void certify_records(const RecordColumns& records, const JudgeOptions& options, unsigned threads,
+                     const slipproof_judgements& to) {
   std::vector<RecordVerdict> verdicts(to.verdicts == nullptr ? 0 : records.records);
+  std::vector<std::uint64_t> modes(to.modes == nullptr ? 0 : records.records);
   std::vector<Tier> tiers(to.tiers == nullptr ? 0 : records.records);
   try {
-    certify(records, options,
-            {.verdicts = verdicts,
-             .modes = wanted(to.modes, records.records),
-             .errors = wanted(to.errors, records.records),
-             .tiers = tiers});
+    const RecordJudge judge(bicycle_records(), options);
+    certify(records, judge,
+            {.verdicts = verdicts, .modes = modes, .errors = wanted(to.errors, records.records), .tiers = tiers},
+            threads);
   } catch (const std::invalid_argument& error) {
     throw BadArgument("bicycles, answers", error.what());
   }
   copy_codes(verdicts, to.verdicts);
+  copy_codes(modes, to.modes);
   copy_codes(tiers, to.tiers);
+}
+
+BicycleModes modes_of(const slipproof_bicycles& bicycles, std::size_t count, unsigned threads) {
+  const BicycleColumns columns = bicycles_of(bicycles, count);
+  try {
+    return consistent_modes(columns, threads);
+  } catch (const std::invalid_argument& error) {
+    const std::string message = error.what();
+    const std::size_t colon = message.find(": ");
+    throw BadArgument(message.substr(0, colon), message.substr(colon + 2));
+  }
 }
 
 }  // namespace
@@ -139,25 +132,26 @@ void certify_records(const RecordColumns& records, const ColumnsOptions& options
 }  // namespace slipproof::c
 
 slipproof_status slipproof_consistent_modes(const slipproof_bicycles* bicycles, size_t count, uint16_t* consistent,
-                                            uint16_t* strict, uint64_t tiers[3], unsigned threads,
+                                            uint16_t* strict, uint64_t tiers[2], unsigned threads,
                                             slipproof_error** error) {
   using namespace slipproof;
   return c::call(error, [&] {
     c::need(bicycles, "bicycles");
-    const c::Columns columns = c::columns_of(*bicycles);
-    c::check_sizes(columns, count);
-    if (count == 0) return;
+    if (count == 0) {
+      c::bicycles_of(*bicycles, count);
+      return;
+    }
     c::need(consistent, "consistent");
-    c::check_domain(columns, count);
-    std::vector<ConsistentModes> answers(count);
-    TierCounts counts{};
-    consistent_modes(c::scenes_of(*bicycles), answers, counts, threads);
+    const BicycleModes found = c::modes_of(*bicycles, count, threads);
+    const TierCounts counts = found.counts();
     for (std::size_t i = 0; i < count; ++i) {
-      consistent[i] = answers[i].consistent;
-      if (strict != nullptr) strict[i] = answers[i].strict;
+      // If all bicycles are the same one, there is one answer.
+      const std::size_t from = found.consistent.size() == 1 ? 0 : i;
+      consistent[i] = found.consistent[from];
+      if (strict != nullptr) strict[i] = found.strict[from];
     }
     if (tiers == nullptr) return;
-    for (std::size_t i = 0; i < tier_count; ++i) tiers[i] += counts[i];
+    for (std::size_t i = 0; i < tier_count; ++i) tiers[i] += counts[i] * (count / found.consistent.size());
   });
 }
 
@@ -171,7 +165,9 @@ slipproof_status slipproof_certify_bicycles(const slipproof_bicycles* bicycles, 
     c::need(answers, "answers");
     c::need(judgements, "judgements");
     if (count == 0) return;
-    const RecordColumns records = c::records_of(*bicycles, *answers, count);
-    c::certify_records(records, {.judge = c::options_of(options).scene, .threads = threads}, *judgements);
+    const std::vector<std::uint16_t> modes = c::mode_codes(answers->modes, count);
+    const double external = bicycles->external != 0 ? 1 : 0;
+    const RecordColumns records = c::records_of(*bicycles, *answers, modes, external, count);
+    c::certify_records(records, c::options_of(options).scene, threads, *judgements);
   });
 }

@@ -1,4 +1,4 @@
-// What every call of the C interface does: no exception leaves it, and what went wrong becomes a status and an error.
+// Common to all calls of the C interface: no exception leaves them; failures become a status and an error.
 #pragma once
 
 #include <stdexcept>
@@ -11,7 +11,7 @@
 
 namespace slipproof::c {
 
-/// An argument that cannot be used: SLIPPROOF_BAD_ARGUMENT.
+/// Thrown for an argument that cannot be used: SLIPPROOF_BAD_ARGUMENT.
 class BadArgument : public InputError {
  public:
   BadArgument(std::string argument, std::string message)
@@ -21,10 +21,10 @@ class BadArgument : public InputError {
 /// Throws BadArgument for a null pointer.
 void need(const void* pointer, const char* argument);
 
-/// The status for the exception in flight; `error`, where there is a place for one, is set to what it says.
+/// The status for the exception in flight. Stores its message in `error` unless that is null.
 slipproof_status status_of_exception(slipproof_error** error) noexcept;
 
-/// Runs `body`, and turns every exception into an error.
+/// Runs `body` and converts every exception to an error.
 template <class Body>
 slipproof_status call(slipproof_error** error, const Body& body) noexcept {
   if (error != nullptr) *error = nullptr;

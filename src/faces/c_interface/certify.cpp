@@ -10,11 +10,10 @@
 #include "contact/problem/problem.hpp"
 #include "faces/c_interface/call.hpp"
 #include "faces/c_interface/options.hpp"
-#include "records/certify/contact_file.hpp"
-#include "records/certify/exact_judge.hpp"
-#include "records/certify/problem_judge.hpp"
+#include "records/problems/contact_file.hpp"
+#include "records/problems/problem_judge.hpp"
 
-/// A judgement and its texts.
+/// A judgement and the texts that it refers to.
 struct slipproof_verdict {
   std::string verdict, json;
   bool certified = false;
@@ -88,7 +87,7 @@ std::vector<Rational> exactly(const std::vector<double>& values) {
   return result;
 }
 
-/// The first number of an answer that is not finite, in the words of `certify` for records.
+/// The first number of an answer that is not finite, worded as `certify` does for records.
 std::string not_finite_in(const SolverAnswer& answer) {
   for (const auto& [values, symbol] : {std::pair(&answer.r, "z"), std::pair(&answer.u, "w")}) {
     for (std::size_t i = 0; i < values->size(); ++i) {

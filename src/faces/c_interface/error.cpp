@@ -6,7 +6,7 @@
 #include "faces/c_interface/call.hpp"
 #include "mechanics/scene/problem.hpp"
 
-/// Diagnostics with the parts of their messages as texts of their own.
+/// Diagnostics, and the parts of their messages as separate texts.
 struct slipproof_error {
   struct Mistake {
     std::string place, found, expected, message;
@@ -62,7 +62,7 @@ void need(const void* pointer, const char* argument) {
 slipproof_status status_of_exception(slipproof_error** error) noexcept {
   try {
     return tell_exception(error);
-  } catch (...) {  // not even the message could be written
+  } catch (...) {  // even the message could not be written
     return SLIPPROOF_NO_MEMORY;
   }
 }

@@ -1,4 +1,4 @@
-// Solved scenes as C sees them: arrays of plain structures, and the texts that they point to.
+// Solved scenes in the form of the C interface: arrays of plain structures, and the texts that they point to.
 #pragma once
 
 #include <deque>
@@ -12,7 +12,7 @@
 
 namespace slipproof::c {
 
-/// What a solution gives out, and owns: nothing in it moves once it is written.
+/// Owns everything that a solution gives out. Nothing in it moves after it is written.
 class Tables {
  public:
   std::string name;
@@ -25,7 +25,7 @@ class Tables {
   const char* keep(std::string text) { return texts_.emplace_back(std::move(text)).c_str(); }
   slipproof_interval interval(const ForceInterval& interval);
   slipproof_interval interval(const Range& range);
-  /// `values` are those of a motion at a load.
+  /// `values` are the numbers of a motion at a load.
   slipproof_motion motion(const std::vector<MechanismMode>& modes, bool strict, bool continuum,
                           std::vector<slipproof_value> values = {});
   void add_cell(const ForceInterval& loads, std::vector<slipproof_motion> motions);

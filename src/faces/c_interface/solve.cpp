@@ -8,7 +8,7 @@ namespace slipproof::c {
 
 namespace {
 
-/// An array of a solution, and its length where that is asked for.
+/// Returns an array of a solution, and stores its length unless `count` is null.
 template <class Element>
 const Element* array_of(const slipproof_solution* solution, std::vector<Element> Tables::*member, size_t* count) {
   const bool there = solution != nullptr;

@@ -8,12 +8,12 @@ namespace slipproof::c {
 
 namespace {
 
-/// One number.
+/// A range that is one number.
 Range exactly(const Rational& x) {
   return {x, x};
 }
 
-/// Names and ranges side by side.
+/// Combines names and ranges.
 std::vector<slipproof_value> values(Tables& to, const std::vector<std::string>& names,
                                     const std::vector<Range>& ranges) {
   std::vector<slipproof_value> result;

@@ -27,7 +27,7 @@ CLI::Validator whole_number(std::uint64_t low, std::uint64_t high) {
         std::uint64_t value = 0;
         const char* const end = text.data() + text.size();
         const auto [stop, error] = std::from_chars(text.data(), end, value);
-        const bool octal = text.size() > 1 && text[0] == '0';  // to what reads it next
+        const bool octal = text.size() > 1 && text[0] == '0';  // the next reader would take it as octal
         if (error == std::errc() && stop == end && !octal && value >= low && value <= high) return {};
         return "found " + in_quotes(text) + ", expected a whole number " + range;
       },

@@ -1,4 +1,4 @@
-// What the subcommands share: common options, exit codes, and how they join the program.
+// The common parts of subcommands: options, exit codes, and how they join the program.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -24,10 +24,10 @@ enum Exit : int {
   undecided = 4,
   certificate_rejected = 5,
   not_written = 6,
-  failed = 70,  ///< the program itself, as sysexits.h has it
+  failed = 70,  ///< an error of the program itself; the number is from sysexits.h
 };
 
-/// What pages say of each.
+/// The meaning of each exit code, for manual pages.
 inline constexpr std::array<std::pair<Exit, std::string_view>, 8> exit_codes{{
     {as_it_should_be, "all as it should be"},
     {refuted_or_not_certified, "refuted, or not certified"},
@@ -43,16 +43,16 @@ inline constexpr std::array<std::pair<Exit, std::string_view>, 8> exit_codes{{
 struct CommonOptions {
   bool json = false;
   std::uint64_t seed = 1;
-  unsigned threads = 0;  ///< 0: as many as the machine has
+  unsigned threads = 0;  ///< 0: all cores of the machine
   bool quiet = false;
 };
 
 void add_common_options(CLI::App& command, CommonOptions& options);
 
-/// A whole number from low to high in decimal digits and nothing else: no sign, blank, octal or hexadecimal.
+/// Accepts a whole number from low to high in decimal digits and nothing else: no sign, blank, octal or hexadecimal.
 CLI::Validator whole_number(std::uint64_t low, std::uint64_t high = std::numeric_limits<std::uint64_t>::max());
 
-/// A decimal number from low to high and nothing else: no NaN, no blank, no hexadecimal.
+/// Accepts a decimal number from low to high and nothing else: no NaN, blank or hexadecimal.
 CLI::Validator number_in(double low, double high);
 
 /// Writes to standard output. Throws OutputError.
@@ -60,20 +60,20 @@ inline void print(std::string_view text) {
   write_standard_output(text);
 }
 
-/// What --quiet leaves of a text.
+/// The part of a text that --quiet prints.
 inline std::string last_line(const std::string& text) {
   const std::size_t end = text.find_last_not_of('\n');
   return text.substr(text.rfind('\n', end) + 1);
 }
 
-/// The path of a file that comes with the program, given by its path in the repository: next to the installed program,
-/// or in the sources it was built from.
+/// The path of a file that comes with the program. It is given by its path in the repository; the file is next to the
+/// installed program, or in the sources from which it was built.
 std::filesystem::path shipped(const std::filesystem::path& file);
 
-/// The claims file that is asked for, or the shipped paper's.
+/// The claims file in the argument, or that of the shipped paper.
 std::filesystem::path claims_path(const std::string& argument);
 
-/// Each adds its subcommand; running it sets the exit code.
+/// Each function adds its subcommand; running the subcommand sets the exit code.
 void add_solve(CLI::App& app, int& exit_code);
 void add_show(CLI::App& app, int& exit_code);
 void add_critical(CLI::App& app, int& exit_code);

@@ -13,7 +13,7 @@ std::string shipped_names() {
   return names;
 }
 
-/// All names of all options, with something between.
+/// All names of all options, with `between` between them.
 std::string names_of(const DescribedOption& option, const char* between) {
   std::string text;
   for (const std::string& name : option.names) text += (text.empty() ? "" : between) + name;
@@ -26,7 +26,7 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-/// What bash offers as an option's value: words, files, or nothing for a number.
+/// The values that bash offers for an option: words or files; nothing for a number.
 std::string bash_values(const DescribedOption& option) {
   if (!option.choices.empty()) return "words='" + joined(option.choices) + "'";
   if (option.is_mechanism()) return "words='" + shipped_names() + "' files=yes";
@@ -48,7 +48,7 @@ std::string bash_case(const DescribedCommand& command) {
          "; fi ;;\n      esac ;;\n";
 }
 
-/// Inside of an argument of zsh's _arguments, in single quotes.
+/// Escapes text for an argument of zsh's _arguments in single quotes.
 std::string zsh_text(std::string_view text) {
   std::string result;
   for (const char c : text) {

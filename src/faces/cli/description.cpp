@@ -58,7 +58,7 @@ DescribedOption described_option(const CLI::Option& option) {
 void add_options(const CLI::App& from, DescribedCommand& to) {
   const bool is_group = from.get_name().empty() && from.get_parent() != nullptr;
   for (const CLI::Option* option : from.get_options()) {
-    if (is_group && option == from.get_help_ptr()) continue;  // its command has one
+    if (is_group && option == from.get_help_ptr()) continue;  // its command already has one
     to.options.push_back(described_option(*option));
   }
   for (const CLI::App* group : from.get_subcommands([](const CLI::App* app) { return app->get_name().empty(); })) {

@@ -7,7 +7,7 @@ namespace slipproof::cli {
 void add_documentation(CLI::App& app, int& exit_code) {
   auto folder = std::make_shared<std::string>();
   CLI::App& command = *app.add_subcommand("documentation", "Write man pages and shell completions");
-  command.group("");  // for packagers; hidden from the help
+  command.group("");  // for packagers, so hidden from the help
   command.add_option("FOLDER", *folder, "Folder to write to: man/, completions/")->required();
   command.callback([folder, &exit_code, &app] {
     const OutputFolder output(*folder);

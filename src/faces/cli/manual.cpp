@@ -8,7 +8,7 @@ namespace slipproof::cli {
 
 namespace {
 
-/// As roff wants text: nothing in it is a request, and a hyphen can be copied as what is typed.
+/// Escapes text for roff: no line becomes a request, and hyphens can be copied as they are typed.
 std::string roff(std::string_view text) {
   std::string result;
   for (const char c : text) {
@@ -40,7 +40,7 @@ class Page {
   }
 
   void section(const std::string& title) { text_ += ".SH " + title + "\n"; }
-  /// A command in bold, with what follows it.
+  /// Writes a command in bold, and its arguments.
   void synopsis(const std::string& command, const std::string& arguments) {
     text_ += ".B " + roff(command) + "\n" + (arguments.empty() ? "" : roff(arguments) + "\n");
   }
@@ -111,7 +111,7 @@ WrittenPage page_of_program(const CLI::App& app, const std::string& version) {
   return std::move(page).written();
 }
 
-/// It has no options and no code in common with this program.
+/// The checker of contact problems has no options and shares no code with this program.
 WrittenPage page_of_check_contact(const std::string& version) {
   Page page("slipproof-check-contact", version, "Check certificates about contact problems");
   page.section("SYNOPSIS");

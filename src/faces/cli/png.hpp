@@ -1,4 +1,4 @@
-// SVG to PNG, where librsvg was there when the program was built.
+// Converts SVG to PNG, if the program was built with librsvg.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace slipproof::cli {
 
-/// The picture at twice its size in pixels. An error of usage if the program was built without librsvg.
+/// The picture at twice its size in pixels. A usage error if the program was built without librsvg.
 std::string png_of(std::string_view svg);
 
 }  // namespace slipproof::cli

@@ -26,8 +26,8 @@ namespace slipproof::cli {
 
 namespace {
 
-/// Keeps files that are opened later from taking the place of a standard stream that the caller has closed: a result
-/// would be written into them. The placeholder can be opened, and neither read nor written.
+/// Prevents files that are opened later from taking the place of a standard stream that the caller has closed: results
+/// would be written into them. The placeholder can be opened, but neither read nor written.
 void keep_standard_streams_apart() {
   while (true) {
     const int unusable = open("/", O_PATH);
@@ -39,7 +39,7 @@ void keep_standard_streams_apart() {
   }
 }
 
-/// With many ranks each would run the whole of these commands.
+/// Refuses commands that every rank would run completely.
 void refuse_alone(CLI::App& app, const std::vector<std::string>& shared) {
   for (CLI::App* command : app.get_subcommands({})) {
     if (std::ranges::find(shared, command->get_name()) != shared.end()) continue;
@@ -92,7 +92,7 @@ int run(int argc, char** argv, Transport& transport) {
 
 int run_program(int argc, char** argv, Transport& transport) {
   keep_standard_streams_apart();
-  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit is an error like any other
+  std::signal(SIGXFSZ, SIG_IGN);  // writing beyond the file size limit then fails with an ordinary error
   try {
     machine_registers();
   } catch (const std::invalid_argument& error) {

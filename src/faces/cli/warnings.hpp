@@ -1,4 +1,4 @@
-// What looks wrong in the mechanisms that a command reads, on stderr: their answers may be right all the same.
+// Prints to stderr what looks wrong in the mechanisms that a command reads. The answers may be right all the same.
 #pragma once
 
 #include "claims/paper/claims_file.hpp"
@@ -7,7 +7,7 @@
 
 namespace slipproof::cli {
 
-/// The findings of check_mechanism() that could be checked; nothing if quiet.
+/// Prints the findings of check_mechanism() that could be checked; nothing if quiet.
 void print_warnings(const Mechanism& mechanism, const CommonOptions& common);
 /// Prints the warnings of each mechanism of a claims file once.
 void print_warnings(const ClaimsFile& claims, const CommonOptions& common);

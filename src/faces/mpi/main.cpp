@@ -1,4 +1,4 @@
-// The program as one rank of many.
+// The program as one of many ranks.
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -11,7 +11,7 @@
 
 namespace {
 
-/// Rank 0 speaks for all.
+/// Ranks other than 0 print nothing.
 void be_silent() {
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
   if (nowhere < 0) return;

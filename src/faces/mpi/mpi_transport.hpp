@@ -1,4 +1,4 @@
-// Messages between ranks by MPI.
+// Sends messages between ranks by MPI.
 #pragma once
 
 #include <mpi.h>
@@ -11,18 +11,18 @@
 
 namespace slipproof {
 
-/// All ranks of MPI_COMM_WORLD, from MPI_Init to MPI_Finalize: one of it in a process, on its main thread.
+/// All ranks of MPI_COMM_WORLD, from MPI_Init to MPI_Finalize. A process may have only one, on its main thread.
 class MpiTransport final : public Transport {
  public:
   MpiTransport(int& argc, char**& argv);
-  /// Waits until all ranks are here.
+  /// Waits until all ranks have arrived here.
   ~MpiTransport() override;
   MpiTransport(const MpiTransport&) = delete;
   MpiTransport& operator=(const MpiTransport&) = delete;
 
   int rank() const override { return rank_; }
   int ranks() const override { return ranks_; }
-  /// Throws std::runtime_error for more bytes than MPI counts.
+  /// Throws std::runtime_error if MPI cannot count so many bytes.
   void send(int to, std::string bytes) override;
   std::optional<Message> receive() override;
 
@@ -35,7 +35,7 @@ class MpiTransport final : public Transport {
   void forget_sent();
 
   int rank_ = 0, ranks_ = 1;
-  std::list<Sending> sending_;  ///< MPI holds on to their addresses
+  std::list<Sending> sending_;  ///< a list, because MPI keeps the addresses of its elements
 };
 
 }  // namespace slipproof

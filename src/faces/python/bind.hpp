@@ -1,5 +1,5 @@
-// The parts of the extension module slipproof._core. They are thin: the Python files in this folder contain what users
-// see, the library computes.
+// The parts of the extension module slipproof._core. They are thin: the Python files in this folder define the public
+// interface, and the library computes.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -9,7 +9,7 @@ namespace slipproof::python {
 void bind_errors(pybind11::module_& module);
 void bind_calls(pybind11::module_& module);
 void bind_scenes(pybind11::module_& module);
-void bind_filter(pybind11::module_& module);
+void bind_bicycles(pybind11::module_& module);
 void bind_contacts(pybind11::module_& module);
 void bind_records(pybind11::module_& module);
 void bind_papers(pybind11::module_& module);

@@ -16,9 +16,9 @@
 #include "faces/python/bind.hpp"
 #include "faces/python/interruptible.hpp"
 #include "records/certify/certify.hpp"
-#include "records/certify/contact_file.hpp"
-#include "records/certify/exact_judge.hpp"
-#include "records/certify/problem_judge.hpp"
+#include "records/judging/exact_judge.hpp"
+#include "records/problems/contact_file.hpp"
+#include "records/problems/problem_judge.hpp"
 #include "report/html/contact_report.hpp"
 
 namespace slipproof::python {
@@ -40,10 +40,10 @@ std::vector<Rational> rationals(std::span<const double> values) {
   return result;
 }
 
-// Small problems, in exact numbers: every solution is found.
+// Small problems, in exact numbers: finds every solution.
 
-/// Problems of one size, their numbers side by side: W (count, size, size), q, z and perhaps w (count, size), mu
-/// (count, contacts) or of an LCP nothing.
+/// Problems of the same size with their numbers in common arrays: W (count, size, size), q, z and optionally w (count,
+/// size), mu (count, contacts); no mu for an LCP.
 struct ExactBatch {
   std::size_t count = 0, size = 0;
   std::vector<double> W, q, z, w, mu;
@@ -68,7 +68,7 @@ ContactProblem problem_of(const ExactBatch& batch, std::size_t k) {
   return problem;
 }
 
-/// What is wrong with an answer before it is looked at; empty if nothing is.
+/// What is wrong with an answer before it is judged; empty if nothing is.
 std::string not_finite(std::span<const double> values, const char* name) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!std::isfinite(values[i])) {
@@ -95,7 +95,7 @@ std::string exact_verdict(const ExactBatch& batch, std::size_t k) {
   return line;
 }
 
-/// A line of JSON for each, as `slipproof certify` writes it.
+/// A line of JSON for each problem, as `slipproof certify` writes it.
 std::vector<std::string> certify_exact(const Doubles& W, const Doubles& q, const Doubles& z,
                                        const std::optional<Doubles>& w, const std::optional<Doubles>& mu,
                                        double tolerance, Work effort, unsigned threads, const py::object& progress) {
@@ -120,7 +120,7 @@ std::vector<std::string> certify_exact(const Doubles& W, const Doubles& q, const
 
 // Problems of any size.
 
-/// Verdicts about one problem; details are computed when asked for.
+/// Verdicts about one problem; details are computed at the first request.
 class Judged {
  public:
   explicit Judged(std::shared_ptr<const JudgedProblem> problem) : problem_(std::move(problem)) {}
@@ -157,7 +157,7 @@ ContactFileOptions options_of(double tolerance, std::optional<double> within, bo
   return options;
 }
 
-/// A file, or arrays, and an answer from another file.
+/// A file or arrays, and an answer from another file.
 struct Source {
   std::string name;
   std::optional<ReadProblem> read;
@@ -179,7 +179,7 @@ Judged judged(const Source& source, const ContactFileOptions& options) {
   return Judged(interruptible([source, options](Call&) { return judge(source, options); }));
 }
 
-/// A problem in arrays that fit each other.
+/// A problem from arrays whose sizes fit each other.
 ReadProblem problem_of(SparseMatrix W, const Doubles& q, const std::optional<Doubles>& mu, std::size_t dimension,
                        const std::optional<Doubles>& z, const std::optional<Doubles>& w) {
   ReadProblem read;
@@ -207,7 +207,7 @@ SparseMatrix from_csr(std::size_t size, const Indices& starts, const Indices& co
   return sparse_matrix(size, size, std::move(entries), twice);
 }
 
-/// The matrix: a dense one, or (indptr, indices, data) of rows.
+/// The matrix, from a dense array or from the arrays (indptr, indices, data) by rows.
 SparseMatrix matrix_of(const py::tuple& parts, std::size_t size) {
   if (parts.size() == 1) return from_dense(size, size, {parts[0].cast<Doubles>().data(), size * size});
   return from_csr(size, parts[0].cast<Indices>(), parts[1].cast<Indices>(), parts[2].cast<Doubles>());

@@ -12,7 +12,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// Raises a class of the package, whose constructor takes these arguments.
+/// Raises an exception class of the package, which is constructed from these arguments.
 template <class... Arguments>
 void raise(const char* type, const Arguments&... arguments) {
   const py::object cls = py::module_::import("slipproof._errors").attr(type);
@@ -20,7 +20,7 @@ void raise(const char* type, const Arguments&... arguments) {
   PyErr_SetObject(cls.ptr(), error.ptr());
 }
 
-/// A message may contain bytes of a file: bytes that are not UTF-8 are decoded as Python does for file names.
+/// A message may contain bytes of a file. Bytes that are not UTF-8 are decoded as Python decodes file names.
 py::object decoded(const std::string& text) {
   return py::reinterpret_steal<py::object>(
       PyUnicode_DecodeUTF8(text.data(), static_cast<py::ssize_t>(text.size()), "surrogateescape"));

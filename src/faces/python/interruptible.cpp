@@ -30,8 +30,8 @@ extern "C" void count_interrupt(int signal) {
   if (const auto next = handler_of_python.load()) next(signal);
 }
 
-/// Puts count_interrupt in front of Python's handler where SIGINT is Python's default, KeyboardInterrupt; a program
-/// that handles Ctrl-C in another way is left alone.
+/// Installs count_interrupt in front of Python's handler if that is the default one, which raises KeyboardInterrupt. If
+/// a program handles Ctrl-C in another way, changes nothing.
 void count_interrupts() {
   struct sigaction now {};
   if (sigaction(SIGINT, nullptr, &now) != 0 || (now.sa_flags & SA_SIGINFO) != 0) return;
@@ -51,7 +51,8 @@ bool interpreter_is_gone() {
 #endif
 }
 
-/// The running calls, for the end of the program: work that continued then would use objects that are already gone.
+/// The running calls. At the end of the program they are stopped: otherwise they would use objects that no longer
+/// exist.
 class Running {
  public:
   void add(const std::shared_ptr<Call>& call) {
@@ -76,7 +77,7 @@ class Running {
 };
 
 Running& running() {
-  static auto* const calls = new Running;  // never destroyed: a call may end after everything else
+  static auto* const calls = new Running;  // never destroyed, because a call may end after everything else
   return *calls;
 }
 
@@ -87,7 +88,8 @@ WithoutInterpreter::~WithoutInterpreter() noexcept(false) {
   try {
     PyEval_RestoreThread(state_);
   } catch (abi::__forced_unwind&) {
-    // It went while this waited for its lock, and ends the thread: on the way out objects would go without that lock.
+    // The interpreter has ended while this thread waited for its lock, and now unwinds the thread. Unwinding would
+    // destroy objects without that lock, so the thread stays here.
     for (;;) pause();
   }
 }
@@ -130,7 +132,7 @@ void wait_for(const std::shared_ptr<Call>& call, std::function<void()> work, con
   const std::uint64_t since = interrupts();
   running().add(call);
   std::thread worker([call, work = std::move(work)]() mutable {
-    give_back_flint_memory_at_end();  // of what the work computes with
+    give_back_flint_memory_at_end();  // the work computes with FLINT
     std::exception_ptr error;
     try {
       const StopScope scope(call->stop.get_token());

@@ -1,4 +1,4 @@
-// Calls that may take long: Python continues meanwhile, and Ctrl-C ends them.
+// Calls that may take long: other Python threads continue, and Ctrl-C ends the call.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -17,15 +17,15 @@
 
 namespace slipproof::python {
 
-/// Whether the work owns all that it uses, or looks into arrays that belong to Python.
+/// Whether the work owns everything that it uses, or reads arrays that belong to Python.
 enum class Uses : std::uint8_t { its_own, arrays };
 
-/// What a call and the thread that works for it share.
+/// The data shared by a call and the thread that does its work.
 class Call {
  public:
   std::stop_source stop;
 
-  /// For the work: how far it is.
+  /// Called by the work to report its progress.
   void at(std::uint64_t done, std::uint64_t all) {
     all_.store(all, std::memory_order_relaxed);
     done_.store(done, std::memory_order_relaxed);
@@ -45,20 +45,20 @@ class Call {
   std::exception_ptr error_;
 };
 
-/// Runs `work` in a thread of its own and waits, without the lock of the interpreter. Every 20 ms it checks for signals
-/// and calls `progress(done, all)`, unless that is None. Rethrows an exception of either, or of the work. On an
-/// exception it asks the work to stop, which takes milliseconds. Work that owns all that it uses, and still does not
-/// end within 100 ms, is left running.
+/// Runs `work` in a thread of its own and waits without holding the interpreter's lock. Every 20 ms checks for signals
+/// and calls `progress(done, all)` unless that is None. Rethrows exceptions of these and of the work. After an
+/// exception it asks the work to stop, which takes milliseconds. Work that owns everything that it uses and does not
+/// end within 100 ms is left running.
 void wait_for(const std::shared_ptr<Call>& call, std::function<void()> work, const pybind11::object& progress,
               Uses uses);
 
-/// Throws KeyboardInterrupt, or what another signal's handler raises; also in a thread that is not the main one, where
-/// Ctrl-C was pressed since `since`, a value of interrupts().
+/// Throws KeyboardInterrupt, or what another signal's handler raises. In a thread that is not the main thread, throws
+/// KeyboardInterrupt if Ctrl-C was pressed after `since`, a value of interrupts().
 void check_signals(std::uint64_t since);
-/// How often Ctrl-C was pressed while Python's own handler was in place. The first call begins to count.
+/// How often Ctrl-C was pressed while Python's own handler was installed. The first call starts counting.
 std::uint64_t interrupts();
 
-/// work(call) as above, with its result.
+/// Runs work(call) as wait_for() does, and returns its result.
 template <class Work>
 auto interruptible(const Work& work, const pybind11::object& progress = pybind11::none(), Uses uses = Uses::its_own) {
   using Result = decltype(work(std::declval<Call&>()));
@@ -69,8 +69,8 @@ auto interruptible(const Work& work, const pybind11::object& progress = pybind11
   return std::move(**result);
 }
 
-/// Runs work() without the lock of the interpreter, for short work. Unlike pybind11's guard it also outlives the
-/// interpreter: a daemon thread that returns when the interpreter is gone has nowhere to go, and stays.
+/// For short work: releases the interpreter's lock while it runs. Unlike pybind11's guard it also works when the
+/// interpreter has ended meanwhile: a daemon thread that returns then cannot continue, and waits forever.
 class WithoutInterpreter {
  public:
   WithoutInterpreter() : state_(PyEval_SaveThread()) {}

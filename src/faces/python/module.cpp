@@ -7,7 +7,7 @@ PYBIND11_MODULE(_core, module) {
   bind_errors(module);
   bind_calls(module);
   bind_scenes(module);
-  bind_filter(module);
+  bind_bicycles(module);
   bind_contacts(module);
   bind_records(module);
   bind_papers(module);

@@ -1,4 +1,4 @@
-// Exact numbers between Python and the library.
+// Converts exact numbers from the library to Python.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -7,7 +7,7 @@
 
 namespace slipproof::python {
 
-/// (numerator, denominator) as Python integers, in lowest terms: what fractions.Fraction is made of.
+/// (numerator, denominator) as Python integers in lowest terms, for fractions.Fraction.
 pybind11::tuple to_python(const Rational& x);
 
 }  // namespace slipproof::python

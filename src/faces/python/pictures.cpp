@@ -18,7 +18,7 @@ namespace {
 namespace py = pybind11;
 using DrawnRange = std::optional<std::pair<std::string, std::string>>;
 
-/// What is asked for; what is left out is chosen from the scene.
+/// The requested values; those left out are chosen from the scene.
 struct Wanted {
   std::string text, file, x, y;
   DrawnRange x_range, y_range;

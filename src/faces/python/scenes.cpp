@@ -25,18 +25,18 @@ namespace py = pybind11;
 
 py::object integer(const Integer& x) {
   if (x.fits_long()) return py::int_(x.to_long());
-  // Base 16 is linear, and Python does not limit its length.
+  // Conversion from base 16 takes linear time, and Python does not limit its length.
   return py::reinterpret_steal<py::object>(PyLong_FromString(x.str(16).c_str(), nullptr, 16));
 }
 
-/// Modes that are solved before somebody could want to stop it.
+/// Solving so many modes is too fast for anyone to want to stop it.
 constexpr double few_modes = 300;
 
 bool is_short(const MechanismScene& scene) {
   return mode_count(element_kinds(scene.mechanism, scene.values.starts, scene.values.given)) <= few_modes;
 }
 
-/// A scene with all of its motions. Numbers are made when they are asked for.
+/// A scene with all its motions. Numbers are converted when they are requested.
 class Solution {
  public:
   explicit Solution(std::unique_ptr<const SolvedMechanism> solved)
@@ -47,8 +47,8 @@ class Solution {
   std::string json() const { return solve_json(*solved_); }
   std::string text(int digits) const { return solve_text(*solved_, digits); }
 
-  /// (modes, boundary modes, names of the numbers, ranges of the other forces) of each motion at the load; None where
-  /// the scene has none.
+  /// For each motion at the load: (modes, boundary modes, names of the numbers, ranges of the other forces). None if
+  /// the scene has no load.
   py::object motions() const;
   py::tuple number(std::size_t motion, const std::string& quantity) const;
   /// The partition of the loads.
@@ -133,7 +133,7 @@ Solution solve(const MechanismScene& scene) {
   return Solution(std::make_unique<const SolvedMechanism>(scene));
 }
 
-/// (document, text). `x` empty: the usual parameter.
+/// (document, text). An empty `x` stands for the usual parameter.
 py::tuple critical(const std::string& text, const std::string& file, const std::string& x) {
   const auto work = [text, file, x](Call&) {
     const MechanismScene scene = parse_scene(text, file);
@@ -171,7 +171,7 @@ py::dict parameter(const MechanismParameter& p) {
   return entry;
 }
 
-/// What a person wants to know of a mechanism before it is solved.
+/// What a person wants to know about a mechanism before it is solved.
 py::dict described(const Mechanism& mechanism) {
   py::dict about;
   py::list parameters, angles, elements;

@@ -22,7 +22,7 @@ std::uint64_t minus_modulo(std::uint64_t x) {
   return x == 0 ? 0 : prime - x;
 }
 
-/// By Fermat; of 0 it is 0.
+/// The inverse by Fermat's theorem; 0 for 0.
 std::uint64_t inverse_modulo(std::uint64_t x) {
   std::uint64_t result = 1;
   for (std::uint64_t n = prime - 2; n != 0; n /= 2) {

@@ -1,9 +1,9 @@
 // Straight-line programs over the parameters of a mechanism, made once and run at many points.
 //
-// A tape is a list of operations, each on results before it; what is computed twice stands once. While it is made every
-// result is also known at two random points modulo a prime: what vanishes at both, and is proved to vanish at all
-// points, as a polynomial, becomes the literal 0. So rows that depend on each other at every point are seen to do so,
-// which no rounded arithmetic could see. Nothing rests on a result that is not the literal 0.
+// A tape is a list of operations on earlier results; the same operation is stored only once. While the tape is made,
+// each result is also computed at two random points modulo a prime. A result that is 0 at both, and is proved to be the
+// polynomial 0, becomes the literal 0. In this way rows that depend on each other at every point are recognised, which
+// rounded arithmetic could not do. No conclusion relies on a result being 0 unless it is the literal 0.
 #pragma once
 
 #include <array>
@@ -26,11 +26,11 @@ enum class TapeOperation : std::uint8_t { constant, input, add, subtract, multip
 
 struct TapeNode {
   TapeOperation operation = TapeOperation::constant;
-  TapeRef first = 0;   ///< operand; of an input its number, of a constant its place among the constants
+  TapeRef first = 0;   ///< operand; for an input its number, for a constant its place among the constants
   TapeRef second = 0;  ///< the other operand
 };
 
-/// What an input is known to be, on its domain. It guides the choice of pivots and proves nothing.
+/// What is known of an input on its domain. It guides the choice of pivots and proves nothing.
 enum class InputSign : std::uint8_t { unknown, not_negative, positive };
 
 class TapeBuilder {
@@ -45,24 +45,24 @@ class TapeBuilder {
   TapeRef add(TapeRef x, TapeRef y);
   TapeRef subtract(TapeRef x, TapeRef y);
   TapeRef multiply(TapeRef x, TapeRef y);
-  /// The divisor must not be the literal 0; where it vanishes at a point the result means nothing.
+  /// The divisor must not be the literal 0. At a point where the divisor vanishes the result has no meaning.
   TapeRef divide(TapeRef x, TapeRef y);
-  /// The same by the reciprocal, which is computed once.
+  /// The same, using the reciprocal, which is computed once.
   TapeRef divide_often(TapeRef x, TapeRef y);
   TapeRef negate(TapeRef x);
 
-  /// Positive on the domain: as InputSign it proves nothing.
+  /// States that x is positive on the domain. Like InputSign, it proves nothing.
   void assume_positive(TapeRef x) { signs_[x] = {true, false, true}; }
 
   const std::vector<TapeNode>& nodes() const { return nodes_; }
   const std::vector<Rational>& constants() const { return constants_; }
 
-  /// How bad a divisor a result is.
+  /// How unsuitable a result is as a divisor.
   enum class Doubt : std::uint8_t { literal, nonzero_in_domain, one_sign, any, looks_like_zero };
   Doubt doubt_as_divisor(TapeRef x) const;
 
   using Residues = std::array<std::uint64_t, 2>;
-  /// Of x / y at the two random points; the same where two quotients are.
+  /// x / y at the two random points; equal for two quotients that are the same.
   Residues quotient_residues(TapeRef x, TapeRef y) const;
 
  private:

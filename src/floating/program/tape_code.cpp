@@ -12,11 +12,13 @@ TapeCompiler::TapeCompiler(const std::vector<TapeNode>& nodes, std::size_t input
       done_(nodes.size(), false),
       count_(static_cast<std::uint32_t>(inputs)) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (nodes[i].operation != TapeOperation::input) continue;
-    places_[i] = nodes[i].first;
-    done_[i] = true;
+    if (nodes[i].operation == TapeOperation::input) places_[i] = nodes[i].first;
   }
-  kept_ = done_;
+  forget();
+}
+
+void TapeCompiler::forget() {
+  for (std::size_t i = 0; i < nodes_.size(); ++i) done_[i] = nodes_[i].operation == TapeOperation::input;
 }
 
 TapeCompiler::Signed TapeCompiler::resolved(TapeRef ref) const {
@@ -42,7 +44,7 @@ std::uint32_t TapeCompiler::place_for(TapeRef ref) {
   return place;
 }
 
-/// How often each result is needed by others, what is wanted once more; 0 for what is not needed or is there.
+/// Counts how often other results need each result, plus one if it is wanted; 0 if it is not needed or already there.
 void TapeCompiler::count_uses(const std::vector<TapeRef>& wanted) {
   std::fill(uses_.begin(), uses_.end(), 0);
   for (const TapeRef ref : wanted) uses_[ref] += 2;
@@ -54,8 +56,8 @@ void TapeCompiler::count_uses(const std::vector<TapeRef>& wanted) {
   }
 }
 
-/// see(x, y, negative) of each product of a sum, see(x, x, negative) of each plain term. What others need too stays
-/// whole.
+/// Calls see(x, y, negative) for each product of a sum, see(x, x, negative) for each plain term. Does not expand a part
+/// that other results need, too.
 template <class See>
 void TapeCompiler::each_term(TapeRef ref, bool negative, const See& see) const {
   const TapeNode& node = nodes_[ref];
@@ -91,7 +93,7 @@ void TapeCompiler::add_step(TapeRef ref, TapeCode& code) const {
     step.negative = x.negative != y.negative;
     code.terms.push_back({x.ref, y.ref});
   } else {
-    std::array<std::vector<TapeTerm>, 4> terms;  // added products, added, subtracted products, subtracted
+    std::array<std::vector<TapeTerm>, 4> terms;  // added products, added terms, subtracted products, subtracted terms
     each_term(ref, false, [&](TapeRef x, TapeRef y, bool negative, bool product) {
       terms[(negative ? 2U : 0U) + (product ? 0U : 1U)].push_back({x, y});
     });
@@ -111,7 +113,7 @@ void TapeCompiler::add_step(TapeRef ref, TapeCode& code) const {
   code.steps.push_back(step);
 }
 
-/// What has a step of its own: all that is needed and not inside of a sum.
+/// The results that get a step of their own: all that are needed and not part of a sum.
 std::vector<bool> TapeCompiler::stepwise(const std::vector<TapeRef>& wanted) const {
   std::vector<bool> whole(nodes_.size(), false);
   for (const TapeRef ref : wanted) whole[ref] = true;
@@ -127,7 +129,7 @@ std::vector<bool> TapeCompiler::stepwise(const std::vector<TapeRef>& wanted) con
   return whole;
 }
 
-/// With results in place of places.
+/// The steps, with results where the final code has places.
 TapeCode TapeCompiler::steps_for(const std::vector<TapeRef>& wanted) {
   const std::vector<bool> whole = stepwise(wanted);
   TapeCode code;
@@ -165,7 +167,7 @@ std::vector<TapeCode> TapeCompiler::code_for_parts(const std::vector<std::vector
   std::vector<TapeCode> codes;
   for (const auto& part : wanted) codes.push_back(steps_for(part));
 
-  // The last step that needs a result; of what a part wants that is after its last step.
+  // The last step that needs a result; for the results that a part wants, after its last step.
   std::vector<std::size_t> last(nodes_.size(), 0);
   std::size_t now = 0;
   const auto each_operand = [](const TapeCode& code, std::size_t step, const auto& see) {

@@ -1,8 +1,9 @@
-// What of a tape is to be computed, as steps that run over any number type: lanes of binary64, numbers with error
-// bounds, ranges.
+// Selects from a tape what is to be computed, as steps that run over any number type: lanes of binary64, numbers with
+// error bounds, ranges.
 //
-// A step is a sum of products and plain numbers, each with a sign, or a quotient. Sums are written out as far as nobody
-// else needs their parts, so that a step is many operations: an interpreter of them is nearly as fast as compiled code.
+// A step is a quotient, or a sum of products and plain numbers, each with a sign. A sum includes its parts unless
+// another result needs them, so that one step does many operations. An interpreter of such steps is nearly as fast as
+// compiled code.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,7 @@
 
 namespace slipproof {
 
-/// Places of numbers, of a plain one twice the same.
+/// The places of two factors; for a plain number twice the same place.
 struct TapeTerm {
   std::uint32_t first, second;
 };
@@ -31,27 +32,26 @@ struct TapeCode {
   std::vector<TapeTerm> terms;
 };
 
-/// Makes code for a tape, with places for its results; the first places are those of the inputs, as numbered.
+/// Makes code for a tape, and assigns places to its results. The first places are those of the inputs, in their order.
 class TapeCompiler {
  public:
   /// The tape must outlive it.
   TapeCompiler(const std::vector<TapeNode>& nodes, std::size_t inputs);
 
-  /// The code of what is wanted and not computed yet. Results keep their places.
+  /// The code for results that are wanted and not computed yet. Results keep their places.
   TapeCode code_for(const std::vector<TapeRef>& wanted);
-  /// In parts, in place of anything else: what a part wants has its place until the next one runs, and `places` are
-  /// those of what it wants. Places are used again.
+  /// Code in parts that reuse places; call it instead of code_for(). What a part wants keeps its place until the next
+  /// part runs; `places` receives the places of what each part wants.
   std::vector<TapeCode> code_for_parts(const std::vector<std::vector<TapeRef>>& wanted,
                                        std::vector<std::vector<std::uint32_t>>& places);
-  /// Of what was wanted.
+  /// The place of a result that was wanted.
   std::uint32_t place(TapeRef ref) const { return places_[ref]; }
   std::size_t places() const { return count_; }
   /// The literals that code needs, and their places.
   const std::vector<std::pair<std::uint32_t, TapeRef>>& literals() const { return literals_; }
 
-  /// What is computed up to here is there for all code that follows; what follows, for no other.
-  void keep() { kept_ = done_; }
-  void forget() { done_ = kept_; }
+  /// Later code cannot use what was computed up to here.
+  void forget();
 
  private:
   static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
@@ -74,33 +74,39 @@ class TapeCompiler {
 
   const std::vector<TapeNode>& nodes_;
   std::vector<std::uint32_t> places_, uses_;
-  std::vector<bool> done_, kept_;
+  std::vector<bool> done_;
   std::vector<std::uint32_t> unused_;
   std::vector<std::pair<std::uint32_t, TapeRef>> literals_;
   std::uint32_t count_;
 };
 
-/// One step after another.
-template <class N>
-void run_code(const TapeCode& code, N* numbers) {
+/// Runs the steps in order; calls see(result) after each.
+template <class N, class See>
+void run_code(const TapeCode& code, N* numbers, const See& see) {
   for (const TapeStep& step : code.steps) {
     const TapeTerm* term = &code.terms[step.terms];
     const auto product = [&] { return numbers[term->first] * numbers[term->second]; };
     if (step.quotient) {
       const N value = numbers[term->first] / numbers[term->second];
       numbers[step.target] = step.negative ? -value : value;
-      continue;
+    } else {
+      N sum = step.added_products > 0 ? product() : numbers[term->first];
+      const TapeTerm* const first = term++;
+      for (const TapeTerm* end = first + step.added_products; term < end; ++term) sum = sum + product();
+      for (const TapeTerm* end = first + step.added_products + step.added; term < end; ++term) {
+        sum = sum + numbers[term->first];
+      }
+      for (const TapeTerm* end = term + step.subtracted_products; term < end; ++term) sum = sum - product();
+      for (const TapeTerm* end = term + step.subtracted; term < end; ++term) sum = sum - numbers[term->first];
+      numbers[step.target] = step.negative ? -sum : sum;
     }
-    N sum = step.added_products > 0 ? product() : numbers[term->first];
-    const TapeTerm* const first = term++;
-    for (const TapeTerm* end = first + step.added_products; term < end; ++term) sum = sum + product();
-    for (const TapeTerm* end = first + step.added_products + step.added; term < end; ++term) {
-      sum = sum + numbers[term->first];
-    }
-    for (const TapeTerm* end = term + step.subtracted_products; term < end; ++term) sum = sum - product();
-    for (const TapeTerm* end = term + step.subtracted; term < end; ++term) sum = sum - numbers[term->first];
-    numbers[step.target] = step.negative ? -sum : sum;
+    see(numbers[step.target]);
   }
+}
+
+template <class N>
+void run_code(const TapeCode& code, N* numbers) {
+  run_code(code, numbers, [](const N&) {});
 }
 
 /// Cosine and sine from tan(angle/2).

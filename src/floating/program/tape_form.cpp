@@ -9,7 +9,7 @@ namespace slipproof {
 
 namespace {
 
-/// An entry to divide by, and how well it suits: first what cannot vanish, then what fills in least.
+/// An entry to divide by and how suitable it is: first entries that cannot vanish, then those with the least fill-in.
 struct PivotChoice {
   std::tuple<TapeBuilder::Doubt, std::size_t, std::size_t, std::size_t> cost;  ///< the last two are row and column
 
@@ -23,7 +23,7 @@ std::size_t entries(const TapeForm& form) {
                                                 [](TapeRef c) { return c != TapeBuilder::zero; }));
 }
 
-/// Nothing where all coefficients are literal zeros.
+/// Nothing if all coefficients are literal zeros.
 std::optional<PivotChoice> best_pivot(const TapeBuilder& tape, const std::vector<TapeForm>& equations) {
   std::vector<std::size_t> columns;
   for (const TapeForm& equation : equations) {
@@ -39,7 +39,7 @@ std::optional<PivotChoice> best_pivot(const TapeBuilder& tape, const std::vector
       const TapeRef entry = equations[row].coefficients[i];
       if (entry == TapeBuilder::zero) continue;
       TapeBuilder::Doubt doubt = tape.doubt_as_divisor(entry);
-      // Nothing is divided where an unknown has to be 0.
+      // If an unknown must be 0, nothing is divided.
       const bool is_zero = in_row == 1 && equations[row].constant == TapeBuilder::zero;
       if (is_zero && doubt <= TapeBuilder::Doubt::one_sign) doubt = TapeBuilder::Doubt::literal;
       const PivotChoice choice{{doubt, (in_row - 1) * (columns[i] - 1), row, i}};
@@ -71,7 +71,7 @@ bool TapeElimination::eliminate_one(std::vector<TapeForm>& equations, TapeBuilde
   return true;
 }
 
-/// Of a row that determines an unknown by others.
+/// Replaces an unknown by the row that determines it.
 void TapeElimination::replace(TapeForm& form, const Row& row) const {
   const TapeRef factor = std::exchange(form.coefficients[row.unknown], TapeBuilder::zero);
   if (factor == TapeBuilder::zero) return;
@@ -106,7 +106,7 @@ TapeSolution::TapeSolution(TapeElimination known, std::vector<TapeForm> equation
   }
 }
 
-/// Where at most two equations are left: they are solved by determinants, which need no division.
+/// If at most two equations are left, they are solved by determinants, which needs no division.
 bool TapeSolution::find_core(const std::vector<TapeForm>& equations) {
   std::vector<const TapeForm*> left;
   for (const TapeForm& equation : equations) {
@@ -129,7 +129,7 @@ bool TapeSolution::find_core(const std::vector<TapeForm>& equations) {
   return true;
 }
 
-/// Unknowns whose determinant is least likely to vanish; none where all look as if they did.
+/// Chooses the unknowns whose determinant is least likely to vanish; none if all determinants look like 0.
 void TapeSolution::choose_core(const std::vector<const TapeForm*>& rows) {
   TapeBuilder::Doubt doubt = TapeBuilder::Doubt::looks_like_zero;
   const auto& x = rows.front()->coefficients;
@@ -159,7 +159,7 @@ TapeRef TapeSolution::minor(TapeRef a, TapeRef b, TapeRef c, TapeRef d) const {
   return tape_.subtract(tape_.multiply(a, b), tape_.multiply(c, d));
 }
 
-/// Of equations with these constants: as solve_core() computes it.
+/// The solution of equations with these constants, computed as solve_core() does.
 std::vector<TapeRef> TapeSolution::solved(const std::vector<TapeRef>& side) const {
   if (side.empty()) return {};
   if (side.size() == 1) return {tape_.negate(side[0])};
@@ -187,9 +187,13 @@ TapeRef TapeSolution::numerator(const SolvedForm& form) const {
 
 SolvedForm TapeSolution::on(const TapeForm& form) const {
   SolvedForm result = by_core(rows_.reduced(form));
-  result.no_constant = numerator(result) == TapeBuilder::zero;
+  // What an equation of the core says needs no proof.
+  const bool vanishes = std::any_of(equations_.begin(), equations_.end(), [&](const SolvedForm& equation) {
+    return equation.constant == result.constant && equation.core == result.core && equation.free == result.free;
+  });
+  result.no_constant = vanishes || numerator(result) == TapeBuilder::zero;
   for (std::size_t k = 0; k < free_.size(); ++k) {
-    result.no_slope.push_back(at_solution(result, result.free[k], slopes_[k]) == TapeBuilder::zero);
+    result.no_slope.push_back(vanishes || at_solution(result, result.free[k], slopes_[k]) == TapeBuilder::zero);
   }
   return result;
 }

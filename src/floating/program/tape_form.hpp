@@ -1,4 +1,4 @@
-// Affine forms with coefficients on a tape, with the operations that form_of() and the elimination need.
+// Affine forms with coefficients on a tape, and the operations that form_of() and the elimination need.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 
 namespace slipproof {
 
-/// constant + coefficients . x; those of one mechanism have as many coefficients as it has unknowns. The load stands in
-/// the constant.
+/// constant + coefficients . x. All forms of a mechanism have as many coefficients as it has unknowns. The load is part
+/// of the constant.
 struct TapeForm {
   TapeBuilder* tape = nullptr;
   std::vector<TapeRef> coefficients;
@@ -36,12 +36,12 @@ inline TapeForm operator-(TapeForm x, const TapeForm& y) {
   return x;
 }
 
-/// A form on the solutions of equations, by the unknowns of the core, which two equations or fewer determine, and by
-/// those that are left free: constant + core . x + free . t.
+/// A form on the solutions of equations: constant + core . x + free . t. The unknowns x of the core are determined by
+/// at most two equations; the unknowns t are free.
 struct SolvedForm {
   TapeRef constant = TapeBuilder::zero;
   std::vector<TapeRef> core, free;
-  /// Whether x determined by t, it is 0 at all points: without t, and the part of each t.
+  /// With x determined by t: whether the constant part is 0 at all points; and the same for the part of each t.
   bool no_constant = false;
   std::vector<bool> no_slope;
 
@@ -49,22 +49,22 @@ struct SolvedForm {
   bool is_zero() const { return no_constant && !varies(); }
 };
 
-/// Equations of which some have determined unknowns: form = 0 with the coefficient 1 for its own unknown.
+/// Equations some of which have determined unknowns: form = 0, with the coefficient 1 for its own unknown.
 class TapeElimination {
  public:
   explicit TapeElimination(TapeBuilder& tape) : tape_(&tape) {}
 
-  /// Takes equations out that have an entry which is at most this doubtful, and their unknown out of the others.
-  /// Quadratic in the equations for each unknown.
+  /// Removes equations that have an entry at most this doubtful, and their unknown from the others. Quadratic in the
+  /// number of equations for each unknown.
   void eliminate(std::vector<TapeForm>& equations, TapeBuilder::Doubt most);
-  /// One equation; false where there is no such entry.
+  /// The same for one equation; false if there is no such entry.
   bool eliminate_one(std::vector<TapeForm>& equations, TapeBuilder::Doubt most);
 
   /// The form without the unknowns that are determined.
   TapeForm reduced(TapeForm form) const;
   bool is_determined(std::size_t unknown) const;
   TapeBuilder& tape() const { return *tape_; }
-  /// What was divided by and may be 0.
+  /// The divisors that may be 0.
   const std::vector<TapeRef>& pivots() const { return pivots_; }
 
  private:
@@ -82,19 +82,19 @@ class TapeElimination {
 /// The solutions of linear equations at all points at which no pivot is 0.
 class TapeSolution {
  public:
-  /// `known`: equations that are eliminated already. Cubic in the number of unknowns, or less where forms are sparse.
+  /// `known`: equations that are already eliminated. Cubic in the number of unknowns; less if forms are sparse.
   TapeSolution(TapeElimination known, std::vector<TapeForm> equations, std::size_t unknowns);
 
-  /// The equations of the core, which vanish: as many as it has unknowns.
+  /// The equations of the core (each form is 0): as many as the core has unknowns.
   const std::vector<SolvedForm>& core() const { return equations_; }
-  /// Their determinant, which must not be 0 either.
+  /// Their determinant. It must not be 0 either.
   TapeRef divisor() const { return divisor_; }
   const std::vector<TapeRef>& pivots() const { return pivots_; }
-  /// What has to vanish, or there is no solution: of rows that others determine, except for the constant.
+  /// Numbers that must be 0 if there is a solution: constants of rows whose other entries follow from other rows.
   const std::vector<TapeRef>& residuals() const { return residuals_; }
   std::size_t free() const { return free_.size(); }
   SolvedForm on(const TapeForm& form) const;
-  /// The form of what is determined, times the divisor.
+  /// The determined part of the form, times the divisor.
   TapeRef numerator(const SolvedForm& form) const;
 
  private:
@@ -113,8 +113,8 @@ class TapeSolution {
   std::vector<TapeRef> pivots_, residuals_;
   std::vector<std::size_t> core_, free_;
   std::vector<SolvedForm> equations_;
-  std::vector<TapeRef> values_;               ///< of the core without what is free, times the divisor
-  std::vector<std::vector<TapeRef>> slopes_;  ///< of each that is free
+  std::vector<TapeRef> values_;               ///< of the core with the free unknowns 0, times the divisor
+  std::vector<std::vector<TapeRef>> slopes_;  ///< by free unknown
 };
 
 }  // namespace slipproof

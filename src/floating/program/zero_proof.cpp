@@ -27,11 +27,11 @@ bool ZeroProver::is_zero(const TapeNode& node, const std::vector<TapeNode>& node
     ring_->budget().renew(steps_of_a_proof);
     return vanishes(of(node, nodes, constants).numerator);
   } catch (const Budget::Spent&) {
-    return false;  // what is known stays
+    return false;  // results computed so far are kept
   }
 }
 
-/// On the circles, each with its tangent of half the angle.
+/// Whether p is 0 on the circles, each parametrised by the tangent of half its angle.
 bool ZeroProver::vanishes(MultiPolynomial p) const {
   const MultiPolynomial one(*ring_, 1);
   for (std::size_t i = 0; i < circles_.size() && !p.is_zero(); ++i) {
@@ -70,7 +70,7 @@ ZeroProver::Fraction ZeroProver::of(const TapeNode& node, const std::vector<Tape
     case TapeOperation::multiply:
       return {x.numerator * y.numerator, x.denominator * y.denominator};
     default:
-      if (vanishes(y.numerator)) throw Budget::Spent{};  // a divisor that is 0: of what it gives nothing is proved
+      if (vanishes(y.numerator)) throw Budget::Spent{};  // the divisor is 0, so nothing is proved about the quotient
       return {x.numerator * y.denominator, x.denominator * y.numerator};
   }
 }

@@ -20,8 +20,8 @@ class ZeroProver {
   /// `circles`: pairs of inputs whose squares add up to 1.
   ZeroProver(std::size_t inputs, std::vector<std::pair<std::size_t, std::size_t>> circles);
 
-  /// True only if the node is 0 wherever no divisor on the way to it vanishes. Bounded work: false where it would take
-  /// more. The nodes before it are those of the tape.
+  /// True only if the node is 0 wherever none of the divisors before it vanishes. False if the proof would take more
+  /// than a bounded amount of work. `nodes` are the tape's nodes before this one.
   bool is_zero(const TapeNode& node, const std::vector<TapeNode>& nodes, const std::vector<Rational>& constants);
 
  private:

@@ -1,5 +1,5 @@
-// Where conditions of a mode hold that leaves one number free, or two: after Fourier and Motzkin, at several points
-// side by side.
+// Where the conditions of a mode with one or two free numbers hold, by the method of Fourier and Motzkin, at several
+// points side by side.
 #pragma once
 
 #include <array>
@@ -10,10 +10,12 @@
 
 namespace slipproof {
 
-/// The sure ends of where conditions alpha + beta t >= 0 hold, and those that are likely.
+/// Sure and likely ends of the interval in which conditions alpha + beta t >= 0 hold. Aligned as RunningError is.
 struct FreeInterval {
-  Lanes lower = Lanes{} - HUGE_VAL, upper = Lanes{} + HUGE_VAL;     ///< likely
-  Lanes lowest = Lanes{} - HUGE_VAL, highest = Lanes{} + HUGE_VAL;  ///< no t outside
+  alignas(sizeof(Lanes)) Lanes lower = Lanes{} - HUGE_VAL;  ///< likely, like `upper`
+  alignas(sizeof(Lanes)) Lanes upper = Lanes{} + HUGE_VAL;
+  alignas(sizeof(Lanes)) Lanes lowest = Lanes{} - HUGE_VAL;  ///< surely no t is below `lowest` or above `highest`
+  alignas(sizeof(Lanes)) Lanes highest = Lanes{} + HUGE_VAL;
 
   void cut(const RunningError& root, const LaneBits& from_below, const LaneBits& from_above) {
     const Lanes margin = (root.error + batch_rounding * absolute(root.value)) * batch_slack;
@@ -24,7 +26,7 @@ struct FreeInterval {
     highest = chosen(from_above & (high < highest), high, highest);
   }
 
-  /// Somewhere inside, if anything is.
+  /// A number inside the interval, if it has any.
   Lanes inside() const {
     const LaneBits has_lower = lower > -HUGE_VAL, has_upper = upper < HUGE_VAL;
     const Lanes above = lower + absolute(lower) + 1, below = upper - absolute(upper) - 1;
@@ -33,11 +35,11 @@ struct FreeInterval {
   }
 };
 
-/// constant + slopes . t >= 0, at the points where that is so.
+/// constant + slopes . t >= 0, at the points where this condition applies.
 struct HalfSpace {
   RunningError constant;
   std::array<RunningError, 2> slopes;
-  LaneBits asked;
+  alignas(sizeof(LaneBits)) LaneBits asked;
 };
 
 inline FreeInterval interval_of(const std::vector<HalfSpace>& sides, std::size_t k) {
@@ -49,8 +51,8 @@ inline FreeInterval interval_of(const std::vector<HalfSpace>& sides, std::size_t
   return interval;
 }
 
-/// What follows for the second of two free numbers: all of it where the signs of the slopes are sure, and nothing else
-/// in any case.
+/// The conditions that follow for the second of two free numbers. Where the signs of the slopes are sure these are all
+/// that follow; elsewhere some may be missing, but none is added.
 inline std::vector<HalfSpace> without_first(const std::vector<HalfSpace>& sides) {
   std::vector<HalfSpace> result;
   for (const HalfSpace& x : sides) {

@@ -1,4 +1,4 @@
-// The solution of a mode's core and forms on it, over any number type.
+// Solves the core of a mode and evaluates forms on the solution, over any number type.
 #pragma once
 
 #include <algorithm>
@@ -9,28 +9,28 @@
 
 namespace slipproof {
 
-/// Determinant and Cramer's numerators of equations that vanish, of none, one or two unknowns.
+/// The determinant and Cramer's numerators for the equations of a core with no, one or two unknowns.
 template <class N>
 struct CoreSolution {
   N divisor{};
   std::array<N, 2> values{};
 };
 
-/// Of x . (u, v) + r = 0 and y . (u, v) + s = 0.
+/// Solves x . (u, v) + r = 0 and y . (u, v) + s = 0.
 template <class N>
 CoreSolution<N> solve_two(const std::array<N, 2>& x, const N& r, const std::array<N, 2>& y, const N& s) {
   return {x[0] * y[1] - x[1] * y[0], {x[1] * s - r * y[1], r * y[0] - x[0] * s}};
 }
 
-/// A form times the divisor, of one unknown or two.
+/// A form of one or two unknowns, times the divisor.
 template <class N>
 N on_core(std::size_t unknowns, const N& constant, const std::array<N, 2>& core, const CoreSolution<N>& solution) {
   const N sum = constant * solution.divisor + core[0] * solution.values[0];
   return unknowns == 1 ? sum : sum + core[1] * solution.values[1];
 }
 
-/// Forms of a mode at one point, or at several side by side. `at(ref)` gives a result of the tape. Of more than two
-/// numbers that are free the first two count.
+/// The forms of a mode at one point, or at several points side by side. `at(ref)` gives a result of the tape. If more
+/// than two numbers are free, only the first two are used.
 template <class N>
 class LinearMode {
  public:
@@ -44,7 +44,7 @@ class LinearMode {
     }
   }
 
-  /// Whether there is a divisor, which all numbers below are times.
+  /// Whether there is a divisor; if so, all numbers below are multiplied by it.
   bool divides() const { return unknowns_ > 0; }
   const N& divisor() const { return constant_.divisor; }
 

@@ -22,7 +22,7 @@ void add_truths(std::vector<TapeRef>& wanted, const std::vector<TruthProgram>& t
   }
 }
 
-/// What the decisions ask for.
+/// The results that the decisions need.
 std::vector<TapeRef> decision_of(const ModePrograms& programs) {
   std::vector<TapeRef> wanted = programs.divisors;
   add_truths(wanted, programs.domain);
@@ -55,18 +55,18 @@ RunningError rounded(const Rational& value) {
 
 ModeCode::ModeCode(ModePrograms programs) : programs_(std::move(programs)) {
   TapeCompiler compiler(programs_.nodes, programs_.inputs());
-  decision_ = compiler.code_for(decision_of(programs_));
-  compiler.keep();
-  const auto beyond = [&](const std::vector<TapeRef>& wanted) {
-    compiler.forget();  // no other mode's numbers may have been computed
+  const auto alone = [&](const std::vector<TapeRef>& wanted) {
+    compiler.forget();  // each code runs without the others
     return compiler.code_for(wanted);
   };
-  scales_ = beyond(scales_of(programs_));
+  decision_ = alone(decision_of(programs_));
+  scales_ = alone(scales_of(programs_));
   for (const ModeProgram& program : programs_.programs) {
     std::vector<TapeRef> wanted;
-    for (const SolvedForm& form : program.accelerations) add_form(wanted, form);
-    for (const SolvedForm& form : program.forces) add_form(wanted, form);
-    values_.push_back(beyond(wanted));
+    for (const auto* forms : {&program.core, &program.conditions, &program.accelerations, &program.forces}) {
+      for (const SolvedForm& form : *forms) add_form(wanted, form);
+    }
+    values_.push_back(alone(wanted));
   }
   for (std::size_t i = 0; i < programs_.nodes.size(); ++i) places_.push_back(compiler.place(static_cast<TapeRef>(i)));
   for (const auto& [place, ref] : compiler.literals()) {

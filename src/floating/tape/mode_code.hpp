@@ -1,4 +1,5 @@
-// What of a tape is needed for decisions, and what else for the numbers of each mode, with places for the results.
+// Selects from a tape the results needed for decisions, and those needed in addition for the numbers of each mode, and
+// assigns places to them.
 #pragma once
 
 #include <cstdint>
@@ -11,20 +12,20 @@
 
 namespace slipproof {
 
-/// Shared by threads.
+/// May be shared by threads.
 class ModeCode {
  public:
   explicit ModeCode(ModePrograms programs);
 
   const ModePrograms& programs() const { return programs_; }
-  /// The place of a result that one of the codes wants.
+  /// The place of a result that one of the codes computes.
   std::uint32_t place(TapeRef ref) const { return places_[ref]; }
   std::size_t places() const { return count_; }
-  /// What does not change from run to run.
+  /// The constants, which are the same in every run.
   const std::vector<std::pair<std::uint32_t, RunningError>>& literals() const { return literals_; }
 
+  /// The codes do not depend on each other.
   const TapeCode& decision() const { return decision_; }
-  /// What follows runs after the decision.
   const TapeCode& scales() const { return scales_; }
   const TapeCode& values(std::size_t mode) const { return values_[mode]; }
 
@@ -34,7 +35,7 @@ class ModeCode {
   std::size_t count_ = 0;
   std::vector<std::pair<std::uint32_t, RunningError>> literals_;
   TapeCode decision_, scales_;
-  std::vector<TapeCode> values_;  ///< of each mode
+  std::vector<TapeCode> values_;  ///< by mode
 };
 
 }  // namespace slipproof

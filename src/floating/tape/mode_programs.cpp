@@ -14,7 +14,7 @@ namespace slipproof {
 
 namespace {
 
-/// The mechanism has something in it that no tape computes.
+/// Thrown if the mechanism contains something that a tape cannot compute.
 struct NoTape {};
 
 struct TapeNumber {
@@ -37,7 +37,7 @@ struct TapeNumber {
   friend TapeNumber operator-(const TapeNumber& x) { return x.with(x.tape->negate(x.ref)); }
 };
 
-/// How an evaluator computes on a tape: no order of results is known.
+/// Tells an evaluator how to compute on a tape. Results cannot be ordered.
 struct TapeField {
   TapeBuilder* tape = nullptr;
   std::vector<TapeRef>* divisors = nullptr;
@@ -49,7 +49,7 @@ struct TapeField {
 
 using TapeEvaluator = Evaluator<TapeNumber, TapeField>;
 
-/// Forms of the mechanism for assemble().
+/// Makes the forms of the mechanism for assemble().
 class TapeForms {
  public:
   TapeForms(TapeBuilder& tape, TapeEvaluator& at, std::size_t unknowns, TapeRef load)
@@ -85,7 +85,7 @@ class TapeForms {
   TapeRef load_;
 };
 
-/// What assemble() fills in.
+/// The problem that assemble() fills in.
 struct TapeProblem {
   std::size_t unknowns = 0;
   std::vector<TapeForm> equations, accelerations, forces;
@@ -182,7 +182,7 @@ class ProgramMaker {
     }
   }
 
-  /// What all modes have in common.
+  /// Eliminates the equations that all modes have in common.
   void reduce() {
     rows_ = problem_.equations;
     common_.eliminate(rows_, TapeBuilder::Doubt::nonzero_in_domain);
@@ -236,13 +236,13 @@ class ProgramMaker {
     return mode;
   }
 
-  /// The accelerations of a mode that determines them.
+  /// The accelerations in a mode that determines them.
   struct MotionValues {
     TapeRef divisor;
     std::vector<TapeRef> numerators;
   };
 
-  /// Whether it is proved that all are the same.
+  /// Whether all accelerations are proved to be the same.
   bool is_same(const MotionValues& x, const MotionValues& y) {
     for (std::size_t i = 0; i < x.numerators.size(); ++i) {
       const TapeRef a = tape_.multiply(x.numerators[i], y.divisor), b = tape_.multiply(y.numerators[i], x.divisor);
@@ -251,8 +251,9 @@ class ProgramMaker {
     return true;
   }
 
-  /// Modes whose accelerations are the same programs. And where an element that slips cannot do so, all solutions solve
-  /// the equations of the mode in which it sticks: if these determine the accelerations, it is the same motion.
+  /// Finds modes that are the same motion: modes whose accelerations are the same programs. And if an element slips in
+  /// a mode although its slip is proved to be 0, all solutions solve the equations of the mode in which it sticks; if
+  /// these determine the accelerations, both modes are the same motion.
   void join_motions() {
     std::map<std::vector<TapeBuilder::Residues>, std::size_t> known;
     std::map<MechanismMode, std::size_t> places;
@@ -303,10 +304,10 @@ class ProgramMaker {
   TapeEvaluator at_;
   TapeProblem problem_;
   TapeElimination common_{tape_};
-  std::vector<TapeForm> rows_;                    ///< the equations that are left
+  std::vector<TapeForm> rows_;                    ///< the remaining equations
   std::vector<ElementForms<TapeForm>> elements_;  ///< reduced
   std::vector<MotionValues> motions_;
-  std::vector<std::vector<bool>> slipless_;  ///< of each mode: elements whose slip is 0 at all points
+  std::vector<std::vector<bool>> slipless_;  ///< by mode: elements whose slip is 0 at all points
 };
 
 }  // namespace

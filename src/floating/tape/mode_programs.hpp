@@ -1,4 +1,4 @@
-// All modes of a mechanism as programs: made once, good for all values of its parameters, angles and load.
+// All modes of a mechanism as programs. They are made once and hold for all values of its parameters, angles and load.
 #pragma once
 
 #include <cstddef>
@@ -13,28 +13,28 @@
 
 namespace slipproof {
 
-/// One mode: its equations solved but for a core of at most two, its conditions and quantities as forms.
+/// One mode: its conditions and quantities as forms, with its equations solved up to a core of at most two.
 struct ModeProgram {
-  /// Where none of them is 0, nor the determinant of the core, the rest means what it says.
+  /// The other members are valid where none of these is 0 and the determinant of the core is not 0.
   std::vector<TapeRef> pivots;
-  std::vector<TapeRef> residuals;      ///< where one is not 0 there is no solution
+  std::vector<TapeRef> residuals;      ///< there is no solution where one is not 0
   std::vector<SolvedForm> core;        ///< equations, as many as unknowns
-  std::vector<SolvedForm> conditions;  ///< what must be >= 0; those that are 0 at all points are left out
-  bool never_strict = false;           ///< one was left out
-  std::size_t free = 0;                ///< how many forces, or accelerations, are left free
-  bool determined = false;             ///< no acceleration varies with them
-  /// Modes with the same number have the same accelerations wherever all of them have a solution of their equations and
-  /// no pivot of any is 0.
+  std::vector<SolvedForm> conditions;  ///< numbers that must be >= 0, without those that are 0 at all points
+  bool never_strict = false;           ///< a condition was left out because it is 0 at all points
+  std::size_t free = 0;                ///< the number of forces or accelerations that are left free
+  bool determined = false;             ///< no acceleration depends on the free numbers
+  /// Modes with the same number have the same accelerations at each point at which all their equations have a solution
+  /// and none of their pivots is 0.
   std::size_t motion = 0;
-  std::vector<SolvedForm> accelerations, forces;  ///< as acceleration_names() and force_names() name them
+  std::vector<SolvedForm> accelerations, forces;  ///< in the order of acceleration_names() and force_names()
 };
 
-/// A condition of the domain: a tree, children before parents.
+/// A condition of the domain as a tree, children before parents.
 struct TruthProgram {
   struct Step {
-    Operation operation = Operation::truth;  ///< truth, compare, or one of logic
+    Operation operation = Operation::truth;  ///< truth, compare, or a logical operation
     bool truth = false;
-    Relation relation = Relation::equal;  ///< of the difference to 0
+    Relation relation = Relation::equal;  ///< between the difference and 0
     TapeRef difference = 0;
     std::size_t first = 0, second = 0;  ///< operands
   };
@@ -46,32 +46,32 @@ struct ModePrograms {
 
   std::vector<MechanismMode> modes;   ///< in the order of enumeration: the last element fastest
   std::vector<ModeProgram> programs;  ///< one for each
-  std::vector<TruthProgram> domain;   ///< parameters, angles, [assume]; all must hold
+  std::vector<TruthProgram> domain;   ///< conditions on parameters and angles, and [assume]; all must hold
   std::vector<TruthProgram> loads;    ///< the load's domain
-  std::vector<TapeRef> divisors;      ///< of the file's expressions: where one is 0 something has no value
-  std::vector<bool> given;            ///< parameters that have a value
+  std::vector<TapeRef> divisors;      ///< in the file's expressions: where one is 0, some expression has no value
+  std::vector<bool> given;            ///< by parameter: whether it has a value
   MechanismKinds kinds;
-  std::vector<TapeRef> line_constants;  ///< of each line of the kinds
-  /// Of each of the kinds' inertias and levers the coefficients, by what they are divided.
+  std::vector<TapeRef> line_constants;  ///< for each line of the kinds
+  /// For each quotient in the kinds' inertias and levers, the coefficients in its denominator.
   std::vector<std::vector<TapeRef>> inertias, levers;
   std::size_t parameters = 0, angles = 0;
 
   std::vector<TapeNode> nodes;
   std::vector<Rational> constants;
 
-  /// Inputs of the tape: parameters, cosine and sine of each angle, the load.
+  /// The number of inputs of the tape: parameters, cosine and sine of each angle, the load.
   std::size_t inputs() const { return parameters + 2 * angles + 1; }
   std::size_t cosine(std::size_t angle) const { return parameters + 2 * angle; }
   std::size_t load() const { return inputs() - 1; }
 };
 
-/// More modes, and longer tapes, are left to the exact kernel.
+/// Mechanisms with more modes or longer tapes are left to the exact kernel.
 inline constexpr double max_program_modes = 1024;
 inline constexpr std::size_t max_tape_length = 400'000;
 
-/// With these states before the motion, and `given`, for each parameter, whether it has a value. Nothing for a
-/// mechanism that the batch does not do: too many modes, coefficients with min, max, abs or sign in them, a literal 0
-/// as a divisor. Takes milliseconds for a mechanism of two contacts, seconds for one of a hundred modes.
+/// `starts`: the states before the motion; `given`: for each parameter, whether it has a value. Returns nothing for a
+/// mechanism that batches cannot handle: with too many modes, with coefficients that contain min, max, abs or sign, or
+/// with the literal 0 as a divisor. Takes milliseconds for two contacts, seconds for a hundred modes.
 std::optional<ModePrograms> mode_programs(const Mechanism& mechanism, const std::vector<ElementKind::Start>& starts,
                                           const std::vector<bool>& given);
 

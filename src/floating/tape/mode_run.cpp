@@ -4,8 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "floating/filter/vector_kernel.hpp"
+#include "floating/lanes/vector_kernel.hpp"
 #include "floating/tape/free_interval.hpp"
+#include "floating/tape/truth.hpp"
 
 namespace slipproof {
 
@@ -13,37 +14,6 @@ namespace {
 
 LaneBits all_lanes() {
   return ~LaneBits{};
-}
-
-/// Of a number that is the nearest binary64 to what is meant; nothing is known of one that is not finite.
-double rounding_error(double value) {
-  return std::fabs(value) * batch_rounding + batch_underflow;
-}
-
-void put(RunningError& number, std::size_t lane, double value, bool exact) {
-  number.value[lane] = value;
-  number.error[lane] = exact && std::isfinite(value) ? 0 : rounding_error(value);
-}
-
-struct YesNoOfLanes {
-  LaneBits yes, no;
-};
-
-YesNoOfLanes compared(Relation relation, const RunningError& d) {
-  switch (relation) {
-    case Relation::less:
-      return {surely_negative(d), surely_not_negative(d)};
-    case Relation::less_equal:
-      return {surely_not_negative(-d), surely_positive(d)};
-    case Relation::greater:
-      return {surely_positive(d), surely_not_negative(-d)};
-    case Relation::greater_equal:
-      return {surely_not_negative(d), surely_negative(d)};
-    case Relation::equal:
-      return {surely_zero(d), surely_not_zero(d)};
-    default:
-      return {surely_not_zero(d), surely_zero(d)};
-  }
 }
 
 /// The numbers of a form on the solution of a mode, each changed by change().
@@ -58,7 +28,7 @@ LaneForm lane_form(const LinearMode<RunningError>& solution, const SolvedForm& f
   return result;
 }
 
-/// Of a mode that leaves nothing free; of the conditions as they are.
+/// Judges a mode that leaves nothing free, by its conditions as they are.
 void judge_determined(const ModeProgram& program, const LaneForm* conditions, LaneModes& result) {
   LaneBits holds = all_lanes(), zero{}, strict = program.never_strict ? LaneBits{} : all_lanes();
   for (std::size_t i = 0; i < program.conditions.size(); ++i) {
@@ -111,7 +81,7 @@ RunningError LaneForm::at(std::span<const RunningError> free) const {
   return value;
 }
 
-/// The lanes are as many as the widest registers hold; the compiler splits them up for narrower ones.
+/// Uses as many lanes as the widest registers hold; the compiler splits them for narrower registers.
 struct JudgeKernel {
   template <int width>
   static void run(ModeRun& run) {
@@ -143,6 +113,7 @@ struct JudgeKernel {
 struct ValuesKernel {
   template <int width>
   static void run(ModeRun& run, std::size_t mode) {
+    run.compute_angles();
     run_code(run.code_->values(mode), run.results_.data());
     const auto at = [&](TapeRef ref) -> const RunningError& { return run.at(ref); };
     const ModeProgram& program = run.code_->programs().programs[mode];
@@ -174,11 +145,11 @@ ModeRun::ModeRun(const ModeCode& code)
 }
 
 void ModeRun::set(std::size_t input, std::size_t lane, double value, bool exact) {
-  put(results_[input], lane, value, exact);
+  put_number(results_[input], lane, value, exact);
 }
 
 void ModeRun::set_angle(std::size_t angle, std::size_t lane, double tan_half, bool exact) {
-  put(tan_halves_[angle], lane, tan_half, exact);
+  put_number(tan_halves_[angle], lane, tan_half, exact);
 }
 
 void ModeRun::compute_angles() {
@@ -203,29 +174,14 @@ void ModeRun::decide() {
 }
 
 LaneBits ModeRun::holds(const TruthProgram& program) const {
-  std::vector<YesNoOfLanes> found;
-  for (const auto& step : program.steps) {
-    switch (step.operation) {
-      case Operation::truth:
-        found.push_back(step.truth ? YesNoOfLanes{all_lanes(), {}} : YesNoOfLanes{{}, all_lanes()});
-        break;
-      case Operation::logical_not:
-        found.push_back({found[step.first].no, found[step.first].yes});
-        break;
-      case Operation::logical_and:
-        found.push_back({found[step.first].yes & found[step.second].yes, found[step.first].no | found[step.second].no});
-        break;
-      case Operation::logical_or:
-        found.push_back({found[step.first].yes | found[step.second].yes, found[step.first].no & found[step.second].no});
-        break;
-      default:
-        found.push_back(compared(step.relation, at(step.difference)));
-    }
-  }
-  return found.back().yes;
+  return truth_of(program, all_lanes(),
+                  [this](const TruthProgram::Step& step) {
+                    return related_to_zero<LaneBits>(step.relation, at(step.difference), LaneSigns());
+                  })
+      .yes;
 }
 
-/// By its conditions, which have been computed, where the programs are valid.
+/// Judges a mode by its conditions, which must have been computed, at the points where the programs are valid.
 LaneModes ModeRun::judge(const ModeProgram& program, const LaneBits& valid) const {
   LaneModes result;
   LaneBits violated{};

@@ -1,5 +1,5 @@
-// The modes of a mechanism at several points side by side, in binary64: consistent, not consistent, or unsure, and
-// never wrong.
+// Decides the modes of a mechanism at several points side by side, in binary64: consistent, not consistent, or unsure.
+// An answer other than unsure is always correct.
 #pragma once
 
 #include <cstddef>
@@ -13,15 +13,15 @@
 
 namespace slipproof {
 
-/// A mode at the points of a run, a mask for each answer. Aligned as RunningError is.
+/// The answers about one mode at the points of a run, one mask for each answer. Aligned as RunningError is.
 struct LaneModes {
   alignas(sizeof(LaneBits)) LaneBits inconsistent{};
   alignas(sizeof(LaneBits)) LaneBits boundary{};  ///< consistent, and surely not strict
-  alignas(sizeof(LaneBits)) LaneBits strict{};    ///< none of these: unsure
-  alignas(sizeof(LaneBits)) LaneBits valid{};     ///< its programs mean what they say
+  alignas(sizeof(LaneBits)) LaneBits strict{};    ///< a point in none of these masks is unsure
+  alignas(sizeof(LaneBits)) LaneBits valid{};     ///< the mode's programs are valid there
 };
 
-/// constant + slopes . t, of a mode at several points.
+/// constant + slopes . t for a mode, at several points.
 struct LaneForm {
   RunningError constant;
   std::array<RunningError, LinearMode<RunningError>::most_free> slopes;
@@ -29,40 +29,35 @@ struct LaneForm {
   RunningError at(std::span<const RunningError> free) const;
 };
 
-/// One block of points. Not shared between threads; made once for many blocks.
+/// One block of points. Not shared between threads; used again for many blocks.
 class ModeRun {
  public:
   /// The code must outlive the run.
   explicit ModeRun(const ModeCode& code);
 
-  /// A number of one of the points: its nearest binary64, or itself if `exact`.
+  /// Sets an input of one of the points: `value` is exact if `exact`, otherwise the nearest binary64 of what is meant.
   void set(std::size_t input, std::size_t lane, double value, bool exact = true);
-  /// Cosine and sine from tan(angle/2).
+  /// Sets cosine and sine from tan(angle/2).
   void set_angle(std::size_t angle, std::size_t lane, double tan_half, bool exact = true);
 
   /// Decides every mode at every point. Takes one pass over the tape, without a branch on a value.
   void decide();
-  /// Points in the domain, apart from the load's; points with a load in its domain; points at which all that the file
-  /// divides by is not 0. Surely so.
+  /// Points that are surely in the domain, apart from the load's; surely have a load in its domain; and at which surely
+  /// none of the file's divisors is 0.
   LaneBits in_domain() const { return in_domain_; }
   LaneBits in_load_domain() const { return in_load_domain_; }
   const std::vector<LaneModes>& modes() const { return modes_; }
 
-  /// A mode that is surely strict and has the accelerations of all other modes that may be consistent; it is also sure
-  /// which of them are strict. Nothing if that is not so, or not sure.
+  /// A mode that is surely strict and has the accelerations of every other mode that may be consistent, if it is also
+  /// sure which of these modes are strict. Otherwise nothing.
   std::optional<std::size_t> only_motion(std::size_t lane) const;
 
-  /// Of modes among those that only_motion() speaks of.
-  bool is_same_motion(std::size_t x, std::size_t y) const {
-    return code_->programs().programs[x].motion == code_->programs().programs[y].motion;
-  }
-
-  /// Accelerations, forces and conditions of a mode at all points.
+  /// Accelerations, forces and conditions of a mode at all points; no decision is needed before.
   struct Values {
     std::vector<LaneForm> accelerations, forces, conditions;
   };
   const Values& compute_values(std::size_t mode);
-  /// What zeros are held against; then at() has it.
+  /// Computes the scales that zeros are compared with; at() then returns them. Call decide() or compute_values() first.
   void compute_scales();
   const RunningError& at(TapeRef ref) const { return results_[code_->place(ref)]; }
 
@@ -79,7 +74,7 @@ class ModeRun {
   std::vector<RunningError> results_;
   std::vector<RunningError> tan_halves_;
   std::vector<LaneModes> modes_;
-  std::vector<LaneForm> conditions_;  ///< of the mode that is judged, with the sign that a divisor gives them
+  std::vector<LaneForm> conditions_;  ///< of the mode being judged, with the sign of its divisor applied
   Values values_;
   alignas(sizeof(LaneBits)) LaneBits in_domain_{};
   alignas(sizeof(LaneBits)) LaneBits in_load_domain_{};

@@ -1,31 +1,47 @@
-// binary64 beside a bound on its error that runs along with it, several points side by side.
+// A binary64 number with a running bound on its error, at several points side by side.
 //
-// |value - exact| <= error, for every operation, division too; MATHEMATICS.md derives the bounds. What is not known has
-// an infinite error, or NaN in one of both: all questions below are answered no then.
+// |value - exact| <= error after every operation, division included; MATHEMATICS.md derives the bounds. A number about
+// which nothing is known has an infinite error, or NaN as its value or error. All questions below are then answered no.
 #pragma once
 
+#include <cmath>
+#include <cstddef>
+
 #include "base/rounding/running_bounds.hpp"
-#include "floating/filter/lanes.hpp"
+#include "floating/lanes/lane_vectors.hpp"
 
 namespace slipproof {
 
-// The vectors stay inside functions of this library; their calling convention does not matter.
+// The vectors stay inside functions of this library, so their calling convention does not matter.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
-/// Aligned for the widest registers, which the compiler expects of it in the functions compiled for them.
+/// Aligned for the widest registers: functions compiled for these expect it.
 struct RunningError {
   alignas(sizeof(Lanes)) Lanes value{};
   alignas(sizeof(Lanes)) Lanes error{};
 };
 
-/// Lanes of `x` where the mask is set, of `y` elsewhere.
+/// Takes lanes of `x` where the mask is set, lanes of `y` elsewhere.
 inline Lanes chosen(const LaneBits& mask, const Lanes& x, const Lanes& y) {
   return from_bits((bits(x) & mask) | (bits(y) & ~mask));
 }
 
-/// What is added where a product or quotient is not of an exact 0.
+// These functions do not compare numbers, because GCC splits a comparison into single lanes before it inlines them into
+// functions for wide registers. They compare bits instead: the bits of numbers that are not negative have the order of
+// the numbers, and NaN without its sign comes last.
+
+/// Sets all bits of a lane if its first bit is set.
+inline LaneBits spread(const LaneBits& sign) {
+  return sign >> 63;
+}
+/// Whether a magnitude is not 0. For NaN the result has no meaning.
+inline LaneBits not_zero(const Lanes& size) {
+  return spread(LaneBits{} - bits(size));
+}
+
+/// The underflow term of a product or quotient: 0 if an operand is exactly 0.
 inline Lanes underflow_unless_zero(const Lanes& size_of_x, const Lanes& size_of_y) {
-  return from_bits((size_of_x > 0) & (size_of_y > 0) & bits(Lanes{} + batch_underflow));
+  return from_bits(not_zero(size_of_x) & not_zero(size_of_y) & bits(Lanes{} + batch_underflow));
 }
 
 inline RunningError operator-(const RunningError& x) {
@@ -51,24 +67,35 @@ inline RunningError operator/(const RunningError& x, const RunningError& y) {
   const Lanes underflow = underflow_unless_zero(absolute(x.value) + x.error, Lanes{} + 1);
   const Lanes propagated = (x.error + size * y.error + underflow) / least;
   const Lanes error = (propagated + batch_rounding * size + underflow) * batch_slack;
-  const LaneBits known = (least > 0) & (size_y < batch_largest_divisor);
+  // Where `least` is NaN, the error is NaN. `least` is never -0.0, which would compare as larger than 0 here.
+  const LaneBits known = not_zero(least) & spread(bits(size_y) - bits(Lanes{} + batch_largest_divisor));
   return {value, chosen(known, error, Lanes{} + __builtin_inf())};
 }
 
+/// value > error, with both read as integers, where the value is neither negative nor NaN.
 inline LaneBits surely_positive(const RunningError& x) {
-  return x.value > x.error;
+  const LaneBits value = bits(absolute(x.value)), error = bits(absolute(x.error));
+  const LaneBits infinite = bits(Lanes{} + __builtin_inf());
+  return spread((error - value) & ~bits(x.value) & ~(infinite - value));
 }
 inline LaneBits surely_negative(const RunningError& x) {
-  return x.value < -x.error;
+  return surely_positive(-x);
 }
 inline LaneBits surely_not_zero(const RunningError& x) {
-  return absolute(x.value) > x.error;
+  return surely_positive({absolute(x.value), x.error});
 }
 inline LaneBits surely_zero(const RunningError& x) {
-  return (x.value == 0) & (x.error == 0);
+  return ~spread(LaneBits{} - (bits(absolute(x.value)) | bits(absolute(x.error))));
 }
 inline LaneBits surely_not_negative(const RunningError& x) {
-  return surely_positive(x) | surely_zero(x);  // not value >= error, which holds where both are infinite
+  return surely_positive(x) | surely_zero(x);  // `value >= error` would be wrong: it holds where both are infinite
+}
+
+/// A number of one lane: itself if `exact`, or the nearest binary64 of what is meant; nothing is known of one that is
+/// not finite.
+inline void put_number(RunningError& number, std::size_t lane, double value, bool exact) {
+  number.value[lane] = value;
+  number.error[lane] = exact && std::isfinite(value) ? 0 : std::fabs(value) * batch_rounding + batch_underflow;
 }
 
 }  // namespace slipproof

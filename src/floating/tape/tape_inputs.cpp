@@ -6,7 +6,7 @@ namespace slipproof {
 
 namespace {
 
-/// What `x > 0` and its like say of a parameter.
+/// What a domain such as `x > 0` says about the sign of a parameter.
 InputSign sign_of(const Expression& domain, const std::string& symbol) {
   const Node& node = *domain;
   if (node.operation == Operation::logical_and) {

@@ -1,4 +1,4 @@
-// What a mechanism says of the inputs of its tape.
+// What a mechanism's file says about the inputs of its tape.
 #pragma once
 
 #include <utility>
@@ -9,9 +9,10 @@
 
 namespace slipproof {
 
-/// Parameters, cosine and sine of each angle, the load: as far as their own domains say.
+/// The signs of the parameters, of cosine and sine of each angle, and of the load, so far as their own domains give
+/// them.
 std::vector<InputSign> input_signs(const Mechanism& mechanism);
-/// Cosine and sine of each angle among them.
+/// The pairs of inputs that are cosine and sine of an angle.
 std::vector<std::pair<std::size_t, std::size_t>> circles(const Mechanism& mechanism);
 
 }  // namespace slipproof

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <span>
 
 #include "base/crew/bytes.hpp"
 #include "base/number/binary64.hpp"
@@ -12,97 +12,80 @@ namespace slipproof {
 
 namespace {
 
-/// Relative errors of the motion of the one consistent mode.
-void judge_motion(const Arithmetic& arithmetic, std::size_t scene, const Truth& truth, Accuracy& accuracy) {
+/// Judges the relative errors of a motion.
+void judge_motion(const TradeType& type, const JudgedValues<Rational>& found, const ExactAnswer& truth,
+                  Accuracy& accuracy) {
   TradeRow& row = accuracy.row;
-  const auto values = arithmetic.motion(scene, *truth.only);
-  if (std::any_of(values.begin(), values.end(), [](const auto& x) { return !x; })) {
-    ++row.undecided;
-    return;
-  }
   ++row.judged;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (truth.values[i].is_zero()) continue;
-    const double error = nearest_binary64(Rational(abs((*values[i] - truth.values[i]) / truth.values[i])));
-    const double lost = arithmetic.type().bits == 0 || error == 0
-                            ? 0
-                            : std::max(0.0, std::log10(error) + arithmetic.type().bits * std::log10(2.0));
-    if (error > row.worst()) {
-      row.digits_lost = lost;
-      row.condition = truth.conditions[i];
-    }
-    double& worst = judged_quantities[i] == Quantity::a ? row.worst_acceleration : row.worst_force;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Rational& expected = truth.values[i];
+    if (expected.is_zero()) continue;
+    const double error = nearest_binary64(Rational(abs((found[i] - expected) / expected)));
+    const bool lossless = type.bits == 0 || error == 0;
+    const double lost = lossless ? 0 : std::max(0.0, std::log10(error) + type.bits * std::log10(2.0));
+    if (error > row.worst()) row.digits_lost = lost, row.condition = (*truth.conditions)[i];
+    double& worst = i == 0 ? row.worst_acceleration : row.worst_force;
     worst = std::max(worst, error);
-    accuracy.cancellations.add(truth.conditions[i], lost);
+    accuracy.add((*truth.conditions)[i], lost);
   }
 }
 
-Accuracy judge_type(Arithmetic& arithmetic, const Workload& workload, const std::vector<Truth>& truths) {
+Accuracy judge_type(Arithmetic& arithmetic, const Workload& workload, const std::vector<ExactAnswer>& truths) {
   Accuracy accuracy;
   TradeRow& row = accuracy.row;
   row.scenes = truths.size();
-  arithmetic.load(workload.scenes);
+  arithmetic.load(workload);
+  const std::vector<ModeAt> all = arithmetic.decide();
   for (std::size_t i = 0; i < truths.size(); ++i) {
-    const Truth& truth = truths[i];
-    const auto answer = arithmetic.answer(i);
-    if (answer.tier) ++row.tiers[static_cast<std::size_t>(*answer.tier)];
-    if (!answer.decided) ++row.undecided;
-    if (!answer.decided && !answer.tier) continue;
-    if (answer.consistent != truth.modes.consistent || (answer.strict && *answer.strict != truth.modes.strict)) {
+    const ExactAnswer& truth = truths[i];
+    const std::span found(&all[i * truth.status.size()], truth.status.size());
+    const std::optional<Tier> tier = arithmetic.tier(i);
+    const auto same = [&](ModeAt x, ModeAt y) {
+      return tier ? x == y : (x == ModeAt::inconsistent) == (y == ModeAt::inconsistent);
+    };
+    const bool unsure = std::ranges::find(found, ModeAt::unsure) != found.end();
+    if (tier) ++row.tiers[static_cast<std::size_t>(*tier)];
+    const bool passed_on = tier == Tier::exact && arithmetic.type().bits > 0;
+    if (unsure || passed_on) ++row.undecided;
+    if (unsure) continue;
+    if (!std::ranges::equal(found, truth.status, same)) {
       ++row.wrong;
-    } else if (truth.only) {
-      judge_motion(arithmetic, i, truth, accuracy);
+    } else if (truth.conditions) {
+      if (const auto motion = arithmetic.motion(i, *truth.only)) {
+        judge_motion(arithmetic.type(), *motion, truth, accuracy);
+      } else {
+        ++row.undecided;
+      }
     }
   }
   return accuracy;
 }
 
+constexpr std::array counts{&TradeRow::scenes, &TradeRow::wrong, &TradeRow::undecided, &TradeRow::judged};
+constexpr std::array reals{&TradeRow::worst_acceleration, &TradeRow::worst_force, &TradeRow::digits_lost,
+                           &TradeRow::condition};
+
 }  // namespace
 
-void Cancellations::add(double condition, double digits_lost) {
-  if (!(condition < std::pow(10.0, decade_count))) return;
-  const int decade = std::max(0, static_cast<int>(std::floor(std::log10(condition))));
-  Cancellation& c = decades_[static_cast<std::size_t>(decade)];
+void Accuracy::add(double condition, double digits_lost) {
+  if (!(condition < std::pow(10.0, decades.size()))) return;
+  Cancellation& c = decades[static_cast<std::size_t>(std::max(0.0, std::floor(std::log10(condition))))];
   ++c.quantities;
   c.digits_lost = std::max(c.digits_lost, digits_lost);
   c.mean_digits_lost += digits_lost;
 }
 
-void Cancellations::add(const Cancellations& later) {
-  for (std::size_t i = 0; i < decades_.size(); ++i) {
-    decades_[i].quantities += later.decades_[i].quantities;
-    decades_[i].digits_lost = std::max(decades_[i].digits_lost, later.decades_[i].digits_lost);
-    decades_[i].mean_digits_lost += later.decades_[i].mean_digits_lost;
+void Accuracy::tell_cancellations(const std::string& type, std::vector<Cancellation>& all) const {
+  for (std::size_t i = 0; i < decades.size(); ++i) {
+    const auto& [name, decade, quantities, worst, sum] = decades[i];
+    if (quantities == 0) continue;
+    all.push_back({type, static_cast<int>(i), quantities, worst, sum / static_cast<double>(quantities)});
   }
-}
-
-void Cancellations::append_to(std::vector<Cancellation>& all, const std::string& type) const {
-  for (std::size_t i = 0; i < decades_.size(); ++i) {
-    Cancellation c = decades_[i];
-    if (c.quantities == 0) continue;
-    c.type = type;
-    c.decade = static_cast<int>(i);
-    c.mean_digits_lost /= static_cast<double>(c.quantities);
-    all.push_back(std::move(c));
-  }
-}
-
-void Accuracy::add(const Accuracy& later) {
-  const TradeRow& r = later.row;
-  row.scenes += r.scenes;
-  row.wrong += r.wrong;
-  row.undecided += r.undecided;
-  for (std::size_t i = 0; i < tier_count; ++i) row.tiers[i] += r.tiers[i];
-  row.judged += r.judged;
-  if (r.worst() > row.worst()) row.digits_lost = r.digits_lost, row.condition = r.condition;
-  row.worst_acceleration = std::max(row.worst_acceleration, r.worst_acceleration);
-  row.worst_force = std::max(row.worst_force, r.worst_force);
-  cancellations.add(later.cancellations);
 }
 
 std::vector<Accuracy> judge_accuracy(const Workload& workload) {
-  std::vector<Truth> truths;
-  for (const auto& scene : workload.scenes) truths.push_back(truth_of(scene));
+  std::vector<ExactAnswer> truths;
+  for (const TradeScene& scene : workload.scenes) truths.push_back(workload.mechanism->exact_with_conditions(scene));
   std::vector<Accuracy> types;
   for (const auto& arithmetic : all_arithmetics()) types.push_back(judge_type(*arithmetic, workload, truths));
   return types;
@@ -111,35 +94,35 @@ std::vector<Accuracy> judge_accuracy(const Workload& workload) {
 std::string accuracy_bytes(const std::vector<Accuracy>& types) {
   ByteWriter bytes;
   bytes.number(types.size());
-  for (const auto& [row, cancellations] : types) {
-    bytes.number(row.scenes).number(row.wrong).number(row.undecided).number(row.judged);
+  for (const auto& [row, decades] : types) {
+    for (const auto count : counts) bytes.number(row.*count);
     for (const std::uint64_t count : row.tiers) bytes.number(count);
-    bytes.real(row.worst_acceleration).real(row.worst_force).real(row.digits_lost).real(row.condition);
-    for (const Cancellation& c : cancellations.decades_) {
-      bytes.number(c.quantities);
-      if (c.quantities != 0) bytes.real(c.digits_lost).real(c.mean_digits_lost);
-    }
+    for (const auto real : reals) bytes.real(row.*real);
+    for (const Cancellation& c : decades) bytes.number(c.quantities).real(c.digits_lost).real(c.mean_digits_lost);
   }
   return bytes.take();
 }
 
-std::vector<Accuracy> read_accuracy(std::string_view text) {
+void add_accuracy(std::string_view text, std::vector<Accuracy>& types) {
   ByteReader bytes(text);
-  std::vector<Accuracy> types;
-  for (std::uint64_t left = bytes.number(); left > 0; --left) {
-    auto& [row, cancellations] = types.emplace_back();
-    for (std::size_t* count : {&row.scenes, &row.wrong, &row.undecided, &row.judged}) *count = bytes.number();
-    for (auto& count : row.tiers) count = bytes.number();
-    for (double* value : {&row.worst_acceleration, &row.worst_force, &row.digits_lost, &row.condition}) {
-      *value = bytes.real();
-    }
-    for (Cancellation& c : cancellations.decades_) {
-      c.quantities = bytes.number();
-      if (c.quantities != 0) c.digits_lost = bytes.real(), c.mean_digits_lost = bytes.real();
+  const std::uint64_t count_of_types = bytes.number();
+  for (std::size_t i = 0; i < count_of_types; ++i) {
+    if (i == types.size()) types.emplace_back();
+    auto& [row, decades] = types[i];
+    for (const auto count : counts) row.*count += bytes.number();
+    for (auto& count : row.tiers) count += bytes.number();
+    TradeRow later;
+    for (const auto real : reals) later.*real = bytes.real();
+    if (later.worst() > row.worst()) row.digits_lost = later.digits_lost, row.condition = later.condition;
+    row.worst_acceleration = std::max(row.worst_acceleration, later.worst_acceleration);
+    row.worst_force = std::max(row.worst_force, later.worst_force);
+    for (Cancellation& c : decades) {
+      c.quantities += bytes.number();
+      c.digits_lost = std::max(c.digits_lost, bytes.real());
+      c.mean_digits_lost += bytes.real();
     }
   }
   bytes.end();
-  return types;
 }
 
 }  // namespace slipproof

@@ -1,4 +1,4 @@
-// What the number types get right and wrong, in pieces that are added up: for threads, and for ranks.
+// How accurate the number types are. Results are pieces that can be added, by threads and by ranks.
 #pragma once
 
 #include <array>
@@ -11,36 +11,24 @@
 
 namespace slipproof {
 
-/// Digits lost by one type, by decade of the condition number.
-class Cancellations {
- public:
-  void add(double condition, double digits_lost);
-  void add(const Cancellations& later);
-  void append_to(std::vector<Cancellation>& all, const std::string& type) const;
-
- private:
-  friend std::string accuracy_bytes(const std::vector<struct Accuracy>& types);
-  friend std::vector<struct Accuracy> read_accuracy(std::string_view bytes);
-
-  static constexpr std::size_t decade_count = 41;
-  std::array<Cancellation, decade_count> decades_;  ///< the mean is their sum, until it is told
-};
-
-/// What one type did on scenes of one workload: a row without its speed.
+/// What one type did on scenes of one workload: a row of the result without its speed.
 struct Accuracy {
   TradeRow row;
-  Cancellations cancellations;
+  std::array<Cancellation, 41> decades{};  ///< by condition number; each mean holds a sum until tell_cancellations()
 
-  /// Of scenes that follow. In their order the sums are the same bits each time.
-  void add(const Accuracy& later);
+  /// Adds a quantity.
+  void add(double condition, double digits_lost);
+  /// Appends the decades that have quantities to `all`.
+  void tell_cancellations(const std::string& type, std::vector<Cancellation>& all) const;
 };
 
-/// Of each type, in their order.
+/// The accuracy of each type, in the order of the types.
 std::vector<Accuracy> judge_accuracy(const Workload& workload);
 
-/// Without the names of workload and type.
+/// The results as bytes, without the names of workload and type.
 std::string accuracy_bytes(const std::vector<Accuracy>& types);
+/// Adds the results of the scenes that follow. Added in the order of the scenes, the sums are always the same bits.
 /// Throws BrokenBytes.
-std::vector<Accuracy> read_accuracy(std::string_view bytes);
+void add_accuracy(std::string_view bytes, std::vector<Accuracy>& types);
 
 }  // namespace slipproof

@@ -1,52 +1,49 @@
-// The number types, each as a solver of scenes behind one face. Each has a source file of its own: over one number
-// type the modes are much code already.
+// The number types, each as a solver of scenes with the same interface.
 #pragma once
 
 #include <memory>
+#include <utility>
 
-#include "floating/trade/trade.hpp"
-#include "floating/trade/truth.hpp"
+#include "floating/trade/workload.hpp"
 
 namespace slipproof {
 
+/// For one thread only.
 class Arithmetic {
  public:
-  struct Answer {
-    std::uint16_t consistent = 0;
-    std::optional<std::uint16_t> strict;  ///< where the type tells it
-    bool decided = true;                  ///< by the first tier, where there are several
-    std::optional<Tier> tier;             ///< where there are several
-  };
-
   explicit Arithmetic(TradeType type) : type_(std::move(type)) {}
   virtual ~Arithmetic() = default;
   Arithmetic(const Arithmetic&) = delete;
   Arithmetic& operator=(const Arithmetic&) = delete;
 
   const TradeType& type() const { return type_; }
-  /// Brings the scenes into the type, in place of those from before. They must outlive their use.
-  virtual void load(const std::vector<ForcedScene<Rational>>& scenes) = 0;
-  virtual Answer answer(std::size_t scene) const = 0;
-  /// The motion of a mode, exactly as computed; no value where NaN or an infinity came out.
-  virtual JudgedValues<std::optional<Rational>> motion(std::size_t scene, ContactMode mode) const = 0;
-  /// What is timed: the consistent modes of every scene, once. The sum keeps it from being left out.
-  virtual unsigned run() const = 0;
+  /// Converts the scenes to the type; they replace earlier ones. The workload must outlive their use.
+  virtual void load(const Workload& workload) = 0;
+  /// The timed part: decides all modes of each scene. Unsure: NaN or a division by 0 occurred.
+  virtual std::vector<ModeAt> decide() = 0;
+  /// The tier that decided a scene last, if the type has several tiers. A type without tiers does not report strict
+  /// modes.
+  virtual std::optional<Tier> tier(std::size_t) const { return std::nullopt; }
+  /// The quantities in the only consistent mode, exactly as computed; nothing if NaN or an infinity occurred.
+  virtual std::optional<JudgedValues<Rational>> motion(std::size_t scene, std::size_t mode) = 0;
 
  private:
   TradeType type_;
 };
 
-std::unique_ptr<Arithmetic> binary32_arithmetic();
-std::unique_ptr<Arithmetic> binary64_arithmetic();
-std::unique_ptr<Arithmetic> long_double_arithmetic();
-std::unique_ptr<Arithmetic> binary128_arithmetic();
-std::unique_ptr<Arithmetic> mpfr50_arithmetic();
-std::unique_ptr<Arithmetic> mpfr100_arithmetic();
-std::unique_ptr<Arithmetic> mpfr200_arithmetic();
-std::unique_ptr<Arithmetic> filter_arithmetic();
-std::unique_ptr<Arithmetic> exact_arithmetic();
+using Arithmetics = std::vector<std::unique_ptr<Arithmetic>>;
 
-/// All of them, in this order.
-std::vector<std::unique_ptr<Arithmetic>> all_arithmetics();
+/// Floating point as it is commonly used: every result is trusted.
+void add_plain_arithmetics(Arithmetics& all);
+/// The filter and the exact kernel: both are never wrong.
+void add_sound_arithmetics(Arithmetics& all);
+
+/// All number types, in this order.
+inline Arithmetics all_arithmetics() {
+  Arithmetics all;
+  add_plain_arithmetics(all);
+  add_sound_arithmetics(all);
+  return all;
+}
 
 }  // namespace slipproof

@@ -1,4 +1,4 @@
-// Speed against accuracy over the number types, measured.
+// Measures speed and accuracy of the number types.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "floating/filter/filter.hpp"
+#include "floating/batch/mechanism_batch.hpp"
 
 namespace slipproof {
 
@@ -18,11 +18,11 @@ class Crew;
 struct TradeOptions {
   std::size_t scenes = 300;  ///< for each workload, > 0
   std::uint64_t seed = 1;
-  double seconds = 0.02;  ///< CPU time for each measurement of speed, at least; nothing else depends on it
-  unsigned threads = 0;   ///< for the errors; 0: all cores. Speed is that of one
+  double seconds = 0.02;  ///< least CPU time of each measurement of speed; nothing else depends on it
+  unsigned threads = 0;   ///< for judging errors; 0: all cores. Speed is measured on one thread
 };
 
-/// Where the numbers come from.
+/// The machine on which the numbers were measured.
 struct Machine {
   std::string processor, compiler, flags;
   unsigned cores = 0;
@@ -36,22 +36,23 @@ struct TradeType {
 
 struct TradeWorkload {
   std::string name;
-  std::optional<int> threshold_bits;  ///< k, where the forces are at a relative distance of 2^-k from a threshold
+  std::optional<int> threshold_bits;  ///< k, if the forces are at a relative distance of 2^-k from a threshold
 };
 
 /// What one number type did on one workload.
 struct TradeRow {
   std::string workload, type;
   std::size_t scenes = 0;
-  double scenes_per_second = 0;  ///< on one thread, of 500 scenes at most; bringing them into the type does not count
-  std::size_t wrong = 0;         ///< scenes whose set of consistent modes is decided, and not the exact one
-  std::size_t undecided = 0;     ///< filter: scenes its first tier passes on; others: NaN or a division by 0 in the way
-  TierCounts tiers{};            ///< filter and exact alone: which tier decided how many scenes
-  std::size_t judged = 0;        ///< scenes whose errors count: modes right, and of the motion there is one
+  double scenes_per_second = 0;  ///< on one thread, of at most 500 scenes; converting them to the type does not count
+  std::size_t wrong = 0;         ///< scenes for which the set of consistent modes was decided incorrectly
+  /// Filter: scenes that its first tier passes on; others: scenes with NaN or a division by 0.
+  std::size_t undecided = 0;
+  TierCounts tiers{};             ///< filter and exact only: how many scenes each tier decided
+  std::size_t judged = 0;         ///< scenes whose errors count: the modes are right, and there is exactly one motion
   double worst_acceleration = 0;  ///< largest relative error of a
   double worst_force = 0;         ///< the same of S2, S3, N2, N3
-  double digits_lost = 0;         ///< decimal digits of the type that the worst of all these has lost
-  double condition = 1;           ///< condition number of that quantity; infinite beyond binary64
+  double digits_lost = 0;         ///< decimal digits of the type that are lost in the worst of these quantities
+  double condition = 1;           ///< condition number of that quantity; infinite if it exceeds binary64
 
   double worst() const { return std::max(worst_acceleration, worst_force); }
 };
@@ -60,9 +61,9 @@ struct TradeRow {
 struct Cancellation {
   std::string type;
   int decade = 0;               ///< condition numbers from 10^decade to 10^(decade + 1)
-  std::size_t quantities = 0;   ///< so many accelerations and forces
-  double digits_lost = 0;       ///< by the worst of them
-  double mean_digits_lost = 0;  ///< by all of them
+  std::size_t quantities = 0;   ///< number of accelerations and forces
+  double digits_lost = 0;       ///< largest number of digits lost
+  double mean_digits_lost = 0;  ///< mean number of digits lost
 };
 
 struct Trade {
@@ -70,15 +71,16 @@ struct Trade {
   Machine machine;
   std::vector<TradeWorkload> workloads;
   std::vector<TradeType> types;
-  std::vector<TradeRow> rows;               ///< every type on every workload, in this order of workloads and types
-  std::vector<Cancellation> cancellations;  ///< by type, then by decade; decades from 0 to 40, where there are any
+  std::vector<TradeRow> rows;  ///< every type on every workload, ordered by workload, then by type
+  /// By type, then by decade from 0 to 40; decades without quantities are left out.
+  std::vector<Cancellation> cancellations;
 
-  /// The filter gave the exact answer to every scene.
+  /// Whether the filter gave the exact answer for every scene.
   bool sound() const;
 };
 
-/// `progress(done, all)` is called after each measurement. Everything but scenes_per_second depends on the options
-/// alone: a crew whose service is trade_answer() shares it out. Then rank 0 measures speed, while the others wait.
+/// Calls `progress(done, all)` after each measurement. All results but scenes_per_second depend only on the options. A
+/// crew, whose service must be trade_answer(), shares the work; rank 0 then measures speed while the others wait.
 Trade measure_trade(const TradeOptions& options, const std::function<void(std::size_t, std::size_t)>& progress = {},
                     Crew* crew = nullptr);
 std::string trade_answer(const TradeOptions& options, std::string_view request);

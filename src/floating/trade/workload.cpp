@@ -7,10 +7,30 @@
 #include <random>
 
 #include "base/number/binary64.hpp"
+#include "mechanics/scene/bicycle_scene.hpp"
 
 namespace slipproof {
 
-/// Random scenes with both wheels on the road and an internal force, all numbers binary64.
+namespace {
+
+struct DrawnNumber {
+  std::string_view symbol;
+  double low, high;
+};
+constexpr std::array<DrawnNumber, 12> drawn_numbers{{{"M", 60, 120},
+                                                     {"R", 0.3, 0.36},
+                                                     {"h", 0.5, 0.9},
+                                                     {"b2", 0.4, 0.6},
+                                                     {"b3", 0.4, 0.7},
+                                                     {"I1", 0.005, 0.02},
+                                                     {"I2", 0.08, 0.2},
+                                                     {"I3", 0.08, 0.2},
+                                                     {"r1", 0.07, 0.1},
+                                                     {"r2", 0.03, 0.1},
+                                                     {"L", 0.15, 0.18},
+                                                     {"f", 0.3, 1}}};
+
+/// Draws a scene of the bicycle with an internal force and binary64 numbers; the workload then changes it.
 class SceneDraw {
  public:
   explicit SceneDraw(std::uint64_t seed) : engine_(seed) {}
@@ -26,139 +46,133 @@ class SceneDraw {
   /// x times 1 + 2^-bits, or 1 - 2^-bits.
   Rational beside(const Rational& x, int bits) { return x * (1 + sign() * power_of_two(-bits)); }
 
-  ForcedScene<Rational> bicycle() {
-    const auto in = [&](double low, double high) { return to_rational(uniform(low, high)); };
-    ForcedScene<Rational> s;
-    s.bicycle = {.M = in(60, 120),
-                 .R = in(0.3, 0.36),
-                 .h = in(0.5, 0.9),
-                 .b2 = in(0.4, 0.6),
-                 .b3 = in(0.4, 0.7),
-                 .I1 = in(0.005, 0.02),
-                 .I2 = in(0.08, 0.2),
-                 .I3 = in(0.08, 0.2),
-                 .r1 = in(0.07, 0.1),
-                 .r2 = in(0.03, 0.1),
-                 .L = in(0.15, 0.18),
-                 .J = std::nullopt};
-    s.road = {in(0.3, 1), to_rational(9.81)};
-    s.F = in(-300, 1500);
-    return s;
+  /// The value of a parameter in the scene.
+  Rational& operator[](std::string_view symbol) { return scene_[bicycle_parameter(symbol)]; }
+  Rational& F() { return scene_.back(); }
+  const TradeScene& scene() const { return scene_; }
+  bool lifts() const { return !scene_[bicycle_parameter("J")].is_zero(); }
+
+  void bicycle() {
+    scene_.assign(bicycle_mechanism().parameters.size() + 1, 0);
+    for (const auto& [symbol, low, high] : drawn_numbers) (*this)[symbol] = to_rational(uniform(low, high));
+    (*this)["g"] = to_rational(9.81);
+    F() = to_rational(uniform(-300, 1500));
   }
 
-  /// An end, not 0, of the interval of forces of some mode, if there are any.
-  std::optional<Rational> threshold(const ForcedScene<Rational>& s) {
-    std::vector<Rational> ends;
-    const ModeTable table(s.bicycle, s.road, s.force_kind);
-    for (const ModeSolution& mode : table.solutions()) {
-      for (const auto& end : {mode.closed().lower(), mode.closed().upper()}) {
-        if (end && !end->is_zero()) ends.push_back(*end);
-      }
-    }
+  /// A nonzero end of the interval of forces of some mode, if there is one.
+  std::optional<Rational> threshold() {
+    const std::vector<Rational> ends = TradedMechanism::get(lifts()).thresholds(scene_);
     if (ends.empty()) return std::nullopt;
     return ends[static_cast<std::size_t>(integer(0, static_cast<int>(ends.size()) - 1))];
   }
 
-  /// Section 3 of the paper: M = 1, mu = 1, b2 = b3 = b, P = F; b beside a value where something vanishes. Half of the
-  /// forces stand beside a threshold.
-  ForcedScene<Rational> reduced(Rational (*b)(const ForcedScene<Rational>&)) {
-    ForcedScene<Rational> s = bicycle();
-    Bicycle<Rational>& p = s.bicycle;
-    p.M = p.r1 = p.r2 = 1;
-    p.I1 = 0;
-    p.L = p.R;
-    p.b2 = p.b3 = beside(b(s), integer(20, 45));
-    s.F = to_rational(uniform(0, 20));
-    if (const auto end = coin() ? threshold(s) : std::nullopt) s.F = beside(*end, integer(20, 45));
-    return s;
+  /// Sets a force at a relative distance of 2^-bits from a threshold, or on it.
+  void at_threshold(std::optional<int> bits) {
+    std::optional<Rational> end;
+    while (!end) {
+      bicycle();
+      end = threshold();
+    }
+    F() = bits ? beside(*end, *bits) : *end;
+  }
+
+  /// The scenes of section 3 of the paper: M = 1, mu = 1, b2 = b3 = b, P = F, with b near a value at which something
+  /// vanishes. Half of the forces are near a threshold.
+  void reduced(Rational (*b)(SceneDraw&)) {
+    bicycle();
+    SceneDraw& s = *this;
+    s["M"] = s["r1"] = s["r2"] = 1;
+    s["I1"] = 0;
+    s["L"] = s["R"];
+    const Rational near = b(s);
+    s["b2"] = s["b3"] = beside(near, integer(20, 45));
+    F() = to_rational(uniform(0, 20));
+    if (const auto end = coin() ? threshold() : std::nullopt) F() = beside(*end, integer(20, 45));
   }
 
  private:
   std::mt19937_64 engine_;
+  TradeScene scene_;
 };
 
-namespace {
-
-/// A force at a relative distance of 2^-bits from a threshold, or there.
-ForcedScene<Rational> at_threshold(SceneDraw& draw, std::optional<int> bits) {
-  while (true) {
-    ForcedScene<Rational> s = draw.bicycle();
-    const auto end = draw.threshold(s);
-    if (!end) continue;
-    s.F = bits ? draw.beside(*end, *bits) : *end;
-    return s;
-  }
-}
+constexpr std::array<std::string_view, 3> inertias{"I1", "I2", "I3"};
 
 /// M1 = 1 + M2 of section 3, where I1 = 0 and M = 1.
-Rational M1(const ForcedScene<Rational>& s) {
-  return 1 + s.bicycle.I2 / (s.bicycle.R * s.bicycle.R);
+Rational M1(SceneDraw& s) {
+  return 1 + s["I2"] / (s["R"] * s["R"]);
 }
 /// b1, where q = 2 b - f h / M1 vanishes.
-Rational b1(const ForcedScene<Rational>& s) {
-  return s.road.f * s.bicycle.h / (2 * M1(s));
+Rational b1(SceneDraw& s) {
+  return s["f"] * s["h"] / (2 * M1(s));
 }
 /// Where eta = b - f h vanishes.
-Rational no_eta(const ForcedScene<Rational>& s) {
-  return s.road.f * s.bicycle.h;
+Rational no_eta(SceneDraw& s) {
+  return s["f"] * s["h"];
 }
 /// Where 2 eta = f (1 + 2 M2) R.
-Rational no_xi4_denominator(const ForcedScene<Rational>& s) {
-  return no_eta(s) + s.road.f * (2 * M1(s) - 1) * s.bicycle.R / 2;
+Rational no_xi4_denominator(SceneDraw& s) {
+  return no_eta(s) + s["f"] * (2 * M1(s) - 1) * s["R"] / 2;
 }
 
-ForcedScene<Rational> scaled_inertias(SceneDraw& draw) {
-  ForcedScene<Rational> s = draw.bicycle();
-  const Rational factor = power_of_two(draw.integer(-996, 996));  // 10^-300 ... 10^300
-  for (Rational* inertia : {&s.bicycle.I1, &s.bicycle.I2, &s.bicycle.I3}) *inertia *= factor;
-  return s;
+void scaled_inertias(SceneDraw& s) {
+  s.bicycle();
+  const Rational factor = power_of_two(s.integer(-996, 996));  // 10^-300 ... 10^300
+  for (const auto inertia : inertias) s[inertia] *= factor;
 }
 
-ForcedScene<Rational> subnormal(SceneDraw& draw) {
-  const auto tiny = [&] { return to_rational(std::ldexp(draw.uniform(1, 2), draw.integer(-1074, -1023))); };
-  ForcedScene<Rational> s = draw.bicycle();
-  s.F = draw.sign() * tiny();
-  for (Rational* inertia : {&s.bicycle.I1, &s.bicycle.I2, &s.bicycle.I3}) {
-    if (draw.coin()) *inertia = tiny();
+void subnormal(SceneDraw& s) {
+  const auto tiny = [&] { return to_rational(std::ldexp(s.uniform(1, 2), s.integer(-1074, -1023))); };
+  s.bicycle();
+  s.F() = s.sign() * tiny();
+  for (const auto inertia : inertias) {
+    if (s.coin()) s[inertia] = tiny();
   }
-  return s;
+}
+
+using Maker = std::function<void(SceneDraw&)>;
+
+std::vector<std::pair<TradeWorkload, Maker>> makers() {
+  const auto with_friction_times = [](int sign) {
+    return [sign](SceneDraw& s) {
+      s.bicycle();
+      s["f"] *= power_of_two(sign * s.integer(10, 300));
+    };
+  };
+  const auto lifting = [](SceneDraw& s) {
+    s.bicycle();
+    s["J"] = to_rational(s.uniform(8, 20));
+  };
+  std::vector<std::pair<TradeWorkload, Maker>> all{{{"typical", {}}, &SceneDraw::bicycle},
+                                                   {{"typical, wheels may lift", {}}, lifting}};
+  for (int bits = 10; bits <= 200; bits += 10) {
+    all.push_back({{fmt::format("threshold 2^-{}", bits), bits}, [bits](SceneDraw& s) { s.at_threshold(bits); }});
+  }
+  all.push_back({{"threshold exactly", {}}, [](SceneDraw& s) { s.at_threshold({}); }});
+  all.push_back({{"b near b1, q near 0", {}}, [](SceneDraw& s) { s.reduced(b1); }});
+  all.push_back({{"eta near 0", {}}, [](SceneDraw& s) { s.reduced(no_eta); }});
+  all.push_back({{"2 eta near f (1 + 2 M2) R", {}}, [](SceneDraw& s) { s.reduced(no_xi4_denominator); }});
+  all.push_back({{"mass ratio 1e-300 to 1e300", {}}, scaled_inertias});
+  all.push_back({{"f towards 0", {}}, with_friction_times(-1)});
+  all.push_back({{"f towards infinity", {}}, with_friction_times(1)});
+  all.push_back({{"subnormals", {}}, subnormal});
+  return all;
 }
 
 }  // namespace
 
-Workloads::Workloads(std::size_t count, std::uint64_t seed) : count_(count), seed_(seed) {
-  const auto with_friction_times = [](int sign) {
-    return [sign](SceneDraw& draw) {
-      ForcedScene<Rational> s = draw.bicycle();
-      s.road.f *= power_of_two(sign * draw.integer(10, 300));
-      return s;
-    };
-  };
-  add({"typical", {}}, [](SceneDraw& draw) { return draw.bicycle(); });
-  add({"typical, wheels may lift", {}}, [](SceneDraw& draw) {
-    ForcedScene<Rational> s = draw.bicycle();
-    s.bicycle.J = to_rational(draw.uniform(8, 20));
-    return s;
-  });
-  for (int bits = 10; bits <= 200; bits += 10) {
-    add({fmt::format("threshold 2^-{}", bits), bits}, [bits](SceneDraw& draw) { return at_threshold(draw, bits); });
-  }
-  add({"threshold exactly", {}}, [](SceneDraw& draw) { return at_threshold(draw, std::nullopt); });
-  add({"b near b1, q near 0", {}}, [](SceneDraw& draw) { return draw.reduced(b1); });
-  add({"eta near 0", {}}, [](SceneDraw& draw) { return draw.reduced(no_eta); });
-  add({"2 eta near f (1 + 2 M2) R", {}}, [](SceneDraw& draw) { return draw.reduced(no_xi4_denominator); });
-  add({"mass ratio 1e-300 to 1e300", {}}, scaled_inertias);
-  add({"f towards 0", {}}, with_friction_times(-1));
-  add({"f towards infinity", {}}, with_friction_times(1));
-  add({"subnormals", {}}, subnormal);
+std::size_t Workloads::size() {
+  return makers().size();
 }
 
 Workload Workloads::make(std::size_t index, std::size_t piece) const {
-  const auto& [workload, maker] = makers_.at(index);
-  SceneDraw draw(seed_ * 1000003 + piece * makers_.size() + index);
-  Workload result{workload, {}};
-  const std::size_t count = std::min(piece_size, count_ - piece * piece_size);
-  while (result.scenes.size() < count) result.scenes.push_back(maker(draw));
+  const auto [workload, maker] = makers().at(index);
+  SceneDraw draw(seed * 1000003 + piece * size() + index);
+  Workload result{workload, nullptr, {}};
+  for (std::size_t left = std::min(piece_size, count - piece * piece_size); left > 0; --left) {
+    maker(draw);
+    result.scenes.push_back(draw.scene());
+  }
+  result.mechanism = &TradedMechanism::get(draw.lifts());
   return result;
 }
 

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "records/certify/chunk_judge.hpp"
-#include "records/certify/chunk_reader.hpp"
-#include "records/certify/contact_file.hpp"
 #include "records/certify/judged.hpp"
+#include "records/problems/contact_file.hpp"
+#include "records/reading/chunk_reader.hpp"
 
 namespace slipproof {
 

@@ -1,125 +1,146 @@
 #include "records/certify/chunk_judge.hpp"
 
-#include <optional>
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <vector>
 
 #include "base/files/npy_header.hpp"
 #include "contact/formats/json_problem.hpp"
-#include "records/certify/contact_record.hpp"
-#include "records/certify/exact_judge.hpp"
-#include "records/certify/mechanism_judge.hpp"
-#include "records/certify/mechanism_reader.hpp"
-#include "records/certify/problem_reader.hpp"
-#include "records/certify/record_reader.hpp"
+#include "records/judging/block_judge.hpp"
+#include "records/problems/contact_record.hpp"
+#include "records/problems/problem_reader.hpp"
+#include "records/reading/record_reader.hpp"
+#include "records/record/bicycle_records.hpp"
 
 namespace slipproof {
 
 namespace {
 
-RecordJudgement judge_line(std::string_view line, std::uint64_t at, const RecordReader& reader,
-                           const CertifyOptions& options) {
-  const auto not_finite = [at](const NotFinite& found) {
-    return invalid_judgement(place_text(at, found.column) + found.reason);
-  };
-  if (options.format == RecordFormat::json_lines && is_json_problem(line)) return judge_contact_line(line, options);
-  if (options.format != RecordFormat::json_lines || !is_problem(line)) {
-    const Record record = reader.read(line);
-    return record.not_finite ? not_finite(*record.not_finite) : judge(record, options.judge);
-  }
-  const ProblemRecord record = read_problem(line, options.decimal_exact, options.ignore_unknown);
-  if (record.not_finite) return not_finite(*record.not_finite);
-  JudgeOptions judge = options.judge;
-  judge.tolerance = options.contact.tolerance;
-  return judge_problem(record.problem, record.answer, judge);
-}
-
-/// Judges the lines of a chunk, whatever they are records of.
-class LineJudge {
+/// Records of lines that give the same fields, looked at together.
+class LineGroup {
  public:
-  virtual ~LineJudge() = default;
-  /// Throws BrokenRecord. A judgement may come later, but before finish() returns.
-  virtual void judge(std::string_view line, std::uint64_t at, RecordJudgement& judgement) = 0;
-  virtual void finish() {}
-};
-
-/// Of bicycles and contact problems.
-class SceneLines final : public LineJudge {
- public:
-  SceneLines(const RecordReader& reader, const CertifyOptions& options) : reader_(reader), options_(options) {}
-  void judge(std::string_view line, std::uint64_t at, RecordJudgement& judgement) override {
-    judgement = judge_line(line, at, reader_, options_);
+  LineGroup(const RecordJudge& judge, const RecordReader& reader, const std::vector<bool>& fields)
+      : judge_(judge), reader_(reader), block_(judge.fields()), lanes_(judge) {
+    block_.begin(fields);
   }
 
- private:
-  const RecordReader& reader_;
-  const CertifyOptions& options_;
-};
+  const std::vector<bool>& fields() const { return block_.present(); }
+  RecordBlock& block() { return block_; }
+  /// Of the record that was added last.
+  void set_line(std::string_view line, RecordJudgement& judgement) { lines_[block_.size() - 1] = {line, &judgement}; }
 
-/// Of bicycles in CSV, most of which are read into lanes and certified there; the others are judged one by one.
-class LaneLines final : public LineJudge {
- public:
-  LaneLines(const RecordReader& reader, const LaneJudge& lanes, const CertifyOptions& options, std::string_view chunk)
-      : reader_(reader), lanes_(lanes), options_(options), chunk_(chunk), usual_(reader.usual_lines()) {
-    reader.fill_constants(records_);
-    records_.count = 0;
-  }
-  void judge(std::string_view line, std::uint64_t at, RecordJudgement& judgement) override {
-    if (!reader_.read_usual({line, chunk_}, usual_, records_)) {
-      judgement = judge_line(line, at, reader_, options_);
-      return;
-    }
-    lines_[records_.count++] = {line, at, &judgement};
-    if (records_.count == lane_records) finish();
-  }
-  void finish() override {
-    lanes_.answers(records_, found_);
-    for (std::size_t i = 0; i < records_.count; ++i) {
+  void finish() {
+    lanes_.look_at(block_);
+    for (std::size_t i = 0; i < block_.size(); ++i) {
       const Line& line = lines_[i];
-      if (!found_.certified(i, options_.judge.tolerance, *line.judgement)) {
-        *line.judgement = judge_line(line.text, line.at, reader_, options_);
-      }
+      if (lanes_.certified(i, *line.judgement)) continue;
+      reader_.read(line.text, record_);
+      *line.judgement = judge_.exactly(record_);
     }
-    records_.count = 0;
-    usual_.forget();
+    block_.clear();
   }
 
  private:
   struct Line {
     std::string_view text;
-    std::uint64_t at = 0;
     RecordJudgement* judgement = nullptr;
   };
 
+  const RecordJudge& judge_;
   const RecordReader& reader_;
-  const LaneJudge& lanes_;
+  RecordBlock block_;
+  BlockJudge lanes_;
+  Record record_;
+  std::array<Line, block_records> lines_;
+};
+
+/// Judges the lines of a chunk, whatever they are records of.
+class LineJudge {
+ public:
+  LineJudge(const RecordJudge& judge, const RecordReader& reader, const CertifyOptions& options, std::string_view chunk)
+      : judge_(judge), reader_(reader), options_(options), chunk_(chunk), usual_(reader.usual_lines()) {}
+
+  /// Throws BrokenRecord. The judgement may come later, but before finish() returns.
+  void judge(std::string_view line, std::uint64_t at, RecordJudgement& judgement) {
+    if (reader_.has_usual_lines() && read_usual(line, judgement)) return;
+    if (!options_.mechanism && options_.format == RecordFormat::json_lines && is_any_problem(line)) {
+      judgement = judge_problem_of(line, at);
+    } else {
+      judge_record(line, at, judgement);
+    }
+  }
+
+  void finish() {
+    for (const auto& group : groups_) group->finish();
+    usual_.forget();
+  }
+
+ private:
+  static bool is_any_problem(std::string_view line) { return is_json_problem(line) || is_problem(line); }
+
+  static RecordJudgement not_finite(const NotFinite& found, std::uint64_t at) {
+    return invalid_judgement(place_text(at, found.column) + found.reason);
+  }
+
+  RecordJudgement judge_problem_of(std::string_view line, std::uint64_t at) const {
+    if (is_json_problem(line)) return judge_contact_line(line, options_);
+    const ProblemRecord record = read_problem(line, options_.decimal_exact, options_.ignore_unknown);
+    if (record.not_finite) return not_finite(*record.not_finite, at);
+    JudgeOptions judge = options_.judge;
+    judge.tolerance = options_.contact.tolerance;
+    return judge_problem(record.problem, record.answer, judge);
+  }
+
+  /// One with room for a record.
+  LineGroup& group(const std::vector<bool>& fields) {
+    constexpr std::size_t most = 8;
+    auto found = std::ranges::find_if(groups_, [&](const auto& group) { return group->fields() == fields; });
+    if (found == groups_.end()) {
+      if (groups_.size() == most) {
+        finish();
+        groups_.clear();
+      }
+      groups_.push_back(std::make_unique<LineGroup>(judge_, reader_, fields));
+      found = groups_.end() - 1;
+    }
+    if ((*found)->block().full()) {
+      (*found)->finish();
+      usual_.forget();
+    }
+    return **found;
+  }
+
+  bool read_usual(std::string_view line, RecordJudgement& judgement) {
+    LineGroup& usual = group(reader_.usual_fields());
+    if (!reader_.read_usual({line, chunk_}, usual_, usual.block())) return false;
+    usual.set_line(line, judgement);
+    return true;
+  }
+
+  /// Judges a line that is not a usual one.
+  void judge_record(std::string_view line, std::uint64_t at, RecordJudgement& judgement) {
+    reader_.read(line, record_);
+    if (record_.not_finite) {
+      judgement = not_finite(*record_.not_finite, at);
+      return;
+    }
+    LineGroup& own = group(record_.present);
+    own.block().add(record_);
+    own.set_line(line, judgement);
+    usual_.forget();  // a usual line after it may have no row before
+  }
+
+  const RecordJudge& judge_;
+  const RecordReader& reader_;
   const CertifyOptions& options_;
   std::string_view chunk_;
   UsualLines usual_;
-  LaneRecords records_;
-  CertifiedLanes found_;
-  std::array<Line, lane_records> lines_;
+  std::vector<std::unique_ptr<LineGroup>> groups_;
+  Record record_;
 };
 
-class MechanismLines final : public LineJudge {
- public:
-  MechanismLines(const MechanismReader& reader, const MechanismJudge& judge, const CertifyOptions& options)
-      : reader_(reader), block_(judge, options.judge) {}
-  void judge(std::string_view line, std::uint64_t at, RecordJudgement& judgement) override {
-    reader_.read(line, record_);
-    if (record_.not_finite) {
-      judgement = invalid_judgement(place_text(at, record_.not_finite->column) + record_.not_finite->reason);
-    } else {
-      block_.add(record_, judgement);
-    }
-  }
-  void finish() override { block_.finish(); }
-
- private:
-  const MechanismReader& reader_;
-  MechanismBlock block_;
-  MechanismRecord record_;
-};
-
-/// The format, where the options leave it to the first byte.
+/// Sets the format from the first byte if the options do not give it.
 CertifyOptions with_format(CertifyOptions options, ChunkReader& chunks) {
   if (options.format != RecordFormat::by_first_byte) return options;
   if (chunks.first() == npy_signature[0]) {
@@ -133,31 +154,14 @@ CertifyOptions with_format(CertifyOptions options, ChunkReader& chunks) {
 
 }  // namespace
 
-/// What is made once for all chunks.
-class ChunkJudge::Judges {
- public:
-  Judges(const CertifyOptions& options, std::string_view header) : options_(options) {
-    if (!options.mechanism) {
-      records_.emplace(options, header);
-      lanes_ = records_->lanes();
-      return;
-    }
-    mechanism_records_.emplace(options, header);
-    mechanism_judge_.emplace(*options.mechanism, mechanism_records_->fields());
-  }
+/// Objects that are made once for all chunks.
+struct ChunkJudge::Judges {
+  RecordJudge judge;
+  RecordReader reader;
 
-  std::unique_ptr<LineJudge> make(std::string_view chunk) const {
-    if (lanes_) return std::make_unique<LaneLines>(*records_, *lanes_, options_, chunk);
-    if (records_) return std::make_unique<SceneLines>(*records_, options_);
-    return std::make_unique<MechanismLines>(*mechanism_records_, *mechanism_judge_, options_);
-  }
-
- private:
-  const CertifyOptions& options_;
-  std::optional<RecordReader> records_;
-  std::optional<LaneJudge> lanes_;
-  std::optional<MechanismReader> mechanism_records_;
-  std::optional<MechanismJudge> mechanism_judge_;
+  Judges(const CertifyOptions& options, std::string_view header)
+      : judge(options.mechanism ? *options.mechanism : bicycle_records(), options.judge),
+        reader(options, judge.certified(), judge.fields(), header) {}
 };
 
 ChunkJudge::ChunkJudge(const CertifyOptions& options, ChunkReader& chunks)
@@ -167,8 +171,8 @@ ChunkJudge::ChunkJudge(const CertifyOptions& options, ChunkReader& chunks)
 ChunkJudge::~ChunkJudge() = default;
 
 Judged ChunkJudge::judge(const Chunk& chunk) const {
-  const auto judge = judges_->make(chunk.text);
-  const auto finish = [&] { judge->finish(); };
+  LineJudge judge(judges_->judge, judges_->reader, options_, chunk.text);
+  const auto finish = [&] { judge.finish(); };
   JudgedRecords records(options_, chunk.text.size() / 4);
   std::uint64_t line_number = chunk.first_line, record = chunk.first_record;
   bool ended = false;
@@ -179,7 +183,7 @@ Judged ChunkJudge::judge(const Chunk& chunk) const {
     const std::uint64_t number = record++;
     if (number < options_.first_record || ended) return;
     ended = !records.add(
-        number, at, [&](RecordJudgement& to) { judge->judge(line, at, to); }, finish);
+        number, at, [&](RecordJudgement& to) { judge.judge(line, at, to); }, finish);
   });
   return records.result(finish);
 }

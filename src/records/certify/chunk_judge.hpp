@@ -1,25 +1,25 @@
-// Judging the lines of a chunk, whatever they are records of.
+// Judges the lines of a chunk, whatever kind of records they are.
 #pragma once
 
 #include <memory>
 
-#include "records/certify/chunk_reader.hpp"
 #include "records/certify/judged.hpp"
+#include "records/reading/chunk_reader.hpp"
 
 namespace slipproof {
 
-/// Begins an input: takes its format and its header, and makes what is the same for all its chunks.
+/// Begins an input: determines its format, reads its header, and makes the objects shared by all chunks.
 class ChunkJudge {
  public:
   /// Throws InputError for a header that cannot be used.
   ChunkJudge(const CertifyOptions& options, ChunkReader& chunks);
   ~ChunkJudge();
 
-  /// From many threads at once.
+  /// May be called by many threads at once.
   Judged judge(const Chunk& chunk) const;
 
  private:
-  class Judges;
+  struct Judges;
 
   CertifyOptions options_;
   std::unique_ptr<const Judges> judges_;

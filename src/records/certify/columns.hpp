@@ -1,27 +1,26 @@
-// Certifying solver outputs that lie in memory as columns: arrays in, arrays out, no text between.
+// Certifies solver outputs in memory: arrays in, arrays out, without text in between.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <functional>
-#include <optional>
 #include <span>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "records/certify/certify.hpp"
-#include "records/certify/lane_judge.hpp"
+#include "records/judging/record_judge.hpp"
+#include "records/record/record_block.hpp"
 
 namespace slipproof {
 
-/// A value for each record, wherever it lies in memory that outlives it: not aligned, every so many bytes, also
-/// backwards.
+/// A column: a value for each record, in memory that must outlive it. Values need no alignment; the stride may be any
+/// number of bytes, also negative.
 template <class T>
 struct StridedColumn {
-  const void* first = nullptr;        ///< of record 0; nullptr where the column is not there
-  std::ptrdiff_t stride = sizeof(T);  ///< bytes from one record to the next; 0: the same for all
+  const void* first = nullptr;        ///< the value of record 0; nullptr if there is no column
+  std::ptrdiff_t stride = sizeof(T);  ///< bytes from one record to the next; 0: one value for all
 
   StridedColumn() = default;
   StridedColumn(const void* of_first, std::ptrdiff_t bytes) : first(of_first), stride(bytes) {}
@@ -39,75 +38,68 @@ struct StridedColumn {
 };
 
 using NumberColumn = StridedColumn<double>;
-using CodeColumn = StridedColumn<std::uint8_t>;
+using CodeColumn = StridedColumn<std::uint16_t>;
 
-/// Records as columns, in the forms that field.hpp lists. What is not given comes from the scene of the options.
-///   RecordColumns columns{.records = n};
-///   columns[Field::F] = {forces.data(), sizeof(double)};
+/// Records as columns. A number without a column is the same for all records, or missing.
+/// RecordColumns columns(judge.fields(), n);
+/// columns.number("F") = {forces.data(), sizeof(double)};
 struct RecordColumns {
-  std::size_t records = 0;
-  std::array<NumberColumn, field_count> numbers{};  ///< by Field; taken exactly, NaN and infinities are invalid answers
-  CodeColumn modes{};  ///< ContactMode::index() of the mode that the solver claims, or no_mode
-  CodeColumn kinds{};  ///< 0 for an internal force, 1 for an external one
+  RecordColumns(const RecordFields& of, std::size_t count) : fields(&of), records(count), numbers(of.size()) {}
 
-  NumberColumn& operator[](Field f) { return numbers[index(f)]; }
-  const NumberColumn& operator[](Field f) const { return numbers[index(f)]; }
+  const RecordFields* fields;
+  std::size_t records;
+  std::vector<NumberColumn> numbers;  ///< by field; taken exactly; NaN and infinities make an answer invalid
+  CodeColumn modes{};  ///< the modes that the solver claims, as numbers among the fields' modes, or no_mode
+
+  /// Throws std::invalid_argument for a name that is not a field.
+  NumberColumn& number(std::string_view name);
 };
 
-struct ColumnsOptions {
-  JudgeOptions judge{};
-  std::optional<Scene> scene{};  ///< parameters that are the same for all records
-  unsigned threads = 0;          ///< 0: as many as there are
-};
-
-/// Where the answers go: arrays of as many elements as there are records. Those that are empty are not wanted.
+/// Arrays that receive the answers, each with one element for each record. An empty array is not filled.
 struct JudgementSpans {
   std::span<RecordVerdict> verdicts{};
-  std::span<std::uint16_t> modes{};  ///< RecordJudgement::modes
+  std::span<std::uint64_t> modes{};  ///< RecordJudgement::modes, bit i for mode i of the first 64
   std::span<double> errors{};        ///< RecordJudgement::max_error
   std::span<Tier> tiers{};
 };
 
-/// Judges records of one set of columns. Made once, asked by many threads.
+/// Judges the records of one set of columns. Made once, used by many threads.
 class ColumnsJudge {
  public:
-  /// The columns' arrays must outlive it. Throws std::invalid_argument, which says what is missing from the columns, or
-  /// given twice, or which code is none: "found ..., expected ...".
-  ColumnsJudge(const RecordColumns& columns, const ColumnsOptions& options);
+  /// `columns`, its arrays and `judge` must outlive it. Throws std::invalid_argument if a column is missing or given
+  /// twice, or if a code is not a mode: "found ..., expected ...".
+  ColumnsJudge(const RecordColumns& columns, const RecordJudge& judge);
 
-  /// Everything that is to be told of one record, which is judge() of it.
+  /// The complete judgement of one record.
   RecordJudgement operator()(std::size_t record) const;
 
-  /// Tells see(record, judgement) of the records from `begin` to before `end`, in order. Most of them are certified
-  /// several at once in vector registers; the judgement is that of judge(), to the last bit.
+  /// Calls see(record, judgement) for the records from `begin` to `end` - 1, in order. Most records are certified
+  /// several at once in vector registers.
   void each(std::size_t begin, std::size_t end,
             const std::function<void(std::size_t record, const RecordJudgement& judgement)>& see) const;
 
  private:
   Record record(std::size_t i) const;
-  void fill_constants(LaneRecords& records) const;
-  void fill(LaneRecords& records, std::size_t begin, std::size_t end) const;
+  void fill(RecordBlock& block, std::size_t begin, std::size_t end) const;
 
-  RecordColumns columns_;
-  JudgeOptions options_;
-  Record base_;                     ///< what the scene says
-  std::uint32_t own_ = 0;           ///< bit(Field) of the columns
-  std::optional<LaneJudge> lanes_;  ///< where it can decide anything
+  const RecordColumns& columns_;
+  const RecordJudge& judge_;
+  std::vector<bool> present_;
 };
 
-/// Judges every record on all threads. Throws what ColumnsJudge does, and std::invalid_argument for an answer's array
-/// of another length. Progress is told from one thread at a time, of ever more records.
-CertifySummary certify(const RecordColumns& columns, const ColumnsOptions& options, const JudgementSpans& answers,
-                       const Progress& progress = {});
+/// Judges every record on all threads. Throws what ColumnsJudge throws, and std::invalid_argument for an answer array
+/// of the wrong length. Calls `progress` from one thread at a time, with ascending numbers of records.
+CertifySummary certify(const RecordColumns& columns, const RecordJudge& judge, const JudgementSpans& answers,
+                       unsigned threads = 0, const Progress& progress = {});
 
-/// The answers in arrays of their own.
+/// The answers, in arrays of their own.
 struct JudgedColumns {
   std::vector<RecordVerdict> verdicts;
-  std::vector<std::uint16_t> modes;
+  std::vector<std::uint64_t> modes;
   std::vector<double> errors;
   std::vector<Tier> tiers;
   CertifySummary summary;
 };
-JudgedColumns certify(const RecordColumns& columns, const ColumnsOptions& options = {});
+JudgedColumns certify(const RecordColumns& columns, const RecordJudge& judge, unsigned threads = 0);
 
 }  // namespace slipproof

@@ -1,4 +1,4 @@
-// What was found of a piece of the records, and writing pieces in their order.
+// The results for a piece of the records, and writing pieces in their order.
 #pragma once
 
 #include <tbb/parallel_pipeline.h>
@@ -11,16 +11,15 @@
 #include <vector>
 
 #include "base/parallel/in_parallel.hpp"
-#include "records/certify/cells.hpp"
 #include "records/certify/certify.hpp"
-#include "records/certify/exact_judge.hpp"
-#include "records/certify/lane_judge.hpp"
+#include "records/record/cells.hpp"
+#include "records/record/record_block.hpp"
 
 namespace slipproof {
 
 struct Judged {
   std::string lines;
-  std::vector<std::pair<std::uint64_t, RecordJudgement>> judgements;  ///< with `judged`
+  std::vector<std::pair<std::uint64_t, RecordJudgement>> judgements;  ///< filled if options.judged is set
   CertifySummary summary;
   std::optional<Diagnostic> broken;  ///< the first one, with stop_at_broken
 
@@ -32,7 +31,8 @@ struct Judged {
     if (options.judged) judgements.emplace_back(record, judgement);
   }
 
-  /// The judgement of a record that cannot be read; false where that is the end. `line` is 0 where there are none.
+  /// Makes the judgement of a record that cannot be read; false if the run stops there. `line` is 0 if there are no
+  /// lines.
   bool take(const BrokenRecord& found, std::uint64_t line, std::uint64_t record, RecordJudgement& judgement,
             const CertifyOptions& options) {
     if (!options.stop_at_broken) {
@@ -45,16 +45,16 @@ struct Judged {
   }
 };
 
-/// Records of a piece, which are judged several at once and written in their order.
+/// Records of a piece. They are judged several at once and written in their order.
 class JudgedRecords {
  public:
-  /// What is written is expected to have so many bytes, or more.
+  /// `bytes`: the expected length of the output, at least.
   explicit JudgedRecords(const CertifyOptions& options, std::size_t bytes = 0) : options_(options) {
     result_.lines.reserve(bytes);
   }
 
-  /// judge(judgement) judges a record, at the latest by finish(), or throws BrokenRecord. False where that is the end.
-  /// `line` is 0 where there are none.
+  /// judge(judgement) judges a record, at the latest in finish(), or throws BrokenRecord. False if the run stops there.
+  /// `line` is 0 if there are no lines.
   template <class Judge, class Finish>
   bool add(std::uint64_t record, std::uint64_t line, const Judge& judge, const Finish& finish) {
     Entry& entry = entries_[count_];
@@ -70,7 +70,7 @@ class JudgedRecords {
     return true;
   }
 
-  /// All of them; nothing is left.
+  /// The results for all records; none is left waiting.
   template <class Finish>
   Judged result(const Finish& finish) {
     write(finish);
@@ -96,12 +96,12 @@ class JudgedRecords {
 
   const CertifyOptions& options_;
   Judged result_;
-  std::array<Entry, lane_records> entries_;
+  std::array<Entry, block_records> entries_;
   std::size_t count_ = 0;
 };
 
-/// The next of what was found, in order: its lines go out, its counts into the summary. Throws InputError for what is
-/// broken in it.
+/// Writes the next results in order: their lines to the output, their counts to the summary. Throws InputError if they
+/// contain a broken record.
 inline void write_judged(const Judged& judged, CertifySummary& summary, const CertifyOptions& options,
                          const LineSink& output, const Progress& progress) {
   if (!judged.lines.empty()) output(judged.lines);
@@ -111,8 +111,8 @@ inline void write_judged(const Judged& judged, CertifySummary& summary, const Ce
   if (progress) progress(summary.records);
 }
 
-/// next(piece) reads a piece, false at the end; judge(piece) says what is found of it, in any order and on many threads
-/// at once; what is found is written in the order of the pieces.
+/// next(piece) reads a piece and returns false at the end. judge(piece) returns its results; it is called in any order
+/// and from many threads at once. The results are written in the order of the pieces.
 template <class Piece, class Next, class Judge>
 CertifySummary judge_in_order(const CertifyOptions& options, const LineSink& output, const Progress& progress,
                               const Next& next, const Judge& judge) {
@@ -123,8 +123,8 @@ CertifySummary judge_in_order(const CertifyOptions& options, const LineSink& out
     while (next(piece)) write(judge(piece));
     return summary;
   }
-  // Pieces stand in places that are used again, as they are written in their order: what the pipeline itself holds when
-  // an exception ends it is lost.
+  // Pieces are kept in places that are used again as results are written in order. The pipeline cannot keep them: when
+  // an exception ends it, it loses what it holds.
   struct Place {
     Piece piece;
     Judged judged;

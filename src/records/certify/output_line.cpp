@@ -11,7 +11,7 @@ namespace slipproof {
 
 namespace {
 
-/// The fixed part of a line, put together without a call for each word.
+/// Builds the fixed part of a line without a call for each word.
 class LineText {
  public:
   void put(std::string_view text) {
@@ -31,18 +31,19 @@ class LineText {
   }
 
  private:
-  std::array<char, 512> text_;  ///< the longest line, with 16 modes: 190 + 16 * 14
+  std::array<char, 256> text_;  ///< the longest line has 190
   char* end_ = text_.data();
 };
 
-/// "1.3e-16": two digits, rounded up, as JSON text. printf and its like take longer than the whole judgement.
+/// "1.3e-16": two digits, rounded up, as JSON text. printf and similar functions take longer than the whole judgement.
 void LineText::put_upper_bound(double x) {
   constexpr int lowest = -40, highest = 4;
   if (!(x >= 1e-39 && x < 1e4)) {
-    end_ = fmt::format_to(end_, "\"{:.3g}\"", x * 1.01);  // three digits, to the nearest, take less than a hundredth
+    end_ = fmt::format_to(end_, "\"{:.3g}\"", x * 1.01);  // multiplying by 1.01 compensates for rounding to three
+                                                          // digits, which takes away less than a hundredth
     return;
   }
-  static const auto powers = [] {  // 10^(1 - e) for the exponents e that occur
+  static const auto powers = [] {  // 10^(1 - e) for each possible exponent e
     std::array<double, highest - lowest + 1> result{};
     for (int e = lowest; e <= highest; ++e) result[static_cast<std::size_t>(e - lowest)] = std::pow(10.0, 1 - e);
     return result;
@@ -84,27 +85,18 @@ void append_line(std::string& out, std::uint64_t record, const RecordJudgement& 
   line.put('"');
   if (j.verdict != RecordVerdict::invalid) {
     line.put(",\"modes\":["sv);
-    for (unsigned rest = j.modes; rest != 0; rest &= rest - 1) {
-      const ContactMode mode = all_modes()[static_cast<std::size_t>(std::countr_zero(rest))];
-      if (rest != j.modes) line.put(',');
-      line.put('"');
-      line.put(name(mode.rear));
-      line.put('/');
-      line.put(name(mode.front));
-      line.put('"');
-    }
     if (!j.mode_names.empty()) {
       line.append_to(out);
       out += j.mode_names;
     }
     line.put(j.contact_problem ? "],\"solutions\":"sv : "],\"motions\":"sv);
     if (j.verdict == RecordVerdict::undecided) {
-      line.put("null"sv);  // nobody has counted them
+      line.put("null"sv);  // nobody has counted the motions
     } else {
       line.put(std::uint64_t{j.motions});
     }
     line.put(",\"max_relative_error\":"sv);
-    if (j.modes == 0 && j.mode_names.empty()) {
+    if (j.mode_names.empty()) {
       line.put("null"sv);
     } else {
       line.put_upper_bound(j.max_error);

@@ -14,7 +14,7 @@
 #include "base/crew/bytes.hpp"
 #include "base/os/descriptor.hpp"
 #include "records/certify/chunk_judge.hpp"
-#include "records/certify/chunk_reader.hpp"
+#include "records/reading/chunk_reader.hpp"
 
 namespace slipproof {
 
@@ -22,7 +22,7 @@ namespace {
 
 enum class PieceQuestion : std::uint64_t { count, judge };
 
-/// Lines of a piece, and whether one that is too long ends them.
+/// The lines of a piece, and whether a line that is too long ends them.
 struct PieceLines {
   std::string text;
   bool too_long = false;
@@ -126,14 +126,14 @@ class RecordPieces::File {
     return judge_->judge({lines(piece).text, first_line, first_record});
   }
 
-  /// The lines that begin in a piece, to the ends of the last of them.
+  /// The complete lines that begin in a piece.
   PieceLines lines(std::uint64_t piece) const {
     const std::uint64_t from = begin_ + piece * piece_size_, to = std::min(from + piece_size_, size_);
-    const std::uint64_t look_from = piece == 0 ? from : from - 1;  // a line begins after the end of one
+    const std::uint64_t look_from = piece == 0 ? from : from - 1;  // a line begins after the end of the line before
     PieceLines result{bytes(look_from, to), false};
     std::string& text = result.text;
     if (piece > 0) text.erase(0, std::min(text.find('\n'), text.size() - 1) + 1);
-    if (text.empty()) return result;  // a longer line began before
+    if (text.empty()) return result;  // a longer line began before this piece
     for (std::uint64_t at = to; at < size_ && text.back() != '\n'; at += more) {
       const std::string next = bytes(at, std::min(at + more, size_));
       text.append(next, 0, std::min(next.find('\n'), next.size() - 1) + 1);
@@ -233,7 +233,7 @@ bool RecordPieces::stands(std::string_view request, std::string_view result, con
   return range.empty() || parts.hold(PartRange::from_bytes(range));
 }
 
-/// Where each piece begins, and how many can be judged: those up to a line that is too long.
+/// Where each piece begins, and how many pieces can be judged: those up to a line that is too long.
 class RecordPieces::Places {
  public:
   Places(const File& file, Crew& crew) : at_{{file.first_line(), 1}} {

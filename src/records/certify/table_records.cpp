@@ -9,20 +9,17 @@
 
 #include "records/certify/columns.hpp"
 #include "records/certify/judged.hpp"
-#include "records/certify/mechanism_judge.hpp"
-#include "records/certify/mechanism_reader.hpp"
+#include "records/reading/record_reader.hpp"
+#include "records/record/bicycle_records.hpp"
 
 namespace slipproof {
 
 namespace {
 
-constexpr int mode_of_table = -1, kind_of_table = -2;
-
-/// What each column of the table is: the number of a field, a negative one for mode and kind, or ignored_column.
-/// find(name) is as for read_header(). Adds to the mistakes.
+/// The meaning of each column of the table: the number of a field, a negative number for mode and kind, or
+/// ignored_column. find(name) is as for read_header(). Adds to the mistakes.
 template <class Find>
-std::vector<int> bind_columns(const Table& table, const CertifyOptions& options, bool mode_codes, Mistakes& mistakes,
-                              const Find& find) {
+std::vector<int> bind_columns(const Table& table, const CertifyOptions& options, Mistakes& mistakes, const Find& find) {
   std::vector<int> bound;
   for (const TableColumn& column : table.columns) {
     const std::optional<int> found = find(column.name);
@@ -33,19 +30,18 @@ std::vector<int> bind_columns(const Table& table, const CertifyOptions& options,
     }
     if (twice) mistakes.add({}, "found " + where + " twice, expected it once");
     const CellType& type = column.type;
-    const bool fits = !known || (*found >= 0 ? type.is_number() : type.is_text() || (mode_codes && type.is_integer()));
+    const bool fits = !known || (*found >= 0 ? type.is_number() : type.is_text() || type.is_integer());
     if (!fits) {
       mistakes.add({}, where + ": found the type " + in_quotes(type.name) + ", expected " +
-                           (*found >= 0  ? "numbers: f8 or f4, integers of 1 to 8 bytes"
-                            : mode_codes ? "texts of fixed length (S or U) or integers"
-                                         : "texts of fixed length (S or U)"));
+                           (*found >= 0 ? "numbers: f8 or f4, integers of 1 to 8 bytes"
+                                        : "texts of fixed length (S or U) or integers"));
     }
     bound.push_back(found.value_or(ignored_column));
   }
   return bound;
 }
 
-/// The values of one column of texts or codes, which are few: each is looked at once.
+/// The values of a column of texts or codes. There are few different ones; each is looked up once.
 template <class Value>
 class CellCache {
  public:
@@ -65,67 +61,71 @@ class CellCache {
   typename std::map<std::string, Value, std::less<>>::iterator last_ = known_.end();
 };
 
-/// A code, or why there is none.
+/// A code, or the reason why there is none.
 struct CellCode {
-  std::uint8_t code = 0;
+  std::uint16_t code = 0;
   std::string mistake;
 };
 
-CellCode mode_code(const CellType& type, const char* cell) {
+/// read() returns a code, or throws BrokenRecord.
+template <class Read>
+CellCode code_of(const Read& read) {
+  try {
+    return {static_cast<std::uint16_t>(read()), {}};
+  } catch (const BrokenRecord& broken) {
+    return {no_mode, broken.message};
+  }
+}
+
+CellCode mode_code(const RecordFields& fields, const CellType& type, const char* cell) {
   if (type.is_integer()) {
-    const std::int64_t code = integer_at(type, cell);
+    const std::int64_t code = integer_at(type, cell), modes = static_cast<std::int64_t>(fields.modes().size());
     if (code == -1) return {no_mode, {}};
-    if (code >= 0 && code < 16) return {static_cast<std::uint8_t>(code), {}};
-    return {no_mode, "mode: found " + std::to_string(code) + ", expected 0 to 15, or -1 for none"};
+    if (code >= 0 && code < modes) return {static_cast<std::uint16_t>(code), {}};
+    return {no_mode, "mode: found " + std::to_string(code) + ", expected 0 to " + std::to_string(modes - 1) +
+                         ", or -1 for none"};
   }
   const std::string text = text_at(type, cell);
-  if (text.empty()) return {no_mode, {}};
-  if (const auto mode = parse_mode(text)) return {static_cast<std::uint8_t>(mode->index()), {}};
-  return {no_mode, "found the mode " + in_quotes(text) + ", expected one like stick/slip+"};
+  return text.empty() ? CellCode{no_mode, {}} : code_of([&] { return read_mode(fields, text, 0); });
 }
 
-CellCode kind_code(const CellType& type, const char* cell) {
-  if (type.is_integer()) {
-    const std::int64_t code = integer_at(type, cell);
-    if (code == 0 || code == 1) return {static_cast<std::uint8_t>(code), {}};
-    return {0, "kind: found " + std::to_string(code) + ", expected 0 (internal) or 1 (external)"};
+CellCode word_code(const RecordFields& fields, const CellType& type, const char* cell) {
+  if (!type.is_integer()) return code_of([&] { return read_word(fields, text_at(type, cell), 0); });
+  const std::int64_t code = integer_at(type, cell);
+  const auto& words = fields.word()->words;
+  if (code >= 0 && code < static_cast<std::int64_t>(words.size())) return {static_cast<std::uint16_t>(code), {}};
+  std::string expected;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    expected += (i == 0 ? "" : " or ") + std::to_string(i) + " (" + words[i] + ")";
   }
-  const std::string text = text_at(type, cell);
-  if (const auto kind = parse_force_kind(text)) return {static_cast<std::uint8_t>(*kind == ForceKind::external), {}};
-  return {0, "found the kind " + in_quotes(text) + ", expected internal or external"};
+  return {0, fields.word()->name + ": found " + std::to_string(code) + ", expected " + expected};
 }
 
-/// Judges the bicycles of a table.
-class BicycleTable {
+/// Judges the records of a table.
+class TableJudge {
  public:
-  BicycleTable(const Table& table, const CertifyOptions& options) : table_(table), options_(options) {
+  TableJudge(const Table& table, const CertifyOptions& options)
+      : table_(table),
+        options_(options),
+        judge_(options.mechanism ? *options.mechanism : bicycle_records(), options.judge) {
     Mistakes mistakes(options.file);
-    bound_ = bind_columns(table, options, true, mistakes, [](std::string_view name) -> std::optional<int> {
-      if (const auto field = parse_field(name)) return static_cast<int>(index(*field));
-      if (name == "mode") return mode_of_table;
-      return name == "kind" ? std::optional(kind_of_table) : std::nullopt;
-    });
-    std::uint32_t given = 0;
-    for (const int column : bound_) given |= column >= 0 ? std::uint32_t{1} << static_cast<unsigned>(column) : 0;
-    Record base = options.scene ? to_record(*options.scene) : Record();
-    if (const std::string reason = incomplete(over_scene(base, given)); !reason.empty()) mistakes.add({}, reason);
+    bound_ = bind_columns(table, options, mistakes,
+                          [this](std::string_view name) { return find_column(judge_.fields(), name); });
+    fields_of_columns(bound_, judge_.fields(), judge_.certified(), {}, mistakes);
     mistakes.refuse_if_any();
-    columns_.judge = options.judge;
-    columns_.scene = options.scene;
   }
 
   Judged judge(const TableBlock& block) const {
-    Codes codes;
-    RecordColumns columns{.records = block.rows};
-    std::vector<std::vector<double>> numbers;
-    for (std::size_t k = 0; k < bound_.size(); ++k) add_column(k, block, columns, numbers, codes);
+    InMemory memory;
+    RecordColumns columns(judge_.fields(), block.rows);
+    for (std::size_t k = 0; k < bound_.size(); ++k) add_column(k, block, columns, memory);
     Judged result;
-    const ColumnsJudge judge(columns, columns_);
+    const ColumnsJudge judge(columns, judge_);
     judge.each(0, block.rows, [&](std::size_t i, const RecordJudgement& judgement) {
       const std::uint64_t record = block.first + i + 1;
       if (result.broken) return;
-      const auto mistake = codes.mistakes.find(i);
-      if (mistake == codes.mistakes.end()) {
+      const auto mistake = memory.mistakes.find(i);
+      if (mistake == memory.mistakes.end()) {
         result.add(record, judgement, false, options_);
         return;
       }
@@ -136,139 +136,64 @@ class BicycleTable {
   }
 
  private:
-  struct Codes {
-    std::vector<std::uint8_t> modes, kinds;
-    std::map<std::size_t, std::string> mistakes;  ///< the first of each row that has one
+  /// Columns that had to be converted, in place of those in the table.
+  struct InMemory {
+    std::vector<std::uint16_t> modes;
+    std::vector<std::vector<double>> numbers;
+    std::map<std::size_t, std::string> mistakes;  ///< the first mistake of each row that has one
   };
 
-  void add_column(std::size_t k, const TableBlock& block, RecordColumns& columns,
-                  std::vector<std::vector<double>>& numbers, Codes& codes) const {
+  void add_column(std::size_t k, const TableBlock& block, RecordColumns& columns, InMemory& memory) const {
     const TableColumn& column = table_.columns[k];
     if (bound_[k] == ignored_column) return;
     const char* const cells = table_.cells(block, column);
     const std::size_t stride = table_.stride(column);
-    if (bound_[k] == mode_of_table) {
-      columns.modes = read_codes(column.type, cells, stride, block.rows, mode_code, codes.modes, codes.mistakes);
-    } else if (bound_[k] == kind_of_table) {
-      columns.kinds = read_codes(column.type, cells, stride, block.rows, kind_code, codes.kinds, codes.mistakes);
-    } else {
-      NumberColumn& result = columns.numbers[static_cast<std::size_t>(bound_[k])];
-      result = {cells, static_cast<std::ptrdiff_t>(stride)};
-      if (column.type.is_native()) return;
-      std::vector<double>& values = numbers.emplace_back(stride == 0 ? 1 : block.rows);
-      read_numbers(column.type, cells, stride, values.size(), values.data());
-      result = {values.data(), stride == 0 ? 0 : static_cast<std::ptrdiff_t>(sizeof(double))};
-    }
-  }
-
-  template <class Read>
-  static CodeColumn read_codes(const CellType& type, const char* cells, std::size_t stride, std::size_t rows,
-                               const Read& read, std::vector<std::uint8_t>& codes,
-                               std::map<std::size_t, std::string>& mistakes) {
-    CellCache<CellCode> cache;
-    codes.resize(rows);
-    for (std::size_t i = 0; i < rows; ++i) {
-      const char* const cell = cells + i * stride;
-      const CellCode& found = cache.at(cell, type.size, [&] { return read(type, cell); });
-      codes[i] = found.code;
-      if (!found.mistake.empty()) mistakes.emplace(i, found.mistake);
-    }
-    return {codes.data(), 1};
-  }
-
-  const Table& table_;
-  const CertifyOptions& options_;
-  ColumnsOptions columns_;
-  std::vector<int> bound_;
-};
-
-/// Judges the records of a mechanism.
-class MechanismTable {
- public:
-  MechanismTable(const Table& table, const CertifyOptions& options)
-      : table_(table), options_(options), fields_(options.mechanism->mechanism), judge_(*options.mechanism, fields_) {
-    Mistakes mistakes(options.file);
-    bound_ = bind_columns(table, options, false, mistakes, [this](std::string_view name) -> std::optional<int> {
-      if (const auto field = fields_.find(name)) return static_cast<int>(*field);
-      return name == "mode" ? std::optional(mode_of_table) : std::nullopt;
-    });
-    MechanismRecord all;
-    all.clear(fields_.size());
-    for (const int column : bound_) {
-      if (column >= 0) all.present[static_cast<std::size_t>(column)] = true;
-    }
-    const std::string reason = incomplete(all, fields_, *options.mechanism);
-    if (!reason.empty()) mistakes.add({}, reason);
-    mistakes.refuse_if_any();
-  }
-
-  Judged judge(const TableBlock& block) const {
-    JudgedRecords records(options_);
-    MechanismBlock judging(judge_, options_.judge);
-    MechanismRecord record;
-    const auto finish = [&] { judging.finish(); };
-    const auto judge_row = [&](std::size_t row, RecordJudgement& judgement) {
-      read(block, row, record);
-      if (record.not_finite) {
-        judgement = invalid_judgement(record.not_finite->reason);
-      } else {
-        judging.add(record, judgement);
-      }
+    const auto in_memory = [&](std::size_t field, std::size_t rows) -> std::vector<double>& {
+      std::vector<double>& values = memory.numbers.emplace_back(rows);
+      columns.numbers[field] = {values.data(), rows == 1 ? 0 : static_cast<std::ptrdiff_t>(sizeof(double))};
+      return values;
     };
-    for (std::size_t row = 0; row < block.rows; ++row) {
-      const auto judge = [&](RecordJudgement& to) { judge_row(row, to); };
-      if (!records.add(block.first + row + 1, 0, judge, finish)) break;
-    }
-    return records.result(finish);
-  }
-
- private:
-  void read(const TableBlock& block, std::size_t row, MechanismRecord& record) const {
-    record.clear(fields_.size());
-    for (std::size_t k = 0; k < bound_.size(); ++k) {
-      if (bound_[k] == ignored_column) continue;
-      const TableColumn& column = table_.columns[k];
-      const char* const cell = table_.cells(block, column) + row * table_.stride(column);
-      if (bound_[k] == mode_of_table) {
-        read_mode(text_at(column.type, cell), record);
-        continue;
-      }
+    if (bound_[k] == mode_column) {
+      memory.modes.resize(block.rows);
+      read_codes(column.type, cells, stride, mode_code, memory.modes, memory);
+      columns.modes = std::span<const std::uint16_t>(memory.modes);
+    } else if (bound_[k] == word_column) {
+      read_codes(column.type, cells, stride, word_code, in_memory(judge_.fields().word_field(), block.rows), memory);
+    } else {
       const auto field = static_cast<std::size_t>(bound_[k]);
-      const double value = number_at(column.type, cell);
-      record.set(field, value);
-      if (!record.not_finite) record.not_finite = not_finite(fields_.name(field), value, 0);
+      columns.numbers[field] = {cells, static_cast<std::ptrdiff_t>(stride)};
+      if (column.type.is_native()) return;
+      std::vector<double>& values = in_memory(field, stride == 0 ? 1 : block.rows);
+      read_numbers(column.type, cells, stride, values.size(), values.data());
     }
   }
 
-  void read_mode(const std::string& text, MechanismRecord& record) const {
-    if (text.empty()) return;
-    record.mode = fields_.find_mode(text);
-    if (record.mode != nullptr) return;
-    throw BrokenRecord{0, "found the mode " + in_quotes(text) + ", expected one like " + fields_.some_mode()};
+  template <class Read, class T>
+  void read_codes(const CellType& type, const char* cells, std::size_t stride, const Read& read, std::vector<T>& codes,
+                  InMemory& memory) const {
+    CellCache<CellCode> cache;
+    for (std::size_t i = 0; i < codes.size(); ++i) {
+      const char* const cell = cells + i * stride;
+      const CellCode& found = cache.at(cell, type.size, [&] { return read(judge_.fields(), type, cell); });
+      codes[i] = static_cast<T>(found.code);
+      if (!found.mistake.empty()) memory.mistakes.emplace(i, found.mistake);
+    }
   }
 
   const Table& table_;
   const CertifyOptions& options_;
-  MechanismFields fields_;
-  MechanismJudge judge_;
+  RecordJudge judge_;
   std::vector<int> bound_;
 };
-
-template <class Judge>
-CertifySummary certify_rows(Table& table, const LineSink& output, const CertifyOptions& options,
-                            const Progress& progress) {
-  const Judge judge(table, options);
-  table.skip(std::max<std::uint64_t>(options.first_record, 1) - 1);
-  return judge_in_order<TableBlock>(
-      options, output, progress, [&](TableBlock& block) { return table.next(block); },
-      [&](const TableBlock& block) { return judge.judge(block); });
-}
 
 }  // namespace
 
 CertifySummary certify(Table table, const LineSink& output, const CertifyOptions& options, const Progress& progress) {
-  if (options.mechanism) return certify_rows<MechanismTable>(table, output, options, progress);
-  return certify_rows<BicycleTable>(table, output, options, progress);
+  const TableJudge judge(table, options);
+  table.skip(std::max<std::uint64_t>(options.first_record, 1) - 1);
+  return judge_in_order<TableBlock>(
+      options, output, progress, [&](TableBlock& block) { return table.next(block); },
+      [&](const TableBlock& block) { return judge.judge(block); });
 }
 
 }  // namespace slipproof

@@ -29,7 +29,7 @@ inline std::string name_of(hid_t group, hsize_t index) {
   return name;
 }
 
-/// Of numbers and texts of fixed length; `other` for the rest.
+/// The type of cells with numbers or with texts of fixed length; `other` for all other types.
 inline CellType cell_type_of(hid_t type) {
   CellType result{CellType::Kind::other, H5Tget_size(type), H5Tget_order(type) == H5T_ORDER_BE, "a type of HDF5"};
   const H5T_class_t kind = H5Tget_class(type);
@@ -49,7 +49,7 @@ inline CellType cell_type_of(hid_t type) {
   return result;
 }
 
-/// Looks for tables and adds their columns.
+/// Finds tables and adds their columns.
 class TableReader {
  public:
   TableReader(TableBuilder& table, std::shared_ptr<const ByteFile> file)
@@ -75,7 +75,7 @@ class TableReader {
     table_.fail(path + ": " + message);
   }
 
-  /// Of what a chain of hard links leads to.
+  /// The kind of object that a chain of hard links leads to.
   H5I_type_t kind_of(const std::string& path) const {
     for (std::size_t end = path.find('/', 1); path != "/"; end = path.find('/', end + 1)) {
       const std::string part = path.substr(0, end);
@@ -113,7 +113,7 @@ class TableReader {
     return type.open() && H5Tget_class(type.get()) == H5T_COMPOUND;
   }
 
-  /// The path of the only data set with fields, or group of other data sets; empty where there is none.
+  /// The path of the only data set with fields, or of the only group of other data sets; empty if there is none.
   std::string only_table(const std::string& path, int depth) const {
     constexpr int deepest = 8;
     if (depth > deepest) fail(path, "found groups in groups, expected --table with the place of the records");
@@ -140,7 +140,7 @@ class TableReader {
     return {set, &H5Dclose};
   }
 
-  /// The items of a data set of up to one dimension; nothing for others.
+  /// The number of items of a data set with at most one dimension; nothing for other data sets.
   std::optional<std::uint64_t> length(const std::string& path, hid_t set) const {
     const Id space(H5Dget_space(set), &H5Sclose);
     if (!space.open()) fail(path, "found a data set without a size");

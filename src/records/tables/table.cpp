@@ -27,7 +27,7 @@ std::string dimensions_text(const std::vector<std::uint64_t>& shape) {
   return text.empty() ? "a single item" : text;
 }
 
-/// Columns of an array of two dimensions, named from outside: `run_at(offset)` reads the file from there.
+/// Adds columns of an array of two dimensions, with names from the options. `run_at(offset)` reads the file from there.
 template <class RunAt>
 void add_matrix(TableBuilder& table, const NpyHeader& header, const std::vector<std::string>& names,
                 const RunAt& run_at) {
@@ -49,7 +49,7 @@ void add_matrix(TableBuilder& table, const NpyHeader& header, const std::vector<
   }
 }
 
-/// The columns of an array that has names, its own or its fields'; the run stands at its data.
+/// Adds the columns of an array with its own name or the names of its fields; the run must be at its data.
 void add_array(TableBuilder& table, const NpyHeader& header, const std::string& name, std::unique_ptr<ByteRun> run) {
   if (header.shape.size() > 1) {
     table.fail((name.empty() ? "" : name + ": ") + "found " + dimensions_text(header.shape) +

@@ -1,4 +1,4 @@
-// Putting a table together from what a file holds.
+// Builds a table from the contents of a file.
 #pragma once
 
 #include <memory>
@@ -20,7 +20,7 @@ class TableBuilder {
     if (!names.empty()) fail("found columns that have names, expected no other ones from --columns");
   }
 
-  /// A part of so many items, whose name is for messages.
+  /// Adds a part with this number of items; messages use its name.
   std::size_t add_part(std::unique_ptr<ByteRun> run, std::size_t item, std::uint64_t items, const std::string& name) {
     constexpr std::size_t widest = 1U << 20U;
     if (item > widest) fail(name + ": found items of " + std::to_string(item) + " bytes, expected at most 1048576");
@@ -30,7 +30,8 @@ class TableBuilder {
   }
   void add_column(TableColumn column) { table_.columns.push_back(std::move(column)); }
 
-  /// Parts of a single item are constants beside longer or empty ones; all others have the same number of items.
+  /// If there are longer or empty parts, parts with a single item are constants; all others must have the same number
+  /// of items.
   Table finish() {
     if (table_.columns.empty() || sizes_.empty()) fail("found no column, expected a table with the numbers of records");
     std::size_t first = 0;

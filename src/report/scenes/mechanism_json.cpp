@@ -10,7 +10,7 @@ namespace slipproof {
 
 namespace {
 
-/// What goes into the document for one scene.
+/// Builds the document for one scene.
 class SolveDocument {
  public:
   explicit SolveDocument(const SolvedMechanism& solved)

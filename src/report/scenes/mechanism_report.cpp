@@ -33,7 +33,8 @@ SolvedMechanism::SolvedMechanism(MechanismScene given) : scene(std::move(given))
   if (problem.has_load) modes = ModeSolver(problem, std::nullopt).consistent();
   if (scene.load || !problem.has_load) {
     at_load = motions_of(problem, scene.load);
-    // Modes that were left out together share a reason; alone, each has its own, which may be a single condition.
+    // Modes that were excluded together share a reason. Solved alone, each has its own reason, which may be a single
+    // condition.
     const ModeSolver solver(problem, scene.load);
     for (RejectedMode& rejected : at_load->rejected) {
       if (!rejected.margin) rejected = std::move(solver.one(rejected.mode).rejected.front());
@@ -48,7 +49,7 @@ namespace {
 
 using Out = std::back_insert_iterator<std::string>;
 
-/// The text about one scene.
+/// Builds the text for one scene.
 class SolveText {
  public:
   SolveText(const SolvedMechanism& solved, int digits)
@@ -106,7 +107,7 @@ class SolveText {
     for (std::size_t i = 0; i < forces_.size(); ++i) write_value(forces_[i], continuum.forces[i]);
   }
 
-  /// What a single condition breaks stands in a column of its own, before the margins.
+  /// A single broken condition is in a column of its own, before the margins.
   void write_rejected(const RejectedMode& mode) {
     const std::string broken = what_is_broken(mechanism_, mode);
     if (mode.margin) {

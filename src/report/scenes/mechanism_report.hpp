@@ -1,4 +1,4 @@
-// What is told of a mechanism's scene: all motions, as text and as `slipproof/solve/2`.
+// The report on a mechanism's scene: all motions, as text and as `slipproof/solve/2`.
 #pragma once
 
 #include <optional>
@@ -11,26 +11,26 @@
 
 namespace slipproof {
 
-/// A scene of a mechanism with everything that is known of its motions.
+/// A scene of a mechanism with all results about its motions.
 struct SolvedMechanism {
-  /// Throws InputError where the mechanism has more modes than are tried, or a coefficient has no value.
+  /// Throws InputError if the mechanism has more modes than are tried, or if a coefficient has no value.
   explicit SolvedMechanism(MechanismScene given);
 
   MechanismScene scene;
-  FrictionProblem problem;               ///< its equations solved
-  std::vector<ConsistentMode> modes;     ///< for all loads; of a mechanism without a load empty
-  std::optional<MotionsAtLoad> at_load;  ///< where the load has a value, or there is none
-  std::vector<LoadCell> cells;           ///< where the load has no value
-  std::optional<EveryLoad> for_every_q;  ///< nothing where the contacts are none that the theorem is about
+  FrictionProblem problem;               ///< with its equations solved
+  std::vector<ConsistentMode> modes;     ///< for all loads; empty for a mechanism without a load
+  std::optional<MotionsAtLoad> at_load;  ///< if the load has a value, or the mechanism has no load
+  std::vector<LoadCell> cells;           ///< if the load has no value
+  std::optional<EveryLoad> for_every_q;  ///< nothing if the theorem does not apply to the contacts
 };
 
-/// The notes of a scene, and what of it is not modelled; a line each.
+/// The notes of a scene and the parts of it that are not modelled, one on each line.
 std::string notes_text(const MechanismScene& scene);
 
 /// What a mode without a motion breaks: `N1 >= 0`, `gap1 >= 0 against N2 >= 0`, or that its equations have no solution.
 std::string what_is_broken(const Mechanism& mechanism, const RejectedMode& mode);
 
-/// For people; `digits` is how many significant ones a decimal has.
+/// For people; `digits` is the number of significant digits of decimals.
 std::string solve_text(const SolvedMechanism& solved, int digits);
 /// The document slipproof/solve/2.
 std::string solve_json(const SolvedMechanism& solved);

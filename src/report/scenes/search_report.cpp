@@ -77,7 +77,7 @@ std::string motions_text(const FoundMotions& found) {
   return fmt::format("{}", fmt::join(words, "; "));
 }
 
-/// The text about one search.
+/// Builds the text for one search.
 class SearchText {
  public:
   explicit SearchText(const SearchReport& report)

@@ -1,4 +1,4 @@
-// What is told of a search: as text and as `slipproof/search/1`.
+// The report on a search, as text and as `slipproof/search/1`.
 #pragma once
 
 #include <cstdint>
@@ -12,28 +12,28 @@
 namespace slipproof {
 
 struct SearchReport {
-  const Mechanism& mechanism;    ///< as it was searched, with what narrows its domain
+  const Mechanism& mechanism;    ///< the mechanism that was searched, with the conditions that narrow its domain
   const SearchOptions& options;  ///< of the search
-  std::string within;            ///< what narrowed its domain; empty: nothing
+  std::string within;            ///< the conditions that narrowed its domain; empty: none
   SearchResult result;
-  std::optional<UniqueEverywhere> proof = {};  ///< that there is one motion in the whole domain
+  std::optional<UniqueEverywhere> proof = {};  ///< proves that there is one motion in the whole domain
 };
 
-/// The search, and a proof where it finds nothing; with a crew, by it.
+/// Searches, and looks for a proof if the search finds nothing; uses the crew if there is one.
 SearchReport searched(const Mechanism& mechanism, const SearchOptions& options, std::string within,
                       MotionSearch& search, Crew* crew = nullptr);
 
 enum class SearchVerdict : std::uint8_t {
-  unique,      ///< one motion in the whole domain, which is proved
-  none_found,  ///< one motion at every load of every sample; of what was looked for alone, nothing
-  found,       ///< another number of motions; what was looked for alone
+  unique,      ///< it is proved that there is one motion in the whole domain
+  none_found,  ///< one motion at every load of every sample; if only one kind was searched for, no place of that kind
+  found,       ///< another number of motions; if only one kind was searched for, a place of that kind
   undecided    ///< no sample was found
 };
 SearchVerdict verdict(const SearchReport& report);
 /// `unique`, `none found`, `found`, `undecided`.
 std::string_view name(SearchVerdict verdict);
 
-/// For people, in lines of 80 columns unless a word is longer; `quiet`: the last line alone.
+/// For people, in lines of 80 columns unless a word is longer. `quiet`: only the last line.
 std::string search_text(const SearchReport& report, bool quiet);
 /// The document slipproof/search/1.
 std::string search_json(const SearchReport& report);

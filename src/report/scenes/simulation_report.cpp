@@ -18,7 +18,7 @@ namespace {
 
 using Out = std::back_insert_iterator<std::string>;
 
-/// gap and slip of each contact, and N and T, as the mechanism calls them.
+/// The mechanism's names for gap, slip, N and T of each contact.
 std::vector<std::string> motion_names(const Mechanism& mechanism) {
   std::vector<std::string> names;
   for (const MechanismContact& contact : mechanism.contacts) {
@@ -39,7 +39,7 @@ std::string names_of(const ContactSolution& motion) {
   return equal_modes({motion.modes.begin(), motion.modes.end()});
 }
 
-/// The motion, or for which part of the time the contacts were in which mode.
+/// The motion; or the parts of the time for which the contacts were in each mode.
 std::string in_words(const SeenMotion& seen, const ContactSolutions& exact) {
   if (seen.motion) return names_of(exact.solutions[*seen.motion]);
   return fmt::format("none ({} for {:.0f} %)", name(seen.mode), 100 * seen.share);
@@ -89,7 +89,7 @@ void write_runs(Out out, const Simulation& simulation) {
   }
 }
 
-/// How many runs end in which motion, in the order of the motions, then in none.
+/// How many runs end in each motion, in the order of the motions, and how many in none.
 std::string write_end(const Simulation& simulation) {
   std::vector<std::size_t> counts(simulation.exact.solutions.size() + 1);
   for (const SimulatedRun& run : simulation.runs) ++counts[run.seen.back().motion.value_or(counts.size() - 1)];

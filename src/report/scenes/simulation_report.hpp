@@ -1,4 +1,4 @@
-// What `slipproof simulate` says: which of the exact motions contacts that give come to.
+// The output of `slipproof simulate`: which of the exact motions are reached by contacts that give.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace slipproof {
 
-/// For people; `digits` is how many significant ones a decimal has. The last line begins with `s SIMULATED`.
+/// For people; `digits` is the number of significant digits of decimals. The last line begins with `s SIMULATED`.
 std::string simulation_text(const MechanismScene& scene, const Simulation& simulation, int digits);
 
-/// One JSON document, schema slipproof/simulate/1. What is exact in it is a string, what is simulated a number.
+/// One JSON document, schema slipproof/simulate/1. Exact numbers are strings, simulated ones are numbers.
 std::string simulation_json(const MechanismScene& scene, const Simulation& simulation);
 
 }  // namespace slipproof

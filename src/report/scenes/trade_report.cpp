@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// JSON has no infinity: null.
+/// JSON has no infinity, so null stands for it.
 Json number(double x) {
   return std::isfinite(x) ? Json(x) : Json(nullptr);
 }
@@ -33,7 +33,7 @@ Json row_json(const TradeRow& r) {
   return row;
 }
 
-/// One type over all workloads.
+/// One number type over all workloads.
 struct Total {
   std::size_t scenes = 0, wrong = 0, undecided = 0;
   double typical_speed = 0, typical_error = 0;
@@ -117,7 +117,7 @@ std::string trade_text(const Trade& trade) {
   }
   return text + fmt::format(
                     "\nOf {} scenes. wrong: another set of contact modes than the exact one. undecided: NaN or a "
-                    "division by 0;\nfilter: passed on to a later tier, which decided. digits: decimal digits lost by "
+                    "division by 0;\nfilter: passed on to the kernel, which decided. digits: decimal digits lost by "
                     "the worst value, whose condition\nnumber stands beside. wrong from: the distance from a threshold "
                     "from which on wrong answers occur.\n",
                     exact.scenes);

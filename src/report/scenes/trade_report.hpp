@@ -1,4 +1,4 @@
-// What `slipproof trade` found, as JSON and as text.
+// The output of `slipproof trade`, as JSON and as text.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace slipproof {
 
-/// One JSON document, schema slipproof/trade/1, ending in a newline. What is infinite is null.
+/// One JSON document, schema slipproof/trade/1, ending in a newline. An infinite number is null.
 std::string trade_json(const Trade& trade);
 
 /// A table for each workload, then one of the types over all workloads.

@@ -20,13 +20,13 @@ namespace {
 
 using Out = std::back_insert_iterator<std::string>;
 
-/// Short exact numbers, and decimals of others.
+/// A short number exactly, a longer one as a decimal.
 std::string short_text(const Rational& x, int digits) {
   const std::string exact = exact_text(x);
   return exact.size() <= 8 ? exact : decimal_text(x, digits);
 }
 
-/// An irrational number stands strictly between two rational ones.
+/// An irrational number is given by the two rational numbers that enclose it.
 std::string end_text(const std::optional<RealRoot>& end, int digits) {
   if (!end) return "oo";
   if (end->is_rational()) return short_text(end->lower, digits);
@@ -43,7 +43,7 @@ std::string range_text(const std::string& symbol, const ParameterRange& range, i
                      end_text(range.lower, digits), end_text(range.upper, digits), range.upper_closed ? "]" : ")");
 }
 
-/// Neighbouring loads without one motion: how many motions there are at most, where.
+/// Neighbouring loads without one motion: the largest number of motions, and where it occurs.
 struct Ambiguity {
   ForceInterval loads;
   std::size_t motions = 0;
@@ -122,7 +122,7 @@ class UniquenessText {
                    counted(range.unseen.size(), "irrational value"));
   }
 
-  /// Of the ends that were rounded.
+  /// Writes the exact values of ends that were rounded.
   void write_exact(const std::vector<ParameterRange>& all) {
     std::vector<std::string> lines;
     for (const ParameterRange& range : all) {

@@ -1,4 +1,4 @@
-// What `slipproof critical` says: for which values of a parameter each load has one motion.
+// The output of `slipproof critical`: for which values of a parameter each load has one motion.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace slipproof {
 
-/// For people; `digits` is how many significant ones a decimal has. The last line begins with `s UNIQUE`,
-/// `s SEVERAL`, `s CONTINUUM` or `s NONE`: what the worst load of the scene itself has, in this order.
+/// For people; `digits` is the number of significant digits of decimals. The last line begins with `s UNIQUE`, `s
+/// SEVERAL`, `s CONTINUUM` or `s NONE`: the worst result over the loads of the scene itself, in this order.
 std::string uniqueness_text(const MechanismScene& scene, const UniquenessAlong& along, int digits);
 
 /// One JSON document, schema slipproof/critical/1, with every value at which something may change.

@@ -16,7 +16,7 @@
 #include "claims/mutation/mutation.hpp"
 #include "claims/reading/read_claims_file.hpp"
 #include "claims/verify/verify.hpp"
-#include "floating/filter/batch.hpp"
+#include "floating/batch/bicycle_batch.hpp"
 #include "mechanics/reading/read_mechanism.hpp"
 #include "mechanics/search/search.hpp"
 #include "proofs/search/prove.hpp"
@@ -142,7 +142,7 @@ TEST_CASE("searching a mechanism ends when it is asked to") {
   CHECK(is_stopped([&] { search_motions(mechanism, options); }));
 }
 
-TEST_CASE("certifying and filtering end when they are asked to") {
+TEST_CASE("certifying and deciding modes end when they are asked to") {
   for (const unsigned threads : {1U, 0U}) {
     CertifyOptions options;
     options.threads = threads;
@@ -151,22 +151,10 @@ TEST_CASE("certifying and filtering end when they are asked to") {
           endless_records(), [](std::string_view) {}, options);
     }));
     const std::vector<double> forces(100'000, 300);
-    const ForcedScene<Column> scenes{.bicycle = {.M = 85,
-                                                 .R = 0.34,
-                                                 .h = 1,
-                                                 .b2 = 0.5,
-                                                 .b3 = 0.5,
-                                                 .I1 = 0.01,
-                                                 .I2 = 0.1,
-                                                 .I3 = 0.1,
-                                                 .r1 = 0.1,
-                                                 .r2 = 0.05,
-                                                 .L = 0.17,
-                                                 .J = 12},
-                                     .road = {.f = 0.8, .g = 9.81},
-                                     .F = forces};
+    BicycleColumns bicycles{.numbers = {85, 0.34, 1, 0.5, 0.5, 0.01, 0.1, 0.1, 0.1, 0.05, 0.17, 12, 0.8, 9.81},
+                            .F = forces};
     CHECK(is_stopped([&] {
-      for (;;) consistent_modes(scenes, threads);
+      for (;;) consistent_modes(bicycles, threads);
     }));
   }
 }

@@ -16,8 +16,8 @@
 #include "base/crew/bytes.hpp"
 #include "claims/reading/read_claims_file.hpp"
 #include "claims/verify/verify.hpp"
-#include "mechanics/bicycle_modes/bicycle_motions.hpp"
 #include "records/certify/pieces.hpp"
+#include "records/record/bicycle_records.hpp"
 
 using namespace slipproof;
 
@@ -182,7 +182,7 @@ int scale_verify(const std::string& claims, std::uint64_t samples) {
 int scale_certify(const std::string& file, const std::string& scene, const std::string& prefix) {
   CertifyOptions options;
   options.file = file;
-  options.scene = bicycle_scene(read_scene(scene));
+  options.mechanism = bicycle_records(read_scene(scene));
   const RecordPieces pieces(options);
   PartWriter part(prefix, 0);
   const auto [works, between] =

@@ -1,5 +1,6 @@
-// Judges a claim at one bicycle by proofs/MEANING.md alone: slow, and point by point. Of the product it uses the
-// equations of the bicycle (src/mechanics/bicycle) and nothing that reads, evaluates or judges claims.
+// Judges a claim at one bicycle by proofs/MEANING.md alone: slow, and point by point. It has the
+// equations of the bicycle from tests/support/bicycle, and uses nothing of the product that reads, evaluates or judges
+// claims.
 #pragma once
 
 #include <functional>

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "mechanics/bicycle/linear_form.hpp"
+#include "support/bicycle/linear_form.hpp"
 
 namespace slipproof::meaning {
 

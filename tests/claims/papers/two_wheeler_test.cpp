@@ -10,7 +10,7 @@
 
 #include "claims/paper/compiled.hpp"
 #include "claims/reading/read_claims_file.hpp"
-#include "mechanics/bicycle_modes/motions.hpp"
+#include "support/bicycle/motions.hpp"
 #include "support/random_scene.hpp"
 
 using namespace slipproof;

@@ -7,9 +7,9 @@
 
 #include "claims/uniqueness/ranges.hpp"
 #include "claims/uniqueness/scene_setting.hpp"
-#include "mechanics/bicycle_modes/mode_table.hpp"
-#include "mechanics/bicycle_modes/motions.hpp"
 #include "mechanics/kernel/mode_solver.hpp"
+#include "support/bicycle/mode_table.hpp"
+#include "support/bicycle/motions.hpp"
 #include "support/bicycle_scenes.hpp"
 #include "support/random_scene.hpp"
 

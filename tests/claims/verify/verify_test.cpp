@@ -6,10 +6,10 @@
 #include "claims/mutation/claims_mutants.hpp"
 #include "claims/reading/read_claims_file.hpp"
 #include "claims/sampling/simplify.hpp"
-#include "mechanics/bicycle/conditions.hpp"
-#include "mechanics/bicycle/equations.hpp"
-#include "mechanics/bicycle_modes/bicycle_motions.hpp"
 #include "report/papers/verify_report.hpp"
+#include "support/bicycle/bicycle_motions.hpp"
+#include "support/bicycle/conditions.hpp"
+#include "support/bicycle/equations.hpp"
 #include "support/shipped.hpp"
 #include "support/thread_ranks.hpp"
 

@@ -7,7 +7,6 @@
 #include "base/files/hdf5_file.hpp"
 #include "base/input/text_file.hpp"
 #include "hdf5_writer.hpp"
-#include "small_files.hpp"
 
 using namespace slipproof;
 using namespace slipproof::test;

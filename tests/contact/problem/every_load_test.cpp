@@ -6,8 +6,8 @@
 #include <array>
 
 #include "contact/problem/solutions.hpp"
-#include "mechanics/bicycle_modes/motions.hpp"
 #include "mechanics/kernel/mode_solver.hpp"
+#include "support/bicycle/motions.hpp"
 #include "support/bicycle_scenes.hpp"
 #include "support/random_scene.hpp"
 

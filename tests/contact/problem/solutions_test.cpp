@@ -5,7 +5,7 @@
 #include <random>
 #include <set>
 
-#include "mechanics/bicycle_modes/motions.hpp"
+#include "support/bicycle/motions.hpp"
 #include "support/bicycle_scenes.hpp"
 #include "support/eigen_rational.hpp"
 #include "support/random_scene.hpp"

@@ -47,7 +47,7 @@ static void the_filter_agrees_with_the_motions(void) {
   const slipproof_column O = {&zero, 1}, I = {&one, 1};
   double forces[count];
   uint16_t modes[count], strict[count];
-  uint64_t tiers[3] = {0, 0, 0};
+  uint64_t tiers[2] = {0, 0};
   slipproof_bicycles bicycles = {I, I, I, I, I, O, I, I, I, I, I, {&two, 1}, {&four, 1}, I, {forces, count}, 0};
   unsigned seen = 0;
   for (int i = 0; i < count; ++i) forces[i] = i - 20;
@@ -60,7 +60,7 @@ static void the_filter_agrees_with_the_motions(void) {
     seen |= expected;
   }
   expect((seen & (seen - 1)) != 0, "there are several modes");
-  expect(tiers[0] + tiers[1] + tiers[2] == count, "the tiers count every bicycle");
+  expect(tiers[0] + tiers[1] == count, "the tiers count every bicycle");
 }
 
 static double value_of(const slipproof_motion* motion, const char* name) {
@@ -108,7 +108,7 @@ static void motions_are_certified_as_answers(void) {
   for (int i = 0; i < count; ++i) {
     if (verdicts[i] != expected[i]) printf("F = %d: %d, and not %d\n", i - 20, verdicts[i], expected[i]);
     expect(verdicts[i] == expected[i], "a motion is a right answer");
-    expect(tiers[i] < 3, "a tier");
+    expect(tiers[i] < 2, "a tier");
     numbers[0][i] += 2 + fabs(numbers[0][i]);
   }
   expect(slipproof_certify_bicycles(&bicycles, &answers, count, NULL, &judgements, 1, NULL) == SLIPPROOF_OK,
@@ -129,7 +129,8 @@ static void a_bicycle_outside_the_domain_is_refused(void) {
   uint16_t modes[3] = {7, 7, 7};
   slipproof_error* error = NULL;
   expect(slipproof_consistent_modes(&bicycles, 3, modes, NULL, NULL, 1, &error) == SLIPPROOF_BAD_ARGUMENT, "R < 0");
-  expect(strcmp(slipproof_error_message(error), "bicycle 3: R: expected a number > 0") == 0, "which bicycle is wrong");
+  expect(strcmp(slipproof_error_message(error), "bicycle 3: R: found -1, expected R > 0") == 0,
+         "which bicycle is wrong");
   expect(modes[0] == 7, "nothing is written where something is wrong");
   slipproof_error_free(error);
   bicycles.R.size = 2;

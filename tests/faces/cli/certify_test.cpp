@@ -149,7 +149,9 @@ TEST_CASE("tolerance and the meaning of decimals can be chosen") {
   CHECK(bench.certify(moved, {"--tolerance", "1e-4"}).exit_code == 0);
   const auto rounded = bench.certify(off + "0.2,0,0,0,0,0\n", {"--json"});
   const auto exactly = bench.certify(off + "0.2,0,0,0,0,0\n", {"--json", "--decimal", "exact"});
-  const auto a = [](const Outcome& o) { return Json::parse(lines_of(o.out)[1])["found"][0]["a"].get<std::string>(); };
+  const auto a = [](const Outcome& o) {
+    return Json::parse(lines_of(o.out)[1])["found"][0]["accelerations"]["a"].get<std::string>();
+  };
   CHECK(a(exactly).size() < 10);
   CHECK(a(rounded).size() > 20);
 }

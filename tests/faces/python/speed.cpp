@@ -1,6 +1,6 @@
 // The C++ side of speed.py: the same scenes, the same calls.
 //   slipproof_python_speed COLUMNS SCENE: COLUMNS has 15 columns of binary64, one after the other
-// Prints the best rate of the batch filter on one core, in scenes a second, and the best time of one solution, in
+// Prints the best rate of the batch on one core, in scenes a second, and the best time of one solution, in
 // seconds.
 #include <algorithm>
 #include <chrono>
@@ -10,7 +10,7 @@
 #include <iterator>
 #include <vector>
 
-#include "floating/filter/batch.hpp"
+#include "floating/batch/bicycle_batch.hpp"
 #include "mechanics/scene/scene.hpp"
 #include "report/scenes/mechanism_report.hpp"
 
@@ -38,21 +38,10 @@ int main(int argc, char** argv) {
   const auto at = [&](std::size_t i) {
     return Column(std::span(reinterpret_cast<const double*>(bytes.data()) + i * size, size));
   };
-  const ForcedScene<Column> scenes{.bicycle = {.M = at(0),
-                                               .R = at(1),
-                                               .h = at(2),
-                                               .b2 = at(3),
-                                               .b3 = at(4),
-                                               .I1 = at(5),
-                                               .I2 = at(6),
-                                               .I3 = at(7),
-                                               .r1 = at(8),
-                                               .r2 = at(9),
-                                               .L = at(10),
-                                               .J = at(14)},
-                                   .road = {.f = at(11), .g = at(12)},
-                                   .F = at(13)};
-  const double batch = best_of(7, [&] { consistent_modes(scenes, 1); });
+  BicycleColumns bicycles;
+  for (std::size_t i = 0; i < bicycles.numbers.size(); ++i) bicycles.numbers[i] = at(i < 11 ? i : i == 11 ? 14 : i - 1);
+  bicycles.F = at(13);
+  const double batch = best_of(7, [&] { consistent_modes(bicycles, 1); });
   const MechanismScene scene = read_scene(argv[2]);
   const double solution = best_of(300, [&] { const SolvedMechanism solved(scene); });
   std::printf("%.9g %.9g\n", static_cast<double>(size) / batch, solution);

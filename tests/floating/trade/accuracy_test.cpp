@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "base/crew/bytes.hpp"
 #include "floating/trade/arithmetic.hpp"
 #include "report/scenes/trade_report.hpp"
 #include "support/thread_ranks.hpp"
@@ -25,7 +26,7 @@ void check_same(const TradeRow& found, const TradeRow& expected) {
 
 std::vector<Cancellation> cancellations(const Accuracy& accuracy) {
   std::vector<Cancellation> all;
-  accuracy.cancellations.append_to(all, "type");
+  accuracy.tell_cancellations("type", all);
   return all;
 }
 
@@ -38,19 +39,19 @@ std::string document(Trade trade) {
 }  // namespace
 
 TEST_CASE("halves add up to the whole, also as bytes") {
-  const Workloads workloads(24, 5);
+  const Workloads workloads{24, 5};
   for (const std::size_t index : {std::size_t{0}, std::size_t{5}, std::size_t{26}, std::size_t{29}}) {
     CAPTURE(index);
     const Workload whole = workloads.make(index);
     Workload first = whole, second = whole;
     first.scenes.resize(9);
     second.scenes.erase(second.scenes.begin(), second.scenes.begin() + 9);
-    const auto expected = judge_accuracy(whole), later = read_accuracy(accuracy_bytes(judge_accuracy(second)));
-    auto sum = judge_accuracy(first);
+    const auto expected = judge_accuracy(whole);
+    std::vector<Accuracy> sum;
+    for (const Workload* half : {&first, &second}) add_accuracy(accuracy_bytes(judge_accuracy(*half)), sum);
     REQUIRE(sum.size() == expected.size());
     for (std::size_t t = 0; t < sum.size(); ++t) {
       CAPTURE(t);
-      sum[t].add(later.at(t));
       check_same(sum[t].row, expected[t].row);
       const auto found = cancellations(sum[t]), once = cancellations(expected[t]);
       REQUIRE(found.size() == once.size());
@@ -64,15 +65,23 @@ TEST_CASE("halves add up to the whole, also as bytes") {
   }
 }
 
+TEST_CASE("bytes that are no accuracies are told") {
+  const std::string bytes = accuracy_bytes(judge_accuracy(Workloads{2, 1}.make(0)));
+  for (const std::string& broken : {std::string(), bytes.substr(0, bytes.size() - 1), bytes + "x"}) {
+    std::vector<Accuracy> types;
+    CHECK_THROWS_AS(add_accuracy(broken, types), BrokenBytes);
+  }
+}
+
 TEST_CASE("pieces have the scenes that are asked for, each its own") {
-  const Workloads two(Workloads::piece_size + 1, 1), one(Workloads::piece_size, 1);
+  const Workloads two{Workloads::piece_size + 1, 1}, one{Workloads::piece_size, 1};
   REQUIRE(two.pieces() == 2);
   REQUIRE(one.pieces() == 1);
   const auto first = two.make(0, 0).scenes, second = two.make(0, 1).scenes;
   CHECK(first.size() == Workloads::piece_size);
   REQUIRE(second.size() == 1);
-  for (const auto& scene : first) CHECK(scene.F != second[0].F);
-  CHECK(one.make(0).scenes.back().F == first.back().F);
+  for (const auto& scene : first) CHECK(scene.back() != second[0].back());
+  CHECK(one.make(0).scenes.back() == first.back());
 }
 
 TEST_CASE("ranks measure what one machine does") {

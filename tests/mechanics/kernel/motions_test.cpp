@@ -1,4 +1,4 @@
-#include "mechanics/bicycle_modes/motions.hpp"
+#include "support/bicycle/motions.hpp"
 
 #include <doctest/doctest.h>
 

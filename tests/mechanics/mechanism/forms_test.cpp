@@ -6,12 +6,12 @@
 #include <random>
 #include <tuple>
 
-#include "mechanics/bicycle/linear_form.hpp"
 #include "mechanics/checks/free_motion.hpp"
 #include "mechanics/reading/read_mechanism.hpp"
 #include "mechanics/reading/shipped.hpp"
 #include "mechanics/scene/problem.hpp"
 #include "mechanics/scene/sampling.hpp"
+#include "support/bicycle/linear_form.hpp"
 #include "support/random_scene.hpp"
 
 using namespace slipproof;

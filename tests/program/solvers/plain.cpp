@@ -2,8 +2,8 @@
 // first mode that fits.
 #include <Eigen/Dense>
 
-#include "mechanics/bicycle/linear_form.hpp"
 #include "scenes.hpp"
+#include "support/bicycle/linear_form.hpp"
 
 using namespace slipproof;
 
@@ -41,6 +41,8 @@ test::SolverAnswer solve(const ForcedScene<double>& s) {
         case ContactState::lift:
           fits = fits && gap(s.bicycle, u, w) > -tolerance;
           break;
+        default:
+          fits = false;
       }
     }
     if (fits) return {u.a, u.S2, u.S3, u.N2, u.N3, name(mode), 0};

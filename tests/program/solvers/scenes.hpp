@@ -10,8 +10,8 @@
 
 #include "base/number/binary64.hpp"
 #include "base/number/format.hpp"
-#include "mechanics/bicycle_modes/motions.hpp"
-#include "support/filter_scenes.hpp"
+#include "support/bicycle/motions.hpp"
+#include "support/bicycle_populations.hpp"
 
 namespace slipproof::test {
 
@@ -21,9 +21,9 @@ struct SolverAnswer {
   int info = 0;      ///< what the solver says of its success, 0: success
 };
 
-/// Bicycles with J, kind internal, numbers that are the nearest binary64 of short decimals.
+/// RandomBicycles with J, kind internal, numbers that are the nearest binary64 of short decimals.
 inline std::vector<ForcedScene<double>> solver_scenes() {
-  FilterScenes random(2024);
+  RandomBicycles random(2024);
   std::vector<ForcedScene<double>> scenes;
   const auto shortened = [](double x, int digits) { return std::stod(fmt::format("{:.{}g}", x, digits)); };
   for (int i = 0; i < 24; ++i) {

@@ -14,10 +14,10 @@
 #include "claims/reading/read_claims_file.hpp"
 #include "claims/statements/claim_statements.hpp"
 #include "claims/statements/truth_text.hpp"
-#include "mechanics/bicycle_modes/motions.hpp"
 #include "proofs/check/files.hpp"
 #include "proofs/search/prove.hpp"
 #include "proofs/statement/statement.hpp"
+#include "support/bicycle/motions.hpp"
 #include "support/run_program.hpp"
 #include "support/shipped.hpp"
 

@@ -23,7 +23,7 @@ double number(const std::string& cell) {
 }
 
 /// Spoils one field so that no correct judge may certify it.
-void corrupt(Cells& c, std::size_t kind, FilterScenes& random) {
+void corrupt(Cells& c, std::size_t kind, RandomBicycles& random) {
   // A component that is not zero: S2, S3, N2, N3, a.
   std::vector<std::size_t> candidates;
   for (const std::size_t i : {0U, 5U, 6U, 7U, 8U}) {

@@ -1,5 +1,5 @@
 // Cells of lines, found and read in vector registers, against reading them one by one.
-#include "records/certify/decimal_cells.hpp"
+#include "records/reading/decimal_cells.hpp"
 
 #include <doctest/doctest.h>
 #include <fast_float/fast_float.h>

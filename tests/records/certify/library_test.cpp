@@ -1,12 +1,12 @@
-// The library as somebody calls it who has doubles: solve a scene, certify an answer, filter a batch.
+// The library as somebody calls it who has doubles: certify an answer, and columns of them.
 #include <doctest/doctest.h>
 
 #include <limits>
 
-#include "base/number/parse.hpp"
-#include "floating/filter/batch.hpp"
-#include "mechanics/bicycle_modes/motions.hpp"
-#include "records/certify/judge.hpp"
+#include "base/number/binary64.hpp"
+#include "records/certify/columns.hpp"
+#include "records/record/bicycle_records.hpp"
+#include "support/bicycle/motions.hpp"
 
 using namespace slipproof;
 
@@ -27,85 +27,75 @@ const ForcedScene<double> typical{.bicycle = {.M = 94,
                                   .road = {.f = 0.8, .g = 9.81},
                                   .F = 300};
 
-}  // namespace
-
-TEST_CASE("a scene of doubles is solved exactly, and its answer certified") {
+/// The numbers of a bicycle and of its one motion.
+RecordJudge::NamedNumbers right_answer() {
   const MotionsAtForce found = motions_at(typical);
   REQUIRE(found.motions.size() == 1);
-  CHECK(found.motions[0].modes == std::vector{*parse_mode("stick/stick")});
-  const Motion<Rational>& motion = found.motions[0].values;
-  CHECK(motions_at(to_rational(typical)).motions[0].values == motion);
-  const auto value = [&](Quantity q) { return motion[q].to_double(); };
-  const SolverOutput right{.mode = parse_mode("stick/stick"),
-                           .a = value(Quantity::a),
-                           .S2 = value(Quantity::S2),
-                           .S3 = value(Quantity::S3),
-                           .N2 = value(Quantity::N2),
-                           .N3 = value(Quantity::N3),
-                           .eps3 = value(Quantity::eps3)};
-  CHECK(judge(typical, right).verdict == RecordVerdict::certified);
-  CHECK(judge(typical, right).tier == Tier::filter);
-  CHECK(judge(to_rational(typical), right).verdict == RecordVerdict::certified);
-  SolverOutput off = right;
-  off.eps3 = *off.eps3 * 1.001;
-  CHECK(judge(typical, off).verdict == RecordVerdict::inaccurate);
-  CHECK(judge(typical, off, {.tolerance = 1e-2}).verdict == RecordVerdict::certified);
-  off.mode = parse_mode("slip+/stick");
-  CHECK(judge(typical, off).verdict == RecordVerdict::wrong);
-  ForcedScene<double> broken = typical;
-  broken.road.f = std::numeric_limits<double>::quiet_NaN();
-  CHECK(judge(broken, right).verdict == RecordVerdict::invalid);
-  CHECK_THROWS_AS(motions_at(broken), NumberError);
+  const Bicycle<double>& p = typical.bicycle;
+  RecordJudge::NamedNumbers numbers{{"M", p.M},
+                                    {"R", p.R},
+                                    {"h", p.h},
+                                    {"b2", p.b2},
+                                    {"b3", p.b3},
+                                    {"I1", p.I1},
+                                    {"I2", p.I2},
+                                    {"I3", p.I3},
+                                    {"r1", p.r1},
+                                    {"r2", p.r2},
+                                    {"L", p.L},
+                                    {"J", *p.J},
+                                    {"f", typical.road.f},
+                                    {"g", typical.road.g},
+                                    {"F", typical.F}};
+  for (const Quantity q : {Quantity::a, Quantity::S2, Quantity::S3, Quantity::N2, Quantity::N3, Quantity::eps3}) {
+    numbers.emplace_back(name(q), nearest_binary64(found.motions[0].values[q]));
+  }
+  return numbers;
 }
 
-TEST_CASE("a continuum outlives the table that found it") {
-  ForcedScene<double> massless = typical;
-  massless.bicycle.I3 = 0;
-  massless.F = 3000;
-  const MotionsAtForce found = motions_at(massless);
-  REQUIRE(found.continua.size() == 1);
-  CHECK(name(found.continua[0].continuum->mode) == "stick/lift");
-  CHECK(found.continua[0].continuum->parameters == std::vector{Quantity::eps3});
+}  // namespace
+
+TEST_CASE("an answer in doubles is certified, or told what is wrong with it") {
+  const RecordJudge judge(bicycle_records(), {}), loose(bicycle_records(), {.tolerance = 1e-2});
+  const RecordFields& fields = judge.fields();
+  const Record right = judge.record(right_answer());
+  CHECK(judge(right).verdict == RecordVerdict::certified);
+  CHECK(judge(right).tier == Tier::filter);
+  CHECK(judge(right).mode_names == "\"stick/stick\"");
+  Record off = right;
+  off.values[*fields.find("eps3")] *= 1.001;
+  CHECK(judge(off).verdict == RecordVerdict::inaccurate);
+  CHECK(loose(off).verdict == RecordVerdict::certified);
+  off.mode = *fields.find_mode("slip+/stick");
+  CHECK(judge(off).verdict == RecordVerdict::wrong);
+  auto numbers = right_answer();
+  numbers[12].second = std::numeric_limits<double>::quiet_NaN();
+  CHECK(judge(judge.record(numbers)).verdict == RecordVerdict::invalid);
+  numbers.pop_back();
+  numbers.erase(numbers.begin());
+  CHECK_THROWS_WITH_AS(judge(judge.record(numbers)), doctest::Contains("missing M"), std::invalid_argument);
 }
 
-TEST_CASE("a batch is written down by names, numbers that are the same for all as numbers") {
-  std::vector<double> forces, heights;
-  for (int i = 0; i < 1000; ++i) {
-    forces.push_back(-4000 + 8 * i);
-    heights.push_back(0.4 + i * 1e-4);
+TEST_CASE("columns in memory are judged as records one by one") {
+  const RecordJudge judge(bicycle_records(), {});
+  RecordColumns columns(judge.fields(), 1000);
+  const auto numbers = right_answer();
+  for (const auto& [name, value] : numbers) columns.number(name) = {&value, 0};
+  std::vector<double> accelerations(1000, numbers[15].second);
+  for (std::size_t i = 0; i < accelerations.size(); i += 3) accelerations[i] *= 1 + 1e-6 * static_cast<double>(i);
+  columns.number("a") = std::span<const double>(accelerations);
+  const JudgedColumns found = certify(columns, judge, 2);
+  CHECK(found.summary.records == 1000);
+  for (std::size_t i = 0; i < accelerations.size(); ++i) {
+    auto one = numbers;
+    one[15].second = accelerations[i];
+    const RecordJudgement alone = judge(judge.record(one));
+    CHECK(found.verdicts[i] == alone.verdict);
+    CHECK(found.errors[i] == alone.max_error);
+    CHECK(found.modes[i] == 1);
   }
-  const ForcedScene<Column> scenes{.bicycle = {.M = 94,
-                                               .R = 0.3,
-                                               .h = heights,
-                                               .b2 = 0.34,
-                                               .b3 = 0.68,
-                                               .I1 = 0.01,
-                                               .I2 = 0.12,
-                                               .I3 = 0.2,
-                                               .r1 = 0.09,
-                                               .r2 = 0.036,
-                                               .L = 0.17,
-                                               .J = 15.7},
-                                   .road = {.f = 0.8, .g = 9.81},
-                                   .F = forces};
-  const BatchAnswers answers = consistent_modes(scenes);
-  REQUIRE(answers.modes.size() == forces.size());
-  CHECK(answers.tiers[0] + answers.tiers[1] + answers.tiers[2] == forces.size());
-  std::uint16_t seen = 0;
-  for (std::size_t i = 0; i < forces.size(); ++i) {
-    ForcedScene<double> one = typical;
-    one.bicycle.h = heights[i];
-    one.F = forces[i];
-    CHECK(answers.modes[i] == consistent_modes(one));
-    seen |= answers.modes[i].consistent;
-  }
-  CHECK(std::popcount(seen) > 3);
-  // A number that is not given, or a column of another length, is told.
-  ForcedScene<Column> incomplete = scenes;
-  incomplete.bicycle.L = Column();
-  CHECK_THROWS_AS(consistent_modes(incomplete), std::invalid_argument);
-  heights.pop_back();
-  incomplete = scenes;
-  incomplete.bicycle.h = heights;
-  CHECK_THROWS_AS(consistent_modes(incomplete), std::invalid_argument);
+  CHECK(found.summary.count(RecordVerdict::certified) == 667);
+  const std::uint16_t no_such_mode = 16;
+  columns.modes = {&no_such_mode, 0};
+  CHECK_THROWS_WITH_AS(certify(columns, judge), doctest::Contains("expected 0 to 15"), std::invalid_argument);
 }

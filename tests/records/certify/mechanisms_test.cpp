@@ -13,7 +13,7 @@
 #include "mechanics/kernel/motions.hpp"
 #include "mechanics/reading/shipped.hpp"
 #include "mechanics/scene/sampling.hpp"
-#include "records/certify/mechanism_record.hpp"
+#include "records/record/record.hpp"
 #include "support/certified.hpp"
 #include "support/unit_systems.hpp"
 

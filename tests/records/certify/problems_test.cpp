@@ -5,10 +5,12 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "mechanics/scene/scene.hpp"
+#include "contact/simulation/loaded_contacts.hpp"
+#include "mechanics/scene/bicycle_scene.hpp"
 #include "records/certify/certify.hpp"
-#include "records/certify/problem_reader.hpp"
-#include "records/certify/record_reader.hpp"
+#include "records/problems/problem_reader.hpp"
+#include "records/reading/record_reader.hpp"
+#include "records/record/bicycle_records.hpp"
 #include "support/bicycle_scenes.hpp"
 #include "support/certified.hpp"
 
@@ -218,17 +220,21 @@ TEST_CASE("recorded answers of Siconos get the same verdict as contact problems 
     file.clear();
     file.seekg(0);
     std::getline(file, header);
-    const RecordReader reader(options, header);
+    const RecordJudge judge(bicycle_records(), options.judge);
+    const RecordFields& fields = judge.fields();
+    const RecordReader reader(options, judge.certified(), fields, header);
     std::istringstream lines(verdicts);
     while (std::getline(file, row) && std::getline(lines, verdict)) {
       const Json scene = Json::parse(verdict);
       if (scene["verdict"] == "invalid") continue;
       CAPTURE(row);
-      const Record record = reader.read(row);
-      const auto s = exact_scene(record);
-      const ContactProblem problem = slipproof::test::contacts_of(s.bicycle, s.road, s.force_kind, s.F);
+      Record record;
+      reader.read(row, record);
+      RecordPoint point = point_of(judge.setting(), record);
+      const ContactProblem problem =
+          loaded_contacts({"", bicycle_mechanism(), std::move(point.values), std::move(point.load), {}}).problem;
       ProblemAnswer answer;
-      for (const Field f : {Field::N2, Field::S2, Field::N3, Field::S3}) answer.z.push_back(record.exactly(f));
+      for (const char* force : {"N2", "S2", "N3", "S3"}) answer.z.push_back(record.exactly(*fields.find(force)));
       const auto judgement = judge_problem(problem, answer, options.judge);
       ++records;
       CHECK(judgement.motions == scene["motions"]);

@@ -50,7 +50,7 @@ TEST_CASE("without J, and only then, a mode with a wheel off the road is not mod
   record["I2"] = record["I3"] = 1;
   CHECK_FALSE(judged_record(record).contains("reason"));
   record.erase("J");
-  CHECK(judged_record(record)["reason"] == "the mode is not modelled: without J no wheel leaves the road");
+  CHECK(judged_record(record)["reason"] == "the mode is not modelled: front has no lift here without J");
   record["mode"] = "stick/stick";
   CHECK(judged_record(record)["reason"] == "the mode is right, its numbers are not");
 }

@@ -12,8 +12,8 @@
 
 #include "base/number/format.hpp"
 #include "base/number/parse.hpp"
-#include "mechanics/bicycle_modes/bicycle_motions.hpp"
 #include "records/certify/columns.hpp"
+#include "records/record/bicycle_records.hpp"
 #include "support/certified.hpp"
 #include "support/solver_records.hpp"
 #include "support/unit_systems.hpp"
@@ -72,7 +72,7 @@ std::optional<Cells> with_high_friction(Cells cells) {
 /// Right answers, and such as are wrong by little or much in one component, zeros too.
 std::vector<Cells> answers(std::size_t count) {
   SolverRecords records(36);
-  FilterScenes& random = records.random();
+  RandomBicycles& random = records.random();
   std::vector<Cells> result;
   while (result.size() < count) {
     Cells cells = records.next();
@@ -144,59 +144,53 @@ struct Difference {
   }
 };
 
-/// As the library, Python and C take single answers.
+/// As the library takes single answers.
 std::vector<std::string> by_library(const std::vector<Cells>& records) {
+  const RecordJudge judge(bicycle_records(), {});
+  const RecordFields& fields = judge.fields();
   std::vector<std::string> result;
   for (const Cells& cells : records) {
-    std::array<double, eps1_cell> x{};
-    std::transform(cells.begin(), cells.begin() + eps1_cell, x.begin(), number_in);
-    ForcedScene<double> s{.bicycle = {x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], x[10]},
-                          .road = {x[11], x[12]},
-                          .force_kind = *parse_force_kind(cells[kind_cell]),
-                          .F = x[13]};
-    if (!cells[14].empty()) s.bicycle.J = x[14];
-    const SolverOutput output{.mode = parse_mode(cells[mode_cell]),
-                              .a = x[17],
-                              .S2 = x[22],
-                              .S3 = x[23],
-                              .N2 = x[24],
-                              .N3 = x[25],
-                              .a_y = x[18],
-                              .phi = x[19],
-                              .eps2 = x[20],
-                              .eps3 = x[21]};
-    result.emplace_back(name(judge(s, output).verdict));
+    Record record;
+    record.clear(fields.size());
+    for (std::size_t k = 0; k < record_columns.size(); ++k) {
+      if (const auto field = fields.find(record_columns[k]); field && !cells[k].empty()) {
+        record.set(*field, number_in(cells[k]));
+      }
+    }
+    record.set(fields.word_field(), cells[kind_cell] == "external" ? 1 : 0);
+    record.mode = fields.find_mode(cells[mode_cell]).value_or(no_mode);
+    result.emplace_back(name(judge(record).verdict));
   }
   return result;
 }
 
 /// As .npy files, Python and C take many; those with J, then those without.
 std::vector<std::string> by_columns(const std::vector<Cells>& records) {
+  const RecordJudge judge(bicycle_records(), {});
+  const RecordFields& fields = judge.fields();
   std::vector<std::string> result(records.size());
   for (const bool with_J : {true, false}) {
     std::vector<std::size_t> own;
     for (std::size_t i = 0; i < records.size(); ++i) {
       if (records[i][14].empty() != with_J) own.push_back(i);
     }
-    std::array<std::vector<double>, field_count> numbers;
-    std::vector<std::uint8_t> modes, kinds;
-    RecordColumns columns;
-    columns.records = own.size();
+    std::vector<std::vector<double>> numbers(fields.size());
+    std::vector<std::uint16_t> modes;
+    RecordColumns columns(fields, own.size());
     for (std::size_t k = 0; k < record_columns.size(); ++k) {
-      const auto field = parse_field(record_columns[k]);
-      if (!field || (*field == Field::J && !with_J)) continue;
-      std::vector<double>& to = numbers[index(*field)];
-      for (const std::size_t i : own) to.push_back(number_in(records[i][k]));
-      columns[*field] = std::span<const double>(to);
+      const auto field = fields.find(record_columns[k]);
+      if (!field || (record_columns[k] == "J" && !with_J)) continue;
+      for (const std::size_t i : own) numbers[*field].push_back(number_in(records[i][k]));
+      columns.numbers[*field] = std::span<const double>(numbers[*field]);
     }
+    std::vector<double>& kinds = numbers[fields.word_field()];
     for (const std::size_t i : own) {
-      const auto mode = parse_mode(records[i][mode_cell]);
-      modes.push_back(mode ? static_cast<std::uint8_t>(mode->index()) : no_mode);
+      modes.push_back(fields.find_mode(records[i][mode_cell]).value_or(no_mode));
       kinds.push_back(records[i][kind_cell] == "external" ? 1 : 0);
     }
-    columns.modes = std::span<const std::uint8_t>(modes);
-    columns.kinds = std::span<const std::uint8_t>(kinds);
-    const JudgedColumns judged = certify(columns);
+    columns.numbers[fields.word_field()] = std::span<const double>(kinds);
+    columns.modes = std::span<const std::uint16_t>(modes);
+    const JudgedColumns judged = certify(columns, judge);
     for (std::size_t i = 0; i < own.size(); ++i) result[own[i]] = std::string(name(judged.verdicts[i]));
   }
   return result;

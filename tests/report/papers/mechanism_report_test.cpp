@@ -17,7 +17,7 @@ void set(MechanismScene& scene, std::string_view symbol, const Rational& value) 
   scene.values.parameters[bicycle_parameter(symbol)] = value;
 }
 
-/// The ambiguous region of Assertion 5, see tests/mechanics/bicycle_modes: three motions at F = 7/20.
+/// The ambiguous region of Assertion 5, as three motions at F = 7/20.
 MechanismScene ambiguous(std::optional<Rational> F) {
   MechanismScene scene{"three motions", bicycle_mechanism(), default_values(bicycle_mechanism()), std::move(F), {}};
   for (const std::string_view one : {"M", "R", "h", "I2", "I3", "r1", "r2", "L", "J", "g"}) set(scene, one, 1);

@@ -16,12 +16,12 @@
 #include "faces/cli/commands/certify_problem.hpp"
 #include "faces/cli/crew_run.hpp"
 #include "faces/cli/warnings.hpp"
-#include "mechanics/bicycle_modes/bicycle_motions.hpp"
 #include "mechanics/reading/shipped.hpp"
 #include "mechanics/scene/scene.hpp"
-#include "records/certify/contact_file.hpp"
 #include "records/certify/pieces.hpp"
 #include "records/certify/table_records.hpp"
+#include "records/problems/contact_file.hpp"
+#include "records/record/bicycle_records.hpp"
 
 namespace slipproof::cli {
 
@@ -53,8 +53,8 @@ std::string summary_text(const CertifySummary& s) {
     if (verdict == RecordVerdict::undecided && s.count(verdict) == 0) continue;
     text += fmt::format("{} {} {}", i == 0 ? ":" : ",", s.verdicts[i], name(verdict));
   }
-  text += fmt::format("\ndecided by binary64 {}, double-double {}, exact arithmetic {}; {} could not be read\n",
-                      s.tiers[0], s.tiers[1], s.tiers[2], s.broken);
+  text += fmt::format("\ndecided by binary64 {}, exact arithmetic {}; {} could not be read\n", s.tiers[0], s.tiers[1],
+                      s.broken);
   if (s.with_rho == 0 || s.with_rho < s.count(RecordVerdict::certified)) {
     text += fmt::format("largest relative error of a certified record {:.3g}, of any right motion {:.3g}\n",
                         s.worst_certified_error, s.worst_error);
@@ -66,7 +66,7 @@ std::string summary_text(const CertifySummary& s) {
                             s.count(RecordVerdict::certified), s.records);
 }
 
-/// A line on a terminal's standard error, twice a second at most.
+/// Shows the count on standard error if that is a terminal, at most twice a second.
 Progress record_counter(bool wanted) {
   if (!wanted || isatty(STDERR_FILENO) == 0) return {};
   auto last = std::make_shared<std::chrono::steady_clock::time_point>();
@@ -78,21 +78,16 @@ Progress record_counter(bool wanted) {
   };
 }
 
-/// What is the same for all records: a scene of a bicycle or of a mechanism, or a mechanism alone.
+/// Reads the values that are the same for all records: a scene of a bicycle or of a mechanism, or a mechanism alone.
 void read_setting(CertifyArguments& options) {
   if (!options.mechanism.empty()) options.certify.mechanism.emplace(open_mechanism(options.mechanism));
   if (!options.scene.empty()) {
-    const std::string text = read_text_file(options.scene);
-    if (is_mechanism_scene(text)) {
-      options.certify.mechanism.emplace(parse_scene(text, options.scene));
-    } else {
-      options.certify.scene = bicycle_scene(parse_scene(text, options.scene));
-    }
+    options.certify.mechanism = records_of_scene(read_text_file(options.scene), options.scene);
   }
   if (options.certify.mechanism) print_warnings(options.certify.mechanism->mechanism, options.common);
 }
 
-/// Whether the file holds one contact problem, and not records, or problems as JSON Lines.
+/// Whether the file holds one contact problem; otherwise it has records, or problems as JSON Lines.
 bool is_one_problem(const CertifyArguments& options) {
   if (options.file != "-" && !is_json_lines(options.file)) {
     return options.problem.any() || is_problem_file(options.file);
@@ -105,7 +100,7 @@ bool is_one_problem(const CertifyArguments& options) {
   return false;
 }
 
-/// Of a table, or of lines of text.
+/// Certifies a table, or lines of text.
 CertifySummary certify_records(const CertifyArguments& options, bool table, const LineSink& sink,
                                const Progress& progress) {
   if (table) return certify(open_table(options.file, options.table), sink, options.certify, progress);
@@ -133,14 +128,14 @@ Exit certified_exit(const CertifySummary& summary) {
   return summary.nothing_refuted() ? undecided : refuted_or_not_certified;
 }
 
-/// What a run without parts would say at its end.
+/// The last lines of a run without parts.
 PartsEnd end_of(const CertifyArguments& options, const CertifySummary& summary, std::vector<PartRange> ranges) {
   PartsEnd end{.ranges = std::move(ranges), .exit_code = certified_exit(summary)};
   (options.common.json ? end.err : end.out) = summary_text(summary);
   return end;
 }
 
-/// By a crew; nothing on the ranks that only answer.
+/// Certifies by a crew; returns nothing on ranks that only answer.
 std::optional<CertifySummary> certify_shared(const CertifyArguments& options, const LineSink& sink,
                                              const Progress& progress) {
   const RecordPieces pieces(options.certify);
@@ -159,7 +154,7 @@ std::optional<CertifySummary> certify_shared(const CertifyArguments& options, co
   return summary;
 }
 
-/// A crew shares out the lines of a file, and nothing else yet.
+/// Refuses other input than a file of lines, since a crew can share out nothing else.
 void refuse_crew(const CertifyArguments& options, const char* found) {
   if (!options.crew.wanted()) return;
   throw CLI::ValidationError(
@@ -167,7 +162,7 @@ void refuse_crew(const CertifyArguments& options, const char* found) {
       std::string("found ") + found + ", expected a file of CSV or JSON Lines for --checkpoint, --parts or many ranks");
 }
 
-/// The index of the parts is what their run goes on from.
+/// A run with parts continues from their index.
 void prepare_parts(CertifyArguments& options) {
   if (options.parts.empty()) return;
   if (options.common.quiet)
@@ -217,7 +212,7 @@ int run_certify(CertifyArguments& options) {
   if (!options.common.json) {
     print(summary_text(summary));
   } else if (!quiet) {
-    std::cerr << summary_text(summary);  // stdout has a line for each record and nothing else
+    std::cerr << summary_text(summary);  // standard output has only a line for each record
   }
   return certified_exit(summary);
 }

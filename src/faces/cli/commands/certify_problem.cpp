@@ -12,7 +12,7 @@
 #include "contact/judge/certificate.hpp"
 #include "contact/judge/problem_name.hpp"
 #include "proofs/check_contact/files.hpp"
-#include "records/certify/contact_file.hpp"
+#include "records/problems/contact_file.hpp"
 #include "report/html/contact_report.hpp"
 #include "report/values/exact_json.hpp"
 
@@ -41,7 +41,7 @@ std::string last_line(const JudgedProblem& problem, int code) {
   return fmt::format("s {} {}/{}\n", verdict, certified, problem.answers.size());
 }
 
-/// A word as a shell reads it back.
+/// Quotes a word so that a shell reads it back unchanged.
 std::string in_shell(const std::string& word) {
   const auto plain = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
@@ -53,7 +53,7 @@ std::string in_shell(const std::string& word) {
   return text + '\'';
 }
 
-/// What makes the page again, with all that the verdicts depend on.
+/// The command that makes the page again, with all options that the verdicts depend on.
 std::string command_line(const CertifyProblemArguments& options) {
   std::string text = "slipproof certify " + in_shell(options.file);
   const auto add = [&](const char* option, const std::string& value) {
@@ -69,7 +69,7 @@ std::string command_line(const CertifyProblemArguments& options) {
   return text;
 }
 
-/// Checks a certificate that must be about this problem, as slipproof-check-contact does.
+/// Checks a certificate, which must be about this problem, as slipproof-check-contact does.
 int check_certificate(const CertifyProblemArguments& options, const ProblemFile& problem, const CommonOptions& common) {
   CertifyProblemArguments others = options;
   others.check_certificate.clear();
@@ -145,7 +145,7 @@ int run_certify_problem(const CertifyProblemArguments& options, const CommonOpti
   }
   const int code = exit_code_of(problem);
   words += last_line(problem, code);
-  if (common.json || !common.quiet) print(lines);  // before anything else is made of them, which may fail
+  if (common.json || !common.quiet) print(lines);  // printed before other output is made, which may fail
   if (refined) {
     const std::string text = refined_answer(problem, 0);
     if (text.empty()) {

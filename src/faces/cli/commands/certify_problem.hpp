@@ -15,18 +15,18 @@ struct CertifyProblemArguments {
   std::optional<double> tolerance, within;
   std::optional<Work> effort;
   bool refine = false;
-  /// Whether one of the options was given that only problems have.
+  /// Whether an option was given that only problems have.
   bool any() const {
     return !answer.empty() || !certificate.empty() || !check_certificate.empty() || !report.empty() || refine ||
            within || law != "cone";
   }
 };
 
-/// Adds those options to `certify`.
+/// Adds these options to `certify`.
 void add_problem_options(CLI::App& command, CertifyProblemArguments& options);
 
-/// Judges the answers, prints a line for each and a summary in words, writes what was asked for. Throws InputError,
-/// OutputError. Returns the exit code.
+/// Judges the answers, prints a line for each and a summary in words, and writes the requested files. Throws InputError
+/// and OutputError. Returns the exit code.
 int run_certify_problem(const CertifyProblemArguments& options, const CommonOptions& common);
 
 }  // namespace slipproof::cli

@@ -22,7 +22,7 @@ struct DrawArguments {
   std::size_t motion = 0;  ///< 0: none
 };
 
-/// The motion that is asked for, counted from 1.
+/// The requested motion, counted from 1.
 MotionAtLoad motion_of(const MechanismScene& scene, const DrawArguments& arguments) {
   const auto refuse = [&](const std::string& message) { throw InputError({{arguments.scene, 0, 0, message}}); };
   if (scene.mechanism.load && !scene.load) {

@@ -14,7 +14,7 @@ struct JoinArguments {
   std::string prefix, out;
 };
 
-/// What the run would have printed without parts.
+/// Writes what the run would have printed without parts.
 void put_together(const JoinArguments& options, const PartsEnd& end, const OutputFile::Sink& sink) {
   read_parts(options.prefix, end, sink);
   sink(end.out);
@@ -23,7 +23,7 @@ void put_together(const JoinArguments& options, const PartsEnd& end, const Outpu
 int run_join(const JoinArguments& options) {
   const PartsEnd end = read_end(options.prefix);
   if (options.out.empty()) {
-    put_together(options, end, [](std::string_view) {});  // nothing goes out before all is known to be there
+    put_together(options, end, [](std::string_view) {});  // checks that everything exists before any output is written
     put_together(options, end, print);
   } else {
     Inputs inputs{parts_index(options.prefix)};

@@ -27,7 +27,7 @@ struct MapArguments {
   bool svg = false, png = false;
 };
 
-/// The ends of a range; the check of the option has seen that they are numbers.
+/// Sets the ends of a range. The check of the option has made sure that they are numbers.
 void set_range(const std::vector<std::string>& texts, std::optional<Rational>& from, std::optional<Rational>& to) {
   if (texts.empty()) return;
   from = parse_rational(texts[0]);
@@ -43,7 +43,7 @@ std::string number_or_complaint(const std::string& text) {
   }
 }
 
-/// A name that says neither SVG nor PNG must not get one of them unasked.
+/// Refuses a file name that ends neither in .svg nor in .png, unless an option gives the format.
 void expect_picture_name(const MapArguments& options) {
   const bool asked = options.svg || options.png || options.common.json || options.out.empty() || options.out == "-";
   if (asked || options.out.ends_with(".svg") || options.out.ends_with(".png")) return;
@@ -51,7 +51,7 @@ void expect_picture_name(const MapArguments& options) {
                                           ", expected a name that ends in .svg or .png; or say --svg or --png");
 }
 
-/// What is to be drawn, before the work.
+/// What to draw; made before the work begins.
 struct PlannedMap {
   Plane plane;
   MechanismScene scene;

@@ -32,7 +32,7 @@ struct ProveArguments {
 
 constexpr std::size_t max_certificate_size = std::size_t{1} << 28U;
 
-/// A statement, and how it is called in the folder for what is written.
+/// A statement, and its name in the output folder.
 struct StatementFile {
   std::filesystem::path file, name;
 };
@@ -45,14 +45,14 @@ std::vector<StatementFile> statements_below(const std::filesystem::path& folder)
   return result;
 }
 
-/// Those of the paper, made of its claims or of one's own.
+/// The statements of a paper: those made from its claims, and those written by hand.
 std::vector<StatementFile> statements_of(const PaperFolder& paper) {
   std::vector<StatementFile> result = statements_below(paper.folder);
   std::erase_if(result, [&](const StatementFile& statement) { return !paper.owns(statement.file); });
   return result;
 }
 
-/// Statements that no claims file is about: files, and folders of them.
+/// Statements that do not belong to a claims file: files, and folders of files.
 std::vector<StatementFile> own_statements(const std::vector<std::string>& inputs) {
   std::vector<StatementFile> result;
   for (const std::filesystem::path input : inputs) {
@@ -72,7 +72,7 @@ std::vector<StatementFile> own_statements(const std::vector<std::string>& inputs
   return result;
 }
 
-/// In one folder they would overwrite each other.
+/// In one folder, statements with the same name would overwrite each other.
 void refuse_equal_names(const std::vector<StatementFile>& statements) {
   std::map<std::filesystem::path, std::filesystem::path> files;
   for (const auto& [file, name] : statements) {
@@ -84,7 +84,7 @@ void refuse_equal_names(const std::vector<StatementFile>& statements) {
   }
 }
 
-/// Writes what `text_of` makes of each statement, under the same names. Empty texts are not written.
+/// Writes the result of `text_of` for each statement, under the same name. Does not write empty texts.
 void export_statements(const std::vector<StatementFile>& statements, const std::filesystem::path& out,
                        const char* extension, const std::function<std::string(const std::filesystem::path&)>& text_of) {
   Inputs inputs;
@@ -104,7 +104,7 @@ void export_statements(const std::vector<StatementFile>& statements, const std::
   print("s EXPORTED " + std::to_string(written) + " *" + extension + " to " + out.string() + '\n');
 }
 
-/// What `make` makes of the statement and the certificate beside it; empty where there is none.
+/// The result of `make` for the statement and its certificate; empty if there is no certificate.
 template <class Make>
 std::string with_certificate(const std::filesystem::path& statement, const Make& make) {
   const std::filesystem::path certificate = certificate_of(statement);
@@ -130,7 +130,7 @@ void export_coq(const std::vector<StatementFile>& statements, const std::filesys
   });
 }
 
-/// Copies the statements to a folder, where their certificates will stand beside them.
+/// Copies the statements to a folder; their certificates will be written there.
 std::vector<StatementFile> copied(const std::vector<StatementFile>& statements, const std::filesystem::path& out) {
   Inputs inputs;
   for (const StatementFile& statement : statements) inputs.add(statement.file);
@@ -145,13 +145,13 @@ std::vector<StatementFile> copied(const std::vector<StatementFile>& statements, 
   return result;
 }
 
-/// Copies the statements of one's own that stand beside a claims file and below.
+/// Copies the statements in the folder of a claims file and below.
 void copy_statements(const PaperFolder& paper, const std::filesystem::path& out) {
   if (out == paper.folder) return;
   std::vector<StatementFile> statements = statements_of(paper);
   std::erase_if(statements, [&](const StatementFile& statement) {
     const std::filesystem::path inside = statement.file.lexically_normal().lexically_relative(out.lexically_normal());
-    return !inside.empty() && *inside.begin() != "..";  // what an earlier run left in `out`
+    return !inside.empty() && *inside.begin() != "..";  // it is inside `out`, left by an earlier run
   });
   copied(statements, out);
 }

@@ -55,7 +55,7 @@ Json as_json(const FileOutcome& file) {
   return entry;
 }
 
-/// The mistakes, each with the claim that the statement was made of.
+/// Adds to each mistake the claim that the statement was made from.
 InputError naming_claims(const InputError& error, const std::map<std::string, std::string>& claims) {
   std::vector<Diagnostic> diagnostics = error.diagnostics();
   for (Diagnostic& diagnostic : diagnostics) {
@@ -67,7 +67,7 @@ InputError naming_claims(const InputError& error, const std::map<std::string, st
 
 }  // namespace
 
-/// The statements of a claim in a reading that `expect` asks for.
+/// The statements of a claim in a reading, as `expect` requires.
 struct ProveRun::Stated {
   const Claim* claim;
   Reading reading;
@@ -115,7 +115,7 @@ void ProveRun::say(const FileOutcome& file) {
 void ProveRun::prove(const std::vector<std::filesystem::path>& statements) {
   for (const std::filesystem::path& statement : statements) inputs_.add(statement);
   for (const std::filesystem::path& statement : statements) OutputFile(certificate_of(statement), inputs_);
-  // Written at once; said in the order of the files.
+  // Results are written at once, but reported in the order of the files.
   std::vector<std::optional<FileOutcome>> waiting(statements.size());
   std::size_t next = 0;
   options_.finished = [&](std::size_t index, const FileOutcome& outcome) {
@@ -126,7 +126,7 @@ void ProveRun::prove(const std::vector<std::filesystem::path>& statements) {
   for (FileOutcome& outcome : prove_files(statements, options_)) outcomes_.push_back(std::move(outcome));
 }
 
-/// What `write` gives for a claim. Statements that cannot be written or read are this claim's failure alone.
+/// The result of `write` for a claim. If statements cannot be written or read, only this claim fails.
 template <class Write>
 std::vector<NamedStatement> ProveRun::sound(const Claim& claim, const Write& write) {
   std::vector<NamedStatement> statements;
@@ -157,8 +157,8 @@ const ProofOutcome* ProveRun::outcome(const std::string& theorem) const {
   return nullptr;
 }
 
-/// What shows that the claim is false, after a first search: its statements that are false; or, where these are neither
-/// proved nor false, what refutes it the other way.
+/// Statements that show that the claim is false, after a first search: the refutation at a counterexample to one of its
+/// statements; or, if some of these are undecided, a refutation by the statements of the other direction.
 std::vector<NamedStatement> ProveRun::refutations(const ClaimsFile& file, const Stated& stated) {
   using Verdict = ProofOutcome::Verdict;
   bool open = false;
@@ -203,7 +203,7 @@ void ProveRun::prove_claims(const ClaimsFile& file, const PaperFolder& paper) {
     for (const Stated& one : all) {
       for (const NamedStatement& statement : one.statements) write_statement(statement, *one.claim);
     }
-    // Others in the folder of generated statements are of claims that have changed.
+    // Other files in the folder of generated statements are from claims that have changed.
     std::vector<std::filesystem::path> statements = statements_in(paper.folder);
     std::erase_if(statements, [&](const auto& path) { return !paper.owns(path); });
     const auto is_outdated = [&](const std::filesystem::path& path) {

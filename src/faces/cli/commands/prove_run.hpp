@@ -1,4 +1,4 @@
-// Proving many statements: each result is written and said as it comes.
+// Proves many statements. Writes and reports each result as it comes.
 #pragma once
 
 #include <filesystem>
@@ -18,16 +18,16 @@ namespace slipproof::cli {
 
 class ProveRun {
  public:
-  /// No result is written over one of `inputs`, or over a statement that is to be proved.
+  /// Results must not overwrite one of `inputs`, or a statement that is to be proved.
   ProveRun(const ProveOptions& options, const CommonOptions& common, Inputs inputs = {});
 
-  /// Proves the statements, and writes next to each its certificate, or why there is none.
+  /// Proves the statements, and writes for each its certificate, or why there is none, to the folder of the statement.
   void prove(const std::vector<std::filesystem::path>& statements);
-  /// Writes the statements of the claims to the folder for generated files, and proves them together with all others of
-  /// the paper. If a statement is false, writes and proves that, too; if a claim could not be settled, tries to refute
-  /// it. If the statements of a claim cannot be written or read, only this claim fails.
+  /// Writes the statements of the claims to the folder for generated files, and proves them together with all other
+  /// statements of the paper. If a statement is false, also writes and proves its refutation. If a claim is not
+  /// settled, tries to refute it. If the statements of a claim cannot be written or read, only this claim fails.
   void prove_claims(const ClaimsFile& file, const PaperFolder& paper);
-  /// Says what came of all, and gives the exit code.
+  /// Reports the results of all statements, and returns the exit code.
   Exit conclude();
 
  private:
@@ -47,10 +47,10 @@ class ProveRun {
   Inputs inputs_;
   bool shows_progress_;
   std::vector<FileOutcome> outcomes_;
-  std::map<std::string, std::string> settled_;  ///< left undecided, and why that does not matter
+  std::map<std::string, std::string> settled_;  ///< undecided statements, and why they do not matter
   std::vector<std::string> outdated_;
   std::vector<UnstatedClaim> unstated_;
-  std::vector<UnstatedClaim> failed_;  ///< what went wrong with a claim
+  std::vector<UnstatedClaim> failed_;  ///< claims with an error
 };
 
 }  // namespace slipproof::cli

@@ -20,7 +20,7 @@ struct ReportArguments : JudgeArguments {
   std::string out;
 };
 
-/// Of all papers in a folder: a page each, and one for all.
+/// Reports on all papers in a folder: a page for each, and one for all.
 int report_papers(const std::vector<std::filesystem::path>& papers, const ReportArguments& options) {
   if (options.out == "-" || !options.verify.only.empty()) {
     throw CLI::ValidationError(options.out == "-" ? "--out" : "--only",

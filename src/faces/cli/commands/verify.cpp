@@ -26,7 +26,7 @@ struct VerifyArguments : JudgeArguments {
   bool lists_findings() const { return errata || markdown || sarif; }
 };
 
-/// The lemmas as files that slipproof-check reads.
+/// Writes the lemmas as files that slipproof-check reads.
 void write_lemmas(const OutputFolder& folder, const MutationResult& result) {
   std::size_t number = 0;
   for (const Lemma* lemma : lemmas_of(result)) {
@@ -37,7 +37,7 @@ void write_lemmas(const OutputFolder& folder, const MutationResult& result) {
   }
 }
 
-/// A report is about verdicts: where none are given, none is written, and the user is told instead of left to wonder.
+/// Refuses a report together with options that give no verdicts, because a report shows verdicts.
 void refuse_report_without_verdicts(const VerifyArguments& options) {
   if (options.report.empty() || (!options.coverage && !options.mutants)) return;
   const std::string mode = options.coverage ? "--coverage" : "--mutants";
@@ -45,7 +45,7 @@ void refuse_report_without_verdicts(const VerifyArguments& options) {
                                              " out, or write the report in a call of its own");
 }
 
-/// A crew judges papers, and nothing else.
+/// Refuses a crew or a checkpoint with --mutants and --coverage, because a crew can only judge papers.
 void refuse_crew_without_verdicts(const VerifyArguments& options) {
   if (!options.crew.wanted() || (!options.mutants && !options.coverage)) return;
   throw CLI::ValidationError(
@@ -65,7 +65,7 @@ int judge_mutants(const std::filesystem::path& claims, const ClaimsFile& file, V
   return result.count(MutantEnd::survivor) == 0 && result.vacuous.empty() ? as_it_should_be : undecided;
 }
 
-/// The flags that are about one paper, and the first of them that is given.
+/// The first option given that applies to one paper only; empty if there is none.
 std::string flag_about_one_paper(const VerifyArguments& options) {
   if (options.mutants) return "--mutants";
   if (options.coverage) return "--coverage";
@@ -73,7 +73,7 @@ std::string flag_about_one_paper(const VerifyArguments& options) {
   return options.verify.only.empty() ? "" : "--only";
 }
 
-/// Of all papers in a folder.
+/// Verifies all papers in a folder.
 int verify_papers(const std::vector<std::filesystem::path>& papers, const VerifyArguments& options) {
   if (const std::string flag = flag_about_one_paper(options); !flag.empty()) {
     throw CLI::ValidationError("CLAIMS", flag + " is about one paper; found a folder, expected its claims.toml");

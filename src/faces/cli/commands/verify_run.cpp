@@ -110,7 +110,7 @@ bool is_shipped(const std::filesystem::path& claims) {
 
 PageFolders page_folders(const std::filesystem::path& claims, const std::filesystem::path& trade) {
   PageFolders folders{claims, shipped("cases/city-bicycle.toml"), {}, {}, trade};
-  // Our scenes and what solvers made of them have no place in a report on somebody else's paper.
+  // Our scenes and solvers' answers to them do not belong in a report on somebody else's paper.
   if (is_shipped(claims)) folders.cases = shipped("cases"), folders.solvers = shipped("cases/solvers");
   return folders;
 }
@@ -131,7 +131,7 @@ PageInput report_input(const std::filesystem::path& claims, const ClaimsFile& fi
   return input;
 }
 
-/// What a paper is called among others: as its folder, with the name of the claims file where several stand there.
+/// The name of a paper among others: its folder, with the name of the claims file if the folder has several.
 std::string paper_name(const std::filesystem::path& claims) {
   const std::string folder = std::filesystem::absolute(claims).parent_path().filename().string();
   return paper_folder(claims).is_main() ? folder : folder + "." + claims.stem().string();
@@ -174,7 +174,7 @@ std::vector<JudgedPaper> judge_papers(const std::vector<std::filesystem::path>& 
   if (run.served()) return {};
   std::optional<OutputFolder> pages;
   if (!report.empty()) pages.emplace(report, inputs);
-  std::vector<PageInput> pages_of(papers.size());  // read before the work, so that bad input costs no result
+  std::vector<PageInput> pages_of(papers.size());  // read before the work, so that bad input does not lose results
   for (std::size_t i = 0; pages && i < papers.size(); ++i) {
     pages_of[i] = report_input(papers[i], judged[i].file, own[i], *own[i].verify.certificates);
     pages_of[i].gallery = "index.html";

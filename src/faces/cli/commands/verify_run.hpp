@@ -1,4 +1,4 @@
-// What `verify` and `report` share: running a verification, and writing the page about it.
+// The common part of `verify` and `report`: running a verification, and writing its page.
 #pragma once
 
 #include <filesystem>
@@ -18,24 +18,24 @@
 
 namespace slipproof::cli {
 
-/// What both are asked for.
+/// The options that both have.
 struct JudgeArguments {
   CommonOptions common;
   VerifyOptions verify;
   CrewArguments crew;
   std::string claims, trade;
-  std::string second_checker;  ///< a program; empty: none is asked
+  std::string second_checker;  ///< a program; empty: there is none
 
   std::shared_ptr<Certificates> certificates_of(const std::filesystem::path& file) const {
     return std::make_shared<Certificates>(paper_folder(file), second_checker);
   }
 };
 
-/// A bar on a terminal, and nowhere else.
+/// A bar if standard error is a terminal; otherwise nothing.
 std::function<void(std::uint64_t, std::uint64_t)> progress_bar();
 
-/// Verifies papers with the common options, and a progress bar on a terminal, by all ranks there are; says on standard
-/// error which certificates are rejected.
+/// Verifies papers with the common options on all ranks, with a progress bar on a terminal. Reports rejected
+/// certificates on standard error.
 class VerifyRun {
  public:
   struct Paper {
@@ -46,8 +46,8 @@ class VerifyRun {
 
   VerifyRun(std::vector<Paper> papers, const JudgeArguments& arguments);
 
-  bool served() { return crew_->served(); }  ///< as CrewRun has it
-  /// Of each paper once.
+  bool served() { return crew_->served(); }  ///< as in CrewRun
+  /// The result for a paper; call once for each.
   VerifyResult result(std::size_t paper);
 
  private:
@@ -58,31 +58,31 @@ class VerifyRun {
   Verification& verification(std::size_t paper);
 
   std::vector<Paper> papers_;
-  std::vector<Work> works_;  ///< each is made when it is first asked for
+  std::vector<Work> works_;  ///< each is made at its first use
   std::optional<CrewRun> crew_;
 };
 
 Exit exit_of(Summary summary);
 
-/// The sources of the page's parts: what comes with the program, and a measurement of trade if there is one.
+/// The sources of the page's parts: files that come with the program, and a measurement of trade if there is one.
 PageFolders page_folders(const std::filesystem::path& claims, const std::filesystem::path& trade);
 
-/// What the page about a verification is made from, all but the result. It is read before the work, so that bad input
-/// costs no result. Throws InputError.
+/// The input of the page about a verification, except the result. It is read before the work, so that bad input does
+/// not lose results. Throws InputError.
 PageInput report_input(const std::filesystem::path& claims, const ClaimsFile& file, const JudgeArguments& arguments,
                        Certificates& certificates);
 
-/// The claims files of a folder and of the folders in it, in the order of their names. Nothing if the path is not a
-/// folder. Throws InputError if there are none.
+/// The claims files of a folder and its subfolders, by name. Nothing if the path is not a folder. Throws InputError if
+/// there are none.
 std::vector<std::filesystem::path> papers_in(const std::filesystem::path& path);
 
-/// So many samples for each setting, where a folder is judged and no number is asked for.
+/// The number of samples for each setting if a folder is judged and no number is given.
 inline constexpr std::uint64_t samples_of_many = 2000;
 
-/// --samples, which is returned, --lines, and --second-checker.
+/// Adds --samples, --lines and --second-checker; returns --samples.
 CLI::Option* add_judging_options(CLI::App& command, JudgeArguments& arguments);
 
-/// Judges each of them, on rank 0, and writes the page of each and that of all into a folder, if one is given.
+/// Judges the papers on rank 0, and writes a page for each and one for all into the folder, if one is given.
 std::vector<JudgedPaper> judge_papers(const std::vector<std::filesystem::path>& papers, const JudgeArguments& arguments,
                                       const std::filesystem::path& report);
 

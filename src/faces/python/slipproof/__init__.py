@@ -1,12 +1,14 @@
 """Exact, provable answers about dry friction.
 
-Every motion of a bicycle or of any planar mechanism with dry friction (:func:`solve`, :class:`Mechanism`), verdicts on
-what solvers answer (:func:`certify`, :func:`certify_bicycles`, :func:`certify_file`), consistent modes of many scenes (:func:`consistent_modes`),
-from which friction on a scene has several motions (:func:`critical`),
-claims of papers and proofs (:func:`verify`, :func:`prove`, :func:`check`), pictures (:func:`phase_diagram`).
+- :func:`solve`, :class:`Mechanism`: every motion of a bicycle or of any planar mechanism with dry friction
+- :func:`certify`, :func:`certify_bicycles`, :func:`certify_file`: verdicts on the answers of solvers
+- :func:`consistent_modes`: the consistent modes of many scenes
+- :func:`critical`: the friction from which on a scene has several motions
+- :func:`verify`, :func:`prove`, :func:`check`: claims of papers, and proofs
+- :func:`phase_diagram`: pictures
 
-Numbers go in as int, float, Fraction, Decimal or text, exactly as they are, and come out as Fractions. Functions are safe
-to call from threads and let others run; Ctrl-C ends them.
+Numbers may be int, float, Fraction, Decimal or text, and are taken exactly as they are; results are Fractions.
+Functions may be called from any thread and let other threads run. Ctrl-C ends them.
 """
 
 from ._bicycles import VERDICTS, BicycleVerdicts, certify_bicycles

@@ -1,4 +1,4 @@
-"""Arrays of numbers, checked before they are used: binary64, exactly as they are."""
+"""Checks arrays of numbers before they are used. Their numbers are binary64, taken exactly."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy.typing as npt
 from ._errors import wrong_type, wrong_value
 
 Doubles = npt.NDArray[np.float64]
-_LARGEST = 2**53  # integers up to it are binary64, too
+_LARGEST = 2**53  # all integers up to it are binary64 numbers
 
 
 def refuse_rounding(name: str, array: "npt.NDArray[Any]") -> None:
@@ -23,7 +23,7 @@ def refuse_rounding(name: str, array: "npt.NDArray[Any]") -> None:
 
 
 def doubles(name: str, value: Any, dimensions: Tuple[int, ...]) -> Doubles:
-    """An array with so many dimensions, rows side by side in memory; not copied where it is one already."""
+    """An array with one of these numbers of dimensions, contiguous by rows; not copied if it is one already."""
     if isinstance(value, np.ma.MaskedArray):
         raise wrong_type(name, value, "an array without a mask")
     try:
@@ -34,7 +34,7 @@ def doubles(name: str, value: Any, dimensions: Tuple[int, ...]) -> Doubles:
         expected = " or ".join(f"{d} dimension{'s' * (d != 1)}" for d in dimensions)
         raise wrong_value(name, f"shape {array.shape}", expected)
     refuse_rounding(name, array)
-    # ascontiguousarray makes a vector of a scalar
+    # ascontiguousarray turns a scalar into a vector
     return np.ascontiguousarray(array, dtype=np.float64).reshape(array.shape)
 
 

@@ -20,12 +20,12 @@ from ._scene import as_scene
 #: The names of verdicts by their codes in an array.
 VERDICTS: Tuple[str, ...] = _core.record_verdicts
 _FIELDS = frozenset(_core.record_fields)
-_NO_MODE = 255
+_NO_MODE = 65535
 _KINDS = ("internal", "external")
 
 
 class BicycleVerdicts:
-    """Verdicts on all records, as arrays; ``verdicts[i]`` is all that is known of one of them."""
+    """Verdicts on all records, as arrays; ``verdicts[i]`` has all that is known about record i."""
 
     __slots__ = ("codes", "modes", "errors", "tiers", "summary", "_records")
 
@@ -33,18 +33,18 @@ class BicycleVerdicts:
         self._records = records
         self.codes: "npt.NDArray[np.uint8]" = found[0]
         """of each record the index of its verdict in VERDICTS"""
-        self.modes: "npt.NDArray[np.uint16]" = found[1]
+        self.modes: "npt.NDArray[np.uint16]" = found[1].astype(np.uint16)
         """the modes of the motion that the answer is, as bits"""
         self.errors: "npt.NDArray[np.float64]" = found[2]
         """an upper bound on the largest relative error of a component"""
         self.tiers: "npt.NDArray[np.uint8]" = found[3]
-        """0 binary64 with error bounds, 1 double-double, 2 exact arithmetic"""
+        """0 binary64 with error bounds, 1 exact arithmetic"""
         self.summary: Dict[str, Any] = json.loads(found[4])
         """counts, as ``slipproof certify --summary`` writes them"""
 
     @property
     def verdicts(self) -> "npt.NDArray[np.str_]":
-        """Of each record its verdict as a text."""
+        """The verdict on each record, as a text."""
         return np.array(VERDICTS)[self.codes]
 
     def counts(self) -> Dict[str, int]:
@@ -93,7 +93,7 @@ def _columns(records: Any) -> _Columns:
 
 
 def _numbers(name: str, value: Any) -> "npt.NDArray[np.float64]":
-    """A column of float64, not copied where it is one, whatever its stride."""
+    """A column of float64; does not copy it if it is one, whatever its stride."""
     array = np.asarray(value)
     if array.dtype == np.float64 and array.dtype.isnative:
         return array
@@ -101,19 +101,20 @@ def _numbers(name: str, value: Any) -> "npt.NDArray[np.float64]":
     return array.astype(np.float64)
 
 
-def _codes(name: str, value: Any, names: Tuple[str, ...], none: Optional[int]) -> "npt.NDArray[np.uint8]":
-    """Texts as their indices; of records that have none, `none`."""
+def _codes(name: str, value: Any, names: Tuple[str, ...], none: Optional[int]) -> "npt.NDArray[np.uint16]":
+    """Converts texts to their indices; `none` for records without a text."""
     array = np.asarray(value)
-    if array.dtype == np.uint8:
-        return array
-    if array.dtype.kind == "f" and none is not None and np.isnan(array).all():  # a frame's column of nothing
-        return np.full(array.shape, none, dtype=np.uint8)
+    if array.dtype == np.uint8:  # codes; 255 stands for none
+        return np.where(array == 255, np.uint16(_NO_MODE), array.astype(np.uint16)) if none is not None else \
+            array.astype(np.uint16)
+    if array.dtype.kind == "f" and none is not None and np.isnan(array).all():  # an empty column of a frame
+        return np.full(array.shape, none, dtype=np.uint16)
     if array.dtype.kind not in "USO":
         raise TypeError(f"{name}: found an array of {array.dtype}, expected texts such as {names[0]!r}")
     known: Dict[Any, int] = {text: i for i, text in enumerate(names)}
     if none is not None:
         known.update({"": none, None: none})
-    codes = np.empty(array.shape, dtype=np.uint8)
+    codes = np.empty(array.shape, dtype=np.uint16)
     texts, places = np.unique(array.astype(str) if array.dtype.kind == "U" else _as_texts(array), return_inverse=True)
     for i, text in enumerate(texts):
         if text not in known:
@@ -124,7 +125,7 @@ def _codes(name: str, value: Any, names: Tuple[str, ...], none: Optional[int]) -
 
 def _as_texts(array: "npt.NDArray[Any]") -> "npt.NDArray[np.str_]":
     def text(x: Any) -> str:
-        missing = x is None or (isinstance(x, float) and x != x)  # as frames write it
+        missing = x is None or (isinstance(x, float) and x != x)  # NaN stands for a missing value in frames
         return "" if missing else x.decode("utf-8", "replace") if isinstance(x, bytes) else str(x)
 
     return np.array([text(x) for x in array.reshape(-1)], dtype=str)
@@ -134,10 +135,10 @@ def certify_bicycles(records: Any, *, scene: Any = None, ignore_unknown: bool = 
                      effort: Optional[int] = None, threads: int = 0, progress: Progress = None) -> BicycleVerdicts:
     """Is each answer about a bicycle the one motion that there is?
 
-    ``records``: a structured array, a dict of columns, or a frame of pandas, with the names that ``slipproof certify``
-    knows: the scene's numbers, and of the answer ``a``, ``S2``, ``S3``, ``N2``, ``N3``, perhaps ``mode`` and others. What
-    is the same for all may be one number, or come from ``scene``. Columns of float64 are not copied, whatever their
-    strides. A NaN is an ``invalid`` answer. Raises TypeError, ValueError.
+    ``records``: a structured array, a dict of columns, or a frame of pandas. Its names are those of ``slipproof
+    certify``: the scene's numbers, and for the answer ``a``, ``S2``, ``S3``, ``N2``, ``N3``, optionally ``mode`` and
+    others. A value that is the same for all records may be one number, or come from ``scene``. Columns of float64 are
+    not copied, whatever their strides. A NaN makes an answer ``invalid``. Raises TypeError, ValueError.
 
     >>> import slipproof
     >>> found = slipproof.certify_bicycles(dict(F=[3.27, 3.2], mode=["stick/stick", "stick/slip+"],
@@ -154,7 +155,7 @@ def certify_bicycles(records: Any, *, scene: Any = None, ignore_unknown: bool = 
         if name == "mode":
             given[name] = _codes(name, columns.get(name), MODES, _NO_MODE)
         elif name == "kind":
-            given[name] = _codes(name, columns.get(name), _KINDS, None)
+            given[name] = _codes(name, columns.get(name), _KINDS, None).astype(np.float64)
         elif name in _FIELDS:
             given[name] = _numbers(name, columns.get(name))
         elif not ignore_unknown:

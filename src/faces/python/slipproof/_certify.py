@@ -21,9 +21,9 @@ _CERTIFIED = ("certified", "solution within rho", "unique")
 
 
 class Verdict:
-    """What is proved about one answer. ``verdict`` is the word for it, ``details`` all that the program tells of it.
+    """What is proved about one answer: ``verdict`` is a word, ``details`` has everything that the program reports.
 
-    Its other members are attributes as well: ``verdict.rho``, ``verdict.modes``, ...
+    The members of ``details`` are also attributes: ``verdict.rho``, ``verdict.modes``, ...
     """
 
     __slots__ = ("verdict", "details", "_judged", "_index")
@@ -35,28 +35,28 @@ class Verdict:
 
     @property
     def certified(self) -> bool:
-        """Whether all is proved that one could ask of an answer."""
+        """Whether the verdict is one of the best that an answer can get."""
         return self.verdict in _CERTIFIED
 
     def to_dict(self) -> Dict[str, Any]:
-        """The line that ``slipproof certify`` writes, as a dict."""
+        """The output line of ``slipproof certify``, as a dict."""
         return dict(self.details)
 
     def words(self) -> str:
-        """In words, where the problem was judged at real size; the same as JSON elsewhere."""
+        """The verdict in words if the problem was judged at real size; otherwise as JSON."""
         return self._judged.words(self._index) if self._judged else json.dumps(self.details, ensure_ascii=False)
 
     def refined(self) -> Optional[Dict[str, Any]]:
-        """The improved answer with a radius for each number; None where no solution is enclosed."""
+        """The improved answer, with a radius for each number; None if no solution is enclosed."""
         text = self._judged.refined(self._index) if self._judged else ""
         return json.loads(text) if text else None
 
     def certificate(self) -> Optional[str]:
-        """What ``slipproof-check-contact`` checks again; None where nothing is proved that has one."""
+        """The certificate that ``slipproof-check-contact`` checks; None if nothing is proved that has one."""
         return (self._judged.certificate(self._index) if self._judged else "") or None
 
     def report(self) -> Optional[str]:
-        """A page in HTML with the contacts in their cones; None of a problem that was judged in exact numbers."""
+        """An HTML page with the contacts in their cones; None for a problem that was judged in exact numbers."""
         return self._judged.report("slipproof.certify(...).report()") if self._judged else None
 
     def __getattr__(self, name: str) -> Any:
@@ -84,7 +84,7 @@ class Verdict:
 
 
 class Verdicts(Sequence[Verdict]):
-    """Verdicts of many answers, each made when it is asked for. ``summary`` counts them, where a file was read."""
+    """Verdicts on many answers, each made when it is accessed. If a file was read, ``summary`` has counts."""
 
     def __init__(self, lines: List[str], summary: Optional[Dict[str, Any]] = None):
         self._lines = lines
@@ -148,7 +148,7 @@ def _sparse(W: Any, size: int) -> Tuple[Any, ...]:
 
 
 def _contacts(mu: Any, shape: Tuple[int, ...], dimension: Optional[int]) -> Tuple[int, Optional[Doubles]]:
-    """The dimension of the contacts, and a coefficient for each; a number is the coefficient of all of them."""
+    """The dimension of the contacts, and a coefficient for each; a single number is for all contacts."""
     if mu is None:
         if dimension in (2, 3):
             raise wrong_value("mu", "None", f"the coefficients of friction of contacts in dimension {dimension}")
@@ -175,22 +175,22 @@ def certify(W: Any, q: Any, z: Any = None, mu: Any = None, *, w: Any = None, dim
             progress: Progress = None) -> Union[Verdict, Verdicts]:
     """Is z an answer to the contact problem w = W z + q, and the only one?
 
-    Without ``mu`` it is a linear complementarity problem, z >= 0, w >= 0, z . w = 0. With it contacts have friction:
-    ``mu`` is one number or one for each contact, and z holds the forces of each contact, (N, T) in the plane or
-    (N, T1, T2) in space; ``dimension`` says which, and is asked for where the sizes leave it open (one ``mu``, and a
-    multiple of 6 components). ``W`` is an array of shape (n, n), or a
-    sparse matrix of SciPy; ``q``, ``z`` and ``w``, which may be left out, have n components. Arrays of shapes (k, n, n)
-    and (k, n) are k problems, and give k verdicts. A NaN or an infinity in z is an ``invalid`` answer.
+    Without ``mu`` this is a linear complementarity problem: z >= 0, w >= 0, z . w = 0. With ``mu`` the contacts have
+    friction: ``mu`` is one number, or one for each contact; z has the forces of each contact, (N, T) in the plane or
+    (N, T1, T2) in space. ``dimension`` is 2 or 3; it is required if the sizes do not determine it (one ``mu``, and a
+    multiple of 6 components). ``W`` is an array of shape (n, n), or a sparse matrix of SciPy; ``q``, ``z`` and the
+    optional ``w`` have n components. Arrays of shapes (k, n, n) and (k, n) are k problems and give k verdicts. A NaN or
+    an infinity in z makes the answer ``invalid``.
 
-    ``method``: ``exact`` finds every solution of an LCP or a planar problem, up to 64 components, in exact arithmetic
-    (``certified``, ``ambiguous``, ``inaccurate``, ``wrong``); ``enclosure`` proves what it can at any size (``unique``,
-    ``solution within rho``, ``inaccurate``, ``eps-solution``, ``wrong``, ...). ``auto`` takes the first where it can.
-    ``tolerance``, 1e-6 unless given, is on the distance from a solution, of forces over the largest force and of
-    velocities over the largest velocity; where ``enclosure`` finds no solution, on the backward error.
-    ``law``: ``cone``, or the pyramids ``box`` and ``diamond``; ``refine``: look for a solution, also without z;
-    ``within``: is there none within this radius? ``effort`` bounds the work on one answer, in operations on words.
+    ``method``: ``exact`` finds every solution of an LCP or a planar problem with up to 64 components, in exact
+    arithmetic (``certified``, ``ambiguous``, ``inaccurate``, ``wrong``); ``enclosure`` proves what it can at any size
+    (``unique``, ``solution within rho``, ``inaccurate``, ``eps-solution``, ``wrong``, ...). ``auto`` uses ``exact`` if
+    it can. ``tolerance`` (default 1e-6) limits the distance from a solution: forces are divided by the largest force,
+    velocities by the largest velocity. If ``enclosure`` finds no solution, it limits the backward error. ``law``:
+    ``cone``, or the pyramids ``box`` and ``diamond``. ``refine``: search for a solution, also without z. ``within``: is
+    there no solution within this radius? ``effort`` limits the work on one answer, in operations on words.
 
-    Raises TypeError and ValueError for arrays that do not fit, InputError for numbers that cannot be of a problem.
+    Raises TypeError and ValueError for arrays that do not fit, InputError for numbers that no problem can have.
 
     >>> import slipproof
     >>> slipproof.certify([[2, 1], [1, 2]], [-5, -6], [4/3, 7/3]).verdict
@@ -268,10 +268,11 @@ def certify_file(path: Union[str, "os.PathLike[str]"], *, scene: Union[None, str
                  tolerance: Optional[float] = None, law: str = "cone", refine: bool = False,
                  within: Optional[float] = None, effort: Optional[int] = None, ignore_unknown: bool = False,
                  threads: int = 0, progress: Progress = None) -> Verdicts:
-    """What ``slipproof certify`` says of a file: a verdict for each record, or for each answer to a contact problem.
+    """The verdicts of ``slipproof certify`` on a file: one for each record, or for each answer to a contact problem.
 
-    Records are CSV or JSON Lines, with ``scene`` for what is the same for all of them, or ``mechanism``. Problems are
-    FCLIB's HDF5, text of Siconos, MatrixMarket, JSON; ``answer`` is a file with the solver's answer. Raises InputError.
+    Records are CSV or JSON Lines; ``scene`` has the values that are the same for all of them, or ``mechanism`` is their
+    mechanism. Problems are FCLIB's HDF5, text of Siconos, MatrixMarket or JSON; ``answer`` is a file with the solver's
+    answer. Raises InputError.
     """
     name = _path("path", path)
     one_of("law", law, ("cone", "box", "diamond"))
@@ -291,7 +292,7 @@ def certify_file(path: Union[str, "os.PathLike[str]"], *, scene: Union[None, str
 
 
 class _JudgedVerdicts(Verdicts):
-    """Those of one problem at real size, which know more than their lines."""
+    """Verdicts on one problem at real size; they have more details than their lines of output."""
 
     def __init__(self, judged: "_core.Judged"):
         super().__init__([judged.line(i) for i in range(len(judged))])

@@ -1,4 +1,4 @@
-"""What is raised when something cannot be used, with the place, what was found and what was expected."""
+"""Errors for input that cannot be used: the place, what was found and what was expected."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import NamedTuple, Optional, Sequence, Tuple, Union
 
 
 class Diagnostic(NamedTuple):
-    """One mistake in an input. Lines and columns count from 1; 0 where there is no place."""
+    """One mistake in an input. Lines and columns count from 1; 0 if there is no place."""
 
     file: str
     line: int
@@ -15,7 +15,7 @@ class Diagnostic(NamedTuple):
 
     @property
     def place(self) -> str:
-        """``file:line:column``, or as much of it as there is; of a dict the path of its key, ``bicycle.R``."""
+        """``file:line:column``, or the known part of it; for a dict the path of the key, ``bicycle.R``."""
         if not self.line:
             return self.file
         return f"{self.file}:{self.line}:{self.column}"
@@ -29,12 +29,12 @@ class Diagnostic(NamedTuple):
 
     @property
     def found(self) -> Optional[str]:
-        """What was found, where the message says so."""
+        """What was found, if the message says so."""
         return self._part("found ", ", expected ")
 
     @property
     def expected(self) -> Optional[str]:
-        """What was expected, where the message says so."""
+        """What was expected, if the message says so."""
         return self._part("expected ", None)
 
     def __str__(self) -> str:
@@ -65,12 +65,12 @@ class InputError(ValueError):
 
     @property
     def found(self) -> Optional[str]:
-        """What was found there, where the message says so."""
+        """What was found there, if the message says so."""
         return self.diagnostics[0].found
 
     @property
     def expected(self) -> Optional[str]:
-        """What was expected there, where the message says so."""
+        """What was expected there, if the message says so."""
         return self.diagnostics[0].expected
 
     def __reduce__(self):  # type: ignore[no-untyped-def]
@@ -78,16 +78,16 @@ class InputError(ValueError):
 
 
 class TooMuchWork(RuntimeError):
-    """More work would be needed than is allowed."""
+    """Raised if more work would be needed than is allowed."""
 
     __module__ = "slipproof"
 
 
 def wrong_type(name: str, value: object, expected: str) -> TypeError:
-    """For an argument of a type that cannot be used."""
+    """The error for an argument of a type that cannot be used."""
     return TypeError(f"{name}: found {type(value).__name__}, expected {expected}")
 
 
 def wrong_value(name: str, found: object, expected: str) -> ValueError:
-    """For an argument of the right type that cannot be used."""
+    """The error for an argument of the right type that cannot be used."""
     return ValueError(f"{name}: found {found}, expected {expected}")

@@ -18,14 +18,14 @@ _NUMBERS = ("M", "R", "h", "b2", "b3", "I1", "I2", "I3", "r1", "r2", "L", "f", "
 
 
 class ConsistentModes(NamedTuple):
-    """Of each scene its modes as bits, and which tier decided."""
+    """The modes of each scene as bits, and which tier decided."""
 
     consistent: "npt.NDArray[np.uint16]"
     """the non-strict conditions hold for some motion of the mode"""
     strict: "npt.NDArray[np.uint16]"
     """of these, those in which some motion holds all conditions strictly"""
     tier: "npt.NDArray[np.uint8]"
-    """0 binary64 with error bounds, 1 double-double, 2 exact arithmetic"""
+    """0 binary64 with error bounds, 1 exact arithmetic"""
     tiers: Dict[str, int]
     """how many scenes each tier decided"""
 
@@ -43,9 +43,9 @@ def consistent_modes(*, M: Any, R: Any, h: Any, b2: Any, b3: Any, I1: Any, I2: A
                      f: Any, g: Any, F: Any, J: Any = None, kind: str = "internal", threads: int = 0) -> ConsistentModes:
     """The consistent modes of every scene, exactly, at nearly the speed of binary64.
 
-    Each number is one for all scenes or an array with one for each, SI units, as they stand in a scene file; contiguous
-    arrays of float64 are not copied. Without ``J`` only modes with both wheels on the road are modelled. ``threads``: 0
-    for all cores. Raises TypeError, ValueError (also for a NaN).
+    Each argument is one number for all scenes, or an array with one for each, in SI units, with the names of a scene
+    file. Contiguous arrays of float64 are not copied. Without ``J`` only modes with both wheels on the road are
+    modelled. ``threads``: 0 for all cores. Raises TypeError, ValueError (also for a NaN).
 
     >>> import numpy as np, slipproof
     >>> found = slipproof.consistent_modes(M=94, R=0.3, h=0.56, b2=0.34, b3=0.68, I1=0.01, I2=0.12, I3=0.2, r1=0.09,
@@ -59,12 +59,12 @@ def consistent_modes(*, M: Any, R: Any, h: Any, b2: Any, b3: Any, I1: Any, I2: A
         columns["J"] = _column("J", J)
     size = common_size(columns)
     external = one_of("kind", kind, ("internal", "external")) == "external"
-    found = _core.consistent_modes(list(columns.values()), external, size, whole("threads", threads, 0, 4096))
+    found = _core.consistent_modes(columns, external, size, whole("threads", threads, 0, 4096))
     return ConsistentModes(*found)
 
 
 def common_size(columns: Dict[str, Doubles]) -> int:
-    """The length of all columns that have not one number; 1 where there is none."""
+    """The common length of all columns that have more than one number; 1 if there are none."""
     longest = next((name for name, column in columns.items() if column.size != 1), None)
     if longest is None:
         return 1

@@ -24,7 +24,7 @@ def table(head: Sequence[str], rows: Sequence[Sequence[str]], caption: str = "")
 
 
 def _window(intervals: Sequence[Interval], load: Optional[Fraction]) -> Tuple[float, float]:
-    """From below all finite ends to above them."""
+    """A range from below all finite ends to above them."""
     ends = [float(x) for i in intervals for x in (i.lower, i.upper) if x is not None]
     ends += [float(load)] if load is not None else []
     low, high = (min(ends), max(ends)) if ends else (-1.0, 1.0)
@@ -33,7 +33,7 @@ def _window(intervals: Sequence[Interval], load: Optional[Fraction]) -> Tuple[fl
 
 
 def phase_line(ranges: Sequence[Tuple[str, Interval]], load: Optional[Fraction], symbol: str) -> str:
-    """A bar for each mode over the loads at which it is consistent, and a line at the load; SVG."""
+    """SVG with a bar for each mode over the loads at which it is consistent, and a line at the load."""
     low, high = _window([interval for _, interval in ranges], load)
 
     def at(x: Optional[Fraction], infinite: float) -> float:

@@ -18,8 +18,8 @@ from ._solution import Solution
 
 
 class Search(Report):
-    """What a search found. ``verdict``: ``found`` and ``none found`` say it of the samples; ``unique`` is proved of the
-    whole domain; ``undecided`` if no point of the domain was found."""
+    """The result of a search. ``verdict``: ``found`` and ``none found`` are about the samples; ``unique`` is proved for
+    the whole domain; ``undecided`` if no point of the domain was found."""
 
     def __init__(self, document: str, text: str, verdict: str):
         super().__init__(document, text)
@@ -30,7 +30,7 @@ class Search(Report):
 
 
 class Mechanism:
-    """A mechanism's file, or a shipped one; :meth:`load` reads it.
+    """A mechanism from a file, or a shipped one; :meth:`load` reads it.
 
     >>> import slipproof
     >>> ladder = slipproof.Mechanism.load("ladder")
@@ -48,18 +48,18 @@ class Mechanism:
 
     @classmethod
     def load(cls, path: Union[str, "os.PathLike[str]"]) -> "Mechanism":
-        """The mechanism of a file, or the shipped one of this name. Raises InputError."""
+        """Reads a mechanism from a file, or the shipped one with this name. Raises InputError."""
         name = _path("path", path)
         return cls(os.fsdecode(name), _core.describe_mechanism(name))
 
     @property
     def name(self) -> str:
-        """As the file calls it."""
+        """Its name in the file."""
         return self._about["name"]  # type: ignore[no-any-return]
 
     @property
     def parameters(self) -> Tuple[str, ...]:
-        """The symbols that a scene gives values to, apart from angles and the load."""
+        """The symbols that need values in a scene, apart from angles and the load."""
         return tuple(p["symbol"] for p in self._about["parameters"])
 
     @property
@@ -69,7 +69,7 @@ class Mechanism:
 
     @property
     def load_symbol(self) -> Optional[str]:
-        """How it calls its load; None where it has none."""
+        """The symbol of its load; None if it has none."""
         return self._about["load"]  # type: ignore[no-any-return]
 
     @property
@@ -78,12 +78,12 @@ class Mechanism:
         return tuple(self._about["elements"])
 
     def show(self) -> str:
-        """What was understood of it, and what looks wrong, as ``slipproof show`` prints it."""
+        """What the program understands of it, and what looks wrong, as ``slipproof show`` prints it."""
         return _core.show_mechanism(os.fsencode(self._path))
 
     def scene(self, values: Mapping[str, Any], *, load: Optional[Number] = None, along: Optional[str] = None,
               state: Optional[Mapping[str, str]] = None, name: Optional[str] = None) -> Scene:
-        """A scene of it: ``values`` of its parameters and angles, and of its load, which may be left open."""
+        """A scene of it, with ``values`` for its parameters and angles, and optionally a load."""
         if not isinstance(values, Mapping):
             raise wrong_type("values", values, "a dict")
         document: Dict[str, Any] = {"name": name or self.name, "mechanism": self._path, "values": dict(values)}
@@ -105,9 +105,10 @@ class Mechanism:
 
     def search(self, *, within: str = "", wanted: Optional[str] = None, samples: Optional[int] = None, seed: int = 1,
                hysteresis: bool = False, threads: int = 0, progress: Progress = None) -> Search:
-        """Looks for points with no motion, several, or a continuum, at samples of the domain, each for every load.
+        """Searches samples of the domain, for every load, for points with no motion, several, or a continuum.
 
-        ``within`` narrows the domain, ``"mu < 1"``; ``wanted`` (none, several, continuum) ends at the first such place.
+        ``within`` narrows the domain, ``"mu < 1"``; with ``wanted`` (none, several, continuum) the search ends at the
+        first such place.
         """
         if not isinstance(within, str):
             raise wrong_type("within", within, "str")
@@ -131,6 +132,6 @@ def shipped_mechanisms() -> List[str]:
 
 
 def search(mechanism: Union[str, "os.PathLike[str]", Mechanism], **options: Any) -> Search:
-    """:meth:`Mechanism.search` of a file, or of a shipped mechanism."""
+    """Does :meth:`Mechanism.search` for a file or a shipped mechanism."""
     found = mechanism if isinstance(mechanism, Mechanism) else Mechanism.load(mechanism)
     return found.search(**options)

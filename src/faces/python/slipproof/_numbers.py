@@ -22,7 +22,7 @@ def _integer(digits: str) -> int:
 
 
 def text_of(value: Any, name: str) -> str:
-    """The number as the library reads it. ``name`` is how messages call it."""
+    """The number as a text that the library reads. ``name`` is its name in messages."""
     if isinstance(value, str):
         return value
     if isinstance(value, bool) or not hasattr(value, "as_integer_ratio"):
@@ -40,18 +40,18 @@ def text_of(value: Any, name: str) -> str:
 
 
 def fraction(text: str) -> Fraction:
-    """The number in a text of the library, ``-3/4`` or ``5``."""
+    """The Fraction of a text from the library, ``-3/4`` or ``5``."""
     numerator, _, denominator = text.partition("/")
     return ratio((_integer(numerator), _integer(denominator) if denominator else 1))
 
 
 def ratio(pair: Tuple[int, int]) -> Fraction:
-    """A fraction that is in lowest terms already."""
+    """A Fraction from numbers that are already in lowest terms."""
     return Fraction(*pair, _normalize=False)
 
 
 class Affine:
-    """``alpha + beta F``: what a force or an acceleration is in the load F.
+    """``alpha + beta F``: a force or an acceleration as a function of the load F.
 
     >>> x = Affine(Fraction(1, 2), Fraction(3))
     >>> x(2)
@@ -89,7 +89,7 @@ class Affine:
 
 
 def value(text: Any) -> Any:
-    """A number of a document: a text, or [alpha, beta]; None stays."""
+    """Converts a number of a document: a text, or [alpha, beta]; None stays None."""
     if text is None:
         return None
     if isinstance(text, str):
@@ -98,7 +98,7 @@ def value(text: Any) -> Any:
 
 
 class Values(Mapping[str, Any]):
-    """Numbers by name, each made when it is asked for."""
+    """Numbers by name, each made when it is accessed."""
 
     __slots__ = ("_texts", "_made")
 
@@ -126,7 +126,7 @@ class Values(Mapping[str, Any]):
 
 
 class Interval:
-    """A set of loads: from ``lower`` to ``upper``, None where it is infinite.
+    """A set of loads from ``lower`` to ``upper``; None stands for an infinite end.
 
     >>> i = Interval(Fraction(1), None, True, False)
     >>> print(i, 1 in i, 0 in i)
@@ -141,7 +141,7 @@ class Interval:
 
     @classmethod
     def read(cls, ends: Any, closed: Any) -> "Interval":
-        """From a document's two ends and which of them belong to it."""
+        """Makes an interval from the two ends in a document and which of them belong to it."""
         return cls(value(ends[0]), value(ends[1]), closed[0], closed[1])
 
     @property

@@ -20,7 +20,7 @@ _Path = Union[str, "os.PathLike[str]"]
 
 
 class ClaimVerdict:
-    """One claim in one reading: ``id``, ``reading``, ``verdict``, ``expected``, and in ``details`` all else."""
+    """One claim in one reading: ``id``, ``reading``, ``verdict``, ``expected``; ``details`` has everything else."""
 
     __slots__ = ("id", "reading", "verdict", "expected", "details")
 
@@ -33,7 +33,7 @@ class ClaimVerdict:
 
     @property
     def counterexample(self) -> Optional[Mapping[str, Any]]:
-        """What refutes it, as the program's JSON has it; None where nothing does."""
+        """The counterexample, as in the program's JSON; None if there is none."""
         return self.details.get("counterexample")
 
     def __repr__(self) -> str:
@@ -55,7 +55,7 @@ class Verification(Report, Sequence[ClaimVerdict]):
         return len(self._claims)
 
     def find(self, id: str, reading: str = "printed") -> ClaimVerdict:
-        """One claim; raises KeyError."""
+        """The claim with this id; raises KeyError."""
         for claim in self:
             if claim.id == id and claim.reading == reading:
                 return claim
@@ -70,9 +70,10 @@ class Verification(Report, Sequence[ClaimVerdict]):
 
 def verify(claims: _Path, *, samples: int = 10_000, lines: Optional[int] = None, seed: int = 1, only: str = "",
            threads: int = 0, progress: Progress = None) -> Verification:
-    """Judges the claims of a paper, a file ``slipproof/claims/1``, at samples and along lines, and by its certificates.
+    """Judges the claims of a paper, a file ``slipproof/claims/1``: at samples, along lines, and by certificates.
 
-    ``only``: those whose id begins so. The same result at any number of threads. Raises InputError.
+    ``only``: judge only claims whose id begins with this. The result does not depend on the number of threads. Raises
+    InputError.
     """
     if not isinstance(only, str):
         raise wrong_type("only", only, "str")
@@ -83,7 +84,7 @@ def verify(claims: _Path, *, samples: int = 10_000, lines: Optional[int] = None,
 
 
 class Proof:
-    """What came of a search for a proof: ``verdict`` is ``proved``, ``refuted`` or ``undecided``."""
+    """The result of a search for a proof: ``verdict`` is ``proved``, ``refuted`` or ``undecided``."""
 
     __slots__ = ("theorem", "verdict", "certificate", "counterexample", "details")
 
@@ -109,7 +110,7 @@ class Proof:
 def prove(statement: _Path, *, effort: int = 100_000_000, progress: Progress = None) -> Proof:
     """Searches for a proof of a statement for all parameters, and for numbers at which it is false.
 
-    ``statement`` is a file, or its text: whatever has more than one line. Nothing is written. Raises InputError.
+    ``statement`` is a file, or, if it has more than one line, the text itself. Writes no files. Raises InputError.
 
     >>> import slipproof
     >>> slipproof.prove('''slipproof-statement 1
@@ -129,7 +130,7 @@ def prove(statement: _Path, *, effort: int = 100_000_000, progress: Progress = N
 
 
 class CheckedCertificate(NamedTuple):
-    """A certificate and what the checker says of it."""
+    """A certificate, and what the checker says about it."""
 
     certificate: str
     verdict: str
@@ -138,7 +139,7 @@ class CheckedCertificate(NamedTuple):
 
 
 class Check(Sequence[CheckedCertificate]):
-    """What the checker says of certificates."""
+    """What the checker says about certificates."""
 
     def __init__(self, results: List[Tuple[str, str, str, str]], text: str, summary: str):
         self._results = tuple(CheckedCertificate(*r) for r in results)

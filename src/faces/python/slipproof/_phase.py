@@ -1,4 +1,4 @@
-"""Phase diagrams: which motions there are over a parameter and the load."""
+"""Phase diagrams: the motions over a parameter and the load."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ class PhaseDiagram(Document):
         self.svg = svg
 
     def save(self, path: "str | os.PathLike[str]") -> None:
-        """Writes the SVG file: beside its place first, so that there is the old one or the new one, never a part."""
+        """Writes the SVG file: first under another name, so that the file is never incomplete."""
         _core.write_file(os.fspath(path), self.svg)
 
     def bands(self) -> Dict[str, List[Tuple[float, float, float]]]:
-        """For each set of motions (x, from, to), column by column, in floats: what a plotting program needs."""
+        """For plotting programs: for each set of motions (x, from, to), column by column, as floats."""
         document = self.to_dict()
         low, high = _ends(document["load"]["range"])
         result: Dict[str, List[Tuple[float, float, float]]] = {}
@@ -43,7 +43,7 @@ class PhaseDiagram(Document):
         return result
 
     def draw(self, ax: Any = None) -> Any:
-        """Draws the regions into axes of matplotlib, its current ones if none are given, and returns them."""
+        """Draws the regions into axes of matplotlib, by default the current ones, and returns the axes."""
         if ax is None:
             import matplotlib.pyplot  # type: ignore[import]  # noqa: PLC0415 - not needed for anything else
 
@@ -68,7 +68,7 @@ class PhaseDiagram(Document):
 
 
 def _across(x: Any) -> float:
-    """A parameter's value, an angle's degrees."""
+    """The value of a parameter, or the degrees of an angle."""
     if isinstance(x, Mapping):
         return degrees(atan2(float(fraction(x["sin"])), float(fraction(x["cos"]))))
     return float(fraction(x))
@@ -84,7 +84,7 @@ def _set_name(cell: Mapping[str, Any]) -> str:
 
 
 def _sides(columns: List[float], xs: List[float]) -> Tuple[List[float], List[float]]:
-    """Where the bar of each column begins and how wide it is: half-way to its neighbours."""
+    """The left end and the width of the bar of each column: it extends half-way to its neighbours."""
     middle = [(a + b) / 2 for a, b in zip(columns, columns[1:])]
     left = dict(zip(columns, [columns[0], *middle]))
     right = dict(zip(columns, [*middle, columns[-1]]))
@@ -102,10 +102,10 @@ def _range(name: str, ends: Any) -> Optional[Tuple[str, str]]:
 
 def phase_diagram(scene: Any, *, x: str = "", y: str = "", x_range: _Ends = None, y_range: _Ends = None,
                   columns: int = 240, ax: Any = None) -> PhaseDiagram:
-    """The phase diagram of a scene: a parameter across, the load up.
+    """The phase diagram of a scene: a parameter on the horizontal axis, the load on the vertical axis.
 
-    ``scene`` as :func:`solve` takes it. ``x``: a parameter (an angle of a mechanism, in degrees), by default the
-    coefficient of friction; ``y``: another load. With ``ax`` it is drawn into these axes of matplotlib, too.
+    ``scene`` is as in :func:`solve`. ``x``: a parameter, or an angle of a mechanism in degrees; by default the
+    coefficient of friction. ``y``: another load. With ``ax`` the diagram is also drawn into these axes of matplotlib.
     """
     for name, symbol in (("x", x), ("y", y)):
         if not isinstance(symbol, str):

@@ -1,4 +1,4 @@
-"""How far a long call is."""
+"""Progress of a long call."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ Progress = Union[None, bool, Callable[[int, int], object]]
 
 
 class ProgressBar:
-    """A plain text bar. ``stream`` is standard error unless given.
+    """A progress bar in plain text. ``stream`` is standard error by default.
 
     >>> import io
     >>> stream = io.StringIO()
@@ -39,7 +39,7 @@ class ProgressBar:
 
 
 def reporter(progress: Progress) -> Optional[Callable[[int, int], object]]:
-    """What is called with how far the work is."""
+    """The function that receives the progress of the work."""
     if progress is None or progress is False:
         return None
     if progress is True:

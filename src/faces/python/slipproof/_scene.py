@@ -22,7 +22,7 @@ def _quoted(text: str) -> str:
 
 
 class _Toml:
-    """Writes a dict as a scene file of one key a line, and knows which line is which key."""
+    """Writes a dict as a scene file with one key on each line, and records the line of each key."""
 
     def __init__(self, document: Mapping[str, Any]):
         self.lines: List[str] = []
@@ -70,7 +70,7 @@ def _bytes(text: str, file: str) -> Tuple[bytes, bytes]:
 
 
 def _tables(arguments: Mapping[str, Any]) -> Dict[str, Any]:
-    """Keyword arguments as the tables of a scene file; those of a mechanism stand at its top."""
+    """Keyword arguments as the tables of a scene file; those of a mechanism are at its top level."""
     if "mechanism" in arguments:
         return dict(arguments)
     document: Dict[str, Any] = {}
@@ -87,8 +87,8 @@ class Scene:
     """A bicycle or a mechanism with its numbers, read once and solved as often as needed. Immutable.
 
     From keyword arguments, ``Scene(R="0.34", h=..., f="0.8", g="9.81", F=300)``; from a dict with the tables of a scene
-    file; from a file with :meth:`load`; from its text with :meth:`parse`. Numbers are int, float (exactly as it is),
-    Fraction, Decimal, or texts as in a file. Raises InputError with every mistake.
+    file; from a file with :meth:`load`; from its text with :meth:`parse`. Numbers are int, float (taken exactly),
+    Fraction, Decimal, or texts as in a file. Raises InputError with all mistakes.
     """
 
     __slots__ = ("_scene", "_text", "_file")
@@ -105,12 +105,12 @@ class Scene:
 
     @classmethod
     def load(cls, path: Union[str, "os.PathLike[str]"]) -> "Scene":
-        """Reads a scene file (TOML). Raises OSError where there is none, InputError for what stands in it."""
+        """Reads a scene file (TOML). Raises OSError if there is no file, InputError for mistakes in it."""
         return cls._of(_read(path), os.fspath(path))
 
     @classmethod
     def parse(cls, text: str, file: str = _FILE) -> "Scene":
-        """Reads the text of a scene file; ``file`` is how messages call it."""
+        """Reads the text of a scene file; ``file`` is its name in messages."""
         if not isinstance(text, str):
             raise wrong_type("text", text, "str")
         return cls._of(text, file)
@@ -128,19 +128,19 @@ class Scene:
 
     @property
     def notes(self) -> List[str]:
-        """What was not written but understood."""
+        """Defaults and derived values that the scene does not give."""
         return self._scene.notes
 
     @property
     def is_mechanism(self) -> bool:
-        """Whether it is of a mechanism's file, and not the bicycle in its own form."""
+        """Whether it uses a mechanism's file; if not, it is a bicycle in the short form."""
         return "mechanism" in self.to_dict()
 
     def _source(self) -> Tuple[bytes, bytes]:
         return _bytes(self._text, self._file)
 
     def to_toml(self) -> str:
-        """The scene as a file; numbers stay as they were given."""
+        """The text of a scene file; numbers stay as they were given."""
         return self._text
 
     def to_dict(self) -> Dict[str, Any]:
@@ -148,7 +148,7 @@ class Scene:
         return tomllib.loads(self._text, parse_float=lambda text: text.replace("_", ""))
 
     def replace(self, **changes: Any) -> "Scene":
-        """The same scene with other numbers: ``scene.replace(F=300)``; None takes one away."""
+        """The same scene with other numbers: ``scene.replace(F=300)``; None removes one."""
         document = self.to_dict()
         if self.is_mechanism:
             tables = {k: v for k, v in changes.items() if k in ("name", "mechanism", "along", "values", "state")}
@@ -162,7 +162,7 @@ class Scene:
         return Scene(_merged(document, tables))
 
     def solve(self) -> Solution:
-        """Every motion at its load, or, without one, the motions at every load."""
+        """Every motion at its load; without a load, the motions at every load."""
         return Solution(self._scene.solve())
 
     def __repr__(self) -> str:
@@ -192,7 +192,7 @@ def _merged(document: Mapping[str, Any], more: Mapping[str, Any]) -> Dict[str, A
 
 
 def _from_here(mechanism: str, file: str) -> str:
-    """A mechanism's file counts from the scene that names it."""
+    """The path of a mechanism's file, relative to the folder of the scene if the file is there."""
     beside = Path(file).parent / mechanism
     return str(beside) if beside.exists() else mechanism
 
@@ -205,7 +205,7 @@ def _read(path: Union[str, "os.PathLike[str]"]) -> str:
 
 
 def as_scene(scene: Any, changes: Mapping[str, Any]) -> Scene:
-    """A scene from whatever stands for one."""
+    """Converts a file, a dict or a Scene to a Scene."""
     if scene is None:
         return Scene(**changes)
     if isinstance(scene, Mapping):
@@ -217,8 +217,8 @@ def as_scene(scene: Any, changes: Mapping[str, Any]) -> Scene:
 def solve(scene: Union[None, str, "os.PathLike[str]", Mapping[str, Any], Scene] = None, /, **numbers: Any) -> Solution:
     """Every motion of a scene, exactly.
 
-    ``scene`` is a file, a dict as the file's tables, or a :class:`Scene`; keyword arguments are its numbers, or replace
-    some of them. Without a load every mode's loads are found. Raises InputError.
+    ``scene`` is a file, a dict with the file's tables, or a :class:`Scene`. Keyword arguments are its numbers, or
+    replace some of them. Without a load, finds the loads of every mode. Raises InputError.
 
     >>> import slipproof
     >>> s = slipproof.solve(R="1/4", h=1, b="0.4", M2="1/20", M3="1/20", J="0.4", f=1, g="9.81",

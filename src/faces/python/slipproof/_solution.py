@@ -1,4 +1,4 @@
-"""What a scene does: motions, ranges, the partition of the loads, continua."""
+"""The solution of a scene: motions, ranges, the partition of the loads, continua."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from ._numbers import Affine, Interval, Values, ratio, value
 class Motion:
     """One motion, with every mode that gives it.
 
-    Its numbers are attributes, ``motion.a``, and stand in ``values``: Fractions at one load, :class:`Affine` in a cell.
-    ``values`` has accelerations, gaps, slips and forces; a force that is undetermined is none of them: its range stands
-    in ``force_ranges``. ``modes`` are those in which every condition holds strictly, ``boundary_modes`` the others.
+    Its numbers are attributes, ``motion.a``, and in ``values``: Fractions at one load, :class:`Affine` in a cell.
+    ``values`` has accelerations, gaps, slips and the determined forces; ``force_ranges`` has the ranges of undetermined
+    forces. In ``modes`` every condition holds strictly; ``boundary_modes`` are the other modes.
     """
 
     __slots__ = ("modes", "boundary_modes", "strict", "values", "force_ranges")
@@ -58,7 +58,7 @@ class Motion:
 
 
 class _Native(Values):
-    """The numbers of a motion at its load, straight from the library."""
+    """The numbers of a motion at its load, directly from the library."""
 
     __slots__ = ("_solution", "_index")
 
@@ -74,7 +74,7 @@ class _Native(Values):
 
 
 class Continuum:
-    """A mode with infinitely many motions. ``ranges`` has the ends of what is not determined, ``details`` the rest."""
+    """A mode with infinitely many motions. ``ranges`` has the ranges of undetermined numbers, ``details`` the rest."""
 
     __slots__ = ("mode", "details")
 
@@ -84,7 +84,7 @@ class Continuum:
 
     @property
     def ranges(self) -> Any:
-        """Of each number its ends; None where there is none."""
+        """The two ends of each number's range; None stands for an infinite end."""
         return {name: tuple(value(x) for x in ends) for name, ends in self.details["ranges"].items()}
 
     def __repr__(self) -> str:
@@ -117,7 +117,7 @@ class Cell:
 
 
 class Rejected:
-    """A mode that has no motion at the load, and why."""
+    """A mode without a motion at the load, and the reason."""
 
     __slots__ = ("mode", "violated", "margin", "because")
 
@@ -132,7 +132,7 @@ class Rejected:
 
 
 class Solution:
-    """The exact answer to a scene. Everything is made when it is asked for."""
+    """The exact solution of a scene. Everything is made when it is accessed."""
 
     def __init__(self, solution: "_core.Solution"):
         self._solution = solution
@@ -142,42 +142,42 @@ class Solution:
         return json.loads(self.to_json())  # type: ignore[no-any-return]
 
     def to_json(self) -> str:
-        """The document that ``slipproof solve --json`` writes, byte for byte."""
+        """The output of ``slipproof solve --json``, byte for byte."""
         return self._solution.json()
 
     def to_dict(self) -> Dict[str, Any]:
-        """The same as a dict of its own; exact numbers are texts in it."""
+        """The document as a new dict, in which exact numbers are texts."""
         return json.loads(self.to_json())  # type: ignore[no-any-return]
 
     def text(self, digits: int = 6) -> str:
-        """What ``slipproof solve`` prints; decimals have so many digits."""
+        """The text that ``slipproof solve`` prints; decimals have this many digits."""
         return self._solution.text(digits)
 
     @property
     def name(self) -> str:
-        """Of the scene."""
+        """The name of the scene."""
         return self._document["scene"]  # type: ignore[no-any-return]
 
     @property
     def notes(self) -> List[str]:
-        """What was not written in the scene but understood."""
+        """Defaults and derived values that the scene does not give."""
         return list(self._document["notes"])
 
     @property
     def load(self) -> Optional[Fraction]:
-        """The load, F of a bicycle; None where the scene has none: then every load was solved."""
+        """The load, F for a bicycle; None if the scene gives none: then it was solved for every load."""
         load = self._document["load"]
         return value(load["value"]) if load else None
 
     @property
     def load_symbol(self) -> Optional[str]:
-        """How the mechanism calls its load, ``F`` of a bicycle; None where it has none."""
+        """The symbol of the mechanism's load, ``F`` for a bicycle; None if it has none."""
         load = self._document["load"]
         return load["symbol"] if load else None
 
     @cached_property
     def motions(self) -> Tuple[Motion, ...]:
-        """Every motion at the load. Raises ValueError where the scene has none: then there are ``cells``."""
+        """Every motion at the load. Raises ValueError if the scene gives no load: then use ``cells``."""
         found = self._solution.motions()
         if found is None:
             raise ValueError(f"found no {self.load_symbol} in the scene, expected one for motions; without it ask for "
@@ -189,7 +189,7 @@ class Solution:
 
     @cached_property
     def rejected(self) -> Tuple[Rejected, ...]:
-        """The modes that have no motion at the load."""
+        """The modes without a motion at the load."""
         return tuple(Rejected(r) for r in self._document.get("rejected", ()))
 
     @cached_property
@@ -199,17 +199,17 @@ class Solution:
 
     @property
     def hysteresis(self) -> Tuple[str, ...]:
-        """Modes that there are only because static coefficients are larger than kinetic ones."""
+        """Modes that exist only because static coefficients are larger than kinetic ones."""
         return tuple(self._document.get("hysteresis", ()))
 
     @cached_property
     def ranges(self) -> Tuple[Range, ...]:
-        """For each mode that is consistent at some load, at which; nothing for a mechanism without a load."""
+        """The loads of each mode that is consistent at some load; empty for a mechanism without a load."""
         return tuple(Range(r["mode"], Interval.read(r["load"], r["closed"]), r) for r in self._document.get("ranges", ()))
 
     @cached_property
     def cells(self) -> Tuple[Cell, ...]:
-        """The line of all loads as points and open intervals with the same motions; nothing where the load is given."""
+        """All loads, divided into points and open intervals with the same motions; empty if the load is given."""
         return tuple(_cell(*cell) for cell in self._solution.cells())
 
     def phase_line(self) -> str:

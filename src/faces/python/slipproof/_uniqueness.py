@@ -1,4 +1,4 @@
-"""From which value of a parameter on a scene has several motions."""
+"""The value of a parameter from which on a scene has several motions."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ._scene import as_scene
 
 
 class Critical(Report):
-    """For which values of a parameter each load has one motion; ``to_dict()`` has all ranges of it."""
+    """The values of a parameter for which each load has one motion; ``to_dict()`` has all its ranges."""
 
     def __init__(self, document: str, text: str):
         super().__init__(document, text)
@@ -21,18 +21,18 @@ class Critical(Report):
 
     @property
     def parameter(self) -> str:
-        """What is varied."""
+        """The parameter that is varied."""
         return self._dict["parameter"]  # type: ignore[no-any-return]
 
     @property
     def value(self) -> Fraction:
-        """Of the scene itself."""
+        """The value in the scene itself."""
         return fraction(self._dict["value"])
 
     @property
     def critical(self) -> Union[None, Fraction, Tuple[Fraction, Fraction]]:
-        """The least value above the first ones that have one motion at every load, from which on or above which some
-        load has none, several or infinitely many. An irrational one stands between the two that are returned; None:
+        """The least value above the first values with one motion at every load at which, or directly above which, some
+        load has no motion, several or infinitely many. If it is irrational, returns two values that enclose it; None if
         there is no such value."""
         end = self._dict["critical"]
         return (fraction(end[0]), fraction(end[1])) if isinstance(end, list) else value(end)
@@ -44,8 +44,8 @@ class Critical(Report):
 
     @property
     def every_q(self) -> Optional[str]:
-        """``unique``: the scene itself has one motion whatever else pushes it. ``not unique``, ``undecided``; None where
-        the theorem is not about its contacts."""
+        """``unique``: the scene itself has one motion whatever else pushes it; or ``not unique``, ``undecided``. None if
+        the theorem does not apply to its contacts."""
         told = self._dict["at_value"]["every_q"]
         return told and told["verdict"]  # type: ignore[no-any-return]
 
@@ -54,10 +54,10 @@ class Critical(Report):
 
 
 def critical(scene: Any, *, x: str = "") -> Critical:
-    """For which values of a parameter each load has one motion, exactly, and which loads have several.
+    """Finds exactly for which values of a parameter each load has one motion, and which loads have several.
 
-    ``scene`` as :func:`solve` takes it. ``x``: the parameter that is varied, by default the coefficient of friction f of a
-    bicycle, or a mechanism's first. Raises ValueError for what is none, and for more than 32 modes.
+    ``scene`` is as in :func:`solve`. ``x``: the parameter to vary, by default the coefficient of friction f of a
+    bicycle, or a mechanism's first one. Raises ValueError if ``x`` is not a parameter, and for more than 32 modes.
     """
     if not isinstance(x, str):
         raise wrong_type("x", x, "the symbol of a parameter")

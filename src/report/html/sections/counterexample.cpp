@@ -10,7 +10,6 @@
 #include "base/number/format.hpp"
 #include "claims/paper/compiled.hpp"
 #include "claims/paper/setting_names.hpp"
-#include "mechanics/bicycle_modes/bicycle_motions.hpp"
 #include "mechanics/mechanism/words.hpp"
 #include "mechanics/scene/bicycle_scene.hpp"
 #include "report/html/sections.hpp"
@@ -49,7 +48,7 @@ void add_symbols(const Element& parent, const ClaimsFile& file, const Claim& cla
     const auto value = values.at(compiled.definition_slot(i, reading)).number;
     if (value) known.emplace_back(setting.definitions[i].symbol, *value);
   }
-  if (known.empty()) return;  // the claim uses parameters alone, and these are told
+  if (known.empty()) return;  // the claim uses only parameters, which are listed already
   const Element p = parent.add("p", "values");
   p.text("There ");
   for (std::size_t i = 0; i < known.size(); ++i) {
@@ -59,16 +58,17 @@ void add_symbols(const Element& parent, const ClaimsFile& file, const Claim& cla
   p.text(".");
 }
 
-/// One side of an equation, a formula for each term, so that lines can break between them.
+/// One side of an equation. Each term is a formula of its own, so that lines can break between terms.
 class Terms {
  public:
   explicit Terms(const Element& cell) : cell_(cell) {}
 
-  /// A new term: `+ 3`, `− 1/2`; without a number where it is 1 and a symbol or value follows.
+  /// Begins a term: `+ 3`, `− 1/2`; the number 1 is left out if a symbol or value follows.
   Element start(const Rational& coefficient, bool number) {
     const Element row = add_math(cell_).add("mrow");
     cell_.text(" ");
-    // A formula of its own: unasked, the sign would stand close to its term, as that of a number.
+    // The sign is written as an operator between two terms; by default it would be set close to the number, as its
+    // sign.
     const char* sign = coefficient < 0 ? "−" : "+";
     if (!first_) row.add("mo").set("form", "infix").text(sign);
     if (first_ && coefficient < 0) add_operator(row, sign);
@@ -88,13 +88,13 @@ class Terms {
   bool first_ = true;
 };
 
-/// One motion with the numbers of everything that the equations know: the unknowns, then the load.
+/// One motion with the values of all symbols in the equations: the unknowns, then the load.
 struct NumberedMotion {
   std::vector<std::string> names;
   std::vector<Rational> values;
 };
 
-/// Nothing where forces are undetermined.
+/// Nothing if forces are undetermined.
 std::optional<NumberedMotion> numbered(const MechanismScene& scene, const MotionAtLoad& motion) {
   const Mechanism& mechanism = scene.mechanism;
   NumberedMotion result;
@@ -110,7 +110,7 @@ std::optional<NumberedMotion> numbered(const MechanismScene& scene, const Motion
   return result;
 }
 
-/// a x + b y = 0 with the numbers in it: what each equation of the mechanism comes to.
+/// A row `a x + b y = 0` with numbers: an equation of the mechanism at this motion.
 void add_equation_row(const Element& body, std::string_view what, const AffineForm& form,
                       const NumberedMotion& motion) {
   const Element row = body.add("tr");
@@ -139,7 +139,7 @@ void add_equation_row(const Element& body, std::string_view what, const AffineFo
   numbers.end();
 }
 
-/// All equations and conditions of one motion with their numbers: as wide as the page, and lines break where they must.
+/// All equations and conditions of one motion with their numbers, as wide as the page; lines break where necessary.
 void add_arithmetic(const Element& parent, const MechanismScene& scene, const MotionAtLoad& found) {
   const auto motion = numbered(scene, found);
   if (!motion) return;
@@ -187,7 +187,7 @@ void add_motion(const Element& parent, const Counterexample& e, const MotionAtLo
   }
 }
 
-/// The scene as a file to save, and as text to read.
+/// The scene as a file to save and as text to read.
 void add_scene(const Element& parent, const std::string& text, const std::string& file_name) {
   std::string encoded;
   for (const char c : text) {
@@ -217,7 +217,7 @@ void add_place(const Element& p, const ClaimsFile& file, const ClaimResult& resu
   }
 }
 
-/// What there is at the force, drawn, and with the arithmetic.
+/// The motions at the force, drawn, with the arithmetic.
 void add_motions(const Element& box, const Counterexample& e) {
   if (!e.motions) return;
   const auto& motions = e.motions->motions;

@@ -2,10 +2,8 @@
 #include <slipproof/slipproof.hpp>
 
 int main() {
-  slipproof::Bicycle<slipproof::Rational> bicycle;
-  bicycle.R = slipproof::Rational(1, 3);
-  bicycle.r1 = 2;
-  bicycle.r2 = 1;
-  bicycle.L = slipproof::Rational(1, 6);
-  std::cout << to_string(slipproof::Diagnostic{"scene.toml", 3, 7, "sigma is " + sigma(bicycle).str()}) << '\n';
+  using slipproof::Rational;
+  const Rational R(1, 3), r1(2), r2(1), L(1, 6);
+  const std::string sigma = Rational(r2 * L / (r1 * R)).str();
+  std::cout << to_string(slipproof::Diagnostic{"scene.toml", 3, 7, "sigma is " + sigma}) << '\n';
 }

@@ -1,0 +1,54 @@
+// Compares the answer of a record with the exact solutions of a mode, by the rule of contact/yardstick.hpp.
+#pragma once
+
+#include "contact/problem/yardstick.hpp"
+#include "mechanics/kernel/mode_solver.hpp"
+#include "records/record/point.hpp"
+
+namespace slipproof {
+
+/// The yardstick of a kind is the largest of:
+/// - the components of the solution; if a component is left open, the answer's own;
+/// - terms and constants of the equations, gaps, slips and zeros;
+/// - for accelerations: what the equations apply, divided by the coefficients of inertia;
+/// - for a kind that lines of another kind contain, such as rotations: the yardstick of that other kind, divided by the
+///   largest coefficient, such as the longest lever.
+/// Forces that a file declares itself set no yardstick.
+class RecordAnswer {
+ public:
+  /// All arguments must outlive it. `problem` is the problem at the record's point, with its equations.
+  RecordAnswer(const RecordSetting& setting, const Record& record, const FrictionProblem& problem,
+               const std::optional<Rational>& load)
+      : setting_(setting), record_(record), problem_(problem), load_(load) {}
+
+  /// The distance to the nearest solution of a mode. `worst` becomes the answer field with the largest relative error.
+  /// Throws TooMuchWork.
+  Distance distance(const ConsistentMode& mode, Effort& effort, std::size_t& worst) const;
+
+ private:
+  struct Component {
+    AffineForm form;  ///< on the solutions of the mode
+    bool open = false;
+  };
+  std::vector<Component> components(const AffineSpace& space) const;
+  std::vector<Rational> yardsticks(const std::vector<Component>& components) const;
+  Yardsticks sizes(const std::vector<Component>& components) const;
+  void take_lines(const std::vector<Component>& components, Yardsticks& sizes) const;
+  Rational largest_coefficient(const MechanismKinds::Quotient& quotient) const;
+  Rational constant(std::size_t line) const;
+  const AffineForm& line(std::size_t index) const;
+
+  bool has(std::size_t i) const { return record_.present[setting_.fields.first_answer() + i]; }
+  Rational answer(std::size_t i) const { return record_.exactly(setting_.fields.first_answer() + i); }
+  std::size_t kind(std::size_t i) const;
+  bool sets_yardstick(std::size_t i) const;
+  /// The index of an unknown among the components of the answer.
+  std::size_t place(std::size_t unknown) const;
+
+  const RecordSetting& setting_;
+  const Record& record_;
+  const FrictionProblem& problem_;
+  const std::optional<Rational>& load_;
+};
+
+}  // namespace slipproof

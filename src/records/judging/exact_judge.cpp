@@ -1,0 +1,139 @@
+#include "records/judging/exact_judge.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "base/number/binary64.hpp"
+#include "mechanics/scene/sampling.hpp"
+#include "records/judging/answer.hpp"
+#include "records/judging/explanation.hpp"
+
+namespace slipproof {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Estimates the work. The numbers are quotients of polynomials in the record's numbers; their digits are at most all
+/// digits of these, times the degree.
+Work work_of(const RecordSetting& setting, const RecordPoint& point) {
+  const Mechanism& mechanism = setting.certified.mechanism;
+  constexpr std::size_t degree = 4;
+  std::size_t bits = point.load ? bit_count(*point.load) : 0;
+  for (const Rational& value : point.values.parameters) bits += bit_count(value);
+  for (const auto& angle : point.values.angles) bits += bit_count(angle.cosine) + bit_count(angle.sine);
+  const auto kinds = element_kinds(mechanism, point.values.starts, point.values.given);
+  const auto modes = static_cast<Work>(mode_count(kinds));
+  const Work unknowns = mechanism.unknowns.size();
+  return times(times(modes, unknowns * unknowns), product_work(degree * bits));
+}
+
+/// The text without the outer braces or brackets.
+std::string inner_text(const Json& json) {
+  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return text.substr(1, text.size() - 2);
+}
+
+/// The verdict on an answer at a point whose motions are known.
+struct ExactVerdict {
+  MotionsAtLoad found;
+  /// The mode with the solution nearest to the answer; empty: there is none that the record claims.
+  MechanismMode nearest;
+  Distance distance;      ///< to it
+  std::size_t worst = 0;  ///< the component of the answer with the largest relative error
+  RecordVerdict verdict = RecordVerdict::wrong;
+};
+
+/// The motion that a mode belongs to; null for a mode of a continuum.
+const MotionAtLoad* motion_with(const MotionsAtLoad& found, const MechanismMode& mode) {
+  for (const MotionAtLoad& motion : found.motions) {
+    for (const auto* modes : {&motion.modes, &motion.boundary_modes}) {
+      if (std::find(modes->begin(), modes->end(), mode) != modes->end()) return &motion;
+    }
+  }
+  return nullptr;
+}
+
+ExactVerdict judge_at(const RecordSetting& setting, const Record& record, const FrictionProblem& problem,
+                      const std::optional<Rational>& load, const JudgeOptions& options) {
+  ExactVerdict result;
+  result.found = motions_of(without_equations(problem), load);
+  const RecordAnswer answer(setting, record, problem, load);
+  const Rational tolerance = to_rational(options.tolerance);
+  Effort effort(options.effort);
+  for (const ConsistentMode& mode : ModeSolver(problem, load).consistent()) {
+    if (record.mode != no_mode && mode.mode != setting.fields.modes()[record.mode]) continue;
+    std::size_t worst = 0;
+    Distance distance = answer.distance(mode, effort, worst);
+    if (!result.nearest.empty() && !is_nearer(distance, result.distance, tolerance)) continue;
+    result.nearest = mode.mode;
+    result.distance = std::move(distance);
+    result.worst = worst;
+  }
+  if (result.nearest.empty() || result.distance.scaled > to_rational(options.near)) return result;
+  const bool several = result.found.motions.size() > 1 || !result.found.continua.empty();
+  result.verdict = result.distance.relative > tolerance ? RecordVerdict::inaccurate
+                   : several                            ? RecordVerdict::ambiguous
+                                                        : RecordVerdict::certified;
+  return result;
+}
+
+RecordJudgement judge_point(const RecordSetting& setting, const Record& record, const RecordPoint& point,
+                            const FrictionProblem& problem, const JudgeOptions& options) {
+  const ExactVerdict judged = judge_at(setting, record, problem, point.load, options);
+  const MotionsAtLoad& found = judged.found;
+  RecordJudgement result;
+  result.verdict = judged.verdict;
+  result.motions = found.motions.size();
+  result.continuum = !found.continua.empty();
+  Json details = Json::object();
+  const FrictionProblem solved = without_equations(problem);
+  const Explanation explanation(setting, solved, found, point.load);
+  if (result.verdict == RecordVerdict::wrong) {
+    if (record.mode != no_mode) {
+      explanation.add_claimed(details, setting.fields.modes()[record.mode], point.values);
+    } else {
+      explanation.add_likely(details, record, point.values);
+    }
+  } else {
+    const MotionAtLoad* motion = motion_with(found, judged.nearest);
+    const std::vector<MechanismMode> modes = motion == nullptr  ? std::vector<MechanismMode>(1, judged.nearest)
+                                             : motion->strict() ? motion->modes
+                                                                : motion->boundary_modes;
+    for (const MechanismMode& mode : modes) {
+      const std::string text = name(mode);
+      result.add_mode(*setting.fields.find_mode(text), text);
+    }
+    result.max_error = enclose(judged.distance.relative).upper;
+    if (result.verdict == RecordVerdict::inaccurate) {
+      details["worst"] = setting.fields.name(setting.fields.first_answer() + judged.worst);
+    }
+  }
+  if (result.verdict != RecordVerdict::certified) explanation.add_motions(details);
+  if (!details.empty()) result.details = "," + inner_text(details);
+  return result;
+}
+
+RecordJudgement undecided_record(Work needed, const JudgeOptions& options) {
+  return undecided_judgement(too_much_work(needed, options.effort));
+}
+
+}  // namespace
+
+RecordJudgement judge_exactly(const RecordSetting& setting, const Record& record, const JudgeOptions& options) {
+  const RecordPoint point = point_of(setting, record);
+  if (!point.mistake.empty()) return invalid_judgement(point.mistake);
+  if (const std::string reason = outside_domain(setting, point); !reason.empty()) return invalid_judgement(reason);
+  if (const Work needed = work_of(setting, point); needed > options.effort) return undecided_record(needed, options);
+  return judged_or_undecided([&] {
+    try {
+      return judge_point(setting, record, point, setting.maker.problem(point.values), options);
+    } catch (const NoValue& error) {
+      return invalid_judgement(error.what());
+    } catch (const TooMuchWork&) {
+      return undecided_record(endless, options);
+    }
+  });
+}
+
+}  // namespace slipproof

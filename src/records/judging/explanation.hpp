@@ -1,0 +1,40 @@
+// Describes as JSON which motions are right, and what is wrong with an answer.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mechanics/kernel/motions.hpp"
+#include "records/record/point.hpp"
+
+namespace slipproof {
+
+/// Explains one record; all arguments must outlive it. `problem` is the problem at its point, without the equations.
+class Explanation {
+ public:
+  Explanation(const RecordSetting& setting, const FrictionProblem& problem, const MotionsAtLoad& found,
+              const std::optional<Rational>& load)
+      : setting_(setting), problem_(problem), found_(found), load_(load) {}
+
+  /// Adds `found`, `continua` and `hysteresis`: all motions that exist.
+  void add_motions(nlohmann::ordered_json& details) const;
+  /// Adds what is wrong with the mode that a record claims.
+  void add_claimed(nlohmann::ordered_json& details, const MechanismMode& mode, const MechanismValues& values) const;
+  /// The same for the mode that an answer suggests, if it has the forces of all contacts.
+  void add_likely(nlohmann::ordered_json& details, const Record& record, const MechanismValues& values) const;
+
+ private:
+  nlohmann::ordered_json motion_of(const MotionAtLoad& motion) const;
+  void add_against(nlohmann::ordered_json& details, const MechanismMode& mode, const MechanismValues& values) const;
+  std::string not_modelled(const MechanismMode& mode, const MechanismValues& values) const;
+  std::optional<MechanismMode> looks_like(const Record& record) const;
+
+  const RecordSetting& setting_;
+  const FrictionProblem& problem_;
+  const MotionsAtLoad& found_;
+  const std::optional<Rational>& load_;
+};
+
+}  // namespace slipproof

@@ -1,0 +1,49 @@
+#include "records/judging/judge.hpp"
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+namespace slipproof {
+
+std::string_view name(RecordVerdict verdict) {
+  constexpr std::array<std::string_view, record_verdict_count> names{"certified", "ambiguous", "inaccurate",
+                                                                     "wrong",     "invalid",   "undecided"};
+  return names[static_cast<std::size_t>(verdict)];
+}
+
+void RecordJudgement::add_mode(std::uint16_t mode, std::string_view name) {
+  modes.push_back(mode);
+  if (!mode_names.empty()) mode_names += ',';
+  mode_names += '"';
+  mode_names += name;
+  mode_names += '"';
+}
+
+namespace {
+
+RecordJudgement judgement_for(RecordVerdict verdict, const std::string& reason) {
+  RecordJudgement result;
+  result.verdict = verdict;
+  const nlohmann::ordered_json text(reason);
+  result.details = ",\"reason\":" + text.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  return result;
+}
+
+}  // namespace
+
+RecordJudgement invalid_judgement(const std::string& reason) {
+  return judgement_for(RecordVerdict::invalid, reason);
+}
+
+RecordJudgement undecided_judgement(const std::string& reason) {
+  return judgement_for(RecordVerdict::undecided, reason);
+}
+
+std::string too_much_work(Work needed, Work effort) {
+  const std::string allowed = "more than the effort of " + std::to_string(effort) + " allows; ";
+  if (needed == endless) return "too much work: " + allowed + "a larger --effort may do";
+  const std::string work = std::to_string(needed);
+  return "too much work: about " + work + " operations on words, " + allowed + "--effort " + work + " would do";
+}
+
+}  // namespace slipproof

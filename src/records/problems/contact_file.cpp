@@ -1,0 +1,338 @@
+#include "records/problems/contact_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "base/number/binary64.hpp"
+#include "base/number/format.hpp"
+#include "base/parallel/failure.hpp"
+#include "contact/enclosure/answer.hpp"
+#include "contact/exact/exact_lcp.hpp"
+#include "contact/judge/find.hpp"
+#include "contact/problem/every_load.hpp"
+
+namespace slipproof {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+JudgedAnswer judge_one(const JudgedProblem& problem, const SolverAnswer& answer, const ContactFileOptions& options) {
+  std::string reason;
+  std::vector<double> x = answer_vector(problem.problem, problem.mixed, answer, reason);
+  if (!reason.empty()) {
+    JudgedAnswer result{answer.origin, {}};
+    result.judgement.reason = std::move(reason);
+    return result;
+  }
+  return {answer.origin, judge_contacts(problem.mixed, std::move(x), answer.u, options.judge)};
+}
+
+/// If judging an answer fails, reports that with this answer; the others are still judged.
+template <class Judge>
+JudgedAnswer judged_or_undecided(const std::string& origin, const Judge& judge) {
+  JudgedAnswer result{origin, {}};
+  if (const std::string failure = failure_of([&] { result = judge(); }); !failure.empty()) {
+    result = {origin, {}};
+    result.judgement.verdict = ContactVerdict::undecided;
+    result.judgement.reason = failure;
+  }
+  return result;
+}
+
+/// Starting points for the search if no answer is given: the result of an iteration over contacts, of Lemke's method if
+/// there is no friction, and zero forces.
+std::vector<std::vector<double>> starts(const MixedProblem& problem, const ContactJudgeOptions& options) {
+  std::vector<std::vector<double>> result;
+  result.push_back(approximate_solution(problem));
+  if (is_complementarity(problem) && problem.size() <= 1000) {
+    Effort effort(options.effort);
+    if (const auto found = solve_lcp(problem, std::vector<bool>(problem.size(), false), effort)) {
+      result.emplace_back();
+      for (std::size_t i = 0; i < found->x.size(); ++i) result.back().push_back(nearest_binary64(found->x.at(i)));
+    }
+  }
+  result.emplace_back(problem.size(), 0);
+  std::erase_if(result, [&](auto& x) { return x.size() != problem.size() || !complete_free_unknowns(problem, x); });
+  return result;
+}
+
+/// The known exact solution, rounded. It need not be near the answer that was judged.
+std::vector<double> known_solution(const ContactJudgement& j) {
+  if (j.enclosure) return center_of(*j.enclosure);
+  std::vector<double> x;
+  for (const Rational& value : j.exact) x.push_back(nearest_binary64(value));
+  return x;
+}
+
+JudgedAnswer judge_what_is_found(const JudgedProblem& problem, const ContactFileOptions& options) {
+  JudgedAnswer result{"none", {}};
+  result.judgement.verdict = ContactVerdict::undecided;
+  result.judgement.reason = "no answer is given: --answer FILE, or --refine to look for one";
+  if (!options.judge.refine) return result;
+  for (std::vector<double>& start : starts(problem.mixed, options.judge)) {
+    result.judgement = judge_contacts(problem.mixed, std::move(start), {}, options.judge);
+    const ContactVerdict verdict = result.judgement.verdict;
+    const bool far = verdict == ContactVerdict::wrong || verdict == ContactVerdict::inaccurate;
+    if (far && result.judgement.has_solution()) {
+      result.judgement = judge_contacts(problem.mixed, known_solution(result.judgement), {}, options.judge);
+    }
+    result.origin = "found here";
+    if (result.judgement.verdict != ContactVerdict::wrong) return result;
+  }
+  result = {"none", {}};
+  result.judgement.verdict = ContactVerdict::undecided;
+  result.judgement.reason = "no answer is given, and none was found";
+  return result;
+}
+
+std::string size_of(const MixedProblem& problem) {
+  if (problem.dimension == 1) return counted(problem.contacts(), "component");
+  return fmt::format("{} in dimension {}", counted(problem.contacts(), "contact"), problem.dimension);
+}
+
+Json counted_from_one(const std::vector<std::size_t>& contacts) {
+  Json list = Json::array();
+  for (const std::size_t k : contacts) list.push_back(k + 1);
+  return list;
+}
+
+Json worst_json(const Residual& residual) {
+  Json list = Json::array();
+  for (const Violation& v : residual.worst) {
+    Json item;
+    if (v.contact) {
+      item["contact"] = *v.contact + 1;
+    } else {
+      item["row"] = v.row + 1;
+    }
+    item["violates"] = v.condition;
+    item["by"] = at_most(v.amount);
+    list.push_back(std::move(item));
+  }
+  return list;
+}
+
+Json exact_texts(const std::vector<Rational>& values) {
+  Json list = Json::array();
+  for (const Rational& x : values) list.push_back(exact_text(x));
+  return list;
+}
+
+std::string_view class_name(UniqueProof::Class kind) {
+  switch (kind) {
+    case UniqueProof::Class::dominant:
+      return "H-matrix with positive diagonal";
+    case UniqueProof::Class::definite:
+      return name(EveryLoad::Reason::definite);
+    case UniqueProof::Class::bound:
+      return name(EveryLoad::Reason::bound);
+    case UniqueProof::Class::determinants:
+      return name(EveryLoad::Reason::determinants);
+    default:
+      return "P-matrix";
+  }
+}
+
+/// Whether a solution that was found is the only one, and in what sense.
+Json uniqueness(const ContactJudgement& j) {
+  if (j.verdict == ContactVerdict::unique) return "globally";
+  return j.enclosure && j.enclosure->locally_unique ? Json("locally") : Json();
+}
+
+/// A number in three digits that is still a bound: `factor` moves it while `beyond` says that printing lost the bound.
+template <class Beyond>
+std::string three_digits(double x, double factor, const Beyond& beyond) {
+  if (x == 0) return "0";
+  std::string text = fmt::format("{:.2e}", x);
+  for (double step = x * factor; beyond(std::strtod(text.c_str(), nullptr), x); step *= factor) {
+    text = fmt::format("{:.2e}", step);
+  }
+  return text;
+}
+
+std::string contact_list(const std::vector<std::size_t>& contacts) {
+  std::string text = contacts.size() == 1 ? "contact" : "contacts";
+  for (std::size_t i = 0; i < std::min<std::size_t>(contacts.size(), 6); ++i) {
+    text += fmt::format("{} {}", i == 0 ? "" : ",", contacts[i] + 1);
+  }
+  return contacts.size() > 6 ? text + fmt::format(" and {} more", contacts.size() - 6) : text;
+}
+
+}  // namespace
+
+JudgedProblem::JudgedProblem(std::string name, ReadProblem read, const ContactFileOptions& options)
+    : file(std::move(name)), problem(std::move(read.problem)), mixed(mixed_problem(problem)) {
+  const auto judge = [&](const SolverAnswer& answer) {
+    answers.push_back(judged_or_undecided(answer.origin, [&] { return judge_one(*this, answer, options); }));
+  };
+  if (options.answer) {
+    judge(*options.answer);
+  } else {
+    for (const SolverAnswer& answer : read.answers) judge(answer);
+  }
+  if (answers.empty())
+    answers.push_back(judged_or_undecided("none", [&] { return judge_what_is_found(*this, options); }));
+}
+
+JudgedProblem judge_problem_file(std::string file, ReadProblem read, const ContactFileOptions& options) {
+  return JudgedProblem(std::move(file), std::move(read), options);
+}
+
+std::string verdict_words(const ContactJudgement& j) {
+  switch (j.verdict) {
+    case ContactVerdict::invalid:
+      return "The answer is invalid: " + j.reason + ".";
+    case ContactVerdict::undecided:
+      return "Undecided: " + j.reason + ".";
+    case ContactVerdict::no_solution:
+      return "The problem has no solution: no forces keep all contacts from overlapping.";
+    case ContactVerdict::unique:
+      return fmt::format("The one solution of the problem is within {} of the answer.", at_most(j.rho));
+    case ContactVerdict::ambiguous:
+      return fmt::format("A solution is within {} of the answer, and there is another one elsewhere.", at_most(j.rho));
+    case ContactVerdict::solution_within_rho:
+      return fmt::format("An exact solution is within {} of the answer in each component{}.", at_most(j.rho),
+                         j.enclosure && j.enclosure->locally_unique ? ", and near it there is no other" : "");
+    case ContactVerdict::inaccurate:
+      return fmt::format(
+          "The answer is inaccurate: an exact solution is within {} of it in each component, an error of {}.",
+          at_most(j.rho), at_most(j.error));
+    case ContactVerdict::none_within_rho:
+    case ContactVerdict::wrong:
+      if (!j.reason.empty()) return "The answer is wrong: " + j.reason + ".";
+      if (j.exclusion->radius == 0) return "The answer is wrong: its backward error is too large.";
+      return fmt::format("The answer is wrong: no solution is within {} of it.", at_least(j.exclusion->radius));
+    default:
+      return "The answer solves a problem that is as near as its backward error; whether the problem itself has a "
+             "solution near it is undecided.";
+  }
+}
+
+std::vector<std::string> further_words(const ContactJudgement& j) {
+  std::vector<std::string> sentences;
+  if (j.verdict == ContactVerdict::eps_solution && !j.reason.empty()) {
+    sentences.push_back(fmt::format("Nothing stronger: {}{}.", j.reason,
+                                    j.contacts.empty() ? "" : " (" + contact_list(j.contacts) + ")"));
+  }
+  if (j.right_for) {
+    sentences.push_back(
+        fmt::format("It is right for the {}: not the answer, but the law is another.", name(*j.right_for)));
+  }
+  if (j.verdict == ContactVerdict::wrong && j.velocity_error > j.residual->change) {
+    sentences.push_back(
+        fmt::format("Its velocities differ from those of its forces by up to {}.", at_most(j.velocity_error)));
+  }
+  if (j.unique_by) {
+    sentences.push_back(
+        fmt::format("There is one solution for every constant, too ({}).", class_name(j.unique_by->kind)));
+  }
+  for (const std::string& failure : j.left_out) sentences.push_back("Not found, " + failure + ".");
+  if (j.undetermined == 1) {
+    sentences.emplace_back("1 component of the forces is determined by nothing; it is held as it is.");
+  } else if (j.undetermined > 1) {
+    sentences.push_back(counted(j.undetermined, "component") +
+                        " of the forces are determined by nothing; they are held as they are.");
+  }
+  return sentences;
+}
+
+std::string at_most(double x) {
+  return three_digits(x, 1 + 1e-3, std::less<>());
+}
+
+std::string at_least(double x) {
+  return three_digits(x, 1 - 1e-3, std::greater<>());
+}
+
+std::string contact_line(const JudgedProblem& problem, std::size_t answer) {
+  return fmt::format("{{\"record\":{}{}}}", answer + 1, contact_members(problem, answer));
+}
+
+std::string contact_members(const JudgedProblem& problem, std::size_t answer) {
+  const ContactJudgement& j = problem.answers[answer].judgement;
+  Json line{{"problem", problem.problem.title.empty() ? problem.file : problem.problem.title},
+            {"answer", problem.answers[answer].origin},
+            {"contacts", problem.mixed.contacts()},
+            {"dimension", problem.mixed.dimension},
+            {"verdict", name(j.verdict)}};
+  if (j.has_solution()) {
+    line["rho"] = at_most(j.rho);
+    if (j.verdict == ContactVerdict::inaccurate) line["error"] = at_most(j.error);
+    if (is_certified(j.verdict) || j.verdict == ContactVerdict::ambiguous) line["unique"] = uniqueness(j);
+  }
+  if (j.exclusion && j.exclusion->radius > 0) line["no_solution_within"] = at_least(j.exclusion->radius);
+  if (j.residual) {
+    line["residual"] = at_most(j.residual->change);
+    line["moved"] = at_most(j.residual->moved);
+    line["backward_error"] = at_most(j.residual->backward_error());
+    line["worst"] = worst_json(*j.residual);
+  }
+  if (j.velocity_error > 0) line["velocity_error"] = at_most(j.velocity_error);
+  if (j.law != FrictionLaw::cone) line["law"] = name(j.law);
+  if (j.right_for) line["right_for"] = name(*j.right_for);
+  if (j.has_solution()) line["undetermined_forces"] = j.undetermined;
+  if (!j.reason.empty()) line["reason"] = j.reason;
+  if (!j.contacts.empty()) line["about"] = counted_from_one(j.contacts);
+  if (j.other) {
+    Json other = Json::array();
+    for (const double x : center_of(*j.other)) other.push_back(x);
+    line["other"] = std::move(other);
+  }
+  if (!j.exact.empty() && j.exact.size() <= 64) line["exact"] = exact_texts(j.exact);
+  if (!j.other_exact.empty()) line["other"] = exact_texts(j.other_exact);
+  if (j.unique_by) line["unique_by"] = class_name(j.unique_by->kind);
+  if (!j.left_out.empty()) line["left_out"] = j.left_out;
+  if (!problem.problem.remarks.empty()) line["remarks"] = problem.problem.remarks;
+  const std::string text = line.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return ',' + text.substr(1, text.size() - 2);
+}
+
+std::string contact_words(const JudgedProblem& problem, std::size_t answer) {
+  const ContactJudgement& j = problem.answers[answer].judgement;
+  std::string text =
+      fmt::format("{}: {}, answer: {}\n", problem.file, size_of(problem.mixed), problem.answers[answer].origin);
+  text += "  " + verdict_words(j) + '\n';
+  if (j.residual) {
+    text += fmt::format("  Backward error {} of the largest {}", at_most(j.residual->backward_error()),
+                        problem.mixed.free == 0 ? "constant" : "of its kind");
+    if (!j.residual->worst.empty()) {
+      const Violation& v = j.residual->worst.front();
+      const std::string place =
+          v.contact ? fmt::format("contact {}", *v.contact + 1) : fmt::format("row {}", v.row + 1);
+      text += fmt::format("; worst: {}, {}, by {}", place, v.condition, at_most(v.amount));
+    }
+    text += ".\n";
+  }
+  for (const std::string& sentence : further_words(j)) text += "  " + sentence + '\n';
+  for (const std::string& remark : problem.problem.remarks) text += "  Note: " + remark + ".\n";
+  return text;
+}
+
+std::string refined_answer(const JudgedProblem& problem, std::size_t answer) {
+  const ContactJudgement& j = problem.answers[answer].judgement;
+  if (!j.has_solution()) return {};
+  const std::vector<double> x = known_solution(j);
+  const std::size_t bodies = problem.problem.form == ProblemForm::global ? problem.problem.M.rows : 0;
+  Json result, radius = Json::array();
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    result[i < bodies ? "v" : i < problem.mixed.free ? "lambda" : "r"].push_back(x[i]);
+    if (!j.enclosure) {
+      radius.push_back(enclose(abs(to_rational(x[i]) - j.exact[i])).upper);
+    } else {
+      const std::size_t unknown = j.enclosure->system.unknown(i);
+      radius.push_back(unknown == ModeSystem::none ? 0.0 : j.enclosure->radius[unknown]);
+    }
+  }
+  for (std::size_t i = problem.mixed.free; i < x.size(); ++i) {
+    result["u"].push_back(nearest_binary64(exact_row(problem.mixed, i, x)));
+  }
+  result["radius"] = std::move(radius);
+  return result.dump() + '\n';
+}
+
+}  // namespace slipproof

@@ -1,0 +1,57 @@
+#include "records/problems/contact_record.hpp"
+
+#include "contact/formats/read_files.hpp"
+#include "records/judging/judge.hpp"
+#include "records/problems/contact_file.hpp"
+
+namespace slipproof {
+
+namespace {
+
+RecordVerdict record_verdict(ContactVerdict verdict) {
+  switch (verdict) {
+    case ContactVerdict::unique:
+    case ContactVerdict::solution_within_rho:
+      return RecordVerdict::certified;
+    case ContactVerdict::ambiguous:
+      return RecordVerdict::ambiguous;
+    case ContactVerdict::inaccurate:
+    case ContactVerdict::eps_solution:
+      return RecordVerdict::inaccurate;
+    case ContactVerdict::invalid:
+      return RecordVerdict::invalid;
+    case ContactVerdict::undecided:
+      return RecordVerdict::undecided;
+    default:
+      return RecordVerdict::wrong;
+  }
+}
+
+ReadProblem read(std::string_view line, const CertifyOptions& options) {
+  if (options.decimal_exact) {
+    throw BrokenRecord{0, "found a problem whose decimals mean the nearest binary64, expected one of W, q and z alone"};
+  }
+  try {
+    return read_problem_line(line, options.file);
+  } catch (const InputError& error) {
+    std::string messages;
+    for (const Diagnostic& d : error.diagnostics()) messages += (messages.empty() ? "" : "; ") + d.message;
+    throw BrokenRecord{error.diagnostics().front().column, messages};
+  }
+}
+
+}  // namespace
+
+RecordJudgement judge_contact_line(std::string_view line, const CertifyOptions& options) {
+  ReadProblem given = read(line, options);
+  return judged_or_undecided([&] {
+    const JudgedProblem problem = judge_problem_file(options.file, std::move(given), {options.contact, std::nullopt});
+    RecordJudgement result;
+    result.verdict = record_verdict(problem.first().judgement.verdict);
+    result.rho = problem.first().judgement.rho;
+    result.members = contact_members(problem, 0);
+    return result;
+  });
+}
+
+}  // namespace slipproof

@@ -1,0 +1,15 @@
+// Contact problems at real size as JSON Lines: each line has a problem with its answer.
+#pragma once
+
+#include <string_view>
+
+#include "records/reading/options.hpp"
+
+namespace slipproof {
+
+/// Judges a line that `read_problem_line` reads, by `options.contact`; its output is in `members`. Among the verdicts
+/// for records, `certified` is a solution within rho or the only one, `inaccurate` also an eps-solution, and `wrong`
+/// also a problem without a solution, near the answer or at all. Throws BrokenRecord, also if decimals are to be exact.
+RecordJudgement judge_contact_line(std::string_view line, const CertifyOptions& options);
+
+}  // namespace slipproof
