@@ -1,4 +1,4 @@
-// A claim before and after a change of the file, and what exact arguments say of the change.
+// A claim before and after a change of the file, and what exact arguments say about the change.
 #pragma once
 
 #include <optional>
@@ -12,20 +12,20 @@
 
 namespace slipproof {
 
-/// What a change comes to, and why.
+/// The effect of a change, and why.
 struct Settlement {
   enum class Kind {
-    equivalent,  ///< it says the same
+    equivalent,  ///< the claim says the same as before
     theorem,     ///< it says something else, which is true for all parameters
-    vacuous      ///< it says nothing about the motion: the signs of the parameters make it true
+    vacuous      ///< it says nothing about the motion: the signs of the parameters alone make it true
   };
   Kind kind = Kind::equivalent;
-  std::size_t claim = 0;  ///< that the argument is about, the first of several
+  std::size_t claim = 0;  ///< the claim that the argument is about; the first if there are several
   std::string argument;   ///< in words
-  Lemmas lemmas;          ///< what it rests on
+  Lemmas lemmas;          ///< that the argument uses
 };
 
-/// All of it must outlive the change.
+/// All arguments must outlive the change.
 class ClaimChange {
  public:
   using Result = std::optional<Settlement>;
@@ -49,7 +49,7 @@ class ClaimChange {
   Settlement made(Settlement::Kind kind, std::string argument, Lemmas lemmas = {}) const {
     return {kind, claim_, std::move(argument), std::move(lemmas)};
   }
-  /// Also where it may divide by 0: at samples that is no value, which is noticed.
+  /// True also if the formula may divide by 0: at such samples it has no value, which is noticed.
   bool was_identity() const { return is_identity(original_); }
   bool is_identity() const { return is_identity(changed_); }
   bool where_differs() const { return !same(before_.region, after_.region) || !same(before_.forces, after_.forces); }
@@ -67,7 +67,7 @@ class ClaimChange {
   const ClaimBody &before_, &after_;
 };
 
-/// A formula about motions that is true of all parameters whatever the motion.
+/// Whether a formula about motions is true for all parameters and any motion.
 inline bool is_true_of_any_motion(const Implications& logic, const ClaimBody& body, Lemmas& lemmas) {
   return body.kind->has("holds") && !body.modes.empty() && logic.implies({}, body.holds, lemmas);
 }

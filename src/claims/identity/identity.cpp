@@ -27,14 +27,14 @@ class IdentitySearch {
         variables_(force_and_parameters(setting_)),
         ring_(ring_of(setting_.scope(), with_angles(variables_, angles_))) {}
 
-  /// Whether it is one; then divisors() has what it divides by.
+  /// Whether the claim is an identity; if so, divisors() returns what it divides by.
   bool find() {
     if (!is_identity()) return false;
     add_half_tangents(!body_.modes.empty());
     return true;
   }
 
-  /// Irreducible, each once; the search must outlive them.
+  /// The irreducible divisors, each once; the search must outlive them.
   const std::vector<MultiPolynomial>& divisors() const { return divisors_; }
 
  private:
@@ -50,13 +50,13 @@ class IdentitySearch {
     return std::all_of(programs.begin(), programs.end(), [&](const Program& p) { return is_true(symbols, p); });
   }
 
-  /// They stand side by side.
+  /// The slots of the force and the parameters, which follow each other.
   static std::vector<std::size_t> force_and_parameters(const CompiledSetting& setting) {
     std::vector<std::size_t> slots(1 + setting.domains().size());
     std::iota(slots.begin(), slots.end(), CompiledSetting::force_slot());
     return slots;
   }
-  /// Cosines and sines stand behind all parameters, two for each angle.
+  /// Adds the slots of cosines and sines, two for each angle, which follow all parameters.
   static std::vector<std::size_t> with_angles(std::vector<std::size_t> slots, const std::vector<PaperAngle>& angles) {
     for (std::size_t i = 0; i < 2 * angles.size(); ++i) slots.push_back(slots.size());
     return slots;
@@ -77,7 +77,8 @@ class IdentitySearch {
   MultiPolynomial variable(std::size_t index) const { return MultiPolynomial::variable(*ring_, index); }
   MultiPolynomial one_and_cosine(std::size_t angle) const { return cosine(angle) + MultiPolynomial(*ring_, 1); }
 
-  /// With the same zeros, but for 1 + c = 0: with s/(1 + c) for the half tangent of each angle, and 1 - c^2 for s^2.
+  /// A polynomial with the same zeros, except where 1 + c = 0: with s/(1 + c) for the half tangent of each angle, and 1
+  /// - c^2 for s^2.
   MultiPolynomial in_angles(MultiPolynomial p) const {
     for (std::size_t i = 0; i < angles_.size(); ++i) {
       p = substitute(p, 1 + angles_[i].parameter, sine(i), one_and_cosine(i));
@@ -91,7 +92,7 @@ class IdentitySearch {
     }
     return p;
   }
-  /// The half tangent itself divides by 1 + c.
+  /// The half tangent s/(1 + c) adds the divisor 1 + c.
   void add_half_tangents(bool moves) {
     for (std::size_t i = 0; i < angles_.size(); ++i) {
       if (moves || uses(angles_[i])) add_factor(one_and_cosine(i));
@@ -110,7 +111,7 @@ class IdentitySearch {
       if (instruction.operation != Operation::compare) continue;
       for (const std::uint32_t side : {instruction.first, instruction.second}) {
         const auto value = symbols.number(program, side).number;
-        if (!value) return false;  // a part that does not matter has no value: no identity that this could judge
+        if (!value) return false;  // a part that does not matter has no value, so this identity cannot be judged here
         for (const MultiPolynomial& divisor : value->divisors()) add_divisor(divisor);
       }
     }
@@ -137,7 +138,7 @@ class IdentitySearch {
   std::vector<MultiPolynomial> divisors_;
 };
 
-/// Whether a polynomial in the force and the parameters has no zero in the claim's region.
+/// Decides whether a polynomial in the force and the parameters has no zero in the claim's region.
 class NeverZero {
  public:
   NeverZero(const ClaimsFile& file, const Claim& claim, Reading reading, LemmaBook* book)
@@ -161,13 +162,13 @@ class NeverZero {
   }
 
  private:
-  /// Of its variables.
+  /// Whether all variables of p are positive.
   bool all_positive(const MultiPolynomial& p) const {
     const std::vector<std::size_t> variables = p.variables();
     return std::all_of(variables.begin(), variables.end(),
                        [&](std::size_t i) { return signs_.positive(make_symbol(p.ring().name(i))); });
   }
-  /// Its coefficients.
+  /// Whether all coefficients of p have one sign.
   static bool is_one_signed(const MultiPolynomial& p) {
     const std::vector<Term> terms = p.terms();
     return std::all_of(terms.begin(), terms.end(),
@@ -180,7 +181,7 @@ class NeverZero {
   Reading reading_;
   PlainSigns signs_;
   LemmaBook* book_;
-  std::optional<ClaimsFile> read_;  ///< what lemmas are written from
+  std::optional<ClaimsFile> read_;  ///< the file that lemmas are written from
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // Identities between rational functions, proved for all parameters: both sides are the same quotient of polynomials,
-// and what was divided by on the way is not 0.
+// and no divisor on the way is 0.
 #pragma once
 
 #include <optional>
@@ -11,17 +11,18 @@
 
 namespace slipproof {
 
-/// What a formula or a consequence claims is equality of rational functions of the parameters and the force, and true
-/// as such wherever everything that it divides by, the determinants of its modes included, differs from 0.
+/// A formula or consequence whose equation holds between rational functions of the parameters and the force. The claim
+/// is then true wherever all its divisors, including the determinants of its modes, differ from 0.
 struct Identity {
-  /// Of what it divides by, the factors that were not shown to differ from 0 in the claim's region, as expressions.
+  /// Factors of the divisors, as expressions, that were not shown to differ from 0 in the claim's region.
   std::vector<std::string> unless_zero;
 
-  /// The claim is right, or says nothing, at every bicycle.
+  /// Whether the claim is right, or says nothing, at every bicycle.
   bool proved() const { return unless_zero.empty(); }
 };
 
-/// Nothing: it was not shown to be one. With a book, what is not plainly of one sign is shown by its proofs.
+/// Nothing if the claim was not shown to be an identity. With a book, its proofs are used for divisors that are not
+/// plainly of one sign.
 std::optional<Identity> find_identity(const ClaimsFile& file, const CompiledClaims& compiled, std::size_t claim,
                                       Reading reading, LemmaBook* book);
 

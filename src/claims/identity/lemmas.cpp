@@ -13,7 +13,7 @@ namespace slipproof {
 
 namespace {
 
-/// `shown` without what stands in `given` already.
+/// `shown` without the conjuncts that are in `given`.
 Expression not_given(const Expression& shown, const std::vector<Expression>& given) {
   const std::vector<Expression> known = conjuncts(given);
   Expression rest = make_truth(true);
@@ -29,7 +29,8 @@ void collect_divisors(const Expression& e, std::vector<Expression>& found) {
   for (const Expression& operand : e->operands) collect_divisors(operand, found);
 }
 
-/// The formula at large values of a variable, by leading coefficients; nothing where an equation is no identity.
+/// The formula at large values of a variable, in terms of leading coefficients; nothing if an equation is not an
+/// identity.
 std::optional<std::string> at_infinity(const prove::Formula& formula, std::size_t variable) {
   using prove::Formula;
   if (formula.kind == Formula::Kind::atom) {
@@ -90,7 +91,7 @@ bool Implications::implies(std::vector<Expression> given, const Expression& show
   const Expression rest = not_given(shown, given);
   if (rest->operation == Operation::truth && rest->truth) return true;
   if (prove(given, rest, lemmas, mode, obeying)) return true;
-  // What differs from 0 is above or below: said first, that helps the search with all that comes after it.
+  // A divisor that differs from 0 is positive or negative. Showing which first helps the search with all that follows.
   const std::vector<Expression> known = conjuncts(given);
   const auto unequal = std::find_if(known.begin(), known.end(), [](const Expression& e) {
     return e->operation == Operation::compare && e->relations.front() == Relation::not_equal;
@@ -149,7 +150,8 @@ bool Implications::divides_alike(const std::vector<Expression>& given, const Exp
   if (sort(*y) == Sort::truth) conditions = conjuncts({y});
   return std::all_of(after.begin(), after.end(), [&](const Expression& divisor) {
     if (is_in(before, divisor)) return true;
-    std::vector<Expression> context = given;  // where another condition is false, so is y, whatever it divides by
+    // Assumes the other conditions: where one is false, y is false too, whatever it divides by.
+    std::vector<Expression> context = given;
     for (const Expression& e : conditions) {
       if (!is_in(divisors(e), divisor)) context.push_back(e);
     }

@@ -6,7 +6,7 @@ namespace slipproof {
 
 namespace {
 
-/// Every symbol that is no definition is a variable.
+/// The symbols that are not definitions; each is a variable.
 std::vector<std::size_t> given_symbols(const Scope& scope) {
   std::vector<std::size_t> slots;
   for (std::size_t i = 0; i < scope.slots.size(); ++i) {

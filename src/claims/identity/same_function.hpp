@@ -6,13 +6,13 @@
 
 namespace slipproof {
 
-/// Of one setting, which must outlive it. Not shared between threads.
+/// For one setting, which must outlive it. Not shared between threads.
 class Functions {
  public:
   explicit Functions(const CompiledSetting& setting);
 
-  /// Trees of one shape down to comparisons or to a number, whose sides are the same rational functions, wherever both
-  /// have a value. False: not shown.
+  /// True if the expressions are trees of the same shape down to comparisons or a number, whose sides are the same
+  /// rational functions wherever both have a value. False if that was not shown.
   bool same(const Expression& x, const Expression& y);
 
  private:

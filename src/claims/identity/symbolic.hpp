@@ -1,5 +1,5 @@
-// What claims compute with in place of numbers: polynomials in the parameters of a setting and the force, and their
-// quotients in lowest terms.
+// The numbers that claims are evaluated with symbolically: polynomials in the parameters of a setting and the force,
+// and their quotients in lowest terms.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,7 @@
 
 namespace slipproof {
 
-/// A polynomial, or an integer, which is one of any ring: code for all types of numbers writes 0 and 1 without knowing
-/// of rings.
+/// A polynomial, or an integer, which belongs to any ring: generic code writes 0 and 1 without knowing the ring.
 class SymbolicNumber {
  public:
   SymbolicNumber(int constant = 0) : value_(constant) {}                         // NOLINT: integers belong
@@ -33,7 +32,7 @@ class SymbolicNumber {
   friend SymbolicNumber operator-(const SymbolicNumber& x, const SymbolicNumber& y) { return x + -y; }
   friend SymbolicNumber operator*(const SymbolicNumber& x, const SymbolicNumber& y);
   friend bool operator==(const SymbolicNumber& x, const SymbolicNumber& y) { return (x - y).is_zero(); }
-  /// Divides both by their greatest common divisor; y becomes monic. Of two integers nothing changes. y must not be 0.
+  /// Divides both by their greatest common divisor and makes y monic. Leaves two integers unchanged. y must not be 0.
   friend void cancel(SymbolicNumber& x, SymbolicNumber& y);
 
  private:
@@ -43,7 +42,7 @@ class SymbolicNumber {
   std::variant<int, MultiPolynomial> value_;
 };
 
-/// numerator / denominator in lowest terms, the denominator monic: equal iff both parts are.
+/// numerator / denominator in lowest terms with a monic denominator: two are equal iff both parts are.
 struct ReducedFraction {
   SymbolicNumber numerator, denominator = 1;
 
@@ -64,13 +63,13 @@ struct ReducedFraction {
   }
 };
 
-/// What vanishes where a fraction does.
+/// A polynomial that vanishes where the divisor of the fraction does.
 inline std::optional<MultiPolynomial> divisor_of(const ReducedFraction& x) {
   return x.numerator.is_constant() ? std::nullopt : std::optional(*x.numerator.polynomial());
 }
 using SymbolicValue = WithDivisors<ReducedFraction, MultiPolynomial>;
 
-/// Fractions are equal or not; order is decided for none. The ring must outlive it.
+/// Fractions can be equal or not; their order is never decided. The ring must outlive it.
 struct FractionField {
   const PolynomialRing* ring;
   SymbolicValue constant(const Rational& value) const {
@@ -83,10 +82,10 @@ struct FractionField {
 };
 using SymbolicEvaluator = Evaluator<SymbolicValue, FractionField>;
 
-/// A ring whose variables have the names of these slots of the scope, in their order.
+/// A ring whose variables have the names of these slots of the scope, in this order.
 std::unique_ptr<const PolynomialRing> ring_of(const Scope& scope, const std::vector<std::size_t>& slots);
 
-/// An evaluator for which these slots are the variables of the ring, which must outlive it and all that it computes.
+/// An evaluator in which these slots are the variables of the ring. The ring must outlive it and all its results.
 SymbolicEvaluator symbolic(const Scope& scope, const std::vector<std::size_t>& slots, const PolynomialRing& ring);
 
 }  // namespace slipproof

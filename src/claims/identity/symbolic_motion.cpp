@@ -10,9 +10,9 @@ namespace slipproof {
 
 namespace {
 
-using SymbolicRow = std::vector<ReducedFraction>;  ///< over the unknowns, and the right-hand side
+using SymbolicRow = std::vector<ReducedFraction>;  ///< coefficients of the unknowns, then the right-hand side
 
-/// Functions of more terms are not gone on with.
+/// The elimination gives up if a function has more terms.
 constexpr std::size_t max_terms = 2'000;
 
 bool is_zero(const ReducedFraction& x) {
@@ -26,7 +26,7 @@ std::size_t terms(const ReducedFraction& x) {
   return terms(x.numerator) + terms(x.denominator);
 }
 
-/// The mechanism's coefficients; nothing where one has no value for all parameters.
+/// The coefficients of the mechanism; nothing if one has no value for all parameters.
 std::optional<MechanismSystem<SymbolicValue>> system_in(const CompiledSetting& setting, SymbolicEvaluator& paper) {
   const CompiledMechanism& compiled = setting.maker().compiled();
   SymbolicEvaluator at(compiled.scope(), paper.field());
@@ -34,13 +34,13 @@ std::optional<MechanismSystem<SymbolicValue>> system_in(const CompiledSetting& s
   return system_of(setting.mechanism(), compiled, setting.kinds(), at);
 }
 
-/// Gauss and Jordan.
+/// Gauss-Jordan elimination.
 class Elimination {
  public:
   Elimination(std::size_t unknowns, std::vector<SymbolicNumber>& divisors)
       : unknowns_(unknowns), divisors_(divisors), row_of_(unknowns) {}
 
-  /// False if the unknowns are not determined, or contradict each other, for all parameters.
+  /// False if, for all parameters, the unknowns are not determined or the equations contradict each other.
   bool solve(std::vector<SymbolicRow> rows) {
     rows_ = std::move(rows);
     std::vector<bool> used(rows_.size());
@@ -83,7 +83,7 @@ class Elimination {
     return best;
   }
 
-  /// False where the row grows too large.
+  /// False if the row becomes too large.
   bool subtract(SymbolicRow& row, const SymbolicRow& pivot, std::size_t column) const {
     if (is_zero(row[column])) return true;
     const ReducedFraction factor = row[column];

@@ -1,7 +1,7 @@
-// The one motion of a mode as rational functions of a setting's parameters and the force.
+// The only motion in a mode, as rational functions of a setting's parameters and the force.
 //
-// The equations of the mode are eliminated over these functions, in lowest terms; a mode whose equations are singular
-// for all parameters has no one motion. What is divided by is kept: elsewhere the motion is what the functions say.
+// The equations of the mode are eliminated over these functions, in lowest terms. A mode whose equations are singular
+// for all parameters has no such motion. All divisors are kept: where none vanishes, the functions give the motion.
 #pragma once
 
 #include <vector>
@@ -12,11 +12,12 @@
 namespace slipproof {
 
 struct SymbolicMotion {
-  bool found = false;  ///< false also where the mode is not modelled, and where the functions grow too large
+  bool found = false;  ///< false also if the mode is not modelled, or if the functions become too large
   std::vector<SymbolicNumber> divisors;
 };
 
-/// Gives the quantities of the setting their values in a mode. The evaluator has those of the parameters and the force.
+/// Assigns values in a mode to the quantities of the setting. The evaluator must have values for the parameters and the
+/// force.
 SymbolicMotion symbolic_motion(const CompiledSetting& setting, const MechanismMode& mode, SymbolicEvaluator& paper);
 
 }  // namespace slipproof

@@ -1,4 +1,4 @@
-// A claim at a sample: what its kind judges it by, and how kinds say what they find.
+// What a kind uses to judge a claim at a sample, and the forms of its results.
 #pragma once
 
 #include <optional>
@@ -26,7 +26,7 @@ class ClaimJudge {
 
   const ClaimBody& body() const { return claim_.body(reading_); }
   const CompiledBody& programs() const { return programs_; }
-  /// Those of another claim.
+  /// The body of another claim.
   const ClaimBody& body(std::size_t claim) const { return file_.claims[claim].body(reading_); }
   const CompiledBody& programs(std::size_t claim) const { return compiled_.claims[claim].body(reading_); }
   const Setting& setting() const { return file_.settings[claim_.setting]; }
@@ -35,14 +35,15 @@ class ClaimJudge {
 
   const ForceInterval& domain() const { return *sample_.force_domain(); }
   bool strict() const { return setting().strict; }
-  /// The forces of a mode inside the paper's domain.
+  /// The forces of a mode in the paper's domain.
   ForceInterval forces_of(const ModeOverLoads& mode) const { return sample_.forces_of(mode, strict()); }
-  /// Nothing for a mode that is not modelled.
+  /// Nothing if the mode is not modelled.
   std::optional<ModeOverLoads> find(const MechanismMode& mode) { return sample_.motions().find(mode); }
-  /// All states of all elements are modelled.
+  /// Whether all states of all elements are modelled.
   bool complete() const { return compiled().complete(); }
 
-  /// `holds` where one of the forces and a mode with more than one solution at a force meet: of all solutions.
+  /// Judges `holds` for all solutions of a mode that has more than one solution at a force, over the forces that
+  /// `forces` and the mode have in common.
   Judgement holds_of_all(const ForceInterval& forces, const MechanismMode& mode, const ModeForms& forms);
 
   static Judgement made(Outcome outcome, Reason reason, std::optional<MechanismMode> mode = {},
@@ -60,7 +61,8 @@ class ClaimJudge {
   }
   static Judgement undecided() { return made(Outcome::undecided, Reason::no_value); }
   static Judgement holds() { return made(Outcome::holds, Reason::none); }
-  /// Judgements of several forces, modes or bicycles as one: the first of wrong, no value, right, nothing that occurs.
+  /// Combines the judgements of several forces, modes or bicycles: returns the first of wrong, no value, right, nothing
+  /// that occurs.
   template <class Items, class Judge>
   static Judgement first_of(const Items& items, const Judge& judge) {
     Judgement result;
@@ -79,7 +81,7 @@ class ClaimJudge {
 
  private:
   Judgement judged();
-  /// Whether what it compares over the forces has a value everywhere, but was not decided.
+  /// Whether the compared values exist at all forces but the comparison was not decided.
   bool is_unsure();
 
   const ClaimsFile& file_;

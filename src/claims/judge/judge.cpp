@@ -33,7 +33,7 @@ bool ClaimJudge::is_unsure() {
 
 Judgement ClaimJudge::judged() {
   if (!sample_.force_domain()) return undecided();
-  if (body().parameter.empty()) {  // of a limit, the region at the end of the parameter's domain counts
+  if (body().parameter.empty()) {  // for a limit, the region at the end of the parameter's domain counts
     const Truth inside = sample_.region(programs_.region);
     if (no_value(inside)) return undecided();
     if (inside == Truth::no) return {};

@@ -16,7 +16,8 @@ namespace slipproof {
 
 namespace {
 
-/// Conditions >= 0, and conditions > 0: these are to be greater than the last variable, which is to be positive.
+/// Conditions >= 0 and conditions > 0. A strict condition must be greater than the last variable, which must be
+/// positive.
 class Polytope {
  public:
   explicit Polytope(std::size_t variables) : variables_(variables) {}
@@ -31,7 +32,7 @@ class Polytope {
   }
   void forget(std::size_t count) { rows_.resize(rows_.size() - count); }
 
-  /// A point that meets all of them; nothing if there is none.
+  /// A point that satisfies all conditions; nothing if there is none.
   std::optional<std::vector<Rational>> point() const {
     std::vector<AffineForm> rows = rows_;
     AffineForm at_most_one{1, std::vector<Rational>(variables_ + 1)}, objective{0, at_most_one.coefficients};
@@ -47,7 +48,7 @@ class Polytope {
   std::vector<AffineForm> rows_;
 };
 
-/// What is asked of a formula at a point. The last two include that it has no value.
+/// The wanted truth of a formula at a point. The last two also accept a formula without a value.
 enum class Wanted { yes, no, not_yes, not_no };
 
 Wanted turned(Wanted wanted) {
@@ -55,7 +56,7 @@ Wanted turned(Wanted wanted) {
   return opposites[static_cast<std::size_t>(wanted)];
 }
 
-/// Looks for a point of the polytope at which a formula is as wanted, conjunction by conjunction.
+/// Looks for a point of the polytope at which a formula has the wanted truth, conjunction by conjunction.
 class PointSearch {
  public:
   PointSearch(const Program& formula, Evaluator<Linear, LinearField>& evaluator, Polytope polytope)
@@ -82,7 +83,7 @@ class PointSearch {
     return found;
   }
 
-  /// With these goals, besides those that are open.
+  /// The same with these goals in addition to the open ones.
   Point with(std::initializer_list<Goal> goals) {
     for (const Goal& goal : goals) open_.push_back(goal);
     Point found = next();

@@ -1,4 +1,4 @@
-// Numbers that are linear in some variables, or the statement that something is none.
+// Numbers that are linear in some variables, or a mark that a number is not linear.
 #pragma once
 
 #include <optional>
@@ -8,10 +8,10 @@
 
 namespace slipproof {
 
-/// constant + coefficients . variables. Most are constants and carry no coefficients.
+/// constant + coefficients . variables. Most numbers are constants and have no coefficients.
 struct Linear {
   Rational constant = 0;
-  std::vector<Rational> coefficients;  ///< all of them, or none: a constant
+  std::vector<Rational> coefficients;  ///< all coefficients, or none for a constant
   bool linear = true;
 
   bool is_constant() const { return coefficients.empty(); }
@@ -60,7 +60,7 @@ inline Linear operator/(const Linear& x, const Linear& y) {
   return result;
 }
 
-/// Two of them compare if they differ by a constant.
+/// Two of them can be compared if they differ by a constant.
 struct LinearField {
   Linear constant(const Rational& value) const {
     Linear form;

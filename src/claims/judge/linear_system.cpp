@@ -19,7 +19,8 @@ void subtract(std::vector<Rational>& row, const std::vector<Rational>& pivot, st
   }
 }
 
-/// Gaussian elimination in the order of `columns`: the pivot rows come first. The columns of the pivots.
+/// Gaussian elimination in the order of `columns`; moves the pivot rows to the front. Returns the columns of the
+/// pivots.
 std::vector<std::size_t> eliminate(LinearRows& rows, const std::vector<std::size_t>& columns) {
   std::vector<std::size_t> pivots;
   for (const std::size_t column : columns) {

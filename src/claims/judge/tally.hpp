@@ -1,4 +1,5 @@
-// What claims come to over some samples; sums do not depend on their order, and ranks tell each other theirs.
+// Counts the judgements of claims over samples. Sums do not depend on the order, and ranks can send theirs to each
+// other.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +13,10 @@
 
 namespace slipproof {
 
-/// Lines of a claim are laid through the first so many samples at which it held.
+/// Lines of a claim go through so many of the first samples at which it held.
 inline constexpr std::size_t max_bases = 64;
 
-/// The least numbers of all that were added, in whatever order.
+/// Keeps the least numbers of all that were added, in any order.
 class FirstSamples {
  public:
   void add(std::uint64_t i) {
@@ -29,9 +30,9 @@ class FirstSamples {
   std::vector<std::uint64_t> numbers_;
 };
 
-/// The simplest of some samples.
+/// The simplest of the samples added.
 struct Simplest {
-  std::vector<Rational> values;  ///< empty: there is none yet
+  std::vector<Rational> values;  ///< empty: none was added
   Complexity its_complexity;
 
   void keep(const std::vector<Rational>& other, const Complexity& c);
@@ -40,17 +41,18 @@ struct Simplest {
   }
 };
 
-/// What one claim in one reading comes to.
+/// The judgements of one claim in one reading.
 struct Tally {
-  std::uint64_t tried = 0, held = 0, refuted = 0, undecided = 0, unsure = 0;  ///< unsure: those of undecided
+  std::uint64_t tried = 0, held = 0, refuted = 0, undecided = 0, unsure = 0;  ///< `unsure`: a part of the undecided
   std::uint64_t lines = 0, cells = 0;
-  FirstSamples held_at, speaks_at;  ///< samples at which it held; those of them at which there is a force for it
-  Simplest simplest, realisable;    ///< of the failing samples, and of those of them that can be built
-  std::string failure;              ///< why it could not be judged somewhere; empty: nothing went wrong
+  /// Samples at which it held; those among them at which it says something about a force.
+  FirstSamples held_at, speaks_at;
+  Simplest simplest, realisable;  ///< of the failing samples, and of the failing samples that can be built
+  std::string failure;            ///< why it could not be judged at some sample; empty: nothing went wrong
 
   void add(const Judgement& judgement, const CompiledSetting& setting, const std::vector<Rational>& values);
   void add(const Tally& other);
-  /// Of several reasons it keeps the first in the order of texts; an empty one is none.
+  /// Of several reasons, keeps the first in alphabetical order; an empty text is not a reason.
   void fail(const std::string& why);
   bool empty() const { return tried == 0 && lines == 0 && failure.empty(); }
 };

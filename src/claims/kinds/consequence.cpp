@@ -9,7 +9,7 @@ class ConsequenceKind : public LinearKind {
  public:
   ConsequenceKind() : LinearKind("consequence") {}
 
-  /// As linear equations, in the force too, so that it is any.
+  /// Writes the statement as linear equations, in the force too, so that it is about any force.
   void state(ClaimWriter& writer) const override {
     const ClaimBody& claim = writer.body();
     const Equations others = equations_of(writer, sources(claim), claim.assume);
@@ -24,7 +24,7 @@ class ConsequenceKind : public LinearKind {
     return claim.from_model() && claim.assume.empty() && !claim.modes.empty();
   }
 
-  /// Its hypotheses contradict each other, or its region is empty.
+  /// True if its hypotheses contradict each other, or its region is empty.
   bool says_nothing(const Implications& logic, std::size_t claim, const ClaimBody& body) const override {
     ClaimBody absurd = body;
     absurd.equations = {make_comparison({make_number(0), make_number(1)}, {Relation::equal})};

@@ -22,7 +22,7 @@ class CoverKind : public KindBase {
     }
     if (!decided) return ClaimJudge::undecided();
     Judgement j = ClaimJudge::refuted(Reason::uncovered);
-    for (const std::size_t other : claims) {  // what really happens there, in the mode they are about
+    for (const std::size_t other : claims) {  // what really happens there, in the mode that the claims are about
       const MechanismMode& mode = at.body(other).modes.front();
       const auto s = at.find(mode);
       if (!s) continue;

@@ -1,4 +1,4 @@
-// `forces` and `holds` are true of the same forces.
+// `forces` and `holds` are true for the same forces.
 #include "claims/kinds/kind_base.hpp"
 
 namespace slipproof {
@@ -26,7 +26,7 @@ class EquivalenceKind : public KindBase {
     return decided ? ClaimJudge::holds() : ClaimJudge::undecided();
   }
 
-  /// ID.forwards: where `forces`, there `holds`; and ID.backwards.
+  /// ID.forwards: where `forces` is true, `holds` is; ID.backwards: the converse.
   void state(ClaimWriter& writer) const override {
     const ClaimBody& claim = writer.body();
     const auto implied = [&](const char* suffix, const Expression& given, const Expression& shown) {

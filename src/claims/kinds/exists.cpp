@@ -31,7 +31,7 @@ class ExistsKind : public KindBase {
     writer.somewhere("", {writer.body().region, writer.body().forces}, motions(writer));
   }
 
-  /// There is none anywhere.
+  /// Writes that there is no such bicycle and force anywhere.
   void refute(ClaimWriter& writer) const override {
     const ClaimBody& claim = writer.body();
     const Assumptions assumptions = {{"region", claim.region}, {"force", claim.forces}};

@@ -1,4 +1,4 @@
-// Each of the forces is one of those that one of the claims states: its region and its forces are true.
+// Each of the forces is covered by one of the claims: that claim's region and forces are true there.
 #include "claims/kinds/kind_base.hpp"
 
 namespace slipproof {
@@ -13,7 +13,8 @@ class ForceCoverKind : public KindBase {
 
   Judgement judge(ClaimJudge& at) const override {
     const auto where = at.sample().true_at(at.programs().forces);
-    Intervals rest = where.parts, unsure;  // where nothing is stated, and where something may be
+    // `rest`: where nothing is stated yet; `unsure`: where something may be stated.
+    Intervals rest = where.parts, unsure;
     for (const std::size_t other : at.body().claims) {
       const Truth inside = at.sample().region(at.programs(other).region);
       if (inside == Truth::no) continue;

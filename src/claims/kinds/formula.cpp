@@ -1,11 +1,11 @@
-// At all of the forces, `holds`; with modes, of the quantities of every motion in them.
+// `holds` at all of the forces; if there are modes, for the quantities of every motion in them.
 #include "claims/kinds/kind_base.hpp"
 
 namespace slipproof {
 
 namespace {
 
-/// Of functions of the force; of a mode, of those that its motion is.
+/// Judges over functions of the force; for a mode, over the functions that describe its motion.
 Judgement holds_on(ClaimJudge& at, const ClaimJudge::Intervals& here, const std::optional<MechanismMode>& mode) {
   bool decided = true;
   for (const TruthCell& cell : at.sample().over_forces(at.programs().holds)) {
@@ -101,7 +101,7 @@ class FormulaKind : public KindBase {
   }
 
  private:
-  /// About one mode, or none, for all parameters.
+  /// Whether the changed formula follows for all parameters; about one mode, or none.
   static bool follows(const ClaimChange& change, const ClaimBody& body, Lemmas& lemmas) {
     return body.modes.size() < 2 && change.in().implies({body.region, body.forces}, body.holds, lemmas, body.mode());
   }

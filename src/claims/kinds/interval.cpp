@@ -32,7 +32,8 @@ class IntervalKind : public KindBase {
     if (claimed.parts.size() < 2) one = claimed.parts.empty() ? ForceInterval::nothing() : claimed.parts.front();
     const bool ends =
         one && !one->empty() && !real.empty() && one->interior() == real.interior() && !one->interior().empty();
-    const bool continuum = s->continuum && !ClaimJudge::common(real, differ.front()).empty();  // where they differ
+    // Whether there is a continuum where the two differ.
+    const bool continuum = s->continuum && !ClaimJudge::common(real, differ.front()).empty();
     Judgement j = ClaimJudge::refuted(ends        ? Reason::ends
                                       : continuum ? Reason::continuum
                                                   : Reason::forces,
@@ -42,7 +43,7 @@ class IntervalKind : public KindBase {
     return j;
   }
 
-  /// ID.only-then: a motion of the mode needs a force of `forces`; ID.always: each such force has one.
+  /// ID.only-then: a motion in the mode needs a force of `forces`; ID.always: each such force has a motion.
   void state(ClaimWriter& writer) const override {
     const ClaimBody& claim = writer.body();
     const MotionText motion = writer.motion(claim.modes.front());

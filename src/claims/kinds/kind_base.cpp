@@ -35,7 +35,7 @@ ClaimChange::Result KindBase::settle(const ClaimChange& change) const {
   return settle_theorem(change);
 }
 
-/// Another region, or other forces: of the same motions?
+/// Settles a change of the region or of the forces, if both are about the same motions.
 ClaimChange::Result KindBase::settle_where(const ClaimChange& change) const {
   const ClaimBody &before = change.before(), &after = change.after();
   const Implications& in = change.in();
@@ -44,12 +44,12 @@ ClaimChange::Result KindBase::settle_where(const ClaimChange& change) const {
   if (in.equivalent({}, x, y, lemmas)) {
     return change.made(Settlement::Kind::equivalent, "before and after imply each other", std::move(lemmas));
   }
-  // Of several modes all have a motion there: what the motions of one obey is so.
+  // If there are several modes, all of them have a motion there, so conditions on the motions of one are true.
   for (const MechanismMode& mode : moving(before)) {
     lemmas.clear();
     const auto implied = [&](const Expression& e, const Expression& other) {
       if (in.implies({e}, other, lemmas)) return true;
-      // What the mode's motions obey in this region anyhow.
+      // Conditions that the motions of the mode satisfy in this region in any case.
       const bool original = same(other, x) && same(before.region, after.region);
       if (original && in.implies({before.region}, before.forces, lemmas, mode)) return true;
       return in.implies({e}, other, lemmas, mode);

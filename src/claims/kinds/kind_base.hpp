@@ -1,4 +1,4 @@
-// What most kinds of claims have in common, and what their files use.
+// The parts that most kinds of claims have in common.
 #pragma once
 
 #include <algorithm>
@@ -19,10 +19,10 @@ class KindBase : public ClaimKind {
  public:
   using ClaimKind::ClaimKind;
 
-  /// Its region is empty, or has none of the forces of which it speaks.
+  /// True if its region is empty, or contains none of the forces that the claim is about.
   bool says_nothing(const Implications& logic, std::size_t claim, const ClaimBody& body) const override;
-  /// Where it speaks of the same as before and `holds` is another, settle_holds(); else whether it is about the same
-  /// bicycles and forces, and settle_theorem().
+  /// Calls settle_holds() if only `holds` has changed. Otherwise checks whether the claim is about the same bicycles
+  /// and forces as before, and then settle_theorem().
   ClaimChange::Result settle(const ClaimChange& change) const override;
 
  protected:
@@ -30,9 +30,9 @@ class KindBase : public ClaimKind {
   using Assumptions = ClaimWriter::Assumptions;
   using Intervals = ClaimJudge::Intervals;
 
-  /// Of another `holds` that does not say the same under `given`.
+  /// Settles a `holds` that is not equivalent to the old one under `given`.
   virtual ClaimChange::Result settle_holds(const ClaimChange& change, const std::vector<Expression>& given) const;
-  /// Whether the changed claim is true of all parameters.
+  /// Settles a changed claim that is true for all parameters.
   virtual ClaimChange::Result settle_theorem(const ClaimChange& change) const;
 
  private:
@@ -43,7 +43,7 @@ inline bool names(const Modes& modes, const MechanismMode& mode) {
   return std::find(modes.begin(), modes.end(), mode) != modes.end();
 }
 
-/// Whether a motion in one of the modes is in one of the others.
+/// Whether the two lists have a mode in common.
 inline bool have_common(const Modes& x, const Modes& y) {
   return std::any_of(x.begin(), x.end(), [&](const MechanismMode& mode) { return names(y, mode); });
 }
@@ -54,7 +54,7 @@ inline Modes with_boundary(const MotionOverLoads& motion) {
   return modes;
 }
 
-/// None of them empty.
+/// The parts cut to `forces`, without empty ones.
 inline ClaimJudge::Intervals within(ClaimJudge::Intervals parts, const ForceInterval& forces) {
   for (ForceInterval& part : parts) part.intersect(forces);
   std::erase_if(parts, [](const ForceInterval& part) { return part.empty(); });

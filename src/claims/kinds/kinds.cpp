@@ -1,4 +1,4 @@
-// A new kind is a file beside this one, and its name in both lists.
+// To add a kind, add a file to this folder and its name to both lists.
 #include "claims/kinds/kinds.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The kinds of claims that there are.
+// The list of the kinds of claims.
 #pragma once
 
 #include <string_view>
@@ -8,10 +8,10 @@
 
 namespace slipproof {
 
-/// In the order in which messages list them.
+/// All kinds, in the order in which messages list them.
 const std::vector<const ClaimKind*>& claim_kinds();
 
-/// Null: there is no kind of this name.
+/// Null if no kind has this name.
 const ClaimKind* claim_kind(std::string_view name);
 
 }  // namespace slipproof

@@ -1,4 +1,4 @@
-// As the parameter goes to the upper end of its domain, `holds` from some value on.
+// As the parameter goes to the upper end of its domain, `holds` is true from some value on.
 #include "claims/kinds/kind_base.hpp"
 #include "claims/lines/critical.hpp"
 
@@ -34,8 +34,8 @@ class LimitKind : public KindBase {
         *last, [&](const auto& bicycle) { return judged([&](const Program& p) { return bicycle->region(p); }); });
   }
 
-  /// From a value of the parameter on that the others determine; that it is defined, and that there is something
-  /// beyond.
+  /// Writes three statements: `holds` from a value of the parameter on that the other parameters determine; that this
+  /// value is defined; and that there are greater ones.
   void state(ClaimWriter& writer) const override {
     const ClaimBody& claim = writer.body();
     if (!claim.from) return;
@@ -47,7 +47,7 @@ class LimitKind : public KindBase {
     writer.has_value(".defined", {{"beyond", beyond}}, claim.region);
   }
 
-  /// That it fails however large the parameter is has no statement.
+  /// No statement can say that `holds` fails however large the parameter is.
   void refute(ClaimWriter&) const override {}
 
   std::string why_unstated(const ClaimBody& claim) const override {

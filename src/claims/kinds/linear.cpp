@@ -108,7 +108,7 @@ ClaimChange::Result LinearKind::settle(const ClaimChange& change) const {
       return change.made(Kind::theorem, "an identity of rational functions");
     }
   }
-  // The same solutions, with all that stands beside it.
+  // The same solutions, together with the other equations.
   const auto claims_in = [&](std::size_t claim) -> const ClaimBody& { return change.other(claim); };
   std::vector<Expression> beside{before.region};
   Expression x = make_truth(true), y = make_truth(true);

@@ -1,5 +1,5 @@
-// What claims of equations that are linear in the unknowns have in common: they are judged and shown as equations, not
-// by motions.
+// The common part of claims about equations that are linear in the unknowns. They are judged and displayed as
+// equations, not by motions.
 #pragma once
 
 #include "claims/judge/linear_system.hpp"
@@ -12,24 +12,24 @@ class LinearKind : public KindBase {
   explicit LinearKind(std::string_view name);
 
   Judgement judge(ClaimJudge& at) const override;
-  /// Also of a system: that one direction fails.
+  /// Also for a system: writes that one direction fails.
   void refute(ClaimWriter& writer) const override;
   ClaimChange::Result settle(const ClaimChange& change) const override;
   ClaimWords words(const ClaimBody& claim, std::string_view noun) const override;
 
  protected:
-  /// The rows of a claim: its hypotheses, what it says, and the whole right side of a system.
+  /// The rows of a claim: its hypotheses, its equations, and the complete right side of a system.
   struct Sides {
     LinearRows left, equations, right;
   };
   virtual Judgement judge_rows(ClaimJudge& at, const Sides& rows) const = 0;
-  /// Of another assumption, and of another equation, where the equations beside it do not make them the same.
+  /// Settle a change of an assumption and of an equation, if the other equations do not make both versions the same.
   virtual ClaimChange::Result settle_assumption(const ClaimChange& change) const;
   virtual ClaimChange::Result settle_equation(const ClaimChange& change, const Expression& changed) const;
-  /// Between hypotheses and equations, in words.
+  /// The words between hypotheses and equations.
   virtual std::string relation() const = 0;
 
-  /// The equations of claims, and others.
+  /// The equations of claims, followed by others.
   template <class Claims>
   static Equations equations_of(const Claims& claims_in, const References& claims, const Equations& others = {}) {
     Equations all;
@@ -43,12 +43,12 @@ class LinearKind : public KindBase {
   static Equations equations_of(const ClaimWriter& writer, const References& claims, const Equations& others = {}) {
     return equations_of([&](std::size_t claim) -> const ClaimBody& { return writer.body(claim); }, claims, others);
   }
-  /// `given` before `claims`.
+  /// The claims in `given`, then those in `claims`.
   static References sources(const ClaimBody& claim);
   static std::string conjunction(ClaimWriter& writer, const Equations& equations);
-  /// The hypotheses, with the equations of claims and of `assume` among them as `others`.
+  /// The hypotheses: `others` and the equations of the claims and of `assume`.
   static MotionText hypotheses(ClaimWriter& writer, const Equations& others);
-  /// That equations divide by nothing that vanishes, for any numbers in place of the unknowns; and the region.
+  /// States that no equation divides by 0, for any numbers in place of the unknowns, and that the region has a value.
   static void have_values(ClaimWriter& writer, const Equations& equations);
 };
 

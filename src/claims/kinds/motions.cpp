@@ -1,4 +1,4 @@
-// At each of the forces there is one motion in each of the modes, and no other.
+// At each of the forces there is one motion in each of the modes, and no other motion.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -56,9 +56,9 @@ class MotionsKind : public KindBase {
     writer.have_values(".defined", claim.region, claim.forces);
   }
 
-  /// A motion in none of the modes; gives up where they are all modes there are. Strict motions are in one mode only,
-  /// but for undetermined forces; a boundary motion may be in one that is listed, too, so that the conditions of these
-  /// have to fail.
+  /// Writes a motion in none of the modes; gives up if all modes are listed. A strict motion is in one mode only,
+  /// unless forces are undetermined. A boundary motion may also be in a listed mode, so the conditions of the listed
+  /// modes must fail.
   void refute(ClaimWriter& writer) const override {
     const ClaimBody& claim = writer.body();
     const bool strict = writer.setting().strict;
@@ -86,7 +86,7 @@ class MotionsKind : public KindBase {
       const bool here = !ClaimJudge::common(at.forces_of(*at.find(mode)), cell.loads).empty();
       if (here) return ClaimJudge::refuted(Reason::continuum, mode);
     }
-    // In a strict setting, strict motions and their modes count.
+    // In a strict setting only strict motions and their modes count.
     std::vector<Modes> motions;
     for (const MotionOverLoads& motion : cell.motions) {
       if (!motion.modes.empty() || !at.strict()) motions.push_back(at.strict() ? motion.modes : with_boundary(motion));

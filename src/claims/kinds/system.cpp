@@ -1,4 +1,4 @@
-// Under `given`, the equations say of their unknowns what the others say.
+// Under `given`, the equations are equivalent to the others for their unknowns.
 #include "claims/kinds/linear.hpp"
 
 namespace slipproof {
@@ -16,8 +16,8 @@ class SystemKind : public LinearKind {
  public:
   SystemKind() : LinearKind("system") {}
 
-  /// ID.forwards: the equations follow; and ID.backwards: what meets the equations, and those given, can be completed
-  /// to what they follow from.
+  /// ID.forwards: the equations follow. ID.backwards: every solution of the equations and those given can be completed
+  /// to a solution of the equations that they follow from.
   void state(ClaimWriter& writer) const override {
     const ClaimBody& claim = writer.body();
     const Equations right = equations_of(writer, claim.given, claim.equations);
@@ -52,7 +52,8 @@ class SystemKind : public LinearKind {
     return same ? ClaimJudge::holds() : ClaimJudge::refuted(Reason::equation);
   }
 
-  /// An assumption about what the equations do not have: both may leave the same of what they have.
+  /// Settles a change of an assumption about unknowns that the equations do not contain: both versions may be
+  /// equivalent for the unknowns that they do contain.
   ClaimChange::Result settle_assumption(const ClaimChange& change) const override {
     Lemmas lemmas;
     for (const ClaimBody* body : {&change.before(), &change.after()}) {
@@ -65,7 +66,7 @@ class SystemKind : public LinearKind {
   std::string relation() const override { return " say the same as "; }
 
  private:
-  /// The unknowns that the text of the right side has.
+  /// By unknown, whether it occurs in the text of the right side.
   static std::vector<bool> occurring(const ClaimJudge& at) {
     std::vector<bool> occurs(at.compiled().unknowns());
     const auto look = [&](const std::vector<Program>& equations) {

@@ -1,4 +1,5 @@
-// But where a claim of `except` stands, there is one motion: as one of `claims` states, or in one of the modes.
+// Except where a claim of `except` applies, there is exactly one motion: the one that a claim of `claims` states, or a
+// motion in one of the modes.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -15,13 +16,13 @@ bool contains(const Intervals& parts, const Rational& force) {
   return std::any_of(parts.begin(), parts.end(), [&](const ForceInterval& part) { return part.contains(force); });
 }
 
-/// Where a claim that uniqueness refers to states forces, and where it is near them: their ends included.
+/// Where a claim that uniqueness refers to states forces, and the same with the ends of these forces.
 struct Stated {
   MechanismMode mode;
   Intervals forces, near;
 };
 
-/// Nothing where a condition of the claim has no value.
+/// Nothing if a condition of the claim has no value.
 std::optional<Stated> stated(ClaimJudge& at, std::size_t claim) {
   const CompiledBody& programs = at.programs(claim);
   Stated result{at.body(claim).modes.front(), {}, {}};
@@ -118,7 +119,7 @@ class UniqueKind : public KindBase {
       const Rational force = piece.sample();
       if (!contains(where.parts, force) || contains(excepted, force)) continue;
       Modes expected;
-      bool beside = false;  // an end of what a claim states
+      bool beside = false;  // at an end of the forces that a claim states
       for (const Stated& one : known) {
         if (contains(one.forces, force)) expected.push_back(one.mode);
         beside = beside || contains(one.near, force);

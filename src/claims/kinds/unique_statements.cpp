@@ -8,7 +8,7 @@
 namespace slipproof {
 namespace {
 
-/// Whether the number is the force, or it times a parameter that is positive by its domain.
+/// Whether the number is the force, or the force times a parameter that is positive by its domain.
 bool is_force(const Setting& setting, const Expression& number) {
   if (number->operation == Operation::symbol) return number->symbol == setting.force.symbol;
   if (number->operation != Operation::multiply) return false;
@@ -20,8 +20,8 @@ bool is_force(const Setting& setting, const Expression& number) {
          });
 }
 
-/// Whether each comparison that does not allow equality has its sides equal at one force at most, so that the closure
-/// adds single forces.
+/// Whether the two sides of each strict comparison are equal at one force at most, so that the closure adds only single
+/// forces.
 bool has_single_ends(const ClaimWriter& writer, const Expression& truth) {
   const auto inner = [&](const Expression& e) { return has_single_ends(writer, e); };
   if (truth->operation == Operation::truth) return true;
@@ -60,13 +60,13 @@ class UniqueWriter {
   const std::string& id(std::size_t index) const { return writer_.claims().claims[index].id; }
   const Expression& forces(std::size_t index) const { return other(index).forces; }
 
-  /// Not near the claim.
+  /// The condition that nothing of the claim is near: the point is neither among its forces nor at an end of them.
   Expression beyond(std::size_t index) {
     if (!has_single_ends(writer_, forces(index))) writer_.give_up();
     return opposite(make(Operation::logical_and, {other(index).region, closure(forces(index))}));
   }
 
-  /// Where a claim states a motion there is no other.
+  /// Writes that there is no other motion where a claim states one.
   void write_stated(std::size_t index) {
     ClaimWriter::Assumptions assumptions = common_;
     assumptions.emplace_back("stated", make(Operation::logical_and, {other(index).region, forces(index)}));
@@ -120,7 +120,7 @@ class UniqueWriter {
     }
     return texts.empty() ? "false" : fmt::format("{}", fmt::join(texts, " or "));
   }
-  /// Where all states of the other elements are listed, as in */lift, only one element has something to show.
+  /// The formula to show. If all states of the other elements are listed, as in */lift, it is about one element only.
   std::string shown() const {
     const MechanicsWriter& mechanics = writer_.mechanics();
     for (std::size_t element = 0; element < mechanics.elements() && !claim_.modes.empty(); ++element) {
@@ -142,7 +142,7 @@ class UniqueWriter {
   ClaimWriter::Assumptions common_;
 };
 
-/// What a condition compares and may have no value.
+/// Collects the numbers that a condition compares and that may have no value.
 void collect_unvalued(const ClaimWriter& writer, const Expression& e, std::vector<Expression>& found) {
   const bool number = sort(*e) == Sort::number;
   if (number && !writer.always_defined(e)) found.push_back(e);
@@ -150,7 +150,7 @@ void collect_unvalued(const ClaimWriter& writer, const Expression& e, std::vecto
   for (const Expression& operand : e->operands) collect_unvalued(writer, operand, found);
 }
 
-/// In the region, the forces have a value at every force. Gives up where that may depend on the force.
+/// States that in the region `forces` has a value at every force. Gives up if that may depend on the force.
 Expression valued_at_all(ClaimWriter& writer, const Expression& region, const Expression& forces) {
   std::vector<Expression> unvalued;
   collect_unvalued(writer, forces, unvalued);
@@ -177,7 +177,7 @@ void unique_refutation(ClaimWriter& writer) {
   for (const std::size_t index : claim.except) truths.push_back(beyond(index));
   Expression near_none = make_truth(true);
   for (const std::size_t index : claim.claims) near_none = both(near_none, beyond(index));
-  // In none of `right`, which where the motion's own mode is another one is plain, but for undetermined forces.
+  // The motion is in none of `right`. If its own mode is another one this is plain, unless forces are undetermined.
   const auto in_none = [&](const Expression& where, const Modes& right) {
     std::string text = writer.text(where);
     for (const MechanismMode& mode : right) text += " and {" + writer.mechanics().mode_missed_text(mode) + "}";
@@ -203,7 +203,7 @@ void unique_refutation(ClaimWriter& writer) {
     wrong.emplace_back(mode, text.empty() ? "" : " and {" + text + "}");
   }
   if (wrong.empty()) writer.give_up();
-  References named = claim.claims;  // where one of them has no value, even at another force, nothing is claimed
+  References named = claim.claims;  // if one of these has no value, even at another force, nothing is claimed
   named.insert(named.end(), claim.except.begin(), claim.except.end());
   for (const std::size_t index : named) {
     const ClaimBody& other = writer.body(index);

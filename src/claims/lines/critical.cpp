@@ -11,7 +11,7 @@ namespace slipproof {
 
 namespace {
 
-/// Which operand of a min, max or abs is meant is tried both ways for so many that depend on the force.
+/// For so many min, max or abs that depend on the force, both choices of the operand are tried.
 constexpr std::size_t max_branches = 6;
 
 LineEvaluator evaluator_along(const Line& line, const CompiledSetting& compiled, LineField field,
@@ -36,8 +36,8 @@ void add_comparisons(const Program& program, LineEvaluator& evaluator) {
   }
 }
 
-/// All that decides a claim along a line, as seen from one place of it: at min, max and abs the operand is meant that
-/// it is there, and `branches` where that depends on the force.
+/// Everything that decides a claim along a line, seen from one place on it: each min, max and abs stands for the
+/// operand that it has at this place. If that depends on the force, `branches` chooses the operand.
 class View {
  public:
   View(const Line& line, const CompiledSetting& compiled, const ClaimParts& parts, const Rational& here,
@@ -65,8 +65,8 @@ class View {
   }
 
  private:
-  /// Where something of the scene is 0, it may be an end of the mechanism's domain, and where the load does not depend
-  /// on the force there is no sample.
+  /// Adds the zeros of the scene's expressions: a zero may be an end of the mechanism's domain, and there is no sample
+  /// where the load does not depend on the force.
   void add_scene() {
     for (const Program* program : compiled_.scene().programs()) {
       if (const auto value = evaluator_.number(*program).number) found_.add_coefficients(*value);
@@ -90,7 +90,7 @@ class View {
   LineEvaluator growing_;
 };
 
-/// From the first end of the domain on the line to the last: nothing beyond needs to be looked at.
+/// The part of the line from the first to the last end of the domain; nothing beyond it matters.
 LinePart domain_part(const Line& line, const CompiledSetting& compiled) {
   CriticalSet found;
   LineEvaluator evaluator = evaluator_along(line, compiled, {.found = &found, .here = line.inside}, std::nullopt);
@@ -111,8 +111,8 @@ LinePart domain_part(const Line& line, const CompiledSetting& compiled) {
   return part;
 }
 
-/// The rational critical values and the points of cells, ascending; and two more near the ends of the line, since a
-/// cell that reaches to an end is where what is not looked into would go wrong first.
+/// The rational critical values and one point of each cell, ascending; and two more near each end of the line, since in
+/// a cell that reaches an end, errors that are not examined would show there first.
 std::vector<Rational> values_of(const std::vector<RealRoot>& roots, const LinePart& part) {
   std::vector<Rational> values = cell_points(roots, part);
   const Rational near(1, 1 << 30), first = values.front(), last = values.back();
@@ -149,8 +149,8 @@ LinePoints points_on(const Line& line, const CompiledSetting& compiled, const Cl
       View(line, compiled, parts, here, branches, found).collect();
     }
   };
-  // Which operand of a min or max is meant changes along the line only where an order does: one view from each cell
-  // that the orders cut out shows all there is. A view may show new orders.
+  // The operand of a min or max can change along the line only where an order changes. Therefore one view from each
+  // cell between these places shows all operands. A view may add new orders.
   std::set<Rational> places;
   std::vector<Rational> open{line.inside};
   while (!open.empty()) {

@@ -1,4 +1,4 @@
-// Where on a line of bicycles the answer about a claim can change: nowhere else.
+// The places on a line of bicycles at which the answer about a claim can change; it changes nowhere else.
 #pragma once
 
 #include <memory>
@@ -13,28 +13,28 @@
 
 namespace slipproof {
 
-/// What is judged on a line.
+/// The points of a line at which a claim is judged.
 struct LinePoints {
-  std::vector<Rational> values;  ///< of t, ascending: every rational critical value and a number in every cell
-  std::vector<RealRoot> roots;   ///< the critical values; no rational bicycle has those that are irrational
-  LinePart part;                 ///< beyond it no bicycle is in the domain; its ends are critical, too
+  std::vector<Rational> values;  ///< values of t, ascending: every rational critical value and one number in every cell
+  std::vector<RealRoot> roots;   ///< the critical values; at an irrational one there is no rational bicycle
+  LinePart part;                 ///< no bicycle beyond it is in the domain; its ends are critical, too
 
-  /// Open intervals between neighbouring critical values, and those beyond the first and the last.
+  /// The open intervals between neighbouring critical values, and those before the first and after the last.
   std::size_t cells() const { return roots.size() + 1; }
   std::size_t irrational() const;
 };
 
-/// The critical values of a claim along a line and a number between each two of them. In a cell, the truth of each
-/// comparison that counts, the order of the ends of all intervals of forces and which modes are regular are the same
-/// throughout, and so is the judgement. Where a mode is singular all along the line, its continua are not looked into;
-/// comparisons whose difference is of a higher degree in the force have no value anyway, and only their coefficients
-/// count. The zeros of `beside` are critical, too.
+/// The critical values of a claim along a line, and a number between each two neighbours. Throughout a cell these are
+/// the same: the truth of each comparison that counts, the order of the ends of all intervals of forces, and which
+/// modes are regular; therefore the judgement is the same, too. If a mode is singular along the whole line, its
+/// continua are not examined. A comparison whose difference has a degree above 1 in the force has no value anyway; only
+/// its coefficients count. The zeros of `beside` are critical, too.
 LinePoints points_on(const Line& line, const CompiledSetting& compiled, const ClaimParts& parts,
                      const std::set<IntegerPolynomial>& beside = {});
 
-/// The bicycles toward the upper end of a parameter, the others as in `values`: one for the last cell of the line in
-/// which there are any, and, where it belongs to the domain, the one at the end. In the cell the truth of `conditions`
-/// is the same throughout. Empty if there are no bicycles; nothing if the end is irrational, which no sample can be.
+/// Bicycles near the upper end of a parameter, with the other parameters as in `values`: one in the last cell of the
+/// line that has any, and the one at the end if it belongs to the domain. The truth of `conditions` is the same
+/// throughout the cell. Empty if there are no bicycles; nothing if the end is irrational, where no sample exists.
 std::optional<std::vector<std::unique_ptr<SolvedSample>>> last_points(const CompiledSetting& compiled,
                                                                       const std::vector<const Program*>& conditions,
                                                                       const std::vector<Rational>& values,

@@ -1,4 +1,4 @@
-// Polynomials along a line of bicycles whose zeros matter, collected while formulas are evaluated.
+// The polynomials along a line of bicycles whose zeros matter, collected while formulas are evaluated.
 #pragma once
 
 #include <optional>
@@ -10,12 +10,13 @@
 
 namespace slipproof {
 
-/// Collects polynomials in t. What depends on the force is alpha(t) + beta(t) F: its zero in F is an end of an interval
-/// of forces, and critical are the t at which it goes to infinity (beta = 0) or meets another one: two ends
-/// -alpha/beta are in the same order as long as alpha1 beta2 - alpha2 beta1 does not vanish.
+/// Collects polynomials in t. A number that depends on the force is alpha(t) + beta(t) F; its zero in F is an end of an
+/// interval of forces. Critical are the t at which this end goes to infinity (beta = 0) or meets another end. Two ends
+/// -alpha/beta keep their order while alpha1 beta2 - alpha2 beta1 does not vanish.
 class CriticalSet {
  public:
-  /// Groups of forms whose ends meet: those of group 0 meet all, those of another one meet these and each other.
+  /// Begins a group of forms whose ends can meet. Forms of group 0 meet all others; forms of another group meet each
+  /// other and those of group 0.
   void begin_group(std::size_t group) {
     group_ = group;
     if (group >= groups_.size()) groups_.resize(group + 1);
@@ -23,18 +24,18 @@ class CriticalSet {
 
   void add(const IntegerPolynomial& p);
   void add(const Affine<IntegerPolynomial>& form);
-  /// A quantity that is compared with 0, or divided by: numerator and denominator.
+  /// Adds numerator and denominator of a number that is compared with 0 or divided by.
   void add(const LineFunction& x);
-  /// For limits: all coefficients, since the force stands for what grows.
+  /// For limits: adds all coefficients, since the force then stands for the growing parameter.
   void add_coefficients(const LineFunction& x);
-  /// A polynomial whose sign decides which operand of a min, max or abs is meant.
+  /// Adds a polynomial whose sign decides which operand of a min, max or abs is taken.
   void add_order(const IntegerPolynomial& p);
-  /// The same where that changes with the force: the number of this difference among those that do.
+  /// The same if the sign changes with the force: returns the index of this difference among those whose sign does.
   std::size_t branch_of(const LineFunction& difference);
 
   const std::set<IntegerPolynomial>& orders() const { return orders_; }
   std::size_t branches() const { return branches_.size(); }
-  /// All of them, those of meeting ends included.
+  /// All polynomials, including those for ends that meet.
   std::set<IntegerPolynomial> polynomials() const;
 
  private:
@@ -47,13 +48,13 @@ class CriticalSet {
   std::vector<ForcePolynomial> branches_;
 };
 
-/// How an Evaluator computes along a line. It records what is divided by; which of two numbers is greater may change
-/// along the line, and is told as it is at one place of it; where it changes with the force, as `branches` has it.
+/// Tells an Evaluator how to compute along a line. Records all divisors. Which of two numbers is greater may change
+/// along the line; the answer is for one place on it, and if it changes with the force, `branches` decides.
 struct LineField {
   CriticalSet* found;
   Rational here;
-  unsigned branches = 0;     ///< bit by bit: the differences of branch_of() that are negative
-  bool at_infinity = false;  ///< the force stands for what grows beyond all bounds
+  unsigned branches = 0;     ///< one bit for each difference of branch_of(): whether it is negative
+  bool at_infinity = false;  ///< the force stands for a parameter that grows without bound
 
   LineFunction constant(const Rational& value) const { return LineFunction(value); }
   bool is_zero(const LineFunction& divisor) const;

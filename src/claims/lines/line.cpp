@@ -61,8 +61,8 @@ Line line_number(std::uint64_t k, std::uint64_t seed, const std::vector<std::vec
   const auto die = [&](std::size_t sides) { return static_cast<std::size_t>(engine() % sides); };
   const std::uint64_t turn = k / 2;
   const std::size_t base = static_cast<std::size_t>(k) % bases.size();
-  // Every second line is along a parameter, since most formulas are of degree 1 or 2 in each: what it crosses, it
-  // crosses at a rational value, and surfaces are hit. The others change all that matters at once.
+  // Every second line varies one parameter. Most formulas have degree 1 or 2 in each parameter, so such a line crosses
+  // their zeros at rational values and hits surfaces. The other lines change all parameters that matter at once.
   if (k % 2 == 0) return along_parameter(bases[base], parameters[turn % parameters.size()]);
   if (turn % 4 == 3 || bases.size() == 1) {
     std::vector<bool> chosen(matters.size());

@@ -1,4 +1,4 @@
-// What a formula is along a line of bicycles: a quotient of polynomials in the force variable F whose coefficients are
+// A formula along a line of bicycles: a quotient of polynomials in the force variable F whose coefficients are
 // polynomials in the line's t.
 #pragma once
 
@@ -13,9 +13,8 @@ namespace slipproof {
 /// Coefficients of powers of F, from the constant up, without leading zeros.
 using ForcePolynomial = std::vector<IntegerPolynomial>;
 
-/// numerator / denominator, the denominator not 0. Factors that do not depend on F are cancelled, since whoever uses
-/// this knows all divisors and stays away from their zeros; others are treated as in RationalFunction, which it is at
-/// every t.
+/// numerator / denominator; the denominator is not 0. Factors that do not depend on F are cancelled: users know all
+/// divisors and avoid their zeros. Other factors are treated as in RationalFunction, and at every t this is one.
 class LineFunction {
  public:
   LineFunction() : denominator_{IntegerPolynomial(1)} {}
@@ -47,7 +46,7 @@ class LineFunction {
   ForcePolynomial numerator_, denominator_;
 };
 
-/// Most denominators are 1.
+/// Optimised for denominators that are 1, as most are.
 IntegerPolynomial least_common_multiple(const IntegerPolynomial& x, const IntegerPolynomial& y);
 /// x multiple / divisor, where the divisor divides the multiple.
 IntegerPolynomial scaled(const IntegerPolynomial& x, const IntegerPolynomial& multiple,

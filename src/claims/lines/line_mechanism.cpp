@@ -8,7 +8,7 @@ namespace slipproof {
 
 namespace {
 
-/// A form over the force variable in place of the load, times the common denominator of its coefficients, which is
+/// A form over the force variable instead of the load, times the common denominator of its coefficients, which is
 /// critical.
 LineMechanism::ScaledRow to_polynomials(const FormRow<LineFunction>& form, const LineFunction& load,
                                         CriticalSet& found) {

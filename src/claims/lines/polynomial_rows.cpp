@@ -6,10 +6,10 @@ namespace slipproof {
 
 namespace {
 
-/// Undetermined forces are eliminated from no more conditions than this.
+/// The largest number of conditions from which undetermined forces are eliminated.
 constexpr std::size_t max_forms = 400;
 
-/// Divides by what all entries have in common; where that vanishes, the row is another one.
+/// Divides by the common factor of all entries; where that vanishes, the row differs.
 void make_primitive(PolynomialRow& row, CriticalSet& found) {
   IntegerPolynomial common(0);
   for (const IntegerPolynomial& x : row) {
@@ -20,7 +20,7 @@ void make_primitive(PolynomialRow& row, CriticalSet& found) {
   for (IntegerPolynomial& x : row) x = exact_quotient(x, common);
 }
 
-/// What the row is multiplied by so that its entry in the column vanishes.
+/// Eliminates the entry in the column. Returns the polynomial by which the row was multiplied.
 IntegerPolynomial subtract_from(PolynomialRow& row, const PolynomialRow& pivot, std::size_t column) {
   const IntegerPolynomial common = gcd(row[column], pivot[column]);
   const IntegerPolynomial mine = exact_quotient(pivot[column], common), other = exact_quotient(row[column], common);
@@ -63,7 +63,7 @@ IntegerPolynomial SolvedRows::reduce(PolynomialRow& form) const {
   return factor;
 }
 
-/// The entry of lowest degree, in the sparsest row.
+/// The entry of lowest degree in the sparsest row.
 std::optional<std::pair<std::size_t, std::size_t>> SolvedRows::next_pivot(const std::vector<bool>& used) const {
   std::optional<std::pair<std::size_t, std::size_t>> best;
   std::pair<long, std::ptrdiff_t> least{};
@@ -85,7 +85,7 @@ void SolvedRows::subtract(PolynomialRow& row, const PolynomialRow& pivot, std::s
   make_primitive(row, found_);
 }
 
-/// A row without unknowns: it fixes the force, or contradicts itself.
+/// Adds a row without unknowns: it determines the force, or is a contradiction.
 void SolvedRows::add_rest(const PolynomialRow& row) {
   const IntegerPolynomial &slope = row[unknowns_], &constant = row[unknowns_ + 1];
   if (slope.is_zero() && constant.is_zero()) return;
@@ -93,7 +93,7 @@ void SolvedRows::add_rest(const PolynomialRow& row) {
   solvable_ = solvable_ && !slope.is_zero();
 }
 
-/// Eliminates an unknown from conditions, whatever their signs; false where that makes too many.
+/// Eliminates an unknown from conditions, whatever their signs; false if that gives too many.
 bool eliminate(std::vector<PolynomialRow>& forms, std::size_t unknown, CriticalSet& found) {
   std::vector<PolynomialRow> result, with;
   for (PolynomialRow& form : forms) {

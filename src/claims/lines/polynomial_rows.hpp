@@ -1,5 +1,5 @@
-// Elimination in rows of polynomials along a line, without fractions: where a pivot, or a factor that is divided out,
-// vanishes, the elimination is another one, so these polynomials are critical.
+// Elimination in rows of polynomials along a line, without fractions. Where a pivot or a factor that is divided out
+// vanishes, the elimination differs, so these polynomials are critical.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace slipproof {
 
-/// Over the unknowns, the force variable and 1.
+/// Coefficients of the unknowns, the force variable and 1.
 using PolynomialRow = std::vector<IntegerPolynomial>;
 
 /// Equations, solved for as many unknowns as they determine.
@@ -21,9 +21,10 @@ class SolvedRows {
 
   /// Whether there are solutions at some force.
   bool solvable() const { return solvable_; }
-  /// The unknowns that they leave open.
+  /// The unknowns that the equations leave open.
   const std::vector<std::size_t>& free() const { return free_; }
-  /// A form on the solutions, times a polynomial that is critical anyway, which is returned: over the free unknowns.
+  /// Writes a form on the solutions in the free unknowns, multiplied by a polynomial that is critical anyway; returns
+  /// that polynomial.
   IntegerPolynomial reduce(PolynomialRow& form) const;
 
  private:
@@ -33,13 +34,13 @@ class SolvedRows {
 
   std::size_t unknowns_;
   std::vector<PolynomialRow> rows_;
-  std::vector<std::optional<std::size_t>> pivot_row_;  ///< by unknown; nothing: it is free
+  std::vector<std::optional<std::size_t>> pivot_row_;  ///< by unknown; nothing: the unknown is free
   std::vector<std::size_t> free_;
   bool solvable_ = true;
   CriticalSet& found_;
 };
 
-/// Eliminates an unknown from conditions, whatever their signs, pair by pair; false where that makes too many.
+/// Eliminates an unknown from conditions, whatever their signs, pair by pair; false if that gives too many.
 bool eliminate(std::vector<PolynomialRow>& forms, std::size_t unknown, CriticalSet& found);
 
 }  // namespace slipproof

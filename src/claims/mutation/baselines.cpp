@@ -20,7 +20,8 @@ void Baselines::solve(std::size_t s, std::uint64_t count, const std::vector<std:
   in_parallel(first, count, [&](std::size_t i) {
     std::vector<Rational> values = sampler.at(i);
     if (values.empty()) return;
-    if (i >= options_.samples && i % 2 == 1) {  // what survived has seen all that the sampler is good at
+    // A mutant that survived has passed the samples that the sampler is best at.
+    if (i >= options_.samples && i % 2 == 1) {
       values = toward_edges(file_.settings[s], compiled_.settings[s], values, i);
     }
     auto sample = SolvedSample::make(compiled_.settings[s], std::move(values));
@@ -31,7 +32,8 @@ void Baselines::solve(std::size_t s, std::uint64_t count, const std::vector<std:
       const std::string failure = failure_of([&] { baseline = baseline_of(c, *sample); });
       if (!failure.empty()) baseline.outcome = Outcome::undecided;
     }
-    if (failure_of([&] { sample->motions(); }).empty()) samples[i] = std::move(sample);  // solved before it is shared
+    // Solves the sample before threads share it.
+    if (failure_of([&] { sample->motions(); }).empty()) samples[i] = std::move(sample);
   });
 }
 

@@ -1,4 +1,4 @@
-// What claims come to at samples, unchanged: what their mutants are compared with.
+// The judgements of unchanged claims at samples; their mutants are compared with these.
 #pragma once
 
 #include <memory>
@@ -11,16 +11,16 @@ namespace slipproof {
 
 using Samples = std::vector<std::unique_ptr<SolvedSample>>;
 
-/// What a claim comes to at a sample, unchanged.
+/// The judgement of an unchanged claim at a sample.
 struct Baseline {
   Outcome outcome = Outcome::outside;
-  bool speaks = false;  ///< it holds, and is about some force
+  bool speaks = false;  ///< it holds, and says something about some force
   std::vector<ForceInterval> reach;
 };
 
 class Baselines {
  public:
-  /// What is given must outlive it.
+  /// All arguments must outlive it.
   Baselines(const ClaimsFile& file, const CompiledClaims& compiled, const MutationOptions& options)
       : file_(file),
         compiled_(compiled),
@@ -28,16 +28,17 @@ class Baselines {
         samples_(file.settings.size()),
         baselines_(file.claims.size()) {}
 
-  /// Solves samples of a setting, up to a number of them, and judges claims there: those of the setting.
+  /// Solves samples of a setting, up to a given number, and judges the given claims of the setting there.
   void solve(std::size_t s, std::uint64_t count, const std::vector<std::size_t>& claims);
 
-  /// Of a setting; null: no bicycle.
+  /// The samples of a setting; null: no bicycle was found.
   const Samples& samples(std::size_t setting) const { return samples_[setting]; }
-  /// The indices of those of them that are bicycles, from one on.
+  /// The indices of the samples that are bicycles, starting at `first`.
   std::vector<std::size_t> samples_from(std::size_t setting, std::size_t first) const;
-  /// Of a claim, by sample of its setting.
+  /// The baselines of a claim, by sample of its setting.
   const std::vector<Baseline>& of(std::size_t claim) const { return baselines_[claim]; }
-  /// The first bicycles among the samples at which a claim speaks of some force; if there are none, at which it holds.
+  /// The first bicycles among the samples at which a claim says something about a force; if there are none, at which it
+  /// holds.
   std::vector<std::vector<Rational>> speaks_at(std::size_t claim) const;
 
  private:

@@ -10,7 +10,7 @@ namespace slipproof {
 
 namespace {
 
-/// Of a file, const or not.
+/// The expression in a file, which may be const or not.
 template <class File>
 auto& part_of(File& file, const ClaimsMutant& mutant) {
   if (!mutant.part) return file.settings[mutant.setting].definitions[mutant.index].printed;
@@ -45,7 +45,7 @@ class ClaimsEnumeration {
   void mutate_definition(std::size_t s, std::size_t d) {
     const Definition& definition = file_.settings[s].definitions[d];
     const auto claims = claims_with(s, definition.symbol);
-    if (claims.empty()) return;  // inherited, and used by nobody here: nothing could notice
+    if (claims.empty()) return;  // the definition is inherited and no claim uses it, so nothing could notice a change
     const bool force = depends_on_force(s, definition.printed);
     std::vector<std::string> symbols;
     for (const auto& [symbol, entry] : names_[s].all()) {
@@ -62,7 +62,7 @@ class ClaimsEnumeration {
   void mutate_claim(std::size_t c) {
     const Claim& claim = file_.claims[c];
     for_each_part(claim.printed, [&](BodyPart part, std::size_t item, const Expression& original) {
-      // Where nothing is stated, there is nothing to change.
+      // An empty condition cannot be changed.
       if (original->operation == Operation::truth) return;
       const bool linear = part == BodyPart::equations || part == BodyPart::assume;
       const std::string where = std::string(name(part)) + (linear ? " " + std::to_string(item + 1) : "") + " of " +
@@ -117,7 +117,8 @@ class ClaimsEnumeration {
 
   void add(ClaimsMutant mutant, const Expression& original, const std::vector<std::string>& symbols) {
     for (Mutant& change : mutants(original, symbols)) {
-      if (mutant.is_linear() && change.expression->relations != original->relations) continue;  // no longer an equation
+      // Skips a mutant that is no longer an equation.
+      if (mutant.is_linear() && change.expression->relations != original->relations) continue;
       mutant.mutant = std::move(change);
       found_.push_back(mutant);
     }

@@ -1,4 +1,4 @@
-// Mutants of a whole claims file: one definition, region, set of forces or formula changed in one place.
+// Mutants of a claims file: one definition, region, set of forces or formula, changed in one place.
 #pragma once
 
 #include <cstddef>
@@ -13,26 +13,26 @@
 namespace slipproof {
 
 struct ClaimsMutant {
-  std::optional<BodyPart> part;  ///< of a claim; none: a definition
-  std::size_t setting = 0;       ///< of a definition
-  std::size_t index = 0;         ///< of the definition in its setting, or of the claim
-  std::size_t item = 0;          ///< of an equation or assumption in its claim
+  std::optional<BodyPart> part;  ///< the part of a claim; none: a definition is changed
+  std::size_t setting = 0;       ///< the setting of a definition
+  std::size_t index = 0;         ///< index of the definition in its setting, or of the claim
+  std::size_t item = 0;          ///< index of an equation or assumption in its claim
   Mutant mutant;
   std::string where;                ///< `definition xi4 (line 195)`, `forces of A2.1 (line 209)`
-  std::vector<std::size_t> claims;  ///< the claims whose meaning may change: no others need to be judged again
+  std::vector<std::size_t> claims;  ///< the claims whose meaning may change; only these must be judged again
 
-  /// Whether it may use the unknowns of the model: an equation or assumption.
+  /// Whether it may contain unknowns of the model, as equations and assumptions may.
   bool is_linear() const { return part == BodyPart::equations || part == BodyPart::assume; }
-  /// What stands there in the file, which must be the one that the mutant was made of.
+  /// The unchanged expression in the file, which must be the file that the mutant was made from.
   const Expression& original(const ClaimsFile& file) const;
   /// The file with this change.
   ClaimsFile apply(const ClaimsFile& file) const;
-  /// Puts an expression in the mutant's place: `mutant.expression`, or original() to undo that.
+  /// Replaces the expression in the compiled claims by `mutant.expression`, or by original() to undo that.
   void put(const Expression& expression, CompiledClaims& compiled) const;
 };
 
-/// All mutants of the printed reading of definitions and claims, each of them valid: no definition leads back to
-/// itself, and what must not depend on the force does not.
+/// All mutants of the printed reading of definitions and claims. Each is valid: no definition leads back to itself, and
+/// what must not depend on the force does not.
 std::vector<ClaimsMutant> mutants(const ClaimsFile& file);
 
 }  // namespace slipproof

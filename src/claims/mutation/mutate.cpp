@@ -30,7 +30,7 @@ std::string_view word(Operation operation) {
   }
 }
 
-// Walks down; `around` puts a changed subtree back into the whole.
+// Walks down the tree; `around` puts a changed subtree back into the whole expression.
 class FormulaEnumeration {
  public:
   explicit FormulaEnumeration(const std::vector<std::string>& symbols) : symbols_(symbols) {}
@@ -189,14 +189,14 @@ class FormulaEnumeration {
     }
   }
 
-  // One of the conditions may say nothing beside the others.
+  // Drops conditions one by one: one may say nothing in addition to the others.
   void drop_operands(const Node& node) {
     for (const std::size_t kept : {1U, 0U}) {
       add(node.operands[kept], to_string(node.operands[1 - kept]) + " dropped");
     }
   }
 
-  // 0 < b < b1 loses its lower or its upper bound.
+  // Drops the lower or the upper bound of 0 < b < b1.
   void drop_links(const Node& node) {
     if (node.relations.size() < 2) return;
     becomes(make_comparison({node.operands.begin() + 1, node.operands.end()},
@@ -209,7 +209,7 @@ class FormulaEnumeration {
   const Expression* here_ = nullptr;
   const Around* around_ = nullptr;
   std::vector<Mutant> found_;
-  std::unordered_set<std::string> seen_;  ///< as text, which tells trees apart
+  std::unordered_set<std::string> seen_;  ///< as texts, which differ for different trees
 };
 
 }  // namespace

@@ -32,7 +32,7 @@ std::uint64_t MutationResult::count(MutantEnd end) const {
 
 namespace {
 
-/// What a thread works on: claims that it may change, and its own samples, which remember values.
+/// The data of one thread: claims that it may change, and its own samples, which keep computed values.
 struct Workshop {
   Workshop(const ClaimsFile& file, const CompiledClaims& claims, LemmaBook& quick_proofs, LemmaBook& thorough_proofs)
       : compiled(claims),
@@ -44,7 +44,7 @@ struct Workshop {
   Settler quick, thorough;
 };
 
-/// A force in one of two sets and not in the other.
+/// A force that is in one of two sets and not in the other.
 std::optional<Rational> some_force(const std::vector<ForceInterval>& x, const std::vector<ForceInterval>& y) {
   for (const auto& [a, b] : {std::pair(&x, &y), std::pair(&y, &x)}) {
     std::vector<ForceInterval> rest = *a;
@@ -89,11 +89,12 @@ class MutationRun {
     for (std::size_t s = 0; s < file_.settings.size(); ++s) baselines_.solve(s, options_.samples, every_claim);
     collect(result);
     std::vector<MutantResult>& all = result.mutants;
-    // The mutants of one formula are judged in turn, by one thread: what refutes one is tried first on the next.
+    // One thread judges the mutants of a formula one after another: what refuted one is tried first on the next.
     constexpr std::size_t at_most = 64;
     std::vector<std::size_t> groups;
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const auto same = [&](const ClaimsMutant& x, const ClaimsMutant& y) {  // two settings may share what one inherits
+      // Two settings may share an inherited definition.
+      const auto same = [&](const ClaimsMutant& x, const ClaimsMutant& y) {
         return x.where == y.where && x.setting == y.setting;
       };
       if (i == 0 || !same(all[i].mutant, all[i - 1].mutant) || i - groups.back() == at_most) groups.push_back(i);
@@ -136,7 +137,7 @@ class MutationRun {
     }
   }
 
-  /// What survived, at many more samples, along lines, and with proofs that are given more time.
+  /// Judges the survivors again: at many more samples, along lines, and with more time for proofs.
   void judge_again(std::vector<MutantResult>& all) {
     std::vector<MutantResult*> rest;
     std::vector<std::vector<std::size_t>> claims(file_.settings.size());
@@ -161,7 +162,7 @@ class MutationRun {
     });
   }
 
-  /// The work with the mutant in place of the original. Where it fails, the mutant survives, and says why.
+  /// Does the work with the mutant in place of the original. If it fails, the mutant survives, with the reason.
   template <class Work>
   void with_change(Workshop& shop, MutantResult& m, const Work& work) const {
     m.mutant.put(m.mutant.mutant.expression, shop.compiled);
@@ -190,7 +191,7 @@ class MutationRun {
     const Samples& all = baselines_.samples(m.setting);
     Samples& own = shop.samples[m.setting];
     if (own.size() < all.size()) own.resize(all.size());
-    // Definitions are evaluated once for a sample: another definition needs another one.
+    // A sample evaluates definitions once, so a changed definition needs a new sample.
     if (!m.part || !own[i]) {
       own[i] = all[i]->under(shop.compiled.settings[m.setting]);
     }
@@ -199,13 +200,13 @@ class MutationRun {
 
   bool caught(Workshop& shop, MutantResult& m, std::vector<std::size_t>& order) const {
     const bool found = fails(shop, m, order) || reaches_elsewhere(shop, m, order);
-    if (!m.mutant.part) {  // its samples remember what is changed back
+    if (!m.mutant.part) {  // the samples keep values of the changed definition
       for (auto& sample : shop.samples[m.mutant.setting]) sample.reset();
     }
     return found;
   }
 
-  /// Whether the changed claim fails at a sample; if so, the mutant remembers how.
+  /// Whether the changed claim fails at a sample; if so, the mutant records how.
   bool fails(const Workshop& shop, MutantResult& m, std::size_t c, SolvedSample& sample) const {
     const Judgement j = judge(file_, shop.compiled, c, Reading::printed, sample);
     if (!is_failure(j.outcome)) return false;
@@ -217,7 +218,8 @@ class MutationRun {
     return true;
   }
 
-  /// Whether the changed claim speaks of other forces at a sample than before; if so, the mutant remembers of which.
+  /// Whether the changed claim says something about other forces at a sample than before; if so, the mutant records
+  /// one.
   bool reaches_elsewhere(const Workshop& shop, MutantResult& m, std::size_t c, SolvedSample& sample,
                          const std::vector<ForceInterval>& before) const {
     const auto force = some_force(reach(file_, shop.compiled, c, sample), before);
@@ -254,7 +256,7 @@ class MutationRun {
     return false;
   }
 
-  /// What only a thin cell shows is on a line that crosses it, through bicycles of which the claim speaks.
+  /// Looks along lines through bicycles that the claim says something about; such lines also cross thin cells.
   bool caught_on_lines(Workshop& shop, MutantResult& m) const {
     return std::any_of(m.mutant.claims.begin(), m.mutant.claims.end(), [&](std::size_t c) {
       return file_.claims[c].setting == m.mutant.setting && !is_costly(file_.claims[c]) && caught_on_lines(shop, m, c);
@@ -265,7 +267,7 @@ class MutationRun {
     const auto bases = baselines_.speaks_at(c);
     const auto lines = claim_lines(file_, shop.compiled, c, Reading::printed);
     if (bases.empty() || !lines) return false;
-    // Lines through a surface leave it at once.
+    // A line that varies other parameters would leave the surface at once.
     const std::vector<bool> along = on_surface(file_, shop.compiled, c, Reading::printed, lines->matters);
     const bool some = std::find(along.begin(), along.end(), true) != along.end();
     bool found = false;
@@ -279,7 +281,7 @@ class MutationRun {
     return found;
   }
 
-  /// At a sample of the claims as they were.
+  /// Whether a sample of the unchanged claims catches the mutant.
   bool caught(Workshop& shop, MutantResult& m, std::size_t c, SolvedSample& sample) const {
     if (is_failure(judge(file_, compiled_, c, Reading::printed, sample).outcome)) return false;
     const auto changed = sample.under(shop.compiled.settings[m.mutant.setting]);

@@ -1,4 +1,4 @@
-// Claims, as data.
+// Claims as data.
 #pragma once
 
 #include <cstddef>
@@ -14,41 +14,43 @@
 
 namespace slipproof {
 
-/// How a claim fails, if it does.
+/// How serious a failing claim is.
 enum class Grade : std::uint8_t { misprint, gap, boundary, wrong };
 std::string_view name(Grade grade);  ///< `wrong` is written `false`
 
-/// What a claim is known to get.
+/// The verdict that a claim is known to get.
 enum class Expectation : std::uint8_t { none, holds, refuted, undecided, vacuous };
 std::string_view name(Expectation expectation);
 
-/// The parts of a claim that are conditions or equations about parameters, forces and motions.
+/// The parts of a claim that are conditions or equations on parameters, forces and motions.
 enum class BodyPart : std::uint8_t { region, forces, holds, equations, assume };
 std::string_view name(BodyPart part);
 
-/// What one reading of a claim says. What its kind does not have stays as it is here.
+/// The content of a claim in one reading. Parts that its kind does not have keep these defaults.
 struct ClaimBody {
-  const ClaimKind* kind = nullptr;       ///< null only before it is read
-  Expression region = make_truth(true);  ///< bicycles: over parameters and definitions, independent of the force
-  Expression forces = make_truth(true);  ///< over everything but quantities
-  Expression holds = make_truth(true);   ///< with modes, of the quantities of every motion in them
+  const ClaimKind* kind = nullptr;  ///< null only before it is read
+  /// A condition on bicycles: over parameters and definitions, independent of the force.
+  Expression region = make_truth(true);
+  Expression forces = make_truth(true);  ///< over all symbols except quantities
+  Expression holds = make_truth(true);   ///< if there are modes, over the quantities of every motion in them, too
   Modes modes;
   References claims, except, given;
   Equations equations, assume;
-  std::string parameter;  ///< that grows to the upper end of its domain
-  Expression from;        ///< where proofs let it begin, independent of the parameter; null: there is no proof
+  std::string parameter;  ///< the parameter that grows to the upper end of its domain
+  Expression from;  ///< the value from which on proofs show it, independent of the parameter; null: there is no proof
   Expectation expect = Expectation::none;
 
   std::optional<MechanismMode> mode() const { return modes.empty() ? std::nullopt : std::optional(modes.front()); }
-  /// The claims that it refers to.
+  /// The claims that this one refers to.
   References references() const;
-  /// Of equations: the hypotheses are the model's.
+  /// For equations: the hypotheses are the model's equations.
   bool from_model() const { return given.empty() && claims.empty(); }
-  /// The forces of which it speaks.
+  /// The forces that the claim is about.
   Expression where() const { return kind->forces_say_where() ? forces : make_truth(true); }
 };
 
-/// visit(part, index, expression) for every expression of a body, const or not; the index counts equations.
+/// Calls visit(part, index, expression) for every expression of a body, which may be const or not; the index counts
+/// equations.
 template <class Body, class Visit>
 void for_each_part(Body& body, Visit&& visit) {
   visit(BodyPart::region, std::size_t{0}, body.region);
@@ -68,18 +70,19 @@ struct Claim {
   std::string statement;    ///< in words or as printed
   std::size_t setting = 0;  ///< index
   ClaimBody printed;
-  /// There if the repaired reading is another one: the claim's own repair, or that of a definition that it uses.
+  /// Present if the repaired reading differs from the printed one, by the claim's own repair or by that of a definition
+  /// that it uses.
   std::optional<ClaimBody> repaired;
-  std::string why;  ///< of the claim's own repair
+  std::string why;  ///< reason for the claim's own repair
   std::string note;
   std::optional<Grade> grade;
-  /// Findings of others that it shows once more: ids of graded claims, or `3.1.b1` of a repaired definition.
+  /// Other findings that this claim shows again: ids of graded claims, or `3.1.b1` for a repaired definition.
   std::vector<std::string> part_of;
 
   const ClaimBody& body(Reading reading) const {
     return reading == Reading::repaired && repaired ? *repaired : printed;
   }
-  /// The same in every reading.
+  /// The kind is the same in every reading.
   const ClaimKind& kind() const { return *printed.kind; }
 };
 

@@ -1,5 +1,5 @@
-// What a paper states, as data: its symbols, its definitions, and its claims about the model. proofs/CLAIMS.md
-// describes the file for those who write one; claims/reading reads it.
+// A paper as data: its symbols, its definitions, and its claims about the model. proofs/CLAIMS.md describes the file
+// for authors; claims/reading reads it.
 #pragma once
 
 #include <string>
@@ -22,7 +22,7 @@ struct ClaimsFile {
   const Claim* find(std::string_view id) const;
 };
 
-/// The file with one reading only: what was `repaired`, or else printed, becomes `printed`.
+/// The file with one reading only, as `printed`. In the repaired reading, what has no repair stays as printed.
 ClaimsFile as_read(const ClaimsFile& file, Reading reading);
 
 }  // namespace slipproof

@@ -18,7 +18,7 @@ Expression scene_condition(const Setting::PointConditions& conditions) {
   return all;
 }
 
-/// Where the load is not linear as it stands, at no point.
+/// A load that is not linear as written has no point.
 Expression point_condition(const Setting& setting, const Setting::PointConditions& conditions) {
   Expression all = make_truth(!setting.mechanism->load || conditions.slope != nullptr);
   for (const Parameter& parameter : setting.parameters) all = both(all, parameter.domain);
@@ -183,7 +183,7 @@ bool CompiledSetting::varies(const Program& program) const {
   });
 }
 
-/// Definitions may stand in any order: until no more of them is found to vary.
+/// Definitions may be in any order, so this repeats until no further one is found to vary.
 void CompiledSetting::find_varying() {
   varying_.assign(scope_.slots.size(), false);
   varying_[force_slot()] = true;

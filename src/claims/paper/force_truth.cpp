@@ -9,7 +9,7 @@ namespace slipproof {
 
 namespace {
 
-/// The signs of a polynomial, which are asked for in one cell after another: that of a linear one, as most are, takes a
+/// The signs of a polynomial, for one cell after another. For a linear polynomial, as most are, a sign takes only a
 /// comparison with its root.
 class Signs {
  public:
@@ -24,7 +24,7 @@ class Signs {
     return order == 0 ? 0 : order > 0 ? last_ : -last_;
   }
 
-  /// Adds the real roots; whether all are rational.
+  /// Adds the real roots; returns whether all are rational.
   bool add_roots(std::vector<Rational>& roots) const {
     if (p_.degree() == 1) roots.push_back(root_);
     if (p_.degree() <= 1) return true;
@@ -37,17 +37,18 @@ class Signs {
 
  private:
   Polynomial p_;
-  int last_;       ///< for large forces
-  Rational root_;  ///< of a linear one
+  int last_;       ///< the sign for large forces
+  Rational root_;  ///< the root of a linear polynomial
 };
 
-/// A comparison as the sign of numerator(F) / denominator(F), where no divisor is 0; or no such thing.
+/// A comparison as the sign of numerator(F) / denominator(F) where no divisor is 0, or a mark that it cannot be written
+/// so.
 struct Link {
   bool decided = false;
   Failure failure = Failure::undecided;
   std::optional<Signs> numerator, denominator;
   std::vector<Signs> divisors;
-  std::vector<Rational> roots;  ///< of all of these, if none is irrational
+  std::vector<Rational> roots;  ///< the roots of all these polynomials, if all are rational
 };
 
 Link difference(const Program& statement, const Program::Instruction& comparison, Evaluator<ForceFunction>& evaluator) {
@@ -59,7 +60,7 @@ Link difference(const Program& statement, const Program::Instruction& comparison
     return link;
   }
   const ForceFunction d = *x.number - *y.number;
-  const bool same = d.value().is_zero();  // wherever both have a value
+  const bool same = d.value().is_zero();  // the two sides are equal wherever both have a value
   link.numerator.emplace(same ? Polynomial() : d.value().numerator());
   link.denominator.emplace(same ? Polynomial({Rational(1)}) : d.value().denominator());
   for (const Polynomial& divisor : d.divisors()) link.divisors.emplace_back(divisor);

@@ -1,4 +1,4 @@
-// Where on the line of forces a statement is true.
+// Finds where on the line of forces a statement is true.
 #pragma once
 
 #include <optional>
@@ -11,13 +11,13 @@
 
 namespace slipproof {
 
-/// What vanishes where a function of F does.
+/// A polynomial that vanishes where the divisor of a function of F does.
 inline std::optional<Polynomial> divisor_of(const RationalFunction& x) {
   return x.numerator().degree() == 0 ? std::nullopt : std::optional(x.numerator());
 }
 using ForceFunction = WithDivisors<RationalFunction, Polynomial>;
 
-/// Functions of F are equal or not; which is greater is decided only if they differ by a constant.
+/// Functions of F can be equal or not. Which one is greater is decided only if they differ by a constant.
 template <>
 struct FieldOf<ForceFunction> {
   ForceFunction constant(const Rational& value) const { return RationalFunction(value); }
@@ -30,20 +30,20 @@ struct FieldOf<ForceFunction> {
   }
 };
 
-/// A statement has one truth on all of these forces.
+/// A set of forces on which a statement has one truth value.
 struct TruthCell {
   ForceInterval forces;
   Truth truth;
 };
 
-/// The line of forces from -oo to +oo, cut where the truth of `statement` changes; neighbouring cells differ. The
-/// evaluator gives F the value RationalFunction::variable(). A zero of a divisor is
-/// undefined, also if it could be cancelled. Exact where all real zeros of the comparisons and their divisors are
-/// rational; a comparison with another one is undecided everywhere.
+/// Cuts the line of forces from -oo to +oo where the truth of `statement` changes; neighbouring cells differ. The
+/// evaluator must give F the value RationalFunction::variable(). At a zero of a divisor the statement is undefined,
+/// even if the zero could be cancelled. Exact if all real zeros of the comparisons and their divisors are rational; a
+/// comparison with an irrational zero is undecided everywhere.
 std::vector<TruthCell> truth_over_forces(const Program& statement, Evaluator<ForceFunction>& evaluator);
 
-/// The forces in `within` at which the statement is true, if that is one interval and no force of it is undefined or
-/// undecided. Nothing otherwise.
+/// The forces in `within` at which the statement is true, if they form one interval and the statement is defined and
+/// decided at every force of `within`. Otherwise nothing.
 std::optional<ForceInterval> true_interval(const Program& statement, Evaluator<ForceFunction>& evaluator,
                                            const ForceInterval& within = {});
 

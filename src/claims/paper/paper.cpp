@@ -8,7 +8,7 @@ std::string_view name(Reading reading) {
 
 std::string Paper::place(std::size_t line) const {
   std::string section, item;
-  std::size_t begin = 0;  // of what is named so far
+  std::size_t begin = 0;  // the line of the last heading
   for (const auto& [at, heading] : headings) {
     if (at > line) break;
     const bool is_section = heading.starts_with("Section ");

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view main_file = "claims.toml", generated = "certificates";
 
-/// What stands behind `key =` in quotes, if a line has that; nothing else of TOML is read.
+/// Finds the quoted value after `key =` if a line has one; reads nothing else of TOML.
 bool has_schema(std::string_view line) {
   const auto skip = [&](std::string_view what) {
     const std::size_t begin = std::min(line.find_first_not_of(" \t"), line.size());
@@ -34,7 +34,7 @@ bool holds_certificates(const std::filesystem::path& folder) {
 }  // namespace
 
 bool is_claims_file(const std::filesystem::path& file) {
-  constexpr int most_lines = 200;  // the schema stands before the first table
+  constexpr int most_lines = 200;  // the schema comes before the first table
   std::error_code error;
   if (file.extension() != ".toml" || !std::filesystem::is_regular_file(file, error)) return false;
   std::ifstream lines(file);

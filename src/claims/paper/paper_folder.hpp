@@ -1,4 +1,4 @@
-// Which files in a folder, and below it, are a paper's: several claims files may stand in one.
+// Finds which files in a folder and below it belong to a paper. One folder may have several claims files.
 #pragma once
 
 #include <filesystem>
@@ -7,28 +7,28 @@
 
 namespace slipproof {
 
-/// Whether a TOML file says that it is a claims file, readable as one or not.
+/// Whether a TOML file declares that it is a claims file, even if it cannot be read as one.
 bool is_claims_file(const std::filesystem::path& file);
 
-/// Those of a folder, without the folders in it, in the order of their names; claims.toml, if it is there, comes first.
+/// The claims files of a folder, without those in its subfolders, by name; claims.toml comes first if it exists.
 std::vector<std::filesystem::path> claims_files_in(const std::filesystem::path& folder);
 
 struct PaperFolder {
   std::filesystem::path folder;
-  /// The folder in it for what is made of the claims: `certificates` of claims.toml, and of the only claims file there
-  /// is; NAME.certificates of a NAME.toml that stands beside others.
+  /// The folder for files made from the claims: `certificates` for claims.toml and for the only claims file in a
+  /// folder; NAME.certificates for NAME.toml if there are other claims files.
   std::string certificates = "certificates";
 
-  /// Whether figures and second opinions that stand there are about this paper.
+  /// Whether the figures and second opinions in the folder are about this paper.
   bool is_main() const { return certificates == "certificates"; }
-  /// The folder for what is made of the claims.
+  /// The folder for files made from the claims.
   std::filesystem::path generated() const { return folder / certificates; }
-  /// Whether a file below the folder belongs to the paper. Others are in a folder in which claims files of their own
-  /// stand, or that is another paper's `certificates`.
+  /// Whether a file below the folder belongs to the paper. It does not if it is in a folder with claims files of its
+  /// own, or in the `certificates` of another paper.
   bool owns(const std::filesystem::path& file) const;
 };
 
-/// That of a claims file.
+/// The folder of a claims file.
 PaperFolder paper_folder(const std::filesystem::path& claims);
 
 }  // namespace slipproof

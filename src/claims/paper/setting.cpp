@@ -1,4 +1,4 @@
-// What follows from a setting and its mechanism.
+// Derived properties of a setting and its mechanism.
 #include "claims/paper/setting.hpp"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ bool is_symbol(const Expression& e, std::string_view symbol) {
   return e->operation == Operation::symbol && e->symbol == symbol;
 }
 
-/// What the coefficients of its mechanism divide by, each once, but numbers that are not 0.
+/// The divisors in the coefficients of its mechanism, each once, without nonzero numbers.
 std::vector<Expression> divisors_of_coefficients(const Setting& setting) {
   std::vector<Expression> result;
   std::set<std::string> known;
@@ -81,7 +81,8 @@ Expression Setting::in_paper(const Expression& of_mechanism) const {
     }
     const auto is_parameter = [&](const MechanismParameter& p) { return p.symbol == symbol; };
     const auto& all = mechanism->parameters;
-    return std::any_of(all.begin(), all.end(), is_parameter) ? make_number(0) : nullptr;  // one that is not given
+    // A parameter that is not given counts as 0.
+    return std::any_of(all.begin(), all.end(), is_parameter) ? make_number(0) : nullptr;
   });
 }
 

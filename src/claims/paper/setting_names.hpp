@@ -1,4 +1,4 @@
-// What the names in a setting's expressions stand for, and what depends on what.
+// What the names in a setting's expressions stand for, and which expressions depend on what.
 #pragma once
 
 #include <array>
@@ -18,27 +18,27 @@ class SettingNames {
   enum class Kind { parameter, force, quantity, definition };
   struct Entry {
     Kind kind;
-    std::size_t index;  ///< among its kind; 0 for the force; of the cosine or sine of an angle, its parameter
+    std::size_t index;  ///< index within its kind; 0 for the force; for a cosine or sine, the parameter of its angle
   };
 
-  /// The setting must outlive the names. Of a name given twice, the first counts.
+  /// The setting must outlive it. If a name is given twice, the first one counts.
   explicit SettingNames(const Setting& setting);
 
   std::optional<Entry> find(std::string_view name) const;
   const std::map<std::string, Entry, std::less<>>& all() const { return entries_; }
 
-  /// A definition as the reading has it.
+  /// A definition in the given reading.
   const Expression& definition(std::size_t index, Reading reading) const;
 
-  /// The definitions that an expression needs, directly or through others, in the order of their indices.
+  /// The definitions that an expression needs, directly or through others, by ascending index.
   std::vector<std::size_t> needs(const Expression& expression, Reading reading) const;
   /// Whether an expression depends on a symbol, directly or through definitions.
   bool depends(const Expression& expression, Reading reading, std::string_view symbol) const;
-  /// Whether an expression means something else in the two readings.
+  /// Whether an expression has different meanings in the two readings.
   bool readings_differ(const Expression& expression) const;
 
  private:
-  /// Ids of symbols: quantities, the force, parameters, definitions.
+  /// Symbols have ids, in this order: quantities, the force, parameters, definitions.
   std::size_t definitions() const { return quantities_ + 1 + setting_->parameters.size(); }
   std::size_t id(Entry entry) const;
   void add(const std::string& name, Kind kind, std::size_t index) { entries_.try_emplace(name, Entry{kind, index}); }

@@ -45,7 +45,7 @@ class SettingCheck {
     return fine;
   }
 
-  // Only without circles.
+  // Requires that definitions have no circles.
   void find_extents() {
     for (const Reading reading : all_readings) find_extents(reading);
   }
@@ -94,7 +94,7 @@ class SettingCheck {
     return result;
   }
 
-  // The first symbol through which an expression depends on another.
+  // The first symbol through which an expression depends on another one.
   Expression culprit(const Expression& expression, Reading reading, std::string_view symbol) const {
     for (const Expression& operand : expression->operands) {
       if (names_.depends(operand, reading, symbol)) return culprit(operand, reading, symbol);
@@ -110,7 +110,7 @@ class SettingCheck {
     return true;
   }
 
-  // Definitions first that others need: what a definition needs, needs less than it does itself.
+  // Visits the definitions that others need before those, so that their sizes are known.
   void find_extents(Reading reading) {
     const std::size_t count = setting_.definitions.size();
     std::vector<std::pair<std::size_t, std::size_t>> order;

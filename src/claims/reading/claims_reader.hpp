@@ -1,4 +1,4 @@
-// Inside the reading of claims files: what its parts share.
+// Internal to the reading of claims files: declarations that its parts share.
 #pragma once
 
 #include <cstddef>
@@ -15,15 +15,15 @@
 
 namespace slipproof::claims_reader {
 
-/// Which symbols an expression may use, beyond the parameters of its setting.
+/// The symbols that an expression may use in addition to the parameters of its setting.
 struct Allowed {
   bool definitions = false;
   bool force = false;
   bool quantities = false;
-  bool unknowns = false;  ///< of the model's equations; the force too
+  bool unknowns = false;  ///< the unknowns of the model's equations, and the force
 };
 
-/// An expression that was read, to be checked when all names are known.
+/// An expression that was read; it is checked when all names are known.
 struct Use {
   Expression expression;
   PlacedText text;
@@ -37,11 +37,11 @@ class Context {
  public:
   Context(ClaimsFile& claims_file, Mistakes& list) : file(claims_file), mistakes(list) {}
 
-  /// The expression in a key's string; a mistake is reported, and `true` or 0 stands in for it.
+  /// The expression in the string of a key. A mistake is reported, and `true` or 0 takes its place.
   Expression expression(const TableReader& table, std::string_view key, Sort sort, std::size_t setting,
                         Allowed allowed);
   Expression expression(const PlacedText& text, std::string_view key, Sort sort, std::size_t setting, Allowed allowed);
-  /// The text of a required key; a mistake is reported, and it is empty.
+  /// The text of a required key. A mistake is reported, and the text is then empty.
   std::string text(const TableReader& table, std::string_view key, std::string_view expected);
   std::string optional_text(const TableReader& table, std::string_view key);
   /// A line number of the source.
@@ -53,29 +53,29 @@ class Context {
   ClaimsFile& file;
   Mistakes& mistakes;
   std::vector<Use> uses;
-  /// Those that were opened, by what names them.
+  /// The mechanisms that were opened, by the texts that name them.
   std::map<std::pair<std::string, std::string>, std::shared_ptr<const Mechanism>> mechanisms;
 };
 
 void read_settings(const TableReader& root, Context& context);
-/// Whether a setting names no mechanism: it is of the bicycle, and its force says whether it is external.
+/// Whether a setting names no mechanism: it then describes the bicycle, and its force says whether it is external.
 inline bool of_bicycle(const TableReader& setting) {
   return !setting.has("mechanism");
 }
-/// The mechanism of a setting with its states before the motion, before everything else of the setting; false if there
-/// is none, which is reported.
+/// Reads the mechanism of a setting and its states before the motion; must come before the rest of the setting. If
+/// there is no mechanism, reports that and returns false.
 bool read_mechanism(const TableReader& table, Context& context, Setting& setting);
-/// What the mechanism's symbols are, after the paper's symbols.
+/// Reads the values of the mechanism's symbols; must come after the paper's symbols.
 void read_scene(const TableReader& table, Context& context, Setting& setting);
-/// The references of claims, by their texts: ids are known only when all claims are read.
+/// References between claims, as texts: their ids are known only when all claims are read.
 class OpenReferences {
  public:
   void add(const TableReader& table, std::size_t claim, Reading reading, const ClaimKind& kind);
   void add_part(std::size_t claim, const PlacedText& id) { parts_.emplace_back(claim, &id); }
-  /// A repaired reading at this place that has nothing of its own.
+  /// Adds a repaired reading at this place that changes nothing but the expected verdict.
   void add_only_expecting(std::size_t claim, Place place) { only_expecting_.emplace_back(claim, place); }
 
-  /// Resolves them, and adds the readings that claims have because of others.
+  /// Resolves the references, and adds the readings that claims have because of other claims.
   void resolve(Context& context) const;
 
  private:
@@ -91,15 +91,15 @@ class OpenReferences {
   std::vector<std::pair<std::size_t, const PlacedText*>> parts_;
 };
 
-/// All keys that some kind of claim has, and those that say something of every kind.
+/// All keys that some kind of claim has, and those that apply to every kind.
 std::vector<std::string_view> body_keys();
-/// Refuses a table that lacks what claims of the kind have to have.
+/// Reports the required keys of the kind that a table lacks.
 void require_body(const TableReader& table, const ClaimKind& kind);
-/// Reads over what `body`, whose kind is known, already holds; but for references.
+/// Reads the keys of a table into `body`, whose kind is known, over its present values; does not read references.
 void read_body(const TableReader& table, Context& context, std::size_t setting, ClaimBody& body);
-/// After the settings.
+/// Must come after the settings.
 void read_claims(const TableReader& root, Context& context);
-/// Symbols that do not exist or must not be used, definitions in circles or too large to evaluate.
+/// Reports symbols that do not exist or must not be used, and definitions that are circular or too large to evaluate.
 void check_uses(Context& context);
 
 /// `unknown NAME, did you mean ...`.

@@ -27,7 +27,7 @@ TomlEntry* entry_of(TomlValue& table, std::string_view key) {
   return found == table.entries.end() ? nullptr : &*found;
 }
 
-/// Definitions by their symbols; other arrays are replaced.
+/// Merges definitions by their symbols; other arrays are replaced.
 TomlValue merged_definitions(const TomlValue& inherited, const TomlValue& own) {
   TomlValue result = inherited;
   result.place = own.place;
@@ -37,7 +37,7 @@ TomlValue merged_definitions(const TomlValue& inherited, const TomlValue& own) {
       const PlacedText* name = text_of(other, "symbol");
       return symbol != nullptr && name != nullptr && name->text() == symbol->text();
     });
-    // Only what was inherited is replaced: a symbol that the setting itself defines twice stays a mistake.
+    // replaces only an inherited definition: if the setting itself defines a symbol twice, that stays a mistake
     const bool replaces = same - result.items.begin() < static_cast<std::ptrdiff_t>(inherited.items.size());
     if (same != result.items.end() && replaces) {
       *same = definition;
@@ -48,7 +48,7 @@ TomlValue merged_definitions(const TomlValue& inherited, const TomlValue& own) {
   return result;
 }
 
-/// What a setting names itself stands after what it inherits.
+/// Puts keys of the setting itself after those that it inherits.
 TomlValue merged_table(const TomlValue& inherited, const TomlValue& own) {
   TomlValue result = own;
   result.entries = inherited.entries;
@@ -95,7 +95,7 @@ class Inheritance {
     return static_cast<std::size_t>(std::find_if(settings_.begin(), settings_.end(), has_id) - settings_.begin());
   }
 
-  /// The ids on the way from a setting back to itself; empty if it does not come back.
+  /// The ids on the way from a setting back to itself; empty if there is no such way.
   std::string circle(std::size_t from) const {
     std::string way;
     std::size_t at = from;

@@ -1,4 +1,4 @@
-// Settings that name only what differs from another one.
+// Settings that contain only their differences from another one.
 #pragma once
 
 #include <vector>
@@ -7,10 +7,9 @@
 
 namespace slipproof::claims_reader {
 
-/// The tables [[setting]] as if each with `inherits` had been written out: what it does not name is as in the setting
-/// before it that it names, but for `id`, `statement` and `line`; tables come together by key, definitions by symbol.
-/// An id that no setting has, one that stands later, and circles are reported at their places; such a setting inherits
-/// nothing.
+/// The tables [[setting]] with each `inherits` written out. A key that a setting lacks is taken from the earlier
+/// setting that it names, except `id`, `statement` and `line`; tables are merged by key, definitions by symbol. An
+/// unknown id, the id of a later setting, and circles are reported at their places; such a setting inherits nothing.
 std::vector<TomlValue> written_out(const std::vector<const TomlValue*>& settings, Mistakes& mistakes);
 
 }  // namespace slipproof::claims_reader

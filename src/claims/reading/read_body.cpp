@@ -1,4 +1,4 @@
-// What a claim says: the keys that kinds of claims have, each read in one way.
+// Reads what a claim says: each key that kinds of claims have is read in one way.
 #include <algorithm>
 #include <array>
 
@@ -44,7 +44,7 @@ class BodyReader {
   void forces(std::string_view key) { body_.forces = read(key, Sort::truth, {.definitions = true, .force = true}); }
 
   void holds(std::string_view key) {
-    const bool force = !body_.kind->has("parameter");  // a limit speaks of bicycles
+    const bool force = !body_.kind->has("parameter");  // a limit is about bicycles, not forces
     body_.holds = read(key, Sort::truth, {.definitions = true, .force = force, .quantities = !body_.modes.empty()});
   }
 
@@ -83,7 +83,7 @@ class BodyReader {
     if (!uses.empty() && uses.back().expression == body_.from) uses.back().independent_of = body_.parameter;
   }
 
-  /// Ids are known only when all claims are read.
+  /// Keeps the ids, which are resolved when all claims are read.
   void references(std::string_view key) {
     if (body_.kind->field(key)->not_empty) refuse_empty(key, "at least one claim");
   }
@@ -110,7 +110,7 @@ class BodyReader {
     if (table_.strings(key).empty()) table_.refuse(key, "found an empty array, expected " + expected);
   }
 
-  /// The modes that a text stands for; none, which is reported, if it is no mode of the setting's mechanism.
+  /// The modes that a text stands for; if it is not a mode of the setting's mechanism, reports that and returns none.
   Modes modes_in(const PlacedText& text, std::string_view key) {
     if (setting_ >= context_.file.settings.size()) return {};
     const Setting& s = context_.file.settings[setting_];

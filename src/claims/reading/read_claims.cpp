@@ -22,7 +22,8 @@ class ClaimsReader {
     keys.insert(keys.end(), body_keys_.begin(), body_keys_.end());
     const TableReader table(value, "[[claim]]", keys, context_.mistakes);
     Claim claim;
-    claim.printed.kind = claim_kinds().front();  // of an unknown kind: other claims that refer to it are not to blame
+    // Stands in for an unknown kind, so that claims that refer to this one cause no further mistakes.
+    claim.printed.kind = claim_kinds().front();
     read_id(table, claim);
     claim.equation = context_.optional_text(table, "equation");
     claim.line = context_.line(table, "line", true);
@@ -52,7 +53,7 @@ class ClaimsReader {
   void read_id(const TableReader& table, Claim& claim) {
     claim.id = context_.text(table, "id", "the id of the claim, such as \"A1.1\"");
     if (table.string("id") == nullptr) return;
-    // Statements about the claim are theorems of this name and a suffix (proofs/FORMAT.md).
+    // Statements about the claim are theorems named by its id and a suffix (proofs/FORMAT.md).
     constexpr std::size_t longest = 40;
     const auto alphanumeric = [](char c) {
       return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');

@@ -1,4 +1,4 @@
-// Reading claims files `slipproof/claims/1`, which proofs/CLAIMS.md describes.
+// Reads claims files `slipproof/claims/1`, which proofs/CLAIMS.md describes.
 #pragma once
 
 #include <filesystem>
@@ -9,10 +9,10 @@
 
 namespace slipproof {
 
-/// Reads a claims file. Throws InputError with every mistake of the file, in the order of their places.
+/// Reads a claims file. Throws InputError with all mistakes in the file, in the order of their places.
 ClaimsFile read_claims(const std::filesystem::path& path);
 
-/// The same from a text; `file` is how messages call it.
+/// The same from a text; `file` is its name in messages.
 ClaimsFile parse_claims(std::string_view text, const std::string& file);
 
 }  // namespace slipproof

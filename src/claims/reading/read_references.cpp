@@ -1,4 +1,4 @@
-// What claims refer to, when all of them are read; and the readings that follow from that.
+// Resolves references between claims when all claims are read, and adds the readings that follow from them.
 #include <algorithm>
 #include <array>
 
@@ -12,7 +12,7 @@ namespace {
 constexpr std::array<std::pair<std::string_view, References ClaimBody::*>, 3> lists{
     {{"claims", &ClaimBody::claims}, {"except", &ClaimBody::except}, {"given", &ClaimBody::given}}};
 
-/// What `part_of` names is a definition with a repair, or another finding.
+/// Checks that `part_of` names a definition with a repair, or another finding.
 void check_part(const ClaimsFile& file, Context& context, const Claim& claim, const PlacedText& id) {
   for (const Setting& setting : file.settings) {
     for (const Definition& definition : setting.definitions) {
@@ -27,7 +27,7 @@ void check_part(const ClaimsFile& file, Context& context, const Claim& claim, co
                      "with a repair");
 }
 
-/// The kinds of claims that a key refers to, where the other one is of none of them.
+/// The kinds of claims that a key may refer to, if the other claim has none of them.
 std::string misfit(const ClaimField& field, const Claim& other) {
   std::string expected;
   for (const std::string_view kind : field.kinds) {
@@ -55,7 +55,8 @@ void resolve_one(Context& context, const Claim& claim, const PlacedText& id, std
   list.push_back(static_cast<std::size_t>(found - claims.data()));
 }
 
-/// A claim has a repaired reading, too, if a definition or another claim that it builds on has one. By claim.
+/// Adds a repaired reading to each claim that builds on a definition or claim with a repaired reading. Returns, by
+/// claim, whether it did.
 std::vector<bool> add_implied_readings(ClaimsFile& file) {
   auto& claims = file.claims;
   std::vector<SettingNames> names;
@@ -69,7 +70,7 @@ std::vector<bool> add_implied_readings(ClaimsFile& file) {
            std::any_of(others.begin(), others.end(), [&](std::size_t i) { return claims[i].repaired.has_value(); });
   };
   std::vector<bool> implied(claims.size());
-  for (bool more = true; more;) {  // along the references, until none gains a reading
+  for (bool more = true; more;) {  // follows references until no further claim gets a reading
     more = false;
     for (std::size_t i = 0; i < claims.size(); ++i) {
       implied[i] = builds_on_repair(claims[i]);
@@ -97,7 +98,7 @@ void OpenReferences::resolve(Context& context) const {
     ClaimBody& body = texts.reading == Reading::printed ? claim.printed : *claim.repaired;
     for (const PlacedText* id : texts.ids) resolve_one(context, claim, *id, texts.key, body.*texts.list);
   }
-  for (Claim& claim : file.claims) {  // a repair that names no claims is about those of the print
+  for (Claim& claim : file.claims) {  // a repair that names no claims refers to those of the print
     if (!claim.repaired) continue;
     for (const auto& [key, list] : lists) {
       if (((*claim.repaired).*list).empty()) (*claim.repaired).*list = claim.printed.*list;

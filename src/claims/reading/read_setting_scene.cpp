@@ -1,4 +1,4 @@
-// The mechanism of a setting, and what its symbols are in the paper's.
+// Reads the mechanism of a setting, and the values of its symbols in terms of the paper's.
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -13,14 +13,14 @@ namespace slipproof::claims_reader {
 
 namespace {
 
-/// Null where it is missing, or no text: that is reported with the force.
+/// Null if it is missing or not a text; that is reported with the force.
 const TomlValue* force_kind(const TableReader& setting) {
   const TomlValue* force = setting.table("force");
   const TomlEntry* kind = force == nullptr ? nullptr : force->find("kind");
   return kind == nullptr || kind->value.kind != TomlValue::Kind::string ? nullptr : &kind->value;
 }
 
-/// The bicycle of settings that say where the force comes from.
+/// Reads the bicycle of a setting that says where the force comes from.
 bool read_bicycle(const TableReader& table, Context& context, Setting& setting) {
   setting.mechanism = std::shared_ptr<const Mechanism>(&bicycle_mechanism(), [](const Mechanism*) {});
   setting.starts = starts(*setting.mechanism);
@@ -69,7 +69,7 @@ class SceneReader {
   }
 
  private:
-  /// A parameter of the bicycle that its settings say as the kind of the force.
+  /// Whether a setting gives this parameter of the bicycle as the kind of the force.
   bool is_force_kind(const MechanismParameter& parameter) const {
     return of_bicycle(table_) && parameter.symbol == "external";
   }
@@ -89,7 +89,7 @@ class SceneReader {
     return setting_.mechanism->load && setting_.mechanism->load->symbol == symbol;
   }
 
-  /// Whether the paper has a symbol that may stand for one of the mechanism of the same name.
+  /// Whether the paper has a symbol that may stand for the mechanism's symbol of the same name.
   bool has_symbol(const std::string& symbol) const {
     const auto& all = setting_.parameters;
     return (is_load(symbol) && setting_.force.symbol == symbol) ||
@@ -98,7 +98,7 @@ class SceneReader {
 
   void read_number(const TableReader& reader, const std::string& symbol, bool optional) {
     if (!reader.has(symbol)) {
-      // Settings of the bicycle name everything, so that a forgotten symbol is a mistake.
+      // Settings of the bicycle must give every symbol, so that a forgotten one is a mistake.
       if (!of_bicycle(table_) && has_symbol(symbol)) {
         setting_.scene.emplace(symbol, make_symbol(symbol));
       } else if (!optional) {
@@ -140,7 +140,7 @@ class SceneReader {
     put(number("cos"), number("sin"));
   }
 
-  /// A contact that is open from the start has no other state than `lift`.
+  /// Reports a contact that is open from the start but has a state other than `lift`.
   void refuse_open_without_lift() {
     const auto& contacts = setting_.mechanism->contacts;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -153,7 +153,7 @@ class SceneReader {
     }
   }
 
-  /// Where something is missing, which is reported, reading goes on.
+  /// Reports what is missing; reading continues.
   void complete() {
     const auto fill = [&](const std::string& symbol) { setting_.scene.emplace(symbol, make_number(0)); };
     for (const MechanismParameter& parameter : setting_.mechanism->parameters) {

@@ -17,14 +17,15 @@ class SettingReader {
 
   void read() {
     setting_.id = context_.text(table_, "id", "a name of the setting");
-    context_.optional_text(table_, "inherits");  // followed by written_out(), reported here if it is no text
+    context_.optional_text(table_, "inherits");  // written_out() follows it; here it is reported if it is not a text
     setting_.statement = context_.optional_text(table_, "statement");
     setting_.line = context_.line(table_, "line", false);
     const auto& others = context_.file.settings;
     if (std::any_of(others.begin(), others.end(), [&](const Setting& other) { return other.id == setting_.id; })) {
       table_.refuse("id", "found " + in_quotes(setting_.id) + " a second time, expected another name");
     }
-    if (!read_mechanism(table_, context_, setting_)) context_.mistakes.refuse_if_any();  // nothing else makes sense
+    // Without a mechanism the rest makes no sense.
+    if (!read_mechanism(table_, context_, setting_)) context_.mistakes.refuse_if_any();
     quantities_ = setting_.quantities();
     read_strictness();
     read_parameters();
@@ -46,7 +47,7 @@ class SettingReader {
     setting_.strict = motions != "closed";
   }
 
-  // A name that nothing else in the setting has.
+  // Declares a name, which nothing else in the setting may have.
   void declare(const std::string& symbol, Place place) {
     if (!is_symbol_name(symbol)) {
       context_.mistakes.add(place, "found " + in_quotes(symbol) +
@@ -114,7 +115,7 @@ class SettingReader {
   void read_force() {
     setting_.force.domain = make_truth(true);
     const auto& load = setting_.mechanism->load;
-    if (!of_bicycle(table_) && !table_.has("force")) {  // the mechanism's load by its own name
+    if (!of_bicycle(table_) && !table_.has("force")) {  // the mechanism's load with its own name
       if (!load) return;
       setting_.force.symbol = load->symbol;
       return declare(load->symbol, table_.place("mechanism"));

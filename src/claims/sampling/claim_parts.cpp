@@ -27,7 +27,7 @@ ClaimParts parts_of(const ClaimsFile& file, const CompiledClaims& compiled, std:
     parts.too_many_modes = mode_count(kinds) > max_line_modes;
     if (!parts.too_many_modes) parts.modes = modes_of(kinds);
   }
-  // Boundary motions count in closed settings, and a motion may be in several modes there.
+  // Boundary motions count in closed settings, where a motion may be in several modes.
   using Compares = ClaimKind::Traits::Compares;
   parts.modes_meet = kind.compares_modes == Compares::always ||
                      (kind.compares_modes == Compares::in_closed_settings && !setting.strict);

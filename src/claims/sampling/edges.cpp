@@ -28,7 +28,8 @@ std::vector<Rational> toward_edges(const Setting& setting, const CompiledSetting
   std::vector<Rational> moved = values;
   for (std::size_t k = 0; k < moved.size(); ++k) {
     variation = variation * 6364136223846793005U + 1442695040888963407U;
-    const auto die = static_cast<unsigned>(variation >> 61U);  // of eight: two bring it closer, one takes it away
+    // Out of eight: two values go closer to the end, one goes away from it.
+    const auto die = static_cast<unsigned>(variation >> 61U);
     const unsigned power = 1U << (1 + static_cast<unsigned>((variation >> 58U) & 7U));
     const auto lower = lower_end(setting.parameters[k], compiled, moved);
     if (!lower || die > 2) continue;

@@ -8,8 +8,8 @@
 
 namespace slipproof {
 
-/// The values with some parameters close to the lower ends of their domains and some large, as `variation` has it; as
-/// they are where that is no sample. Domains are understood that read `PARAMETER > EXPRESSION`.
+/// The values with some parameters moved close to the lower ends of their domains and some made large, as `variation`
+/// chooses; unchanged if the result is not a sample. Only domains of the form `PARAMETER > EXPRESSION` are used.
 std::vector<Rational> toward_edges(const Setting& setting, const CompiledSetting& compiled,
                                    const std::vector<Rational>& values, std::uint64_t variation);
 

@@ -1,4 +1,4 @@
-// Which bicycles and forces a claim speaks of.
+// The bicycles and forces that a claim is about.
 #pragma once
 
 #include <vector>
@@ -7,9 +7,9 @@
 
 namespace slipproof {
 
-/// The forces at which a claim says something about a sample, by its region, its `forces` and the motions that there
-/// are; what an interval or an equivalence says of one force, it says of all. `compiled` is made from `file`, the
-/// sample from the claim's setting. Empty where it says nothing, or where its region or its forces have no value.
+/// The forces at which a claim says something about a sample, by its region, its `forces` and the motions that exist.
+/// An interval or an equivalence says something about all forces. `compiled` must be made from `file`, the sample from
+/// the claim's setting. Empty if the claim says nothing, or if its region or its forces have no value.
 std::vector<ForceInterval> reach(const ClaimsFile& file, const CompiledClaims& compiled, std::size_t claim,
                                  SolvedSample& sample);
 

@@ -28,14 +28,14 @@ std::vector<std::size_t> unmet_by(FilteredEvaluator& evaluator, const std::vecto
   return unmet;
 }
 
-/// The values of the parameters, where a setting's programs are asked for theirs.
+/// An evaluator in which the setting's programs find the values of the parameters.
 FilteredEvaluator evaluator_at(const CompiledSetting& setting, const std::vector<Rational>& values) {
   FilteredEvaluator evaluator(setting.scope());
   evaluator.set(CompiledSetting::parameter_slot(0), values);
   return evaluator;
 }
 
-/// Points of a setting, one after the other in the same memory: thousands are looked at for some that are kept.
+/// Points of a setting, one after another in the same memory: thousands are examined, and few are kept.
 class SamplePoint {
  public:
   SamplePoint(const CompiledSetting& setting, const std::vector<SureCondition>& domains)
@@ -48,7 +48,7 @@ class SamplePoint {
     is_set_ = false;
     return *this;
   }
-  /// One of them is another one now.
+  /// Must be called when the value of a parameter has changed.
   void changed(std::size_t parameter) {
     near_[parameter] = Approximate((*values_)[parameter]);
     for (SureCondition& domain : domains_) domain.changed(parameter);
@@ -58,7 +58,7 @@ class SamplePoint {
     const Truth sure = domains_[parameter].truth(near_);
     return sure == Truth::undecided ? is_true(evaluator(), setting_.domains()[parameter]) : sure == Truth::yes;
   }
-  /// After allows(): SureCondition::demanded() of its domain.
+  /// Call after allows(): SureCondition::demanded() of the parameter's domain.
   const Approximate* demanded(std::size_t parameter) const { return domains_[parameter].demanded(parameter); }
   bool in_domain() {
     for (std::size_t k = 0; k < domains_.size(); ++k) {
@@ -81,7 +81,7 @@ class SamplePoint {
   FilteredEvaluator evaluator_;
   std::vector<Approximate> near_;
   const std::vector<Rational>* values_ = nullptr;
-  bool is_set_ = false;  ///< the evaluator, to the values
+  bool is_set_ = false;  ///< whether the evaluator has the current values
 };
 
 enum class Kind { integers, fractions, on_boundary, near_boundary, between_boundaries, extreme };
@@ -90,7 +90,7 @@ constexpr std::array kinds{Kind::integers,           Kind::fractions, Kind::on_b
 
 constexpr int largest_numerator = 12, largest_denominator = 8;
 
-/// In lowest terms once and for all: a sample may take thousands of them.
+/// Fractions in lowest terms, computed once: a sample may take thousands of them.
 const Rational& small_fraction(int numerator, int denominator) {
   static const std::vector<Rational> all = [] {
     std::vector<Rational> fractions;
@@ -126,8 +126,8 @@ Drawn draw(Dice& dice, Kind kind) {
   return drawn;
 }
 
-/// False where a number surely is none that may be drawn: no denominator makes it an integer, or one times a power of
-/// two, by far more than its error and what is rounded here.
+/// False if no value of this kind can be equal to x: no possible denominator makes x an integer, or an integer times a
+/// power of two, and the difference is far larger than x's error and the roundings here.
 bool may_be_drawn(const Approximate& x, Kind kind) {
   constexpr double margin = 1e-6;
   for (int denominator = 1; denominator <= largest_denominator; ++denominator) {
@@ -143,11 +143,11 @@ bool may_be_drawn(const Approximate& x, Kind kind) {
   return false;
 }
 
-/// Draws one parameter again, at most so often, until its domain allows it.
+/// Draws one parameter again, a limited number of times, until its domain allows it.
 void draw_again(SamplePoint& point, std::size_t parameter, int times, Dice& dice, Kind kind, Rational& value) {
   if (point.allows(parameter)) return;
   if (const Approximate* const demanded = point.demanded(parameter); demanded && !may_be_drawn(*demanded, kind)) {
-    for (; times > 1; --times) draw(dice, kind);  // in vain, all of them
+    for (; times > 1; --times) draw(dice, kind);  // all these draws are in vain
   }
   for (; times > 0 && !point.allows(parameter); --times) {
     value = draw(dice, kind).value();
@@ -160,15 +160,15 @@ std::vector<Rational> draw_all(SamplePoint& point, std::size_t parameters, Dice&
   for (int attempt = 0; attempt < 200; ++attempt) {
     for (Rational& value : values) value = draw(dice, kind).value();
     if (point.at(values).in_domain()) return values;
-    // Domains of one parameter alone are met soonest by drawing it alone again.
+    // Domains of a single parameter are met soonest by drawing that parameter again.
     for (std::size_t k = 0; k < values.size(); ++k) draw_again(point, k, 20, dice, kind, values[k]);
     if (point.in_domain()) return values;
   }
   return {};
 }
 
-/// Draws single parameters anew, as long as no further condition breaks, until what the values are of can be built;
-/// false if that does not come about.
+/// Draws single parameters again, if no further condition then breaks, until the mechanism can be built; false if it
+/// does not succeed.
 bool make_realisable(SamplePoint& point, Dice& dice, Kind kind, std::vector<Rational>& values) {
   const auto last = static_cast<int>(values.size()) - 1;
   std::size_t unmet = point.at(values).unrealisable().size();
@@ -246,7 +246,7 @@ Sampler::Sampler(const CompiledSetting& setting, std::uint64_t seed, Among among
 std::vector<Rational> Sampler::at(std::uint64_t i) const {
   Dice dice(seed_, i);
   Kind kind = kinds[i % kinds.size()];
-  // What can be built has fractions: wheels are smaller than the vehicle.
+  // A mechanism that can be built has fractions, for example because wheels are smaller than the vehicle.
   if (among_ == Among::realisable && kind == Kind::integers) kind = Kind::fractions;
   SamplePoint point(*setting_, domains_);
   std::vector<Rational> values = draw_all(point, setting_->domains().size(), dice, kind);
@@ -261,7 +261,8 @@ std::vector<Rational> Sampler::at(std::uint64_t i) const {
       bounded.push_back(boundary.parameter);
     }
   }
-  // Parameters with boundaries in the file's order; the last may depend on those before it. Sometimes all are placed.
+  // Takes parameters with boundaries in the file's order, since the last may depend on those before it. Sometimes
+  // places all on boundaries.
   const bool all = dice.chance(4);
   const std::size_t chosen = static_cast<std::size_t>(dice.number(0, static_cast<int>(bounded.size()) - 1));
   for (std::size_t k = 0; k < bounded.size(); ++k) {

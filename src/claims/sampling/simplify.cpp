@@ -7,13 +7,13 @@ namespace slipproof {
 
 namespace {
 
-/// A parameter that is not free: its value follows from the others by a boundary.
+/// A parameter that is not free: a boundary gives its value from the others.
 struct Tie {
   std::size_t parameter;
   const CompiledSetting::Boundary* boundary;
 };
 
-/// Gives the tied parameters their values; false where one is undefined or the sample outside of the domains.
+/// Computes the values of tied parameters; false if one is undefined or the sample is outside the domains.
 bool complete(const CompiledSetting& setting, const std::vector<Tie>& ties, std::vector<Rational>& values) {
   for (const Tie& tie : ties) {
     auto value = boundary_value(setting, *tie.boundary, values);
@@ -34,7 +34,7 @@ class Search {
     }
   }
 
-  /// All samples whose free values have at most this height, simplest first. False: out of budget.
+  /// Tries all samples whose free values have at most this height, the simplest first. False if the budget is used up.
   bool exhaust(int height, std::optional<std::vector<Rational>>& found) {
     std::vector<Rational> values(setting_.domains().size(), Rational(1));
     choices_.clear();
@@ -46,7 +46,7 @@ class Search {
     return true;
   }
 
-  /// Makes single free values simpler while the sample fails.
+  /// Makes single free values simpler while the sample still fails.
   std::vector<Rational> descend(std::vector<Rational> values) {
     for (bool improved = true; improved;) {
       improved = false;
@@ -66,14 +66,14 @@ class Search {
     return values;
   }
 
-  /// Gives the tied values; whether the sample is one of those that are asked for.
+  /// Computes the tied values; returns whether the sample is one of those wanted.
   bool completed(std::vector<Rational>& values) const {
     return complete(setting_, ties_, values) && (among_ == Among::all || unrealisable(setting_, values).empty());
   }
 
  private:
-  /// Those that the parameter may have where all others are 1, or not 1 but positive: domains that couple parameters
-  /// (h > -R) are looked at again when all values are known.
+  /// The values that the parameter may have where all others are 1, or positive but not 1. Domains that couple
+  /// parameters (h > -R) are checked again when all values are known.
   std::vector<Rational> allowed(std::size_t parameter, int height) const {
     std::vector<Rational> result;
     for (const Rational& value : numbers_up_to(height)) {
@@ -89,7 +89,7 @@ class Search {
     return result;
   }
 
-  /// Gives `others` of the free parameters from `first` on a value that is not 1.
+  /// Chooses values other than 1 for `others` of the free parameters from `first` on.
   bool choose(std::size_t first, std::size_t others, std::vector<Rational>& values,
               std::optional<std::vector<Rational>>& found) {
     if (others == 0) {
@@ -119,8 +119,8 @@ class Search {
   std::vector<std::vector<Rational>> choices_;  ///< by position in free_
 };
 
-/// The boundaries that the failure is one of: the sample sits on them, and a little off them, the others kept, it does
-/// not fail.
+/// The boundaries that cause the failure: the sample is on them, and it does not fail slightly off them with the other
+/// values kept.
 std::vector<Tie> ties_of(const CompiledSetting& setting, const std::vector<Rational>& values,
                          const std::function<bool(const std::vector<Rational>&)>& fails) {
   std::vector<Tie> candidates;

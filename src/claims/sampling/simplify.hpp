@@ -12,14 +12,14 @@ namespace slipproof {
 
 struct Simplified {
   std::vector<Rational> values;
-  /// No simpler sample of these fails, among all with parameters tied to boundaries as here.
+  /// No simpler one of these samples fails, among all with parameters tied to boundaries as here.
   bool minimal = false;
 };
 
-/// A simplest sample that `fails`, starting from one that does. If the failure is one of a boundary of the setting (it
-/// is gone on both sides), the parameter stays tied to that boundary. All samples of height 1, 2, ... are tried in the
-/// order of Complexity, at most `budget` of them; past that, single values are made simpler as long as it goes. Among
-/// those that can be built, nothing is found if `failing` is not one and none of those tried is.
+/// A simplest sample that `fails`, starting from one that does. If the failure occurs only on a boundary of the
+/// setting, and not on either side of it, the parameter stays tied to that boundary. Tries all samples of height 1, 2,
+/// ... in the order of Complexity, at most `budget` of them; then makes single values simpler as long as possible. If
+/// samples that can be built are wanted, returns nothing if `failing` cannot be built and none of those tried can.
 std::optional<Simplified> simplify(const CompiledSetting& setting, const std::vector<Rational>& failing,
                                    const std::function<bool(const std::vector<Rational>&)>& fails,
                                    Among among = Among::all, std::size_t budget = 50'000);

@@ -9,7 +9,7 @@ namespace slipproof {
 
 namespace {
 
-/// The order of rational functions of a variable that grows beyond all bounds.
+/// The order of rational functions of a variable that grows without bound.
 struct FieldAtInfinity : FieldOf<ForceFunction> {
   static int sign_of(const Polynomial& p) { return sign(p.coefficient(p.degree())); }
   std::optional<int> compare(const ForceFunction& x, const ForceFunction& y) const {

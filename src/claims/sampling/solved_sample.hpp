@@ -1,4 +1,4 @@
-// One sample of a setting: its mechanism at a point, all modes solved, and the claims' symbols with their values.
+// One sample of a setting: its mechanism at a point, all modes solved, and values for the claims' symbols.
 #pragma once
 
 #include <memory>
@@ -12,48 +12,47 @@
 
 namespace slipproof {
 
-/// Rows of coefficients: of the mechanism's unknowns in their order, of the force variable, and the constant; each row
-/// vanishes.
+/// Rows of coefficients: of the mechanism's unknowns in their order, of the force variable, and the constant. Each row
+/// equals 0.
 using LinearRows = std::vector<std::vector<Rational>>;
 
-/// Modes are solved over the mechanism's load; claims speak of the paper's force variable x, and load = offset + slope
-/// x. Everything that this class gives out is in x, unless it says otherwise. Without a load x is 0. Not shared between
-/// threads.
+/// Modes are solved over the mechanism's load. Claims use the paper's force variable x, where load = offset + slope x.
+/// All results of this class are in x unless stated otherwise. Without a load x is 0. Not shared between threads.
 class SolvedSample {
  public:
-  /// Nothing if the sample is no point of the mechanism (a scene expression or a coefficient undefined, or out of its
-  /// domain). The setting must outlive the sample.
+  /// Nothing if the sample is not a point of the mechanism: a scene expression or a coefficient is undefined, or the
+  /// point is outside the domain. The setting must outlive the sample.
   static std::unique_ptr<SolvedSample> make(const CompiledSetting& setting, std::vector<Rational> values);
 
   const std::vector<Rational>& values() const { return values_; }
   /// The mechanism's own parameters.
   const MechanismValues& point() const { return point_; }
   const FrictionProblem& problem() const { return *problem_; }
-  /// All modes, over the load; solved when first asked for, since most samples are outside of most regions.
+  /// All modes over the load. Solved at the first call, since most samples are outside most regions.
   const MotionsOverLoads& motions();
-  /// Lets motions() have these modes only: for one claim that asks for no others. Before motions() is first used.
+  /// Solves only the given modes in motions(), for a claim that needs no others. Call before the first motions().
   void only_modes(std::vector<MechanismMode> modes) { only_modes_ = std::move(modes); }
-  /// The same point for another version of its setting, with what is already solved: the versions may differ in
-  /// definitions, not in parameters, scene or force.
+  /// The same point for another version of its setting, with all that is already solved. The versions may differ in
+  /// definitions, but not in parameters, scene or force.
   std::unique_ptr<SolvedSample> under(const CompiledSetting& other);
 
   /// The load at a value of the force variable.
   Rational load(const Rational& x) const { return load_.at(x); }
-  /// Loads as the force variable sees them.
+  /// Converts loads to values of the force variable.
   ForceInterval in_variable(const ForceInterval& loads) const;
-  /// The partition of the line of the force variable, motions with their modes only; made when first asked for.
+  /// The partition of the line of the force variable; motions have modes only. Made at the first call.
   const std::vector<LoadCell>& cells();
-  /// The same with the motions' numbers; made anew each time.
+  /// The same with the motions' numbers; made anew at each call.
   std::vector<LoadCell> cells_with_numbers() { return cells_told(Told::numbers); }
-  /// The equations that hold in every mode, with no contact open; in a mode, with the equations of its states.
+  /// The equations that hold in every mode without an open contact; for a mode, also the equations of its states.
   LinearRows equations(const std::optional<MechanismMode>& mode);
-  /// Where the paper stands: the domain of the force variable.
+  /// The domain of the force variable.
   const std::optional<ForceInterval>& force_domain() const { return domain_; }
 
-  /// The truth of a statement for all values of a parameter beyond some value, the others as they are.
+  /// The truth of a statement for all sufficiently large values of a parameter, with the others unchanged.
   Truth eventually(const Program& statement, std::size_t parameter) const;
   Truth region(const Program& region) { return constants_.truth(region); }
-  /// Over all numbers, in the domain or not.
+  /// The truth of a statement over all numbers, inside and outside the domain.
   std::vector<TruthCell> over_forces(const Program& statement) {
     if (!setting_->varies(statement)) return {{ForceInterval(), constants_.truth(statement)}};
     return truth_over_forces(statement, functions_);
@@ -65,12 +64,12 @@ class SolvedSample {
     bool valued() const { return unvalued.empty(); }
   };
   TrueForces true_at(const Program& statement);
-  /// The forces in the domain at which the mode has motions: strict ones, or all.
+  /// The forces in the domain at which the mode has motions: strict motions only, or all.
   ForceInterval forces_of(const ModeOverLoads& mode, bool strict) const;
-  /// Gives the quantities their values in a mode as functions of the force variable; those that the force does not
-  /// determine have none. Whether all are determined of which some program speaks.
+  /// Assigns values in a mode, as functions of the force variable, to the quantities; quantities that the force does
+  /// not determine get none. Returns whether all quantities that the programs use are determined.
   bool set_motion(const ModeForms& forms, const std::vector<std::size_t>& slots);
-  /// What is affine in the load, in the force variable.
+  /// Converts an affine function of the load to one of the force variable.
   Affine<Rational> in_variable(const Affine<Rational>& over_load) const {
     return {over_load.alpha + over_load.beta * load_.alpha, over_load.beta * load_.beta};
   }

@@ -14,7 +14,7 @@
 namespace slipproof {
 namespace {
 
-/// The same of another motion: its unknowns, and what is defined from them, with an ending to their names.
+/// The text for a second motion: its unknowns, and everything defined from them, with an ending added to their names.
 MotionText with_ending(const MotionText& motion, const std::vector<std::string>& unknowns, const std::string& ending) {
   std::set<std::string, std::less<>> names(unknowns.begin(), unknowns.end());
   std::string line;
@@ -216,7 +216,7 @@ std::vector<Expression> ClaimWriter::cells(const std::vector<Expression>& region
   return result;
 }
 
-/// Nothing where statements cannot write the value.
+/// Nothing if statements cannot express the value.
 std::string ClaimWriter::hint(const Boundary& boundary) const {
   const auto value = number_text(inlined(boundary.value), [this](const Expression& e) { return always_defined(e); });
   return value ? fmt::format("# split: {} - ({})\n", boundary.symbol, *value) : std::string();
@@ -260,7 +260,7 @@ void ClaimWriter::somewhere(const std::string& suffix, const std::vector<Express
     definitions += motion.definitions;
     shown += " and " + motion.formula;
   }
-  std::string hints;  // where bicycles are special
+  std::string hints;  // the boundaries, where bicycles are special
   for (const Boundary& boundary : setting().boundaries) {
     uses.push_back(boundary.value);
     hints += hint(boundary);

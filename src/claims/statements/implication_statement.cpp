@@ -36,7 +36,8 @@ class ImplicationWriter : SettingWriter {
   }
 
  private:
-  /// The quantities and unknowns that occur, as any numbers; where they hide symbols of the setting, they are those.
+  /// The quantities and unknowns that occur, declared as any numbers. They replace symbols of the setting with the same
+  /// name.
   std::string free_unknowns(const std::vector<Expression>& uses) const {
     std::set<std::string> names;
     for (const Expression& use : uses) {

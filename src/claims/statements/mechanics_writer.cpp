@@ -21,7 +21,7 @@ std::string as_name(std::string_view text) {
   return name;
 }
 
-/// What the items of a list say, joined by a word; those that say nothing are left out.
+/// Joins the texts of the items of a list by a word; leaves out empty texts.
 template <class Items, class Text>
 std::string joined(const Items& items, const char* word, const Text& text) {
   std::string result;
@@ -217,7 +217,8 @@ std::string MechanicsWriter::equations_of(std::size_t element, ElementState stat
   });
 }
 
-/// Both of those on the friction of an element that sticks stand at the first; equal limits are one condition.
+/// An element that sticks has two conditions on its friction: both are written in place of the first. Equal limits give
+/// one condition.
 template <class Text>
 std::string MechanicsWriter::conditions_of(std::size_t element, ElementState state, const char* word,
                                            const Text& text) const {

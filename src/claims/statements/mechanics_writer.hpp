@@ -1,5 +1,5 @@
-// The mechanics of a setting in the syntax of statements: a printout of its mechanism, for a person to compare with the
-// mechanism's file. tests/claims/papers holds it against the problem that the kernel solves.
+// Writes the mechanics of a setting in the syntax of statements: a printout of its mechanism that a person can compare
+// with the mechanism's file. tests/claims/papers compares it with the problem that the kernel solves.
 #pragma once
 
 #include <functional>
@@ -14,8 +14,8 @@
 
 namespace slipproof {
 
-/// An unknown and a limit, or one of them, as form_of() adds them up, compared with 0 as one writes it: with the
-/// unknown alone on the left.
+/// An unknown and a limit, or one of them, added as form_of() does, and compared with 0 as people write it: the unknown
+/// alone is on the left.
 class TextForm {
  public:
   TextForm() = default;
@@ -26,13 +26,13 @@ class TextForm {
     return form;
   }
 
-  /// That of an unknown or a limit.
+  /// The text of an unknown or a limit.
   const std::string& text() const { return unknown_.empty() ? limit_ : unknown_; }
-  /// `S >= -mu*N` for mu*N + S, with what stands for `>=`, and for it in the other direction.
+  /// `S >= -mu*N` for mu*N + S; `above` stands for `>=`, `below` for the opposite relation.
   std::string compared(std::string_view above, std::string_view below) const {
     return text() + ' ' + std::string(negative_ ? below : above) + ' ' + bound();
   }
-  /// What stands on the right.
+  /// The right side.
   std::string bound() const {
     if (unknown_.empty() || limit_.empty()) return "0";
     return (limit_negative_ == negative_ ? "-" : "") + limit_;
@@ -58,7 +58,7 @@ class TextForm {
 
 class MechanicsWriter {
  public:
-  /// Whether all that an expression over the paper's symbols divides by plainly differs from 0.
+  /// Whether all divisors in an expression over the paper's symbols plainly differ from 0.
   using Defined = std::function<bool(const Expression&)>;
 
   /// The setting must outlive the writer.
@@ -66,22 +66,23 @@ class MechanicsWriter {
 
   /// The mechanism's unknowns, in the order in which statements declare them.
   const std::vector<std::string>& unknowns() const { return unknowns_; }
-  /// Those that make a motion.
+  /// The unknowns that are accelerations.
   std::vector<std::string> accelerations() const;
 
-  /// What the mechanism's symbols are in the paper's: lines `let`. Symbols that are the paper's own have none; of those
-  /// that the paper uses for something else the name is changed.
+  /// Lines `let` that define the mechanism's symbols in terms of the paper's. A symbol that is also the paper's own
+  /// needs none. A symbol that the paper uses for something else is renamed.
   std::string scene() const;
-  /// Gaps and slips, and the equations of every mode as named formulas.
+  /// Gaps and slips, and the equations of every mode, as named formulas.
   std::string equations() const;
   /// The formulas that equations() defines, joined by `and`.
   std::string dynamics() const;
-  /// No contact is open.
+  /// The condition that no contact is open.
   std::string on_contacts() const;
 
   std::size_t elements() const { return kinds_.size(); }
-  /// Whether forces may be undetermined while the accelerations are not, as under a body on two contacts: contacts,
-  /// friction elements and links may tie more than there are accelerations. If not, what bears no inertia may still.
+  /// Whether forces may be undetermined while the accelerations are determined, as under a body on two contacts:
+  /// contacts, friction elements and links may impose more conditions than there are accelerations. Even if not, parts
+  /// without inertia may leave forces open.
   bool may_leave_forces_open() const;
   /// The states of an element that are modelled.
   std::vector<ElementState> states_of(std::size_t element) const { return states(kinds_[element]); }
@@ -89,22 +90,22 @@ class MechanicsWriter {
   /// All modes that are modelled.
   std::vector<MechanismMode> modes() const;
 
-  /// `rear_sticks`, and the line that defines it: equations and conditions of the state.
+  /// `rear_sticks`, and the line that defines it: the equations and conditions of the state.
   std::string state_name(std::size_t element, ElementState state) const;
   std::string state_definition(std::size_t element, ElementState state, bool strict) const;
   std::string state_definitions(const MechanismMode& mode, bool strict) const;
   std::string all_state_definitions(bool strict) const;
   /// `rear_sticks and front_lifts`
   std::string mode_text(const MechanismMode& mode) const;
-  /// Some state of each element.
+  /// Every element is in some state.
   std::string any_mode_text() const;
-  /// That a motion is not in the mode, boundary motions of the mode counted as in it. Where forces may be undetermined,
-  /// that it has no forces by which it is: its accelerations do not fit.
+  /// The condition that a motion is not in the mode, where boundary motions count as in it. If forces may be
+  /// undetermined: that no forces put the motion in the mode, because its accelerations do not fit.
   std::string mode_missed_text(const MechanismMode& mode) const;
-  /// The equations of the mode's states alone, without their conditions.
+  /// The equations of the mode's states, without their conditions.
   std::string state_equations(const MechanismMode& mode) const;
 
-  /// False where something of the mechanism cannot be said in a statement: functions such as min in its expressions.
+  /// False if a statement cannot express part of the mechanism, such as min in its expressions.
   bool complete() const { return complete_; }
 
  private:
@@ -116,10 +117,10 @@ class MechanicsWriter {
   std::string fresh(std::string name) const;
   std::string number(const Expression& of_mechanism) const;
   std::string friction(const Expression& coefficient, const std::string& normal) const;
-  /// All of a state's equations, with `=` or `!=`, or those of them that are about accelerations.
+  /// All equations of a state, with `=` or `!=`, or only those about accelerations.
   std::string equations_of(std::size_t element, ElementState state, const char* is, const char* word,
                            bool of_accelerations = false) const;
-  /// What `text` says of each condition of a state.
+  /// Applies `text` to each condition of a state.
   template <class Text>
   std::string conditions_of(std::size_t element, ElementState state, const char* word, const Text& text) const;
 
@@ -127,7 +128,7 @@ class MechanicsWriter {
   Defined defined_;
   std::vector<ElementKind> kinds_;
   std::vector<std::string> unknowns_;
-  std::map<std::string, std::string, std::less<>> names_;  ///< of the mechanism's symbols, in statements
+  std::map<std::string, std::string, std::less<>> names_;  ///< names of the mechanism's symbols in statements
   std::vector<std::string> taken_;
   std::vector<std::string> equation_names_;
   std::vector<ElementText> elements_;

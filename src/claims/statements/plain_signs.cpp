@@ -26,7 +26,7 @@ void PlainSigns::add_fact(const Expression& domain) {
     add_terms(domain->operands[i + 1], greater ? -1 : 1, fact.terms);
     std::erase_if(fact.terms, [](const auto& term) { return term.second.is_zero(); });
     const auto constant = fact.terms.find("");
-    if (fact.terms.size() == 2 && constant != fact.terms.end() && constant->second < 0) {  // P > 1: P > 0 all the more
+    if (fact.terms.size() == 2 && constant != fact.terms.end() && constant->second < 0) {  // P > 1 also gives P > 0
       fact.terms.erase(constant);
       fact.sign = Sign::positive;
     }

@@ -1,7 +1,7 @@
-// What is plainly of one sign in the domain of a setting, so that no statement has to say or show it.
+// Signs that are plain in the domain of a setting, so that no statement has to state or prove them.
 //
-// A parameter with the domain `R > 0` is positive; sums, products, quotients and powers of what is positive are, too;
-// and where the domain says h > -R, so is h + R. Nothing else is plain. Whatever is left out of a statement for this
+// A parameter with the domain `R > 0` is positive. So are sums, products, quotients and powers of positive numbers; and
+// if the domain says h > -R, so is h + R. No other sign is plain. Everything that a statement leaves out for this
 // reason follows from the domains that the statement assumes.
 #pragma once
 
@@ -22,12 +22,12 @@ class PlainSigns {
   bool not_negative(const Expression& number) const { return sign(number) >= Sign::not_negative; }
   /// Whether a condition plainly holds in the whole domain.
   bool true_everywhere(const Expression& truth) const;
-  /// Everything that the expression, and what it is defined by, divides by is plainly positive or negative.
+  /// Whether all divisors in the expression and in its definitions are plainly positive or negative.
   bool defined(const Expression& e) const;
 
  private:
   enum class Sign { unknown, not_negative, positive };
-  using Terms = std::map<std::string, Rational>;  ///< coefficients of the terms of a sum, by their texts
+  using Terms = std::map<std::string, Rational>;  ///< by the text of each term of a sum, its coefficient
 
   Sign sign(const Expression& number) const;
   Sign sign_of_sum(const Expression& sum) const;
@@ -44,8 +44,8 @@ class PlainSigns {
     Terms terms;
     Sign sign;
   };
-  std::vector<Fact> facts_;            ///< sums of several terms
-  std::map<std::string, Sign> signs_;  ///< of single parameters
+  std::vector<Fact> facts_;            ///< about sums of several terms
+  std::map<std::string, Sign> signs_;  ///< signs of single parameters
 };
 
 }  // namespace slipproof

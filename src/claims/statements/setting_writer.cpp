@@ -13,7 +13,7 @@ namespace slipproof {
 
 namespace {
 
-/// Whether it is 0 where the symbol is 0, as it stands: a product with it, or a quotient of one.
+/// Whether the expression as written is 0 where the symbol is 0: the symbol itself, a product with it, or its quotient.
 bool has_no_constant(const Expression& e, const std::string& symbol) {
   switch (e->operation) {
     case Operation::symbol:
@@ -28,7 +28,8 @@ bool has_no_constant(const Expression& e, const std::string& symbol) {
   }
 }
 
-/// Statements are printable ASCII, whatever the paper's file is called: ? for any other character.
+/// Replaces characters that are not printable ASCII by ?, since statements are ASCII whatever the paper's file is
+/// called.
 std::string in_ascii(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -128,7 +129,7 @@ std::vector<Expression> SettingWriter::physical() {
     give_up();
     return result;
   }
-  // What stands as the force variable, or as it over or times what is plainly positive, needs no words.
+  // The force variable itself, and its product or quotient with a plainly positive number, needs no explanation.
   const Expression& F = setting_.scene.find(load->symbol)->second;
   const std::string& x = setting_.force.symbol;
   const bool plain = signs_.defined(F) && signs_.positive(substitute(F, x, make_number(1))) && has_no_constant(F, x);

@@ -1,4 +1,4 @@
-// The parts of statements about a setting of a claims file.
+// Writes the parts of statements about a setting of a claims file.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace slipproof {
 
-/// What a statement assumes or shows of a motion.
+/// What a statement assumes or shows about a motion.
 struct MotionText {
   std::string definitions;  ///< lines after the declaration of the unknowns
   std::string formula;
@@ -32,49 +32,48 @@ class SettingWriter {
   const MechanicsWriter& mechanics() const { return mechanics_; }
   Reading reading() const { return reading_; }
 
-  /// Motions of a mode, with conditions as strict as the setting's.
+  /// The motions in a mode, with conditions that are strict if the setting is.
   MotionText motion(const MechanismMode& mode);
-  /// The equations of a mode without its conditions; without a mode: no contact open.
+  /// The equations of a mode without its conditions; without a mode: of motions without an open contact.
   MotionText equations(const std::optional<MechanismMode>& mode) const;
-  /// The same with boundary motions, or without, whatever the setting says.
+  /// The same, including boundary motions unless `strict`, whatever the setting says.
   MotionText motion(const MechanismMode& mode, bool strict);
-  /// Motions of all modes. Gives up where not all are modelled.
+  /// Motions in all modes. Gives up if not all are modelled.
   MotionText any_motion(bool strict);
 
-  std::string text(const Expression& truth);  ///< gives up where it would be too long
+  std::string text(const Expression& truth);  ///< gives up if the text would be too long
   void give_up() { complete_ = false; }
-  /// Whether the domain of the force plainly is one interval with a value everywhere; where it is not, no claim of the
+  /// Whether the domain of the force plainly is one interval that has a value everywhere. If not, no claim of the
   /// setting has a value.
   bool has_interval_of_forces() const;
-  /// Directly or by definitions.
+  /// Whether the expression depends on the force, directly or through definitions.
   bool depends_on_force(const Expression& e) const { return names_.depends(e, reading_, setting_.force.symbol); }
-  /// Whether all that it divides by plainly differs from 0 in the domain.
+  /// Whether all divisors in the expression plainly differ from 0 in the domain.
   bool always_defined(const Expression& e) const { return signs_.defined(e); }
 
  protected:
   /// The first lines, up to the variables.
   std::string header(const std::string& theorem, const std::string& comment);
-  /// The names of the paper's parameters, cosines and sines, and of the force; and the line that declares them, none if
-  /// there are none.
+  /// The names of the paper's parameters, cosines and sines, and of the force; and the line that declares them, empty
+  /// if there are none.
   std::vector<std::string> parameter_names() const;
   std::string parameters() const;
   std::string variables() const;
-  /// What a point of the mechanism is, as far as it is not plain (proofs/MEANING.md, The words), and where the paper's
-  /// force stands.
+  /// The conditions for a point of the mechanism that are not plain (proofs/MEANING.md, The words), and the domain of
+  /// the paper's force.
   std::string domain(bool with_force) { return domain(with_force, "", ""); }
   /// The same with another name for one parameter.
   std::string domain(bool with_force, const std::string& parameter, const std::string& renamed);
-  /// Whether bicycles differ from others by more than the lower ends of their parameters: a parameter may then not be
-  /// as large as one likes.
+  /// Whether the domain restricts the parameter by more than a lower end; it may then not be arbitrarily large.
   bool is_bounded(const std::string& parameter) const;
-  /// `let` lines for every definition that the expressions use, each after those that it uses itself; lines that need
-  /// an unknown of the motion do not occur, as definitions are over parameters and the force.
+  /// `let` lines for every definition that the expressions use; each comes after those that it uses. None needs an
+  /// unknown of the motion, since definitions are over parameters and the force.
   std::string definitions(const std::vector<Expression>& uses);
-  /// The definitions in use, and what the scene's symbols are.
+  /// The definitions in use, and the values of the scene's symbols.
   std::string scene(const std::vector<Expression>& uses);
   std::string assumption(const std::string& label, const Expression& truth);
   bool complete() const { return complete_ && mechanics_.complete(); }
-  /// Definitions that statements cannot abbreviate, having functions, written out.
+  /// Writes out definitions that statements cannot abbreviate because they contain functions.
   Expression inlined(const Expression& e) const;
 
  private:

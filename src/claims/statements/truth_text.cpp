@@ -8,7 +8,7 @@ namespace slipproof {
 
 namespace {
 
-/// Numbers as statements write them: fractions as quotients, exponents from 1.
+/// Writes numbers in the syntax of statements: fractions as quotients, exponents from 1.
 Expression written(const Expression& e, const OfExpression& defined) {
   if (e->operation == Operation::number && denominator(e->number) != 1) {
     return make(Operation::divide,
@@ -19,7 +19,8 @@ Expression written(const Expression& e, const OfExpression& defined) {
     if (e->exponent < 0)
       return make(Operation::divide, {one, e->exponent == -1 ? base : make_power(base, -e->exponent)});
     if (defined(e->operands[0])) return one;
-    return make(Operation::add, {make(Operation::multiply, {make_number(0), base}), one});  // where it has a value
+    // 0 * base + 1 is 1 where the base has a value, and has none elsewhere.
+    return make(Operation::add, {make(Operation::multiply, {make_number(0), base}), one});
   }
   if (e->operands.empty()) return e;
   std::vector<Expression> operands;
@@ -29,7 +30,7 @@ Expression written(const Expression& e, const OfExpression& defined) {
   return make(e->operation, std::move(operands));
 }
 
-/// Of a condition without functions.
+/// The text of a condition without functions.
 std::string text(const Expression& e, bool inner, const OfExpression& defined) {
   if (e->operation == Operation::truth) return e->truth ? "0 = 0" : "false";
   if (e->operation == Operation::logical_not) return text(opposite(e->operands[0]), inner, defined);

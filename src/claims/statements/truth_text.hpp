@@ -1,6 +1,6 @@
-// Truth values and numbers of claims in the syntax of statements, which has no `not` and no functions, no decimals, and
-// no exponents below 1. The text of a condition holds exactly where the condition is true: a comparison of a statement
-// holds only where all its divisors differ from 0, as one of a claim has a value only there.
+// Conditions and numbers of claims in the syntax of statements, which has no `not`, no functions, no decimals, and no
+// exponents below 1. The text of a condition holds exactly where the condition is true: in a statement a comparison
+// holds only where all its divisors differ from 0, and in a claim it has a value only there.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,10 @@
 
 namespace slipproof {
 
-/// Nothing where it would be too long: see by_cases(), also for `defined`.
+/// Nothing if the text would be too long: see by_cases(), also for `defined`.
 std::optional<std::string> truth_text(const Expression& truth, const OfExpression& defined = has_no_division);
 
-/// A number without functions; nothing if there are some.
+/// A number without functions; nothing if it contains functions.
 std::optional<std::string> number_text(const Expression& number, const OfExpression& defined = has_no_division);
 
 }  // namespace slipproof

@@ -1,4 +1,4 @@
-// Claims of which no statement is made: whoever proves a paper is told which, and why.
+// Claims without statements. `prove` reports which they are, and why.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 namespace slipproof {
 
 struct UnstatedClaim {
-  std::string id;  ///< with `.repaired` in that reading, as statements are named
+  std::string id;  ///< with `.repaired` in that reading, as in the names of statements
   std::string why;
 };
 
-/// The claims, in each reading, of which there are no expected_statements().
+/// The claims, in each reading, that have no expected_statements().
 std::vector<UnstatedClaim> unstated_claims(const ClaimsFile& claims);
 
 }  // namespace slipproof

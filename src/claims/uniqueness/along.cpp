@@ -17,7 +17,7 @@ bool alike(const LoadsApart& x, const LoadsApart& y) {
   return x.motions == y.motions && x.continuum == y.continuum;
 }
 
-/// Neighbours that are alike are one interval.
+/// Joins neighbours that are alike to one interval.
 std::vector<LoadsApart> apart_of(const std::vector<LoadCell>& cells) {
   std::vector<LoadsApart> result;
   bool joins = false;  // whether the last cell is the last entry's
@@ -36,14 +36,14 @@ std::vector<LoadsApart> apart_of(const std::vector<LoadCell>& cells) {
   return result;
 }
 
-/// All loads are alike.
+/// The same for a problem without a load, where all loads are alike.
 std::vector<LoadsApart> apart_without_load(const FrictionProblem& problem) {
   const MotionsAtLoad found = motions_of(problem, std::nullopt);
   if (found.motions.size() == 1 && found.continua.empty()) return {};
   return {{ForceInterval(), found.motions.size(), !found.continua.empty()}};
 }
 
-/// Bareiss: each entry is a minor, so that the divisions are exact.
+/// Bareiss's method: each entry is a minor, so the divisions are exact.
 IntegerPolynomial determinant_of(std::vector<PolynomialRow> m, std::size_t size) {
   if (m.size() != size) return 0;
   IntegerPolynomial previous = 1;
@@ -140,7 +140,7 @@ class SceneLine {
     return points_on({{Rational(0)}, {Rational(1)}, own()}, compiled_, parts, beside);
   }
 
-  /// The irrational values between neighbours that have one motion for every q.
+  /// Concludes about irrational values between neighbours that have one motion for every q.
   static void conclude(std::vector<ParameterCell>& cells, const std::vector<RealRoot>& vanishing) {
     const auto unique = [](const ParameterCell& cell) {
       return cell.motions && cell.motions->for_every_q && cell.motions->apart.empty() &&
@@ -154,7 +154,7 @@ class SceneLine {
     }
   }
 
-  /// Each times factors that are critical anyway.
+  /// The mode determinants, each times factors that are critical anyway.
   std::set<IntegerPolynomial> determinants(const std::vector<MechanismMode>& modes) const {
     CriticalSet found;
     LineEvaluator along(compiled_.scope(), {.found = &found, .here = own()});

@@ -1,8 +1,8 @@
-// For which values of a parameter of a scene each load has one motion, exactly.
+// Finds exactly for which values of a parameter of a scene each load has one motion.
 //
-// The parameter, usually the coefficient of friction, runs along a line; where on it the answer can change is known
-// exactly (verify/critical.hpp), and so is where a mode determinant vanishes (contact/every_load.hpp). Between two such
-// values nothing changes, and one rational number there tells what all have in common.
+// The parameter, usually the coefficient of friction, runs along a line. The places where the answer can change are
+// known exactly (claims/lines/critical.hpp), and so are the zeros of the mode determinants (contact/every_load.hpp).
+// Between two such values nothing changes, so one rational number there gives the answer for all.
 #pragma once
 
 #include <cstdint>
@@ -17,28 +17,28 @@
 
 namespace slipproof {
 
-/// Loads at which there is not one motion: each alike.
+/// Neighbouring loads that do not have exactly one motion, and are alike in how many they have.
 struct LoadsApart {
   ForceInterval loads;
-  std::size_t motions = 0;  ///< that no continuum contains
+  std::size_t motions = 0;  ///< motions that are not in a continuum
   bool continuum = false;
 
   bool none() const { return motions == 0 && !continuum; }
 };
 
-/// What a value of the parameter has to say.
+/// What is found at one value of the parameter.
 struct MotionsAtParameter {
-  std::vector<LoadsApart> apart;         ///< ascending; empty: one motion at every load of the domain
-  std::optional<EveryLoad> for_every_q;  ///< nothing where the contacts are none that the theorem is about
+  std::vector<LoadsApart> apart;         ///< ascending; empty: there is one motion at every load of the domain
+  std::optional<EveryLoad> for_every_q;  ///< nothing if the theorem does not apply to the contacts
 };
 
-/// A value of the parameter, or an open interval, in which everything is alike.
+/// A value of the parameter, or an open interval of values that are alike.
 struct ParameterCell {
-  std::optional<RealRoot> lower, upper;  ///< the same for a value; nothing: no end
+  std::optional<RealRoot> lower, upper;  ///< both the same for a single value; nothing: no end
   std::optional<Rational> sample;        ///< nothing at an irrational value
-  /// At the sample; nothing where that is out of the domain. At an irrational value what follows from its neighbours:
-  /// where both have one motion for every q and no mode determinant vanishes between them, it has, too. Nothing where
-  /// that does not tell: what is there is not looked at.
+  /// The result at the sample; nothing if the sample is outside the domain. At an irrational value, the result follows
+  /// from its neighbours: if both have one motion for every q and no mode determinant vanishes between them, so does
+  /// the value. Nothing if this does not decide it, because the value itself is not examined.
   std::optional<MotionsAtParameter> motions;
 
   bool is_point() const { return lower && upper && lower->lower == upper->lower && lower->upper == upper->upper; }
@@ -50,18 +50,18 @@ struct UniquenessAlong {
   MotionsAtParameter at_own;
   std::vector<ParameterCell> cells;  ///< ascending, from one end of the domain to the other
 
-  /// The least value above the first ones that have one motion at every load, from which on or above which some load
-  /// has none, several, or infinitely many; nothing if there is no such value. An irrational one is enclosed.
+  /// The least value above the first values that have one motion at every load at which, or directly above which, some
+  /// load has no motion, several, or infinitely many. Nothing if there is no such value. An irrational one is enclosed.
   std::optional<RealRoot> first_apart() const;
-  /// The same of what would be pushed otherwise: from which on or above which not every q has one motion.
+  /// The same for other pushes: the least value at which, or directly above which, not every q has one motion.
   std::optional<RealRoot> first_apart_for_some_q() const;
 };
 
-/// At most so many modes are followed along a line.
+/// The largest number of modes that are followed along a line.
 inline constexpr std::size_t max_critical_modes = 32;
 
-/// Throws std::invalid_argument, with a message for people, for what is no parameter of the scene and for more modes;
-/// NoValue where a coefficient of the scene itself has no value.
+/// Throws std::invalid_argument, with a message for people, if the scene has no such parameter or has more modes;
+/// NoValue if a coefficient of the scene itself has no value.
 UniquenessAlong uniqueness_along(const MechanismScene& scene, const std::string& parameter);
 
 }  // namespace slipproof

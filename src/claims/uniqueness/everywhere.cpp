@@ -19,9 +19,9 @@ namespace slipproof {
 namespace {
 
 constexpr double max_modes_proved = 64;
-constexpr std::uint64_t steps_each = 3'000'000;  ///< of the prover, for each statement: a second or so
+constexpr std::uint64_t steps_each = 3'000'000;  ///< steps of the prover for each statement: about a second
 
-/// The definition that a symbol is, over parameters and angle symbols; null for those.
+/// The definition of a symbol, over parameters and angle symbols; null if it is a parameter or angle symbol itself.
 Expression meaning(const Mechanism& mechanism, const std::string& symbol) {
   const auto is = [&](const MechanismDefinition& d) { return d.symbol == symbol; };
   const auto found = std::find_if(mechanism.definitions.begin(), mechanism.definitions.end(), is);
@@ -33,7 +33,8 @@ Expression compared(const Expression& number, Relation relation) {
   return make_comparison({number, make_number(0)}, {relation});
 }
 
-/// What all points of the domain have, those too of which an optional parameter is left out and counts as 0.
+/// Conditions that hold at all points of the domain, including those where an optional parameter is left out and counts
+/// as 0.
 std::vector<Expression> domain_of(const Mechanism& mechanism) {
   std::vector<Expression> all;
   for (const MechanismParameter& parameter : mechanism.parameters) {
@@ -82,7 +83,8 @@ class StatementWriter {
   }
 
  private:
-  /// The equations and then gap and slip of each contact, over the unknowns that are no contact force and then N and S.
+  /// Reads the equations, then gap and slip of each contact; unknowns are ordered so that N and S of the contacts come
+  /// last.
   bool read_matrix() {
     const CompiledMechanism compiled(mechanism_);
     Evaluator<WrittenNumber, WrittenField> at(compiled.scope());
@@ -137,7 +139,7 @@ class StatementWriter {
     add("conditions", "coefficients are not negative, contacts can open", all_of(shown));
   }
 
-  /// W is symmetric, and its leading minors are positive.
+  /// States that W is symmetric and that its leading minors are positive.
   void add_definite() {
     std::vector<Expression> symmetric;
     for (std::size_t i = base_; i < rows_.size(); ++i) {
@@ -169,7 +171,7 @@ class StatementWriter {
     return determinant_of(part);
   }
 
-  /// The mode determinant times that of the equations is the determinant of this: a contact that slips has S = -t mu N.
+  /// Its determinant is the mode determinant times that of the equations: a contact that slips has S = -t mu N.
   WrittenMatrix mode_part(const MechanismMode& mode) const {
     std::vector<std::size_t> kept;
     WrittenMatrix part = rows_;
@@ -192,7 +194,7 @@ class StatementWriter {
     return result;
   }
 
-  /// That a determinant has the sign of the equations' one.
+  /// States that a determinant has the sign of the equations' determinant.
   void add_positive(const std::string& name, const std::string& comment, const WrittenMatrix& part) {
     const auto equations = determinant_of(first_rows(base_)), determinant = determinant_of(part);
     if (!equations || !determinant) return give_up();

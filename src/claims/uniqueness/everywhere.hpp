@@ -1,15 +1,15 @@
-// Whether a mechanism has one motion in its whole domain, whatever pushes it, by proof.
+// Proves that a mechanism has one motion in its whole domain, whatever pushes it.
 //
-// Theorem 1 of proofs/two-wheeler: planar contacts from rest that can open, with a matrix W that is positive definite,
-// have one motion for every q if and only if all mode determinants are positive (contact/every_load.hpp). Here W and
+// Theorem 1 of proofs/two-wheeler: planar contacts that start from rest and can open, with a positive definite matrix
+// W, have one motion for every q if and only if all mode determinants are positive (contact/every_load.hpp). Here W and
 // the determinants are expressions over the mechanism's parameters, and each condition is a statement
-// (proofs/FORMAT.md): in the domain, D > 0. The prover looks for a certificate of each, and the checker reads it.
+// (proofs/FORMAT.md): in the domain, D > 0. The prover looks for a certificate of each, and the checker verifies it.
 //
-// Example: a block of mass m on the floor has W = diag(1/m, 1/m), and in slip+ and slip- the determinant 1/m; m > 0
-// proves all of them.
+// Example: a block of mass m on the floor has W = diag(1/m, 1/m), and the determinant 1/m in slip+ and slip-; m > 0
+// proves all conditions.
 //
-// A static coefficient above the kinetic one adds motions and takes none away. So where the theorem holds for the
-// kinetic coefficients, several motions are hysteresis.
+// A static coefficient above the kinetic one adds motions and removes none. So if the theorem holds for the kinetic
+// coefficients, several motions are hysteresis.
 #pragma once
 
 #include <cstddef>
@@ -28,16 +28,16 @@ struct CheckedStatement {
 
 struct UniqueEverywhere {
   std::size_t modes = 0;
-  std::vector<CheckedStatement> statements;  ///< that together say that the theorem applies
+  std::vector<CheckedStatement> statements;  ///< together they say that the theorem applies
 };
 
-/// The statements of the mechanism and its domain, with empty certificates; nothing where the theorem is not about its
-/// contacts, or where there are more modes or longer determinants than are tried. With hysteresis apart, static
-/// coefficients above the kinetic ones are allowed: the theorem then speaks of the latter.
+/// The statements for the mechanism and its domain, with empty certificates. Nothing if the theorem does not apply to
+/// its contacts, or if there are more modes or longer determinants than are tried. With `hysteresis_apart`, static
+/// coefficients above the kinetic ones are allowed; the theorem is then about the kinetic ones.
 std::optional<UniqueEverywhere> uniqueness_statements(const Mechanism& mechanism, bool hysteresis_apart);
 
-/// The same, each proved and checked, which takes seconds; nothing if that does not succeed, which does not say that
-/// motions are not unique.
+/// The same, with each statement proved and checked, which takes seconds. Nothing if a proof is not found; motions may
+/// still be unique.
 std::optional<UniqueEverywhere> unique_everywhere(const Mechanism& mechanism, bool hysteresis_apart);
 
 }  // namespace slipproof

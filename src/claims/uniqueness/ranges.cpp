@@ -7,7 +7,7 @@ namespace slipproof {
 
 namespace {
 
-/// What is said of every q, without the number that the determinant is.
+/// The result for every q, without the value of the determinant.
 auto said_of_every_q(const MotionsAtParameter& motions) {
   using Said = std::tuple<EveryLoad::Verdict, EveryLoad::Reason, std::optional<ProblemMode>, int>;
   const auto& every = motions.for_every_q;
@@ -27,8 +27,8 @@ bool alike(const MotionsAtParameter& x, const MotionsAtParameter& y) {
 
 std::vector<ParameterRange> ranges(const UniquenessAlong& along) {
   std::vector<ParameterRange> result;
-  bool joins = false;            // whether the last range reaches this cell
-  std::vector<RealRoot> unseen;  // since the last cell that was looked at
+  bool joins = false;            // whether the last range extends to this cell
+  std::vector<RealRoot> unseen;  // irrational values since the last cell that was examined
   for (const ParameterCell& cell : along.cells) {
     if (!cell.sample && !cell.motions) {
       unseen.push_back(*cell.lower);

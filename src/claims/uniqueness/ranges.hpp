@@ -1,4 +1,4 @@
-// Neighbouring values of a parameter of which the same is said, joined.
+// Joins neighbouring values of a parameter that have the same result.
 #pragma once
 
 #include <cstddef>
@@ -9,18 +9,18 @@
 
 namespace slipproof {
 
-/// Values in which there are the same numbers of motions, from below, and the same is said of every q. The loads are
-/// those at `sample`.
+/// Values of the parameter with the same numbers of motions, ordered by load, and the same result for every q. The
+/// loads are those at `sample`.
 struct ParameterRange {
   std::optional<RealRoot> lower, upper;  ///< nothing: no end
   bool lower_closed = false, upper_closed = false;
   Rational sample;
   MotionsAtParameter motions;
-  /// Irrational values in it, or at its open ends, which were not looked at.
+  /// Irrational values in the range, or at its open ends, that were not examined.
   std::vector<RealRoot> unseen;
 };
 
-/// In their order; values out of the domain are in none.
+/// The ranges in ascending order; they leave out values outside the domain.
 std::vector<ParameterRange> ranges(const UniquenessAlong& along);
 
 }  // namespace slipproof

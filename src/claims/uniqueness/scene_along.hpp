@@ -1,4 +1,4 @@
-// A scene file, and what uniqueness along a parameter says of it.
+// A scene file and its uniqueness along a parameter.
 #pragma once
 
 #include <filesystem>
@@ -13,8 +13,8 @@ struct SceneAlong {
   UniquenessAlong along;
 };
 
-/// Of a scene file of a bicycle or of a mechanism. No parameter: the usual one, f of a bicycle or a mechanism's first
-/// coefficient of friction. Throws InputError, also for what is no parameter of the scene, and for a scene without
+/// Reads a scene file of a bicycle or of a mechanism. Without a parameter, takes the usual one: f of a bicycle, or a
+/// mechanism's first coefficient of friction. Throws InputError, also if the scene has no such parameter, or has no
 /// values.
 SceneAlong read_scene_along(const std::filesystem::path& file, const std::string& parameter = "");
 

@@ -1,4 +1,4 @@
-// One parameter of a scene left free, as the setting of a claims file has it: the line of scenes through it.
+// The setting of a scene in which one parameter is left free: a line of scenes.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace slipproof {
 
-/// The setting whose only parameter is `parameter`, which the scene gives; all else is as in the scene. Throws
-/// std::invalid_argument, with a message for people, for what is no parameter of the scene.
+/// The setting whose only parameter is `parameter`, which the scene must give; everything else is as in the scene.
+/// Throws std::invalid_argument, with a message for people, if the scene has no such parameter.
 Setting setting_along(const MechanismScene& scene, const std::string& parameter);
 
 }  // namespace slipproof

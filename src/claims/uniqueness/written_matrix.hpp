@@ -1,4 +1,4 @@
-// Determinants whose entries are expressions: those of mechanisms are small, and most entries are 0.
+// Determinants whose entries are expressions. Those of mechanisms are small, and most entries are 0.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace slipproof {
 
-/// A number as an expression, for an Evaluator; 0 and 1 are written out of sums and products.
+/// A number as an expression, for an Evaluator; sums and products leave out 0 and 1.
 class WrittenNumber {
  public:
   explicit WrittenNumber(const Rational& value) : expression_(make_number(value)) {}
@@ -44,7 +44,7 @@ class WrittenNumber {
   Expression expression_;
 };
 
-/// Which of two is greater is not known.
+/// The order of two expressions is not known.
 struct WrittenField {
   WrittenNumber constant(const Rational& value) const { return WrittenNumber(value); }
   bool is_zero(const WrittenNumber& x) const { return x.is_zero(); }
@@ -54,7 +54,7 @@ struct WrittenField {
 /// Square, by rows.
 using WrittenMatrix = std::vector<std::vector<WrittenNumber>>;
 
-/// By Laplace, along the row with the fewest entries; nothing where that takes more than a few thousand products.
+/// Laplace expansion along the row with the fewest entries; nothing if that takes more than a few thousand products.
 std::optional<WrittenNumber> determinant_of(const WrittenMatrix& matrix);
 
 }  // namespace slipproof

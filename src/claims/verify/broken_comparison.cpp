@@ -15,7 +15,7 @@ class Comparisons {
   bool is_false(const Expression& condition) {
     return values_.truth(setting_.compile(condition, reading_)) == Truth::no;
   }
-  /// Of a condition that is false.
+  /// Collects the comparisons in a condition that is false.
   void collect(const Expression& condition, std::vector<BrokenComparison>& found) {
     if (condition->operation == Operation::compare) return links(*condition, found);
     if (condition->operation != Operation::logical_and && condition->operation != Operation::logical_or) return;
@@ -62,7 +62,7 @@ std::vector<BrokenComparison> broken_comparisons(const Claim& claim, Reading rea
     }
   }
   std::vector<BrokenComparison> found;
-  // What has to hold and does not: of two conditions that should be true of the same, the one that is false.
+  // A condition that must hold and does not; for two conditions that should be equivalent, the one that is false.
   const ClaimBody& body = claim.body(reading);
   const bool of_two = !body.kind->forces_say_where();
   const Expression& condition = of_two && at.is_false(body.forces) ? body.forces : body.holds;

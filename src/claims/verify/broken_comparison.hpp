@@ -1,4 +1,4 @@
-// Which comparison of a claim is false at a counterexample, and what its two sides are there.
+// Finds which comparison of a claim is false at a counterexample, and the values of its two sides there.
 #pragma once
 
 #include <vector>
@@ -7,9 +7,9 @@
 
 namespace slipproof {
 
-/// The comparisons that make the claim false at the force of the example, with both sides: of `holds` in the mode of
-/// the judgement; of an equivalence, those of the side that is false. Empty where a continuum, a negation or a claim of
-/// another kind leaves none to name. The sample is the example's.
+/// The comparisons that make the claim false at the force of the example, with both sides: those of `holds` in the mode
+/// of the judgement; for an equivalence, those of the side that is false. Empty if there is no comparison to name, as
+/// for a continuum, a negation, or a claim of another kind. The sample must be the example's.
 std::vector<BrokenComparison> broken_comparisons(const Claim& claim, Reading reading, const CompiledSetting& setting,
                                                  const Counterexample& example, SolvedSample& sample);
 

@@ -26,7 +26,7 @@ std::optional<std::string> bytes_of(const std::filesystem::path& path) {
   return std::string{std::istreambuf_iterator<char>(file), {}};
 }
 
-/// What stands in a folder for statements that together say something.
+/// What a folder has for the statements that together express something.
 struct Found {
   std::vector<CheckedCertificate> statements;
   std::vector<std::string> outdated;
@@ -59,7 +59,7 @@ Found find(const std::vector<NamedStatement>& statements, Certificates& certific
   return result;
 }
 
-/// What shows, by numbers, that a statement of the claim is false.
+/// Looks for numbers at which a statement of the claim is false.
 Found find_counterexample(const std::vector<NamedStatement>& statements, Certificates& certificates) {
   for (const NamedStatement& statement : statements) {
     if (!statement.refutes) continue;
@@ -72,7 +72,7 @@ Found find_counterexample(const std::vector<NamedStatement>& statements, Certifi
   return {};
 }
 
-/// Takes over what was found, whatever it proves.
+/// Adds the problems that were found, whatever the statements prove.
 void add_problems(ClaimResult& claim, const Found& found) {
   claim.outdated.insert(claim.outdated.end(), found.outdated.begin(), found.outdated.end());
   for (const CheckedCertificate& statement : found.statements) {
@@ -96,7 +96,7 @@ void add_certificates(const ClaimsFile& file, ClaimResult& claim, Certificates& 
     Found counterexample = find_counterexample(claim_statements(file, stated, claim.reading), certificates);
     if (counterexample.proved) refutation = std::move(counterexample);
   }
-  // Of what the file asks for all counts; of the other way, what the folder has.
+  // For the direction that the file asks for, all statements count; for the other, only if the folder has some.
   const bool asks_for_refutation = stated.body(claim.reading).expect == Expectation::refuted;
   const bool asks = stated.body(claim.reading).expect != Expectation::undecided;
   if (proof.any || (asks && !asks_for_refutation && !refutation.proved)) add_problems(claim, proof);
@@ -105,7 +105,7 @@ void add_certificates(const ClaimsFile& file, ClaimResult& claim, Certificates& 
     claim.rejections.push_back(stated.id + ": certificates of it and of its refutation are accepted");
     return;
   }
-  // Samples may all miss what a refutation proves to exist.
+  // A refutation proves that a counterexample exists; samples may all miss it.
   if (refutation.proved && claim.verdict != Verdict::vacuous) claim.verdict = Verdict::refuted;
   if (refutation.proved && claim.verdict == Verdict::refuted) name_certificates(claim, refutation);
   if (!proof.proved) return;
@@ -113,9 +113,9 @@ void add_certificates(const ClaimsFile& file, ClaimResult& claim, Certificates& 
     claim.rejections.push_back(stated.id + ": refuted by a sample, yet its certificates are accepted");
     return;
   }
-  // A proof about nothing proves nothing: the claim has to be right somewhere.
+  // A proof about nothing proves nothing, so the claim must be right at some sample.
   if (claim.held == 0 && !stated.kind().traits().seeks) return;
-  if (claim.undecided > 0) return;  // it has no value somewhere: statements are not about those bicycles
+  if (claim.undecided > 0) return;  // at these bicycles it has no value, and statements do not cover them
   claim.verdict = Verdict::holds;
   claim.proved = true;
   name_certificates(claim, proof);
@@ -127,7 +127,7 @@ void find_certificates(const ClaimsFile& file, ClaimResult& claim, Certificates&
   yield_to_failure(claim);
 }
 
-/// Of a claim of which nothing else is known.
+/// The result for a claim about which only the certificates are known.
 ClaimResult result_of_certificates(const ClaimsFile& file, std::size_t claim, Reading reading,
                                    Certificates& certificates) {
   ClaimResult result;
@@ -142,7 +142,7 @@ CheckedCertificate checked_now(const std::filesystem::path& folder, const std::s
   CheckedCertificate result{name, found.theorem, found.verdict, found.message};
   const std::string prefix = folder.string() + "/";
   if (result.message.starts_with(prefix)) result.message.erase(0, prefix.size());
-  const std::string file = name + ".cert: ";  // which search it was is said already
+  const std::string file = name + ".cert: ";  // the message already says which search it was
   if (result.state == CertificateState::undecided && result.message.starts_with(file)) {
     result.message.erase(0, file.size());
   }

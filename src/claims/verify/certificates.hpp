@@ -1,4 +1,4 @@
-// The certificates of a paper: each is checked once, and what they prove enters the verdicts.
+// The certificates of a paper. Each is checked once; what they prove becomes part of the verdicts.
 #pragma once
 
 #include <filesystem>
@@ -22,39 +22,39 @@ struct VerifyResult;
 /// Whether a statement has a proof that the checker accepts.
 using CertificateState = check::Verdict;
 
-/// A statement, and what the checker says of its certificate.
+/// A statement, and what the checker says about its certificate.
 struct CheckedCertificate {
-  std::string name;     ///< of the file, relative to the folder, without the ending: `certificates/A1.1.always`
-  std::string theorem;  ///< as the statement has it; empty where that cannot be read
+  std::string name;     ///< of the file, relative to the folder, without its extension: `certificates/A1.1.always`
+  std::string theorem;  ///< the name in the statement; empty if it cannot be read
   CertificateState state = CertificateState::missing;
   std::string message;  ///< why it is not accepted; files are relative to the folder
 };
 
-/// A second checker, and how many certificates it and ours accept of those that were asked for.
+/// A second checker, and how many of the requested certificates both it and ours accept.
 struct SecondChecker {
   std::string name;  ///< of its file
   std::size_t accepted = 0;
 };
 
-/// The certificates in the folder of a claims file and below. A certificate is checked when it is first asked for, and
-/// never again. May be used by several threads.
+/// The certificates in the folder of a claims file and below. A certificate is checked at its first request, and only
+/// once. May be used by several threads.
 class Certificates {
  public:
-  /// With a `second_checker` (see ask_second_checker()) a certificate that only ours accepts is rejected.
+  /// With a `second_checker` (see ask_second_checker()), a certificate that only our checker accepts is rejected.
   explicit Certificates(PaperFolder paper, std::string second_checker = "")
       : paper_(std::move(paper)), second_checker_(std::move(second_checker)) {}
   explicit Certificates(const std::filesystem::path& folder, std::string second_checker = "")
       : Certificates(PaperFolder{folder.empty() ? "." : folder}, std::move(second_checker)) {}
 
-  /// Of NAME.statement, there or not.
+  /// Checks the certificate of NAME.statement, whether or not the file exists.
   const CheckedCertificate& check(const std::string& name);
-  /// What check_certificates() found of some of them counts as checked here.
+  /// Takes over results of check_certificates(); those certificates then count as checked.
   void take(std::string_view checked);
-  /// SHA-256 of all files of the claims' statements and certificates.
+  /// SHA-256 of all files with statements and certificates of the claims.
   std::string digest() const;
-  /// Those that are checked.
+  /// The certificates that are checked so far.
   std::vector<CheckedCertificate> so_far();
-  /// Those of all statements, in the order of their names.
+  /// The certificates of all statements, by name.
   std::vector<CheckedCertificate> all();
   /// The bytes of NAME.statement; nothing if there is no such file.
   std::optional<std::string> statement(const std::string& name) const;
@@ -62,9 +62,9 @@ class Certificates {
   std::optional<std::string> certificate(const std::string& name) const;
   const std::filesystem::path& folder() const { return paper_.folder; }
   const PaperFolder& paper() const { return paper_; }
-  /// What check() wants for a statement that is made of a claim.
+  /// The name for check() of a statement that is made from a claim.
   std::string of_claim(const std::string& statement) const { return paper_.certificates + "/" + statement; }
-  /// So far; nothing without a second checker.
+  /// The counts so far; nothing without a second checker.
   std::optional<SecondChecker> second_checker();
 
  private:
@@ -73,29 +73,29 @@ class Certificates {
 
   PaperFolder paper_;
   std::string second_checker_;
-  std::optional<std::map<std::filesystem::path, std::string>> second_verdicts_;  ///< once it was asked
+  std::optional<std::map<std::filesystem::path, std::string>> second_verdicts_;  ///< after the second checker was asked
   std::mutex mutex_;
   std::map<std::string, CheckedCertificate> checked_;
 };
 
-/// Checks the certificates that find_certificates() asks for of a claim, without a second checker: what a rank does for
+/// Checks the certificates that find_certificates() needs for a claim, without a second checker. One rank does this for
 /// Certificates::take() of another.
 std::string check_certificates(const ClaimsFile& file, std::size_t claim, Reading reading, const PaperFolder& paper);
 
-/// The numbers at which statements of a claim are false, as prove wrote them in place of certificates.
+/// The numbers at which statements of a claim are false; `prove` writes them in place of certificates.
 std::vector<NamedValues> failing_numbers(const ClaimsFile& file, std::size_t claim, Reading reading,
                                          const Certificates& certificates);
 
-/// Looks for the certificates of every claim of `result`. A claim that holds at every sample and whose statements, the
-/// same bytes as the claims file gives now, all have accepted certificates becomes `proved`, and its certificates are
-/// named; of a refuted claim, that of its refutation; and a claim that holds at every sample is refuted, too, where
-/// that is accepted. What the others of its statements have instead stands in `unproved`, `rejections` and `outdated`;
-/// so does a contradiction of samples and certificates. Statements that the claims file asks for, as `prove` would
-/// write them, and that are not there, are `missing`. A claim that failed, here or before, becomes undecided, unless it
-/// is refuted. verify() calls it.
+/// Looks for the certificates of every claim in `result`. A claim becomes `proved` if it holds at every sample and all
+/// its statements, with the same bytes as the claims file gives now, have accepted certificates; these are named. For a
+/// refuted claim, names the certificate of its refutation. A claim that holds at every sample becomes refuted if the
+/// certificate of its refutation is accepted. `unproved`, `rejections` and `outdated` say what its other statements
+/// have instead, and report contradictions between samples and certificates. `missing` counts the statements that the
+/// claims file asks for, in the form that `prove` writes, and that do not exist. A claim that failed, here or before,
+/// becomes undecided unless it is refuted. verify() calls this function.
 void find_certificates(const ClaimsFile& file, VerifyResult& result, Certificates& certificates);
 
-/// Whether they decide a claim of which no sample says anything.
+/// Whether certificates decide a claim that no sample decides.
 bool settled_by_certificates(const ClaimsFile& file, std::size_t claim, Reading reading, Certificates& certificates);
 
 }  // namespace slipproof

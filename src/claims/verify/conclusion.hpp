@@ -1,5 +1,5 @@
-// What becomes of a claim once its samples and lines are judged: the proofs and counterexamples that are left to find,
-// and the verdict.
+// The last step for a claim whose samples and lines are judged: searches for the remaining proofs and counterexamples,
+// and sets the verdict.
 #pragma once
 
 #include <optional>
@@ -12,17 +12,17 @@
 
 namespace slipproof {
 
-/// What takes long to find, and ranks tell each other.
+/// Results that take long to find, and that ranks send each other.
 struct Conclusion {
-  bool vacuous = false;  ///< or nowhere, of a claim of existence
+  bool vacuous = false;  ///< for a claim of existence: the motion exists nowhere
   std::optional<SimplestFailures> failures;
-  std::string failure;  ///< why it could not be found; empty: nothing went wrong
+  std::string failure;  ///< why the search failed; empty: nothing went wrong
 };
 
 std::string conclusion_bytes(const Conclusion& conclusion);
 Conclusion read_conclusion(std::string_view bytes);
 
-/// Whether nothing is left to find: what certificates say of existence needs no second proof.
+/// Whether nothing remains to be found. If certificates decide a claim of existence, no second proof is needed.
 bool is_concluded(const PaperTasks& tasks, const ClaimTask& task, const Tally& tally);
 Conclusion conclude(const PaperTasks& tasks, const ClaimTask& task, const Tally& tally);
 ClaimResult result_of(const PaperTasks& tasks, const ClaimTask& task, const Tally& tally, const Conclusion& conclusion);

@@ -10,10 +10,10 @@ namespace slipproof {
 
 namespace {
 
-/// How many bicycles that can be built are tried, and from how many of those that fail a simple one is sought.
+/// How many bicycles that can be built are tried, and how many of those that fail are made simpler.
 constexpr std::uint64_t realisable_tries = 1'000;
 constexpr std::size_t starts = 3;
-/// How many simple ones are tried first, which is enough where a paper has few parameters.
+/// How many simple ones are tried first; enough for a paper with few parameters.
 constexpr std::size_t realisable_budget = 4'000;
 
 class Maker {
@@ -26,18 +26,19 @@ class Maker {
         setting_(compiled.settings[claim_.setting]),
         reading_(reading) {}
 
-  /// The simplest that fails as this sample does.
+  /// The simplest sample that fails in the same way.
   std::optional<Simplified> simplest(const std::vector<Rational>& values, Among among) const {
     if (among == Among::all) return simplify(setting_, values, fails_like(values));
     return simplify(setting_, values, fails_like(values), among, realisable_budget);
   }
 
-  /// The same from a sample that can be built, without trying all simple ones first.
+  /// The same starting from a sample that can be built, without trying all simple ones first.
   Simplified descended(const std::vector<Rational>& values) const {
     return *simplify(setting_, values, fails_like(values), Among::realisable, 0);
   }
 
-  /// Whether the first shows more, a force at which claim and truth differ, or is simpler.
+  /// Whether the first is better: it has a force at which claim and truth differ and the second has none, or it is
+  /// simpler.
   bool better(const std::vector<Rational>& values, const std::vector<Rational>& others) const {
     const bool shows = judged(values).witnesses.has_value(), other_shows = judged(others).witnesses.has_value();
     return shows != other_shows ? shows : complexity(values) < complexity(others);
@@ -64,7 +65,7 @@ class Maker {
     return example;
   }
 
-  /// Bicycles that can be built and at which the claim fails, the given one first.
+  /// Bicycles that can be built and at which the claim fails; the given one comes first.
   std::vector<std::vector<Rational>> realisable(const std::vector<Rational>& given, std::uint64_t seed) const {
     std::vector<std::vector<Rational>> found;
     if (!given.empty()) found.push_back(given);

@@ -1,4 +1,4 @@
-// From a sample at which a claim fails to counterexamples that people can check: one that can be built, and the
+// From a sample at which a claim fails, finds counterexamples that people can check: one that can be built, and the
 // simplest.
 #pragma once
 
@@ -13,31 +13,31 @@ namespace slipproof {
 /// Samples at which a claim fails.
 struct FailingSamples {
   std::vector<Rational> simplest;
-  std::vector<Rational> realisable;  ///< the simplest of those that can be built; empty if there is none
+  std::vector<Rational> realisable;  ///< the simplest that can be built; empty if there is none
 };
 
-/// What ClaimResult shows of them; `simpler` only where there is something to choose.
+/// The counterexamples as in ClaimResult; `simpler` only if there is a choice.
 struct Counterexamples {
   Counterexample shown;
   std::optional<Counterexample> simpler;
 };
 
 enum class Showing : std::uint8_t {
-  as_found,  ///< one of the samples that are given
-  simplest   ///< simpler ones, too, and bicycles that can be built, drawn from the seed, where none of those given can
+  as_found,  ///< one of the given samples
+  simplest   ///< also simpler ones; and, if no given sample can be built, bicycles that can be, drawn by the seed
 };
 
-/// The samples of these, without what is shown of them.
+/// The samples of the counterexamples, without their details.
 struct SimplestFailures {
   Simplified shown;
   std::optional<Simplified> simpler;
 };
 
-/// The search for them, which is what takes long.
+/// Searches for these samples; this is the part that takes long.
 SimplestFailures simplest_failures(const ClaimsFile& file, const CompiledClaims& compiled, std::size_t claim,
                                    Reading reading, const FailingSamples& failing, Showing showing, std::uint64_t seed);
 
-/// As ClaimResult has them.
+/// The counterexamples as in ClaimResult.
 Counterexamples counterexamples(const ClaimsFile& file, const CompiledClaims& compiled, std::size_t claim,
                                 Reading reading, const SimplestFailures& failures);
 

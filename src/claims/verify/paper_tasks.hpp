@@ -1,4 +1,4 @@
-// What verify() has to judge of a paper: each claim in each reading, with what is known of it before any sample.
+// The tasks of verify() for a paper: each claim in each reading, with what is known before any sample.
 #pragma once
 
 #include <optional>
@@ -16,13 +16,14 @@ struct ClaimTask {
   std::size_t claim;  ///< index in the file
   Reading reading;
   std::optional<Identity> identity;
-  bool rational;        ///< true or false of rational functions: where it is false, it is so nearly everywhere
+  bool rational;        ///< it is true or false as a statement about rational functions; if false, it is false nearly
+                        ///< everywhere
   std::string failure;  ///< of the search for an identity; empty: nothing went wrong
 };
 
-/// The tasks of a paper, and what all of them share. Any number of threads may use it.
+/// The tasks of a paper, and the data that they share. May be used by several threads.
 struct PaperTasks {
-  /// What is given must outlive it.
+  /// All arguments must outlive it.
   PaperTasks(const ClaimsFile& claims, const VerifyOptions& chosen);
 
   const Claim& claim_of(const ClaimTask& task) const { return file.claims[task.claim]; }
@@ -31,7 +32,7 @@ struct PaperTasks {
   const ClaimsFile& file;
   const VerifyOptions& options;
   const CompiledClaims compiled;
-  /// Of short proofs only: what they do not show is looked at in samples.
+  /// For short proofs only; samples examine the rest.
   mutable LemmaBook book{
       {.split_depth = 1, .slack_attempts = 100, .products = 0, .quick_samples = 0, .samples = 0, .steps = 2'000'000}};
   const std::vector<ClaimTask> all;

@@ -1,5 +1,5 @@
-// A second checker, as a program of its own, that judges the certificates of a paper beside ours: the one of
-// proofs/coq, which is proved right. What both accept rests on neither alone.
+// A second checker: a separate program that judges the certificates of a paper in addition to ours. The one in
+// proofs/coq is proved correct. If both accept a certificate, it does not depend on either one alone.
 #pragma once
 
 #include <filesystem>
@@ -8,10 +8,10 @@
 
 namespace slipproof {
 
-/// What the program says of the certificates in a folder and below: `accepted`, `rejected`, ..., by their paths as
-/// check::printable shows them. The program gets the folder as its argument and writes a line `VERDICT PATH` for each,
-/// and one that begins with `s `, as slipproof-check-verified does. Throws InputError if it cannot be run, if it ends
-/// otherwise than with the exit codes 0, 3, 4 and 5, and if its last line is no summary.
+/// The program's verdicts on the certificates in a folder and below: `accepted`, `rejected`, ..., by path as
+/// check::printable shows it. The program gets the folder as its argument. For each certificate it writes a line
+/// `VERDICT PATH`, and at the end a line that begins with `s `, as slipproof-check-verified does. Throws InputError if
+/// the program cannot be run, if its exit code is not 0, 3, 4 or 5, or if its last line is not a summary.
 std::map<std::filesystem::path, std::string> ask_second_checker(const std::string& program,
                                                                 const std::filesystem::path& folder);
 

@@ -12,7 +12,7 @@ namespace slipproof {
 
 namespace {
 
-/// What samples refute needs no lines. Identities do: they may lack a value where something vanishes.
+/// A claim that samples refute needs no lines. An identity does: it may have no value where a divisor vanishes.
 bool wants_lines(const Claim& claim, const Tally& tally) {
   return !claim.kind().is_linear() && tally.refuted == 0 && (!claim.kind().traits().seeks || tally.held == 0);
 }
@@ -29,7 +29,7 @@ std::vector<std::vector<Rational>> first_bicycles(const CompiledSetting& setting
   return found;
 }
 
-/// Where no sample was in a claim's region, each parameter that matters runs three times at least: on some line the
+/// If no sample was in a claim's region, each parameter that matters is varied at least three times: on some line the
 /// region begins and ends.
 std::uint64_t how_many(std::uint64_t lines, const std::vector<bool>& matters, const Tally& tally) {
   if (!tally.held_at.numbers().empty()) return lines;

@@ -12,13 +12,13 @@ namespace slipproof {
 
 namespace {
 
-/// A request is about so many samples of a setting: what rank 0 does for a result hardly grows with them.
+/// The number of samples of a setting in one request. The work of rank 0 for a result hardly grows with it.
 std::uint64_t samples_a_piece(std::uint64_t samples) {
   constexpr std::uint64_t least = 32, most_pieces = 16'384;
   return std::max(least, (samples + most_pieces - 1) / most_pieces);
 }
 
-/// A line through a bicycle at which the claim says something of some force is worth more than one through any other.
+/// Remembers a bicycle for lines: one at which the claim says something about a force is better than any other.
 void remember(const PaperTasks& tasks, const ClaimTask& task, std::uint64_t i, SolvedSample& sample, Tally& tally) {
   tally.held_at.add(i);
   if (tally.speaks_at.full()) return;
@@ -48,7 +48,7 @@ void judge_sample(const PaperTasks& tasks, std::size_t setting, std::uint64_t i,
   }
 }
 
-/// Of all parameters of a setting; nothing where a name is missing, or an angle has no half tangent.
+/// Values of all parameters of a setting; nothing if a name is missing, or if an angle has no half tangent.
 std::optional<std::vector<Rational>> values_of(const Setting& setting, const NamedValues& numbers) {
   const auto number = [&](const std::string& name) -> const Rational* {
     const auto found = std::find_if(numbers.begin(), numbers.end(), [&](const auto& one) { return one.first == name; });

@@ -14,7 +14,7 @@ namespace slipproof {
 
 namespace {
 
-/// What a rank is asked about a paper.
+/// What a rank can be asked about a paper.
 enum class VerifyQuestion : std::uint64_t { samples, line, conclusion, certificates };
 
 }  // namespace
@@ -83,7 +83,7 @@ class Verification::Run {
     if (options_.progress) options_.progress(done_, total_);
   }
 
-  /// A request names what stands in the folder: a run that goes on may find other certificates there.
+  /// Each request contains a digest of the folder, since a run that is continued may find other certificates there.
   void check_certificates(Crew* crew) {
     const std::string digest = crew != nullptr ? options_.certificates->digest() : std::string();
     share(
@@ -103,7 +103,7 @@ class Verification::Run {
     });
   }
 
-  /// Where prove found numbers at which a statement of the claim is false, they are one sample more.
+  /// If `prove` found numbers at which a statement of the claim is false, judges the claim there as one more sample.
   void judge_where_statements_fail() {
     in_parallel(0, tasks_.all.size(), [&](std::size_t t) {
       const ClaimTask& task = tasks_.all[t];

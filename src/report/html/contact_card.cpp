@@ -15,9 +15,10 @@ namespace slipproof {
 namespace {
 
 constexpr std::size_t listed_contacts = 200, tabled_contacts = 200;
-constexpr std::size_t drawn_contacts = 5000, drawn_at_least = 500;  // on the page, and of an answer
+// The number of contacts drawn on the page, and the least number for each answer.
+constexpr std::size_t drawn_contacts = 5000, drawn_at_least = 500;
 
-/// How a verdict looks: the class of a claim's verdict that is as good, and a sign.
+/// The appearance of a verdict: the class of the claim verdict that is equally good, and a sign.
 struct VerdictLook {
   std::string_view css_class, sign;
 };
@@ -43,7 +44,8 @@ std::string id_of(std::size_t answer) {
   return "answer-" + std::to_string(answer + 1);
 }
 
-/// Regions have names of their own, so that readers can tell those of one answer from those of the next.
+/// Adds a region that scrolls. It has a name of its own, so that readers can tell the regions of different answers
+/// apart.
 Element add_scroll(const Element& parent, const std::string& name, std::size_t answer) {
   const Element scroll = parent.add("div", "scroll").set("tabindex", 0).set("role", "region");
   return scroll.set("aria-label", name + ", answer " + std::to_string(answer + 1));
@@ -55,7 +57,7 @@ Element add_table_head(const Element& table, const std::vector<std::string>& nam
   return table.add("tbody");
 }
 
-/// The numbers of one answer, each with what it means.
+/// A list of the numbers of one answer, each with its meaning.
 class NumberList {
  public:
   explicit NumberList(const Element& parent) : list_(parent.add("dl", "bounds")) {}
@@ -76,12 +78,12 @@ std::string uniqueness(const ContactJudgement& j) {
   return j.enclosure->locally_unique ? "; near it there is no other" : "";
 }
 
-/// Contacts count from 1, rows of the other unknowns too.
+/// Contacts, and rows of the other unknowns, count from 1.
 std::string place_of(const std::optional<std::size_t>& contact, std::size_t row) {
   return contact ? "contact " + std::to_string(*contact + 1) : "equation " + std::to_string(row + 1);
 }
 
-/// An upper bound of 0 is the number itself.
+/// The text of an upper bound; a bound of 0 is the number itself.
 std::string bound_text(double bound) {
   return bound == 0 ? "0" : "≤ " + at_most(bound);
 }
@@ -113,7 +115,7 @@ std::string numbers_of(const std::vector<std::size_t>& contacts, std::size_t mos
   return contacts.size() > most ? text + fmt::format(" and {} more", contacts.size() - most) : text;
 }
 
-/// Where the other solution is one in another mode.
+/// Names the contacts at which the other solution has another mode.
 void add_other(const Element& parent, const ContactJudgement& j) {
   if (!j.other || !j.enclosure) return;
   const ConeMode &here = j.enclosure->system.mode(), &there = j.other->system.mode();
@@ -157,7 +159,7 @@ void add_worst(const Element& parent, const Residual& residual, std::size_t answ
 
 constexpr std::array<ConeSign, 4> fit_signs{ConeSign::stick, ConeSign::slide, ConeSign::smooth, ConeSign::open};
 
-/// What the contacts do, in numbers: a bar, and what it is cut into.
+/// How many contacts do what, as numbers and as a bar.
 void add_fit_bar(const Element& parent, const ConeDisc& disc) {
   if (disc.contacts == 0) return;
   const FitCounts& c = disc.counts;
@@ -196,7 +198,7 @@ void add_disc_legend(const Element& parent, const ConeDisc& disc) {
   if (disc.right_for) entry(ConeSign::pyramid, std::string(name(*disc.right_for)));
 }
 
-/// What the picture leaves out, so that nobody reads more into it than there is.
+/// Says what the picture leaves out, so that readers do not expect more in it.
 std::string left_out(const ConeDisc& disc) {
   std::string text;
   if (disc.points.size() < disc.placed) {

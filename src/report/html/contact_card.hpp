@@ -3,15 +3,15 @@
 
 #include <string>
 
-#include "records/certify/contact_file.hpp"
+#include "records/problems/contact_file.hpp"
 #include "report/markup/element.hpp"
 
 namespace slipproof {
 
-/// Its ids begin with `answer-1`, counted from 1.
+/// Adds the section; its ids begin with `answer-1`, counted from 1.
 void add_contact_card(const Element& main, const JudgedProblem& problem, std::size_t answer);
 
-/// The verdict's name as a label.
+/// Adds the verdict's name as a label.
 Element add_contact_chip(const Element& parent, ContactVerdict verdict);
 
 }  // namespace slipproof

@@ -1,4 +1,4 @@
-// One page for several papers: what was found in each, and where its own page is.
+// One page for several papers: what was found in each, with a link to its own page.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace slipproof {
 
-/// The name of a paper's own page, beside that of all papers.
+/// The file name of a paper's own page, in the folder of the page of all papers.
 std::string page_name(const JudgedPaper& paper);
 
-/// The page, HTML 5, without a script. The same input gives the same bytes.
+/// The page as HTML 5, without a script. The same input gives the same bytes.
 std::string gallery_html(const std::vector<JudgedPaper>& papers, const std::string& version);
 
 }  // namespace slipproof

@@ -36,7 +36,7 @@ std::vector<std::string> asked_for(const ClaimsFile& claims) {
   std::vector<std::string> names;
   for (const Claim& claim : claims.claims) {
     for (const Reading reading : all_readings) {
-      failure_of([&] {  // of a claim that fails there is none
+      failure_of([&] {  // a claim that fails has no statements
         for (const auto& statement : expected_statements(claims, claim, reading)) names.push_back(statement.name);
       });
     }
@@ -64,7 +64,8 @@ class Gathering {
     }
   }
 
-  /// Of statements of the claims that are missing, too: these are not shown, and told elsewhere.
+  /// Reads the opinions. The file may also cover statements of the claims that are missing; those are not shown here,
+  /// but reported elsewhere.
   void second_opinions(const std::filesystem::path& file, const Certificates& certificates) {
     if (!std::filesystem::exists(file)) return;
     const auto statement_of = [](const PageCertificate& certificate) {
@@ -165,7 +166,7 @@ void add_head(const Element& html, const std::string& title, const std::string& 
   head.add("meta").set("name", "viewport").set("content", "width=device-width, initial-scale=1");
   head.add("meta").set("name", "color-scheme").set("content", "light dark");
   head.add("meta").set("name", "generator").set("content", "slipproof " + version);
-  // No icon is fetched from anywhere.
+  // Prevents browsers from fetching an icon.
   head.add("link").set("rel", "icon").set("href", "data:,");
   head.add("title").text(title);
   head.add("style").code(std::string(assets::style_css) + picture_style());

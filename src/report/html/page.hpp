@@ -1,4 +1,4 @@
-// The report that people look at: one HTML file that needs nothing else, neither a network nor a script.
+// The report for people: one HTML file that needs no other files, no network and no script.
 #pragma once
 
 #include <filesystem>
@@ -19,10 +19,10 @@ namespace slipproof {
 /// A file that the page was made from.
 struct PageSource {
   std::string name;
-  std::string sha256;  ///< hexadecimal
+  std::string sha256;  ///< in hexadecimal
 };
 
-/// A statement, and what the checker says of its certificate.
+/// A statement, and what the checker says about its certificate.
 struct PageCertificate {
   std::string theorem, file;
   std::string statement;  ///< its text
@@ -32,25 +32,25 @@ struct PageCertificate {
 
 struct PageInput {
   const ClaimsFile* claims = nullptr;
-  const VerifyResult* result = nullptr;  ///< of the verification that the page is about
-  std::string command;                   ///< what makes the page again
+  const VerifyResult* result = nullptr;  ///< the verification that the page is about
+  std::string command;                   ///< the command that makes the page again
   std::string version;
   std::string gallery;  ///< a link to the page of all papers; empty: there is none
   std::vector<Figure> figures;
   std::vector<PageCertificate> certificates;
-  std::optional<SecondOpinions> opinions;  ///< by the theorems of `certificates`
+  std::optional<SecondOpinions> opinions;  ///< by theorem of `certificates`
   std::optional<MechanismScene> model;     ///< the bicycle of the labelled figure
-  std::vector<MechanismScene> scenes;      ///< a plane of its friction and load is drawn for each
-  std::vector<SceneAlong> machines;        ///< the paper's scenes, and which friction makes several motions there
+  std::vector<MechanismScene> scenes;      ///< for each, a plane of its friction and load is drawn
+  std::vector<SceneAlong> machines;  ///< the paper's scenes, with the friction from which on they have several motions
   std::vector<SolverVerdicts> solvers;
   std::optional<Trade> trade;
   std::vector<PageSource> sources;
 };
 
-/// Where the parts of a report come from; what is not given is left out of it.
+/// The files that the parts of a report come from. A part that is not given is left out.
 struct PageFolders {
   std::filesystem::path
-      claims;  ///< the claims file; figures.toml, certificates/ and second-opinions.csv stand beside it
+      claims;  ///< the claims file; figures.toml, certificates/ and second-opinions.csv are in its folder
   std::filesystem::path model;    ///< the scene of the labelled figure
   std::filesystem::path cases;    ///< scenes
   std::filesystem::path solvers;  ///< recorded outputs of solvers, CSV
@@ -60,12 +60,12 @@ struct PageFolders {
 /// The files that gather() reads.
 std::vector<std::filesystem::path> files_of(const PageFolders& folders, const ClaimsFile& claims);
 
-/// All but the result: reads the files and certifies the solvers' outputs; `certificates` are those of the claims'
-/// folder. Names of files are relative to the folders, so that the page is the same wherever they stand. Throws
+/// Makes all input but the result: reads the files and certifies the solvers' outputs. `certificates` are those in the
+/// claims' folder. File names are relative to the folders, so that the page does not depend on their location. Throws
 /// InputError.
 PageInput gather(const PageFolders& folders, const ClaimsFile& claims, Certificates& certificates);
 
-/// The page, HTML 5. The same input gives the same bytes.
+/// The page as HTML 5. The same input gives the same bytes.
 std::string page_html(const PageInput& input);
 
 }  // namespace slipproof

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view opinions_header = "statement,z3,cvc5,coq";
 
-/// A part of a line, and its column.
+/// A cell of a line, and its column.
 struct OpinionCell {
   std::string_view text;
   std::size_t column;

@@ -12,7 +12,7 @@
 
 namespace slipproof {
 
-/// What stands before the body: title, style, and that nothing is fetched from anywhere.
+/// Adds the head of the document: title, style, and a rule against fetching anything.
 void add_head(const Element& html, const std::string& title, const std::string& version);
 
 /// A section with its heading.
@@ -20,7 +20,7 @@ Element add_section(const Element& main, const char* id, std::string_view headin
 
 void add_overview(const Element& main, const PageInput& input);
 void add_phase_section(const Element& main, const PageInput& input);
-/// From which friction on the paper's scenes have several motions.
+/// The friction from which on the paper's scenes have several motions.
 void add_machines_section(const Element& main, const PageInput& input);
 void add_claims_section(const Element& main, const PageInput& input);
 void add_errata_section(const Element& main, const PageInput& input);
@@ -29,34 +29,34 @@ void add_trade_section(const Element& main, const PageInput& input);
 /// One picture: speed against errors, or against wrong verdicts.
 void add_trade_plot(const Element& parent, const Trade& trade, bool errors, bool small);
 void add_solvers_section(const Element& main, const PageInput& input);
-/// What the paper leaves open, in its own words.
+/// The questions that the paper leaves open, in its own words.
 void add_open_section(const Element& main, const PageInput& input);
-/// What each symbol means: those of the model, and those of the paper's settings.
+/// The meaning of each symbol of the model and of the paper's settings.
 void add_notation_section(const Element& main, const PageInput& input);
 void add_reproduce_section(const Element& main, const PageInput& input);
 
-/// What other programs say of a claim's certificates; nothing where none was asked of any.
+/// What other programs say about a claim's certificates; adds nothing if no program was asked.
 void add_second_opinions(const Element& parent, const SecondOpinions& opinions,
                          const std::vector<std::string>& theorems);
 /// What each program says, in numbers.
 void add_opinions_table(const Element& parent, const SecondOpinions& opinions, std::size_t certificates);
-/// With how many statements a program (of `opinion_programs`) agrees.
+/// The number of statements with which a program (of `opinion_programs`) agrees.
 std::size_t agreeing(const SecondOpinions& opinions, std::size_t program);
-/// `z3, Coq`: those that agree with a statement.
+/// `z3, Coq`: the programs that agree with a statement.
 std::string agreeing_programs(const SecondOpinions& opinions, std::string_view theorem);
 
-/// A text with formulas as claims files write them, `xi1 = F0`: their symbols are typeset.
+/// A text with formulas in the form of claims files, `xi1 = F0`, whose symbols are typeset.
 void add_prose(const Element& parent, const PageInput& input, const std::string& text);
-/// The id of a claim: a link to it where it was judged and stands in the page, as it is otherwise.
+/// The id of a claim, as a link if the claim was judged and is on the page.
 void add_claim_id(const Element& parent, const PageInput& input, std::string_view id);
 /// One claim in all of its readings.
 void add_claim_card(const Element& parent, const PageInput& input, std::size_t claim);
 /// What a claim says, in words and formulas.
 void add_formal(const Element& parent, const PageInput& input, const Claim& claim, Reading reading);
-/// What is wrong, with a picture, and the arithmetic to follow by hand.
+/// What is wrong, with a picture, and the arithmetic for checking it by hand.
 void add_counterexample(const Element& parent, const PageInput& input, const ClaimResult& result);
 
-/// A diagram with its legend, its sample points for the script, and the table behind it.
+/// A diagram with its legend, its sample points for the script, and its data as a table.
 struct PhaseFigure {
   const PhaseDiagram& diagram;
   std::string caption;
@@ -64,11 +64,11 @@ struct PhaseFigure {
 };
 void add_phase_figure(const Element& parent, const PhaseFigure& figure);
 
-/// What a verdict is called: proved, holds, refuted, undecided.
+/// The word for a verdict: proved, holds, refuted, undecided.
 std::string_view verdict_name(const ClaimResult& result);
 /// A verdict as a small label that does not rely on its colour.
 Element add_chip(const Element& parent, std::string_view verdict);
-/// The same for other words: the class of its colours is one of the verdicts' names, the sign is not read out.
+/// The same for other words. The class of its colours is the name of a verdict; the sign is not read aloud.
 Element add_chip(const Element& parent, std::string_view css_class, std::string_view sign, std::string_view text);
 
 }  // namespace slipproof

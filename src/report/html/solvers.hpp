@@ -1,4 +1,4 @@
-// What `certify` says of recorded outputs of solvers, file by file.
+// The verdicts of `certify` on recorded outputs of solvers, file by file.
 #pragma once
 
 #include <array>
@@ -9,13 +9,13 @@
 
 namespace slipproof {
 
-/// certified, ambiguous, inaccurate, wrong, invalid, undecided: RecordVerdict in its order.
+/// Counts by RecordVerdict: certified, ambiguous, inaccurate, wrong, invalid, undecided.
 struct SolverVerdicts {
   std::string name;  ///< of the file, without its extension
   std::uint64_t records = 0;
   std::array<std::uint64_t, 6> verdicts{};
-  /// Records that the solver's own column `info` calls a success (0), and that are wrong or invalid; nothing without
-  /// such a column.
+  /// The number of records that the solver's column `info` calls a success (0) although they are wrong or invalid;
+  /// nothing if there is no such column.
   std::optional<std::uint64_t> unfounded;
 };
 

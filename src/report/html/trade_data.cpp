@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// JSON has no infinity: null stands for it.
+/// JSON has no infinity, so null stands for it.
 double number(const Json& value) {
   return value.is_null() ? std::numeric_limits<double>::infinity() : value.get<double>();
 }

@@ -1,4 +1,4 @@
-// A measurement of `slipproof trade --json`, read back.
+// Reads a measurement of `slipproof trade --json`.
 #pragma once
 
 #include <filesystem>

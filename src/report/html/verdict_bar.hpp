@@ -1,4 +1,4 @@
-// How many claims have which verdict, as a bar.
+// A bar that shows how many claims have which verdict.
 #pragma once
 
 #include <array>
@@ -20,15 +20,16 @@ struct VerdictTotals {
 };
 VerdictTotals count_verdicts(const VerifyResult& result);
 
-/// What a bar is cut into.
+/// A part of a bar.
 struct BarPart {
   std::string css_class;
   std::size_t count = 0;
 };
-/// A bar cut in proportion to its counts, nothing for one that is 0; not read out, so its numbers must stand beside it.
+/// A bar divided in proportion to its counts, without parts for 0. It is not read aloud, so its numbers must be written
+/// near it.
 void add_bar(const Element& parent, const std::vector<BarPart>& parts, double width, double height);
 
-/// One bar cut in proportion to its counts, with its numbers written out below; nothing where there are none.
+/// A bar divided in proportion to its counts, with the numbers below it; nothing if all counts are 0.
 void add_verdict_bar(const Element& parent, std::string_view label, const VerdictCounts& counts);
 
 }  // namespace slipproof

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view replacement = "\xEF\xBF\xBD";
 
-/// Characters that HTML calls control characters or noncharacters.
+/// True unless HTML calls it a control character or noncharacter.
 bool allowed(std::string_view character) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
   if (character.size() == 1) {
@@ -41,19 +41,19 @@ bool one_of(std::string_view name, std::initializer_list<std::string_view> names
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// What HTML writes without an end tag.
+/// Whether HTML writes the element without an end tag.
 bool is_void(std::string_view name) {
   return one_of(name, {"meta", "link", "br", "hr", "input", "img", "col", "wbr"});
 }
 
-/// Elements whose children may stand on lines of their own.
+/// Whether the children of the element may be on lines of their own.
 bool is_block(std::string_view name) {
   return one_of(name,
                 {"html", "head", "body",  "main",  "header", "footer", "nav",     "section", "article", "div", "ul",
                  "ol",   "dl",   "table", "thead", "tbody",  "tr",     "details", "figure",  "svg",     "g",   "defs"});
 }
 
-/// HTML needs the end tag of an empty element, which pugixml writes if there is an empty text; and line breaks.
+/// Adds line breaks. For HTML, also adds an empty text to each empty element, so that pugixml writes its end tag.
 void prepare(pugi::xml_node node, bool html) {
   const std::string_view name = node.name();
   if (html && !node.first_child() && !is_void(name)) node.append_child(pugi::node_pcdata);

@@ -1,4 +1,4 @@
-// Documents of elements, HTML and SVG: a tree that is written out escaped, so that no text can become markup.
+// Documents of elements, HTML and SVG: a tree that is escaped when it is written, so that no text can become markup.
 #pragma once
 
 #include <memory>
@@ -12,25 +12,26 @@ struct xml_node_struct;
 
 namespace slipproof {
 
-/// One element of a Document: a handle, cheap to copy, good for as long as the document is. Setters return it.
+/// One element of a Document: a handle, cheap to copy, valid as long as the document. Setters return the element.
 class Element {
  public:
-  /// A new last child.
+  /// Adds a last child.
   Element add(const char* name) const;
-  /// The same with a class.
+  /// Adds a last child with a class.
   Element add(const char* name, std::string_view css_class) const;
   Element set(const char* attribute, std::string_view value) const;
   Element set(const char* attribute, int value) const;
-  /// A length in a picture, with two decimals at most.
+  /// Sets a length in a picture, with at most two decimals.
   Element set(const char* attribute, double value) const;
-  /// Text after what is already there. What XML cannot hold (control characters, broken UTF-8) becomes U+FFFD.
+  /// Adds text after the present content. Characters that XML cannot contain (control characters, broken UTF-8) become
+  /// U+FFFD.
   Element text(std::string_view text) const;
-  /// The contents of a script or a style, as they are, in a form that HTML and XML both understand. Throws
+  /// Sets the contents of a script or a style unchanged, in a form that HTML and XML both understand. Throws
   /// std::invalid_argument for code that would end its own element.
   Element code(std::string_view code) const;
-  /// A copy of another element, of this document or another, as the last child.
+  /// Adds a copy of another element, of this document or another, as the last child.
   Element add(const Element& other) const;
-  /// Copies of its children.
+  /// Adds copies of the element's children.
   Element add_children_of(const Element& other) const;
 
  private:
@@ -47,9 +48,9 @@ class Document {
   Document& operator=(Document&&) noexcept;
 
   Element root() const;
-  /// With the document type of HTML 5; at the same time well-formed XML.
+  /// The document with the document type of HTML 5; it is also well-formed XML.
   std::string html() const;
-  /// An XML file, UTF-8.
+  /// The document as an XML file in UTF-8.
   std::string xml() const;
 
  private:

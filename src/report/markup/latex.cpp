@@ -34,7 +34,7 @@ std::string_view sign_of(std::string_view command) {
   return found->second;
 }
 
-/// A formula by recursive descent. Not understood: NotUnderstood is thrown.
+/// Parses a formula by recursive descent. Throws NotUnderstood for a formula that it does not support.
 class Formula {
  public:
   explicit Formula(std::string_view text) : text_(text) {}
@@ -64,7 +64,7 @@ class Formula {
     --depth_;
   }
 
-  /// {...} as its text.
+  /// The text inside {...}.
   std::string_view raw_group() {
     if (take() != '{') throw NotUnderstood{};
     const std::size_t end = text_.find_first_of("{}");
@@ -83,8 +83,8 @@ class Formula {
     if (take() != '}') throw NotUnderstood{};
   }
 
-  /// One item with what is lowered or raised behind it. The base is built in a document of its own, since MathML wants
-  /// it inside of its scripts.
+  /// One item with its subscripts and superscripts. The base is built in a document of its own, because MathML wants it
+  /// inside its scripts.
   void scripted(const Element& parent) {
     const Document scratch("mrow");
     atom(scratch.root());
@@ -111,7 +111,7 @@ class Formula {
     if (first == '^') whole.add(index.root());
   }
 
-  /// The one character or command that TeX takes where no braces stand.
+  /// The single character or command that TeX takes as an argument without braces.
   void single(const Element& row) {
     if (++depth_ > 32) throw NotUnderstood{};
     atom(row);
@@ -155,7 +155,7 @@ class Formula {
     } else if (name == "text" || name == "operatorname" || name == "mathrm") {
       std::string inside(raw_group());
       if (name == "operatorname") inside += "\xE2\x80\x89";  // a thin space before the argument
-      if (name == "text") {                                  // MathML drops blanks at the ends
+      if (name == "text") {                                  // MathML removes blanks at the ends
         constexpr std::string_view no_break_space = "\xC2\xA0";
         if (inside.starts_with(' ')) inside.replace(0, 1, no_break_space);
         if (inside.ends_with(' ')) inside.replace(inside.size() - 1, 1, no_break_space);
@@ -176,18 +176,18 @@ class Formula {
 
 struct Piece {
   std::string_view text;
-  bool after_space = false;  ///< behind a \quad
+  bool after_space = false;  ///< after a \quad
 };
 
-/// A formula cut where a line may end, since MathML does not break lines: at spaces (\quad), and before relations and
-/// signs outside of all brackets.
+/// A formula in pieces between which a line may end, since MathML does not break lines. It is cut at spaces (\quad),
+/// and before relations and signs outside all brackets.
 std::vector<Piece> pieces_of(std::string_view latex) {
   constexpr std::string_view quad = "\\quad";
   std::vector<Piece> pieces;
   std::size_t begin = 0;
   bool after_space = false;
   int depth = 0;
-  char before = '(';  // the last character that is no space
+  char before = '(';  // the last character that is not a space
   const auto cut = [&](std::size_t end) { pieces.push_back({latex.substr(begin, end - begin), after_space}); };
   for (std::size_t i = 0; i < latex.size(); ++i) {
     const std::string_view rest = latex.substr(i);
@@ -200,7 +200,7 @@ std::vector<Piece> pieces_of(std::string_view latex) {
       before = '(';
       continue;
     }
-    // |...| of \left| and \right| is a bracket, too.
+    // |...| of \left| and \right| counts as a bracket, too.
     depth +=
         (c == '{' || c == '(' || rest.starts_with("\\left|")) - (c == '}' || c == ')' || rest.starts_with("\\right|"));
     const bool sign = std::string_view("+-=<>").find(c) != std::string_view::npos;
@@ -241,7 +241,7 @@ void add_formula(const Element& parent, std::string_view latex) {
 void add_sentence(const Element& parent, std::string_view text) {
   for (bool formula = false; !text.empty(); formula = !formula) {
     const std::size_t end = std::min(text.find('$'), text.size());
-    if (formula && end == text.size()) {  // a lonely dollar sign
+    if (formula && end == text.size()) {  // a single dollar sign
       parent.text("$").text(text);
       return;
     }

@@ -1,4 +1,4 @@
-// The LaTeX that stands in the statements of claims files, as MathML.
+// Converts the LaTeX in the statements of claims files to MathML.
 #pragma once
 
 #include <string_view>
@@ -7,8 +7,8 @@
 
 namespace slipproof {
 
-/// A sentence with formulas between dollar signs. What is beyond the commands of latex.cpp stays as it was written, in
-/// a <code>.
+/// Adds a sentence with formulas between dollar signs. A formula with a command that latex.cpp does not support stays
+/// as written, in a <code>.
 void add_sentence(const Element& parent, std::string_view text);
 
 }  // namespace slipproof

@@ -9,7 +9,7 @@ namespace slipproof {
 
 namespace {
 
-// A quotient is a fraction, an exponent stands above: neither needs parentheses.
+// A fraction and an exponent show their extent by their layout, so they need no parentheses.
 Binding laid_out(Operation operation) {
   return operation == Operation::divide || operation == Operation::power ? Binding::primary : binding(operation);
 }
@@ -67,7 +67,7 @@ void put_bare(const Element& row, const Node& node) {
       infix(row, node, "−", Binding::product);
       break;
     case Operation::multiply:
-      // Two numbers side by side would read as one.
+      // Without a sign, two adjacent numbers would read as one.
       infix(row, node, node.operands[1]->operation == Operation::number ? "·" : "\xE2\x81\xA2", Binding::unary);
       break;
     case Operation::divide: {
@@ -128,8 +128,8 @@ void put(const Element& row, const Expression& expression, Binding at_least) {
   if (parentheses) add_operator(inside, ")");
 }
 
-/// MathML does not break lines: a formula becomes several <math> in a row, cut where a printer would cut it, before
-/// relations and the signs of sums.
+/// MathML does not break lines. Therefore a formula becomes several adjacent <math>, cut where printers break lines:
+/// before relations and the signs of sums.
 class Pieces {
  public:
   explicit Pieces(const Element& parent) : parent_(parent) {}

@@ -9,19 +9,20 @@
 
 namespace slipproof {
 
-/// The expression as one or more <math>, with the words `and` and `or` between them; lines may break where they meet.
+/// Adds the expression as one or more <math>, with the words `and` and `or` between them; lines may break between
+/// <math>.
 void add_math(const Element& parent, const Expression& expression);
 
-/// `symbol = expression`.
+/// Adds `symbol = expression`.
 void add_definition(const Element& parent, std::string_view symbol, const Expression& expression);
 
-/// A symbol, or a number as a fraction, inside an <math> or <mrow>.
+/// Adds a symbol, or a number as a fraction, to a <math> or <mrow>.
 void add_symbol(const Element& row, std::string_view name);
 void add_number(const Element& row, const Rational& value);
 
-/// An empty <math> to fill.
+/// Adds an empty <math>.
 Element add_math(const Element& parent);
-/// An operator inside one.
+/// Adds an operator to a <math> or <mrow>.
 void add_operator(const Element& row, std::string_view sign);
 
 }  // namespace slipproof

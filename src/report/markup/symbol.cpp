@@ -37,7 +37,7 @@ Symbol typeset_symbol(std::string_view name) {
     std::string_view index = name.substr(bar + 1);
     rest = name.substr(0, bar);
     const std::string_view letter = greek(index);
-    // N2_1: an index of its own, and the number of the assertion.
+    // N2_1 has an index of its own and the number of the assertion.
     (!rest.empty() && is_digit(rest.back()) ? symbol.superscript : symbol.subscript) = letter.empty() ? index : letter;
   }
   std::size_t end = rest.size();
@@ -65,7 +65,7 @@ void svg_symbol(const Element& text, std::string_view name) {
     text.add("tspan").set("font-style", "italic").text(symbol.letter + (end < name.size() ? " " : ""));
     if (symbol.subscript.empty()) continue;
     text.add("tspan").set("dy", 3).set("font-size", "75%").text(symbol.subscript);
-    text.add("tspan").set("dy", -3).text("\xE2\x80\x8B");  // back on the line
+    text.add("tspan").set("dy", -3).text("\xE2\x80\x8B");  // returns to the baseline
   }
 }
 

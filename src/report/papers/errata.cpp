@@ -15,14 +15,14 @@ std::string_view name(Certainty certainty) {
 
 namespace {
 
-/// A condition as a part of a finding: `true` is said in words.
+/// A condition as a part of a finding; `true` is put in words.
 FindingPart part(std::string_view key, BodyPart what, const Expression& expression) {
   const bool always = expression->operation == Operation::truth && expression->truth;
   const char* words = what == BodyPart::region ? "everywhere" : what == BodyPart::forces ? "at every force" : "true";
   return {std::string(key), always ? nullptr : expression, always ? words : to_string(expression), false};
 }
 
-/// What of a body differs from the other.
+/// The parts of a body that differ from the other.
 FindingParts changed(const ClaimBody& body, const ClaimBody& other) {
   FindingParts result;
   constexpr std::array<std::string_view, 5> keys{"where", "forces", "claim", "equation", ""};
@@ -83,7 +83,7 @@ class Collection {
     Standing s;
     const auto is_definition = [&](const Finding& f) { return file_.find(f.id) == nullptr; };
     s.definitions = static_cast<std::size_t>(std::count_if(findings.begin(), findings.end(), is_definition));
-    std::size_t own = 0;  // refuted claims with a finding of their own
+    std::size_t own = 0;  // refuted claims that have a finding of their own
     s.missing = result_.missing();
     for (const ClaimResult& r : result_.claims) {
       if (r.reading != Reading::printed) continue;
@@ -134,8 +134,8 @@ class Collection {
     found_.push_back(std::move(finding));
   }
 
-  /// What shows that a definition is wrong: the first claim of the file that fails through the definition alone. That
-  /// it is the same whichever claims are judged, one that should fail and was not judged is only named.
+  /// Evidence that a definition is wrong: the first claim in the file that fails through the definition alone. It does
+  /// not depend on which claims were judged: if that claim was not judged, it is only named.
   std::string shown_by_claim(std::size_t setting, const SettingNames& names, std::string_view symbol) const {
     for (const Claim& claim : file_.claims) {
       if (claim.setting != setting || !uses(names, claim, symbol)) continue;
@@ -166,7 +166,7 @@ class Collection {
     const Claim& claim = file_.claims[printed.claim];
     const ClaimResult* repaired = result_.find(file_, claim.id, Reading::repaired);
     const FindingParts change = claim.repaired ? changed(*claim.repaired, claim.printed) : FindingParts();
-    // What fails through a definition alone is the definition's finding.
+    // If a claim fails through a definition alone, the finding is about the definition.
     const bool mends = repaired != nullptr && repaired->verdict == Verdict::holds;
     const bool by_definition = claim.repaired && change.empty();
     if (by_definition && (claim.grade ? *claim.grade == Grade::misprint : mends)) return;
@@ -196,8 +196,8 @@ class Collection {
     found_.push_back(std::move(finding));
   }
 
-  /// A claim that shows findings of others once more: the first of them lends it its place. Where none of them is in
-  /// the list, as when those claims were not judged, a refuted one is a finding itself.
+  /// Adds a claim that shows findings of other claims again: it is listed at the place of the first of them. If none of
+  /// them is in the list, for example because those claims were not judged, a refuted claim is a finding itself.
   void add_part(const ClaimResult& printed) {
     const Claim& claim = file_.claims[printed.claim];
     const auto listed = [&](const std::string& whole) {
@@ -220,7 +220,7 @@ class Collection {
       if (!shown && printed.counterexample && whole == claim.part_of.front()) {
         found->wrong += ". " + claim.id + ": " + counterexample_text(file_, printed);
       }
-      if (found->error == Certainty::sampled && printed.proved) {  // what is true instead
+      if (found->error == Certainty::sampled && printed.proved) {  // the statement that is true instead
         found->error = Certainty::proved;
         found->disproofs = printed.certificates;
       }

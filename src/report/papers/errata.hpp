@@ -1,4 +1,4 @@
-// What is wrong with a paper: a list that could be sent to its authors, and where an editor can show it.
+// What is wrong with a paper: a list that could be sent to its authors, and the places at which an editor can show it.
 #pragma once
 
 #include <string>
@@ -10,58 +10,58 @@ namespace slipproof {
 
 /// How sure a finding is.
 enum class Certainty : std::uint8_t {
-  proved,   ///< of an error: by an exact counterexample; of a repair: for all parameters
-  sampled,  ///< the repair holds at every sample, or what is missing was found at none
+  proved,   ///< for an error: by an exact counterexample; for a repair: for all parameters
+  sampled,  ///< the repair holds at every sample, or what is missing was found at no sample
 };
 std::string_view name(Certainty certainty);
 
-/// A part of a claim or definition in which print and repair differ.
+/// A part of a claim or definition that differs between print and repair.
 struct FindingPart {
-  std::string key;        ///< what it is: `where`, `forces`, `claim`, `equation`, `motions`; the symbol of a definition
-  Expression expression;  ///< null: `text` is all there is
+  std::string key;        ///< `where`, `forces`, `claim`, `equation`, `motions`; for a definition its symbol
+  Expression expression;  ///< null: there is only `text`
   std::string text;
   bool defines = false;  ///< `key` is the symbol that `expression` defines
 };
 using FindingParts = std::vector<FindingPart>;
-/// `where: b < b1; forces: ...`, of a definition `b1 = ...`.
+/// `where: b < b1; forces: ...`; for a definition `b1 = ...`.
 std::string to_string(const FindingParts& parts);
 
-/// One thing that is wrong in print.
+/// One error in the print.
 struct Finding {
-  std::string id;  ///< of the claim, or `3.1.b1` of a definition
+  std::string id;  ///< of the claim; `3.1.b1` for a definition
   std::size_t line = 0;
   Grade grade = Grade::misprint;
-  bool graded = true;  ///< the claims file gives the grade: a refuted claim without one is `false` until it does
+  bool graded = true;  ///< whether the claims file gives the grade; without one, a refuted claim counts as `false`
   std::string statement;
-  FindingParts printed;                   ///< empty where the claim is its statement
+  FindingParts printed;                   ///< empty if the claim is its statement
   std::string wrong;                      ///< what is wrong, with the counterexample
-  FindingParts repair;                    ///< empty: there is none
-  std::string why;                        ///< why that is meant
-  Certainty error = Certainty::proved;    ///< that the print is wrong
-  Certainty mended = Certainty::sampled;  ///< that the repair is right
-  std::vector<std::string> certificates;  ///< names of those that prove what holds with the repair, or part of it
-  std::uint64_t samples = 0;              ///< at which the rest of it holds: 0 where all is proved
-  std::vector<std::string> claims;        ///< all claims that it touches
-  std::vector<std::string> disproofs;     ///< certificates of what is true instead
-  std::vector<std::string> refutations;   ///< names of certificates that prove the error
-  std::uint64_t tried = 0;                ///< samples at which an error was looked for, where that is all there is
+  FindingParts repair;                    ///< empty: there is no repair
+  std::string why;                        ///< why the repair is what was meant
+  Certainty error = Certainty::proved;    ///< how sure it is that the print is wrong
+  Certainty mended = Certainty::sampled;  ///< how sure it is that the repair is right
+  std::vector<std::string> certificates;  ///< certificates that prove all or part of what holds with the repair
+  std::uint64_t samples = 0;              ///< samples at which the unproved rest holds; 0 if all is proved
+  std::vector<std::string> claims;        ///< all claims that the finding affects
+  std::vector<std::string> disproofs;     ///< certificates of the statement that is true instead
+  std::vector<std::string> refutations;   ///< certificates that prove the error
+  std::uint64_t tried = 0;                ///< samples at which an error was looked for, if there is no other evidence
 };
 
-/// The grade, and that none is given where that is so.
+/// The grade; says so if none is given.
 std::string grade_text(const Finding& finding);
 
-/// How sure the error is, and how sure the repair: with the certificates' names, or the number of samples.
+/// How sure the error is, and how sure the repair is, with the names of certificates or the number of samples.
 std::string error_certainty(const Finding& finding);
 std::string repair_certainty(const Finding& finding);
 
-/// How the claims of a paper stand as printed: what a list of findings alone does not say.
+/// How the claims of a paper stand as printed; the list of findings alone does not show that.
 struct Standing {
-  std::size_t judged = 0, proved = 0, held = 0, refuted = 0;  ///< those that hold do not count the proved ones
+  std::size_t judged = 0, proved = 0, held = 0, refuted = 0;  ///< `held` does not include the proved claims
   std::vector<std::string> undecided, vacuous;                ///< ids
-  std::size_t definitions = 0;                                ///< findings about definitions, on which claims rest
-  std::size_t shared = 0;   ///< refuted claims that show a finding of another claim, or of a definition
+  std::size_t definitions = 0;                                ///< findings about definitions that claims use
+  std::size_t shared = 0;   ///< refuted claims that show a finding about another claim or about a definition
   std::size_t others = 0;   ///< findings about claims that are not refuted
-  std::size_t missing = 0;  ///< certificates that the claims file asks for, in whatever reading
+  std::size_t missing = 0;  ///< certificates that the claims file asks for, in any reading
 };
 
 struct Errata {
@@ -71,17 +71,17 @@ struct Errata {
 
 Errata errata(const ClaimsFile& file, const VerifyResult& result);
 
-/// How many claims were judged, hold, are refuted and are open, and where there is no finding whether that means
+/// How many claims were judged, hold, are refuted and are open; if there is no finding, also whether that means
 /// anything. Whole sentences.
 std::string standing_text(const Errata& errata);
-/// How the refuted claims come to the findings: whole sentences, empty where there is none of either.
+/// How the number of refuted claims leads to the number of findings, in whole sentences; empty if both are 0.
 std::string sum_text(const Errata& errata);
 
 std::string errata_text(const ClaimsFile& file, const Errata& errata);
 std::string errata_markdown(const ClaimsFile& file, const Errata& errata);
 /// One JSON document, schema slipproof/errata/1.
 std::string errata_json(const ClaimsFile& file, const Errata& errata);
-/// SARIF 2.1.0, with the lines of the paper's source.
+/// SARIF 2.1.0, with line numbers of the paper's source.
 std::string errata_sarif(const ClaimsFile& file, const Errata& errata);
 
 /// A table in Markdown: every numbered equation of the paper with its claims.

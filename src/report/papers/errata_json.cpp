@@ -81,7 +81,7 @@ std::string errata_sarif(const ClaimsFile& file, const Errata& errata) {
   run["tool"]["driver"]["name"] = "slipproof";
   run["tool"]["driver"]["rules"] = std::move(rules);
   run["results"] = std::move(results);
-  // A list without results is not an all-clear by itself.
+  // A list without results does not by itself mean that all is well.
   run["properties"]["standing"] = standing_text(errata);
   run["properties"]["missing"] = errata.standing.missing;
   document["$schema"] = "https://json.schemastore.org/sarif-2.1.0.json";

@@ -79,7 +79,7 @@ std::string standing_text(const Errata& errata) {
 std::string sum_text(const Errata& errata) {
   const Standing& s = errata.standing;
   const std::size_t own = s.refuted - s.shared, all = errata.findings.size();
-  if (s.refuted == 0 || (own == s.refuted && all == own)) return "";  // nothing to explain
+  if (s.refuted == 0 || (own == s.refuted && all == own)) return "";  // the numbers need no explanation
   std::string text = fmt::format("{} {} refuted, and there {} {}. ", counted(s.refuted, "claim"), is(s.refuted),
                                  is(all), counted(all, "finding"));
   text += fmt::format("Of the refuted claims, {} {} of {} own", own, own == 1 ? "is a finding" : "are findings",

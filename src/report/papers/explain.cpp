@@ -20,7 +20,7 @@ std::string for_forces(const std::string& F, const ForceInterval& forces) {
   return fmt::format("for {} in {}", F, to_string(forces));
 }
 
-/// Whether anything that the claim says, or the mode that its counterexample is about, depends on the force.
+/// Whether anything in the claim, or in the mode of its counterexample, depends on the force.
 bool depends_on_force(const Setting& setting, const Claim& claim, Reading reading, const Counterexample& example) {
   const SettingNames names(setting);
   const std::vector<Expression> all = expressions(claim.body(reading));
@@ -94,7 +94,7 @@ class Explanation {
     return text;
   }
 
-  /// Which comparison fails, with both its values. The force is named if it matters.
+  /// The comparison that fails, with the values of both sides, and the force if it matters.
   std::string formula() const {
     std::string text;
     for (const BrokenComparison& broken : example_.broken) {
@@ -114,7 +114,7 @@ class Explanation {
     const bool more = j_.witnesses && !j_.witnesses->is_point();
     return text + (more ? "; it fails " + for_forces(F_, *j_.witnesses) : "");
   }
-  /// `b1 = 2`, or `the left side is 2` of what would be long; nothing of a number.
+  /// `b1 = 2`; `the left side is 2` if the expression is long; nothing for a number.
   static std::string side(const Expression& e, const std::string& text, const Rational& value, const char* which) {
     const Expression& bare = e->operation == Operation::negate ? e->operands[0] : e;
     if (bare->operation == Operation::number) return "";
@@ -129,7 +129,7 @@ class Explanation {
     return fmt::format("{} (in {} there is no motion)", failing(), mode());
   }
 
-  /// In the words of the claim's kind.
+  /// How the claim fails, in the words of its kind.
   std::string failing() const { return body_.kind->failing(body_, j_, noun(setting_)); }
 
   const Claim& claim_;
@@ -272,7 +272,7 @@ std::string sentence(std::string text) {
   const std::size_t end = text.find_first_of(" :,");
   const std::string_view first = std::string_view(text).substr(0, end);
   const auto is_lower = [](unsigned char c) { return std::islower(c) != 0; };
-  // Two letters and no digit are a word; a formula goes on with an operator.
+  // Two letters and no digit are a word; in a formula an operator follows.
   const bool word = first.size() > 1 && std::all_of(first.begin(), first.end(), is_lower);
   const bool goes_on = end == text.npos || end + 1 >= text.size() ||
                        std::isalpha(static_cast<unsigned char>(text[end + 1])) != 0 || text[end] != ' ';

@@ -1,4 +1,4 @@
-// Several papers that were judged in one go: a line for each, and what was found in it.
+// The report on several papers judged together: one line for each, and its findings.
 #pragma once
 
 #include <string>
@@ -15,11 +15,11 @@ struct JudgedPaper {
   VerifyResult result;
 };
 
-/// The worst of all.
+/// The worst result of all papers.
 Summary summary(const std::vector<JudgedPaper>& papers);
 
-/// A screen of 80 columns: for each paper how its claims stand as printed, and what was found; what is not as it should
-/// be, claim by claim.
+/// For a screen of 80 columns: how the claims of each paper stand as printed, and what was found; then each claim with
+/// an unexpected verdict.
 std::string papers_text(const std::vector<JudgedPaper>& papers, bool quiet);
 /// One JSON document, schema slipproof/papers/1.
 std::string papers_json(const std::vector<JudgedPaper>& papers);

@@ -1,4 +1,4 @@
-// A second checker that was asked of the certificates, as `verify` and the report name it.
+// A second checker of the certificates, as `verify` and the report name it.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ namespace slipproof {
 /// `41 certificates are accepted by slipproof-check-verified, too, a checker that is proved correct`.
 std::string in_words(const SecondChecker& checker);
 
-/// Of all papers together; nothing where none was asked.
+/// The second checker of all papers together; nothing if none was asked.
 std::optional<SecondChecker> second_checker(const std::vector<JudgedPaper>& papers);
 
 }  // namespace slipproof

@@ -18,7 +18,7 @@ namespace {
 
 using Out = std::back_insert_iterator<std::string>;
 
-/// What stands still goes without saying; so does that a contact stays closed.
+/// The accelerations that are not 0; so gaps of contacts that stay closed are left out.
 std::string accelerations_text(const Counterexample& e, const MotionAtLoad& motion) {
   const auto names = acceleration_names(e.scene.mechanism);
   std::string text;

@@ -1,4 +1,4 @@
-// What `slipproof verify` says: every claim's verdict, and counterexamples that a person can check by hand.
+// The output of `slipproof verify`: the verdict on every claim, and counterexamples that a person can check by hand.
 #pragma once
 
 #include <string>
@@ -12,12 +12,12 @@ namespace slipproof {
 /// One JSON document, schema slipproof/verify/1, ending in a newline.
 std::string verify_json(const ClaimsFile& file, const VerifyResult& result);
 
-/// For people; the last line begins with `s VERIFIED`, `s REFUTED`, `s UNDECIDED` or `s REJECTED`, with counts; those
-/// that hold include the proved ones. `quiet`: it alone.
+/// For people. The last line begins with `s VERIFIED`, `s REFUTED`, `s UNDECIDED` or `s REJECTED`, with counts; the
+/// claims that hold include the proved ones. `quiet`: only the last line.
 std::string verify_text(const ClaimsFile& file, const VerifyResult& result, bool quiet = false);
 
-/// All verdicts as expected; or the first of: a certificate rejected, something else refuted, something else undecided,
-/// which it also is where no claim was judged.
+/// As expected if all verdicts are. Otherwise the first that applies: a certificate is rejected; an unexpected verdict
+/// is refuted; an unexpected verdict is undecided, or no claim was judged.
 enum class Summary { as_expected, rejected, refuted, undecided };
 Summary summary(const ClaimsFile& file, const VerifyResult& result);
 std::string_view summary_word(Summary summary);  ///< `VERIFIED`, `REJECTED`, `REFUTED` or `UNDECIDED`

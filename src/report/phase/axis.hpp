@@ -1,4 +1,4 @@
-// The frame of a plot: from numbers to places in a picture, axes with round numbers.
+// The frame of a plot: maps numbers to places in a picture, and has axes with round numbers.
 #pragma once
 
 #include <vector>
@@ -22,7 +22,7 @@ struct Frame {
   double x_of(double x) const { return left + (x - x_from_) / (x_to_ - x_from_) * width; }
   double y_of(double y) const { return top + height - (y - y_from_) / (y_to_ - y_from_) * height; }
   std::vector<Pixel> to_picture(const std::vector<PlanePoint>& points) const;
-  /// The longest part of a line inside of the frame, by its points.
+  /// The longest part of a line inside the frame, as points.
   std::vector<Pixel> visible(const std::vector<Pixel>& points) const;
   void draw(const Element& svg) const;
 

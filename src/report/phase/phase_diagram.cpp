@@ -31,7 +31,7 @@ std::string name(const MotionSet& set) {
 
 std::vector<PhaseBand> bands(const PhaseColumn& column, bool joined) {
   std::vector<PhaseBand> all;
-  bool alike = false;  // the point below has the motions of the band below it
+  bool alike = false;  // the band below has the same motions, also at the point between
   for (const LoadCell& cell : column.cells) {
     MotionSet set = motion_set(cell);
     if (cell.loads.is_point()) {
@@ -61,7 +61,7 @@ const LoadCell* find_cell(const PhaseColumn& column, const Rational& y) {
 
 namespace {
 
-/// The same regions one above the other, as far as the picture reaches.
+/// Whether two columns have the same regions, in the same order, inside the picture.
 bool alike(const PhaseColumn& a, const PhaseColumn& b, bool joined) {
   const auto x = bands(a, joined), y = bands(b, joined);
   return std::equal(x.begin(), x.end(), y.begin(), y.end(),
@@ -93,7 +93,7 @@ class Columns {
 
  private:
   struct Found {
-    PhaseColumn column;  ///< outside of the domain, only where it is
+    PhaseColumn column;  ///< if it is outside the domain, only its x is set
     bool inside = true;
   };
 
@@ -105,7 +105,7 @@ class Columns {
     return found;
   }
 
-  /// Adds, in order, what it takes to see where `left` turns into `right`, or leaves the domain.
+  /// Adds, in order, the columns that show where `left` changes to `right`, or leaves the domain.
   void between(std::vector<Found>& all, const Found& left, const Found& right) {
     if (right.column.x - left.column.x <= narrow_) return;
     if (left.inside == right.inside && (!left.inside || alike(left.column, right.column, plane_.joins_alike))) return;
@@ -144,7 +144,7 @@ PhaseDiagram phase_diagram(Plane plane, std::size_t count) {
   const Rational step = (plane.x.to - plane.x.from) / Rational(count);
   for (std::size_t i = 0; i <= count; ++i) {
     const bool there = columns.add(plane.x.from + step * Rational(i), true);
-    // The end of an axis may be outside of an open domain: then just beside it.
+    // If the end of an axis is outside an open domain, takes a value just next to it.
     if (!there && i == 0) columns.add(plane.x.from + step / 64, false);
     if (!there && i == count) columns.add(plane.x.to - step / 64, false);
   }

@@ -12,7 +12,7 @@ namespace slipproof {
 
 namespace {
 
-/// The roomiest place for a label `width` wide: how many times it fits, if more often than before.
+/// Finds the roomiest place for a label of this width: updates `best` if the label fits more often than before.
 void find_room(const Strip& strip, const Frame& frame, double width, double& room, Pixel& best) {
   const auto lower = frame.to_picture(strip.lower), upper = frame.to_picture(strip.upper);
   const double top = frame.top, bottom = frame.top + frame.height;

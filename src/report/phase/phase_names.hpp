@@ -1,4 +1,4 @@
-// Names inside of a phase diagram, where there is room for them.
+// Names in a phase diagram, where there is room for them.
 #pragma once
 
 #include "report/markup/element.hpp"
@@ -7,14 +7,14 @@
 
 namespace slipproof {
 
-/// Of the regions: at the roomiest place of each, if it fits there.
+/// Adds the names of regions, each at its roomiest place if it fits there.
 void add_region_names(const Element& plot, const PhaseRegions& regions, const Frame& frame);
 
-/// Of each curve, at the middle of the longest piece where it is a border; of one that nowhere is, where it can be
-/// seen.
+/// Adds the names of curves, each at the middle of its longest piece that is a border; if it has none, at a place where
+/// it can be seen.
 void add_curve_names(const Element& plot, const Plane& plane, const PhaseRegions& regions, const Frame& frame);
 
-/// Of upright lines, at the top; of two that are too close, the second one is lower.
+/// Adds the names of vertical lines, at the top; if two are too close, the second is lower.
 void add_line_names(const Element& plot, const Plane& plane, const Frame& frame);
 
 }  // namespace slipproof

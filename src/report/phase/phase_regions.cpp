@@ -9,11 +9,11 @@ namespace slipproof {
 
 namespace {
 
-/// Columns with the same regions one above the other.
+/// Neighbouring columns with the same regions in the same order.
 struct Run {
   std::size_t first, last;
-  double left, right;  ///< how far it is drawn
-  bool after_gap;      ///< of the domain
+  double left, right;  ///< the ends of the drawn area
+  bool after_gap;      ///< a gap in the domain precedes it
 };
 
 class RegionDrawing {
@@ -52,7 +52,7 @@ class RegionDrawing {
  private:
   static double value(const Rational& x) { return nearest_binary64(x); }
   double x(std::size_t column) const { return value(columns_[column].x); }
-  /// An end as far away as the picture cares.
+  /// An end, moved to just outside the picture if it is farther away.
   double clamped(const std::optional<Rational>& y, double infinite) const {
     if (!y) return infinite;
     return std::clamp(value(*y), low_ - far_, high_ + far_);
@@ -62,7 +62,7 @@ class RegionDrawing {
   double lower(const PhaseBand& band) const { return clamped(band.lower, low_ - far_); }
   double upper(const PhaseBand& band) const { return clamped(band.upper, high_ + far_); }
 
-  /// Whether a column is missing beside or between others, or ends inside of the picture.
+  /// Whether a column is missing at a side or between others, or ends inside the picture.
   bool leaves_domain() const {
     const double step = (value(diagram_.plane.x.to) - value(diagram_.plane.x.from)) / 500;
     if (x(0) > value(diagram_.plane.x.from) + step || x(columns_.size() - 1) < value(diagram_.plane.x.to) - step) {
@@ -104,7 +104,7 @@ class RegionDrawing {
     return joined(std::move(all));
   }
 
-  /// A column between two others that looks like neither of them is a line: both sides reach up to it.
+  /// Treats a column that differs from both neighbours as a line: both sides extend to it.
   std::vector<Run> joined(std::vector<Run> all) const {
     std::vector<Run> wide;
     for (std::size_t r = 0; r < all.size(); ++r) {
@@ -119,7 +119,7 @@ class RegionDrawing {
       wide.push_back(all[r]);
     }
     if (wide.empty()) return all;
-    // The picture begins and ends where the axis does, even beside an open end of a domain.
+    // The picture begins and ends with the axis, even near an open end of a domain.
     const double edge = (value(diagram_.plane.x.to) - value(diagram_.plane.x.from)) / 1000;
     wide.back().right = all.back().right;
     if (wide.front().left - value(diagram_.plane.x.from) < edge) wide.front().left = value(diagram_.plane.x.from);
@@ -127,7 +127,7 @@ class RegionDrawing {
     return wide;
   }
 
-  /// An end of the k-th cell of a run's columns, drawn to the run's borders.
+  /// An end of the k-th cell in the columns of a run, extended to the run's borders.
   template <class End>
   std::vector<PlanePoint> along(const Run& run, std::size_t k, End end) const {
     std::vector<PlanePoint> points;
@@ -147,7 +147,7 @@ class RegionDrawing {
     }
   }
 
-  /// What is only in one column is a line.
+  /// Adds regions that occur in a single column as lines.
   void add_single_columns(const std::vector<Run>& all_runs) {
     std::vector<bool> drawn(columns_.size());
     for (const Run& run : all_runs) std::fill_n(drawn.begin() + index(run.first), run.last - run.first + 1, true);
@@ -161,7 +161,7 @@ class RegionDrawing {
     return columns_[column].curves[curve] && *columns_[column].curves[curve] == y;
   }
 
-  /// The border above the k-th cell of the columns i and i + 1: the curve that it is on in both, exactly.
+  /// The curve on which the border above the k-th cell lies exactly in both columns i and j; nothing if there is none.
   std::optional<std::size_t> curve_of(std::size_t k, std::size_t i, std::size_t j) const {
     const Rational& left = *bands_[i][k].upper;
     const Rational& right = *bands_[j][k].upper;
@@ -178,7 +178,7 @@ class RegionDrawing {
       const std::size_t offset = run.left < x(run.first) ? 1 : 0;
       PhaseLine line;
       for (std::size_t i = 0; i + 1 < points.size() || i == 0; ++i) {
-        // The segment's columns; beyond the first and last column it goes on as it was.
+        // The columns of the segment; outside the first and last column it continues unchanged.
         const std::size_t left = run.first + std::min(i < offset ? 0 : i - offset, run.last - run.first);
         const std::size_t right = std::min(left + 1, run.last);
         const auto curve = curve_of(k, left == right && left > run.first ? left - 1 : left, right);
@@ -195,7 +195,7 @@ class RegionDrawing {
     }
   }
 
-  /// Where two runs meet, an upright border between different sets that both have some height there.
+  /// Where two runs meet: adds a vertical border between different sets that both have some height there.
   void add_upright(const Run& left, const Run& right) {
     const auto &a = bands_[left.last], &b = bands_[right.first];
     const auto named = [&](const Plane::Line& line) { return value(line.x) == right.left; };
@@ -214,7 +214,7 @@ class RegionDrawing {
     }
   }
 
-  /// A curve where it is no border.
+  /// Adds the parts of a curve that are not a border.
   void add_idle(std::size_t curve) {
     PhaseLine line{PhaseLine::Kind::idle, curve, {}};
     const auto finish = [&] {
@@ -279,7 +279,7 @@ class RegionDrawing {
 
   const PhaseDiagram& diagram_;
   const std::vector<PhaseColumn>& columns_;
-  std::vector<std::vector<PhaseBand>> bands_;  ///< of each column
+  std::vector<std::vector<PhaseBand>> bands_;  ///< by column
   const double low_, high_, far_;
   PhaseRegions regions_;
 };

@@ -1,4 +1,4 @@
-// The shapes of a phase diagram, from its columns: what is drawn, in the units of its axes and rounded to binary64.
+// Makes the shapes of a phase diagram from its columns, in the units of its axes and rounded to binary64.
 #pragma once
 
 #include <optional>
@@ -12,18 +12,19 @@ struct PlanePoint {
   double x, y;
 };
 
-/// One cell followed through neighbouring columns.
+/// One cell, followed through neighbouring columns.
 struct Strip {
   MotionSet set;
-  std::vector<PlanePoint> lower, upper;  ///< from left to right, at the same x; one point: only in that column
+  /// From left to right, at the same x; one point: the cell is in that column only.
+  std::vector<PlanePoint> lower, upper;
 };
 
-/// What separates two strips; or where one of the plane's curves is and nothing changes.
+/// A line that separates two strips; or a part of a curve of the plane where nothing changes.
 struct PhaseLine {
   enum class Kind {
-    edge,   ///< the motions change here: on a curve of the plane, or the plane has none
-    extra,  ///< the motions change here, exactly where no curve is
-    idle    ///< a curve, and the motions do not change
+    edge,   ///< the motions change here, on a curve of the plane; or the plane has no curves
+    extra,  ///< the motions change here, but there is no curve
+    idle    ///< a curve at which the motions do not change
   };
   Kind kind = Kind::edge;
   std::optional<std::size_t> curve;
@@ -41,9 +42,9 @@ struct PhaseRegions {
   std::vector<PhaseLine> lines;
   std::vector<RefutedStrip> refuted;
 
-  /// The sets of motions inside of the picture, however thin, from the bottom to the top, each once.
+  /// The sets of motions inside the picture, however thin, from bottom to top, each once.
   std::vector<MotionSet> sets;
-  /// Of a plane that finds its domain: whether the domain ends inside of the picture.
+  /// For a plane that searches for its domain: whether the domain ends inside the picture.
   bool leaves_domain = false;
 };
 

@@ -18,14 +18,14 @@ namespace slipproof {
 
 namespace {
 
-/// One motion, in which a contact is open.
+/// Whether the set is one motion in which a contact is open.
 bool opens(const MotionSet& set) {
   if (set.motions.size() != 1) return false;
   const MechanismMode& mode = set.motions[0].front();
   return std::find(mode.begin(), mode.end(), ElementState::lift) != mode.end();
 }
 
-/// Room for the numbers of the vertical axis and its name.
+/// Width needed for the numbers of the vertical axis and its name.
 double left_of(const Plane& plane) {
   std::size_t longest = 0;
   for (const Rational& y : {plane.y.from, plane.y.to}) {
@@ -56,7 +56,7 @@ class Picture {
         colours_(drawn_modes(regions)),
         frame_(frame_of(diagram.plane, options)) {}
 
-  /// Patterns for what one colour cannot show, and the clip of the plot.
+  /// Patterns for sets that one colour cannot show, and the clip path of the plot.
   void add_definitions(const Element& svg) const {
     const Element defs = svg.add("defs");
     const Element clip = defs.add("clipPath").set("id", plane_.id + "-clip").add("rect");
@@ -95,7 +95,7 @@ class Picture {
     }
   }
 
-  /// Each column of a thin set as a bar, as wide and as high as can be seen.
+  /// Draws each column of a thin set as a bar that is wide and high enough to see.
   void add_thin(const Element& plot, const std::vector<ThinRegion>& thin) const {
     for (const ThinRegion& region : thin) {
       std::string d;
@@ -188,7 +188,7 @@ class Picture {
     }
   }
 
-  /// The same for a small sample in a legend, which needs an outline where it is as white as the paper.
+  /// The same for a small sample in a legend; a sample as white as the paper gets an outline.
   void paint_swatch(const Element& rect, std::size_t index) const {
     rect.set("width", 28).set("height", 18).set("rx", 3);
     paint(rect, index);
@@ -217,7 +217,7 @@ class Picture {
     return closed_path_of(outline);
   }
 
-  /// What of a strip is inside of the frame, widened across its direction and at its ends.
+  /// The part of a strip inside the frame, widened across its direction and at its ends.
   std::string widened(const Strip& strip) const {
     const auto lower = frame_.to_picture(strip.lower), upper = frame_.to_picture(strip.upper);
     const double top = frame_.top, bottom = top + frame_.height;

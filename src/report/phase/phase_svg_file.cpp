@@ -1,4 +1,4 @@
-// A phase diagram as a file of its own.
+// Writes a phase diagram as a file of its own.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -18,7 +18,7 @@ std::string whole_note(const PhaseDiagram& diagram, const PhaseRegions& regions)
   return note + (note.empty() ? "" : " ") + "White is out of the domain.";
 }
 
-/// As much as fits into a line, the first part at least in part.
+/// As many words as fit into a line, with at least the beginning of the first.
 std::string fitting(std::string words, const std::vector<std::string>& more, double width) {
   const auto room = static_cast<std::size_t>((width - 98) / 6.2);
   if (words.size() > room) words = words.substr(0, room - 4) + "…";
@@ -44,7 +44,7 @@ void add_legend(const Element& svg, const PhasePicture& picture, double top) {
   }
 }
 
-/// Two in a row.
+/// Adds the enlargements, two in a row.
 void add_enlargements(const Element& svg, const PhasePicture& picture, double top) {
   const PhaseSvgOptions options = enlargement_options(picture.options);
   for (std::size_t i = 0; i < picture.thin.enlargements.size(); ++i) {

@@ -1,4 +1,4 @@
-// What phase diagrams tell of a motion: its quantities by name, and its modes in words.
+// How phase diagrams describe a motion: its quantities by name, and its modes in words.
 #pragma once
 
 #include "mechanics/mechanism/mechanism.hpp"
@@ -6,7 +6,7 @@
 
 namespace slipproof {
 
-/// The names of its file, and "left sticks, right is open".
+/// Uses the names in the mechanism's file, and words such as "left sticks, right is open".
 void tell_of_mechanism(Plane& plane, const Mechanism& mechanism);
 
 }  // namespace slipproof

@@ -11,14 +11,14 @@ namespace slipproof {
 namespace {
 
 constexpr std::size_t most_enlargements = 4, enlarged_columns = 48;
-constexpr double clearly_seen = 10;  ///< in an enlargement, in pixels
+constexpr double clearly_seen = 10;  ///< in pixels, in an enlargement
 
-/// A place of a strip inside of a frame.
+/// A place on a strip inside a frame.
 struct Spot {
   const Strip* strip = nullptr;
   std::size_t index = 0;
-  double lower = 0, upper = 0;  ///< inside of the frame
-  double thickness = 0;         ///< up or across, whichever is less, in pixels
+  double lower = 0, upper = 0;  ///< inside the frame
+  double thickness = 0;         ///< vertical or horizontal, whichever is less, in pixels
 };
 
 double middle(const Spot& spot) {
@@ -34,7 +34,7 @@ class Spots {
         low_(nearest_binary64(y.from)),
         high_(nearest_binary64(y.to)) {}
 
-  /// Nothing beyond the frame.
+  /// Nothing if it is outside the frame.
   std::optional<Spot> spot(const Strip& strip, std::size_t i) const {
     const double x = strip.lower[i].x;
     if (x < left_ || x > right_ || strip.lower[i].y >= high_ || strip.upper[i].y <= low_) return std::nullopt;
@@ -43,7 +43,7 @@ class Spots {
     return spot;
   }
 
-  /// The thickest; of equals the first.
+  /// The thickest place of the set; the first if there are several.
   std::optional<Spot> best(const std::vector<Strip>& strips, const MotionSet& set) const {
     std::optional<Spot> best;
     for (const Strip& strip : strips) {
@@ -60,14 +60,14 @@ class Spots {
   double pixels_across(double from, double to) const { return frame_.x_of(to) - frame_.x_of(from); }
   double pixels_up(double from, double to) const { return frame_.y_of(from) - frame_.y_of(to); }
 
-  /// How far the strip goes to both sides at the level of a spot's middle, inside of the frame.
+  /// The width of the strip at the height of a spot's middle, to both sides, inside the frame.
   double level_width(const Spot& spot) const {
     const double level = middle(spot);
     const auto end = [&](std::size_t step) {
       const auto &lower = spot.strip->lower, &upper = spot.strip->upper;
       std::size_t i = spot.index;
       for (std::size_t next = i + step; next < lower.size();
-           i = next, next += step) {  // below 0 is beyond the end, too
+           i = next, next += step) {  // an index below 0 wraps round and is past the end, too
         const double over = upper[next].y - level, under = level - lower[next].y;
         if (over > 0 && under > 0) continue;
         const double inside = over > 0 ? level - lower[i].y : upper[i].y - level, outside = over > 0 ? under : over;
@@ -82,7 +82,7 @@ class Spots {
   double left_, right_, low_, high_;
 };
 
-/// The part of a plane around a place of a strip, in which the strip is about a sixth of the height.
+/// The part of a plane around a place on a strip in which the strip has about a sixth of the height.
 class Window {
  public:
   Window(const Plane& plane, const Spot& spot, const Spots& spots)
@@ -100,7 +100,7 @@ class Window {
     right_ = std::min(right_ + more, nearest_binary64(plane.x.to));
   }
 
-  /// The plane with these axes; nothing where the numbers are too near to each other.
+  /// The plane with these axes; nothing if the numbers are too close to each other.
   std::optional<Plane> of(const Plane& plane, std::size_t number) const {
     if (!(left_ < right_) || !(low_ < high_)) return std::nullopt;
     Plane part = plane;
@@ -115,11 +115,12 @@ class Window {
   }
 
  private:
-  /// How far the middle of the strip stays inside, to one side.
+  /// How far the middle of the strip stays inside, towards one side.
   double end(const Spots& spots, bool rightwards) const {
     const Strip& strip = *spot_.strip;
     double x = strip.lower[spot_.index].x;
-    for (std::size_t i = spot_.index; i < strip.lower.size(); rightwards ? ++i : --i) {  // --0 ends it, too
+    // --i from 0 ends the loop, too.
+    for (std::size_t i = spot_.index; i < strip.lower.size(); rightwards ? ++i : --i) {
       const auto here = spots.spot(strip, i);
       if (!here) break;
       const double rise = middle(*here) - middle(spot_), room = high_ - middle(spot_);

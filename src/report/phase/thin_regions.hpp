@@ -1,4 +1,4 @@
-// Regions of a phase diagram that are too thin to be seen, and enlargements in which they can be.
+// Regions of a phase diagram that are too thin to see, and enlargements that show them.
 #pragma once
 
 #include <optional>
@@ -9,17 +9,18 @@
 
 namespace slipproof {
 
-/// What is thinner is drawn as wide as this, in pixels.
+/// In pixels; a thinner region is drawn as wide as this.
 inline constexpr double least_seen = 4;
 
 struct ThinRegion {
-  std::size_t set = 0;  ///< of the regions' sets
+  std::size_t set = 0;  ///< index into the regions' sets
   PlanePoint at;        ///< where it is thickest
-  bool line = false;    ///< it is only in single columns, and no enlargement makes it wider
+  bool line = false;    ///< it is only in single columns, so no enlargement makes it wider
   std::optional<std::size_t> enlargement;
 };
 
-/// A part of a diagram, solved again in columns of its own. Its sets are those of the whole, in the same order.
+/// A part of a diagram, solved again with columns of its own. Its sets are those of the whole diagram, in the same
+/// order.
 struct Enlargement {
   PhaseDiagram diagram;
   PhaseRegions regions;
@@ -30,11 +31,13 @@ struct ThinRegions {
   std::vector<Enlargement> enlargements;
 };
 
-/// How thick a set is at its thickest inside of a frame, across and up, in pixels; nothing where it is not in it.
+/// The thickness of a set where it is thickest inside a frame, horizontally and vertically, in pixels; nothing if it is
+/// not in the frame.
 std::optional<double> thickness(const PhaseRegions& regions, const MotionSet& set, const Frame& frame);
 
-/// Sets that are nowhere as thick as least_seen in the frame, and for the thickest of them a few enlargements. Sets
-/// that only these show are added to the regions'. An enlargement is for a frame of the size of `small`.
+/// The sets that are thinner than least_seen everywhere in the frame, and a few enlargements for the thickest of them.
+/// Sets that only the enlargements show are added to the sets of `regions`. Enlargements have a frame of the size of
+/// `small`.
 ThinRegions thin_regions(const PhaseDiagram& diagram, PhaseRegions& regions, const Frame& frame, const Frame& small);
 
 }  // namespace slipproof

@@ -55,7 +55,7 @@ class LabelledFigure {
     text.set("font-size", 12).text(what);
   }
 
-  /// A measured length: a line with a bar at both ends.
+  /// Draws a measured length: a line with a bar at both ends.
   void measure(Point from, Point to) const {
     const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
     if (length < 1) return;
@@ -65,7 +65,8 @@ class LabelledFigure {
       sketch_.line({end[0] - bar_x, end[1] - bar_y}, {end[0] + bar_x, end[1] + bar_y}, "edge");
     }
   }
-  /// Part of a circle with an arrow at its end: a positive turn, clockwise. Angles from the x axis, clockwise.
+  /// Draws part of a circle with an arrow at its end. A positive turn is clockwise; angles are measured clockwise from
+  /// the x axis.
   void turn(Point centre, double radius, double from_degrees, double to_degrees, std::string_view css_class) const {
     const auto at = [&](double degrees) {
       const double angle = degrees * std::numbers::pi / 180;
@@ -114,7 +115,7 @@ class LabelledFigure {
     radius(sketch_.crank(), sketch_.r1(), -130, "r1", 1.5);
     radius(-sketch_.b2(), sketch_.r2(), 130, "r2", 2.2);
   }
-  /// From a hinge outwards; the label stands beside the line, at this part of it.
+  /// Draws a radius outwards from a hinge; the label is next to the line at this fraction of its length.
   void radius(double hinge, double length, double degrees, std::string_view name, double label_at) const {
     const double angle = degrees * std::numbers::pi / 180, pixels = sketch_.scale() * length;
     const Point from = sketch_.place(hinge, sketch_.R());
@@ -157,7 +158,7 @@ class LabelledFigure {
     symbol({x - 8, y + 62}, "M g", "end");
   }
 
-  /// Angular accelerations: of the frame about C, of the sprocket, and of the wheels.
+  /// Draws angular accelerations: of the frame about C, of the sprocket, and of the wheels.
   void turns() const {
     const auto [x, y] = sketch_.place(0, sketch_.h0());
     turn({x, y}, 24, -150, -40, "normal");

@@ -1,4 +1,4 @@
-// The labelled figure of the model: axes, signs, and what each symbol of a scene means.
+// The labelled figure of the model: axes, signs, and the meaning of each symbol of a scene.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace slipproof {
 
-/// The bicycle of a scene, to scale, with the symbols of lengths, forces and accelerations where they belong: arrows
-/// point where a quantity counts as positive. Needs picture_style() in the document.
+/// Adds the bicycle of a scene, to scale, with the symbols of lengths, forces and accelerations at their places. Arrows
+/// point in the positive directions. Needs picture_style() in the document.
 Element add_bicycle_figure(const Element& parent, const MechanismScene& scene);
 
-/// The same as a file of its own, SVG, on a ground of its own in light and dark.
+/// The same as an SVG file of its own, with a background for light and dark displays.
 std::string bicycle_figure_file(const MechanismScene& scene);
 
 }  // namespace slipproof

@@ -63,7 +63,7 @@ void BicycleSketch::arrow(Point from, double dx, double dy, std::string_view css
   add_arrow(svg_, from, dx, dy, css_class);
 }
 
-/// A raised wheel leaves a trace where it stood.
+/// Draws a wheel; a raised one leaves a dotted trace where it was.
 void BicycleSketch::wheel(double at, bool is_raised) const {
   if (is_raised) circle({x(at), y(R_)}, scale_ * R_, "curve");
   circle(place(at, R_), scale_ * R_, "body");
@@ -81,7 +81,7 @@ void BicycleSketch::frame() const {
 /// Both sprockets, the two runs of the chain, and the crank down to the pedal.
 void BicycleSketch::chain() const {
   const double distance = crank() + b2_, rise = (r1_ - r2_) / distance;
-  if (std::abs(rise) < 1) {  // the common tangents touch where the radius is at right angles to them
+  if (std::abs(rise) < 1) {  // the common tangents touch the circles where the radius is perpendicular to them
     const double across = -rise, up = std::sqrt(1 - rise * rise);
     for (const double side : {1.0, -1.0}) {
       line(place(-b2_ + r2_ * across, R_ + side * r2_ * up), place(crank() + r1_ * across, R_ + side * r1_ * up),

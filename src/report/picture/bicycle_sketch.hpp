@@ -1,4 +1,4 @@
-// The bicycle itself, to scale: what the picture of a motion and the labelled figure have in common.
+// The bicycle itself, to scale: the common part of the picture of a motion and of the labelled figure.
 #pragma once
 
 #include <string_view>
@@ -14,22 +14,22 @@ struct Raised {
   bool rear = false, front = false;
 };
 
-/// Where in a picture the bicycle stands, in pixels.
+/// The place of the bicycle in a picture, in pixels.
 struct SketchBox {
-  double width = 0;   ///< of the picture; the bicycle stands in its middle
+  double width = 0;   ///< of the picture; the bicycle is in its middle
   double margin = 0;  ///< on either side
-  double top = 0;     ///< nothing of the bicycle is above
+  double top = 0;     ///< no part of the bicycle is above this level
   double road = 0;    ///< level of the road
 };
 
-/// Draws a bicycle to scale. A raised wheel is raised by no measure but that it can be seen: the other one stays, and
-/// the frame turns about its axle. Where r1 and r2 only say their ratio (a sprocket as large as a wheel), they are
-/// drawn smaller, in that ratio.
+/// Draws a bicycle to scale. The height of a raised wheel is not to scale; it only has to be visible: the other wheel
+/// stays in its place, and the frame turns about that wheel's axle. If r1 and r2 only give their ratio (a sprocket as
+/// large as a wheel), they are drawn smaller, in that ratio.
 class BicycleSketch {
  public:
   BicycleSketch(const Element& svg, const MechanismScene& scene, const SketchBox& box, Raised raised = {});
 
-  /// The road, wheels, frame, chain, and the pedal at its arm below the axles' line.
+  /// Draws the road, wheels, frame, chain, and the pedal on its arm below the line of the axles.
   void draw() const;
 
   double scale() const { return scale_; }
@@ -40,21 +40,21 @@ class BicycleSketch {
   double r1() const { return r1_; }
   double r2() const { return r2_; }
   double L() const { return L_; }
-  /// How far before C the sprocket with the pedals is drawn: in the middle of the axles, the model does not say where.
+  /// How far before C the sprocket with the pedals is drawn: midway between the axles, since the model gives no place.
   double crank() const { return (b3_ - b2_) / 2; }
 
-  /// Pixels, from metres in front of C and above the road.
+  /// Pixels for a distance in metres in front of C or above the road.
   double x(double metres) const { return x0_ + scale_ * metres; }
   double y(double metres) const { return road_ - scale_ * metres; }
-  /// The same for a point of the bicycle, where it is raised.
+  /// The same for a point of the bicycle, which may be raised.
   Point place(double across, double up) const;
 
-  /// Where the pedal is. What stands for one below the road, or far above, is moved into the picture.
+  /// The place of the pedal. A pedal below the road or far above is moved into the picture.
   Point pedal() const;
 
   void line(Point from, Point to, std::string_view css_class) const;
   void circle(Point centre, double radius, std::string_view css_class) const;
-  /// From a point along (dx, dy), which is also where the tip is.
+  /// Draws an arrow from a point along (dx, dy); the tip is at the end of this vector.
   void arrow(Point from, double dx, double dy, std::string_view css_class) const;
 
  private:

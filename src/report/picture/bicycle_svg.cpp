@@ -31,7 +31,7 @@ Range exactly(const Rational& x) {
   return {x, x};
 }
 
-/// Whether a motion takes a wheel off the road.
+/// Which wheels a motion takes off the road.
 Raised raised_by(const MotionAtLoad& motion) {
   return {acceleration(motion, "gap2") > 0, acceleration(motion, "gap3") > 0};
 }
@@ -52,7 +52,7 @@ class MotionDrawing {
     unit_ = longest_arrow / largest;
 
     const double rear = sketch_.x(-sketch_.b2()), front = sketch_.x(sketch_.b3()), below = road + 6;
-    // Labels of both wheels stand on lines of their own: contacts may be close to each other.
+    // The labels of the two wheels are on separate lines, since the contacts may be close to each other.
     normal(rear, N2, "N2", -1);
     normal(front, N3, "N3", +1);
     tangential(rear, below, S2, "S2", -1);
@@ -70,7 +70,7 @@ class MotionDrawing {
  private:
   static double number(const Range& range) { return nearest_binary64(shown_value(range).value_or(Rational(0))); }
   const Rational& value(std::string_view symbol) const { return scene_.values.parameters[bicycle_parameter(symbol)]; }
-  /// Beside a point; long values are moved into the picture.
+  /// Adds a label next to a point; a long value is moved into the picture.
   void label(double at_x, double at_y, std::string_view symbol, const Range& value, std::string_view anchor,
              std::string_view css_class) const {
     const std::string number = " " + (value.is_point() ? "= " + label_value(*value.lower) : range_text(value));
@@ -83,7 +83,7 @@ class MotionDrawing {
     text.add("tspan").text(number);
   }
 
-  /// The reaction pushes up from below the road; its label stands beside it, away from the other wheel.
+  /// Draws the reaction, which pushes up from below the road. Its label is next to it, away from the other wheel.
   void normal(double at, const Range& N, std::string_view symbol, int side) const {
     const double length = number(N) * unit_;
     sketch_.arrow({at, road + 4 + length}, 0, -length, "normal");
@@ -95,16 +95,16 @@ class MotionDrawing {
     label(at + side * 9, road + 64, symbol, S, side < 0 ? "end" : "start", "ink");
   }
 
-  /// The acceleration with which a wheel leaves the road.
+  /// Draws the acceleration with which a wheel leaves the road.
   void gap(double at, const Rational& acceleration, std::string_view symbol, int side) const {
     label(at + side * 9, road + 84, symbol, exactly(acceleration), side < 0 ? "end" : "start", "ink");
   }
 
-  /// The pedal force acts along -x, where the pedal is.
+  /// Draws the pedal force, which acts along -x at the pedal.
   void pedal(const Range& F) const {
     const Point at = sketch_.pedal();
     sketch_.arrow(at, -number(F) * unit_, 0, "load");
-    if (!F.lower->is_zero()) {  // the value stands apart: near the pedal there is no room for it
+    if (!F.lower->is_zero()) {  // the value is written elsewhere: there is no room for it near the pedal
       const Element name = svg_.add("text", "ink halo").set("x", at[0] + 10).set("y", at[1] + 4).set("font-size", 13);
       svg_symbol(name, "F");
     }

@@ -1,4 +1,4 @@
-// What pictures of mechanisms draw alike: arrows, and values beside them.
+// The common parts of pictures of mechanisms: arrows, and values next to them.
 #pragma once
 
 #include <array>
@@ -15,11 +15,12 @@ using Point = std::array<double, 2>;
 
 enum class ArrowLine : std::uint8_t { solid, dashed };
 
-/// An arrow from a point along (dx, dy), which is also where its tip is; none that is shorter than a pixel.
+/// Adds an arrow from a point along (dx, dy); its tip is at the end of this vector. Adds nothing if it would be shorter
+/// than a pixel.
 void add_arrow(const Element& svg, Point from, double dx, double dy, std::string_view css_class,
                ArrowLine line = ArrowLine::solid);
 
-/// An exact value that fits beside an arrow, or a decimal.
+/// The exact value if it fits next to an arrow; otherwise a decimal.
 std::string label_value(const Rational& x);
 
 }  // namespace slipproof

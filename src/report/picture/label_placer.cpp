@@ -8,7 +8,7 @@ namespace slipproof {
 
 namespace {
 
-/// How much of a line is inside of a box, as its length (Liang and Barsky).
+/// The length of the part of a line that is inside a box (Liang and Barsky).
 double length_inside(Point from, Point to, const LabelBox& box) {
   const double dx = to[0] - from[0], dy = to[1] - from[1];
   double enters = 0, leaves = 1;

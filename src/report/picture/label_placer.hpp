@@ -1,4 +1,4 @@
-// Where labels go in a picture: near what they name, not over each other, and over lines as little as possible.
+// Places labels in a picture: near what they name, without overlap, and across as few lines as possible.
 #pragma once
 
 #include <limits>
@@ -17,15 +17,15 @@ struct LabelBox {
 
 class LabelPlacer {
  public:
-  /// A line that a label had better not cover; `weight` is what a pixel of it counts.
+  /// A line that labels should not cover; `weight` is the penalty for a pixel of it.
   void avoid(Point from, Point to, double weight) { lines_.push_back({from, to, weight}); }
-  /// What no label should be over.
+  /// A box that no label should cover.
   void avoid(const LabelBox& box) { boxes_.push_back(box); }
 
-  /// Labels had better not reach beyond these, to the left and to the right.
+  /// Labels should stay between these limits on the left and the right.
   void keep_between(double left, double right) { left_ = left, right_ = right; }
 
-  /// The best place of a label near one of the points, which the next ones avoid. A few hundred places are compared.
+  /// The best place for a label near one of the points; later labels avoid it. Compares a few hundred places.
   LabelBox place(const std::vector<Point>& near, double width, double height);
 
  private:

@@ -45,7 +45,7 @@ class GeometryReader {
     const MechanismContact& given = scene_.mechanism.contacts[index];
     MechanismGeometry::Contact contact{index, pair(given.at), {0, 0}, {0, 0}};
     if (!given.direction.empty()) contact.normal = unit(pair(given.direction));
-    // Slip counts positive to the right, or up, unless the file says where.
+    // Slip is positive to the right, or upwards, unless the file gives a direction.
     contact.along = {contact.normal[1], -contact.normal[0]};
     const bool left = contact.along[0] < 0, down = contact.along[0] == 0 && contact.along[1] < 0;
     if (left || down) contact.along = {-contact.along[0], -contact.along[1]};

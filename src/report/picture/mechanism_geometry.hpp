@@ -1,4 +1,4 @@
-// Where the parts of a mechanism are, by the coordinates of its file.
+// The places of the parts of a mechanism, from the coordinates in its file.
 #pragma once
 
 #include <string>
@@ -18,15 +18,15 @@ struct MechanismGeometry {
     std::string text;
   };
   struct Contact {
-    std::size_t index;  ///< among the mechanism's
+    std::size_t index;  ///< among the mechanism's contacts
     Point at;
-    Point normal, along;  ///< of length 1, or both 0: not known
+    Point normal, along;  ///< of length 1; both 0 if unknown
   };
   std::vector<Outline> outlines;
-  std::vector<Contact> contacts;  ///< those that have a place
+  std::vector<Contact> contacts;  ///< only contacts that have a place
 };
 
-/// Throws InputError for a coordinate that has no value at the scene.
+/// Throws InputError if a coordinate has no value in the scene.
 MechanismGeometry geometry_of(const MechanismScene& scene);
 
 }  // namespace slipproof

@@ -31,7 +31,7 @@ using ShapeKind = MechanismShape::Kind;
 constexpr double drawn_width = 270, drawn_height = 220, least_width = 360, longest_force = 72, shortest_force = 12,
                  plain_force = 34, letter_width = 0.62, text_line = 17, value_gap = 4, free_margin = 10;
 
-/// Words in lines of a length, in characters.
+/// Joins the pieces to lines of a given length in characters.
 std::vector<std::string> joined_lines(const std::vector<std::string>& pieces, std::string_view between,
                                       std::size_t length) {
   std::vector<std::string> lines;
@@ -68,7 +68,7 @@ class MechanismDrawing {
     }
   }
 
-  /// Lines of text above or below all that is drawn.
+  /// Adds lines of text above or below the drawing.
   void heading(const std::string& name, const std::string& below) {
     const double left = box_.left;
     double y = box_.top - (below.empty() ? 10 : 10 + text_line);
@@ -94,7 +94,7 @@ class MechanismDrawing {
     for (const std::string& part : told()) parts.push_back(part);
     return fmt::format("{}.", fmt::join(parts, "; "));
   }
-  /// All that was drawn, with a margin.
+  /// The bounding box of the drawing, with a margin.
   LabelBox box() const {
     const double more = std::max(0.0, least_width - (box_.right - box_.left)) / 2 + free_margin;
     return {box_.left - more, box_.top - free_margin, box_.right + more, box_.bottom + free_margin};
@@ -106,7 +106,7 @@ class MechanismDrawing {
     std::string symbol, value;
   };
 
-  /// Chooses the scale, so that what is drawn fits.
+  /// Chooses the scale so that the drawing fits.
   void fit() {
     std::optional<LabelBox> all;
     const auto add = [&](Point p, double radius) {
@@ -130,7 +130,7 @@ class MechanismDrawing {
   }
 
   Point pixel(Point p) const { return {scale_ * (p[0] - middle_[0]), -scale_ * (p[1] - middle_[1])}; }
-  /// From a place by so many pixels along a direction with y up.
+  /// Moves a place by this many pixels along a direction given with y up.
   static Point moved(Point from, Point direction, double by) {
     return {from[0] + by * direction[0], from[1] - by * direction[1]};
   }
@@ -146,7 +146,7 @@ class MechanismDrawing {
     see(from), see(to);
   }
 
-  /// What the body touches: a line across the direction of N, and the contact itself.
+  /// Draws the surface that the body touches, as a line perpendicular to N, and the contact itself.
   void surface(const MechanismGeometry::Contact& contact) {
     const Point at = pixel(contact.at), across{contact.normal[1], -contact.normal[0]};
     if (across[0] != 0 || across[1] != 0) line(moved(at, across, -30), moved(at, across, 30), "frame", 0.5);
@@ -224,7 +224,7 @@ class MechanismDrawing {
     described_.push_back(std::move(description));
   }
 
-  /// An arrow that ends at the contact if it pushes, and begins there if it does not; its name stands beside it.
+  /// Draws an arrow that ends at the contact if it pushes, and begins there otherwise; its name is next to it.
   void force(Point at, std::size_t unknown, Point direction, bool pushes, std::string_view css) {
     double length = plain_force;
     bool determined = true;
@@ -237,7 +237,7 @@ class MechanismDrawing {
       if (determined && number == 0) return;
       length = number == 0 ? 0 : std::copysign(std::max(std::abs(number) * unit_, shortest_force), number);
     }
-    // A pull leaves the contact on the side from which a push comes.
+    // A pull leaves the contact on the side from which a push would come.
     const double gap = 5;
     const bool pulls = pushes && length < 0;
     const Point start = pushes && !pulls ? moved(at, direction, -length - gap) : moved(at, direction, pulls ? -gap : 0);
@@ -274,7 +274,7 @@ class MechanismDrawing {
     return scene_.mechanism.contacts[contact].name + (state.empty() ? "" : ": " + state);
   }
 
-  /// The load, forces that have no place, friction elements, and contacts without one.
+  /// The load, forces without a place, friction elements, and contacts without a place, as text.
   std::vector<std::string> told() const {
     const Mechanism& mechanism = scene_.mechanism;
     std::vector<std::string> parts;

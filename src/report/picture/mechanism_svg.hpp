@@ -1,4 +1,4 @@
-// A mechanism as its file's shapes draw it, with the forces of a motion as arrows.
+// A mechanism drawn from the shapes in its file, with the forces of a motion as arrows.
 #pragma once
 
 #include <string>
@@ -10,19 +10,20 @@
 
 namespace slipproof {
 
-/// Whether a mechanism says where anything of it is: a shape, or a contact with `at`.
+/// Whether a mechanism's file gives a place for any part: a shape, or a contact with `at`.
 bool has_picture(const Mechanism& mechanism);
 
-/// The mechanism of a scene, to scale, y up, with a mark at each contact. The forces of `motion`, which are
-/// motions_of() its problem, act at the contacts as arrows in proportion to each other, none shorter than can be seen:
-/// N from outside against the body that it pushes, S along positive slip. A force that is undetermined is dashed, at
-/// the middle of its range. Without a motion all arrows have one length, and point where a force counts as positive.
-/// Forces that have no place, and contacts without one, are told below. Everything is inside of the viewBox. Needs
-/// picture_style() in the document. Throws InputError where there is no picture, or a coordinate has no value.
+/// Adds the mechanism of a scene, to scale, y up, with a mark at each contact. The forces of `motion`, which must be
+/// one of motions_of() its problem, act at the contacts. Their arrows are in proportion to each other, with a visible
+/// minimum length: N acts from outside on the body that it pushes, S along positive slip. A force that is undetermined
+/// is dashed, at the middle of its range. Without a motion all arrows have the same length and point in the positive
+/// directions. Forces and contacts without a place are listed below the drawing. Everything is inside the viewBox.
+/// Needs picture_style() in the document. Throws InputError if the mechanism has no picture, or if a coordinate has no
+/// value.
 Element add_mechanism(const Element& parent, const MechanismScene& scene, const MotionAtLoad* motion,
                       std::string_view title);
 
-/// The same as a file of its own, SVG, with a title, on a ground of its own in light and dark.
+/// The same as an SVG file of its own, with a title, and with a background for light and dark displays.
 std::string mechanism_svg_file(const MechanismScene& scene, const MotionAtLoad* motion);
 
 }  // namespace slipproof

@@ -1,4 +1,4 @@
-// What pictures tell of a motion's forces and modes beside what they draw.
+// Texts in pictures about a motion's forces and modes.
 #pragma once
 
 #include <optional>
@@ -8,17 +8,17 @@
 
 namespace slipproof {
 
-/// The value of a force in a picture: its own, or one of its range; nothing if all numbers are possible.
+/// The value of a force in a picture: its own, or one in its range; nothing if all numbers are possible.
 std::optional<Rational> shown_value(const Range& range);
 
 /// `= 3`, `≈ 3.142`.
 std::string value_text(const Rational& x);
-/// The same of a range that is a point; `in [0, 5/2]`.
+/// The same for a range that is a point; otherwise `in [0, 5/2]`.
 std::string range_text(const Range& range);
 
-/// What all modes of a motion say of an element; empty where they differ.
+/// The state of an element if it is the same in all modes of a motion; otherwise empty.
 std::string common_state(const MotionAtLoad& motion, std::size_t element);
-/// The names of its modes, three at most, and whether they hold at a boundary only.
+/// The names of the motion's modes, at most three, and whether they hold only at a boundary.
 std::string modes_text(const MotionAtLoad& motion);
 
 }  // namespace slipproof

@@ -14,7 +14,7 @@ struct Colour {
   std::string_view light, dark;
 };
 
-/// Of two contacts: the first one stick, slip+, slip-, lift; in each, the second one the same.
+/// For two contacts: stick, slip+, slip-, lift of the first one; within each, the same states of the second one.
 constexpr std::array<Colour, 16> mode_colours{{{"#a6cbea", "#2b5a86"},
                                                {"#8fd3b3", "#1f6b50"},
                                                {"#bfe6e4", "#2a6f74"},
@@ -36,7 +36,7 @@ struct Ink {
   std::string_view light, dark, rule;
 };
 
-/// Everything else that has a colour.
+/// The colours of everything else.
 constexpr std::array<Ink, 25> inks{{{"#1d2733", "#e8edf3", ".ink{{fill:{}}}"},
                                     {"#55606e", "#a9b4c1", ".soft{{fill:{}}}"},
                                     {"#1d2733", "#e8edf3", ".edge{{fill:none;stroke-width:1.6;stroke:{}}}"},

@@ -1,4 +1,4 @@
-// The colours of modes: hues that colour-blind readers tell apart.
+// The colours of modes, in hues that colour-blind readers can tell apart.
 #pragma once
 
 #include <map>
@@ -9,16 +9,17 @@
 
 namespace slipproof {
 
-/// A style sheet for pictures, light and dark. Literal colours: not every reader of SVG knows variables.
+/// A style sheet for pictures, light and dark. Colours are literal, because some readers of SVG do not support
+/// variables.
 std::string picture_style();
 
-/// Colours for the modes of one picture. Up to sixteen are all different; those of two contacts have the same in every
-/// picture.
+/// Assigns colours to the modes of one picture. Up to sixteen modes all have different colours; the modes of two
+/// contacts have the same colours in every picture.
 class ModeColours {
  public:
   explicit ModeColours(std::vector<MechanismMode> modes);
 
-  /// The class that fills a shape with a mode's colour; the mode must be one of the picture's.
+  /// The class that fills a shape with the colour of a mode, which must be one of the picture's.
   std::string fill_class(const MechanismMode& mode) const;
 
  private:

@@ -19,7 +19,7 @@ struct Threshold {
   Expression with;  ///< what it is compared with
 };
 
-/// The definitions that stand beside others in the comparisons of an expression.
+/// Collects the definitions that the comparisons in an expression compare with something.
 void collect(const Expression& expression, const SettingNames& names, std::vector<Threshold>& found) {
   if (expression->operation == Operation::logical_and || expression->operation == Operation::logical_or) {
     for (const Expression& part : expression->operands) collect(part, names, found);
@@ -36,7 +36,7 @@ void collect(const Expression& expression, const SettingNames& names, std::vecto
   }
 }
 
-/// All that solving a column needs.
+/// Solves columns, with all data that this needs.
 class ColumnSolver {
  public:
   ColumnSolver(const ClaimsFile& claims, const Figure& figure, Reading reading)
@@ -60,7 +60,7 @@ class ColumnSolver {
         collect(claim.body(r).region, names_, lines);
       }
     }
-    // A threshold of the force is no function of it.
+    // A threshold of the force cannot depend on the force.
     const auto depends = [&](const Expression& e) { return names_.depends(e, Reading::repaired, given_.force.symbol); };
     std::erase_if(thresholds_, [&](const Threshold& t) { return depends(make_symbol(t.symbol)) || !depends(t.with); });
     for (const Threshold& t : thresholds_) with_.push_back(setting_.compile(t.with, reading));
@@ -137,7 +137,7 @@ class ColumnSolver {
     return evaluator(x).at(setting_.definition_slot(names_.find(symbol)->index, reading)).number;
   }
 
-  /// The force variable at which what a threshold is compared with is the threshold.
+  /// The value of the force variable at which a threshold equals what it is compared with.
   std::optional<Rational> force_of(std::size_t curve, const Rational& x) const {
     const auto threshold = value(thresholds_[curve].symbol, reading_, x);
     if (!threshold) return std::nullopt;

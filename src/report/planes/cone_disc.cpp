@@ -17,14 +17,14 @@ std::vector<std::size_t> worst_contacts(const Residual& residual) {
   return contacts;
 }
 
-/// r_T / (mu r_N), divided by one after the other: the product may underflow. What overflows is far outside, and
-/// stays a number.
+/// r_T / (mu r_N). Divides by mu and r_N one after the other, because their product may underflow. A quotient that
+/// overflows is far outside the disc, and is replaced by a finite number.
 double in_cone(double tangential, double mu, double normal) {
   constexpr double far = 1e100;
   return std::clamp(tangential / normal / mu, -far, far);
 }
 
-/// Marked points and at most `most` of the others, evenly by their place in the list.
+/// The marked points and at most `most` others, evenly spaced in the list.
 std::vector<ConePoint> thinned(const std::vector<ConePoint>& points, std::size_t most) {
   if (points.size() <= most) return points;
   std::vector<ConePoint> kept;

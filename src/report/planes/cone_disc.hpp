@@ -1,5 +1,5 @@
-// An answer's contacts in their friction cones, all in one picture: r_T / (mu r_N), which the law holds in the unit
-// disc.
+// The contacts of an answer in their friction cones, all in one picture of r_T / (mu r_N). The friction law keeps this
+// in the unit disc.
 #pragma once
 
 #include <array>
@@ -10,31 +10,31 @@
 
 namespace slipproof {
 
-/// How many contacts obey their law in which way, or come nearest to it so.
+/// How many contacts obey each case of their law, or come nearest to it.
 struct FitCounts {
   std::size_t open = 0, stick = 0, slide = 0;
   std::size_t smooth = 0;  ///< closed, and without friction: mu = 0, or dimension 1
 };
 
 struct ConePoint {
-  std::size_t contact = 0;     ///< from 0
-  std::array<double, 2> at{};  ///< r_T / (mu r_N); in the plane the second one is 0
-  double size = 0;             ///< r_N over the largest one of the picture, in (0, 1]
+  std::size_t contact = 0;     ///< counted from 0
+  std::array<double, 2> at{};  ///< r_T / (mu r_N); for planar contacts the second number is 0
+  double size = 0;             ///< r_N divided by the largest in the picture, in (0, 1]
   bool slides = false, marked = false;
 };
 
 struct ConeDisc {
   std::size_t dimension = 3, contacts = 0;
   FrictionLaw law = FrictionLaw::cone;
-  std::optional<FrictionLaw> right_for;  ///< a pyramid that is drawn beside the law
+  std::optional<FrictionLaw> right_for;  ///< a pyramid that is drawn in addition to the law
   FitCounts counts;
-  std::size_t placed = 0;             ///< contacts with a place in the disc
-  std::vector<ConePoint> points;      ///< of these, the ones that are drawn, in the order of their numbers
-  std::vector<std::size_t> unplaced;  ///< worst contacts that have none: they are open, or without friction
+  std::size_t placed = 0;             ///< number of contacts with a place in the disc
+  std::vector<ConePoint> points;      ///< those of them that are drawn, by number
+  std::vector<std::size_t> unplaced;  ///< worst contacts without a place, because they are open or without friction
 };
 
-/// The judgement must have a residual. Its worst contacts are marked, and always drawn; of the others at most `most`,
-/// evenly by their numbers.
+/// The judgement must have a residual. Its worst contacts are marked and always drawn; of the others at most `most`
+/// are, evenly spaced by number.
 ConeDisc cone_disc(const MixedProblem& problem, const ContactJudgement& judgement, std::size_t most);
 
 }  // namespace slipproof

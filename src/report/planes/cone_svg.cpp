@@ -16,9 +16,9 @@ namespace slipproof {
 namespace {
 
 constexpr double picture_side = 520, picture_margin = 34, band_height = 330;
-constexpr std::size_t named_points = 500;  // up to which each one tells what it is: a file of thousands stays small
+constexpr std::size_t named_points = 500;  // up to so many points each have a text; with more, the file would be large
 
-/// From r_T / (mu r_N) to places in the picture.
+/// Maps r_T / (mu r_N) to places in the picture.
 class ConePlot {
  public:
   explicit ConePlot(const ConeDisc& disc) : disc_(disc) {
@@ -43,14 +43,14 @@ class ConePlot {
     return {x, top() + down * (bottom() - top())};
   }
 
-  /// Many points are small ones.
+  /// Points are small if there are many.
   double radius(const ConePoint& point) const {
     const double largest = disc_.points.size() <= 60 ? 8 : disc_.points.size() <= 600 ? 5 : 3;
     return largest * (0.5 + 0.5 * std::sqrt(point.size));
   }
 
  private:
-  static constexpr double widest = 1.55;  // a box reaches to the root of 2
+  static constexpr double widest = 1.55;  // a box extends to the square root of 2
 
   static double size_of(const ConePoint& point) { return std::hypot(point.at[0], point.at[1]); }
 
@@ -58,7 +58,7 @@ class ConePlot {
   double reach_ = 1.15;
 };
 
-/// Names as in a formula: r_T1 / (mu r_N).
+/// Adds a name as in a formula: r_T1 / (mu r_N).
 void add_axis_name(const Element& text, const char* force) {
   text.set("text-anchor", "middle").set("font-size", 15);
   svg_symbol(text, force);
@@ -71,7 +71,7 @@ void add_line(const Element& svg, std::string_view css_class, const std::string&
   svg.add("path", css_class).set("d", path);
 }
 
-/// The boundary of a law, in units from the center.
+/// Draws the boundary of a law, in units from the centre.
 void add_boundary(const Element& svg, const ConePlot& plot, FrictionLaw law, std::string_view css_class) {
   const auto [x, y] = plot.center();
   const double unit = plot.unit();
@@ -108,7 +108,8 @@ void add_disc_frame(const Element& svg, const ConePlot& plot, const ConeDisc& di
   add_axis_name(svg.add("text", "ink").set("transform", fmt::format("translate(15 {:.2f}) rotate(-90)", y)), "r_T2");
 }
 
-/// In the plane the cones are a band, and contacts stand in it from the first one down.
+/// Draws the frame for planar contacts: their cones form a band, with the contacts one below the other, the first on
+/// top.
 void add_band_frame(const Element& svg, const ConePlot& plot, const ConeDisc& disc) {
   const double x = plot.center()[0], height = plot.bottom() - plot.top();
   const auto line = [&](double at, const char* css_class) {
@@ -130,10 +131,10 @@ std::string in_cone_words(const ConeDisc& disc, const ConePoint& point) {
   return fmt::format("contact {} {}, at {}", point.contact + 1, point.slides ? "slides" : "sticks", place);
 }
 
-/// What sticks is round, what slides is a triangle around the same place.
+/// Draws a round point for a contact that sticks, and a triangle around the same place for one that slides.
 Element add_point(const Element& parent, Point at, double radius, bool slides) {
   if (!slides) return parent.add("circle").set("cx", at[0]).set("cy", at[1]).set("r", radius);
-  const double side = 1.2 * radius;  // of the same weight for the eye
+  const double side = 1.2 * radius;  // so that both have the same visual weight
   return parent.add("path").set(
       "d", fmt::format("M{},{}m0,-{}l{},{}h-{}z", short_number(at[0]), short_number(at[1]), short_number(side),
                        short_number(0.87 * side), short_number(1.5 * side), short_number(1.74 * side)));
@@ -149,7 +150,7 @@ void add_points(const Element& svg, const ConePlot& plot, const ConeDisc& disc, 
   }
 }
 
-/// A ring and a number for each of the worst; a number that had to go far has a line back.
+/// Draws a ring and a number for each of the worst contacts; a number that is far from its ring has a line to it.
 void add_marks(const Element& svg, const ConePlot& plot, const ConeDisc& disc) {
   LabelPlacer placer;
   placer.keep_between(24, picture_side - 4);
@@ -179,7 +180,7 @@ void add_marks(const Element& svg, const ConePlot& plot, const ConeDisc& disc) {
   }
 }
 
-/// For those who do not see the picture.
+/// A description for readers who do not see the picture.
 std::string words_for_disc(const ConeDisc& disc) {
   std::string text = counted(disc.counts.stick, "contact") + " nearest to sticking, " +
                      counted(disc.counts.slide, "contact") + " nearest to sliding. ";

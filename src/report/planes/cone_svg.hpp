@@ -10,20 +10,20 @@
 
 namespace slipproof {
 
-/// The picture as a last child, in dimension 2 and 3; needs picture_style() in the document. Its title and description
-/// have the ids ID-title and ID-text. data-plot tells where (0, 0) is and how long a unit is across: x, y, length; in
-/// the plane contacts stand below each other in the order of their numbers.
+/// Adds the picture as a last child, in dimension 2 and 3; needs picture_style() in the document. Its title and
+/// description have the ids ID-title and ID-text. data-plot gives the place of (0, 0) and the length of a unit: x, y,
+/// length. Planar contacts are one below the other, by number.
 Element add_cone_disc(const Element& parent, const ConeDisc& disc, const std::string& id);
 
-/// Whether a point stands at the picture's edge, because its place is farther out.
+/// Whether a point is drawn at the edge of the picture because its place is farther out.
 bool is_beyond(const ConeDisc& disc, const ConePoint& point);
 
 enum class ConeSign : std::uint8_t { open, stick, slide, smooth, marked, law, pyramid };
 
-/// What a sign of the picture, or of counts, looks like, 28 x 18.
+/// A sample of a sign of the picture, or of counts, 28 x 18.
 Element add_swatch(const Element& parent, ConeSign sign);
 
-/// `fit-open`, ...: the class of its colour; only for the four ways of obeying the law.
+/// `fit-open`, ...: the class of its colour; only for the four cases of the law.
 std::string_view fill_class(ConeSign sign);
 
 }  // namespace slipproof

@@ -1,4 +1,4 @@
-// Which planes of a paper are worth a picture: data beside its claims, figures.toml.
+// The planes of a paper that are worth a picture, from figures.toml in the folder of its claims.
 #pragma once
 
 #include <filesystem>
@@ -9,19 +9,19 @@
 
 namespace slipproof {
 
-/// A plane of one parameter of a setting and its force variable, all other parameters fixed.
+/// A plane of one parameter of a setting and its force variable, with all other parameters fixed.
 struct Figure {
   std::string id;  ///< letters, digits and -
   std::string title;
-  std::string note;         ///< what there is to see
+  std::string note;         ///< what the figure shows
   std::size_t setting = 0;  ///< index
   std::size_t x = 0;        ///< index of the parameter
   Rational x_from, x_to, y_from, y_to;
-  std::string y_label;           ///< what the force variable is called at these values; its symbol if not given
-  std::vector<Rational> values;  ///< of the setting's parameters; that of x does not count
+  std::string y_label;           ///< the name of the force variable at these values; its symbol if not given
+  std::vector<Rational> values;  ///< of the setting's parameters; the value of x is not used
 };
 
-/// Reads `slipproof/figures/1`. Throws InputError with every mistake of the file.
+/// Reads `slipproof/figures/1`. Throws InputError with all mistakes in the file.
 std::vector<Figure> read_figures(const std::filesystem::path& path, const ClaimsFile& claims);
 std::vector<Figure> parse_figures(std::string_view text, const std::string& file, const ClaimsFile& claims);
 

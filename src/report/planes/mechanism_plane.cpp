@@ -23,12 +23,12 @@ namespace slipproof {
 
 namespace {
 
-/// What varies across: tan(angle/2), a parameter, or several of these.
+/// The horizontal variable: tan(angle/2), a parameter, or several of these.
 struct AcrossVariable {
   std::string symbol, unit;
   std::optional<std::size_t> angle;
-  Rational own;                                                     ///< of parameters, in the scene
-  std::vector<std::pair<std::size_t, Affine<Rational>>> sets = {};  ///< the parameters, over the variable
+  Rational own;                                                     ///< value of the parameter in the scene
+  std::vector<std::pair<std::size_t, Affine<Rational>>> sets = {};  ///< the parameters as functions of the variable
 };
 
 /// The points of a scene's mechanism across a plane, and the motions there.
@@ -46,7 +46,7 @@ class MechanismColumns {
   const Mechanism& mechanism() const { return mechanism_; }
   const AcrossVariable& across() const { return across_; }
 
-  /// The scene's own; nothing for half a turn.
+  /// The scene's own value; nothing for a half turn.
   std::optional<Rational> own() const {
     if (!across_.angle) return across_.own;
     const MechanismValues::Circle& point = values_.angles[*across_.angle];
@@ -54,7 +54,7 @@ class MechanismColumns {
     return Rational(point.sine / (1 + point.cosine));
   }
 
-  /// The values there, in the domain or not; what is tied to x follows.
+  /// The values at x, inside or outside the domain; parameters that are tied to x follow it.
   MechanismValues values(const Rational& x) const {
     MechanismValues changed = values_;
     if (across_.angle) changed.angles[*across_.angle] = point_of_tan_half(x);
@@ -65,7 +65,7 @@ class MechanismColumns {
 
   bool contains(const Rational& x) const { return sampler_.contains(values(x)); }
 
-  /// Nothing where there is no problem.
+  /// Nothing if there is no problem.
   std::optional<FrictionProblem> problem(const Rational& x) const {
     const MechanismValues there = values(x);
     if (!sampler_.contains(there)) return std::nullopt;
@@ -86,13 +86,13 @@ class MechanismColumns {
 
   std::vector<LoadCell> numbers(const Rational& x) const { return motions_over_loads(*problem(x))->cells(); }
 
-  /// A condition that does not hold there; empty if all do.
+  /// A condition that does not hold at x; empty if all hold.
   std::string broken(const Rational& x) const {
     const auto all = maker_.broken(values(x));
     return all.empty() ? std::string() : to_string(all.front().condition->expression);
   }
 
-  /// The parameters that are others than the scene's somewhere between two values of x.
+  /// The parameters that differ from the scene's somewhere between two values of x.
   std::vector<std::string> followers(const Rational& from, const Rational& to) const {
     std::vector<std::string> symbols;
     const MechanismValues left = values(from), right = values(to);
@@ -151,7 +151,7 @@ void expect_order(const std::string& symbol, const Rational& from, const Rationa
                                           symbol, exact_text(from), exact_text(to)));
 }
 
-/// Chooses what is left open of the ends of both axes.
+/// Chooses those ends of both axes that are not given.
 class AxisChoice {
  public:
   AxisChoice(const MechanismColumns& columns, const MechanismScene& scene, const MechanismAxes& wanted)
@@ -172,7 +172,7 @@ class AxisChoice {
     return axis;
   }
 
-  /// All loads at which something changes at one value of x, and a little more.
+  /// All loads at which something changes at one value of x, with a margin.
   Axis up(const Axis& across) const {
     const MechanismLoad& load = *columns_.mechanism().load;
     Axis axis;
@@ -209,7 +209,7 @@ class AxisChoice {
                                             exact_text(given), symbol));
   }
 
-  /// Around the scene's own angle, as far as the domain goes; 90 degrees to both sides at most, unless it is beyond.
+  /// The range in the domain around the scene's own angle; at most +-90 degrees unless that angle is larger.
   Ends angle_range() const {
     const auto own = columns_.own();
     if (!own) return {Rational(-1), Rational(1)};
@@ -225,7 +225,7 @@ class AxisChoice {
     return {from, to};
   }
 
-  /// Zero to twice the scene's own value, to both sides where the other sign is possible.
+  /// From zero to twice the scene's own value; on both sides of zero if the other sign is possible.
   Ends parameter_range(const std::string& symbol) const {
     const Rational own = *columns_.own(), size = own.is_zero() ? Rational(1, 2) : Rational(abs(own));
     const bool down = own < 0 || columns_.contains(-size), up = own > 0 || columns_.contains(size);
@@ -235,7 +235,7 @@ class AxisChoice {
     return {down ? two_digits(-2 * size) : Rational(0), up ? two_digits(2 * size) : Rational(0)};
   }
 
-  /// Some values side by side must be in the domain.
+  /// Requires that some neighbouring values are in the domain.
   void expect_inside(const Axis& axis) const {
     constexpr int steps = 64;
     bool before = false;
@@ -252,7 +252,7 @@ class AxisChoice {
                                 (condition.empty() ? "" : ", expected " + condition));
   }
 
-  /// The scene's own x if it is inside; if not, the value nearest to the middle that is in the domain.
+  /// The scene's own x if it is inside; otherwise the value in the domain that is nearest to the middle.
   Rational typical(const Axis& axis) const {
     const auto own = columns_.own();
     if (own && axis.from <= *own && *own <= axis.to) return *own;

@@ -96,7 +96,7 @@ Element add_scatter(const Element& parent, const Scatter& scatter) {
       .set("transform", fmt::format("translate(15 {:.2f}) rotate(-90)", top + height / 2))
       .text(scatter.y_name);
 
-  // Names stand beside their dots; one that would hide another moves up or down a line.
+  // Names are next to their dots; a name that would cover another moves up or down a line.
   std::vector<Placed> placed;
   for (const Scatter::Dot* dot : dots) placed.push_back({x_of(dot->x), y_of(dot->y), dot});
   std::sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) { return a.x > b.x; });

@@ -1,4 +1,4 @@
-// Points with names in a plane of two logarithmic axes.
+// Points with names in a plane with two logarithmic axes.
 #pragma once
 
 #include <string>
@@ -12,12 +12,12 @@ struct Scatter {
   struct Dot {
     std::string name;
     double x = 0;            ///< > 0
-    double y = 0;            ///< >= 0; 0 has a line of its own below all others
-    bool highlight = false;  ///< drawn so that the eye finds it
+    double y = 0;            ///< >= 0; points with 0 are on a separate line below all others
+    bool highlight = false;  ///< drawn so that it stands out
   };
   std::string title, x_name, y_name;
-  std::string zero = "0";  ///< what the line for y = 0 is called
-  std::vector<Dot> dots;   ///< those with another x or y than allowed are left out
+  std::string zero = "0";  ///< label of the line for y = 0
+  std::vector<Dot> dots;   ///< dots whose x or y is not allowed are left out
   double width = 640, height = 400;
 };
 

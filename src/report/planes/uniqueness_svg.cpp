@@ -52,7 +52,7 @@ std::vector<KindBand> kind_bands(const PhaseColumn& column) {
   return result;
 }
 
-/// What is apart is in the middle; nothing if all loads have one motion.
+/// The range of loads without one motion, which is drawn in the middle; nothing if all loads have one motion.
 std::optional<std::pair<Rational, Rational>> loads_apart(const PhaseDiagram& diagram) {
   std::optional<std::pair<Rational, Rational>> range;
   const auto reach = [&](const std::optional<Rational>& load) {
@@ -97,14 +97,13 @@ class UniquenessPicture {
   static constexpr int width = 760, height = 532;
 
   double x_of(const Rational& x) const { return frame_.x_of(nearest_binary64(x)); }
-  /// Beyond the frame what is infinite; the frame clips.
+  /// An infinite end is placed outside the frame, which clips it.
   double y_of(const std::optional<Rational>& y, bool upper) const {
     if (y) return std::clamp(frame_.y_of(nearest_binary64(*y)), -1e4, 1e4);
     return upper ? frame_.top - 4 : frame_.top + frame_.height + 4;
   }
 
-  /// Neighbouring columns with the same kinds one above the other are joined; the others are so close that it does not
-  /// show.
+  /// Joins neighbouring columns with the same kinds in the same order; they are so close that this cannot be seen.
   void add_bands(const Element& plot) const {
     std::array<std::string, kinds_of_loads.size()> paths;
     for (std::size_t i = 0; i < diagram_.columns.size();) {
@@ -130,12 +129,12 @@ class UniquenessPicture {
       if (paths[kind].empty()) continue;
       const Element path = plot.add("path", kinds_of_loads[kind].fill).set("d", paths[kind]);
       path.add("title").text(std::string(kinds_of_loads[kind].words));
-      // A window that is thinner than a pixel is seen by its edge.
+      // A window thinner than a pixel is visible by its edge.
       if (kind != 0) plot.add("path", "edge").set("d", paths[kind]);
     }
   }
 
-  /// The scene's own value, the critical one, and single values with infinitely many motions.
+  /// Draws the scene's own value, the critical value, and single values with infinitely many motions.
   void add_values(const Element& plot) const {
     for (const ParameterCell& cell : along_.cells) {
       if (!cell.is_point() || !cell.sample || !cell.motions) continue;
@@ -167,7 +166,7 @@ class UniquenessPicture {
     text.set("text-anchor", on_left ? "end" : "start").text(words);
   }
 
-  /// A bar below the axis over the values with one motion whatever else pushes.
+  /// Draws a bar below the axis over the values that have one motion whatever else pushes.
   void add_every_q(const Element& svg) const {
     for (const ParameterRange& range : ranges(along_)) {
       if (!unique_for_every_q(range.motions)) continue;

@@ -22,13 +22,13 @@ inline Json to_json(const std::optional<Rational>& x) {
   return x ? Json(exact_text(*x)) : Json(nullptr);
 }
 
-/// Adds the ends of a non-empty interval under `key`, and which of them belong to it under "closed".
+/// Adds the ends of a nonempty interval under `key`, and under "closed" which of them belong to it.
 inline void put_interval(Json& object, const char* key, const ForceInterval& interval) {
   object[key] = Json::array({to_json(interval.lower()), to_json(interval.upper())});
   object["closed"] = Json::array({interval.lower_closed(), interval.upper_closed()});
 }
 
-/// The document as written everywhere: indented, names with broken UTF-8 replaced rather than refused.
+/// The document in the form of all outputs: indented; names with broken UTF-8 are repaired rather than refused.
 inline std::string dump(const Json& document) {
   return document.dump(2, ' ', false, nlohmann::detail::error_handler_t::replace) + "\n";
 }

@@ -1,4 +1,4 @@
-// The motions of a mechanism at one load, as `slipproof/solve/2` has them.
+// The motions of a mechanism at one load, in the form of `slipproof/solve/2`.
 #pragma once
 
 #include "mechanics/kernel/motions.hpp"
@@ -7,11 +7,11 @@
 
 namespace slipproof {
 
-/// Loads with the modes of their motions: `load`, `closed`, `motions`, `continua`.
+/// Loads and the modes of their motions: `load`, `closed`, `motions`, `continua`.
 Json cell_json(const LoadCell& cell);
-/// The same with the motions' accelerations and forces over the load; a force that is undetermined is null.
+/// The same with the motions' accelerations and forces as functions of the load; an undetermined force is null.
 Json cell_json(const LoadCell& cell, const Mechanism& mechanism);
-/// A number over the load.
+/// A number as a function of the load.
 Json over_load_json(const Affine<Rational>& value);
 
 /// Puts `motions`, `hysteresis`, `continua` and `rejected` into a document.

@@ -1,4 +1,4 @@
-// Exact numbers and intervals of them for people.
+// Exact numbers and intervals as text for people.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace slipproof {
 
-/// Short exact numbers stand alone; longer ones follow their decimal, of so many significant digits.
+/// A short number exactly; a longer one as a decimal with this many significant digits, then exactly.
 std::string number_text(const Rational& x, int digits);
 
-/// `[0.5, 3.33333)`, of a point `F = 0.5`.
+/// `[0.5, 3.33333)`; for a point `F = 0.5`.
 std::string interval_text(std::string_view symbol, const ForceInterval& interval, int digits);
 
 }  // namespace slipproof

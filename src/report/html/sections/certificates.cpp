@@ -9,7 +9,7 @@ namespace slipproof {
 
 namespace {
 
-/// Of a CertificateState, in its order: a verdict that looks the same, and a sign.
+/// By CertificateState: the verdict with the same appearance, and a sign.
 constexpr std::array<std::pair<const char*, const char*>, 5> looks{
     {{"proved", "✓ "}, {"refuted", "✗ "}, {"undecided", "∅ "}, {"undecided", "? "}, {"refuted", "✗ "}}};
 

@@ -10,7 +10,7 @@ namespace slipproof {
 
 namespace {
 
-/// The part of the paper that a claim is in: by the paper's headings, or by its id where there are none.
+/// The part of the paper that contains a claim, by the paper's headings; without headings, by its id.
 std::string part_of(const Paper& paper, const Claim& claim) {
   const auto next = paper.headings.upper_bound(claim.line);
   if (next != paper.headings.begin()) return std::prev(next)->second;

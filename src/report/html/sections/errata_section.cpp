@@ -19,7 +19,7 @@ void add_text(const Element& list, const PageInput& input, std::string_view term
   add_prose(list.add("dd"), input, sentence(text));
 }
 
-/// What stands in print or is meant, typeset.
+/// Adds the printed or the intended text, typeset.
 void add_parts(const Element& list, std::string_view term, const FindingParts& parts) {
   if (parts.empty()) return;
   list.add("dt").text(term);

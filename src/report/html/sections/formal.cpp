@@ -31,7 +31,7 @@ void add_equations(const Element& p, const Equations& equations) {
   }
 }
 
-/// Where: the region, and the forces of which it speaks.
+/// Adds the region and the forces that the claim is about.
 void add_where(const Element& p, const Expression& region, const Expression& forces) {
   if (is_true(region) && is_true(forces)) {
     p.text("Always: ");

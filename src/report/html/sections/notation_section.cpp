@@ -17,7 +17,7 @@ struct Entry {
   std::string_view symbol, meaning, unit;
 };
 
-/// The symbols of the figure and of the equations beside counterexamples.
+/// The symbols of the figure, and of the equations with counterexamples.
 constexpr std::array<Entry, 28> model{{
     {"M", "total mass", "kg"},
     {"R", "radius of both wheels", "m"},
@@ -61,7 +61,7 @@ Element add_table(const Element& section, std::string_view caption, std::initial
 
 void add_row_symbol(const Element& row, std::string_view symbol) {
   const Element math = add_math(row.add("th").set("scope", "row"));
-  math.set("aria-label", plain_symbol(symbol));  // a formula has no name of its own, and a header needs one
+  math.set("aria-label", plain_symbol(symbol));  // a header needs a name, and a formula has none
   add_symbol(math, symbol);
 }
 
@@ -70,7 +70,7 @@ std::string load_meaning(const Setting& setting) {
   return load.meaning.empty() ? "the load" : load.meaning;
 }
 
-/// The symbols of a mechanism of a file: what stands in it, in words and units.
+/// The symbols of a mechanism from a file, with the file's words and units.
 void add_mechanism(const Element& section, const Setting& setting) {
   const Mechanism& mechanism = *setting.mechanism;
   const Element body = add_table(section, "Symbols of the mechanism: " + mechanism.name, {"symbol", "meaning", "unit"});
@@ -120,9 +120,9 @@ void add_setting(const Element& section, const Setting& setting) {
   p.text(".");
 }
 
-/// The bicycle's symbols and those of other mechanisms, each once.
+/// The symbols of the bicycle and of other mechanisms, each mechanism once.
 void add_models(const Element& section, const ClaimsFile& claims) {
-  std::vector<std::string> told;  // by name: another load makes it no other mechanism
+  std::vector<std::string> told;  // by name: the same mechanism with another load is not repeated
   for (const Setting& setting : claims.settings) {
     const std::string& name = setting.mechanism->name;
     if (std::find(told.begin(), told.end(), name) != told.end()) continue;

@@ -22,7 +22,7 @@ Theorems with_opinion(const SecondOpinions& opinions, const Theorems& theorems, 
   return found;
 }
 
-/// `it`, `both`, `all 7`, their names where they are few, `5 of the 7`.
+/// Adds `it`, `both`, `all 7`, the names if there are few, or `5 of the 7`.
 void add_which(const Element& p, const Theorems& these, std::size_t all) {
   constexpr std::size_t few = 3;
   if (these.size() == all) {

@@ -51,7 +51,7 @@ std::string mechanisms_in_words(const ClaimsFile& claims) {
          ". What does each contact do: stick, slip, or open? The paper answers with formulas.";
 }
 
-/// What the page is about, for somebody who knows neither the paper nor the model.
+/// The subject of the page, for readers who know neither the paper nor the model.
 void add_problem(const Element& section, const PageInput& input) {
   const Element columns = section.add("div", "halves");
   const Element text = columns.add("div", "problem");
@@ -83,7 +83,7 @@ void add_problem(const Element& section, const PageInput& input) {
       .text("Arrows point where a quantity counts as positive: the pedal force F pulls the lower pedal backwards.");
 }
 
-/// Grades in the order of how much they matter, and what their findings are called.
+/// The grades, the most serious first, and the words for their findings.
 struct GradeWords {
   Grade grade;
   std::string_view noun, heading;
@@ -103,7 +103,7 @@ std::string findings_detail(const std::vector<Finding>& findings) {
   return text;
 }
 
-/// A false statement in full: what the authors would want to know first.
+/// A false statement in full: authors would want to read it first.
 void add_false(const Element& list, const PageInput& input, const Finding& finding) {
   const Element item = list.add("li");
   add_claim_id(item, input, finding.id);
@@ -113,7 +113,7 @@ void add_false(const Element& list, const PageInput& input, const Finding& findi
   add_prose(item.add("span", "because"), input, sentence(finding.wrong));
 }
 
-/// What was found, in words, and how the numbers come together.
+/// The findings in words, and how their numbers add up.
 void add_findings(const Element& section, const PageInput& input, const Errata& errata) {
   section.add("h2", "sub").text("What was found");
   section.add("p").text(standing_text(errata) + " " + sum_text(errata));
@@ -146,7 +146,7 @@ std::size_t count(const std::vector<PageCertificate>& certificates, CertificateS
 
 /// `3 undecided, 1 missing`.
 std::string not_accepted(const std::vector<PageCertificate>& certificates) {
-  using enum check::Verdict;  // the alias CertificateState will not do for clang 14
+  using enum check::Verdict;  // without the alias CertificateState, which clang 14 does not accept here
   std::string text;
   for (const CertificateState state : {rejected, unreadable, undecided, missing}) {
     const std::size_t n = count(certificates, state);

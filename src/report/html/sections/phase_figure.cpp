@@ -15,7 +15,7 @@ namespace slipproof {
 
 namespace {
 
-/// Short exact numbers as they are; longer ones rounded, and marked so.
+/// A short number exactly; a longer one rounded, and marked as rounded.
 std::string in_table(const Rational& x) {
   const std::string exact = exact_text(x);
   return exact.size() <= 12 ? exact : "≈ " + decimal_text(x, 6);
@@ -27,7 +27,7 @@ std::string in_table(const ForceInterval& forces) {
          (forces.upper() ? in_table(*forces.upper()) : "+∞") + ")";
 }
 
-/// Ten columns or so, and the named ones.
+/// About ten columns, and those with names.
 std::vector<const PhaseColumn*> table_columns(const PhaseDiagram& diagram) {
   std::vector<const PhaseColumn*> even, chosen;
   for (const PhaseColumn& column : diagram.columns) {
@@ -115,7 +115,7 @@ std::string refuted_claims(const PhaseDiagram& diagram, const PhaseRegions& regi
   return ids;
 }
 
-/// What the lines and the hatching mean, as far as they occur.
+/// The meaning of the lines and the hatching that occur in the diagram.
 void add_line_legend(const Element& parent, const PhaseDiagram& diagram, const PhaseRegions& regions) {
   if (diagram.plane.curves.empty()) return;
   const Element list = parent.add("ul", "legend lines");

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t paper_columns = 240, scene_columns = 120;
 
-/// `R = 1, h = 2, ...`: the parameters that are fixed.
+/// `R = 1, h = 2, ...`: the fixed parameters.
 std::string fixed_values(const ClaimsFile& claims, const Figure& figure) {
   std::string text;
   const auto& parameters = claims.settings[figure.setting].parameters;

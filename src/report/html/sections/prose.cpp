@@ -25,7 +25,7 @@ std::set<std::string, std::less<>> symbols_of(const ClaimsFile& claims) {
   return symbols;
 }
 
-/// Whether the word at [from, to) stands in a formula, `a = 0` or `F in (0, 1)`, and not in a sentence, `a motion`.
+/// Whether the word at [from, to) is in a formula, `a = 0` or `F in (0, 1)`, and not in a sentence, `a motion`.
 bool in_formula(std::string_view text, std::size_t from, std::size_t to) {
   constexpr std::string_view operators = "=<>!*/+^";
   const std::size_t before = text.substr(0, from).find_last_not_of(' '), after = text.find_first_not_of(' ', to);
@@ -45,7 +45,7 @@ bool is_letter(char c) {
   return std::isalpha(static_cast<unsigned char>(c)) != 0;
 }
 
-/// `F_1`, `delta_3`: an index as one writes it without a printer, of a symbol that is in the paper alone.
+/// `F_1`, `delta_3`: an index in typewriter notation, of a symbol that occurs only in the paper.
 bool has_written_index(std::string_view word) {
   const std::size_t bar = word.find('_');
   if (bar == word.npos || bar == 0 || bar + 1 == word.size()) return false;
@@ -53,7 +53,7 @@ bool has_written_index(std::string_view word) {
          (bar == 1 ? is_letter(word[0]) : !greek(word.substr(0, bar)).empty());
 }
 
-/// Whether a symbol of this name is one wherever it stands: `f`, `sigma` and `b11` are no words of a sentence, `a` is.
+/// Whether a word of this form is always a symbol: `f`, `sigma` and `b11` are never words of a sentence, but `a` is.
 bool is_no_word(std::string_view symbol) {
   if (symbol.size() == 1) return symbol != "a" && symbol != "A" && symbol != "I";
   return is_digit(symbol.back()) || !greek(symbol).empty();
@@ -65,7 +65,7 @@ bool is_part(std::string_view text, std::size_t from, std::size_t to) {
   return to + 1 < text.size() && text[to] == '.' && (is_letter(text[to + 1]) || is_digit(text[to + 1]));
 }
 
-/// Relations and products as they are printed.
+/// Replaces relations and products by the signs used in print.
 std::string printed_operators(std::string text) {
   constexpr std::array<std::array<std::string_view, 2>, 4> signs{
       {{">=", "≥"}, {"<=", "≤"}, {"!=", "≠"}, {" * ", " · "}}};
@@ -85,7 +85,7 @@ void add_prose(const Element& parent, const PageInput& input, const std::string&
   const auto in_word = [&](std::size_t i) {
     return i < text.size() && (is_letter(text[i]) || is_digit(text[i]) || text[i] == '_');
   };
-  std::size_t plain = 0;  // what is not written yet begins here
+  std::size_t plain = 0;  // start of the text that is not written yet
   for (std::size_t at = 0; at < text.size();) {
     std::size_t end = at;
     while (in_word(end)) ++end;

@@ -5,7 +5,7 @@ namespace slipproof {
 
 namespace {
 
-/// How this report and the paper are cited. What a page of these bytes says is fixed by its inputs and its version.
+/// How to cite this report and the paper. The inputs and the version determine every byte of the page.
 void add_citation(const Element& section, const PageInput& input) {
   const Paper& paper = input.claims->paper;
   std::string authors;

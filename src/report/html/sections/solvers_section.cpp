@@ -20,7 +20,7 @@ std::vector<BarPart> parts_of(const SolverVerdicts& solver) {
   return parts;
 }
 
-/// Whether any solver has the verdict: columns of nothing but zeros stay away.
+/// Whether any solver has the verdict: a column of zeros is left out.
 bool occurs(const PageInput& input, std::size_t verdict) {
   return std::any_of(input.solvers.begin(), input.solvers.end(),
                      [&](const SolverVerdicts& solver) { return solver.verdicts[verdict] > 0; });

@@ -11,7 +11,7 @@ namespace slipproof {
 
 namespace {
 
-/// One type: its speed on the first workload, which is the typical one, and what it got wrong on all of them.
+/// One number type: its speed on the first workload, which is the typical one, and its wrong verdicts on all workloads.
 struct Total {
   double speed = 0, error = 0;
   std::size_t scenes = 0, wrong = 0;
