@@ -17,10 +17,10 @@ class Column {
   Column(const std::vector<double>& values) : Column(std::span<const double>(values)) {}
   Column(std::vector<double>&&) = delete;
 
-  /// The same column, whose numbers now count as the nearest binary64 of what is meant.
-  Column rounded() const {
+  /// The same column, whose numbers count as the nearest binary64 of what is meant, or as exact.
+  Column rounded(bool is_rounded = true) const {
     Column result = *this;
-    result.exact_ = false;
+    result.exact_ = !is_rounded;
     return result;
   }
 

@@ -109,13 +109,12 @@ void BlockJudge::use(const std::vector<bool>& present) {
 Column BlockJudge::column(const Source& source, const RecordBlock& block, std::vector<double>& buffer) const {
   switch (source.kind) {
     case Source::Kind::same:
-      return source.number.exact ? Column(source.number.nearest) : Column(source.number.nearest).rounded();
-    case Source::Kind::field:
-      if (judge_.fields().word() && source.field == judge_.fields().word_field()) {
-        return Column(block.numbers(source.field)[0]);
-      }
-      return block.rounded(source.field) ? Column(block.numbers(source.field)).rounded()
-                                         : Column(block.numbers(source.field));
+      return Column(source.number.nearest).rounded(!source.number.exact);
+    case Source::Kind::field: {
+      const std::span<const double> numbers = block.numbers(source.field);
+      const bool is_word = judge_.fields().word() && source.field == judge_.fields().word_field();
+      return (is_word ? Column(numbers[0]) : Column(numbers)).rounded(block.rounded(source.field));
+    }
     case Source::Kind::difference: {
       // If both numbers are exact, their difference is rounded only once.
       if (block.rounded(source.field) || (!source.minus_number && block.rounded(source.minus))) return Column(unknown);
@@ -136,7 +135,7 @@ Column BlockJudge::angle(std::size_t index, const RecordBlock& block, std::vecto
   const RecordFields& fields = judge_.fields();
   if (!gives_angle(block.present(), fields, index)) {
     const Number& number = base_angles_[index];
-    return number.exact ? Column(number.nearest) : Column(number.nearest).rounded();
+    return Column(number.nearest).rounded(!number.exact);
   }
   const std::size_t tan_half = fields.angle(index, RecordFields::tan_half);
   if (block.present()[tan_half]) return column({Source::Kind::field, {}, tan_half}, block, buffer);
@@ -158,7 +157,7 @@ Column BlockJudge::angle(std::size_t index, const RecordBlock& block, std::vecto
     buffer[row] = found.half_turn || !mistake.empty() ? unknown : found.nearest;
     exact = exact && !found.exact;
   }
-  return exact ? Column(buffer) : Column(buffer).rounded();
+  return Column(buffer).rounded(!exact);
 }
 
 void BlockJudge::fill_columns(const RecordBlock& block) {

@@ -132,6 +132,17 @@ TEST_CASE("NaN, infinities, numbers outside the domain and broken records are in
   }
 }
 
+TEST_CASE("a number that only rounds to that of a word is outside the domain, in the filter too") {
+  const auto verdict = [](const std::string& external) {
+    return judged_lines("external," + head + external + ",129,.25,.25,.125,0,.25,.125,1,.25,1,8,0,,0,0,0,516,516\n")[0];
+  };
+  const auto right = verdict("1");
+  CHECK(right["verdict"] == "certified");
+  CHECK(right["tier"] == "filter");
+  const auto nearly = verdict("100000000000000000001/100000000000000000000");
+  CHECK(nearly["verdict"] == "invalid");
+}
+
 TEST_CASE("a header that cannot be used, and with stop_at_broken a record, is refused with its place") {
   const auto refused = [](const std::string& text, CertifyOptions options = {}) {
     std::istringstream input(text);
