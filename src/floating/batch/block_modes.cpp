@@ -112,19 +112,13 @@ bool BlockModes::add_check(std::uint32_t number, Check::Sign sign, std::vector<C
 bool BlockModes::find_domain() {
   const ModePrograms& programs = *code_->programs;
   domain_.clear();
-  open_.clear();
   auto place = code_->domain_numbers.begin();
   for (const auto* truths : {&programs.domain, &programs.loads}) {
     for (const TruthProgram& truth : *truths) {
       const auto first = place;
       if (surely(truth, [&]() -> const SharedRange& { return shared_[*place++]; })) continue;
       const Relation relation = truth.steps[0].relation;
-      if (!is_single(truth) || relation == Relation::equal) {
-        open_.push_back({&truth, first});
-        if (!std::all_of(first, place, [this](std::uint32_t number) { return shared_[number].known(); })) return false;
-        for (auto of = first; of != place; ++of) open_.back().errors.push_back(shared_[*of].error);
-        continue;
-      }
+      if (!is_single(truth) || relation == Relation::equal) return false;
       const bool negative = relation == Relation::less || relation == Relation::less_equal;
       const auto sign = relation == Relation::not_equal ? Check::Sign::any
                         : negative                      ? Check::Sign::negative
@@ -164,51 +158,6 @@ bool BlockModes::find_mode(std::size_t index) {
     known = known && add_check(pivot, Check::Sign::any, pivots_[index]);
   }
   return known;
-}
-
-namespace {
-
-/// A number of each point of a block, with the bound on their errors.
-struct PointNumbers {
-  const double* of;
-  double sign, error;
-
-  PointNumbers operator-() const { return {of, -sign, error}; }
-};
-
-/// A bit for each point.
-struct PointSigns {
-  template <class Sure>
-  static std::uint64_t bits(const PointNumbers& x, const Sure& sure) {
-    std::uint64_t result = 0;
-    for (std::size_t i = 0; i < block_points; ++i) result |= std::uint64_t{sure(x.sign * x.of[i])} << i;
-    return result;
-  }
-  std::uint64_t positive(const PointNumbers& x) const {
-    return bits(x, [&](double value) { return value > x.error; });
-  }
-  std::uint64_t zero(const PointNumbers& x) const {
-    return bits(x, [&](double value) { return value == 0 && x.error == 0; });
-  }
-  std::uint64_t not_negative(const PointNumbers& x) const { return positive(x) | zero(x); }
-  std::uint64_t not_zero(const PointNumbers& x) const { return positive(x) | positive(-x); }
-};
-
-}  // namespace
-
-/// What the ranges leave open of conditions that are no single comparison.
-void BlockModes::check_open_truths(BlockAnswers& answers) const {
-  for (const OpenTruth& open : open_) {
-    auto place = open.first;
-    auto error = open.errors.begin();
-    const std::uint64_t holds = truth_of(*open.truth, ~std::uint64_t{0}, [&](const TruthProgram::Step& step) {
-                                  const PointNumbers numbers{numbers_ + *place++ * block_points, 1, *error++};
-                                  return related_to_zero<std::uint64_t>(step.relation, numbers, PointSigns());
-                                }).yes;
-    for (std::size_t i = 0; i < block_points; ++i) {
-      if ((holds >> i & 1U) == 0) answers.left[i] = -1;
-    }
-  }
 }
 
 void BlockModes::decide(BlockAnswers& answers) {

@@ -46,7 +46,6 @@ class BlockModes {
   friend struct DecideModes;
   friend struct SeeResults;
   void run_narrowed(const TapeCode& code);
-  void check_open_truths(BlockAnswers& answers) const;
   bool find_domain();
   bool find_mode(std::size_t index);
 
@@ -67,14 +66,7 @@ class BlockModes {
 
   const BlockCode* code_;
   std::vector<SharedRange> inputs_, shared_;
-  std::vector<Check> domain_;  ///< where the ranges leave it open
-  /// A condition that each point is asked for, and the places and errors of what it compares.
-  struct OpenTruth {
-    const TruthProgram* truth;
-    std::vector<std::uint32_t>::const_iterator first;
-    std::vector<double> errors = {};
-  };
-  std::vector<OpenTruth> open_;
+  std::vector<Check> domain_;         ///< where the ranges leave it open
   std::vector<ResultRange> results_;  ///< of the steps of the domain and all modes
   std::size_t next_result_ = 0;
   struct Bounds {
