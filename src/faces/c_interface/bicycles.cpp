@@ -48,11 +48,6 @@ BicycleColumns bicycles_of(const slipproof_bicycles& b, std::size_t count) {
   return result;
 }
 
-const RecordFields& fields_of_bicycles() {
-  static const RecordFields fields(bicycle_records());
-  return fields;
-}
-
 /// Converts each of the solver's codes to a mode number.
 std::vector<std::uint16_t> mode_codes(const std::uint8_t* modes, std::size_t count) {
   std::vector<std::uint16_t> codes(modes == nullptr ? 0 : count);
@@ -61,9 +56,9 @@ std::vector<std::uint16_t> mode_codes(const std::uint8_t* modes, std::size_t cou
 }
 
 /// All given columns as the library takes them.
-RecordColumns records_of(const slipproof_bicycles& bicycles, const slipproof_answers& x,
+RecordColumns records_of(const RecordFields& fields, const slipproof_bicycles& bicycles, const slipproof_answers& x,
                          const std::vector<std::uint16_t>& modes, const double& external, std::size_t count) {
-  RecordColumns records(fields_of_bicycles(), count);
+  RecordColumns records(fields, count);
   const auto put = [&](const NamedColumn& named) {
     const auto& [symbol, column] = named;
     if (column->size == 0) return;
@@ -98,13 +93,12 @@ void copy_codes(const std::vector<From>& from, To* to) {
   for (std::size_t i = 0; i < from.size(); ++i) to[i] = static_cast<To>(from[i]);
 }
 
-void certify_records(const RecordColumns& records, const JudgeOptions& options, unsigned threads,
+void certify_records(const RecordColumns& records, const RecordJudge& judge, unsigned threads,
                      const slipproof_judgements& to) {
   std::vector<RecordVerdict> verdicts(to.verdicts == nullptr ? 0 : records.records);
   std::vector<std::uint64_t> modes(to.modes == nullptr ? 0 : records.records);
   std::vector<Tier> tiers(to.tiers == nullptr ? 0 : records.records);
   try {
-    const RecordJudge judge(bicycle_records(), options);
     certify(records, judge,
             {.verdicts = verdicts, .modes = modes, .errors = wanted(to.errors, records.records), .tiers = tiers},
             threads);
@@ -167,7 +161,8 @@ slipproof_status slipproof_certify_bicycles(const slipproof_bicycles* bicycles, 
     if (count == 0) return;
     const std::vector<std::uint16_t> modes = c::mode_codes(answers->modes, count);
     const double external = bicycles->external != 0 ? 1 : 0;
-    const RecordColumns records = c::records_of(*bicycles, *answers, modes, external, count);
-    c::certify_records(records, c::options_of(options).scene, threads, *judgements);
+    const RecordJudge judge(bicycle_records(), c::options_of(options).scene);
+    const RecordColumns records = c::records_of(judge.fields(), *bicycles, *answers, modes, external, count);
+    c::certify_records(records, judge, threads, *judgements);
   });
 }

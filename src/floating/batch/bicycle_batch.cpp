@@ -1,11 +1,7 @@
 #include "floating/batch/bicycle_batch.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <map>
-#include <memory>
-#include <mutex>
 #include <stdexcept>
 #include <string>
 
@@ -44,12 +40,7 @@ class Bicycles {
     }
     columns_.parameters[bicycle_parameter("external")] = Column(given.external ? 1.0 : 0.0);
     columns_.load = given.F;
-    for (const Column& column : columns_.parameters) count_ = std::max(count_, column.size());
-    count_ = std::max(count_, columns_.load.size());
-    const auto fits = [this](const Column& column) { return column.size() <= 1 || column.size() == count_; };
-    if (!std::ranges::all_of(columns_.parameters, fits) || !fits(columns_.load)) {
-      throw std::invalid_argument("a column of neither one nor all bicycles");
-    }
+    count_ = batch_.count(columns_);
     for (const MechanismMode& mode : batch_.modes()) {
       bits_.push_back(1U << (4 * static_cast<unsigned>(mode[0]) + static_cast<unsigned>(mode[1])));
     }

@@ -70,9 +70,11 @@ class LanePoints {
       const bool open = std::ranges::find(status_, ModeAt::unsure) != status_.end();
       auto mode = run_.in_load_domain()[lane] != 0 ? run_.only_motion(lane) : std::nullopt;
       if (open || !mode) {
-        if (!by_blocks) for_each_lane(points, blocks_);
-        if (!by_blocks) blocks_.decide();
-        by_blocks = true;
+        if (!by_blocks) {
+          for_each_lane(points, blocks_);
+          blocks_.decide();
+          by_blocks = true;
+        }
         join_status(lane);
         if (!mode && blocks_.in_domain()[lane] != 0) mode = only_motion(programs_, status_);
       }

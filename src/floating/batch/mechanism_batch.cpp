@@ -14,39 +14,6 @@
 
 namespace slipproof {
 
-/// The columns after they were checked.
-struct MechanismBatch::Points {
-  const MechanismColumns& columns;
-  std::size_t count = 1;
-
-  Points(const MechanismBatch& batch, const MechanismColumns& given) : columns(given) {
-    const Mechanism& mechanism = *batch.mechanism_;
-    if (given.parameters.size() != mechanism.parameters.size() || given.tan_halves.size() != mechanism.angles.size()) {
-      throw std::invalid_argument("not as many columns as the mechanism has parameters and angles");
-    }
-    for (std::size_t i = 0; i < given.parameters.size(); ++i) {
-      if ((given.parameters[i].size() > 0) != batch.given_[i]) {
-        throw std::invalid_argument("a parameter without a number, or with one that was not said to be given");
-      }
-      measure(given.parameters[i]);
-    }
-    for (const Column& column : given.tan_halves) measure(column);
-    measure(given.load);
-    check();
-  }
-
- private:
-  void measure(const Column& column) { count = std::max(count, column.size()); }
-
-  void check() const {
-    const auto fits = [this](const Column& column) { return column.size() <= 1 || column.size() == count; };
-    if (!std::all_of(columns.parameters.begin(), columns.parameters.end(), fits) ||
-        !std::all_of(columns.tan_halves.begin(), columns.tan_halves.end(), fits) || !fits(columns.load)) {
-      throw std::invalid_argument("a column of neither one nor all points");
-    }
-  }
-};
-
 std::string_view name(Tier tier) {
   return tier == Tier::filter ? "filter" : "exact";
 }
@@ -74,9 +41,36 @@ const BlockCode& MechanismBatch::block_code(const std::vector<bool>& constant) c
   return *code;
 }
 
+std::size_t MechanismBatch::count(const MechanismColumns& columns) const {
+  if (columns.parameters.size() != mechanism_->parameters.size() ||
+      columns.tan_halves.size() != mechanism_->angles.size()) {
+    throw std::invalid_argument("not as many columns as the mechanism has parameters and angles");
+  }
+  for (std::size_t i = 0; i < given_.size(); ++i) {
+    if ((columns.parameters[i].size() > 0) != given_[i]) {
+      throw std::invalid_argument("a parameter without a number, or with one that was not said to be given");
+    }
+  }
+  std::size_t count = 1;
+  const auto measure = [&](const Column& column) { count = std::max(count, column.size()); };
+  const auto check = [&](const Column& column) {
+    if (column.size() > 1 && column.size() != count) {
+      throw std::invalid_argument("a column of neither one nor all points");
+    }
+  };
+  const auto each = [&](const auto& see) {
+    std::ranges::for_each(columns.parameters, see);
+    std::ranges::for_each(columns.tan_halves, see);
+    see(columns.load);
+  };
+  each(measure);
+  each(check);
+  return count;
+}
+
 MechanismAnswers MechanismBatch::modes_at(const MechanismColumns& columns, Unsure unsure) const {
-  const Points points(*this, columns);
-  MechanismAnswers answers{modes_.size(), std::vector<ModeAt>(points.count * modes_.size(), ModeAt::unsure), {}};
+  const std::size_t points = count(columns);
+  MechanismAnswers answers{modes_.size(), std::vector<ModeAt>(points * modes_.size(), ModeAt::unsure), {}};
   const auto row = [&](std::size_t point) {
     return std::span(answers.status).subspan(point * modes_.size(), modes_.size());
   };
@@ -86,11 +80,11 @@ MechanismAnswers MechanismBatch::modes_at(const MechanismColumns& columns, Unsur
     ++answers.tiers[static_cast<std::size_t>(Tier::exact)];
   };
   if (code_ == nullptr) {
-    for (std::size_t i = 0; i < points.count; ++i) pass_on(i);
+    for (std::size_t i = 0; i < points; ++i) pass_on(i);
     return answers;
   }
   SurePoints sure(*this, columns);
-  sure.decide(points.count, [&](std::size_t point, std::span<const ModeAt> status, const auto&) {
+  sure.decide(points, [&](std::size_t point, std::span<const ModeAt> status, const auto&) {
     if (std::ranges::find(status, ModeAt::unsure) != status.end()) {
       pass_on(point);
       return;

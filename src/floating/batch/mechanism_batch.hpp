@@ -68,9 +68,13 @@ class MechanismBatch {
   /// Null if only the exact kernel can solve the mechanism.
   const ModeCode* code() const { return code_.get(); }
 
-  /// The status of all modes at all points, which need not be in the domain. Throws std::invalid_argument unless each
-  /// column has 1 number or as many as there are points; NoValue and NumberError for a point that has no value. A
-  /// column may be rounded only with Unsure::left, because the kernel takes numbers as they are.
+  /// The number of points. Throws std::invalid_argument unless exactly the given parameters have a column, and each
+  /// column has 1 number or as many as there are points.
+  std::size_t count(const MechanismColumns& points) const;
+
+  /// The status of all modes at all points, which need not be in the domain. Throws as count(); NoValue and NumberError
+  /// for a point that has no value. A column may be rounded only with Unsure::left, because the kernel takes numbers as
+  /// they are.
   MechanismAnswers modes_at(const MechanismColumns& points, Unsure unsure = Unsure::decided) const;
 
   /// The values of a point, taken exactly, without its load. Throws NumberError.
@@ -82,8 +86,6 @@ class MechanismBatch {
   const BlockCode& block_code(const std::vector<bool>& constant) const;
 
  private:
-  struct Points;
-
   const Mechanism* mechanism_;
   ProblemMaker maker_;
   std::vector<ElementKind::Start> starts_;

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "base/number/binary64.hpp"
-#include "floating/tape/mode_run.hpp"
+#include "floating/batch/lane_points.hpp"
 #include "floating/trade/arithmetic.hpp"
 
 namespace slipproof {
@@ -33,8 +33,8 @@ class ExactArithmetic : public Arithmetic {
   const Workload* workload_ = nullptr;
 };
 
-/// binary64 where it is sure, otherwise the kernel, called as a user would: as a batch if all numbers are binary64,
-/// otherwise by lanes whose error bounds include the rounding of the inputs.
+/// binary64 where it is sure, otherwise the kernel, called as a user would: as a batch, whose error bounds include the
+/// rounding of inputs that are not binary64.
 class FilterArithmetic : public ExactArithmetic {
  public:
   FilterArithmetic() : ExactArithmetic({"filter", 53}) {}
@@ -42,24 +42,23 @@ class FilterArithmetic : public ExactArithmetic {
   void load(const Workload& workload) override {
     ExactArithmetic::load(workload);
     numbers_.assign(workload.scenes.at(0).size(), {});
-    exact_.assign(numbers_.size(), true);
+    std::vector<bool> exact(numbers_.size(), true);  // by input: whether all its numbers are
     for (const TradeScene& scene : workload.scenes) {
       for (std::size_t i = 0; i < scene.size(); ++i) {
         const double nearest = numbers_[i].emplace_back(nearest_binary64(scene[i]));
-        exact_[i] = exact_[i] && std::isfinite(nearest) && to_rational(nearest) == scene[i];
+        exact[i] = exact[i] && std::isfinite(nearest) && to_rational(nearest) == scene[i];
       }
     }
     columns_ = {};
     for (std::size_t i = 0; i + 1 < numbers_.size(); ++i) {
-      columns_.parameters.push_back(mechanism().batch().given()[i] ? Column(numbers_[i]) : Column());
+      columns_.parameters.push_back(mechanism().batch().given()[i] ? Column(numbers_[i]).rounded(!exact[i]) : Column());
     }
-    columns_.load = Column(numbers_.back());
+    columns_.load = Column(numbers_.back()).rounded(!exact.back());
     lanes_.emplace(mechanism().code());
   }
 
   std::vector<ModeAt> decide() override {
-    const bool all_exact = std::ranges::find(exact_, false) == exact_.end();
-    std::vector<ModeAt> found = all_exact ? mechanism().batch().modes_at(columns_, Unsure::left).status : by_lanes();
+    std::vector<ModeAt> found = mechanism().batch().modes_at(columns_, Unsure::left).status;
     tiers_.assign(scenes(), Tier::filter);
     for (std::size_t i = 0; i < scenes(); ++i) {
       const std::span modes(&found[i * mechanism().modes()], mechanism().modes());
@@ -79,7 +78,9 @@ class FilterArithmetic : public ExactArithmetic {
       for (Rational& value : values) value = to_rational(nearest_binary64(value));
       return values;
     }
-    decide_lanes(scene);
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      put_point(columns_, mechanism().code().programs(), scene, lane, *lanes_);
+    }
     const ModeRun::Values& found = lanes_->compute_values(mode);
     for (std::size_t i = 0; i < values.size(); ++i) {
       const RunningError& x = mechanism().judged(i, found).constant;
@@ -90,31 +91,7 @@ class FilterArithmetic : public ExactArithmetic {
   }
 
  private:
-  void decide_lanes(std::size_t first) {
-    for (std::size_t lane = 0; lane < lane_count; ++lane) {
-      const std::size_t scene = std::min(first + lane, scenes() - 1);
-      for (std::size_t i = 0; i < numbers_.size(); ++i) lanes_->set(i, lane, numbers_[i][scene], exact_[i]);
-    }
-    lanes_->decide();
-  }
-
-  std::vector<ModeAt> by_lanes() {
-    std::vector<ModeAt> found;
-    for (std::size_t scene = 0; scene < scenes(); ++scene) {
-      const std::size_t lane = scene % lane_count;
-      if (lane == 0) decide_lanes(scene);
-      for (const LaneModes& mode : lanes_->modes()) {
-        found.push_back(mode.strict[lane] != 0         ? ModeAt::strict
-                        : mode.boundary[lane] != 0     ? ModeAt::boundary
-                        : mode.inconsistent[lane] != 0 ? ModeAt::inconsistent
-                                                       : ModeAt::unsure);
-      }
-    }
-    return found;
-  }
-
   std::vector<std::vector<double>> numbers_;  ///< the nearest binary64, by input
-  std::vector<bool> exact_;                   ///< by input: whether all its numbers are exact
   MechanismColumns columns_;
   std::optional<ModeRun> lanes_;
   std::vector<Tier> tiers_;

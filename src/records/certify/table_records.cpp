@@ -1,11 +1,8 @@
 #include "records/certify/table_records.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
 #include <cstring>
 #include <map>
-#include <mutex>
 
 #include "records/certify/columns.hpp"
 #include "records/certify/judged.hpp"
@@ -17,12 +14,12 @@ namespace slipproof {
 namespace {
 
 /// The meaning of each column of the table: the number of a field, a negative number for mode and kind, or
-/// ignored_column. find(name) is as for read_header(). Adds to the mistakes.
-template <class Find>
-std::vector<int> bind_columns(const Table& table, const CertifyOptions& options, Mistakes& mistakes, const Find& find) {
+/// ignored_column. Adds to the mistakes.
+std::vector<int> bind_columns(const Table& table, const RecordFields& fields, const CertifyOptions& options,
+                              Mistakes& mistakes) {
   std::vector<int> bound;
   for (const TableColumn& column : table.columns) {
-    const std::optional<int> found = find(column.name);
+    const std::optional<int> found = find_column(fields, column.name);
     const std::string where = "the column " + in_quotes(column.name);
     const bool known = found.has_value(), twice = known && std::ranges::find(bound, *found) != bound.end();
     if (!known && !options.ignore_unknown) {
@@ -109,8 +106,7 @@ class TableJudge {
         options_(options),
         judge_(options.mechanism ? *options.mechanism : bicycle_records(), options.judge) {
     Mistakes mistakes(options.file);
-    bound_ = bind_columns(table, options, mistakes,
-                          [this](std::string_view name) { return find_column(judge_.fields(), name); });
+    bound_ = bind_columns(table, judge_.fields(), options, mistakes);
     fields_of_columns(bound_, judge_.fields(), judge_.certified(), {}, mistakes);
     mistakes.refuse_if_any();
   }
