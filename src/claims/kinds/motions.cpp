@@ -44,11 +44,11 @@ class MotionsKind : public KindBase {
     for (std::size_t i = 0; i < claim.modes.size(); ++i) {
       const MechanismMode& mode = claim.modes[i];
       writer.exists({fmt::format(".{}", i + 1), assumptions, {}, true, {}, true}, writer.motion(mode));
-      writer.one_motion(fmt::format(".{}.one", i + 1), assumptions, mode, mode, strict);
+      writer.one_motion(fmt::format(".{}.one", i + 1), assumptions, writer.motion(mode), writer.motion(mode));
       modes.push_back("{" + writer.mechanics().mode_text(mode) + "}");
     }
-    if (!strict && writer.mechanics().may_leave_forces_open() && !claim.modes.empty()) {
-      writer.same_as_one_of(".complete", assumptions, claim.modes);
+    if (writer.mechanics().may_leave_forces_open() && !claim.modes.empty()) {
+      writer.same_as_one_of(".complete", assumptions, claim.modes, strict);
     } else {
       writer.implied({".complete", assumptions, writer.any_motion(strict)}, fmt::format("{}", fmt::join(modes, " or ")),
                      {});

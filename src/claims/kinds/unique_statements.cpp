@@ -71,9 +71,21 @@ class UniqueWriter {
     ClaimWriter::Assumptions assumptions = common_;
     assumptions.emplace_back("stated", make(Operation::logical_and, {other(index).region, forces(index)}));
     const MechanismMode mode = other(index).modes.front();
-    writer_.implied({"." + id(index), assumptions, motion_, true, hints_}, writer_.mechanics().mode_text(mode), {});
-    writer_.one_motion("." + id(index) + ".one", assumptions, mode, mode, false, hints_);
-    writer_.exists({"." + id(index) + ".exists", assumptions, {}, true, hints_}, writer_.motion(mode, false));
+    const MotionText its = writer_.motion(mode, false);
+    write_no_other("." + id(index), assumptions, its, writer_.mechanics().mode_text(mode));
+    writer_.one_motion("." + id(index) + ".one", assumptions, its, its, hints_);
+    writer_.exists({"." + id(index) + ".exists", assumptions, {}, true, hints_}, its);
+  }
+
+  /// Writes that every motion is in one of the modes in question. If forces may be undetermined, a motion in one of
+  /// them need only have its accelerations: the forces of a motion in another mode may not fit.
+  void write_no_other(const std::string& suffix, const ClaimWriter::Assumptions& assumptions, const MotionText& listed,
+                      const std::string& shown) {
+    if (writer_.mechanics().may_leave_forces_open()) {
+      writer_.one_motion(suffix, assumptions, motion_, listed, hints_);
+    } else {
+      writer_.implied({suffix, assumptions, motion_, true, hints_}, shown, {});
+    }
   }
 
   void write_rest() {
@@ -88,16 +100,16 @@ class UniqueWriter {
     for (std::size_t i = 0; i < cells.size(); ++i) {
       ClaimWriter::Assumptions here = rest;
       here.emplace(here.begin(), "cell", cells[i]);
-      writer_.implied({fmt::format(".rest.{}", i + 1), here, motion_, true, hints_}, shown(), {});
-      writer_.exists({fmt::format(".rest.exists.{}", i + 1), here, {}, true, hints_},
-                     {motion_.definitions, writer_.mechanics().dynamics() + " and {" + listed() + "}"});
+      const MotionText right{motion_.definitions, writer_.mechanics().dynamics() + " and {" + listed() + "}"};
+      write_no_other(fmt::format(".rest.{}", i + 1), here, right, shown());
+      writer_.exists({fmt::format(".rest.exists.{}", i + 1), here, {}, true, hints_}, right);
       any_cell = any_cell ? make(Operation::logical_or, {any_cell, cells[i]}) : cells[i];
     }
     writer_.implied({".rest.cells", {}, {}}, any_cell);
     for (std::size_t i = 0; i < claim_.modes.size(); ++i) {
       for (std::size_t k = i; k < claim_.modes.size(); ++k) {
-        writer_.one_motion(fmt::format(".rest.one.{}-{}", i + 1, k + 1), common_, claim_.modes[i], claim_.modes[k],
-                           false);
+        writer_.one_motion(fmt::format(".rest.one.{}-{}", i + 1, k + 1), common_,
+                           writer_.motion(claim_.modes[i], false), writer_.motion(claim_.modes[k], false));
       }
     }
   }

@@ -143,9 +143,9 @@ void ClaimWriter::together(const std::string& suffix, const Assumptions& assumpt
   statements_.push_back({name_ + suffix, result + fmt::format("show {}\n", shown)});
 }
 
-void ClaimWriter::one_motion(const std::string& suffix, const Assumptions& assumptions, const MechanismMode& x,
-                             const MechanismMode& y, bool strict, const std::string& hints) {
-  together(suffix, assumptions, {motion(x, strict), motion(y, strict)}, hints, same_accelerations(2));
+void ClaimWriter::one_motion(const std::string& suffix, const Assumptions& assumptions, const MotionText& x,
+                             const MotionText& y, const std::string& hints) {
+  together(suffix, assumptions, {x, y}, hints, same_accelerations(2));
 }
 
 std::string ClaimWriter::same_accelerations(std::size_t other) const {
@@ -155,11 +155,11 @@ std::string ClaimWriter::same_accelerations(std::size_t other) const {
 }
 
 void ClaimWriter::same_as_one_of(const std::string& suffix, const Assumptions& assumptions,
-                                 const std::vector<MechanismMode>& modes) {
-  std::vector<MotionText> motions = {any_motion(false)};
+                                 const std::vector<MechanismMode>& modes, bool strict) {
+  std::vector<MotionText> motions = {any_motion(strict)};
   std::vector<std::string> same;
   for (const MechanismMode& mode : modes) {
-    motions.push_back(motion(mode, false));
+    motions.push_back(motion(mode, strict));
     same.push_back("{" + same_accelerations(motions.size()) + "}");
   }
   together(suffix, assumptions, motions, "", fmt::format("{}", fmt::join(same, " or ")));

@@ -42,14 +42,13 @@ class ClaimWriter : public SettingWriter {
               const std::vector<Expression>& uses = {});
   /// The same for all unknowns of a motion.
   void exists(const Implication& implication, const MotionText& motion);
-  /// For all parameters with `assumptions`, motions in both modes have the same accelerations. Counts boundary motions
-  /// if not strict.
-  void one_motion(const std::string& suffix, const Assumptions& assumptions, const MechanismMode& x,
-                  const MechanismMode& y, bool strict, const std::string& hints = {});
+  /// For all parameters with `assumptions`, two such motions have the same accelerations.
+  void one_motion(const std::string& suffix, const Assumptions& assumptions, const MotionText& x, const MotionText& y,
+                  const std::string& hints = {});
   /// If there is a motion in each of the modes, any motion has the accelerations of one of them. It is then in that
-  /// mode, perhaps with other forces than its own.
+  /// mode, perhaps with other forces than its own. Counts boundary motions if not strict.
   void same_as_one_of(const std::string& suffix, const Assumptions& assumptions,
-                      const std::vector<MechanismMode>& modes);
+                      const std::vector<MechanismMode>& modes, bool strict);
   /// No parameters with `assumptions` have all of `motions` at once.
   void impossible_together(const std::string& suffix, const Assumptions& assumptions,
                            const std::vector<MotionText>& motions);

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <utility>
 
+#include "claims/statements/determined_forces.hpp"
 #include "claims/statements/truth_text.hpp"
 
 namespace slipproof {
@@ -45,8 +46,11 @@ bool is_symbol(const Expression& e, std::string_view symbol) {
 
 }  // namespace
 
-MechanicsWriter::MechanicsWriter(const Setting& setting, Defined defined)
-    : setting_(setting), defined_(std::move(defined)), kinds_(setting.kinds()) {
+MechanicsWriter::MechanicsWriter(const Setting& setting, const PlainSigns& signs)
+    : setting_(setting),
+      signs_(signs),
+      kinds_(setting.kinds()),
+      may_leave_forces_open_(!plainly_determine_forces(setting, signs)) {
   for (const MechanismUnknown& unknown : setting.mechanism->unknowns) unknowns_.push_back(unknown.symbol);
   name_symbols();
   write_elements();
@@ -96,7 +100,7 @@ std::string MechanicsWriter::number(const Expression& of_mechanism) const {
     const auto found = names_.find(symbol);
     return found == names_.end() ? nullptr : make_symbol(found->second);
   });
-  const bool defined = defined_(setting_.in_paper(of_mechanism));
+  const bool defined = signs_.defined(setting_.in_paper(of_mechanism));
   const auto text = number_text(renamed, [&](const Expression& e) { return defined || has_no_division(e); });
   complete_ = complete_ && text;
   return text.value_or("0");
@@ -141,7 +145,7 @@ std::string MechanicsWriter::scene() const {
     if (value == setting_.scene.end()) {
       result += fmt::format("let {} = 0\n", names_.find(symbol)->second);
     } else if (!is_symbol(value->second, symbol)) {
-      const auto text = number_text(value->second, [&](const Expression& e) { return defined_(e); });
+      const auto text = number_text(value->second, [&](const Expression& e) { return signs_.defined(e); });
       complete_ = complete_ && text;
       result += fmt::format("let {} = {}\n", names_.find(symbol)->second, text.value_or("0"));
     }
@@ -193,12 +197,6 @@ std::string MechanicsWriter::on_contacts() const {
     result += fmt::format("{}{} = 0", result.empty() ? "" : " and ", elements_[i].gap.text());
   }
   return result;
-}
-
-bool MechanicsWriter::may_leave_forces_open() const {
-  std::size_t ties = setting_.mechanism->links.size();
-  for (const ElementKind& kind : kinds_) ties += kind.law == ElementKind::Law::coulomb ? 2 : 1;
-  return ties > setting_.mechanism->accelerations;
 }
 
 bool MechanicsWriter::is_modelled(const MechanismMode& mode) const {
@@ -280,7 +278,7 @@ std::string MechanicsWriter::any_mode_text() const {
 }
 
 std::string MechanicsWriter::mode_missed_text(const MechanismMode& mode) const {
-  const bool any_forces = may_leave_forces_open();
+  const bool any_forces = may_leave_forces_open_;
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < mode.size(); ++i) {
     parts.push_back(equations_of(i, mode[i], "!=", " or ", any_forces));

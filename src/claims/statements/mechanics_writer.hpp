@@ -2,7 +2,6 @@
 // with the mechanism's file. tests/claims/papers compares it with the problem that the kernel solves.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "claims/paper/claims_file.hpp"
+#include "claims/statements/plain_signs.hpp"
 #include "mechanics/elements/friction_problem.hpp"
 
 namespace slipproof {
@@ -58,11 +58,8 @@ class TextForm {
 
 class MechanicsWriter {
  public:
-  /// Whether all divisors in an expression over the paper's symbols plainly differ from 0.
-  using Defined = std::function<bool(const Expression&)>;
-
-  /// The setting must outlive the writer.
-  MechanicsWriter(const Setting& setting, Defined defined);
+  /// The setting and its signs must outlive the writer.
+  MechanicsWriter(const Setting& setting, const PlainSigns& signs);
 
   /// The mechanism's unknowns, in the order in which statements declare them.
   const std::vector<std::string>& unknowns() const { return unknowns_; }
@@ -80,10 +77,9 @@ class MechanicsWriter {
   std::string on_contacts() const;
 
   std::size_t elements() const { return kinds_.size(); }
-  /// Whether forces may be undetermined while the accelerations are determined, as under a body on two contacts:
-  /// contacts, friction elements and links may impose more conditions than there are accelerations. Even if not, parts
-  /// without inertia may leave forces open.
-  bool may_leave_forces_open() const;
+  /// Whether forces may be undetermined while the accelerations are determined, as under a body on two contacts. False
+  /// only if they plainly are not, at any point.
+  bool may_leave_forces_open() const { return may_leave_forces_open_; }
   /// The states of an element that are modelled.
   std::vector<ElementState> states_of(std::size_t element) const { return states(kinds_[element]); }
   bool is_modelled(const MechanismMode& mode) const;
@@ -125,8 +121,9 @@ class MechanicsWriter {
   std::string conditions_of(std::size_t element, ElementState state, const char* word, const Text& text) const;
 
   const Setting& setting_;
-  Defined defined_;
+  const PlainSigns& signs_;
   std::vector<ElementKind> kinds_;
+  bool may_leave_forces_open_;
   std::vector<std::string> unknowns_;
   std::map<std::string, std::string, std::less<>> names_;  ///< names of the mechanism's symbols in statements
   std::vector<std::string> taken_;

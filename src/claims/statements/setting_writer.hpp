@@ -20,11 +20,7 @@ struct MotionText {
 class SettingWriter {
  public:
   SettingWriter(const Setting& setting, Reading reading)
-      : setting_(setting),
-        reading_(reading),
-        names_(setting),
-        signs_(setting, reading),
-        mechanics_(setting, [this](const Expression& e) { return signs_.defined(e); }) {}
+      : setting_(setting), reading_(reading), names_(setting), signs_(setting, reading), mechanics_(setting, signs_) {}
   SettingWriter(const SettingWriter&) = delete;
   SettingWriter& operator=(const SettingWriter&) = delete;
 
