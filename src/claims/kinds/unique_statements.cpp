@@ -191,7 +191,7 @@ void unique_refutation(ClaimWriter& writer) {
   for (const std::size_t index : claim.claims) near_none = both(near_none, beyond(index));
   // The motion is in none of `right`. If its own mode is another one this is plain, unless forces are undetermined.
   const auto in_none = [&](const Expression& where, const Modes& right) {
-    std::string text = writer.text(where);
+    std::string text = "{" + writer.text(where) + "}";
     for (const MechanismMode& mode : right) text += " and {" + writer.mechanics().mode_missed_text(mode) + "}";
     return "{" + text + "}";
   };

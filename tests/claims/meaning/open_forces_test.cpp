@@ -51,7 +51,7 @@ line = 1
 statement = "own"
 kind = "interval"
 mode = "slip+"
-forces = "F > 0"
+forces = "F > 1 or 0 < F <= 1"
 [[claim]]
 id = "alone"
 line = 1
