@@ -130,6 +130,8 @@ void ClaimWriter::exists(const Implication& implication, const MotionText& motio
 
 void ClaimWriter::together(const std::string& suffix, const Assumptions& assumptions,
                            const std::vector<MotionText>& motions, const std::string& hints, const std::string& shown) {
+  const std::size_t variables_in_all = parameter_names().size() + motions.size() * mechanics().unknowns().size();
+  if (variables_in_all > max_statement_variables) give_up();
   std::string result = opening(suffix);
   std::vector<Expression> uses;
   const std::string assumption_lines = assumed(assumptions, uses);

@@ -22,7 +22,7 @@ std::string reason(const Setting& setting, const ClaimBody& body) {
     }
   }
   if (body.expect == Expectation::refuted) return "statements cannot say how this claim fails";
-  return "it would take too many cases";
+  return "it would take too many cases or variables";
 }
 
 }  // namespace

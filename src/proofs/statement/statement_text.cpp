@@ -11,7 +11,7 @@ namespace slipproof {
 
 namespace {
 
-constexpr std::size_t max_bytes = 1U << 20U, max_variables = 64;
+constexpr std::size_t max_bytes = 1U << 20U;
 constexpr std::array<std::string_view, 6> spellings{"real", "let", "define", "assume", "exists", "show"};
 constexpr std::string_view hint = "# split:";
 
@@ -129,7 +129,7 @@ class TextReader {
       directive.names.push_back(words.name());
       given_.values.insert(directive.names.back());
       give(directive.names.back(), column);
-      if (++variables_ > max_variables) throw ExpressionError(column, "more than 64 variables");
+      if (++variables_ > max_statement_variables) throw ExpressionError(column, "more than 64 variables");
     } while (!words.at_end());
   }
 

@@ -39,6 +39,9 @@ struct StatementText {
   std::vector<SplitHint> hints;
 };
 
+/// Of a statement, in all its lines `real` and `exists`.
+constexpr std::size_t max_statement_variables = 64;
+
 /// Reads the content of a file. Throws InputError with the first mistake of every line.
 StatementText read_statement(const std::string& file, std::string_view text);
 
