@@ -89,6 +89,19 @@ bool StatementValues::holds(const Expression& f) const {
   return true;
 }
 
+std::set<std::string> StatementValues::variables(const Expression& formula) const {
+  std::set<std::string> result;
+  for (const std::string& symbol : symbols(formula)) {
+    const auto abbreviation = abbreviations_.find(symbol);
+    if (abbreviation == abbreviations_.end()) {
+      result.insert(symbol);
+    } else {
+      result.merge(variables(abbreviation->second));
+    }
+  }
+  return result;
+}
+
 StatementJudge::StatementJudge(const File& file, const World& world, std::size_t claim, Dice& dice)
     : world_(world), dice_(dice) {
   const SecondJudge judge(file, world);
@@ -119,14 +132,30 @@ bool StatementJudge::is_true(const std::string& text) const {
 bool StatementJudge::is_true_at(const Reading& reading, const Names& names) const {
   StatementValues values(reading.text);
   for (const auto& [symbol, value] : names.values) values.set(symbol, value);
-  const auto fails = [&] {
-    const bool assumed = std::all_of(reading.assumed.begin(), reading.assumed.end(),
-                                     [&](const Expression& formula) { return values.holds(formula); });
-    return assumed && !conclusion(reading, values);
-  };
   Free free = free_of(reading.known);
   if (!values_.empty()) free = {};  // nothing in a limit depends on the force
-  return !some(free, values, fails);
+  // Statements about many motions at once have too many points: a motion that is none is passed over at once.
+  const auto assumed = assumed_after(reading, values, free);
+  const auto possible = [&](std::size_t endings) {
+    return std::ranges::all_of(assumed[endings], [&](const Expression& formula) { return values.holds(formula); });
+  };
+  return !some(free, values, possible, [&] { return !conclusion(reading, values); });
+}
+
+std::vector<std::vector<Expression>> StatementJudge::assumed_after(const Reading& reading,
+                                                                   const StatementValues& values,
+                                                                   const Free& free) const {
+  std::vector<std::vector<Expression>> result(free.endings.size() + 1);
+  for (const Expression& formula : reading.assumed) {
+    const std::set<std::string> names = values.variables(formula);
+    const std::vector<std::string> its = free_of({names.begin(), names.end()}).endings;
+    std::size_t after = 0;
+    for (std::size_t i = 0; i < free.endings.size(); ++i) {
+      if (std::ranges::find(its, free.endings[i]) != its.end()) after = i + 1;
+    }
+    result[after].push_back(formula);
+  }
+  return result;
 }
 
 StatementJudge::Reading StatementJudge::read(const std::string& text) {
@@ -170,9 +199,10 @@ bool StatementJudge::some_sought(const Reading& reading, StatementValues& values
   }
   const bool some_are_known = std::any_of(reading.known.begin(), reading.known.end(),
                                           [&](const std::string& name) { return world_.is_unknown(name); });
-  if (!some_are_known && !linear_) return some(free_of(reading.sought), values, shown);
+  const auto any = [](std::size_t) { return true; };
+  if (!some_are_known && !linear_) return some(free_of(reading.sought), values, any, shown);
   const bool force_sought = free_of(reading.sought).force;
-  if (force_sought) return some(free_of(reading.sought), values, shown);
+  if (force_sought) return some(free_of(reading.sought), values, any, shown);
   const Point point = completed(reading, values);
   StatementValues completed_values = values;
   for (std::size_t i = 0; i < world_.unknowns().size(); ++i) {
@@ -183,24 +213,30 @@ bool StatementJudge::some_sought(const Reading& reading, StatementValues& values
   return completed_values.holds(reading.shown);
 }
 
-template <class Wanted>
-bool StatementJudge::some(const Free& free, StatementValues& values, const Wanted& wanted) const {
+template <class Possible, class Wanted>
+bool StatementJudge::some(const Free& free, StatementValues& values, const Possible& possible,
+                          const Wanted& wanted) const {
   const std::string& X = world_.setting().force;
-  if (!free.force && free.endings.empty()) return wanted();
-  if (!free.force) return some_points(free, 0, points_.at(X.empty() ? Rational(0) : values.value(X)), values, wanted);
+  static const std::vector<Point> none;
+  const auto at = [&](const std::vector<Point>& points) {
+    return some_points(free, 0, points, values, possible, wanted);
+  };
+  if (!free.force && free.endings.empty()) return at(none);
+  if (!free.force) return at(points_.at(X.empty() ? Rational(0) : values.value(X)));
   return std::any_of(points_.begin(), points_.end(), [&](const auto& at_force) {
     values.set(X, at_force.first);
-    return some_points(free, 0, at_force.second, values, wanted);
+    return at(at_force.second);
   });
 }
 
-template <class Wanted>
+template <class Possible, class Wanted>
 bool StatementJudge::some_points(const Free& free, std::size_t from, const std::vector<Point>& points,
-                                 StatementValues& values, const Wanted& wanted) const {
+                                 StatementValues& values, const Possible& possible, const Wanted& wanted) const {
+  if (!possible(from)) return false;
   if (from == free.endings.size()) return wanted();
   return std::any_of(points.begin(), points.end(), [&](const Point& point) {
     set(values, point, free.endings[from]);
-    return some_points(free, from + 1, points, values, wanted);
+    return some_points(free, from + 1, points, values, possible, wanted);
   });
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ class StatementValues {
   void set(const std::string& variable, const Rational& value) { variables_[variable] = value; }
   const Rational& value(const std::string& variable) const { return variables_.at(variable); }
   bool holds(const Expression& formula) const;
+  /// The names of all variables in it, in what it abbreviates, too.
+  std::set<std::string> variables(const Expression& formula) const;
 
  private:
   Number number(const Expression& expression) const;
@@ -56,11 +59,15 @@ class StatementJudge {
   bool conclusion(const Reading& reading, StatementValues& values) const;
   bool some_sought(const Reading& reading, StatementValues& values) const;
   /// Whether `wanted` is true for one of the points at least, tried for each ending, and for each force.
-  template <class Wanted>
-  bool some(const Free& free, StatementValues& values, const Wanted& wanted) const;
-  template <class Wanted>
+  /// possible(i) is asked as soon as the unknowns with the first i endings have values; false passes them over.
+  template <class Possible, class Wanted>
+  bool some(const Free& free, StatementValues& values, const Possible& possible, const Wanted& wanted) const;
+  template <class Possible, class Wanted>
   bool some_points(const Free& free, std::size_t from, const std::vector<Point>& points, StatementValues& values,
-                   const Wanted& wanted) const;
+                   const Possible& possible, const Wanted& wanted) const;
+  /// By how many endings their variables have: the assumptions that can be asked then.
+  std::vector<std::vector<Expression>> assumed_after(const Reading& reading, const StatementValues& values,
+                                                     const Free& free) const;
   void set(StatementValues& values, const Point& point, const std::string& ending) const;
 
   void find_motions(const SecondJudge& judge, const Claim& claim);

@@ -461,10 +461,6 @@ bool World::everything_modelled() const {
   return std::all_of(all_modes_.begin(), all_modes_.end(), [&](const Mode& mode) { return modelled(mode); });
 }
 
-bool World::leaves_forces_open() const {
-  return std::any_of(modes_.begin(), modes_.end(), [](const Solutions& s) { return s.free && !s.moves; });
-}
-
 const Solutions* World::solutions(const Mode& mode) const {
   const auto found = std::find_if(modes_.begin(), modes_.end(), [&](const Solutions& s) { return s.mode == mode; });
   return found == modes_.end() ? nullptr : &*found;

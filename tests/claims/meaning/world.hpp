@@ -90,8 +90,6 @@ class World {
   const std::vector<Mode>& modes() const { return all_modes_; }
   bool modelled(const Mode& mode) const;
   bool everything_modelled() const;
-  /// Whether a motion has several values of its forces.
-  bool leaves_forces_open() const;
   /// Nothing if there are none, or the mode is not modelled.
   const Solutions* solutions(const Mode& mode) const;
   Motions motions(const Rational& x, bool strict) const;
