@@ -54,4 +54,4 @@
 #include "report/picture/mechanism_svg.hpp"
 #include "report/planes/mechanism_plane.hpp"
 #include "report/scenes/mechanism_report.hpp"
-#include "report/scenes/search_report.hpp"
+#include "report/uniqueness/search_report.hpp"

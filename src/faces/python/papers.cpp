@@ -14,7 +14,7 @@
 #include "proofs/check_contact/files.hpp"
 #include "proofs/search/prove.hpp"
 #include "report/papers/verify_report.hpp"
-#include "report/scenes/search_report.hpp"
+#include "report/uniqueness/search_report.hpp"
 
 namespace slipproof::python {
 

@@ -15,7 +15,7 @@
 #include "mechanics/reading/shipped.hpp"
 #include "mechanics/scene/scene.hpp"
 #include "report/scenes/mechanism_report.hpp"
-#include "report/scenes/uniqueness_report.hpp"
+#include "report/uniqueness/uniqueness_report.hpp"
 
 namespace slipproof::python {
 

@@ -3,51 +3,26 @@
 
 #include <doctest/doctest.h>
 
-#include <chrono>
 #include <filesystem>
-#include <functional>
-#include <random>
 #include <stop_token>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "base/parallel/in_parallel.hpp"
-#include "claims/mutation/mutation.hpp"
-#include "claims/reading/read_claims_file.hpp"
-#include "claims/verify/verify.hpp"
 #include "floating/batch/bicycle_batch.hpp"
 #include "mechanics/reading/read_mechanism.hpp"
 #include "mechanics/search/search.hpp"
-#include "proofs/search/prove.hpp"
 #include "records/certify/certify.hpp"
+#include "support/stopped.hpp"
 
 using namespace slipproof;
+using test::is_stopped;
+using test::new_stop_source;
 
 namespace {
 
-/// Made where GCC 12 does not look into the header's code: it sees what is not initialized there, falsely.
-[[gnu::noinline]] std::stop_source new_source() {
-  return std::stop_source();
-}
-
 const std::filesystem::path source = SLIPPROOF_SOURCE_DIR;
-
-/// Whether a call ends with Stopped, once another thread asks for it a moment later.
-bool is_stopped(const std::function<void()>& call) {
-  std::stop_source stop = new_source();
-  const std::jthread asking([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    stop.request_stop();
-  });
-  const StopScope scope(stop.get_token());
-  try {
-    call();
-  } catch (const Stopped&) {
-    return true;
-  }
-  return false;
-}
 
 /// A CSV without end.
 ByteSource endless_records() {
@@ -65,7 +40,7 @@ ByteSource endless_records() {
 }  // namespace
 
 TEST_CASE("a call that was asked to end before it began does nothing") {
-  std::stop_source stop = new_source();
+  std::stop_source stop = new_stop_source();
   stop.request_stop();
   const StopScope scope(stop.get_token());
   CHECK_THROWS_AS(stop_if_asked(), Stopped);
@@ -75,7 +50,7 @@ TEST_CASE("a call that was asked to end before it began does nothing") {
 }
 
 TEST_CASE("the innermost scope counts, and outside of scopes nobody asks") {
-  std::stop_source outer = new_source(), inner = new_source();
+  std::stop_source outer = new_stop_source(), inner = new_stop_source();
   outer.request_stop();
   CHECK_NOTHROW(stop_if_asked());
   {
@@ -110,29 +85,6 @@ TEST_CASE("what is handed to other threads ends, too, and calls beside it go on"
     }));
     end = true;
   }
-}
-
-TEST_CASE("verifying and judging mutants end when they are asked to") {
-  const auto paper = read_claims(source / "proofs/rozenblat-yashin/claims.toml");
-  VerifyOptions samples;
-  samples.samples = 10'000'000;
-  CHECK(is_stopped([&] { verify(paper, samples); }));
-  MutationOptions mutants;
-  mutants.samples = 20'000;
-  CHECK(is_stopped([&] { judge_mutants(paper, mutants); }));
-}
-
-TEST_CASE("proving ends when it is asked to") {
-  // What nobody has a certificate for: it would be searched for until all steps are spent.
-  const std::string hard =
-      "slipproof-statement 1\n"
-      "theorem hard\n"
-      "real x y z\n"
-      "assume here: x^4*y^2 + x^2*y^4 + z^6 - 3*x^2*y^2*z^2 + x*y*z > 1\n"
-      "show x^6 + y^6 + z^6 > x*y*z*(x + y + z)^3/27 + 1/1000\n";
-  prove::Limits limits;
-  limits.steps = 1'000'000'000'000;
-  CHECK(is_stopped([&] { prove_statement("hard.statement", hard, limits); }));
 }
 
 TEST_CASE("searching a mechanism ends when it is asked to") {

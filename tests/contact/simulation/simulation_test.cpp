@@ -7,7 +7,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "claims/uniqueness/scene_setting.hpp"
 #include "mechanics/elements/element.hpp"
 
 using namespace slipproof;

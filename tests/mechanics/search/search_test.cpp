@@ -11,8 +11,6 @@
 #include "mechanics/reading/shipped.hpp"
 #include "mechanics/scene/narrow.hpp"
 #include "mechanics/search/points.hpp"
-#include "report/scenes/search_report.hpp"
-#include "support/thread_ranks.hpp"
 
 using namespace slipproof;
 
@@ -184,28 +182,6 @@ TEST_CASE("at every place that is told are the motions that are told, and what c
   }
 }
 
-TEST_CASE("the same bytes at any number of threads and ranks, and other samples for another seed") {
-  const Mechanism mechanism = open_mechanism("ladder");
-  const auto json = [&](unsigned threads, std::uint64_t seed) {
-    SearchOptions options;
-    options.samples = 150;
-    options.threads = threads;
-    options.seed = seed;
-    return search_json({mechanism, options, "", search_motions(mechanism, options)});
-  };
-  const std::string one = json(1, 1);
-  CHECK(json(2, 1) == one);
-  SearchOptions options;
-  options.samples = 150;
-  MotionSearch search(mechanism, options);
-  test::by_crew(
-      3, [&](std::string_view request) { return search.answer(request); },
-      [&](Crew& crew) {
-        CHECK(search_json({mechanism, options, "", search.result(&crew)}) == one);
-      });
-  CHECK(json(1, 2) != one);
-}
-
 TEST_CASE("what is looked for alone ends the search at the first") {
   const Mechanism rod = open_mechanism("painleve-rod");
   SearchOptions options;
@@ -294,13 +270,8 @@ TEST_CASE("a condition that is none is refused with its column") {
   CHECK(message("c < s and W*d < 2").empty());
 }
 
-TEST_CASE("an empty domain is undecided, and too many modes are refused before the work") {
-  const Mechanism m = within("ladder", "mu_f < mu_w and mu_w < mu_f");
-  SearchOptions options;
-  options.samples = 10;
-  const SearchReport report{m, options, "", search_motions(m, options)};
-  CHECK(report.result.samples == 0);
-  CHECK(verdict(report) == SearchVerdict::undecided);
+TEST_CASE("an empty domain has no samples, and too many modes are refused before the work") {
+  CHECK(searched(within("ladder", "mu_f < mu_w and mu_w < mu_f"), 10).samples == 0);
   std::string text = mass("\"mu\"");
   for (int i = 0; i < 8; ++i) {
     text += "[[contact]]\nname = \"c" + std::to_string(i) + "\"\ngap = \"ay\"\nslip = \"ax\"\nfriction = \"mu\"\n";

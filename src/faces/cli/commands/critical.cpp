@@ -8,8 +8,8 @@
 #include "faces/cli/command.hpp"
 #include "faces/cli/png.hpp"
 #include "faces/cli/warnings.hpp"
-#include "report/planes/uniqueness_svg.hpp"
-#include "report/scenes/uniqueness_report.hpp"
+#include "report/uniqueness/uniqueness_report.hpp"
+#include "report/uniqueness/uniqueness_svg.hpp"
 
 namespace slipproof::cli {
 

@@ -12,7 +12,7 @@
 #include "faces/cli/warnings.hpp"
 #include "mechanics/reading/shipped.hpp"
 #include "mechanics/scene/narrow.hpp"
-#include "report/scenes/search_report.hpp"
+#include "report/uniqueness/search_report.hpp"
 
 namespace slipproof::cli {
 

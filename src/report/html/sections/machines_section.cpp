@@ -2,7 +2,7 @@
 
 #include "base/number/format.hpp"
 #include "report/html/sections.hpp"
-#include "report/planes/uniqueness_svg.hpp"
+#include "report/uniqueness/uniqueness_svg.hpp"
 
 namespace slipproof {
 

@@ -1,4 +1,4 @@
-#include "report/scenes/uniqueness_report.hpp"
+#include "report/uniqueness/uniqueness_report.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

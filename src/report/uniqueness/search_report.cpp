@@ -1,4 +1,4 @@
-#include "report/scenes/search_report.hpp"
+#include "report/uniqueness/search_report.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "report/planes/uniqueness_svg.hpp"
+#include "report/uniqueness/uniqueness_svg.hpp"
 
 #include <fmt/format.h>
 

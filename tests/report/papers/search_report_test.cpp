@@ -1,0 +1,38 @@
+#include "report/uniqueness/search_report.hpp"
+
+#include <doctest/doctest.h>
+
+#include "mechanics/reading/shipped.hpp"
+#include "mechanics/scene/narrow.hpp"
+#include "support/thread_ranks.hpp"
+
+using namespace slipproof;
+
+TEST_CASE("the same bytes at any number of threads and ranks, and other samples for another seed") {
+  const Mechanism mechanism = open_mechanism("ladder");
+  const auto json = [&](unsigned threads, std::uint64_t seed) {
+    SearchOptions options;
+    options.samples = 150;
+    options.threads = threads;
+    options.seed = seed;
+    return search_json({mechanism, options, "", search_motions(mechanism, options)});
+  };
+  const std::string one = json(1, 1);
+  CHECK(json(2, 1) == one);
+  SearchOptions options;
+  options.samples = 150;
+  MotionSearch search(mechanism, options);
+  test::by_crew(
+      3, [&](std::string_view request) { return search.answer(request); },
+      [&](Crew& crew) {
+        CHECK(search_json({mechanism, options, "", search.result(&crew)}) == one);
+      });
+  CHECK(json(1, 2) != one);
+}
+
+TEST_CASE("an empty domain is undecided") {
+  const Mechanism ladder = narrowed(open_mechanism("ladder"), "mu_f < mu_w and mu_w < mu_f", "within");
+  SearchOptions options;
+  options.samples = 10;
+  CHECK(verdict({ladder, options, "", search_motions(ladder, options)}) == SearchVerdict::undecided);
+}
