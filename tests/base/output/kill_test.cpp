@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <csignal>
-#include <cstdlib>
 #include <random>
 
 #include "base/output/output_file.hpp"
+#include "support/how_many.hpp"
 #include "support/run_program.hpp"
 
 using slipproof::OutputFile;
@@ -27,8 +27,7 @@ namespace {
 }  // namespace
 
 TEST_CASE("whenever the writer is killed, one whole text stands there") {
-  const char* wanted = std::getenv("SLIPPROOF_KILLS");
-  const int kills = wanted != nullptr ? std::atoi(wanted) : 25;
+  const int kills = slipproof::test::how_many("SLIPPROOF_KILLS", 25);
   constexpr std::size_t size = 1U << 21U;
   const TemporaryFolder folder;
   const auto file = folder.write("result", std::string(size, '-'));

@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <set>
 #include <string>
 #include <string_view>
@@ -11,6 +10,7 @@
 #include "claims/paper/compiled.hpp"
 #include "claims/reading/read_claims_file.hpp"
 #include "support/bicycle/motions.hpp"
+#include "support/how_many.hpp"
 #include "support/random_scene.hpp"
 
 using namespace slipproof;
@@ -123,8 +123,7 @@ bool several(const std::vector<Cell>& cells) {
 
 /// SLIPPROOF_TWO_WHEELERS: how many bicycles and coefficients of friction for each kind of force.
 int wanted() {
-  const char* count = std::getenv("SLIPPROOF_TWO_WHEELERS");
-  return count == nullptr ? 1200 : static_cast<int>(std::strtod(count, nullptr));
+  return test::how_many("SLIPPROOF_TWO_WHEELERS", 1200);
 }
 
 /// A bicycle with some friction, then on one of its thresholds and a millionth to each side: visit(bicycle, road).

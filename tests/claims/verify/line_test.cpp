@@ -13,6 +13,7 @@
 #include "claims/sampling/sampler.hpp"
 #include "claims/verify/verify.hpp"
 #include "report/papers/verify_report.hpp"
+#include "support/how_many.hpp"
 #include "support/shipped.hpp"
 #include "support/thread_ranks.hpp"
 
@@ -187,17 +188,8 @@ TEST_CASE("a mode's conditions along a line: the bounds of the assertions are am
   for (const Rational& b : {Rational(1, 4), Rational(3)}) CHECK(has(found.values, b));
 }
 
-namespace {
-
-#if defined(__SANITIZE_ADDRESS__)
-constexpr std::size_t every = 8;  // a sanitized claim takes ten times as long
-#else
-constexpr std::size_t every = 1;
-#endif
-
-}  // namespace
-
 TEST_CASE("in a cell the judgement is the same throughout: every claim of the shipped papers along some lines") {
+  constexpr std::size_t every = test::quick(1, 8);
   int compared = 0;
   for (const char* folder : {"rozenblat-yashin", "rear-drive"}) {
     const ClaimsFile file = read_claims(test::shipped_folder.parent_path() / folder / "claims.toml");

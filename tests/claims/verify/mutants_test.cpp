@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <set>
 
@@ -10,6 +9,7 @@
 #include "claims/reading/read_claims_file.hpp"
 #include "claims/sampling/sampler.hpp"
 #include "proofs/check/files.hpp"
+#include "support/how_many.hpp"
 #include "support/run_program.hpp"
 #include "support/shipped.hpp"
 #include "support/small_claims.hpp"
@@ -18,17 +18,12 @@ using namespace slipproof;
 
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr std::uint64_t quick_share = 4'000, quick_samples = 80;  // a sanitized one takes ten times as long
-#else
-constexpr std::uint64_t quick_share = 400, quick_samples = 400;
-#endif
+constexpr std::uint64_t quick_share = test::quick(400, 4'000), quick_samples = test::quick(400, 80);
 
 MutationOptions some_of(std::uint64_t share) {
   MutationOptions options;
-  const char* every = std::getenv("SLIPPROOF_MUTANTS_EVERY");
   options.samples = quick_samples;
-  options.every = every != nullptr ? std::strtoull(every, nullptr, 10) : share;
+  options.every = test::how_many("SLIPPROOF_MUTANTS_EVERY", share);
   return options;
 }
 

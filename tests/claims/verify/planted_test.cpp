@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdio>
-#include <cstdlib>
 #include <random>
 
 #include "base/expression/parser.hpp"
@@ -14,6 +13,7 @@
 #include "claims/reading/read_claims_file.hpp"
 #include "claims/sampling/sampler.hpp"
 #include "claims/verify/verify.hpp"
+#include "support/how_many.hpp"
 #include "support/shipped.hpp"
 
 using namespace slipproof;
@@ -114,17 +114,9 @@ bool noticed(const ClaimsFile& file, std::uint64_t samples, std::uint64_t lines)
 }  // namespace
 
 TEST_CASE("planted errors: in thin windows of a parameter or ratio, and on surfaces that no file lists") {
-  const char* wanted = std::getenv("SLIPPROOF_PLANTED");
-#if defined(__SANITIZE_ADDRESS__)
-  constexpr int quick = 1;  // a sanitized sample takes ten times as long
-#else
-  constexpr int quick = 4;
-#endif
-  const int count = wanted != nullptr ? std::atoi(wanted) : quick;
-  const char* sampled = std::getenv("SLIPPROOF_PLANTED_SAMPLES");
-  const std::uint64_t samples = sampled != nullptr  ? std::strtoull(sampled, nullptr, 10)
-                                : wanted != nullptr ? VerifyOptions().samples
-                                                    : 300;
+  const int quick = test::quick(4, 1), count = test::how_many("SLIPPROOF_PLANTED", quick);
+  const std::uint64_t samples =
+      test::how_many("SLIPPROOF_PLANTED_SAMPLES", count == quick ? std::uint64_t{300} : VerifyOptions().samples);
   const std::array<Kind, 4> kinds{{{"1 %", Rational(1, 100)},
                                    {"0.1 %", Rational(1, 1000)},
                                    {"0.01 %", Rational(1, 10'000)},

@@ -10,6 +10,7 @@
 #include "support/bicycle/bicycle_motions.hpp"
 #include "support/bicycle/conditions.hpp"
 #include "support/bicycle/equations.hpp"
+#include "support/how_many.hpp"
 #include "support/shipped.hpp"
 #include "support/thread_ranks.hpp"
 
@@ -17,11 +18,7 @@ using namespace slipproof;
 
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr std::uint64_t sampled_less = 5;  // a sanitized sample takes ten times as long
-#else
-constexpr std::uint64_t sampled_less = 1;
-#endif
+constexpr std::uint64_t sampled_less = test::quick(1, 5);
 
 VerifyOptions options(std::uint64_t samples, std::uint64_t seed = 1, unsigned threads = 0) {
   VerifyOptions o;

@@ -8,6 +8,7 @@
 #include "base/number/binary64.hpp"
 #include "contact/judge/judge.hpp"
 #include "known_problem.hpp"
+#include "support/how_many.hpp"
 
 using namespace slipproof;
 using namespace slipproof::test;
@@ -15,8 +16,7 @@ using namespace slipproof::test;
 namespace {
 
 int problems() {
-  const char* text = std::getenv("SLIPPROOF_KNOWN_PROBLEMS");
-  return text == nullptr ? 100 : static_cast<int>(std::strtod(text, nullptr));
+  return test::how_many("SLIPPROOF_KNOWN_PROBLEMS", 100);
 }
 
 /// Small ones often, up to 200 contacts.

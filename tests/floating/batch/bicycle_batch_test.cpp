@@ -5,9 +5,9 @@
 
 #include <bit>
 #include <cmath>
-#include <cstdlib>
 
 #include "support/bicycle_populations.hpp"
+#include "support/how_many.hpp"
 
 using namespace slipproof;
 using namespace slipproof::test;
@@ -47,8 +47,7 @@ BicycleColumns usual() {
 
 TEST_CASE("bicycles of every population have the modes of their reduced equations, at ends of intervals too") {
   RandomBicycles random(7);
-  const char* const wanted = std::getenv("SLIPPROOF_BATCH_BICYCLES");
-  const auto count = static_cast<std::size_t>(wanted == nullptr ? 60 : std::strtod(wanted, nullptr));
+  const std::size_t count = test::how_many<std::size_t>("SLIPPROOF_BATCH_BICYCLES", 60);
   std::array<Gathered, 4> groups;
   for (std::size_t i = 0; i < count; ++i) {
     for (int population = 0; population < population_count; ++population) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <span>
 
 #include "base/number/binary64.hpp"
@@ -15,14 +14,14 @@
 #include "mechanics/scene/degrees.hpp"
 #include "mechanics/scene/sampling.hpp"
 #include "mechanics/scene/scene.hpp"
+#include "support/how_many.hpp"
 
 using namespace slipproof;
 
 namespace {
 
 std::size_t load_count() {
-  const char* wanted = std::getenv("SLIPPROOF_RANDOM_LOADS");
-  return wanted == nullptr ? 6000 : static_cast<std::size_t>(std::atof(wanted));
+  return test::how_many<std::size_t>("SLIPPROOF_RANDOM_LOADS", 6000);
 }
 
 double between(Dice& dice, double low, double high) {

@@ -2,10 +2,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "mechanics/kernel/naive.hpp"
 #include "mechanics/kernel/random_problem.hpp"
+#include "support/how_many.hpp"
 
 using namespace slipproof;
 using namespace slipproof::test;
@@ -219,8 +219,7 @@ void compare(const FrictionProblem& problem, Counts& counts) {
 }  // namespace
 
 TEST_CASE("random mechanisms have the motions that their equations and conditions give one by one") {
-  const char* wanted = std::getenv("SLIPPROOF_RANDOM_MECHANISMS");
-  const int count = wanted == nullptr ? 100 : std::atoi(wanted);
+  const int count = test::how_many("SLIPPROOF_RANDOM_MECHANISMS", 100);
   RandomProblems random(21);
   Counts counts;
   for (int i = 0; i < count; ++i) {

@@ -17,6 +17,7 @@
 #include "proofs/check/files.hpp"
 #include "proofs/check/record.hpp"
 #include "proofs/check/second_reading.hpp"
+#include "support/how_many.hpp"
 
 using namespace slipproof::check;
 
@@ -236,25 +237,10 @@ std::string with_another_token(const std::string& text, std::mt19937_64& random)
   return result;
 }
 
-/// SLIPPROOF_CHECK_MUTANTS asks for more than what a minute allows. The sanitizers see the same code with fewer.
-std::size_t wanted_mutants() {
-#if defined(__SANITIZE_ADDRESS__)
-  const std::size_t standard = 1'000;
-#else
-  const std::size_t standard = 2'000;
-#endif
-  const char* asked = std::getenv("SLIPPROOF_CHECK_MUTANTS");
-  return asked == nullptr ? standard : std::stoul(asked);
-}
-
 }  // namespace
 
 TEST_CASE("all shipped certificates are accepted") {
-#if defined(__SANITIZE_ADDRESS__)
-  constexpr std::size_t step = 4;  // the checker is the same for all of them, and several times as slow
-#else
-  constexpr std::size_t step = 1;
-#endif
+  constexpr std::size_t step = slipproof::test::quick(1, 4);
   const auto certificates = shipped();
   REQUIRE(certificates.size() > 40);
   for (std::size_t i = 0; i < certificates.size(); i += step) {
@@ -265,7 +251,8 @@ TEST_CASE("all shipped certificates are accepted") {
 }
 
 TEST_CASE("mutants of the shipped certificates are rejected, the same proof, or another one that is confirmed") {
-  const std::size_t wanted = wanted_mutants();
+  const std::size_t wanted =
+      slipproof::test::how_many<std::size_t>("SLIPPROOF_CHECK_MUTANTS", slipproof::test::quick(2'000, 1'000));
   std::mt19937_64 random(20240607);
   const auto certificates = shipped();
   double weights = 0;  // long certificates take long: the number of mutants falls with the length
@@ -310,7 +297,8 @@ TEST_CASE("mutants of the shipped certificates are rejected, the same proof, or 
 TEST_CASE("of mutants of the shipped statements, only what a second reading confirms is accepted") {
   std::mt19937_64 random(20261122);
   const auto certificates = shipped();
-  const std::size_t wanted = wanted_mutants() / 10;
+  const std::size_t wanted =
+      slipproof::test::how_many<std::size_t>("SLIPPROOF_CHECK_MUTANTS", slipproof::test::quick(2'000, 1'000)) / 10;
   std::size_t accepted = 0;
   for (std::size_t i = 0; i < wanted;) {
     std::filesystem::path path = certificates[random() % certificates.size()];

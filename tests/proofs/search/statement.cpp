@@ -13,6 +13,7 @@
 #include "base/input/diagnostic.hpp"
 #include "proofs/check/theorem.hpp"
 #include "proofs/search/prove_files.hpp"
+#include "support/how_many.hpp"
 #include "support/run_program.hpp"
 #include "support/shipped.hpp"
 
@@ -349,11 +350,7 @@ TEST_CASE("the prover and the checker read the same texts, and refuse the same")
 }
 
 TEST_CASE("the prover takes for a statement what the checker takes for one") {
-#if defined(__SANITIZE_ADDRESS__)
-  constexpr int rounds = 5;
-#else
-  constexpr int rounds = 30;
-#endif
+  constexpr int rounds = test::quick(30, 5);
   std::mt19937_64 random(20261121);
   int read = 0, refused = 0;
   for (const auto& file : statements_in(test::shipped_folder)) {

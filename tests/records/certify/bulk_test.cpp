@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "support/certified.hpp"
+#include "support/how_many.hpp"
 #include "support/solver_records.hpp"
 
 using namespace slipproof;
@@ -14,8 +15,7 @@ using namespace slipproof::test;
 namespace {
 
 std::size_t record_count() {
-  const char* wanted = std::getenv("SLIPPROOF_CERTIFY_RECORDS");
-  return wanted == nullptr ? 4000 : static_cast<std::size_t>(std::atof(wanted));
+  return test::how_many<std::size_t>("SLIPPROOF_CERTIFY_RECORDS", 4000);
 }
 
 double number(const std::string& cell) {
@@ -147,7 +147,7 @@ void turn_sprockets(Cells& cells) {
 TEST_CASE("a line of CSV is judged as if it stood alone, however many others there are and however it is written") {
   SolverRecords records(96);
   std::vector<std::string> lines, with_blanks;
-  for (std::size_t i = 0; i < 700; ++i) {
+  for (std::size_t i = 0; i < test::quick<std::size_t>(700, 70); ++i) {
     Cells cells = records.next();
     if (i % 9 == 4) corrupt(cells, i / 9, records.random());
     if (i % 17 == 1) make_heavy(cells);

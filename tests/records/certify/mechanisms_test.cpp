@@ -15,6 +15,7 @@
 #include "mechanics/scene/sampling.hpp"
 #include "records/record/record.hpp"
 #include "support/certified.hpp"
+#include "support/how_many.hpp"
 #include "support/unit_systems.hpp"
 
 using namespace slipproof;
@@ -25,8 +26,7 @@ namespace {
 using MechanismCells = std::vector<std::string>;
 
 std::size_t mechanism_records() {
-  const char* wanted = std::getenv("SLIPPROOF_CERTIFY_RECORDS");
-  return wanted == nullptr ? 40 : static_cast<std::size_t>(std::atof(wanted)) / 15 + 1;
+  return test::how_many<std::size_t>("SLIPPROOF_CERTIFY_RECORDS", test::quick(600, 150)) / 15;
 }
 
 std::string cell_of(double x) {

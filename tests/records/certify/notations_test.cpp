@@ -12,6 +12,7 @@
 #include "base/number/dice.hpp"
 #include "contact/problem/solutions.hpp"
 #include "support/certified.hpp"
+#include "support/how_many.hpp"
 
 using namespace slipproof;
 using namespace slipproof::test;
@@ -219,12 +220,11 @@ Known solutions_of(const Bodies& b) {
 }  // namespace
 
 TEST_CASE("one problem and answer have one verdict in every notation and in all units") {
-  const char* count = std::getenv("SLIPPROOF_NOTATIONS");
-  const int problems = count == nullptr ? 300 : static_cast<int>(std::strtod(count, nullptr));
+  const std::size_t problems = test::how_many<std::size_t>("SLIPPROOF_NOTATIONS", test::quick(300, 40));
   std::map<std::string, int> seen;
-  for (int i = 0; i < problems; ++i) {
+  for (std::size_t i = 0; i < problems; ++i) {
     CAPTURE(i);
-    Dice dice(12, static_cast<std::uint64_t>(i));
+    Dice dice(12, i);
     const Bodies b = random_bodies(dice);
     const Known known = solutions_of(b);
     Numbers z(b.components()), u;

@@ -15,6 +15,7 @@
 #include "records/certify/columns.hpp"
 #include "records/record/bicycle_records.hpp"
 #include "support/certified.hpp"
+#include "support/how_many.hpp"
 #include "support/solver_records.hpp"
 #include "support/unit_systems.hpp"
 
@@ -26,8 +27,7 @@ namespace {
 constexpr std::size_t friction_cell = 11, eps1_cell = 26;  ///< eps1 after those of solver_records.hpp
 
 std::size_t answers_wanted() {
-  const char* wanted = std::getenv("SLIPPROOF_CERTIFY_RECORDS");
-  return wanted == nullptr ? 100 : std::min<std::size_t>(10'000, static_cast<std::size_t>(std::atof(wanted)));
+  return std::min<std::size_t>(10'000, test::how_many<std::size_t>("SLIPPROOF_CERTIFY_RECORDS", test::quick(100, 25)));
 }
 
 const std::vector<std::string>& units_of_columns() {
