@@ -8,7 +8,7 @@
 namespace slipproof::test {
 
 template <std::integral Count>
-constexpr Count quick(Count usual, [[maybe_unused]] Count sanitized) {
+constexpr Count quick([[maybe_unused]] Count usual, [[maybe_unused]] Count sanitized) {
 #if defined(__SANITIZE_ADDRESS__)
   return sanitized;
 #else

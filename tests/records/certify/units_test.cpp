@@ -27,7 +27,7 @@ namespace {
 constexpr std::size_t friction_cell = 11, eps1_cell = 26;  ///< eps1 after those of solver_records.hpp
 
 std::size_t answers_wanted() {
-  return std::min<std::size_t>(10'000, test::how_many<std::size_t>("SLIPPROOF_CERTIFY_RECORDS", test::quick(100, 25)));
+  return std::min<std::size_t>(10'000, test::how_many<std::size_t>("SLIPPROOF_CERTIFY_RECORDS", test::quick(100, 50)));
 }
 
 const std::vector<std::string>& units_of_columns() {
