@@ -53,5 +53,6 @@
 #include "report/phase/phase_svg.hpp"
 #include "report/picture/mechanism_svg.hpp"
 #include "report/planes/mechanism_plane.hpp"
+#include "report/scenes/contact_words.hpp"
 #include "report/scenes/mechanism_report.hpp"
 #include "report/uniqueness/search_report.hpp"

@@ -1,6 +1,9 @@
 #include "base/number/format.hpp"
 
+#include <fmt/format.h>
+
 #include <cstdlib>
+#include <functional>
 #include <stdexcept>
 
 namespace slipproof {
@@ -25,6 +28,17 @@ struct Scaled {
   Integer divisor;
   QuotientAndRemainder parts;
 };
+
+/// A number in three digits that is still a bound: `factor` moves it while `beyond` says that printing lost the bound.
+template <class Beyond>
+std::string three_digits(double x, double factor, const Beyond& beyond) {
+  if (x == 0) return "0";
+  std::string text = fmt::format("{:.2e}", x);
+  for (double step = x * factor; beyond(std::strtod(text.c_str(), nullptr), x); step *= factor) {
+    text = fmt::format("{:.2e}", step);
+  }
+  return text;
+}
 
 }  // namespace
 
@@ -59,6 +73,14 @@ std::string decimal_text(const Rational& x, int digits) {
   const auto integer_digits = static_cast<std::size_t>(exponent) + 1;
   if (significand.size() <= integer_digits) return minus + significand.append(integer_digits - significand.size(), '0');
   return minus + significand.insert(integer_digits, ".");
+}
+
+std::string at_most(double bound) {
+  return three_digits(bound, 1 + 1e-3, std::less<>());
+}
+
+std::string at_least(double bound) {
+  return three_digits(bound, 1 - 1e-3, std::greater<>());
 }
 
 std::string counted(std::uint64_t count, std::string_view noun) {

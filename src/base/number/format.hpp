@@ -17,6 +17,10 @@ std::string exact_text(const Rational& x);
 /// std::invalid_argument for digits < 1.
 std::string decimal_text(const Rational& x, int digits);
 
+/// A nonnegative bound in three digits, `1.23e-12`: an upper bound is rounded up, a lower bound down.
+std::string at_most(double bound);
+std::string at_least(double bound);
+
 /// `5 claims`, `1 claim`.
 std::string counted(std::uint64_t count, std::string_view noun);
 

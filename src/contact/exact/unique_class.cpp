@@ -109,6 +109,21 @@ std::optional<std::vector<std::size_t>> nonpositive_minor(const SparseMatrix& A)
   return minors.chosen();
 }
 
+std::string_view name(UniqueProof::Class kind) {
+  switch (kind) {
+    case UniqueProof::Class::dominant:
+      return "H-matrix with positive diagonal";
+    case UniqueProof::Class::definite:
+      return name(EveryLoad::Reason::definite);
+    case UniqueProof::Class::bound:
+      return name(EveryLoad::Reason::bound);
+    case UniqueProof::Class::determinants:
+      return name(EveryLoad::Reason::determinants);
+    default:
+      return "P-matrix";
+  }
+}
+
 bool is_complementarity(const MixedProblem& problem) {
   return problem.free == 0 && problem.dimension == 1 && is_finite(problem);
 }

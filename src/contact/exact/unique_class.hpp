@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "base/number/effort.hpp"
@@ -35,6 +36,9 @@ struct UniqueProof {
   /// entry is greater than the sum of the absolute values of the others; for `bound`, A is the lowered one.
   SparseMatrix factor;
 };
+
+/// As messages and JSON call it: `P-matrix`.
+std::string_view name(UniqueProof::Class kind);
 
 /// Whether it is a proof, decided exactly. False for what is no complementarity problem, for numbers that are not
 /// finite, and for shapes that do not fit; of `p_matrix` also beyond max_minors_size, of `determinants` beyond

@@ -20,6 +20,7 @@
 #include "records/problems/contact_file.hpp"
 #include "records/problems/problem_judge.hpp"
 #include "report/html/contact_report.hpp"
+#include "report/scenes/contact_words.hpp"
 
 namespace slipproof::python {
 

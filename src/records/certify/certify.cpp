@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/number/format.hpp"
 #include "records/certify/chunk_judge.hpp"
 #include "records/certify/judged.hpp"
 #include "records/problems/contact_file.hpp"

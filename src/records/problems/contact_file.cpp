@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "base/number/binary64.hpp"
@@ -13,7 +11,6 @@
 #include "contact/enclosure/answer.hpp"
 #include "contact/exact/exact_lcp.hpp"
 #include "contact/judge/find.hpp"
-#include "contact/problem/every_load.hpp"
 
 namespace slipproof {
 
@@ -90,11 +87,6 @@ JudgedAnswer judge_what_is_found(const JudgedProblem& problem, const ContactFile
   return result;
 }
 
-std::string size_of(const MixedProblem& problem) {
-  if (problem.dimension == 1) return counted(problem.contacts(), "component");
-  return fmt::format("{} in dimension {}", counted(problem.contacts(), "contact"), problem.dimension);
-}
-
 Json counted_from_one(const std::vector<std::size_t>& contacts) {
   Json list = Json::array();
   for (const std::size_t k : contacts) list.push_back(k + 1);
@@ -123,44 +115,10 @@ Json exact_texts(const std::vector<Rational>& values) {
   return list;
 }
 
-std::string_view class_name(UniqueProof::Class kind) {
-  switch (kind) {
-    case UniqueProof::Class::dominant:
-      return "H-matrix with positive diagonal";
-    case UniqueProof::Class::definite:
-      return name(EveryLoad::Reason::definite);
-    case UniqueProof::Class::bound:
-      return name(EveryLoad::Reason::bound);
-    case UniqueProof::Class::determinants:
-      return name(EveryLoad::Reason::determinants);
-    default:
-      return "P-matrix";
-  }
-}
-
 /// Whether a solution that was found is the only one, and in what sense.
 Json uniqueness(const ContactJudgement& j) {
   if (j.verdict == ContactVerdict::unique) return "globally";
   return j.enclosure && j.enclosure->locally_unique ? Json("locally") : Json();
-}
-
-/// A number in three digits that is still a bound: `factor` moves it while `beyond` says that printing lost the bound.
-template <class Beyond>
-std::string three_digits(double x, double factor, const Beyond& beyond) {
-  if (x == 0) return "0";
-  std::string text = fmt::format("{:.2e}", x);
-  for (double step = x * factor; beyond(std::strtod(text.c_str(), nullptr), x); step *= factor) {
-    text = fmt::format("{:.2e}", step);
-  }
-  return text;
-}
-
-std::string contact_list(const std::vector<std::size_t>& contacts) {
-  std::string text = contacts.size() == 1 ? "contact" : "contacts";
-  for (std::size_t i = 0; i < std::min<std::size_t>(contacts.size(), 6); ++i) {
-    text += fmt::format("{} {}", i == 0 ? "" : ",", contacts[i] + 1);
-  }
-  return contacts.size() > 6 ? text + fmt::format(" and {} more", contacts.size() - 6) : text;
 }
 
 }  // namespace
@@ -181,72 +139,6 @@ JudgedProblem::JudgedProblem(std::string name, ReadProblem read, const ContactFi
 
 JudgedProblem judge_problem_file(std::string file, ReadProblem read, const ContactFileOptions& options) {
   return JudgedProblem(std::move(file), std::move(read), options);
-}
-
-std::string verdict_words(const ContactJudgement& j) {
-  switch (j.verdict) {
-    case ContactVerdict::invalid:
-      return "The answer is invalid: " + j.reason + ".";
-    case ContactVerdict::undecided:
-      return "Undecided: " + j.reason + ".";
-    case ContactVerdict::no_solution:
-      return "The problem has no solution: no forces keep all contacts from overlapping.";
-    case ContactVerdict::unique:
-      return fmt::format("The one solution of the problem is within {} of the answer.", at_most(j.rho));
-    case ContactVerdict::ambiguous:
-      return fmt::format("A solution is within {} of the answer, and there is another one elsewhere.", at_most(j.rho));
-    case ContactVerdict::solution_within_rho:
-      return fmt::format("An exact solution is within {} of the answer in each component{}.", at_most(j.rho),
-                         j.enclosure && j.enclosure->locally_unique ? ", and near it there is no other" : "");
-    case ContactVerdict::inaccurate:
-      return fmt::format(
-          "The answer is inaccurate: an exact solution is within {} of it in each component, an error of {}.",
-          at_most(j.rho), at_most(j.error));
-    case ContactVerdict::none_within_rho:
-    case ContactVerdict::wrong:
-      if (!j.reason.empty()) return "The answer is wrong: " + j.reason + ".";
-      if (j.exclusion->radius == 0) return "The answer is wrong: its backward error is too large.";
-      return fmt::format("The answer is wrong: no solution is within {} of it.", at_least(j.exclusion->radius));
-    default:
-      return "The answer solves a problem that is as near as its backward error; whether the problem itself has a "
-             "solution near it is undecided.";
-  }
-}
-
-std::vector<std::string> further_words(const ContactJudgement& j) {
-  std::vector<std::string> sentences;
-  if (j.verdict == ContactVerdict::eps_solution && !j.reason.empty()) {
-    sentences.push_back(fmt::format("Nothing stronger: {}{}.", j.reason,
-                                    j.contacts.empty() ? "" : " (" + contact_list(j.contacts) + ")"));
-  }
-  if (j.right_for) {
-    sentences.push_back(
-        fmt::format("It is right for the {}: not the answer, but the law is another.", name(*j.right_for)));
-  }
-  if (j.verdict == ContactVerdict::wrong && j.velocity_error > j.residual->change) {
-    sentences.push_back(
-        fmt::format("Its velocities differ from those of its forces by up to {}.", at_most(j.velocity_error)));
-  }
-  if (j.unique_by) {
-    sentences.push_back(
-        fmt::format("There is one solution for every constant, too ({}).", class_name(j.unique_by->kind)));
-  }
-  for (const std::string& failure : j.left_out) sentences.push_back("Not found, " + failure + ".");
-  if (j.undetermined == 1) {
-    sentences.emplace_back("1 component of the forces is determined by nothing; it is held as it is.");
-  } else if (j.undetermined > 1) {
-    sentences.push_back(counted(j.undetermined, "component") +
-                        " of the forces are determined by nothing; they are held as they are.");
-  }
-  return sentences;
-}
-
-std::string at_most(double x) {
-  return three_digits(x, 1 + 1e-3, std::less<>());
-}
-
-std::string at_least(double x) {
-  return three_digits(x, 1 - 1e-3, std::greater<>());
 }
 
 std::string contact_line(const JudgedProblem& problem, std::size_t answer) {
@@ -285,32 +177,11 @@ std::string contact_members(const JudgedProblem& problem, std::size_t answer) {
   }
   if (!j.exact.empty() && j.exact.size() <= 64) line["exact"] = exact_texts(j.exact);
   if (!j.other_exact.empty()) line["other"] = exact_texts(j.other_exact);
-  if (j.unique_by) line["unique_by"] = class_name(j.unique_by->kind);
+  if (j.unique_by) line["unique_by"] = name(j.unique_by->kind);
   if (!j.left_out.empty()) line["left_out"] = j.left_out;
   if (!problem.problem.remarks.empty()) line["remarks"] = problem.problem.remarks;
   const std::string text = line.dump(-1, ' ', false, Json::error_handler_t::replace);
   return ',' + text.substr(1, text.size() - 2);
-}
-
-std::string contact_words(const JudgedProblem& problem, std::size_t answer) {
-  const ContactJudgement& j = problem.answers[answer].judgement;
-  std::string text =
-      fmt::format("{}: {}, answer: {}\n", problem.file, size_of(problem.mixed), problem.answers[answer].origin);
-  text += "  " + verdict_words(j) + '\n';
-  if (j.residual) {
-    text += fmt::format("  Backward error {} of the largest {}", at_most(j.residual->backward_error()),
-                        problem.mixed.free == 0 ? "constant" : "of its kind");
-    if (!j.residual->worst.empty()) {
-      const Violation& v = j.residual->worst.front();
-      const std::string place =
-          v.contact ? fmt::format("contact {}", *v.contact + 1) : fmt::format("row {}", v.row + 1);
-      text += fmt::format("; worst: {}, {}, by {}", place, v.condition, at_most(v.amount));
-    }
-    text += ".\n";
-  }
-  for (const std::string& sentence : further_words(j)) text += "  " + sentence + '\n';
-  for (const std::string& remark : problem.problem.remarks) text += "  Note: " + remark + ".\n";
-  return text;
 }
 
 std::string refined_answer(const JudgedProblem& problem, std::size_t answer) {

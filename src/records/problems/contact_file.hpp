@@ -1,5 +1,4 @@
-// Certifies answers to contact problems at real size: reads a file, gives a line of JSON for each answer and a summary
-// in words.
+// Certifies answers to contact problems at real size: judges those of a file, with a line of JSON for each.
 #pragma once
 
 #include <optional>
@@ -45,20 +44,6 @@ JudgedProblem judge_problem_file(std::string file, ReadProblem read, const Conta
 std::string contact_line(const JudgedProblem& problem, std::size_t answer);
 /// The members after the record's number, `,"problem":...`, without the closing brace.
 std::string contact_members(const JudgedProblem& problem, std::size_t answer);
-
-/// The result in words: which contacts violate which law, by how much, and whether the cause is the answer, the
-/// pyramid, or the problem.
-std::string contact_words(const JudgedProblem& problem, std::size_t answer);
-
-/// The sentence for the verdict.
-std::string verdict_words(const ContactJudgement& judgement);
-/// Further sentences, beyond verdict and backward error: why nothing stronger is proved, a pyramid for which the answer
-/// is right, velocities that do not belong to the forces, undetermined forces.
-std::vector<std::string> further_words(const ContactJudgement& judgement);
-
-/// A nonnegative bound in three digits, `1.23e-12`: an upper bound is rounded up, a lower bound down.
-std::string at_most(double bound);
-std::string at_least(double bound);
 
 /// The improved answer, {"r":[..],"u":[..],"v":[..],"lambda":[..],"radius":[..]}. Its digits are guaranteed: each
 /// number is within its radius of an exact solution. Empty if no solution is enclosed.

@@ -9,6 +9,7 @@
 #include "report/html/sections.hpp"
 #include "report/html/verdict_bar.hpp"
 #include "report/planes/cone_svg.hpp"
+#include "report/scenes/contact_words.hpp"
 
 namespace slipproof {
 

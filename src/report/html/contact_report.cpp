@@ -5,6 +5,7 @@
 #include "base/number/format.hpp"
 #include "report/html/contact_card.hpp"
 #include "report/html/sections.hpp"
+#include "report/scenes/contact_words.hpp"
 
 namespace slipproof {
 

@@ -10,6 +10,8 @@
 #include <set>
 #include <sstream>
 
+#include "base/number/format.hpp"
+#include "report/scenes/contact_words.hpp"
 #include "support/scattered_contacts.hpp"
 
 using namespace slipproof;

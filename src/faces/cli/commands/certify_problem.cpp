@@ -14,6 +14,7 @@
 #include "proofs/check_contact/files.hpp"
 #include "records/problems/contact_file.hpp"
 #include "report/html/contact_report.hpp"
+#include "report/scenes/contact_words.hpp"
 #include "report/values/exact_json.hpp"
 
 namespace slipproof::cli {

@@ -1,0 +1,106 @@
+#include "report/scenes/contact_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/number/format.hpp"
+
+namespace slipproof {
+
+namespace {
+
+std::string size_of(const MixedProblem& problem) {
+  if (problem.dimension == 1) return counted(problem.contacts(), "component");
+  return fmt::format("{} in dimension {}", counted(problem.contacts(), "contact"), problem.dimension);
+}
+
+std::string contact_list(const std::vector<std::size_t>& contacts) {
+  std::string text = contacts.size() == 1 ? "contact" : "contacts";
+  for (std::size_t i = 0; i < std::min<std::size_t>(contacts.size(), 6); ++i) {
+    text += fmt::format("{} {}", i == 0 ? "" : ",", contacts[i] + 1);
+  }
+  return contacts.size() > 6 ? text + fmt::format(" and {} more", contacts.size() - 6) : text;
+}
+
+}  // namespace
+
+std::string verdict_words(const ContactJudgement& j) {
+  switch (j.verdict) {
+    case ContactVerdict::invalid:
+      return "The answer is invalid: " + j.reason + ".";
+    case ContactVerdict::undecided:
+      return "Undecided: " + j.reason + ".";
+    case ContactVerdict::no_solution:
+      return "The problem has no solution: no forces keep all contacts from overlapping.";
+    case ContactVerdict::unique:
+      return fmt::format("The one solution of the problem is within {} of the answer.", at_most(j.rho));
+    case ContactVerdict::ambiguous:
+      return fmt::format("A solution is within {} of the answer, and there is another one elsewhere.", at_most(j.rho));
+    case ContactVerdict::solution_within_rho:
+      return fmt::format("An exact solution is within {} of the answer in each component{}.", at_most(j.rho),
+                         j.enclosure && j.enclosure->locally_unique ? ", and near it there is no other" : "");
+    case ContactVerdict::inaccurate:
+      return fmt::format(
+          "The answer is inaccurate: an exact solution is within {} of it in each component, an error of {}.",
+          at_most(j.rho), at_most(j.error));
+    case ContactVerdict::none_within_rho:
+    case ContactVerdict::wrong:
+      if (!j.reason.empty()) return "The answer is wrong: " + j.reason + ".";
+      if (j.exclusion->radius == 0) return "The answer is wrong: its backward error is too large.";
+      return fmt::format("The answer is wrong: no solution is within {} of it.", at_least(j.exclusion->radius));
+    default:
+      return "The answer solves a problem that is as near as its backward error; whether the problem itself has a "
+             "solution near it is undecided.";
+  }
+}
+
+std::vector<std::string> further_words(const ContactJudgement& j) {
+  std::vector<std::string> sentences;
+  if (j.verdict == ContactVerdict::eps_solution && !j.reason.empty()) {
+    sentences.push_back(fmt::format("Nothing stronger: {}{}.", j.reason,
+                                    j.contacts.empty() ? "" : " (" + contact_list(j.contacts) + ")"));
+  }
+  if (j.right_for) {
+    sentences.push_back(
+        fmt::format("It is right for the {}: not the answer, but the law is another.", name(*j.right_for)));
+  }
+  if (j.verdict == ContactVerdict::wrong && j.velocity_error > j.residual->change) {
+    sentences.push_back(
+        fmt::format("Its velocities differ from those of its forces by up to {}.", at_most(j.velocity_error)));
+  }
+  if (j.unique_by) {
+    sentences.push_back(fmt::format("There is one solution for every constant, too ({}).", name(j.unique_by->kind)));
+  }
+  for (const std::string& failure : j.left_out) sentences.push_back("Not found, " + failure + ".");
+  if (j.undetermined == 1) {
+    sentences.emplace_back("1 component of the forces is determined by nothing; it is held as it is.");
+  } else if (j.undetermined > 1) {
+    sentences.push_back(counted(j.undetermined, "component") +
+                        " of the forces are determined by nothing; they are held as they are.");
+  }
+  return sentences;
+}
+
+std::string contact_words(const JudgedProblem& problem, std::size_t answer) {
+  const ContactJudgement& j = problem.answers[answer].judgement;
+  std::string text =
+      fmt::format("{}: {}, answer: {}\n", problem.file, size_of(problem.mixed), problem.answers[answer].origin);
+  text += "  " + verdict_words(j) + '\n';
+  if (j.residual) {
+    text += fmt::format("  Backward error {} of the largest {}", at_most(j.residual->backward_error()),
+                        problem.mixed.free == 0 ? "constant" : "of its kind");
+    if (!j.residual->worst.empty()) {
+      const Violation& v = j.residual->worst.front();
+      const std::string place =
+          v.contact ? fmt::format("contact {}", *v.contact + 1) : fmt::format("row {}", v.row + 1);
+      text += fmt::format("; worst: {}, {}, by {}", place, v.condition, at_most(v.amount));
+    }
+    text += ".\n";
+  }
+  for (const std::string& sentence : further_words(j)) text += "  " + sentence + '\n';
+  for (const std::string& remark : problem.problem.remarks) text += "  Note: " + remark + ".\n";
+  return text;
+}
+
+}  // namespace slipproof

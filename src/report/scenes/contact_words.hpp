@@ -1,0 +1,21 @@
+// What was found about an answer to a contact problem, in words.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "records/problems/contact_file.hpp"
+
+namespace slipproof {
+
+/// The result in words: which contacts violate which law, by how much, and whether the cause is the answer, the
+/// pyramid, or the problem.
+std::string contact_words(const JudgedProblem& problem, std::size_t answer);
+
+/// The sentence for the verdict.
+std::string verdict_words(const ContactJudgement& judgement);
+/// Further sentences, beyond verdict and backward error: why nothing stronger is proved, a pyramid for which the answer
+/// is right, velocities that do not belong to the forces, undetermined forces.
+std::vector<std::string> further_words(const ContactJudgement& judgement);
+
+}  // namespace slipproof
