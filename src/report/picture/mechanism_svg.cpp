@@ -31,22 +31,6 @@ using ShapeKind = MechanismShape::Kind;
 constexpr double drawn_width = 270, drawn_height = 220, least_width = 360, longest_force = 72, shortest_force = 12,
                  plain_force = 34, letter_width = 0.62, text_line = 17, value_gap = 4, free_margin = 10;
 
-/// Joins the pieces to lines of a given length in characters.
-std::vector<std::string> joined_lines(const std::vector<std::string>& pieces, std::string_view between,
-                                      std::size_t length) {
-  std::vector<std::string> lines;
-  for (const std::string& piece : pieces) {
-    const bool fits = !lines.empty() && utf8_count(lines.back()) + between.size() + utf8_count(piece) <= length;
-    if (fits) {
-      lines.back() += std::string(between) + piece;
-    } else {
-      if (!lines.empty()) lines.back() += between.substr(0, between.find(' '));
-      lines.push_back(piece);
-    }
-  }
-  return lines;
-}
-
 class MechanismDrawing {
  public:
   MechanismDrawing(const Element& svg, const MechanismScene& scene, const MotionAtLoad* motion)
@@ -64,7 +48,7 @@ class MechanismDrawing {
     }
     for (const auto& name : names_) place_force_name(name);
     for (const MechanismGeometry::Contact& contact : geometry_.contacts) {
-      text_label({pixel(contact.at)}, contact_text(contact.index));
+      text_label({pixel(contact.at)}, contact_text(scene_, motion_, contact.index));
     }
   }
 
@@ -82,7 +66,7 @@ class MechanismDrawing {
   void caption() {
     const double left = box_.left;
     double y = box_.bottom + text_line + 2;
-    for (const std::string& line : joined_lines(told(), ", ", 54)) {
+    for (const std::string& line : caption_lines(told(), 54)) {
       svg_.add("text", "soft halo").set("x", left).set("y", y).set("font-size", 12).text(line);
       see({left, y - 12, left + letter_width * 12 * static_cast<double>(utf8_count(line)), y + 3});
       y += text_line;
@@ -192,7 +176,12 @@ class MechanismDrawing {
     return points;
   }
 
-  const Range& range_of(std::size_t unknown) const { return motion_->forces[unknown - scene_.mechanism.accelerations]; }
+  const Range& range_of(std::size_t unknown) const { return range_of_force(scene_, *motion_, unknown); }
+  std::vector<std::string> told() const {
+    std::vector<bool> drawn(scene_.mechanism.contacts.size());
+    for (const MechanismGeometry::Contact& c : geometry_.contacts) drawn[c.index] = drawn[c.index] || has_direction(c);
+    return told_of(scene_, motion_, drawn);
+  }
   const std::string& symbol_of(std::size_t unknown) const { return scene_.mechanism.unknowns[unknown].symbol; }
   static bool has_direction(const MechanismGeometry::Contact& contact) {
     return contact.normal[0] != 0 || contact.normal[1] != 0;
@@ -214,7 +203,7 @@ class MechanismDrawing {
 
   void forces(const MechanismGeometry::Contact& contact) {
     const MechanismContact& given = scene_.mechanism.contacts[contact.index];
-    std::string description = contact_text(contact.index);
+    std::string description = contact_text(scene_, motion_, contact.index);
     const auto draw = [&](std::size_t force, Point direction, bool pushes, std::string_view css) {
       if (motion_ != nullptr) description += ", " + symbol_of(force) + " " + range_text(range_of(force));
       if (has_direction(contact)) this->force(pixel(contact.at), force, direction, pushes, css);
@@ -267,42 +256,6 @@ class MechanismDrawing {
     const Element text = svg_.add("text", "soft halo").set("x", box.left).set("y", box.bottom - 3).set("font-size", 12);
     text.text(words);
     see(box);
-  }
-
-  std::string contact_text(std::size_t contact) const {
-    const std::string state = motion_ == nullptr ? std::string() : common_state(*motion_, contact);
-    return scene_.mechanism.contacts[contact].name + (state.empty() ? "" : ": " + state);
-  }
-
-  /// The load, forces without a place, friction elements, and contacts without a place, as text.
-  std::vector<std::string> told() const {
-    const Mechanism& mechanism = scene_.mechanism;
-    std::vector<std::string> parts;
-    if (mechanism.load && scene_.load) {
-      const std::string& unit = mechanism.load->unit;
-      parts.push_back(plain_symbol(mechanism.load->symbol) + " " + value_text(*scene_.load) +
-                      (unit.empty() || unit == "1" ? "" : " " + unit));
-    }
-    const auto is_drawn = [&](std::size_t contact) {
-      return std::any_of(geometry_.contacts.begin(), geometry_.contacts.end(),
-                         [&](const auto& c) { return c.index == contact && has_direction(c); });
-    };
-    for (std::size_t i = 0; i < mechanism.contacts.size(); ++i) {
-      if (mechanism.contacts[i].at.empty()) parts.push_back(contact_text(i) + " (has no place)");
-    }
-    if (motion_ == nullptr) return parts;
-    for (std::size_t i = 0; i < mechanism.friction.size(); ++i) {
-      const std::string state = common_state(*motion_, mechanism.contacts.size() + i);
-      if (!state.empty()) parts.push_back(mechanism.friction[i].name + ": " + state);
-    }
-    using Role = MechanismUnknown::Role;
-    for (std::size_t i = mechanism.accelerations; i < mechanism.unknowns.size(); ++i) {
-      const MechanismUnknown& unknown = mechanism.unknowns[i];
-      const bool of_contact = unknown.role == Role::normal || unknown.role == Role::tangent;
-      if (!of_contact || !is_drawn(unknown.owner))
-        parts.push_back(plain_symbol(unknown.symbol) + " " + range_text(range_of(i)));
-    }
-    return parts;
   }
 
   const Element svg_;

@@ -4,9 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <string_view>
 #include <vector>
 
+#include "base/input/utf8.hpp"
 #include "base/number/format.hpp"
+#include "report/markup/symbol.hpp"
 #include "report/picture/drawing.hpp"
 
 namespace slipproof {
@@ -47,6 +50,57 @@ std::string modes_text(const MotionAtLoad& motion) {
   for (const MechanismMode& mode : motion.strict() ? motion.modes : motion.boundary_modes) names.push_back(name(mode));
   if (names.size() > 3) names.resize(3), names.emplace_back("…");
   return fmt::format("{}{}", fmt::join(names, " = "), motion.strict() ? "" : " (boundary)");
+}
+
+const Range& range_of_force(const MechanismScene& scene, const MotionAtLoad& motion, std::size_t unknown) {
+  return motion.forces[unknown - scene.mechanism.accelerations];
+}
+
+std::string contact_text(const MechanismScene& scene, const MotionAtLoad* motion, std::size_t contact) {
+  const std::string state = motion == nullptr ? std::string() : common_state(*motion, contact);
+  return scene.mechanism.contacts[contact].name + (state.empty() ? "" : ": " + state);
+}
+
+std::vector<std::string> told_of(const MechanismScene& scene, const MotionAtLoad* motion,
+                                 const std::vector<bool>& drawn) {
+  const Mechanism& mechanism = scene.mechanism;
+  std::vector<std::string> parts;
+  if (mechanism.load && scene.load) {
+    const std::string& unit = mechanism.load->unit;
+    parts.push_back(plain_symbol(mechanism.load->symbol) + " " + value_text(*scene.load) +
+                    (unit.empty() || unit == "1" ? "" : " " + unit));
+  }
+  for (std::size_t i = 0; i < mechanism.contacts.size(); ++i) {
+    if (mechanism.contacts[i].at.empty()) parts.push_back(contact_text(scene, motion, i) + " (has no place)");
+  }
+  if (motion == nullptr) return parts;
+  for (std::size_t i = 0; i < mechanism.friction.size(); ++i) {
+    const std::string state = common_state(*motion, mechanism.contacts.size() + i);
+    if (!state.empty()) parts.push_back(mechanism.friction[i].name + ": " + state);
+  }
+  using Role = MechanismUnknown::Role;
+  for (std::size_t i = mechanism.accelerations; i < mechanism.unknowns.size(); ++i) {
+    const MechanismUnknown& unknown = mechanism.unknowns[i];
+    const bool of_contact = unknown.role == Role::normal || unknown.role == Role::tangent;
+    if (!of_contact || !drawn[unknown.owner])
+      parts.push_back(plain_symbol(unknown.symbol) + " " + range_text(range_of_force(scene, *motion, i)));
+  }
+  return parts;
+}
+
+std::vector<std::string> caption_lines(const std::vector<std::string>& pieces, std::size_t length) {
+  constexpr std::string_view between = ", ";
+  std::vector<std::string> lines;
+  for (const std::string& piece : pieces) {
+    const bool fits = !lines.empty() && utf8_count(lines.back()) + between.size() + utf8_count(piece) <= length;
+    if (fits) {
+      lines.back() += std::string(between) + piece;
+    } else {
+      if (!lines.empty()) lines.back() += between.substr(0, between.find(' '));
+      lines.push_back(piece);
+    }
+  }
+  return lines;
 }
 
 }  // namespace slipproof

@@ -1,10 +1,12 @@
-// Texts in pictures about a motion's forces and modes.
+// Texts in pictures and beside them, about a motion's forces and modes.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "mechanics/kernel/motions.hpp"
+#include "mechanics/scene/scene.hpp"
 
 namespace slipproof {
 
@@ -20,5 +22,19 @@ std::string range_text(const Range& range);
 std::string common_state(const MotionAtLoad& motion, std::size_t element);
 /// The names of the motion's modes, at most three, and whether they hold only at a boundary.
 std::string modes_text(const MotionAtLoad& motion);
+
+/// Of a force among the mechanism's unknowns.
+const Range& range_of_force(const MechanismScene& scene, const MotionAtLoad& motion, std::size_t unknown);
+
+/// The contact's name, with its state if there is a motion.
+std::string contact_text(const MechanismScene& scene, const MotionAtLoad* motion, std::size_t contact);
+
+/// The load, friction elements, contacts without a place, and forces that are not drawn; `drawn` says of each contact
+/// whether its forces are.
+std::vector<std::string> told_of(const MechanismScene& scene, const MotionAtLoad* motion,
+                                 const std::vector<bool>& drawn);
+
+/// The pieces, with commas, in lines of at most so many characters where a piece is not longer.
+std::vector<std::string> caption_lines(const std::vector<std::string>& pieces, std::size_t length);
 
 }  // namespace slipproof

@@ -1,0 +1,149 @@
+#include "report/planes/axis_choice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "base/number/format.hpp"
+#include "base/number/parse.hpp"
+#include "mechanics/kernel/motions_over_loads.hpp"
+#include "mechanics/scene/degrees.hpp"
+
+namespace slipproof {
+
+namespace {
+
+Rational two_digits(const Rational& x) {
+  return parse_rational(decimal_text(x, 2));
+}
+
+void expect_order(const std::string& symbol, const Rational& from, const Rational& to) {
+  if (from < to) return;
+  throw std::invalid_argument(fmt::format("found the range of {} from {} to {}, expected one that begins below its end",
+                                          symbol, exact_text(from), exact_text(to)));
+}
+
+}  // namespace
+
+Axis AxisChoice::across() const {
+  const AcrossVariable& variable = columns_.across();
+  Axis axis;
+  axis.symbol = variable.symbol;
+  axis.is_angle = variable.angle.has_value();
+  axis.unit = variable.unit;
+  const auto [from, to] = axis.is_angle ? angle_range() : parameter_range(axis.symbol);
+  axis.from = wanted_.x_from ? end(axis.symbol, *wanted_.x_from) : from;
+  axis.to = wanted_.x_to ? end(axis.symbol, *wanted_.x_to) : to;
+  expect_order(axis.symbol, wanted_.x_from.value_or(axis.from), wanted_.x_to.value_or(axis.to));
+  expect_order(axis.symbol, axis.from, axis.to);
+  expect_inside(axis);
+  return axis;
+}
+
+Axis AxisChoice::up(const Axis& across) const {
+  const MechanismLoad& load = *columns_.mechanism().load;
+  Axis axis;
+  axis.symbol = load.symbol;
+  axis.unit = load.unit;
+  const auto problem = columns_.problem(typical(across));
+  const ForceInterval domain = problem ? problem->load_domain : ForceInterval();
+  auto [low, high] = changes(problem);
+  const Rational margin = (high - low) / 6;
+  low = low - margin, high = high + margin;
+  if (domain.lower() && low < *domain.lower()) low = *domain.lower();
+  if (domain.upper() && high > *domain.upper()) high = *domain.upper();
+  axis.from = wanted_.y_from ? *wanted_.y_from : two_digits(low);
+  axis.to = wanted_.y_to ? *wanted_.y_to : two_digits(high);
+  expect_order(axis.symbol, axis.from, axis.to);
+  ForceInterval seen = ForceInterval::between(axis.from, true, axis.to, true);
+  seen.intersect(domain);
+  if (!seen.empty() && !seen.is_point()) return axis;
+  throw std::invalid_argument(fmt::format("found the range of {} from {} to {}, expected one with values in {}",
+                                          axis.symbol, exact_text(axis.from), exact_text(axis.to), to_string(domain)));
+}
+
+Rational AxisChoice::end(const std::string& symbol, const Rational& given) const {
+  if (!columns_.across().angle) return given;
+  if (abs(given) < 180) {
+    const MechanismValues::Circle point = angle_from_degrees(given).point;
+    return Rational(point.sine / (1 + point.cosine));
+  }
+  throw std::invalid_argument(fmt::format("found {} degrees for {}, expected an angle between -180 and 180 degrees",
+                                          exact_text(given), symbol));
+}
+
+AxisChoice::Ends AxisChoice::angle_range() const {
+  const auto own = columns_.own();
+  if (!own) return {Rational(-1), Rational(1)};
+  constexpr int steps = 32;
+  const Rational far = std::max(Rational(1), two_digits(2 * abs(*own)));
+  Rational from = -far, to = far;
+  for (int i = -steps; i <= steps; ++i) {
+    const Rational x = far * Rational(i, steps);
+    if (columns_.contains(x)) continue;
+    if (x < *own) from = x;
+    if (x > *own && x < to) to = x;
+  }
+  return {from, to};
+}
+
+AxisChoice::Ends AxisChoice::parameter_range(const std::string& symbol) const {
+  const Rational own = *columns_.own(), size = own.is_zero() ? Rational(1, 2) : Rational(abs(own));
+  const bool down = own < 0 || columns_.contains(-size), up = own > 0 || columns_.contains(size);
+  if (!down && !up && !(wanted_.x_from && wanted_.x_to)) {
+    throw std::invalid_argument(fmt::format("found {} = 0 and no range, expected a range of {}", symbol, symbol));
+  }
+  return {down ? two_digits(-2 * size) : Rational(0), up ? two_digits(2 * size) : Rational(0)};
+}
+
+void AxisChoice::expect_inside(const Axis& axis) const {
+  constexpr int steps = 64;
+  bool before = false;
+  for (int i = 0; i <= steps; ++i) {
+    const bool here = columns_.problem(axis.from + (axis.to - axis.from) * Rational(i, steps)).has_value();
+    if (here && before) return;
+    before = here;
+  }
+  std::string condition;
+  for (int i = 0; i <= steps && condition.empty(); ++i) {
+    condition = columns_.broken(axis.from + (axis.to - axis.from) * Rational(i, steps));
+  }
+  throw std::invalid_argument("no values side by side of " + axis.symbol + " in its range are in the domain" +
+                              (condition.empty() ? "" : ", expected " + condition));
+}
+
+Rational AxisChoice::typical(const Axis& axis) const {
+  const auto own = columns_.own();
+  if (own && axis.from <= *own && *own <= axis.to) return *own;
+  constexpr int steps = 32;
+  const Rational middle = (axis.from + axis.to) / 2, step = (axis.to - axis.from) / (2 * steps);
+  for (int i = 0; i <= steps; ++i) {
+    for (const Rational& x : {Rational(middle + step * i), Rational(middle - step * i)}) {
+      if (columns_.problem(x)) return x;
+    }
+  }
+  return middle;
+}
+
+AxisChoice::Ends AxisChoice::changes(const std::optional<FrictionProblem>& problem) const {
+  std::optional<Rational> low, high;
+  const auto see = [&](const Rational& load) {
+    low = low ? std::min(*low, load) : load;
+    high = high ? std::max(*high, load) : load;
+  };
+  see(Rational(0));
+  if (scene_.load) see(*scene_.load);
+  if (problem) {
+    for (const LoadCell& cell : motions_over_loads(*problem)->cells(Told::modes)) {
+      if (cell.loads.is_point()) see(*cell.loads.lower());
+    }
+    if (!problem->load_domain.empty() && !problem->load_domain.contains(Rational(0)) && *low == *high) {
+      see(problem->load_domain.sample());
+    }
+  }
+  if (*low == *high) return {*low - 1, *high + 1};
+  return {*low, *high};
+}
+
+}  // namespace slipproof

@@ -1,0 +1,45 @@
+// The axes of a plane: what is asked for, and where nothing is, what shows the scene.
+#pragma once
+
+#include "report/planes/mechanism_plane.hpp"
+#include "report/planes/plane_columns.hpp"
+
+namespace slipproof {
+
+/// Chooses those ends of both axes that are not given. Throws std::invalid_argument, with a message for people. What it
+/// is made of must outlive it.
+class AxisChoice {
+ public:
+  AxisChoice(const PlaneColumns& columns, const MechanismScene& scene, const MechanismAxes& wanted)
+      : columns_(columns), scene_(scene), wanted_(wanted) {}
+
+  Axis across() const;
+
+  /// All loads at which something changes at one value of x, with a margin.
+  Axis up(const Axis& across) const;
+
+ private:
+  using Ends = std::pair<Rational, Rational>;
+
+  Rational end(const std::string& symbol, const Rational& given) const;
+
+  /// The range in the domain around the scene's own angle; at most +-90 degrees unless that angle is larger.
+  Ends angle_range() const;
+
+  /// From zero to twice the scene's own value; on both sides of zero if the other sign is possible.
+  Ends parameter_range(const std::string& symbol) const;
+
+  /// Requires that some neighbouring values are in the domain.
+  void expect_inside(const Axis& axis) const;
+
+  /// The scene's own x if it is inside; otherwise the value in the domain that is nearest to the middle.
+  Rational typical(const Axis& axis) const;
+
+  Ends changes(const std::optional<FrictionProblem>& problem) const;
+
+  const PlaneColumns& columns_;
+  const MechanismScene& scene_;
+  const MechanismAxes& wanted_;
+};
+
+}  // namespace slipproof
