@@ -36,6 +36,17 @@ MotionText with_ending(const MotionText& motion, const std::vector<std::string>&
   return {renamed(motion.definitions), renamed(motion.formula)};
 }
 
+/// A line `real` or `exists` has a space before each name.
+bool has_too_many_variables(const NamedStatement& statement) {
+  std::size_t variables = 0;
+  std::string line;
+  for (std::istringstream lines(statement.text); std::getline(lines, line);) {
+    const bool declares = line.starts_with("real ") || line.starts_with("exists ");
+    if (declares) variables += static_cast<std::size_t>(std::ranges::count(line, ' '));
+  }
+  return variables > max_statement_variables;
+}
+
 }  // namespace
 
 ClaimWriter::ClaimWriter(const ClaimsFile& claims, const Claim& claim, Reading reading)
@@ -130,8 +141,6 @@ void ClaimWriter::exists(const Implication& implication, const MotionText& motio
 
 void ClaimWriter::together(const std::string& suffix, const Assumptions& assumptions,
                            const std::vector<MotionText>& motions, const std::string& hints, const std::string& shown) {
-  const std::size_t variables_in_all = parameter_names().size() + motions.size() * mechanics().unknowns().size();
-  if (variables_in_all > max_statement_variables) give_up();
   std::string result = opening(suffix);
   std::vector<Expression> uses;
   const std::string assumption_lines = assumed(assumptions, uses);
@@ -271,7 +280,7 @@ void ClaimWriter::somewhere(const std::string& suffix, const std::vector<Express
 }
 
 std::vector<NamedStatement> ClaimWriter::take() {
-  if (!complete()) return {};
+  if (!complete() || std::ranges::any_of(statements_, has_too_many_variables)) return {};
   for (NamedStatement& statement : statements_) statement.text = without_zero_divisors(std::move(statement.text));
   return std::move(statements_);
 }

@@ -152,6 +152,13 @@ TEST_CASE("a formula about undetermined forces has to hold for all of them") {
   CHECK(verdict(at_rest + "\"S_upper = S_lower\"") == Verdict::refuted);
 }
 
+TEST_CASE("a claim whose statement would have more variables than one may have is given up") {
+  const ClaimsFile few = block("kind = \"motions\"\nmodes = [\"*/stick\"]"),
+                   many = block("kind = \"motions\"\nmodes = [\"*/stick\", \"*/slip+\", \"*/slip-\"]");
+  CHECK_FALSE(claim_statements(few, few.claims.front(), Reading::printed).empty());
+  CHECK(claim_statements(many, many.claims.front(), Reading::printed).empty());
+}
+
 TEST_CASE("a counterexample is a scene that reads back, with the motions that there are") {
   const ClaimsFile file = block("kind = \"impossible\"\nregion = \"mu < 1\"\nmodes = [\"lift/*\"]");
   const ClaimResult result = result_of(file);
