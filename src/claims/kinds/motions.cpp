@@ -43,8 +43,9 @@ class MotionsKind : public KindBase {
     std::vector<std::string> modes;
     for (std::size_t i = 0; i < claim.modes.size(); ++i) {
       const MechanismMode& mode = claim.modes[i];
-      writer.exists({fmt::format(".{}", i + 1), assumptions, {}, true, {}, true}, writer.motion(mode));
-      writer.one_motion(fmt::format(".{}.one", i + 1), assumptions, writer.motion(mode), writer.motion(mode));
+      const MotionText motion = writer.motion(mode);
+      writer.exists({fmt::format(".{}", i + 1), assumptions, {}, true, {}, true}, motion);
+      writer.one_motion(fmt::format(".{}.one", i + 1), assumptions, motion, motion);
       modes.push_back("{" + writer.mechanics().mode_text(mode) + "}");
     }
     if (writer.mechanics().may_leave_forces_open() && !claim.modes.empty()) {

@@ -1,6 +1,7 @@
 #include "claims/statements/determined_forces.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <utility>
@@ -17,13 +18,14 @@ namespace {
 class ForceColumns {
  public:
   using Row = std::vector<MultiPolynomial>;
+  using Coefficients =
+      std::vector<std::vector<Expression>>;  ///< of the forces in each equation, in the paper's symbols
 
-  ForceColumns(const Setting& setting, const PlainSigns& signs) : signs_(signs), ring_(symbols_of(setting)) {
+  ForceColumns(const Coefficients& coefficients, std::size_t columns, const PlainSigns& signs)
+      : signs_(signs), ring_(symbols_of(coefficients)), columns_(columns) {
     // Some mechanisms have long products: a bound on the work, in steps of the ring.
     ring_.budget().renew(1'000'000);
-    const Mechanism& mechanism = *setting.mechanism;
-    columns_ = mechanism.unknowns.size() - mechanism.accelerations;
-    for (const MechanismEquation& equation : mechanism.equations) add_row(setting, equation.form);
+    for (const std::vector<Expression>& row : coefficients) add_row(row);
   }
 
   bool independent() {
@@ -36,24 +38,19 @@ class ForceColumns {
   }
 
  private:
-  static std::vector<std::string> symbols_of(const Setting& setting) {
+  static std::vector<std::string> symbols_of(const Coefficients& coefficients) {
     std::set<std::string> all;
-    for (const MechanismEquation& equation : setting.mechanism->equations) {
-      for (const Expression& e : equation.form.coefficients) {
-        if (!e) continue;
-        for (const std::string& symbol : symbols(setting.in_paper(e))) all.insert(symbol);
-      }
+    for (const std::vector<Expression>& row : coefficients) {
+      for (const Expression& e : row) std::ranges::copy(symbols(e), std::inserter(all, all.end()));
     }
     return {all.begin(), all.end()};
   }
 
   /// Leaves out an equation with a coefficient that is no polynomial; the others may suffice.
-  void add_row(const Setting& setting, const SymbolicForm& form) {
+  void add_row(const std::vector<Expression>& coefficients) {
     Row row;
-    for (std::size_t i = setting.mechanism->accelerations; i < setting.mechanism->unknowns.size(); ++i) {
-      const Expression& coefficient = form.coefficients[i];
-      const auto entry =
-          MultiPolynomial::parse(ring_, coefficient ? to_string(setting.in_paper(coefficient)) : std::string("0"));
+    for (const Expression& coefficient : coefficients) {
+      const auto entry = MultiPolynomial::parse(ring_, to_string(coefficient));
       if (!entry) return;
       row.push_back(*entry);
     }
@@ -96,15 +93,24 @@ class ForceColumns {
 
   const PlainSigns& signs_;
   PolynomialRing ring_;
-  std::size_t columns_ = 0;
+  std::size_t columns_;
   std::vector<Row> rows_;
 };
 
 }  // namespace
 
 bool plainly_determine_forces(const Setting& setting, const PlainSigns& signs) {
+  const Mechanism& mechanism = *setting.mechanism;
+  ForceColumns::Coefficients coefficients;
+  for (const MechanismEquation& equation : mechanism.equations) {
+    std::vector<Expression>& row = coefficients.emplace_back();
+    for (std::size_t i = mechanism.accelerations; i < mechanism.unknowns.size(); ++i) {
+      const Expression& e = equation.form.coefficients[i];
+      row.push_back(e ? setting.in_paper(e) : make_number(0));
+    }
+  }
   try {
-    return ForceColumns(setting, signs).independent();
+    return ForceColumns(coefficients, mechanism.unknowns.size() - mechanism.accelerations, signs).independent();
   } catch (const Budget::Spent&) {
     return false;
   }

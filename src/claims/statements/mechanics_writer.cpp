@@ -47,10 +47,7 @@ bool is_symbol(const Expression& e, std::string_view symbol) {
 }  // namespace
 
 MechanicsWriter::MechanicsWriter(const Setting& setting, const PlainSigns& signs)
-    : setting_(setting),
-      signs_(signs),
-      kinds_(setting.kinds()),
-      may_leave_forces_open_(!plainly_determine_forces(setting, signs)) {
+    : setting_(setting), signs_(signs), kinds_(setting.kinds()) {
   for (const MechanismUnknown& unknown : setting.mechanism->unknowns) unknowns_.push_back(unknown.symbol);
   name_symbols();
   write_elements();
@@ -199,6 +196,11 @@ std::string MechanicsWriter::on_contacts() const {
   return result;
 }
 
+bool MechanicsWriter::may_leave_forces_open() const {
+  if (!forces_open_) forces_open_ = !plainly_determine_forces(setting_, signs_);
+  return *forces_open_;
+}
+
 bool MechanicsWriter::is_modelled(const MechanismMode& mode) const {
   return has_mode(kinds_, mode);
 }
@@ -278,7 +280,7 @@ std::string MechanicsWriter::any_mode_text() const {
 }
 
 std::string MechanicsWriter::mode_missed_text(const MechanismMode& mode) const {
-  const bool any_forces = may_leave_forces_open_;
+  const bool any_forces = may_leave_forces_open();
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < mode.size(); ++i) {
     parts.push_back(equations_of(i, mode[i], "!=", " or ", any_forces));

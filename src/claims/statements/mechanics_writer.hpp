@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -79,7 +80,7 @@ class MechanicsWriter {
   std::size_t elements() const { return kinds_.size(); }
   /// Whether forces may be undetermined while the accelerations are determined, as under a body on two contacts. False
   /// only if they plainly are not, at any point.
-  bool may_leave_forces_open() const { return may_leave_forces_open_; }
+  bool may_leave_forces_open() const;
   /// The states of an element that are modelled.
   std::vector<ElementState> states_of(std::size_t element) const { return states(kinds_[element]); }
   bool is_modelled(const MechanismMode& mode) const;
@@ -123,13 +124,13 @@ class MechanicsWriter {
   const Setting& setting_;
   const PlainSigns& signs_;
   std::vector<ElementKind> kinds_;
-  bool may_leave_forces_open_;
   std::vector<std::string> unknowns_;
   std::map<std::string, std::string, std::less<>> names_;  ///< names of the mechanism's symbols in statements
   std::vector<std::string> taken_;
   std::vector<std::string> equation_names_;
   std::vector<ElementText> elements_;
   mutable bool complete_ = true;
+  mutable std::optional<bool> forces_open_;  ///< found where it is asked for: few claims need it
 };
 
 }  // namespace slipproof
