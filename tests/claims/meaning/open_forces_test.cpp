@@ -4,10 +4,11 @@
 
 #include "claims/reading/read_claims_file.hpp"
 #include "claims/statements/claim_statements.hpp"
-#include "proofs/search/prove.hpp"
+#include "support/proved.hpp"
 #include "support/run_program.hpp"
 
 using namespace slipproof;
+using test::proved;
 
 namespace {
 
@@ -70,10 +71,6 @@ forces = "F > 0"
                       (folder.path() / "claims.toml").string());
 }
 
-bool has_proof(const NamedStatement& statement) {
-  return prove_statement(statement.name, statement.text, {}).verdict == ProofOutcome::Verdict::proved;
-}
-
 }  // namespace
 
 TEST_CASE("a motion that two modes have, with other forces in each, is proved to be the only one") {
@@ -83,7 +80,7 @@ TEST_CASE("a motion that two modes have, with other forces in each, is proved to
     CHECK(statements.size() >= 3);
     for (const NamedStatement& statement : statements) {
       CAPTURE(statement.text);
-      CHECK(has_proof(statement));
+      CHECK(proved(statement) == ProofOutcome::Verdict::proved);
     }
   }
 }
@@ -93,7 +90,7 @@ TEST_CASE("the second mode of a motion refutes nothing") {
   for (const char* id : {"alone", "listed"}) {
     for (const NamedStatement& statement : claim_refutation(file, *file.find(id), Reading::printed)) {
       CAPTURE(statement.text);
-      CHECK_FALSE(has_proof(statement));
+      CHECK(proved(statement) != ProofOutcome::Verdict::proved);
     }
   }
 }

@@ -8,9 +8,11 @@
 #include "claims/verify/verify.hpp"
 #include "proofs/search/prove.hpp"
 #include "proofs/statement/statement.hpp"
+#include "support/proved.hpp"
 #include "support/run_program.hpp"
 
 using namespace slipproof;
+using test::proved;
 
 namespace {
 
@@ -41,12 +43,6 @@ struct Divided {
     return parse_claims(text, (folder.path() / "claims.toml").string());
   }
 };
-
-ProofOutcome::Verdict proved(const NamedStatement& statement) {
-  prove::Limits limits;
-  limits.steps = 1'000'000;
-  return prove_statement(statement.name, statement.text, limits).verdict;
-}
 
 std::string claims_about_p(const std::string& mode) {
   const std::string interval = "kind = \"interval\"\nforces = \"false\"\nmode = \"" + mode + "\"\n";

@@ -114,9 +114,9 @@ bool noticed(const ClaimsFile& file, std::uint64_t samples, std::uint64_t lines)
 }  // namespace
 
 TEST_CASE("planted errors: in thin windows of a parameter or ratio, and on surfaces that no file lists") {
-  const int quick = test::quick(4, 1), count = test::how_many("SLIPPROOF_PLANTED", quick);
-  const std::uint64_t samples =
-      test::how_many("SLIPPROOF_PLANTED_SAMPLES", count == quick ? std::uint64_t{300} : VerifyOptions().samples);
+  const int count = test::how_many("SLIPPROOF_PLANTED", test::quick(4, 1));
+  const bool asked = std::getenv("SLIPPROOF_PLANTED") != nullptr;
+  const std::uint64_t samples = test::how_many("SLIPPROOF_PLANTED_SAMPLES", asked ? VerifyOptions().samples : 300);
   const std::array<Kind, 4> kinds{{{"1 %", Rational(1, 100)},
                                    {"0.1 %", Rational(1, 1000)},
                                    {"0.01 %", Rational(1, 10'000)},

@@ -237,6 +237,10 @@ std::string with_another_token(const std::string& text, std::mt19937_64& random)
   return result;
 }
 
+std::size_t wanted_mutants() {
+  return slipproof::test::how_many<std::size_t>("SLIPPROOF_CHECK_MUTANTS", slipproof::test::quick(2'000, 1'000));
+}
+
 }  // namespace
 
 TEST_CASE("all shipped certificates are accepted") {
@@ -251,8 +255,7 @@ TEST_CASE("all shipped certificates are accepted") {
 }
 
 TEST_CASE("mutants of the shipped certificates are rejected, the same proof, or another one that is confirmed") {
-  const std::size_t wanted =
-      slipproof::test::how_many<std::size_t>("SLIPPROOF_CHECK_MUTANTS", slipproof::test::quick(2'000, 1'000));
+  const std::size_t wanted = wanted_mutants();
   std::mt19937_64 random(20240607);
   const auto certificates = shipped();
   double weights = 0;  // long certificates take long: the number of mutants falls with the length
@@ -297,8 +300,7 @@ TEST_CASE("mutants of the shipped certificates are rejected, the same proof, or 
 TEST_CASE("of mutants of the shipped statements, only what a second reading confirms is accepted") {
   std::mt19937_64 random(20261122);
   const auto certificates = shipped();
-  const std::size_t wanted =
-      slipproof::test::how_many<std::size_t>("SLIPPROOF_CHECK_MUTANTS", slipproof::test::quick(2'000, 1'000)) / 10;
+  const std::size_t wanted = wanted_mutants() / 10;
   std::size_t accepted = 0;
   for (std::size_t i = 0; i < wanted;) {
     std::filesystem::path path = certificates[random() % certificates.size()];
