@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "base/number/format.hpp"
+#include "base/output/json.hpp"
 #include "records/certify/chunk_judge.hpp"
 #include "records/certify/judged.hpp"
 #include "records/problems/contact_file.hpp"
@@ -52,7 +52,7 @@ CertifySummary certify(std::istream& input, const LineSink& output, const Certif
 }
 
 std::string to_json(const CertifySummary& s) {
-  nlohmann::ordered_json json{{"records", s.records}};
+  Json json{{"records", s.records}};
   for (std::size_t i = 0; i < record_verdict_count; ++i)
     json["verdicts"][std::string(name(static_cast<RecordVerdict>(i)))] = s.verdicts[i];
   for (std::size_t i = 0; i < tier_count; ++i) json["tiers"][std::string(name(static_cast<Tier>(i)))] = s.tiers[i];
@@ -60,7 +60,7 @@ std::string to_json(const CertifySummary& s) {
   json["worst_certified_error"] = fmt::format("{:.3g}", s.worst_certified_error);
   json["worst_error"] = fmt::format("{:.3g}", s.worst_error);
   if (s.with_rho > 0) json["worst_rho"] = at_most(s.worst_rho);
-  return json.dump();
+  return json_text(json);
 }
 
 }  // namespace slipproof

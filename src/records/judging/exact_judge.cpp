@@ -1,9 +1,9 @@
 #include "records/judging/exact_judge.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "base/number/binary64.hpp"
+#include "base/output/json.hpp"
 #include "mechanics/scene/sampling.hpp"
 #include "records/judging/answer.hpp"
 #include "records/judging/explanation.hpp"
@@ -11,8 +11,6 @@
 namespace slipproof {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// Estimates the work. The numbers are quotients of polynomials in the record's numbers; their digits are at most all
 /// digits of these, times the degree.
@@ -26,12 +24,6 @@ Work work_of(const RecordSetting& setting, const RecordPoint& point) {
   const auto modes = static_cast<Work>(mode_count(kinds));
   const Work unknowns = mechanism.unknowns.size();
   return times(times(modes, unknowns * unknowns), product_work(degree * bits));
-}
-
-/// The text without the outer braces or brackets.
-std::string inner_text(const Json& json) {
-  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-  return text.substr(1, text.size() - 2);
 }
 
 /// The verdict on an answer at a point whose motions are known.
@@ -110,7 +102,7 @@ RecordJudgement judge_point(const RecordSetting& setting, const Record& record, 
     }
   }
   if (result.verdict != RecordVerdict::certified) explanation.add_motions(details);
-  if (!details.empty()) result.details = "," + inner_text(details);
+  if (!details.empty()) result.details = "," + inner_json_text(details);
   return result;
 }
 

@@ -7,8 +7,6 @@ namespace slipproof {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json names_of(const std::vector<MechanismMode>& modes) {
   Json names = Json::array();
   for (const MechanismMode& mode : modes) names.push_back(name(mode));

@@ -1,11 +1,11 @@
 // Describes as JSON which motions are right, and what is wrong with an answer.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/output/json.hpp"
 #include "mechanics/kernel/motions.hpp"
 #include "records/record/point.hpp"
 
@@ -19,15 +19,15 @@ class Explanation {
       : setting_(setting), problem_(problem), found_(found), load_(load) {}
 
   /// Adds `found`, `continua` and `hysteresis`: all motions that exist.
-  void add_motions(nlohmann::ordered_json& details) const;
+  void add_motions(Json& details) const;
   /// Adds what is wrong with the mode that a record claims.
-  void add_claimed(nlohmann::ordered_json& details, const MechanismMode& mode, const MechanismValues& values) const;
+  void add_claimed(Json& details, const MechanismMode& mode, const MechanismValues& values) const;
   /// The same for the mode that an answer suggests, if it has the forces of all contacts.
-  void add_likely(nlohmann::ordered_json& details, const Record& record, const MechanismValues& values) const;
+  void add_likely(Json& details, const Record& record, const MechanismValues& values) const;
 
  private:
-  nlohmann::ordered_json motion_of(const MotionAtLoad& motion) const;
-  void add_against(nlohmann::ordered_json& details, const MechanismMode& mode, const MechanismValues& values) const;
+  Json motion_of(const MotionAtLoad& motion) const;
+  void add_against(Json& details, const MechanismMode& mode, const MechanismValues& values) const;
   std::string not_modelled(const MechanismMode& mode, const MechanismValues& values) const;
   std::optional<MechanismMode> looks_like(const Record& record) const;
 

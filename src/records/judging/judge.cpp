@@ -1,7 +1,8 @@
 #include "records/judging/judge.hpp"
 
 #include <array>
-#include <nlohmann/json.hpp>
+
+#include "base/output/json.hpp"
 
 namespace slipproof {
 
@@ -24,8 +25,7 @@ namespace {
 RecordJudgement judgement_for(RecordVerdict verdict, const std::string& reason) {
   RecordJudgement result;
   result.verdict = verdict;
-  const nlohmann::ordered_json text(reason);
-  result.details = ",\"reason\":" + text.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  result.details = "," + inner_json_text({{"reason", reason}});
   return result;
 }
 

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "base/number/binary64.hpp"
 #include "base/number/format.hpp"
+#include "base/output/json.hpp"
 #include "base/parallel/failure.hpp"
 #include "contact/enclosure/answer.hpp"
 #include "contact/exact/exact_lcp.hpp"
@@ -15,8 +15,6 @@
 namespace slipproof {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 JudgedAnswer judge_one(const JudgedProblem& problem, const SolverAnswer& answer, const ContactFileOptions& options) {
   std::string reason;
@@ -180,8 +178,7 @@ std::string contact_members(const JudgedProblem& problem, std::size_t answer) {
   if (j.unique_by) line["unique_by"] = name(j.unique_by->kind);
   if (!j.left_out.empty()) line["left_out"] = j.left_out;
   if (!problem.problem.remarks.empty()) line["remarks"] = problem.problem.remarks;
-  const std::string text = line.dump(-1, ' ', false, Json::error_handler_t::replace);
-  return ',' + text.substr(1, text.size() - 2);
+  return ',' + inner_json_text(line);
 }
 
 std::string refined_answer(const JudgedProblem& problem, std::size_t answer) {
@@ -203,7 +200,7 @@ std::string refined_answer(const JudgedProblem& problem, std::size_t answer) {
     result["u"].push_back(nearest_binary64(exact_row(problem.mixed, i, x)));
   }
   result["radius"] = std::move(radius);
-  return result.dump() + '\n';
+  return json_text(result) + '\n';
 }
 
 }  // namespace slipproof

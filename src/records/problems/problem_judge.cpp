@@ -1,10 +1,10 @@
 #include "records/problems/problem_judge.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "base/number/binary64.hpp"
 #include "base/number/format.hpp"
+#include "base/output/json.hpp"
 #include "contact/problem/every_load_json.hpp"
 #include "contact/problem/tolerance.hpp"
 #include "records/judging/judge.hpp"
@@ -12,8 +12,6 @@
 namespace slipproof {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 class Judge {
  public:
@@ -38,8 +36,7 @@ class Judge {
       result_.verdict = RecordVerdict::undecided;
       details_ = Json{{"reason", too_much_work(endless, options_.effort)}};
     }
-    const std::string text = details_.dump(-1, ' ', false, Json::error_handler_t::replace);
-    if (!details_.empty()) result_.details = "," + text.substr(1, text.size() - 2);
+    if (!details_.empty()) result_.details = "," + inner_json_text(details_);
     return std::move(result_);
   }
 
@@ -207,8 +204,7 @@ class Judge {
   }
 
   void accept(const std::vector<ProblemMode>& modes, const Distance& distance, RecordVerdict if_accurate) {
-    const std::string names = modes_json(modes).dump();
-    result_.mode_names = names.substr(1, names.size() - 2);
+    result_.mode_names = inner_json_text(modes_json(modes));
     result_.max_error = enclose(distance.relative).upper;
     const bool accurate = distance.scaled <= to_rational(options_.tolerance);
     result_.verdict = accurate ? if_accurate : RecordVerdict::inaccurate;

@@ -1,16 +1,14 @@
 #include "report/html/trade_data.hpp"
 
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "base/input/diagnostic.hpp"
 #include "base/input/text_file.hpp"
+#include "base/output/json.hpp"
 
 namespace slipproof {
 
 namespace {
-
-using Json = nlohmann::json;
 
 /// JSON has no infinity, so null stands for it.
 double number(const Json& value) {

@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
+
+#include "base/output/json.hpp"
 
 namespace slipproof {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// JSON has no infinity, so null stands for it.
 Json number(double x) {
@@ -31,32 +30,6 @@ Json row_json(const TradeRow& r) {
   row["digits_lost"] = number(r.digits_lost);
   row["condition"] = number(r.condition);
   return row;
-}
-
-/// One number type over all workloads.
-struct Total {
-  std::size_t scenes = 0, wrong = 0, undecided = 0;
-  double typical_speed = 0, typical_error = 0;
-  std::optional<int> first_wrong_bits;
-};
-
-Total total(const Trade& trade, const std::string& type) {
-  Total t;
-  for (std::size_t i = 0; i < trade.rows.size(); ++i) {
-    const TradeRow& r = trade.rows[i];
-    if (r.type != type) continue;
-    const std::size_t workload = i / trade.types.size();
-    t.scenes += r.scenes;
-    t.wrong += r.wrong;
-    t.undecided += r.undecided;
-    if (workload == 0) {
-      t.typical_speed = r.scenes_per_second;
-      t.typical_error = std::max(r.worst_acceleration, r.worst_force);
-    }
-    const auto& bits = trade.workloads[workload].threshold_bits;
-    if (bits && r.wrong != 0 && !t.first_wrong_bits) t.first_wrong_bits = bits;
-  }
-  return t;
 }
 
 }  // namespace
@@ -89,7 +62,7 @@ std::string trade_json(const Trade& trade) {
                                         {"digits_lost", c.digits_lost},
                                         {"mean_digits_lost", c.mean_digits_lost}});
   }
-  return document.dump(2) + "\n";
+  return json_text(document, 2) + '\n';
 }
 
 std::string trade_text(const Trade& trade) {
@@ -108,9 +81,9 @@ std::string trade_text(const Trade& trade) {
   }
   text += fmt::format("\n{:<28}{:>11}{:>11}{:>15}{:>9}{:>11}{:>12}\n", "all workloads", "typical/s", "to exact",
                       "error typical", "wrong", "undecided", "wrong from");
-  const Total exact = total(trade, "exact");
+  const TradeTotal exact = trade.total("exact");
   for (const TradeType& type : trade.types) {
-    const Total t = total(trade, type.name);
+    const TradeTotal t = trade.total(type.name);
     text += fmt::format("  {:<26}{:>11.3g}{:>10.1f}x{:>15.2g}{:>9}{:>11}{:>12}\n", type.name, t.typical_speed,
                         t.typical_speed / exact.typical_speed, t.typical_error, t.wrong, t.undecided,
                         t.first_wrong_bits ? fmt::format("2^-{}", *t.first_wrong_bits) : "never");

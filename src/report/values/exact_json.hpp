@@ -1,15 +1,12 @@
 // Exact values as JSON: rationals are strings, an infinite end is null.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include "base/number/affine.hpp"
 #include "base/number/format.hpp"
+#include "base/output/json.hpp"
 #include "mechanics/elements/force_interval.hpp"
 
 namespace slipproof {
-
-using Json = nlohmann::ordered_json;
 
 inline Json to_json(const Rational& x) {
   return exact_text(x);
@@ -28,9 +25,9 @@ inline void put_interval(Json& object, const char* key, const ForceInterval& int
   object["closed"] = Json::array({interval.lower_closed(), interval.upper_closed()});
 }
 
-/// The document in the form of all outputs: indented; names with broken UTF-8 are repaired rather than refused.
+/// The document in the form of all outputs.
 inline std::string dump(const Json& document) {
-  return document.dump(2, ' ', false, nlohmann::detail::error_handler_t::replace) + "\n";
+  return json_text(document, 2) + '\n';
 }
 
 }  // namespace slipproof

@@ -1,0 +1,14 @@
+#include "base/output/json.hpp"
+
+namespace slipproof {
+
+std::string json_text(const Json& json, int indent) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string inner_json_text(const Json& json) {
+  const std::string text = json_text(json);
+  return text.substr(1, text.size() - 2);
+}
+
+}  // namespace slipproof

@@ -1,0 +1,17 @@
+// JSON that slipproof writes: members stand in the order in which they were put.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace slipproof {
+
+using Json = nlohmann::ordered_json;
+
+/// On one line, or with `indent` spaces a level. Text with broken UTF-8 is repaired rather than refused.
+std::string json_text(const Json& json, int indent = -1);
+
+/// The members of an object, or the elements of an array, without what stands around them.
+std::string inner_json_text(const Json& json);
+
+}  // namespace slipproof
