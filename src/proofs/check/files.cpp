@@ -6,6 +6,7 @@
 #include <set>
 
 #include "proofs/check/judge.hpp"
+#include "proofs/check/theorem.hpp"
 
 namespace slipproof::check {
 

@@ -7,6 +7,7 @@
 
 #include "proofs/check/judge.hpp"
 #include "proofs/check/record.hpp"
+#include "proofs/check/theorem.hpp"
 
 namespace slipproof::check {
 
