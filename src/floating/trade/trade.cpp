@@ -68,6 +68,25 @@ bool Trade::sound() const {
   return std::none_of(rows.begin(), rows.end(), [](const TradeRow& r) { return r.type == "filter" && r.wrong != 0; });
 }
 
+TradeTotal Trade::total(const std::string& type) const {
+  TradeTotal t;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const TradeRow& r = rows[i];
+    if (r.type != type) continue;
+    const std::size_t workload = i / types.size();
+    t.scenes += r.scenes;
+    t.wrong += r.wrong;
+    t.undecided += r.undecided;
+    if (workload == 0) {
+      t.typical_speed = r.scenes_per_second;
+      t.typical_error = std::max(r.worst_acceleration, r.worst_force);
+    }
+    const auto& bits = workloads[workload].threshold_bits;
+    if (bits && r.wrong != 0 && !t.first_wrong_bits) t.first_wrong_bits = bits;
+  }
+  return t;
+}
+
 std::string trade_answer(const TradeOptions& options, std::string_view request) {
   ByteReader bytes(request);
   const std::uint64_t number = bytes.number();

@@ -66,6 +66,13 @@ struct Cancellation {
   double mean_digits_lost = 0;  ///< mean number of digits lost
 };
 
+/// One number type over all workloads.
+struct TradeTotal {
+  std::size_t scenes = 0, wrong = 0, undecided = 0;
+  double typical_speed = 0, typical_error = 0;  ///< on the first workload
+  std::optional<int> first_wrong_bits;          ///< threshold_bits of the first workload with a wrong verdict
+};
+
 struct Trade {
   TradeOptions options;
   Machine machine;
@@ -77,6 +84,7 @@ struct Trade {
 
   /// Whether the filter gave the exact answer for every scene.
   bool sound() const;
+  TradeTotal total(const std::string& type) const;
 };
 
 /// Calls `progress(done, all)` after each measurement. All results but scenes_per_second depend only on the options. A

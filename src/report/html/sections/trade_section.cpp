@@ -11,26 +11,6 @@ namespace slipproof {
 
 namespace {
 
-/// One number type: its speed on the first workload, which is the typical one, and its wrong verdicts on all workloads.
-struct Total {
-  double speed = 0, error = 0;
-  std::size_t scenes = 0, wrong = 0;
-};
-
-Total total(const Trade& trade, const std::string& type) {
-  Total t;
-  for (const TradeRow& row : trade.rows) {
-    if (row.type != type) continue;
-    if (row.workload == trade.workloads.front().name) {
-      t.speed = row.scenes_per_second;
-      t.error = std::max(row.worst_acceleration, row.worst_force);
-    }
-    t.scenes += row.scenes;
-    t.wrong += row.wrong;
-  }
-  return t;
-}
-
 bool ours(const std::string& type) {
   return type == "filter" || type == "exact";
 }
@@ -63,7 +43,7 @@ void add_matrix(const Element& parent, const Trade& trade) {
 void add_ties(const Element& parent, const Trade& trade) {
   for (std::size_t t = 0; t + 1 < trade.types.size(); ++t) {
     const TradeType &less = trade.types[t], &more = trade.types[t + 1];
-    const std::size_t few = total(trade, less.name).wrong, many = total(trade, more.name).wrong;
+    const std::size_t few = trade.total(less.name).wrong, many = trade.total(more.name).wrong;
     if (ours(more.name) || more.bits <= less.bits || many <= few) continue;
     parent.add("p", "evidence")
         .text(
@@ -110,9 +90,9 @@ void add_trade_plot(const Element& parent, const Trade& trade, bool errors, bool
   scatter.y_name = errors ? "largest relative error" : "share of wrong verdicts";
   if (small) scatter.width = 520, scatter.height = 330;
   for (const TradeType& type : trade.types) {
-    const Total t = total(trade, type.name);
+    const TradeTotal t = trade.total(type.name);
     const double share = t.scenes == 0 ? 0 : static_cast<double>(t.wrong) / static_cast<double>(t.scenes);
-    scatter.dots.push_back({type.name, t.speed, errors ? t.error : share, ours(type.name)});
+    scatter.dots.push_back({type.name, t.typical_speed, errors ? t.typical_error : share, ours(type.name)});
   }
   add_scatter(parent, scatter);
 }
