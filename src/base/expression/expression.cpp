@@ -125,6 +125,10 @@ void collect(const Expression& expression, std::vector<std::string>& names) {
 
 }  // namespace
 
+bool is_symbol(const Expression& expression, std::string_view name) {
+  return expression->operation == Operation::symbol && expression->symbol == name;
+}
+
 std::vector<std::string> symbols(const Expression& expression) {
   std::vector<std::string> names;
   collect(expression, names);

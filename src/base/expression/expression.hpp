@@ -92,6 +92,7 @@ enum class Binding : std::uint8_t {
 Binding binding(Operation operation);
 Binding tighter(Binding binding);  ///< the next
 
+bool is_symbol(const Expression& expression, std::string_view name);
 /// The names of its symbols, without repetition, in the order of the text.
 std::vector<std::string> symbols(const Expression& expression);
 

@@ -21,7 +21,7 @@ constexpr std::array<Function, 4> functions{{{"abs", Operation::absolute, 1},
                                              {"sign", Operation::signum, 1},
                                              {"min", Operation::minimum, 2},
                                              {"max", Operation::maximum, 2}}};
-constexpr std::array<std::string_view, 5> words{"and", "or", "not", "true", "false"};
+constexpr std::array<std::string_view, 5> reserved_words{"and", "or", "not", "true", "false"};
 
 const Function* find_function(std::string_view name) {
   const auto found =
@@ -215,7 +215,8 @@ class Parser {
       expect(")");
       return inside;
     }
-    if (token().kind == Token::Kind::word && std::find(words.begin(), words.end(), token().text) == words.end()) {
+    if (token().kind == Token::Kind::word &&
+        std::find(reserved_words.begin(), reserved_words.end(), token().text) == reserved_words.end()) {
       return symbol_or_call();
     }
     fail_expecting("a number, a symbol or `(`");
@@ -264,7 +265,8 @@ bool is_symbol_name(std::string_view text) {
   const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
   const auto follows = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; };
   return !text.empty() && letter(text.front()) && std::all_of(text.begin(), text.end(), follows) &&
-         std::find(words.begin(), words.end(), text) == words.end() && find_function(text) == nullptr;
+         std::find(reserved_words.begin(), reserved_words.end(), text) == reserved_words.end() &&
+         find_function(text) == nullptr;
 }
 
 }  // namespace slipproof

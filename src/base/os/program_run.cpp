@@ -17,7 +17,7 @@ namespace slipproof {
 
 namespace {
 
-void refuse(int error) {
+void throw_unless_zero(int error) {
   if (error != 0) throw std::system_error(error, std::generic_category());
 }
 
@@ -35,13 +35,15 @@ std::string read_all(int descriptor) {
 /// What the new process does with its descriptors before it becomes the program.
 class Actions {
  public:
-  Actions() { refuse(posix_spawn_file_actions_init(&actions_)); }
+  Actions() { throw_unless_zero(posix_spawn_file_actions_init(&actions_)); }
   Actions(const Actions&) = delete;
   Actions& operator=(const Actions&) = delete;
   ~Actions() { posix_spawn_file_actions_destroy(&actions_); }
 
-  void use(int descriptor, int as) { refuse(posix_spawn_file_actions_adddup2(&actions_, descriptor, as)); }
-  void open(const char* path, int as) { refuse(posix_spawn_file_actions_addopen(&actions_, as, path, O_RDONLY, 0)); }
+  void use(int descriptor, int as) { throw_unless_zero(posix_spawn_file_actions_adddup2(&actions_, descriptor, as)); }
+  void open(const char* path, int as) {
+    throw_unless_zero(posix_spawn_file_actions_addopen(&actions_, as, path, O_RDONLY, 0));
+  }
   const posix_spawn_file_actions_t* get() const { return &actions_; }
 
  private:
@@ -57,14 +59,14 @@ pid_t start(const std::vector<std::string>& arguments, int output) {
   for (std::string& argument : copies) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
   pid_t process = 0;
-  refuse(posix_spawnp(&process, pointers.front(), actions.get(), nullptr, pointers.data(), environ));
+  throw_unless_zero(posix_spawnp(&process, pointers.front(), actions.get(), nullptr, pointers.data(), environ));
   return process;
 }
 
 int exit_code_of(pid_t process) {
   int status = 0;
   while (::waitpid(process, &status, 0) < 0) {
-    if (errno != EINTR) refuse(errno);
+    if (errno != EINTR) throw_unless_zero(errno);
   }
   return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
@@ -73,7 +75,7 @@ int exit_code_of(pid_t process) {
 
 ProgramRun run_program(const std::vector<std::string>& arguments) {
   std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) refuse(errno);
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw_unless_zero(errno);
   Descriptor from(ends[0]), to(ends[1]);
   const pid_t process = start(arguments, to.number());
   to = Descriptor(-1);  // or the end of what the program writes would never be seen

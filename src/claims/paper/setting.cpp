@@ -26,10 +26,6 @@ const MechanismDefinition* definition_of(const Mechanism& mechanism, std::string
   return found == mechanism.definitions.end() ? nullptr : &*found;
 }
 
-bool is_symbol(const Expression& e, std::string_view symbol) {
-  return e->operation == Operation::symbol && e->symbol == symbol;
-}
-
 /// The divisors in the coefficients of its mechanism, each once, without nonzero numbers.
 std::vector<Expression> divisors_of_coefficients(const Setting& setting) {
   std::vector<Expression> result;

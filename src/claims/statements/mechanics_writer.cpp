@@ -40,10 +40,6 @@ bool is_of_accelerations(StateCondition c) {
   return c == StateCondition::slips_forward || c == StateCondition::slips_backward || c == StateCondition::opens;
 }
 
-bool is_symbol(const Expression& e, std::string_view symbol) {
-  return e->operation == Operation::symbol && e->symbol == symbol;
-}
-
 }  // namespace
 
 MechanicsWriter::MechanicsWriter(const Setting& setting, const PlainSigns& signs)

@@ -12,7 +12,7 @@ namespace slipproof {
 
 namespace {
 
-constexpr double endless = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 /// A quotient of bounds that are each right to a few ulps: 2^-40 pays for all of them.
 double rounded_down(double radius) {
@@ -34,7 +34,7 @@ double slope_of(const MixedProblem& problem, std::size_t row) {
 /// Up to which radius does value + slope * radius stay positive?
 double while_positive(double value, double slope) {
   if (!(value > 0)) return 0;
-  return slope > 0 ? value / slope : endless;
+  return slope > 0 ? value / slope : unbounded;
 }
 
 /// The same of value - slope * radius - square * radius^2; the root of the quadratic without cancellation.

@@ -11,7 +11,6 @@ namespace slipproof {
 
 namespace {
 
-using coq::Formula;
 using prove::Polynomial;
 using prove::Proof;
 using prove::Step;
@@ -23,7 +22,7 @@ struct NoProof : std::runtime_error {
 
 /// A hypothesis in force: an atom or a disjunction. The polynomial of an atom is written `scale` times itself.
 struct Hypothesis {
-  Formula formula;
+  coq::Formula formula;
   Integer scale = 1;
 };
 
@@ -51,7 +50,7 @@ class Writer {
   /// `goal` is the negated conclusion from here on, and False what is to be shown.
   void refute_conclusion() {
     const Expression& shown = lines_[conclusion_].body;
-    const Formula formula = normalizer_.normal(shown);
+    const coq::Formula formula = normalizer_.normal(shown);
     out_ += fmt::format("destruct ({}) as [_ok | {}]. {{ refine (Steps.backward _ _ok).\n", either(formula),
                         assume("goal", negation(formula)));
     normalizer_.prove_same(shown);
@@ -67,8 +66,8 @@ class Writer {
   }
 
   /// Puts a formula in force; the pattern that takes it apart.
-  std::string assume(const std::string& name, const Formula& formula, const Integer& scale = 1) {
-    if (formula.kind != Formula::Kind::conjunction || formula.parts.empty()) {
+  std::string assume(const std::string& name, const coq::Formula& formula, const Integer& scale = 1) {
+    if (formula.kind != coq::Formula::Kind::conjunction || formula.parts.empty()) {
       hypotheses_.insert_or_assign(name, Hypothesis{formula, scale});
       order_.push_back(name);
       return identifier(name);
@@ -122,7 +121,7 @@ class Writer {
     const Polynomial& p = step.polynomial.front();
     const Integer scale = common_denominator(p);
     const std::string polynomial = coq::text(p, scale);
-    const Formula claim = coq::atom(polynomial, step.sign), opposite = negation(claim);
+    const coq::Formula claim = coq::atom(polynomial, step.sign), opposite = negation(claim);
     const std::string id = identifier(step.name);
     out_ += fmt::format("assert ({} : {}). {{\n", id, text(claim));
     const std::size_t scope = order_.size();
@@ -148,8 +147,9 @@ class Writer {
     const Integer scale = common_denominator(p);
     const std::string polynomial = coq::text(p, scale), id = identifier(step.name);
     out_ += fmt::format("destruct (Steps.signs ({0})) as [{1} | [{1} | {1}]].\n", polynomial, id);
-    const Formula signs[] = {coq::atom("- (" + polynomial + ")", prove::Sign::positive),
-                             coq::atom(polynomial, prove::Sign::zero), coq::atom(polynomial, prove::Sign::positive)};
+    const coq::Formula signs[] = {coq::atom("- (" + polynomial + ")", prove::Sign::positive),
+                                  coq::atom(polynomial, prove::Sign::zero),
+                                  coq::atom(polynomial, prove::Sign::positive)};
     for (std::size_t i = 0; i < step.branches.size(); ++i) {
       const std::size_t scope = order_.size();
       assume(step.name, signs[i], scale);
@@ -161,8 +161,8 @@ class Writer {
   }
 
   void write_cases(const Step& step) {
-    const Formula disjunction = hypothesis(step.name).formula;
-    if (disjunction.kind != Formula::Kind::disjunction || disjunction.parts.size() != step.branches.size()) {
+    const coq::Formula disjunction = hypothesis(step.name).formula;
+    if (disjunction.kind != coq::Formula::Kind::disjunction || disjunction.parts.size() != step.branches.size()) {
       throw NoProof("'" + step.name + "' has other alternatives");
     }
     const std::size_t scope = order_.size();
@@ -187,11 +187,11 @@ class Writer {
   void write_witness(const Step& step) {
     coq::Normalizer values = normalizer_;
     std::vector<Expression> expressions;
-    std::vector<Formula> required;
+    std::vector<coq::Formula> required;
     std::vector<std::pair<Polynomial, std::string>> non_zero;
     std::string pattern, either_term;
     std::vector<std::string> decisions;
-    std::vector<Formula> failures;
+    std::vector<coq::Formula> failures;
     for (const auto& [unknown, value] : step.values) {
       expressions.push_back(parse_witness_value(statement_.text(), value));
       for (const Polynomial& divisor : normalizer_.divisors(expressions.back())) {
@@ -209,14 +209,14 @@ class Writer {
       script += (i == 0 ? "" : ", ") + coq::name(step.values[i].first);
     script += ".\n";
     for (std::size_t i = conclusion_ + 1; i + 1 < lines_.size(); ++i) values.introduce(lines_[i]);
-    const Formula shown = values.normal(lines_.back().body);
+    const coq::Formula shown = values.normal(lines_.back().body);
     script += values.take() + "refine (Steps.backward _ _ok).\n";
     values.prove_same(lines_.back().body);
     script += values.take();
     decisions.push_back(either(shown));
     failures.push_back(negation(shown));
     pattern += pattern.empty() ? "_ok" : " & _ok)";
-    const Formula failure = coq::combine(Formula::Kind::disjunction, std::move(failures));
+    const coq::Formula failure = coq::combine(coq::Formula::Kind::disjunction, std::move(failures));
     out_ += fmt::format("destruct ({}) as [{} | {}].\n{{ {}}}\n{{ ", coq::right_nested("Steps.either_and", decisions),
                         pattern, assume(step.name, failure), script);
   }
