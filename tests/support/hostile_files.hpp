@@ -190,7 +190,7 @@ inline std::vector<HostileCase> hostile_cases() {
 }
 
 /// What a checker says of files that may hold it up for ever: after a minute it is ended.
-inline Outcome run_checker(const std::string& program, const std::vector<std::string>& arguments) {
+inline ProgramEnd run_checker(const std::string& program, const std::vector<std::string>& arguments) {
   const TemporaryFolder folder;
   std::string command = "timeout 60 " + quoted(program);
   for (const std::string& argument : arguments) command += " " + quoted(argument);
@@ -200,7 +200,7 @@ inline Outcome run_checker(const std::string& program, const std::vector<std::st
 }
 
 /// The last line and the exit code that such verdicts have.
-inline Outcome expected_end(const std::vector<std::string>& verdicts) {
+inline ProgramEnd expected_end(const std::vector<std::string>& verdicts) {
   struct Counted {
     const char *verdict, *word;
     int exit_code;

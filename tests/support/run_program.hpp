@@ -16,7 +16,7 @@ namespace slipproof::test {
 inline const std::string city_bicycle = SLIPPROOF_SOURCE_DIR "/cases/city-bicycle.toml";
 inline const std::string rear_drive = SLIPPROOF_SOURCE_DIR "/proofs/rear-drive/claims.toml";
 
-struct Outcome {
+struct ProgramEnd {
   int exit_code = -1;  ///< -1: ended by a signal
   std::string out, err;
 };
@@ -57,8 +57,8 @@ inline std::string quoted(const std::string& word) {
 }
 
 /// Runs build/PROGRAM with arguments as a shell reads them, and a text on standard input.
-inline Outcome run_shell(const std::string& arguments, const std::string& program = "slipproof",
-                         const std::string& input = "") {
+inline ProgramEnd run_shell(const std::string& arguments, const std::string& program = "slipproof",
+                            const std::string& input = "") {
   const TemporaryFolder folder;
   const std::filesystem::path in = folder.write("in", input);
   std::string command = quoted(std::string(SLIPPROOF_BINARY_DIR) + "/" + program) + " " + arguments;
@@ -69,8 +69,8 @@ inline Outcome run_shell(const std::string& arguments, const std::string& progra
           read_file(folder.path() / "err")};
 }
 
-inline Outcome run(const std::vector<std::string>& arguments, const std::string& program = "slipproof",
-                   const std::string& input = "") {
+inline ProgramEnd run(const std::vector<std::string>& arguments, const std::string& program = "slipproof",
+                      const std::string& input = "") {
   std::string words;
   for (const std::string& argument : arguments) words += quoted(argument) + " ";
   return run_shell(words, program, input);

@@ -11,16 +11,8 @@ function(slipproof_precompile target)  # slipproof_precompile(TARGET [HEADER...]
   endif()
 endfunction()
 
-# After the target has all its sources: those without a group of their own are compiled as one.
-function(slipproof_unity target)
+function(slipproof_unity target)  # all its files are compiled as one
   if(SLIPPROOF_READ_HEADERS_ONCE)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-    get_target_property(sources ${target} SOURCES)
-    foreach(source IN LISTS sources)
-      get_source_file_property(group ${source} TARGET_DIRECTORY ${target} UNITY_GROUP)
-      if(NOT group)
-        set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${target})
-      endif()
-    endforeach()
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
   endif()
 endfunction()

@@ -23,7 +23,7 @@ std::vector<std::string> examples() {
   return result;
 }
 
-VerifyResult judged(const ClaimsFile& file) {
+VerifyResult judged_file(const ClaimsFile& file) {
   VerifyOptions options;
   options.samples = 200;
   return verify(file, options);
@@ -36,7 +36,7 @@ TEST_CASE("the first claims file of the page has 40 lines and says what the page
   REQUIRE(texts.size() == 2);
   CHECK(std::count(texts[0].begin(), texts[0].end(), '\n') <= 40);
   const ClaimsFile file = parse_claims(texts[0], "first.toml");
-  const VerifyResult result = judged(file);
+  const VerifyResult result = judged_file(file);
   REQUIRE(result.claims.size() == 2);
   CHECK(result.claims[0].verdict == Verdict::refuted);
   REQUIRE(result.claims[0].counterexample);
@@ -49,7 +49,7 @@ TEST_CASE("the mirrored vehicle of the page brakes at its front wheel") {
   const auto texts = examples();
   REQUIRE(texts.size() == 2);
   const ClaimsFile file = parse_claims(texts[0] + texts[1], "first.toml");
-  const VerifyResult result = judged(file);
+  const VerifyResult result = judged_file(file);
   REQUIRE(result.claims.size() == 3);
   CHECK(result.claims[2].verdict == Verdict::holds);
   CHECK(file.settings[2].scene.contains("J"));

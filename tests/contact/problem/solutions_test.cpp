@@ -14,11 +14,11 @@ using namespace slipproof;
 
 namespace {
 
-using Matrix = Eigen::Matrix<Rational, Eigen::Dynamic, Eigen::Dynamic>;
+using ExactMatrix = Eigen::Matrix<Rational, Eigen::Dynamic, Eigen::Dynamic>;
 
-class Draw {
+class RandomProblems {
  public:
-  explicit Draw(std::uint64_t seed) : engine_(seed) {}
+  explicit RandomProblems(std::uint64_t seed) : engine_(seed) {}
   Rational fraction(int size, int denominator) {
     const auto span = static_cast<std::uint64_t>(2 * size + 1);
     return Rational(static_cast<int>(engine_() % span) - size,
@@ -54,17 +54,17 @@ std::optional<std::set<std::vector<Rational>>> by_full_pivoting(const ContactPro
   const auto n = static_cast<int>(p.size());
   std::set<std::vector<Rational>> found;
   for (int basis = 0; basis < 1 << n; ++basis) {
-    Matrix A = Matrix::Zero(2 * n, 2 * n), b = Matrix::Zero(2 * n, 1);
+    ExactMatrix A = ExactMatrix::Zero(2 * n, 2 * n), b = ExactMatrix::Zero(2 * n, 1);
     for (int i = 0; i < n; ++i) {
       for (int j = 0; j < n; ++j) A(i, j) = -p.W[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
       A(i, n + i) = 1;
       b(i, 0) = p.q[static_cast<std::size_t>(i)];
       A(n + i, (basis >> i & 1) != 0 ? n + i : i) = 1;
     }
-    Eigen::FullPivLU<Matrix> lu(A);
+    Eigen::FullPivLU<ExactMatrix> lu(A);
     lu.setThreshold(Rational(0));
     if (lu.rank() < 2 * n) return std::nullopt;
-    const Matrix x = lu.solve(b);
+    const ExactMatrix x = lu.solve(b);
     bool fits = true;
     for (int i = 0; i < 2 * n; ++i) fits = fits && x(i, 0) >= 0;
     if (!fits) continue;
@@ -128,7 +128,7 @@ ContactProblem as_lcp(const ContactProblem& p) {
 }  // namespace
 
 TEST_CASE("all solutions of an LCP are those of another algorithm on other equations") {
-  Draw draw(11);
+  RandomProblems draw(11);
   std::size_t compared = 0, none = 0, several = 0;
   for (int trial = 0; trial < 250; ++trial) {
     const ContactProblem p = draw.lcp(1 + static_cast<std::size_t>(trial) % 4, 6, 3);
@@ -191,7 +191,7 @@ TEST_CASE("the contacts of a bicycle have the solutions that its motions are") {
 }
 
 TEST_CASE("friction as an LCP has the same contact forces") {
-  Draw draw(12);
+  RandomProblems draw(12);
   std::size_t compared = 0;
   for (int trial = 0; trial < 120; ++trial) {
     ContactProblem p = draw.definite(2 * (1 + static_cast<std::size_t>(trial % 6 == 0)));
@@ -223,7 +223,7 @@ TEST_CASE("friction as an LCP has the same contact forces") {
 }
 
 TEST_CASE("a definite matrix has one solution, found without trying all modes") {
-  Draw draw(13);
+  RandomProblems draw(13);
   for (std::size_t n = 1; n <= 8; ++n) {
     const ContactProblem p = draw.definite(n);
     const ContactSolver solver(p);

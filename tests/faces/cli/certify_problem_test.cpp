@@ -6,7 +6,7 @@
 #include "support/run_program.hpp"
 
 using slipproof::test::last_line;
-using slipproof::test::Outcome;
+using slipproof::test::ProgramEnd;
 using slipproof::test::read_file;
 using slipproof::test::run;
 using slipproof::test::run_shell;
@@ -21,7 +21,7 @@ std::string point(const std::string& answer, const std::string& mu = "0.25") {
          (answer.empty() ? "" : ", \"r\": " + answer) + "}";
 }
 
-Json line_of(const Outcome& outcome) {
+Json line_of(const ProgramEnd& outcome) {
   return Json::parse(outcome.out.substr(0, outcome.out.find('\n')));
 }
 

@@ -5,7 +5,7 @@
 #include "support/run_program.hpp"
 
 using slipproof::test::last_line;
-using slipproof::test::Outcome;
+using slipproof::test::ProgramEnd;
 using slipproof::test::read_file;
 using slipproof::test::run;
 using slipproof::test::TemporaryFolder;
@@ -47,7 +47,7 @@ class Bench {
   }
   std::string answer(const std::string& F) const {
     const auto file = folder.write("at.toml", scene_text + "F = \"" + F + "\"\n");
-    const Outcome solved = run({"solve", "--json", file});
+    const ProgramEnd solved = run({"solve", "--json", file});
     REQUIRE(solved.exit_code == 0);
     const Json motion = Json::parse(solved.out)["motions"].at(0);
     const Json& modes = motion["modes"].empty() ? motion["boundary_modes"] : motion["modes"];
@@ -55,8 +55,8 @@ class Bench {
     for (const char* force : {"S2", "S3", "N2", "N3"}) line += "," + motion["forces"][force].get<std::string>();
     return line + "\n";
   }
-  Outcome certify(const std::string& records, std::vector<std::string> more = {},
-                  const std::string& name = "records.csv") const {
+  ProgramEnd certify(const std::string& records, std::vector<std::string> more = {},
+                     const std::string& name = "records.csv") const {
     more.insert(more.begin(), {"certify", "--scene", scene, folder.write(name, records)});
     return run(more);
   }
@@ -149,7 +149,7 @@ TEST_CASE("tolerance and the meaning of decimals can be chosen") {
   CHECK(bench.certify(moved, {"--tolerance", "1e-4"}).exit_code == 0);
   const auto rounded = bench.certify(off + "0.2,0,0,0,0,0\n", {"--json"});
   const auto exactly = bench.certify(off + "0.2,0,0,0,0,0\n", {"--json", "--decimal", "exact"});
-  const auto a = [](const Outcome& o) {
+  const auto a = [](const ProgramEnd& o) {
     return Json::parse(lines_of(o.out)[1])["found"][0]["accelerations"]["a"].get<std::string>();
   };
   CHECK(a(exactly).size() < 10);

@@ -7,7 +7,7 @@
 
 #include "support/run_program.hpp"
 
-using slipproof::test::Outcome;
+using slipproof::test::ProgramEnd;
 using slipproof::test::read_file;
 using slipproof::test::run;
 using slipproof::test::TemporaryFolder;
@@ -30,7 +30,7 @@ struct Joined {
   std::vector<std::string> certify{"certify", records(folder).string(), "--scene", scene};
   std::string prefix = (folder.path() / "out").string();
 
-  Outcome certified(const std::vector<std::string>& more) const {
+  ProgramEnd certified(const std::vector<std::string>& more) const {
     std::vector<std::string> arguments = certify;
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run(arguments);
@@ -44,18 +44,18 @@ TEST_CASE("join prints what certify would have printed, and ends as that") {
   for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--json"}}) {
     std::vector<std::string> with_parts{"--parts", test.prefix};
     with_parts.insert(with_parts.end(), more.begin(), more.end());
-    const Outcome expected = test.certified(more), parts = test.certified(with_parts);
+    const ProgramEnd expected = test.certified(more), parts = test.certified(with_parts);
     REQUIRE(expected.exit_code == 1);
     CHECK(parts.exit_code == 1);
     CHECK(parts.err == expected.err);
     CHECK(expected.out.ends_with(parts.out));
     CHECK(parts.out.size() < 300);
-    const Outcome joined = run({"join", test.prefix});
+    const ProgramEnd joined = run({"join", test.prefix});
     CHECK(joined.exit_code == 1);
     CHECK(joined.out == expected.out);
     CHECK(joined.err == expected.err);
     const auto file = test.folder.path() / "joined";
-    const Outcome written = run({"join", test.prefix, "-o", file.string()});
+    const ProgramEnd written = run({"join", test.prefix, "-o", file.string()});
     CHECK(written.exit_code == 1);
     CHECK(written.out.empty());
     CHECK(read_file(file) == expected.out);
@@ -75,7 +75,7 @@ TEST_CASE("join writes nothing of parts that are not all there") {
   for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"-o", file.string()}}) {
     std::vector<std::string> join{"join", test.prefix};
     join.insert(join.end(), more.begin(), more.end());
-    const Outcome outcome = run(join);
+    const ProgramEnd outcome = run(join);
     CHECK(outcome.exit_code == 3);
     CHECK(outcome.out.empty());
     CHECK(outcome.err.starts_with(part + ": found other bytes than were written"));

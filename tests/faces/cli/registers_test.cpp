@@ -6,14 +6,14 @@
 
 #include "support/run_program.hpp"
 
-using slipproof::test::Outcome;
+using slipproof::test::ProgramEnd;
 using slipproof::test::run;
 
 namespace {
 
-Outcome run_with(const std::string& registers, const std::vector<std::string>& arguments) {
+ProgramEnd run_with(const std::string& registers, const std::vector<std::string>& arguments) {
   setenv("SLIPPROOF_REGISTERS", registers.c_str(), 1);
-  const Outcome outcome = run(arguments);
+  const ProgramEnd outcome = run(arguments);
   unsetenv("SLIPPROOF_REGISTERS");
   return outcome;
 }
@@ -26,12 +26,12 @@ TEST_CASE("in registers of any kind the same bytes") {
        std::vector<std::vector<std::string>>{{"certify", cases + "solvers/ode.csv", "--ignore-unknown"},
                                              {"certify", cases + "contact-problems/pushed-block.json"},
                                              {"certify", cases + "contact-problems/examples.jsonl"}}) {
-    const Outcome widest = run(arguments);
+    const ProgramEnd widest = run(arguments);
     CHECK(!widest.out.empty());
     for (const std::string& registers : std::vector<std::string>{"sse2", "avx2", "avx512"}) {
       CAPTURE(registers);
       CAPTURE(arguments[1]);
-      const Outcome here = run_with(registers, arguments);
+      const ProgramEnd here = run_with(registers, arguments);
       CHECK(here.exit_code == widest.exit_code);
       CHECK(here.out == widest.out);
     }
@@ -39,7 +39,7 @@ TEST_CASE("in registers of any kind the same bytes") {
 }
 
 TEST_CASE("registers that nobody knows are an error of usage") {
-  const Outcome outcome = run_with("avx3", {"solve", slipproof::test::city_bicycle});
+  const ProgramEnd outcome = run_with("avx3", {"solve", slipproof::test::city_bicycle});
   CHECK(outcome.exit_code == 2);
   CHECK(outcome.out.empty());
   CHECK(outcome.err.find("SLIPPROOF_REGISTERS: found \"avx3\", expected sse2, avx2 or avx512") != std::string::npos);

@@ -27,13 +27,13 @@ TEST_CASE("hostile folders: one verdict for each certificate, their counts, and 
     hostile.make(folder);
     std::vector<std::string> expected, found;
     for (const Hostile& one : hostile.found) expected.push_back(one.beside_statement);
-    const Outcome outcome = run_checker(checker(), {folder.path().string()});
+    const ProgramEnd outcome = run_checker(checker(), {folder.path().string()});
     CAPTURE(outcome.out);
     std::istringstream lines(outcome.out);
     for (std::string line; std::getline(lines, line) && !line.starts_with("s ");)
       found.push_back(line.substr(0, line.find(' ')));
     CHECK(found == expected);
-    const Outcome end = expected_end(expected);
+    const ProgramEnd end = expected_end(expected);
     CHECK(outcome.exit_code == end.exit_code);
     CHECK(outcome.out.ends_with("\n" + end.out));
     check_lines(outcome.out, expected.size() + 1);

@@ -14,9 +14,9 @@ TEST_CASE("hostile files: one verdict for each certificate, their counts, and an
       paths.push_back((folder.path() / one.certificate).string());
       expected.push_back(one.alone);
     }
-    const Outcome outcome = run_checker(SLIPPROOF_BINARY_DIR "/slipproof-check-contact", paths);
+    const ProgramEnd outcome = run_checker(SLIPPROOF_BINARY_DIR "/slipproof-check-contact", paths);
     CAPTURE(outcome.out);
-    const Outcome end = expected_end(expected);
+    const ProgramEnd end = expected_end(expected);
     CHECK(outcome.exit_code == end.exit_code);
     CHECK(outcome.out.ends_with("\n" + end.out));
     // Of what is accepted a line more says what is established.

@@ -7,7 +7,7 @@ using namespace slipproof::check_contact;
 
 namespace {
 
-slipproof::test::Outcome program(const std::vector<std::string>& arguments, const std::string& input = "") {
+slipproof::test::ProgramEnd program(const std::vector<std::string>& arguments, const std::string& input = "") {
   return slipproof::test::run(arguments, "slipproof-check-contact", input);
 }
 
