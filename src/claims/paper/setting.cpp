@@ -1,4 +1,3 @@
-// Derived properties of a setting and its mechanism.
 #include "claims/paper/setting.hpp"
 
 #include <algorithm>
@@ -15,23 +14,12 @@ Expression square(const Expression& x) {
   return make_power(x, 2);
 }
 
-/// 1 + t^2
-Expression one_and_square(const Expression& t) {
-  return make(Operation::add, {make_number(1), square(t)});
-}
-
-const MechanismDefinition* definition_of(const Mechanism& mechanism, std::string_view symbol) {
-  const auto found = std::find_if(mechanism.definitions.begin(), mechanism.definitions.end(),
-                                  [&](const MechanismDefinition& d) { return d.symbol == symbol; });
-  return found == mechanism.definitions.end() ? nullptr : &*found;
-}
-
 /// The divisors in the coefficients of its mechanism, each once, without nonzero numbers.
-std::vector<Expression> divisors_of_coefficients(const Setting& setting) {
+std::vector<Expression> divisors_of_coefficients(const PaperScene& scene) {
   std::vector<Expression> result;
   std::set<std::string> known;
-  for (const Expression& coefficient : coefficients(*setting.mechanism)) {
-    for (const Expression& divisor : divisors(setting.in_paper(coefficient))) {
+  for (const Expression& coefficient : coefficients(*scene.mechanism)) {
+    for (const Expression& divisor : divisors(scene.in_paper(coefficient))) {
       const bool plain = divisor->operation == Operation::number && !divisor->number.is_zero();
       if (!plain && known.insert(to_string(divisor)).second) result.push_back(divisor);
     }
@@ -40,74 +28,6 @@ std::vector<Expression> divisors_of_coefficients(const Setting& setting) {
 }
 
 }  // namespace
-
-bool Parameter::is_positive() const {
-  if (domain->operation != Operation::compare || domain->relations.size() != 1) return false;
-  const bool greater = domain->relations[0] == Relation::greater, less = domain->relations[0] == Relation::less;
-  const Expression &large = domain->operands[greater ? 0 : 1], &small = domain->operands[greater ? 1 : 0];
-  return (greater || less) && large->operation == Operation::symbol && large->symbol == symbol &&
-         small->operation == Operation::number && small->number == 0;
-}
-
-bool Definition::is_nowhere(Reading reading) const {
-  const Expression& e = value(reading);
-  return e->operation == Operation::divide && e->operands[1]->operation == Operation::number &&
-         e->operands[1]->number == 0;
-}
-
-std::string id(const Definition& definition) {
-  return (definition.equation.empty() ? "" : definition.equation + ".") + definition.symbol;
-}
-
-Expression PaperAngle::cosine_value() const {
-  const Expression t = make_symbol(name);
-  return make(Operation::divide, {make(Operation::subtract, {make_number(1), square(t)}), one_and_square(t)});
-}
-
-Expression PaperAngle::sine_value() const {
-  const Expression t = make_symbol(name);
-  return make(Operation::divide, {make(Operation::multiply, {make_number(2), t}), one_and_square(t)});
-}
-
-Expression Setting::in_paper(const Expression& of_mechanism) const {
-  return substitute(of_mechanism, [this](const std::string& symbol) -> Expression {
-    if (const auto found = scene.find(symbol); found != scene.end()) return found->second;
-    if (const MechanismDefinition* definition = definition_of(*mechanism, symbol)) {
-      return in_paper(definition->expression.expression);
-    }
-    const auto is_parameter = [&](const MechanismParameter& p) { return p.symbol == symbol; };
-    const auto& all = mechanism->parameters;
-    // A parameter that is not given counts as 0.
-    return std::any_of(all.begin(), all.end(), is_parameter) ? make_number(0) : nullptr;
-  });
-}
-
-std::vector<bool> Setting::given() const {
-  std::vector<bool> result;
-  for (const MechanismParameter& parameter : mechanism->parameters) result.push_back(scene.contains(parameter.symbol));
-  return result;
-}
-
-std::vector<ElementKind> Setting::kinds() const {
-  return element_kinds(*mechanism, starts, given());
-}
-
-std::vector<ElementKind> Setting::all_kinds() const {
-  return element_kinds(*mechanism, starts, std::vector<bool>(mechanism->parameters.size(), true));
-}
-
-std::vector<std::string> Setting::quantities() const {
-  std::vector<std::string> names = acceleration_names(*mechanism);
-  for (std::string& force : force_names(*mechanism)) names.push_back(std::move(force));
-  return names;
-}
-
-std::optional<std::size_t> Setting::unknown_index(std::string_view symbol) const {
-  const auto& unknowns = mechanism->unknowns;
-  const auto found = std::find_if(unknowns.begin(), unknowns.end(),
-                                  [&](const MechanismUnknown& unknown) { return unknown.symbol == symbol; });
-  return found == unknowns.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - unknowns.begin()));
-}
 
 Setting::PointConditions Setting::point_conditions() const {
   PointConditions result;
@@ -140,12 +60,6 @@ Setting::PointConditions Setting::point_conditions() const {
   const auto at = [&](int x) { return substitute(load, force.symbol, make_number(x)); };
   if (is_linear_in(load, force.symbol)) result.slope = make(Operation::subtract, {at(1), at(0)});
   return result;
-}
-
-std::size_t Setting::parameter_index(std::string_view symbol) const {
-  const auto found = std::find_if(parameters.begin(), parameters.end(),
-                                  [&](const Parameter& parameter) { return parameter.symbol == symbol; });
-  return static_cast<std::size_t>(found - parameters.begin());
 }
 
 }  // namespace slipproof

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "claims/paper/claims_file.hpp"
-#include "claims/paper/paper_folder.hpp"
+#include "claims/reading/paper_folder.hpp"
 #include "proofs/check/verdict.hpp"
 #include "proofs/statement/refutation_text.hpp"
 

@@ -7,7 +7,7 @@
 #include "base/input/text_file.hpp"
 #include "base/os/sha256.hpp"
 #include "base/parallel/failure.hpp"
-#include "claims/paper/paper_folder.hpp"
+#include "claims/reading/paper_folder.hpp"
 #include "claims/statements/claim_statements.hpp"
 #include "proofs/check/files.hpp"
 #include "report/html/assets.hpp"

@@ -9,7 +9,7 @@
 #include "base/input/diagnostic.hpp"
 #include "base/input/text_file.hpp"
 #include "base/output/output_file.hpp"
-#include "claims/paper/paper_folder.hpp"
+#include "claims/reading/paper_folder.hpp"
 #include "claims/reading/read_claims_file.hpp"
 #include "faces/cli/command.hpp"
 #include "faces/cli/commands/prove_run.hpp"

@@ -8,7 +8,7 @@
 
 #include "base/output/inputs.hpp"
 #include "claims/paper/claims_file.hpp"
-#include "claims/paper/paper_folder.hpp"
+#include "claims/reading/paper_folder.hpp"
 #include "claims/statements/unstated.hpp"
 #include "faces/cli/command.hpp"
 #include "proofs/search/prove_files.hpp"

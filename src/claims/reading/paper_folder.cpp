@@ -1,4 +1,4 @@
-#include "claims/paper/paper_folder.hpp"
+#include "claims/reading/paper_folder.hpp"
 
 #include <algorithm>
 #include <fstream>
