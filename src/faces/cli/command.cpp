@@ -20,6 +20,20 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
   command.add_flag("--quiet", options.quiet, "Print only the result: no progress, no details");
 }
 
+void add_report_options(CLI::App& command, CommonOptions& options) {
+  add_common_options(command, options);
+  command.add_flag("--markdown", options.markdown, "Write the report in Markdown to standard output")
+      ->excludes("--json");
+}
+
+void print_document(const Document& document, const CommonOptions& options) {
+  const auto& blocks = document.blocks();
+  if (options.quiet && !blocks.empty() && blocks.back().kind == ReportBlock::Kind::status) {
+    return print(blocks.back().line.text() + "\n");
+  }
+  print(options.markdown ? markdown_of(document) : text_of(document));
+}
+
 CLI::Validator whole_number(std::uint64_t low, std::uint64_t high) {
   const std::string range = "from " + std::to_string(low) + " to " + std::to_string(high);
   return CLI::Validator(

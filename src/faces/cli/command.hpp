@@ -12,6 +12,7 @@
 
 #include "base/crew/transport.hpp"
 #include "base/output/standard_output.hpp"
+#include "report/document/document.hpp"
 
 namespace slipproof::cli {
 
@@ -39,15 +40,18 @@ inline constexpr std::array<std::pair<Exit, std::string_view>, 8> exit_codes{{
     {failed, "the program failed, through no mistake of yours: please report what it says"},
 }};
 
-/// --json, --seed, --threads, --quiet.
+/// --json, --markdown, --seed, --threads, --quiet.
 struct CommonOptions {
   bool json = false;
+  bool markdown = false;  ///< only with add_report_options
   std::uint64_t seed = 1;
   unsigned threads = 0;  ///< 0: all cores of the machine
   bool quiet = false;
 };
 
 void add_common_options(CLI::App& command, CommonOptions& options);
+/// The same and --markdown, for commands that print a document with print_report().
+void add_report_options(CLI::App& command, CommonOptions& options);
 
 /// Accepts a whole number from low to high in decimal digits and nothing else: no sign, blank, octal or hexadecimal.
 CLI::Validator whole_number(std::uint64_t low, std::uint64_t high = std::numeric_limits<std::uint64_t>::max());
@@ -60,10 +64,13 @@ inline void print(std::string_view text) {
   write_standard_output(text);
 }
 
-/// The part of a text that --quiet prints.
-inline std::string last_line(const std::string& text) {
-  const std::size_t end = text.find_last_not_of('\n');
-  return text.substr(text.rfind('\n', end) + 1);
+/// Prints a document as text or Markdown; with --quiet only its status.
+void print_document(const Document& document, const CommonOptions& options);
+
+/// Prints JSON or a document, as the options say.
+template <class MakeJson, class MakeDocument>
+void print_report(const CommonOptions& options, const MakeJson& json, const MakeDocument& document) {
+  options.json ? print(json()) : print_document(document(), options);
 }
 
 /// The path of a file that comes with the program. It is given by its path in the repository; the file is next to the

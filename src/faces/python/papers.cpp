@@ -32,7 +32,8 @@ Report verified(const std::string& path, VerifyOptions options, Call& call) {
   options.certificates = std::make_shared<Certificates>(paper_folder(claims));
   options.progress = [&call](std::uint64_t done, std::uint64_t all) { call.at(done, all); };
   const VerifyResult result = verify(file, options);
-  return {verify_json(file, result), verify_text(file, result), std::string(summary_word(summary(file, result)))};
+  return {verify_json(file, result), text_of(verify_document(file, result)),
+          std::string(summary_word(summary(file, result)))};
 }
 
 py::tuple verify_claims(const std::string& path, std::uint64_t samples, std::optional<std::uint64_t> lines,
@@ -84,7 +85,7 @@ Report search_report(const std::string& name, const std::string& within, SearchO
   options.progress = [&call](std::uint64_t done, std::uint64_t all) { call.at(done, all); };
   MotionSearch search(mechanism, options);
   const SearchReport report = searched(mechanism, options, within, search);
-  return {search_json(report), search_text(report, false), std::string(slipproof::name(verdict(report)))};
+  return {search_json(report), text_of(search_document(report)), std::string(slipproof::name(verdict(report)))};
 }
 
 py::tuple search(const std::string& name, const std::string& within, std::optional<std::uint64_t> samples,

@@ -45,7 +45,7 @@ class Solution {
         forces_(force_names(solved_->scene.mechanism)) {}
 
   std::string json() const { return solve_json(*solved_); }
-  std::string text(int digits) const { return solve_text(*solved_, digits); }
+  std::string text(int digits) const { return text_of(solve_document(*solved_, digits)); }
 
   /// For each motion at the load: (modes, boundary modes, names of the numbers, ranges of the other forces). None if
   /// the scene has no load.
@@ -139,7 +139,7 @@ py::tuple critical(const std::string& text, const std::string& file, const std::
     const MechanismScene scene = parse_scene(text, file);
     try {
       const UniquenessAlong along = uniqueness_along(scene, x.empty() ? usual_parameter(scene) : x);
-      return std::pair(uniqueness_json(scene, along), uniqueness_text(scene, along, 6));
+      return std::pair(uniqueness_json(scene, along), text_of(uniqueness_document(scene, along, 6)));
     } catch (const NoValue& error) {
       throw InputError({{file, 0, 0, error.what()}});
     }

@@ -45,17 +45,9 @@ std::string id_of(std::size_t answer) {
   return "answer-" + std::to_string(answer + 1);
 }
 
-/// Adds a region that scrolls. It has a name of its own, so that readers can tell the regions of different answers
-/// apart.
-Element add_scroll(const Element& parent, const std::string& name, std::size_t answer) {
-  const Element scroll = parent.add("div", "scroll").set("tabindex", 0).set("role", "region");
-  return scroll.set("aria-label", name + ", answer " + std::to_string(answer + 1));
-}
-
-Element add_table_head(const Element& table, const std::vector<std::string>& names) {
-  const Element head = table.add("thead").add("tr");
-  for (const std::string& name : names) head.add("th").set("scope", "col").text(name);
-  return table.add("tbody");
+/// The name of a table of one answer, so that readers can tell the tables of different answers apart.
+std::string label_of(const std::string& name, std::size_t answer) {
+  return name + ", answer " + std::to_string(answer + 1);
 }
 
 /// A list of the numbers of one answer, each with its meaning.
@@ -145,17 +137,15 @@ void add_reasons(const Element& parent, const ContactJudgement& j) {
 void add_worst(const Element& parent, const Residual& residual, std::size_t answer) {
   if (residual.worst.empty()) return;
   parent.add("h3").text("What is violated most");
-  const Element table = add_scroll(parent, "What is violated most", answer).add("table", "worst");
-  table.add("caption").text(
-      "The largest effect first, ten at most. Contacts count from 1. All bounds are upper bounds.");
-  const Element body = add_table_head(table, {"where", "what is violated", "by", "effect on velocities"});
+  ReportTable table{{"where", "what is violated", {"by", true}, {"effect on velocities", true}}};
+  table.label = label_of("What is violated most", answer);
+  table.caption = "The largest effect first, ten at most. Contacts count from 1. All bounds are upper bounds.";
+  table.css_class = "worst";
   for (const Violation& violation : residual.worst) {
-    const Element row = body.add("tr");
-    row.add("th").set("scope", "row").text(place_of(violation.contact, violation.row));
-    row.add("td").add("code").text(violation.condition);
-    row.add("td", "number").text(at_most(violation.amount));
-    row.add("td", "number").text(at_most(violation.effect));
+    table.row({place_of(violation.contact, violation.row), code(violation.condition), at_most(violation.amount),
+               at_most(violation.effect)});
   }
+  add_table(parent, table);
 }
 
 constexpr std::array<ConeSign, 4> fit_signs{ConeSign::stick, ConeSign::slide, ConeSign::smooth, ConeSign::open};
@@ -221,25 +211,26 @@ std::string left_out(const ConeDisc& disc) {
 
 void add_disc_table(const Element& parent, const ConeDisc& disc, const JudgedProblem& problem, std::size_t answer) {
   const ContactJudgement& j = problem.answers[answer].judgement;
-  const Element details = parent.add("details", "data");
-  details.add("summary").text("The same as a table");
-  const Element table = add_scroll(details, "Contacts in their cones", answer).add("table");
+  Document hidden;
+  ReportTable& table =
+      hidden.details("The same as a table").table({{"contact", "mode", {"r_N", true}, {"r_T / (μ r_N)", true}}});
+  if (disc.dimension == 3) {
+    table.columns.back().name = "r_T1 / (μ r_N)";
+    table.columns.emplace_back("r_T2 / (μ r_N)", true);
+  }
   const std::size_t rows = std::min(disc.points.size(), tabled_contacts);
-  table.add("caption").text(rows == disc.placed
-                                ? "Rounded to four digits."
-                                : fmt::format("The first {} contacts that are drawn, rounded to four digits.", rows));
-  std::vector<std::string> names{"contact", "mode", "r_N", "r_T / (μ r_N)"};
-  if (disc.dimension == 3) names.back() = "r_T1 / (μ r_N)", names.emplace_back("r_T2 / (μ r_N)");
-  const Element body = add_table_head(table, names);
+  table.label = label_of("Contacts in their cones", answer);
+  table.caption = rows == disc.placed
+                      ? "Rounded to four digits."
+                      : fmt::format("The first {} contacts that are drawn, rounded to four digits.", rows);
   for (std::size_t i = 0; i < rows; ++i) {
     const ConePoint& point = disc.points[i];
-    const Element row = body.add("tr");
-    row.add("th").set("scope", "row").text(std::to_string(point.contact + 1));
-    row.add("td").text(point.slides ? "slides" : "sticks");
-    row.add("td", "number").text(fmt::format("{:.4g}", j.x[problem.mixed.normal(point.contact)]));
-    for (std::size_t t = 0; t + 1 < disc.dimension; ++t)
-      row.add("td", "number").text(fmt::format("{:.4g}", point.at[t]));
+    std::vector<ReportCell> cells{std::to_string(point.contact + 1), point.slides ? "slides" : "sticks",
+                                  fmt::format("{:.4g}", j.x[problem.mixed.normal(point.contact)])};
+    for (std::size_t t = 0; t + 1 < disc.dimension; ++t) cells.emplace_back(fmt::format("{:.4g}", point.at[t]));
+    table.row(std::move(cells));
   }
+  add_document(parent, hidden);
 }
 
 void add_cone_figure(const Element& parent, const ConeDisc& disc, const JudgedProblem& problem, std::size_t answer) {

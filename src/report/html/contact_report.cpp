@@ -34,38 +34,27 @@ std::string size_words(const JudgedProblem& problem) {
   return text + "; " + std::to_string(mixed.A.entries()) + " entries of matrices";
 }
 
-void add_contact_header(const Element& body, const JudgedProblem& problem) {
-  body.add("a", "skip").set("href", "#overview").text("Skip to the results");
-  const Element header = body.add("header", "top");
-  header.add("a", "brand").set("href", "#overview").text("slipproof");
-  const Element list = header.add("nav").set("aria-label", "Sections").add("ul");
-  const auto link = [&](const std::string& target, const std::string& text) {
-    list.add("li").add("a").set("href", target).text(text);
-  };
-  link("#overview", "Overview");
-  if (problem.answers.size() == 1) {
-    link("#answer-1", "Answer");
-  } else if (problem.answers.size() <= 8) {
-    for (std::size_t i = 0; i < problem.answers.size(); ++i) {
-      link("#answer-" + std::to_string(i + 1), "Answer " + std::to_string(i + 1));
-    }
+std::vector<std::pair<std::string, std::string>> links_of(const JudgedProblem& problem) {
+  std::vector<std::pair<std::string, std::string>> links{{"#overview", "Overview"}};
+  const std::size_t answers = problem.answers.size();
+  for (std::size_t i = 0; answers <= 8 && i < answers; ++i) {
+    const std::string number = std::to_string(i + 1);
+    links.emplace_back("#answer-" + number, answers == 1 ? "Answer" : "Answer " + number);
   }
-  if (!problem.problem.remarks.empty()) link("#remarks", "The file");
-  link("#reproduce", "Reproduce");
+  if (!problem.problem.remarks.empty()) links.emplace_back("#remarks", "The file");
+  links.emplace_back("#reproduce", "Reproduce");
+  return links;
 }
 
 void add_contact_overview(const Element& main, const JudgedProblem& problem) {
   const Element section = main.add("section", "overview").set("id", "overview").set("aria-labelledby", "title");
   section.add("p", "kicker").text("A contact problem, and what is proved about its answers");
   section.add("h1").set("id", "title").add("bdi").text(title_of(problem));
-  const Element facts = section.add("dl");
-  const auto fact = [&](std::string_view term, const std::string& value) {
-    facts.add("dt").text(term);
-    facts.add("dd").text(value);
-  };
-  fact("file", problem.file);
-  fact("form", form_words(problem.problem.form));
-  fact("size", size_words(problem));
+  Document facts;
+  facts.fact("file", problem.file);
+  facts.fact("form", form_words(problem.problem.form));
+  facts.fact("size", size_words(problem));
+  add_document(section, facts);
   if (problem.answers.size() == 1) return;
   const Element list = section.add("ol", "headlines");
   for (std::size_t i = 0; i < problem.answers.size(); ++i) {
@@ -97,20 +86,15 @@ void add_contact_reproduce(const Element& main, const std::string& command) {
 }  // namespace
 
 std::string contact_report(const JudgedProblem& problem, const std::string& command, const std::string& version) {
-  const Document document("html");
-  const Element html = document.root().set("lang", "en");
   const std::string program = version.empty() ? "slipproof" : "slipproof " + version;
-  add_head(html, "slipproof: " + title_of(problem), version);
-  const Element body = html.add("body");
-  add_contact_header(body, problem);
-  const Element main = body.add("main");
-  add_contact_overview(main, problem);
-  for (std::size_t i = 0; i < problem.answers.size(); ++i) add_contact_card(main, problem, i);
-  add_remarks(main, problem);
-  add_contact_reproduce(main, command);
-  body.add("footer").add("p").text("Made by " + program +
-                                   ". Numbers of the problem are taken as they stand in its file, exactly.");
-  return document.html();
+  const std::string footer =
+      "Made by " + program + ". Numbers of the problem are taken as they stand in its file, exactly.";
+  return framed({"slipproof: " + title_of(problem), version, links_of(problem), footer}, [&](const Element& main) {
+    add_contact_overview(main, problem);
+    for (std::size_t i = 0; i < problem.answers.size(); ++i) add_contact_card(main, problem, i);
+    add_remarks(main, problem);
+    add_contact_reproduce(main, command);
+  });
 }
 
 }  // namespace slipproof

@@ -44,27 +44,25 @@ std::string page_name(const JudgedPaper& paper) {
 }
 
 std::string gallery_html(const std::vector<JudgedPaper>& papers, const std::string& version) {
-  const Document document("html");
-  const Element html = document.root().set("lang", "en");
-  add_head(html, "slipproof: " + counted(papers.size(), "paper"), version);
-  const Element body = html.add("body");
-  body.add("a", "skip").set("href", "#papers").text("Skip to the papers");
-  body.add("header", "top").add("a", "brand").set("href", "#overview").text("slipproof");
-  const Element main = body.add("main");
-  const Element overview = main.add("section").set("id", "overview").set("aria-labelledby", "title");
-  overview.add("h1").set("id", "title").text("What is printed about dry friction, judged");
-  overview.add("p").text(
-      "Each formula is held against the equations of motion of its mechanism, in exact arithmetic: proved for all "
-      "parameters with a certificate that a program of its own checks, or refuted by numbers that a person can "
-      "follow. What the formulas leave open is stated and proved beside them.");
-  if (const auto second = second_checker(papers)) overview.add("p").text(in_words(*second) + ".");
-  const VerdictTotals all = total(papers);
-  add_verdict_bar(overview.add("div", "bars"),
-                  counted(papers.size(), "paper") + ", " + counted(all.claims, "claim") + " as printed", all.printed);
-  const Element list = main.add("ul", "papers").set("id", "papers");
-  for (const JudgedPaper& paper : papers) add_paper(list, paper);
-  body.add("footer").add("p").text("Made by slipproof " + version + ". Each paper's page tells how to make it again.");
-  return document.html();
+  PageFrame frame{"slipproof: " + counted(papers.size(), "paper"),
+                  version,
+                  {},
+                  "Made by slipproof " + version + ". Each paper's page tells how to make it again."};
+  frame.skip = "#papers", frame.skip_words = "Skip to the papers";
+  return framed(frame, [&](const Element& main) {
+    const Element overview = main.add("section").set("id", "overview").set("aria-labelledby", "title");
+    overview.add("h1").set("id", "title").text("What is printed about dry friction, judged");
+    overview.add("p").text(
+        "Each formula is held against the equations of motion of its mechanism, in exact arithmetic: proved for all "
+        "parameters with a certificate that a program of its own checks, or refuted by numbers that a person can "
+        "follow. What the formulas leave open is stated and proved beside them.");
+    if (const auto second = second_checker(papers)) overview.add("p").text(in_words(*second) + ".");
+    const VerdictTotals all = total(papers);
+    add_verdict_bar(overview.add("div", "bars"),
+                    counted(papers.size(), "paper") + ", " + counted(all.claims, "claim") + " as printed", all.printed);
+    const Element list = main.add("ul", "papers").set("id", "papers");
+    for (const JudgedPaper& paper : papers) add_paper(list, paper);
+  });
 }
 
 }  // namespace slipproof

@@ -13,7 +13,6 @@
 #include "report/html/assets.hpp"
 #include "report/html/sections.hpp"
 #include "report/html/trade_data.hpp"
-#include "report/picture/palette.hpp"
 
 namespace slipproof {
 
@@ -87,24 +86,26 @@ class Gathering {
   PageInput& input_;
 };
 
-void add_header(const Element& body, const PageInput& input) {
-  body.add("a", "skip").set("href", "#overview").text("Skip to the results");
-  const Element header = body.add("header", "top");
-  header.add("a", "brand").set("href", input.gallery.empty() ? "#overview" : input.gallery).text("slipproof");
-  const Element list = header.add("nav").set("aria-label", "Sections").add("ul");
-  std::vector<std::pair<std::string, const char*>> links;
-  if (!input.gallery.empty()) links.emplace_back(input.gallery, "All papers");
-  links.emplace_back("#overview", "Overview");
-  if (!input.figures.empty() || !input.scenes.empty()) links.emplace_back("#phase", "Phase diagrams");
-  if (!input.machines.empty()) links.emplace_back("#machines", "Numbers");
-  links.insert(links.end(), {{"#claims", "Claims"}, {"#errata", "Errata"}});
-  if (!input.certificates.empty()) links.emplace_back("#certificates", "Certificates");
-  if (input.trade) links.emplace_back("#trade", "Speed");
-  if (!input.solvers.empty()) links.emplace_back("#solvers", "Solvers");
-  if (!input.claims->paper.open.empty()) links.emplace_back("#open", "Open");
-  links.emplace_back("#notation", "Notation");
-  links.emplace_back("#reproduce", "Reproduce");
-  for (const auto& [target, text] : links) list.add("li").add("a").set("href", target).text(text);
+PageFrame frame_of(const PageInput& input) {
+  PageFrame frame{"slipproof: " + input.claims->paper.title, input.version, {}, {}};
+  if (!input.gallery.empty()) frame.links.emplace_back(frame.brand = input.gallery, "All papers");
+  const auto link = [&](bool there, const char* target, const char* words) {
+    if (there) frame.links.emplace_back(target, words);
+  };
+  link(true, "#overview", "Overview");
+  link(!input.figures.empty() || !input.scenes.empty(), "#phase", "Phase diagrams");
+  link(!input.machines.empty(), "#machines", "Numbers");
+  link(true, "#claims", "Claims");
+  link(true, "#errata", "Errata");
+  link(!input.certificates.empty(), "#certificates", "Certificates");
+  link(input.trade.has_value(), "#trade", "Speed");
+  link(!input.solvers.empty(), "#solvers", "Solvers");
+  link(!input.claims->paper.open.empty(), "#open", "Open");
+  link(true, "#notation", "Notation");
+  link(true, "#reproduce", "Reproduce");
+  frame.footer = "Made by slipproof " + input.version + ". Every number that is not marked as rounded is exact.";
+  frame.script = assets::script_js;
+  return frame;
 }
 
 }  // namespace
@@ -160,24 +161,6 @@ PageInput gather(const PageFolders& folders, const ClaimsFile& claims, Certifica
   return input;
 }
 
-void add_head(const Element& html, const std::string& title, const std::string& version) {
-  const Element head = html.add("head");
-  head.add("meta").set("charset", "utf-8");
-  head.add("meta").set("name", "viewport").set("content", "width=device-width, initial-scale=1");
-  head.add("meta").set("name", "color-scheme").set("content", "light dark");
-  head.add("meta").set("name", "generator").set("content", "slipproof " + version);
-  // Prevents browsers from fetching an icon.
-  head.add("link").set("rel", "icon").set("href", "data:,");
-  head.add("title").text(title);
-  head.add("style").code(std::string(assets::style_css) + picture_style());
-}
-
-Element add_section(const Element& main, const char* id, std::string_view heading) {
-  const Element section = main.add("section").set("id", id).set("aria-labelledby", std::string(id) + "-heading");
-  section.add("h2").set("id", std::string(id) + "-heading").text(heading);
-  return section;
-}
-
 std::string_view verdict_name(const ClaimResult& result) {
   return result.proved && result.verdict == Verdict::holds ? "proved" : name(result.verdict);
 }
@@ -207,27 +190,13 @@ void add_claim_id(const Element& parent, const PageInput& input, std::string_vie
 }
 
 std::string page_html(const PageInput& input) {
-  const Document document("html");
-  const Element html = document.root().set("lang", "en");
-  add_head(html, "slipproof: " + input.claims->paper.title, input.version);
-  const Element body = html.add("body");
-  add_header(body, input);
-  const Element main = body.add("main");
-  add_overview(main, input);
-  add_phase_section(main, input);
-  add_machines_section(main, input);
-  add_claims_section(main, input);
-  add_errata_section(main, input);
-  add_certificates_section(main, input);
-  add_trade_section(main, input);
-  add_solvers_section(main, input);
-  add_open_section(main, input);
-  add_notation_section(main, input);
-  add_reproduce_section(main, input);
-  body.add("footer").add("p").text("Made by slipproof " + input.version +
-                                   ". Every number that is not marked as rounded is exact.");
-  body.add("script").code(assets::script_js);
-  return document.html();
+  return framed(frame_of(input), [&](const Element& main) {
+    for (const auto& add : {add_overview, add_phase_section, add_machines_section, add_claims_section,
+                            add_errata_section, add_certificates_section, add_trade_section, add_solvers_section,
+                            add_open_section, add_notation_section, add_reproduce_section}) {
+      add(main, input);
+    }
+  });
 }
 
 }  // namespace slipproof

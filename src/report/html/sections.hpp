@@ -5,18 +5,15 @@
 #include <string_view>
 #include <vector>
 
+#include "report/document/document.hpp"
+#include "report/html/frame.hpp"
 #include "report/html/page.hpp"
 #include "report/markup/element.hpp"
 #include "report/papers/explain.hpp"
+#include "report/papers/prose.hpp"
 #include "report/phase/phase_diagram.hpp"
 
 namespace slipproof {
-
-/// Adds the head of the document: title, style, and a rule against fetching anything.
-void add_head(const Element& html, const std::string& title, const std::string& version);
-
-/// A section with its heading.
-Element add_section(const Element& main, const char* id, std::string_view heading);
 
 void add_overview(const Element& main, const PageInput& input);
 void add_phase_section(const Element& main, const PageInput& input);
@@ -45,8 +42,6 @@ std::size_t agreeing(const SecondOpinions& opinions, std::size_t program);
 /// `z3, Coq`: the programs that agree with a statement.
 std::string agreeing_programs(const SecondOpinions& opinions, std::string_view theorem);
 
-/// A text with formulas in the form of claims files, `xi1 = F0`, whose symbols are typeset.
-void add_prose(const Element& parent, const PageInput& input, const std::string& text);
 /// The id of a claim, as a link if the claim was judged and is on the page.
 void add_claim_id(const Element& parent, const PageInput& input, std::string_view id);
 /// One claim in all of its readings.

@@ -132,22 +132,22 @@ Element Element::add_children_of(const Element& other) const {
   return *this;
 }
 
-Document::Document(const char* root) : tree_(std::make_unique<pugi::xml_document>()) {
+ElementTree::ElementTree(const char* root) : tree_(std::make_unique<pugi::xml_document>()) {
   tree_->append_child(root);
 }
-Document::~Document() = default;
-Document::Document(Document&&) noexcept = default;
-Document& Document::operator=(Document&&) noexcept = default;
+ElementTree::~ElementTree() = default;
+ElementTree::ElementTree(ElementTree&&) noexcept = default;
+ElementTree& ElementTree::operator=(ElementTree&&) noexcept = default;
 
-Element Document::root() const {
+Element ElementTree::root() const {
   return Element(tree_->document_element().internal_object());
 }
 
-std::string Document::html() const {
+std::string ElementTree::html() const {
   return "<!DOCTYPE html>\n" + written(*tree_, true) + "\n";
 }
 
-std::string Document::xml() const {
+std::string ElementTree::xml() const {
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + written(*tree_, false) + "\n";
 }
 

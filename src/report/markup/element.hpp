@@ -12,7 +12,7 @@ struct xml_node_struct;
 
 namespace slipproof {
 
-/// One element of a Document: a handle, cheap to copy, valid as long as the document. Setters return the element.
+/// One element of an ElementTree: a handle, cheap to copy, valid as long as the tree. Setters return the element.
 class Element {
  public:
   /// Adds a last child.
@@ -35,17 +35,17 @@ class Element {
   Element add_children_of(const Element& other) const;
 
  private:
-  friend class Document;
+  friend class ElementTree;
   explicit Element(pugi::xml_node_struct* node) : node_(node) {}
   pugi::xml_node_struct* node_;
 };
 
-class Document {
+class ElementTree {
  public:
-  explicit Document(const char* root);
-  ~Document();
-  Document(Document&&) noexcept;
-  Document& operator=(Document&&) noexcept;
+  explicit ElementTree(const char* root);
+  ~ElementTree();
+  ElementTree(ElementTree&&) noexcept;
+  ElementTree& operator=(ElementTree&&) noexcept;
 
   Element root() const;
   /// The document with the document type of HTML 5; it is also well-formed XML.

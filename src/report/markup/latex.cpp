@@ -86,7 +86,7 @@ class Formula {
   /// One item with its subscripts and superscripts. The base is built in a document of its own, because MathML wants it
   /// inside its scripts.
   void scripted(const Element& parent) {
-    const Document scratch("mrow");
+    const ElementTree scratch("mrow");
     atom(scratch.root());
     skip_space();
     const char first = peek();
@@ -95,7 +95,7 @@ class Formula {
       return;
     }
     take();
-    const Document index("mrow");
+    const ElementTree index("mrow");
     group(index.root());
     skip_space();
     const bool both = (peek() == '_' || peek() == '^') && peek() != first;
@@ -218,7 +218,7 @@ std::vector<Piece> pieces_of(std::string_view latex) {
 
 void add_formula(const Element& parent, std::string_view latex) {
   try {
-    const Document scratch("p");
+    const ElementTree scratch("p");
     for (const Piece& piece : pieces_of(latex)) {
       if (piece.after_space) scratch.root().text(" \xE2\x80\x83");
       std::string_view text = piece.text;

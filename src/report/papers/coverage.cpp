@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "base/output/listed.hpp"
 #include "report/papers/errata.hpp"
 
 namespace slipproof {
@@ -15,19 +16,18 @@ std::vector<std::string> uncovered_equations(const ClaimsFile& file) {
   return missing;
 }
 
-std::string coverage_markdown(const ClaimsFile& file) {
-  std::string text = "| equation | line | claims |\n|---|---|---|\n";
+Document coverage_document(const ClaimsFile& file) {
+  Document document;
+  ReportTable& table = document.table({{"equation", "line", "claims"}});
   for (const auto& equation : file.paper.equations) {
-    std::string ids;
+    std::vector<std::string> ids;
     for (const Claim& claim : file.claims) {
-      if (claim.equation == equation.number) ids += (ids.empty() ? "" : ", ") + claim.id;
+      if (claim.equation == equation.number) ids.push_back(claim.id);
     }
-    text += "| (" + equation.number + ") | " + std::to_string(equation.line) + " | " + ids + " |\n";
+    table.row({"(" + equation.number + ")", std::to_string(equation.line), listed(ids)});
   }
-  for (const Unchecked& u : file.unchecked) {
-    text += "| " + u.id + " | " + std::to_string(u.line) + " | not judged: " + u.why + " |\n";
-  }
-  return text;
+  for (const Unchecked& u : file.unchecked) table.row({u.id, std::to_string(u.line), "not judged: " + u.why});
+  return document;
 }
 
 }  // namespace slipproof

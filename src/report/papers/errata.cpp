@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/number/format.hpp"
+#include "base/output/listed.hpp"
 #include "claims/paper/setting_names.hpp"
 #include "report/papers/explain.hpp"
 
@@ -35,9 +36,8 @@ FindingParts changed(const ClaimBody& body, const ClaimBody& other) {
     if (!key.empty() && differs) result.push_back(part(key, what, expression));
   });
   if (body.modes != other.modes) {
-    std::string names;
-    for (const MechanismMode& mode : body.modes) names += (names.empty() ? "" : ", ") + name(mode);
-    result.push_back({"motions", nullptr, names, false});
+    const auto named = [](const MechanismMode& mode) { return name(mode); };
+    result.push_back({"motions", nullptr, listed(body.modes, named), false});
   }
   return result;
 }

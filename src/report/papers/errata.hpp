@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "claims/verify/verify.hpp"
+#include "report/document/document.hpp"
 
 namespace slipproof {
 
@@ -77,15 +78,18 @@ std::string standing_text(const Errata& errata);
 /// How the number of refuted claims leads to the number of findings, in whole sentences; empty if both are 0.
 std::string sum_text(const Errata& errata);
 
-std::string errata_text(const ClaimsFile& file, const Errata& errata);
-std::string errata_markdown(const ClaimsFile& file, const Errata& errata);
+/// What errata_document() and finding_document() return may be written only while the claims file exists.
+Document errata_document(const ClaimsFile& file, const Errata& errata);
+/// One finding: `source:line: grade [id]`, and the facts about it.
+ReportLine finding_heading(const ClaimsFile& file, const Finding& finding);
+Document finding_document(const ClaimsFile& file, const Finding& finding);
 /// One JSON document, schema slipproof/errata/1.
 std::string errata_json(const ClaimsFile& file, const Errata& errata);
 /// SARIF 2.1.0, with line numbers of the paper's source.
 std::string errata_sarif(const ClaimsFile& file, const Errata& errata);
 
-/// A table in Markdown: every numbered equation of the paper with its claims.
-std::string coverage_markdown(const ClaimsFile& file);
+/// A table: every numbered equation of the paper with its claims.
+Document coverage_document(const ClaimsFile& file);
 /// The numbered equations without a claim.
 std::vector<std::string> uncovered_equations(const ClaimsFile& file);
 

@@ -3,17 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <unordered_map>
 
 #include "base/number/format.hpp"
+#include "base/output/listed.hpp"
 #include "report/values/exact_json.hpp"
 
 namespace slipproof {
 
 namespace {
-
-using Out = std::back_insert_iterator<std::string>;
 
 /// Numbers of statements, from 1.
 using Numbers = std::unordered_map<std::string, std::size_t>;
@@ -43,26 +41,18 @@ bool is_caught_by_failure(const MutantResult& m) {
   return m.end == MutantEnd::refuted || m.end == MutantEnd::no_value;
 }
 
-void write_mutant(Out out, const MutationResult& result, const MutantResult& m, const Numbers& numbers) {
-  fmt::format_to(out, "    {:<14} {}\n", name(m.end), change(m));
+/// In which claim the mutant is noticed, or why it is not.
+std::string argument(const MutationResult& result, const MutantResult& m, const Numbers& numbers) {
+  if (m.end == MutantEnd::survivor) return m.argument;
   const std::string& claim = result.file.claims[m.claim].id;
-  if (m.end == MutantEnd::reach) {
-    fmt::format_to(out, "      only one of the two speaks, in {}, at {}\n", claim, witness(result, m));
-  } else if (m.end == MutantEnd::survivor) {
-    if (!m.argument.empty()) fmt::format_to(out, "      {}\n", m.argument);
-  } else {
-    fmt::format_to(out, "      {}: {}", claim, m.argument);
-    for (std::size_t i = 0; i < m.lemmas.size(); ++i) {
-      fmt::format_to(out, "{}{}", i == 0 ? " (lemmas " : ", ", numbers.at(m.lemmas[i].statement));
-    }
-    fmt::format_to(out, "{}\n", m.lemmas.empty() ? "" : ")");
-  }
+  if (m.end == MutantEnd::reach) return "only one of the two speaks, in " + claim + ", at " + witness(result, m);
+  const auto number = [&](const Lemma& lemma) { return std::to_string(numbers.at(lemma.statement)); };
+  return claim + ": " + m.argument + (m.lemmas.empty() ? "" : " (lemmas " + listed(m.lemmas, number) + ")");
 }
 
 std::string ids(const MutationResult& result, const std::vector<std::size_t>& claims) {
-  std::string text;
-  for (const std::size_t c : claims) text += " " + result.file.claims[c].id;
-  return text;
+  return listed(
+      claims, [&](std::size_t c) { return result.file.claims[c].id; }, " ");
 }
 
 std::string last_line(const MutationResult& result) {
@@ -71,7 +61,7 @@ std::string last_line(const MutationResult& result) {
   for (const MutantEnd end : all_mutant_ends) {
     if (end != MutantEnd::survivor) line += fmt::format(" {} {}", name(end), result.count(end));
   }
-  return line + fmt::format(" survivors {}\n", survivors);
+  return line + fmt::format(" survivors {}", survivors);
 }
 
 }  // namespace
@@ -87,32 +77,35 @@ std::vector<const Lemma*> lemmas_of(const MutationResult& result) {
   return all;
 }
 
-std::string mutation_text(const MutationResult& result, bool quiet) {
-  if (quiet) return last_line(result);
+Document mutation_document(const MutationResult& result) {
   const Numbers numbers = numbered(result);
-  std::string text;
-  Out out(text);
-  fmt::format_to(out,
-                 "{}\n{} bicycles for each setting, {} more and {} lines a claim for what survives them, seed {}\n",
-                 result.file.paper.title, result.samples, result.more_samples, result.lines, result.seed);
+  Document document;
+  document.title(result.file.paper.title);
+  document.line(
+      fmt::format("{} bicycles for each setting, {} more and {} lines a claim for what survives them, seed {}",
+                  result.samples, result.more_samples, result.lines, result.seed));
   if (!result.not_mutated.empty()) {
-    fmt::format_to(out, "left out, as they are refuted or undecided unchanged, or hold at none of these bicycles:{}\n",
-                   ids(result, result.not_mutated));
+    document.line("left out, as they are refuted or undecided unchanged, or hold at none of these bicycles: " +
+                  ids(result, result.not_mutated));
   }
   if (!result.vacuous.empty()) {
-    fmt::format_to(out, "true whatever the motion, so that they say nothing of it:{}\n", ids(result, result.vacuous));
+    document.line("true whatever the motion, so that they say nothing of it: " + ids(result, result.vacuous));
   }
   for (auto first = result.mutants.begin(); first != result.mutants.end();) {
     const auto last = std::find_if(first, result.mutants.end(),
                                    [&](const MutantResult& m) { return m.mutant.where != first->mutant.where; });
     const auto caught = std::count_if(first, last, is_caught_by_failure);
-    fmt::format_to(out, "\n  {}: {}\n    {} of {} make a claim fail\n", first->mutant.where,
-                   to_string(first->mutant.original(result.file)), caught, last - first);
+    Document& formula =
+        document.section(first->mutant.where + ": " + to_string(first->mutant.original(result.file)), {2});
+    formula.line(fmt::format("{} of {} make a claim fail", caught, last - first));
+    ReportTable& table = formula.table({{{"", false, 14}, ""}});
     for (; first != last; ++first) {
-      if (!is_caught_by_failure(*first)) write_mutant(out, result, *first, numbers);
+      if (is_caught_by_failure(*first)) continue;
+      table.row({name(first->end), change(*first)}).line(argument(result, *first, numbers));
     }
   }
-  return text + "\n" + last_line(result);
+  document.status(last_line(result));
+  return document;
 }
 
 std::string mutation_json(const MutationResult& result) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "claims/mutation/mutation.hpp"
+#include "report/document/document.hpp"
 
 namespace slipproof {
 
@@ -12,9 +13,8 @@ namespace slipproof {
 std::vector<const Lemma*> lemmas_of(const MutationResult& result);
 
 /// For people: counts for each formula, then every mutant that no failing claim catches, with the bicycle or the
-/// argument. The last line is `s TIGHT` or, if there are survivors, `s LOOSE`, with counts. `quiet`: only the last
-/// line.
-std::string mutation_text(const MutationResult& result, bool quiet = false);
+/// argument. The status is `s TIGHT` or, if there are survivors, `s LOOSE`, with counts.
+Document mutation_document(const MutationResult& result);
 
 /// One JSON document, schema slipproof/mutants/1, ending in a newline. Lemmas are referred to by number, from 1.
 std::string mutation_json(const MutationResult& result);

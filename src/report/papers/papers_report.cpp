@@ -1,12 +1,9 @@
 #include "report/papers/papers_report.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <iterator>
 
-#include "base/input/utf8.hpp"
 #include "base/number/format.hpp"
 #include "report/papers/errata.hpp"
 #include "report/papers/explain.hpp"
@@ -18,22 +15,18 @@ namespace slipproof {
 
 namespace {
 
-using Out = std::back_insert_iterator<std::string>;
-
 std::size_t open_claims(const Standing& standing) {
   return standing.undecided.size() + standing.vacuous.size();
 }
 
-void write_unexpected(Out out, const JudgedPaper& paper) {
+void write_unexpected(Document& document, const JudgedPaper& paper) {
   for (const ClaimResult& claim : paper.result.claims) {
     const std::string id = paper.file.claims[claim.claim].id;
-    for (const std::string& objection : claim.rejections) {
-      fmt::format_to(out, "      {} certificate rejected: {}\n", id, objection);
-    }
+    for (const std::string& objection : claim.rejections) document.line(id + " certificate rejected: " + objection);
     if (as_expected(paper.file, claim)) continue;
     const std::string why = explain(paper.file, claim);
-    fmt::format_to(out, "      {} ({}) {}, unexpected{}{}\n", id, name(claim.reading), name(claim.verdict),
-                   why.empty() ? "" : ": ", why);
+    document.line(fmt::format("{} ({}) {}, unexpected{}{}", id, name(claim.reading), name(claim.verdict),
+                              why.empty() ? "" : ": ", why));
   }
 }
 
@@ -73,42 +66,41 @@ Summary summary(const std::vector<JudgedPaper>& papers) {
   return worst == worst_first.end() ? Summary::undecided : *worst;
 }
 
-std::string papers_text(const std::vector<JudgedPaper>& papers, bool quiet) {
-  std::string text;
-  Out out(text);
+Document papers_document(const std::vector<JudgedPaper>& papers) {
+  Document document;
+  document.paragraph(
+      "What is printed about dry friction, held against the equations of motion. proved: true of all parameters, with "
+      "a certificate; holds: at every sample; refuted: false, with numbers to check by hand; open: neither.");
+  ReportTable& table = document.table({{{"paper", false, 28},
+                                        {"claims", true},
+                                        {"proved", true},
+                                        {"holds", true, 6},
+                                        {"refuted", true},
+                                        {"open", true, 5}}});
   Standing all;
   std::size_t open = 0, findings = 0;
-  if (!quiet) {
-    text += wrapped("",
-                    "What is printed about dry friction, held against the equations of motion. proved: true of all "
-                    "parameters, with a certificate; holds: at every sample; refuted: false, with numbers to check by "
-                    "hand; open: neither.");
-    fmt::format_to(out, "\n  {:<28} {:>7} {:>7} {:>7} {:>8} {:>6}\n", "paper", "claims", "proved", "holds", "refuted",
-                   "open");
-  }
   for (const JudgedPaper& paper : papers) {
     const Errata list = errata(paper.file, paper.result);
     const Standing& standing = list.standing;
-    all.judged += standing.judged;
     all.proved += standing.proved;
     all.held += standing.held;
     all.refuted += standing.refuted;
     open += open_claims(standing);
     all.missing += standing.missing;
     findings += list.findings.size();
-    if (quiet) continue;
-    fmt::format_to(out, "  {:<28} {:>7} {:>7} {:>7} {:>8} {:>6}\n", paper.name, standing.judged, standing.proved,
-                   standing.held, standing.refuted, open_claims(standing));
-    if (!paper.file.paper.found.empty()) text += wrapped("      ", paper.file.paper.found);
-    if (standing.missing > 0) text += wrapped("      ", missing_text(standing.missing));
-    write_unexpected(out, paper);
+    Document& below = table.row({paper.name, ReportCell::count(standing.judged), ReportCell::count(standing.proved),
+                                 ReportCell::count(standing.held), ReportCell::count(standing.refuted),
+                                 ReportCell::count(open_claims(standing))});
+    below.paragraph(paper.file.paper.found);
+    if (standing.missing > 0) below.paragraph(missing_text(standing.missing));
+    write_unexpected(below, paper);
   }
-  const auto second = second_checker(papers);
-  if (!quiet && second) text += "\n" + wrapped("  ", in_words(*second) + ".");
-  fmt::format_to(out, "{}s {} {} {} proved {} hold {} refuted {} open, {}{}\n", quiet ? "" : "\n",
-                 summary_word(summary(papers)), counted(papers.size(), "paper"), all.proved, all.held, all.refuted,
-                 open, counted(findings, "finding"), all.missing == 0 ? "" : fmt::format(", {} missing", all.missing));
-  return text;
+  if (const auto second = second_checker(papers)) document.paragraph(in_words(*second) + ".", 2);
+  document.status(fmt::format("s {} {} {} proved {} hold {} refuted {} open, {}{}", summary_word(summary(papers)),
+                              counted(papers.size(), "paper"), all.proved, all.held, all.refuted, open,
+                              counted(findings, "finding"),
+                              all.missing == 0 ? "" : fmt::format(", {} missing", all.missing)));
+  return document;
 }
 
 std::string papers_json(const std::vector<JudgedPaper>& papers) {

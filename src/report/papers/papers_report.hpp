@@ -18,9 +18,8 @@ struct JudgedPaper {
 /// The worst result of all papers.
 Summary summary(const std::vector<JudgedPaper>& papers);
 
-/// For a screen of 80 columns: how the claims of each paper stand as printed, and what was found; then each claim with
-/// an unexpected verdict.
-std::string papers_text(const std::vector<JudgedPaper>& papers, bool quiet);
+/// How the claims of each paper stand as printed, and what was found; then each claim with an unexpected verdict.
+Document papers_document(const std::vector<JudgedPaper>& papers);
 /// One JSON document, schema slipproof/papers/1.
 std::string papers_json(const std::vector<JudgedPaper>& papers);
 

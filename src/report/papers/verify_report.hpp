@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "claims/verify/verify.hpp"
+#include "report/document/document.hpp"
 #include "report/papers/explain.hpp"
 
 namespace slipproof {
@@ -12,9 +13,9 @@ namespace slipproof {
 /// One JSON document, schema slipproof/verify/1, ending in a newline.
 std::string verify_json(const ClaimsFile& file, const VerifyResult& result);
 
-/// For people. The last line begins with `s VERIFIED`, `s REFUTED`, `s UNDECIDED` or `s REJECTED`, with counts; the
-/// claims that hold include the proved ones. `quiet`: only the last line.
-std::string verify_text(const ClaimsFile& file, const VerifyResult& result, bool quiet = false);
+/// For people. The status begins with `s VERIFIED`, `s REFUTED`, `s UNDECIDED` or `s REJECTED`, with counts; the claims
+/// that hold include the proved ones.
+Document verify_document(const ClaimsFile& file, const VerifyResult& result);
 
 /// As expected if all verdicts are. Otherwise the first that applies: a certificate is rejected; an unexpected verdict
 /// is refuted; an unexpected verdict is undecided, or no claim was judged.

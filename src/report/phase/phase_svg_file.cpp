@@ -85,7 +85,7 @@ std::string phase_svg_file(const PhaseDiagram& diagram, const PhaseSvgOptions& o
   const std::string note = whole_note(diagram, picture.regions);
   const double legend = 16 + entry_height * static_cast<double>(picture.regions.sets.size());
   const double height = plots + legend + (note.empty() ? 0 : 20);
-  const Document document("svg");
+  const ElementTree document("svg");
   const Element svg = document.root().set("xmlns", "http://www.w3.org/2000/svg");
   svg.set("width", options.width).set("height", height).set("role", "img");
   svg.set("viewBox", fmt::format("0 0 {} {}", short_number(options.width), short_number(height)));

@@ -207,7 +207,7 @@ Element add_bicycle_figure(const Element& parent, const MechanismScene& scene) {
 }
 
 std::string bicycle_figure_file(const MechanismScene& scene) {
-  const Document document("svg");
+  const ElementTree document("svg");
   const Element svg = document.root().set("xmlns", "http://www.w3.org/2000/svg");
   svg.set("width", figure_width).set("height", figure_height);
   svg.set("font-family", "system-ui, 'DejaVu Sans', sans-serif");

@@ -305,7 +305,7 @@ Element add_mechanism(const Element& parent, const MechanismScene& scene, const 
 
 std::string mechanism_svg_file(const MechanismScene& scene, const MotionAtLoad* motion) {
   expect_picture(scene);
-  const Document document("svg");
+  const ElementTree document("svg");
   const Element svg = document.root().set("xmlns", "http://www.w3.org/2000/svg").set("role", "img");
   const std::string modes = motion == nullptr ? std::string() : modes_text(*motion);
   svg.add("title").text(scene.name + (modes.empty() ? "" : ": " + modes));

@@ -8,6 +8,7 @@
 #include "contact/problem/every_load.hpp"
 #include "mechanics/kernel/motions.hpp"
 #include "mechanics/scene/scene.hpp"
+#include "report/document/document.hpp"
 
 namespace slipproof {
 
@@ -24,14 +25,14 @@ struct SolvedMechanism {
   std::optional<EveryLoad> for_every_q;  ///< nothing if the theorem does not apply to the contacts
 };
 
-/// The notes of a scene and the parts of it that are not modelled, one on each line.
-std::string notes_text(const MechanismScene& scene);
+/// What the report says first of a scene: the title, its notes, and the parts of it that are not modelled.
+Document scene_document(const MechanismScene& scene, const std::string& about);
 
 /// What a mode without a motion breaks: `N1 >= 0`, `gap1 >= 0 against N2 >= 0`, or that its equations have no solution.
 std::string what_is_broken(const Mechanism& mechanism, const RejectedMode& mode);
 
 /// For people; `digits` is the number of significant digits of decimals.
-std::string solve_text(const SolvedMechanism& solved, int digits);
+Document solve_document(const SolvedMechanism& solved, int digits);
 /// The document slipproof/solve/2.
 std::string solve_json(const SolvedMechanism& solved);
 

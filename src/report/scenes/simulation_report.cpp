@@ -1,13 +1,11 @@
 #include "report/scenes/simulation_report.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <iterator>
 
-#include "base/input/utf8.hpp"
 #include "base/number/format.hpp"
+#include "base/output/listed.hpp"
 #include "report/scenes/mechanism_report.hpp"
 #include "report/values/exact_json.hpp"
 #include "report/values/number_text.hpp"
@@ -15,8 +13,6 @@
 namespace slipproof {
 
 namespace {
-
-using Out = std::back_insert_iterator<std::string>;
 
 /// The mechanism's names for gap, slip, N and T of each contact.
 std::vector<std::string> motion_names(const Mechanism& mechanism) {
@@ -46,51 +42,44 @@ std::string in_words(const SeenMotion& seen, const ContactSolutions& exact) {
 }
 
 std::string values_text(const std::vector<std::string>& names, const std::vector<Rational>& values, int digits) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    text += fmt::format("  {} {}", names[i], decimal_text(values[i], digits));
-  }
-  return text;
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < names.size(); ++i) words.push_back(names[i] + " " + decimal_text(values[i], digits));
+  return listed(words, "  ");
 }
 
-void write_motions(Out out, const MechanismScene& scene, const Simulation& simulation, int digits) {
+void write_motions(Document& document, const MechanismScene& scene, const Simulation& simulation, int digits) {
   const ContactSolutions& exact = simulation.exact;
-  fmt::format_to(out, "\n{} of rigid contacts: exact, here rounded\n", counted(exact.solutions.size(), "motion"));
+  Document& section =
+      document.section(counted(exact.solutions.size(), "motion") + " of rigid contacts: exact, here rounded");
   for (const ContactSolution& motion : exact.solutions) {
-    fmt::format_to(out, "  {}\n  {}\n  {}\n", names_of(motion),
-                   values_text(motion_names(scene.mechanism), motion.w, digits),
-                   values_text(contact_force_names(scene.mechanism), motion.z, digits));
+    Document& below = section.item(names_of(motion));
+    below.line(values_text(motion_names(scene.mechanism), motion.w, digits));
+    below.line(values_text(contact_force_names(scene.mechanism), motion.z, digits));
   }
   for (const ContactContinuum& continuum : exact.continua) {
-    fmt::format_to(out, "  {}: a continuum, which is not compared\n", name(continuum.mode));
+    section.item(name(continuum.mode) + ": a continuum, which is not compared");
   }
 }
 
-std::string row(const std::string& first, const auto& cells) {
-  std::string line = fmt::format("  {:<28}", first);
-  for (const std::string& cell : cells) line += fmt::format("  {:<28}", cell);
-  return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
-}
-
-void write_runs(Out out, const Simulation& simulation) {
-  std::vector<std::string> cells;
-  for (const double horizon : horizons) cells.push_back(fmt::format("after {} periods", horizon));
-  fmt::format_to(
-      out,
-      "\nWhich of them contacts that give come to: a simulation, not a proof\n"
-      "  The load comes on in `rise` periods of the slowest elastic vibration; the times count from then on.\n"
-      "  What is seen after 10 times as many is what contacts 100 times as stiff show in the same time.\n\n{}",
-      row("stiffness T/N, damping, rise", cells));
+void write_runs(Document& document, const Simulation& simulation) {
+  Document& section = document.section("Which of them contacts that give come to: a simulation, not a proof");
+  section.line("The load comes on in `rise` periods of the slowest elastic vibration; the times count from then on.");
+  section.line("What is seen after 10 times as many is what contacts 100 times as stiff show in the same time.");
+  ReportTable& table = section.table({{"stiffness T/N", "damping", "rise"}});
+  for (const double horizon : horizons) {
+    table.columns.push_back({ReportLine(fmt::format("after {} periods", horizon)), false, 28});
+  }
   for (const SimulatedRun& run : simulation.runs) {
     const Compliance& c = run.compliance;
-    cells.clear();
-    for (const SeenMotion& seen : run.seen) cells.push_back(in_words(seen, simulation.exact));
-    fmt::format_to(out, "{}", row(fmt::format("{:<15}{:<9}{}", c.stiffness_ratio, c.damping, c.rise), cells));
+    std::vector<ReportCell> cells{fmt::format("{}", c.stiffness_ratio), fmt::format("{}", c.damping),
+                                  fmt::format("{}", c.rise)};
+    for (const SeenMotion& seen : run.seen) cells.emplace_back(in_words(seen, simulation.exact));
+    table.row(std::move(cells));
   }
 }
 
 /// How many runs end in each motion, in the order of the motions, and how many in none.
-std::string write_end(const Simulation& simulation) {
+std::string last_line(const Simulation& simulation) {
   std::vector<std::size_t> counts(simulation.exact.solutions.size() + 1);
   for (const SimulatedRun& run : simulation.runs) ++counts[run.seen.back().motion.value_or(counts.size() - 1)];
   std::vector<std::string> words;
@@ -99,7 +88,7 @@ std::string write_end(const Simulation& simulation) {
     words.push_back(
         fmt::format("{} {}", i + 1 < counts.size() ? names_of(simulation.exact.solutions[i]) : "none", counts[i]));
   }
-  return fmt::format("\ns SIMULATED {}: {}\n", counted(simulation.runs.size(), "run"), fmt::join(words, ", "));
+  return fmt::format("s SIMULATED {}: {}", counted(simulation.runs.size(), "run"), listed(words));
 }
 
 Json named(const std::vector<std::string>& names, const auto& values) {
@@ -116,12 +105,13 @@ std::vector<Json> exact_values(const std::vector<Rational>& values) {
 
 }  // namespace
 
-std::string simulation_text(const MechanismScene& scene, const Simulation& simulation, int digits) {
-  std::string text = fmt::format("{}: {}\n", scene.name, scene.mechanism.name) + notes_text(scene);
-  if (scene.load) text += fmt::format("{} = {}\n", scene.mechanism.load->symbol, number_text(*scene.load, digits));
-  write_motions(Out(text), scene, simulation, digits);
-  write_runs(Out(text), simulation);
-  return text + write_end(simulation);
+Document simulation_document(const MechanismScene& scene, const Simulation& simulation, int digits) {
+  Document document = scene_document(scene, scene.mechanism.name);
+  if (scene.load) document.line(scene.mechanism.load->symbol + " = " + number_text(*scene.load, digits));
+  write_motions(document, scene, simulation, digits);
+  write_runs(document, simulation);
+  document.status(last_line(simulation));
+  return document;
 }
 
 std::string simulation_json(const MechanismScene& scene, const Simulation& simulation) {

@@ -4,11 +4,12 @@
 #include <string>
 
 #include "contact/simulation/simulation.hpp"
+#include "report/document/document.hpp"
 
 namespace slipproof {
 
-/// For people; `digits` is the number of significant digits of decimals. The last line begins with `s SIMULATED`.
-std::string simulation_text(const MechanismScene& scene, const Simulation& simulation, int digits);
+/// For people; `digits` is the number of significant digits of decimals. The status begins with `s SIMULATED`.
+Document simulation_document(const MechanismScene& scene, const Simulation& simulation, int digits);
 
 /// One JSON document, schema slipproof/simulate/1. Exact numbers are strings, simulated ones are numbers.
 std::string simulation_json(const MechanismScene& scene, const Simulation& simulation);

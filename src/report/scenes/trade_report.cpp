@@ -32,6 +32,12 @@ Json row_json(const TradeRow& r) {
   return row;
 }
 
+/// HTML has a sign for infinity.
+ReportSpan rounded(double x, const char* form) {
+  const std::string text = fmt::format(fmt::runtime(form), x);
+  return std::isinf(x) ? drawn(text, [](const Element& parent) { parent.text("∞"); }) : ReportSpan(text);
+}
+
 }  // namespace
 
 std::string trade_json(const Trade& trade) {
@@ -65,35 +71,64 @@ std::string trade_json(const Trade& trade) {
   return json_text(document, 2) + '\n';
 }
 
-std::string trade_text(const Trade& trade) {
-  const Machine& m = trade.machine;
-  std::string text = fmt::format("{}, {} cores\n{}, {}\n{} scenes a workload, seed {}; CPU time of one thread\n",
-                                 m.processor, m.cores, m.compiler, m.flags, trade.options.scenes, trade.options.seed);
-  for (std::size_t i = 0; i < trade.rows.size(); ++i) {
-    const TradeRow& r = trade.rows[i];
-    if (i % trade.types.size() == 0) {
-      text += fmt::format("\n{:<28}{:>11}{:>7}{:>11}{:>10}{:>14}{:>8}{:>11}\n", r.workload, "scenes/s", "wrong",
-                          "undecided", "error a", "error forces", "digits", "condition");
+std::vector<ReportTable> workload_tables(const Trade& trade) {
+  std::vector<ReportTable> tables;
+  for (std::size_t w = 0; w < trade.workloads.size(); ++w) {
+    const std::string& name = trade.workloads[w].name;
+    ReportTable table{{{name, false, 26},
+                       {"scenes/s", true, 9},
+                       {"wrong", true},
+                       {"undecided", true},
+                       {"error a", true, 8},
+                       {"error forces", true},
+                       {"digits", true},
+                       {"condition", true}}};
+    for (std::size_t t = 0; t < trade.types.size(); ++t) {
+      const TradeRow& r = trade.rows[w * trade.types.size() + t];
+      table.row({r.type, rounded(r.scenes_per_second, "{:.3g}"), ReportCell::count(r.wrong, true),
+                 ReportCell::count(r.undecided), rounded(r.worst_acceleration, "{:.2g}"),
+                 rounded(r.worst_force, "{:.2g}"), rounded(r.digits_lost, "{:.1f}"), rounded(r.condition, "{:.2g}")});
     }
-    text +=
-        fmt::format("  {:<26}{:>11.3g}{:>7}{:>11}{:>10.2g}{:>14.2g}{:>8.1f}{:>11.2g}\n", r.type, r.scenes_per_second,
-                    r.wrong, r.undecided, r.worst_acceleration, r.worst_force, r.digits_lost, r.condition);
+    table.label = "Measurements: " + name;
+    table.titled = true;
+    tables.push_back(std::move(table));
   }
-  text += fmt::format("\n{:<28}{:>11}{:>11}{:>15}{:>9}{:>11}{:>12}\n", "all workloads", "typical/s", "to exact",
-                      "error typical", "wrong", "undecided", "wrong from");
+  return tables;
+}
+
+Document trade_document(const Trade& trade) {
+  const Machine& m = trade.machine;
+  Document document;
+  document.line(fmt::format("{}, {} cores", m.processor, m.cores));
+  document.line(m.compiler + ", " + m.flags);
+  document.line(
+      fmt::format("{} scenes a workload, seed {}; CPU time of one thread", trade.options.scenes, trade.options.seed));
+  for (ReportTable& table : workload_tables(trade)) document.table(std::move(table));
+  ReportTable& table = document.table({{{"all workloads", false, 26},
+                                        {"typical/s", true},
+                                        {"to exact", true, 9},
+                                        {"error typical", true},
+                                        {"wrong", true, 7},
+                                        {"undecided", true},
+                                        {"wrong from", true}}});
+  table.titled = true;
   const TradeTotal exact = trade.total("exact");
   for (const TradeType& type : trade.types) {
     const TradeTotal t = trade.total(type.name);
-    text += fmt::format("  {:<26}{:>11.3g}{:>10.1f}x{:>15.2g}{:>9}{:>11}{:>12}\n", type.name, t.typical_speed,
-                        t.typical_speed / exact.typical_speed, t.typical_error, t.wrong, t.undecided,
-                        t.first_wrong_bits ? fmt::format("2^-{}", *t.first_wrong_bits) : "never");
+    table.row({type.name, rounded(t.typical_speed, "{:.3g}"), rounded(t.typical_speed / exact.typical_speed, "{:.1f}x"),
+               rounded(t.typical_error, "{:.2g}"), ReportCell::count(t.wrong, true), ReportCell::count(t.undecided),
+               t.first_wrong_bits ? fmt::format("2^-{}", *t.first_wrong_bits) : "never"});
   }
-  return text + fmt::format(
-                    "\nOf {} scenes. wrong: another set of contact modes than the exact one. undecided: NaN or a "
-                    "division by 0;\nfilter: passed on to the kernel, which decided. digits: decimal digits lost by "
-                    "the worst value, whose condition\nnumber stands beside. wrong from: the distance from a threshold "
-                    "from which on wrong answers occur.\n",
-                    exact.scenes);
+  document.paragraph(fmt::format(
+      "Of {} scenes. wrong: another set of contact modes than the exact one. undecided: NaN or a division by 0; "
+      "filter: passed on to the kernel, which decided. digits: decimal digits lost by the worst value, whose condition "
+      "number stands beside. wrong from: the distance from a threshold from which on wrong answers occur.",
+      exact.scenes));
+  document.status(fmt::format(
+      "s {} workloads {} types {} scenes {}",
+      trade.sound() ? "MEASURED" : "REFUTED the filter differs from the exact answer:", trade.workloads.size(),
+      trade.types.size(), trade.workloads.size() * trade.options.scenes));
+  return document;
 }
 
 }  // namespace slipproof

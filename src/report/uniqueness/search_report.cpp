@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <iterator>
 
-#include "base/input/utf8.hpp"
 #include "base/number/format.hpp"
+#include "base/output/listed.hpp"
 #include "mechanics/scene/sampling.hpp"
 
 namespace slipproof {
@@ -74,104 +73,93 @@ std::string motions_text(const FoundMotions& found) {
     words.push_back(fmt::format("{}{} on a boundary of modes", found.on_boundary, more));
   }
   if (words.empty()) words.emplace_back("none");
-  return fmt::format("{}", fmt::join(words, "; "));
+  return listed(words, "; ");
 }
 
-/// Builds the text for one search.
-class SearchText {
- public:
-  explicit SearchText(const SearchReport& report)
-      : report_(report), mechanism_(report.mechanism), result_(report.result) {}
+std::string place_text(const Mechanism& mechanism, const SearchPlace& place) {
+  std::string text = values_text(mechanism, place.values);
+  if (place.load) text += ", " + mechanism.load->symbol + " = " + exact_text(*place.load);
+  return text;
+}
 
-  std::string whole() {
-    head();
-    std::optional<MotionCount> section;
-    for (const SearchCell& cell : result_.cells) {
-      if (section != cell.found.count) {
-        section = cell.found.count;
-        text_ += fmt::format("\n{}: at {}\n", title(*section), counted(result_.count(*section), "sample"));
-      }
-      add(cell);
-    }
-    return text_ + "\n" + last_line();
+void write_head(Document& document, const SearchReport& report) {
+  const Mechanism& mechanism = report.mechanism;
+  const SearchResult& result = report.result;
+  document.title(fmt::format("{}: {:.0f} modes", mechanism.name, mode_count(element_kinds(mechanism))));
+  if (!report.within.empty()) document.paragraph("within " + report.within);
+  if (result.samples == 0) {
+    document.paragraph("no point of the domain was found in " + counted(result.tried, "try") +
+                       ": nothing is known, more --samples or another --seed may find some");
+  } else {
+    document.paragraph(counted(result.samples, "sample") + " of the domain" +
+                       (mechanism.load ? ", each for every load " + mechanism.load->symbol : "") +
+                       (report.proof ? "" : ": a search, no proof"));
   }
-
-  std::string last_line() const {
-    const SearchVerdict verdict = slipproof::verdict(report_);
-    std::string words(name(verdict));
-    std::ranges::transform(words, words.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-    std::string line = fmt::format("s {} samples {}", words, result_.samples);
-    if (report_.options.wanted) {
-      line += fmt::format(" for {}", name(*report_.options.wanted));
-    } else {
-      line += fmt::format(" one {} none {} several {} continuum {} hysteresis {}", result_.one_everywhere,
-                          result_.count(MotionCount::none) + result_.count(MotionCount::none_modelled),
-                          result_.count(MotionCount::several), result_.count(MotionCount::continuum),
-                          result_.count(MotionCount::hysteresis));
-    }
-    if (verdict == SearchVerdict::unique) line += " by theorem 1 of two-wheeler";
-    return line + '\n';
+  if (report.proof) document.paragraph("proved: " + in_words(*report.proof));
+  if (result.without_value > 0) {
+    document.paragraph("at " + counted(result.without_value, "more point") + " something divides by zero");
   }
-
- private:
-  void head() {
-    text_ += wrapped("", fmt::format("{}: {:.0f} modes", mechanism_.name, mode_count(element_kinds(mechanism_))));
-    if (!report_.within.empty()) text_ += wrapped("within ", report_.within);
-    std::string samples = counted(result_.samples, "sample") + " of the domain";
-    if (mechanism_.load) samples += ", each for every load " + mechanism_.load->symbol;
-    if (result_.samples == 0) {
-      text_ += wrapped("", "no point of the domain was found in " + counted(result_.tried, "try") +
-                               ": nothing is known, more --samples or another --seed may find some");
-    } else {
-      text_ += wrapped("", samples + (report_.proof ? "" : ": a search, no proof"));
-    }
-    if (report_.proof) text_ += wrapped("", "proved: " + in_words(*report_.proof));
-    if (result_.without_value > 0) {
-      text_ += wrapped("", "at " + counted(result_.without_value, "more point") + " something divides by zero");
-    }
-    if (result_.samples > 0 && !report_.options.wanted) {
-      text_ +=
-          fmt::format("one motion {}at {} of them\n", mechanism_.load ? "at every load " : "", result_.one_everywhere);
-    }
-    if (const auto count = result_.count(MotionCount::hysteresis); count > 0) {
-      text_ += wrapped("", "hysteresis at " + counted(count, "sample") +
-                               ", which is left out: several motions, but one where the static coefficients are as "
-                               "low as the kinetic ones (--hysteresis)");
-    }
+  if (result.samples > 0 && !report.options.wanted) {
+    document.paragraph(
+        fmt::format("one motion {}at {} of them", mechanism.load ? "at every load " : "", result.one_everywhere));
   }
-
-  void add(const SearchCell& cell) {
-    text_ += wrapped("  ", motions_text(cell.found));
-    for (const std::size_t contact : cell.found.not_modelled) {
-      text_ +=
-          wrapped("    ", "where it is not modelled that the contact " + mechanism_.contacts[contact].name + " opens");
-    }
-    text_ += wrapped("    ", counted(cell.samples, "sample") + ", at " + place_text(cell.simplest));
-    if (mechanism_.realisable.empty()) return;
-    if (!cell.realisable) {
-      text_ += "    none that could be built was found\n";
-    } else if (place_text(*cell.realisable) != place_text(cell.simplest)) {
-      text_ += wrapped("    ", "could be built: at " + place_text(*cell.realisable));
-    }
+  if (const auto count = result.count(MotionCount::hysteresis); count > 0) {
+    document.paragraph("hysteresis at " + counted(count, "sample") +
+                       ", which is left out: several motions, but one where the static coefficients are as low as the "
+                       "kinetic ones (--hysteresis)");
   }
+}
 
-  std::string place_text(const SearchPlace& place) const {
-    std::string text = values_text(mechanism_, place.values);
-    if (place.load) text += ", " + mechanism_.load->symbol + " = " + exact_text(*place.load);
-    return text;
+void write_cell(Document& document, const Mechanism& mechanism, const SearchCell& cell) {
+  Document& below = document.item(motions_text(cell.found));
+  for (const std::size_t contact : cell.found.not_modelled) {
+    below.paragraph("where it is not modelled that the contact " + mechanism.contacts[contact].name + " opens");
   }
+  const std::string simplest = place_text(mechanism, cell.simplest);
+  below.paragraph(counted(cell.samples, "sample") + ", at " + simplest);
+  if (mechanism.realisable.empty()) return;
+  const std::string built = cell.realisable ? place_text(mechanism, *cell.realisable) : "";
+  if (!cell.realisable) {
+    below.paragraph("none that could be built was found");
+  } else if (built != simplest) {
+    below.paragraph("could be built: at " + built);
+  }
+}
 
-  const SearchReport& report_;
-  const Mechanism& mechanism_;
-  const SearchResult& result_;
-  std::string text_;
-};
+std::string last_line(const SearchReport& report) {
+  const SearchResult& result = report.result;
+  const SearchVerdict verdict = slipproof::verdict(report);
+  std::string words(name(verdict));
+  std::ranges::transform(words, words.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  std::string line = fmt::format("s {} samples {}", words, result.samples);
+  if (report.options.wanted) {
+    line += fmt::format(" for {}", name(*report.options.wanted));
+  } else {
+    line += fmt::format(" one {} none {} several {} continuum {} hysteresis {}", result.one_everywhere,
+                        result.count(MotionCount::none) + result.count(MotionCount::none_modelled),
+                        result.count(MotionCount::several), result.count(MotionCount::continuum),
+                        result.count(MotionCount::hysteresis));
+  }
+  return line + (verdict == SearchVerdict::unique ? " by theorem 1 of two-wheeler" : "");
+}
 
 }  // namespace
 
-std::string search_text(const SearchReport& report, bool quiet) {
-  SearchText text(report);
-  return quiet ? text.last_line() : text.whole();
+Document search_document(const SearchReport& report) {
+  Document document;
+  write_head(document, report);
+  std::optional<MotionCount> count;
+  Document* section = nullptr;
+  for (const SearchCell& cell : report.result.cells) {
+    if (count != cell.found.count) {
+      count = cell.found.count;
+      section =
+          &document.section(std::string(title(*count)) + ": at " + counted(report.result.count(*count), "sample"));
+    }
+    write_cell(*section, report.mechanism, cell);
+  }
+  document.status(last_line(report));
+  return document;
 }
 
 }  // namespace slipproof

@@ -8,6 +8,7 @@
 
 #include "claims/uniqueness/everywhere.hpp"
 #include "mechanics/search/search.hpp"
+#include "report/document/document.hpp"
 
 namespace slipproof {
 
@@ -33,8 +34,8 @@ SearchVerdict verdict(const SearchReport& report);
 /// `unique`, `none found`, `found`, `undecided`.
 std::string_view name(SearchVerdict verdict);
 
-/// For people, in lines of 80 columns unless a word is longer. `quiet`: only the last line.
-std::string search_text(const SearchReport& report, bool quiet);
+/// For people.
+Document search_document(const SearchReport& report);
 /// The document slipproof/search/1.
 std::string search_json(const SearchReport& report);
 

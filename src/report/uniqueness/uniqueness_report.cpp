@@ -1,13 +1,11 @@
 #include "report/uniqueness/uniqueness_report.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <iterator>
 
-#include "base/input/utf8.hpp"
 #include "base/number/format.hpp"
+#include "base/output/listed.hpp"
 #include "claims/uniqueness/ranges.hpp"
 #include "report/scenes/mechanism_report.hpp"
 #include "report/values/every_load.hpp"
@@ -17,8 +15,6 @@
 namespace slipproof {
 
 namespace {
-
-using Out = std::back_insert_iterator<std::string>;
 
 /// A short number exactly, a longer one as a decimal.
 std::string short_text(const Rational& x, int digits) {
@@ -76,7 +72,7 @@ std::string in_words(const Ambiguity& a) {
   if (a.motions > 0)
     all.push_back((a.motions > 1 && !a.loads.is_point() ? "up to " : "") + counted(a.motions, "motion"));
   if (a.continuum) all.emplace_back("a continuum");
-  return fmt::format("{}", fmt::join(all, ", "));
+  return listed(all);
 }
 
 std::string loads_text(const std::string& symbol, const ForceInterval& loads, int digits) {
@@ -88,42 +84,40 @@ class UniquenessText {
   UniquenessText(const MechanismScene& scene, const UniquenessAlong& along, int digits)
       : scene_(scene), along_(along), digits_(digits) {}
 
-  std::string whole() {
-    fmt::format_to(out_, "{}: {}\n", scene_.name, scene_.mechanism.name);
-    text_ += notes_text(scene_);
-    fmt::format_to(out_, "\nAs it is, {} = {}\n", along_.parameter, short_text(along_.own, digits_));
-    write(along_.at_own);
-    fmt::format_to(out_, "\nAlong {}, all else as it is\n", along_.parameter);
+  Document whole() const {
+    Document document = scene_document(scene_, scene_.mechanism.name);
+    write(document.section("As it is, " + along_.parameter + " = " + short_text(along_.own, digits_), {0, 6}),
+          along_.at_own);
+    Document& section = document.section("Along " + along_.parameter + ", all else as it is");
     const std::vector<ParameterRange> all = ranges(along_);
-    for (const ParameterRange& range : all) write(range);
-    write_exact(all);
-    write_end();
-    return std::move(text_);
+    for (const ParameterRange& range : all) write(section, range);
+    write_exact(document, all);
+    document.status(last_line());
+    return document;
   }
 
  private:
-  void write(const MotionsAtParameter& motions) {
+  void write(Document& document, const MotionsAtParameter& motions) const {
     const auto& load = scene_.mechanism.load;
-    if (motions.apart.empty()) fmt::format_to(out_, "      one motion{}\n", load ? " at every " + load->symbol : "");
+    if (motions.apart.empty()) document.line(load ? "one motion at every " + load->symbol : "one motion");
     for (const Ambiguity& a : ambiguities(motions)) {
-      fmt::format_to(out_, "      {}{}\n", in_words(a), load ? ": " + loads_text(load->symbol, a.loads, digits_) : "");
+      document.line(in_words(a) + (load ? ": " + loads_text(load->symbol, a.loads, digits_) : ""));
     }
-    if (motions.for_every_q) text_ += wrapped("      ", in_words(*motions.for_every_q));
+    if (motions.for_every_q) document.paragraph(in_words(*motions.for_every_q));
   }
 
-  void write(const ParameterRange& range) {
-    fmt::format_to(out_, "  {}", range_text(along_.parameter, range, digits_));
+  void write(Document& document, const ParameterRange& range) const {
+    std::string text = range_text(along_.parameter, range, digits_);
     const bool of_sample = !range.motions.apart.empty() && scene_.mechanism.load && !is_point(range);
-    if (of_sample) fmt::format_to(out_, "; at {} = {}", along_.parameter, short_text(range.sample, digits_));
-    fmt::format_to(out_, "\n");
-    write(range.motions);
+    if (of_sample) text += "; at " + along_.parameter + " = " + short_text(range.sample, digits_);
+    Document& below = document.item(text, {0, 4});
+    write(below, range.motions);
     if (range.unseen.empty()) return;
-    fmt::format_to(out_, "      not looked at: {} where something may change\n",
-                   counted(range.unseen.size(), "irrational value"));
+    below.line("not looked at: " + counted(range.unseen.size(), "irrational value") + " where something may change");
   }
 
   /// Writes the exact values of ends that were rounded.
-  void write_exact(const std::vector<ParameterRange>& all) {
+  void write_exact(Document& document, const std::vector<ParameterRange>& all) const {
     std::vector<std::string> lines;
     for (const ParameterRange& range : all) {
       if (!range.lower || !range.lower->is_rational()) continue;
@@ -131,10 +125,12 @@ class UniquenessText {
       std::string line = rounded + " is " + exact;
       if (rounded != exact && (lines.empty() || lines.back() != line)) lines.push_back(std::move(line));
     }
-    if (!lines.empty()) fmt::format_to(out_, "\nExactly:\n  {}\n", fmt::join(lines, "\n  "));
+    if (lines.empty()) return;
+    Document& section = document.section("Exactly:");
+    for (std::string& line : lines) section.line(std::move(line));
   }
 
-  void write_end() {
+  std::string last_line() const {
     const auto& apart = along_.at_own.apart;
     const auto any = [&](const auto& is) { return std::any_of(apart.begin(), apart.end(), is); };
     const std::string_view word = any([](const LoadsApart& a) { return a.none(); })      ? "NONE"
@@ -142,15 +138,13 @@ class UniquenessText {
                                   : apart.empty()                                        ? "UNIQUE"
                                                                                          : "SEVERAL";
     const auto first = along_.first_apart();
-    fmt::format_to(out_, "\ns {} at {} = {}; critical {} {}\n", word, along_.parameter, short_text(along_.own, digits_),
-                   along_.parameter, first ? end_text(first, digits_) : "none");
+    return fmt::format("s {} at {} = {}; critical {} {}", word, along_.parameter, short_text(along_.own, digits_),
+                       along_.parameter, first ? end_text(first, digits_) : "none");
   }
 
   const MechanismScene& scene_;
   const UniquenessAlong& along_;
   int digits_;
-  std::string text_;
-  Out out_{text_};
 };
 
 Json end_json(const std::optional<RealRoot>& end) {
@@ -175,7 +169,7 @@ Json motions_json(const MotionsAtParameter& motions) {
 
 }  // namespace
 
-std::string uniqueness_text(const MechanismScene& scene, const UniquenessAlong& along, int digits) {
+Document uniqueness_document(const MechanismScene& scene, const UniquenessAlong& along, int digits) {
   return UniquenessText(scene, along, digits).whole();
 }
 

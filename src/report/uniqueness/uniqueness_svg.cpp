@@ -73,7 +73,7 @@ class UniquenessPicture {
       : diagram_(diagram), along_(along), frame_{70, 44, 672, 360, diagram.plane.x, diagram.plane.y} {}
 
   std::string file() const {
-    const Document document("svg");
+    const ElementTree document("svg");
     const Element svg = document.root().set("xmlns", "http://www.w3.org/2000/svg");
     svg.set("width", width).set("height", height).set("role", "img");
     svg.set("viewBox", fmt::format("0 0 {} {}", width, height));

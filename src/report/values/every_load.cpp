@@ -25,7 +25,7 @@ std::string every_load_line(const std::optional<EveryLoad>& every) {
   if (!every) return {};
   std::string text = in_words(*every);
   text.front() = static_cast<char>(text.front() - 'a' + 'A');
-  return text + '\n';
+  return text;
 }
 
 Json every_load_json(const std::optional<EveryLoad>& every) {

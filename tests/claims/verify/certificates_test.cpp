@@ -232,7 +232,7 @@ TEST_CASE("what prove left undecided is not called rejected") {
   REQUIRE(claim.unproved.size() == 1);
   CHECK(claim.unproved.front().state == CertificateState::undecided);
   CHECK(summary(test::shipped_paper(), result) == Summary::as_expected);
-  CHECK(verify_text(test::shipped_paper(), result, false)
+  CHECK(text_of(verify_document(test::shipped_paper(), result))
             .find("undecided A1.1.always: the search ended without a certificate: no step left of 7\n") !=
         std::string::npos);
   CHECK(verify_json(test::shipped_paper(), result).find("\"state\": \"undecided\"") != std::string::npos);
@@ -292,6 +292,6 @@ TEST_CASE("the errata name the certificates of a repair, or the number of its sa
   CHECK(certainty("E4.1.2") ==
         "exact (certificate E4.1.2.refuted.cert); proved for all parameters (certificate E4.1.2.repaired.cert)");
   CHECK(certainty("R2.3.2").starts_with("exact (certificate R2.3.2.refuted.cert)"));  // that there is none
-  const std::string text = errata_text(test::shipped_paper(), errata(test::shipped_paper(), result));
+  const std::string text = text_of(errata_document(test::shipped_paper(), errata(test::shipped_paper(), result)));
   CHECK(text.find("repair proved for all parameters (certificate A2.4.repaired.cert)") != std::string::npos);
 }

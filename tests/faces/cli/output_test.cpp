@@ -7,6 +7,7 @@
 #include "support/run_program.hpp"
 
 using slipproof::test::city_bicycle;
+using slipproof::test::last_line;
 using slipproof::test::quoted;
 using slipproof::test::read_file;
 using slipproof::test::rear_drive;
@@ -175,4 +176,28 @@ TEST_CASE("prove writes neither over the claims nor over a statement") {
   refused("out/x.cert", "../x.statement", "prove x.statement --out out");
   refused("out/x.smt2", "../x.statement", "prove x.statement --smtlib out");
   refused("out/certificates/T1.2.statement", "../../claims.toml", "prove claims.toml --out out");
+}
+
+TEST_CASE("the report as Markdown ends as the text does, and is not asked for together with JSON") {
+  const std::string root = SLIPPROOF_SOURCE_DIR, scenes = root + "/cases/mechanisms/scenes/";
+  for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{
+           {"solve", scenes + "ladder.toml"},
+           {"critical", scenes + "ladder.toml"},
+           {"simulate", root + "/cases/ambiguous.toml", "--stiffness-ratio", "1", "--damping", "0.5"},
+           {"search", "ladder", "--samples", "20"},
+           {"verify", "--only", "A5.1", "--samples", "50", "--lines", "0"}}) {
+    CAPTURE(command.front());
+    const auto with = [&](const std::string& option) {
+      std::vector<std::string> all = command;
+      all.push_back(option);
+      return run(all);
+    };
+    const auto text = run(command), markdown = with("--markdown");
+    CHECK(markdown.exit_code == text.exit_code);
+    CHECK(markdown.out.starts_with("# " + text.out.substr(0, text.out.find('\n')) + "\n\n"));
+    const std::string status = last_line(text.out);
+    CHECK(markdown.out.ends_with("\n\n`" + status.substr(0, status.size() - 1) + "`\n"));
+    CHECK(with("--quiet").out == status);
+  }
+  CHECK(run({"critical", scenes + "ladder.toml", "--json", "--markdown"}).exit_code == 2);
 }

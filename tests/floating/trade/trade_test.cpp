@@ -146,6 +146,6 @@ TEST_CASE("scenes depend on the seed and their number alone, and the JSON carrie
   CHECK(json["cancellation"].size() == measured().cancellations.size());
   CHECK(json["machine"]["flags"].get<std::string>().find("-ffp-contract=off") != std::string::npos);
   CHECK(!json["machine"]["processor"].get<std::string>().empty());
-  const std::string text = trade_text(measured());
+  const std::string text = text_of(trade_document(measured()));
   for (const auto& workload : measured().workloads) CHECK(text.find("\n" + workload.name + " ") != std::string::npos);
 }

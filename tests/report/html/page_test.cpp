@@ -204,8 +204,7 @@ TEST_CASE(
     "what is wrong has symbols as such, not only beside an operator, and leaves words and names of claims alone") {
   const auto tree = read(small_page());
   std::string plain, symbols;  // what stands beside formulas, what stands in them
-  for (const auto& found :
-       tree.select_nodes("//section[@id='errata']//dt[.='what is wrong']/following-sibling::dd[1]")) {
+  for (const auto& found : tree.select_nodes("//section[@id='errata']//dt[.='wrong']/following-sibling::dd[1]")) {
     for (const auto& text : found.node().select_nodes("text()")) plain += std::string(text.node().value()) + ' ';
     for (const auto& math : found.node().select_nodes("math")) {
       symbols += ' ';

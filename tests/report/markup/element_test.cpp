@@ -26,7 +26,7 @@ TEST_CASE("text comes back as it was, whatever it looks like") {
   for (const std::string text :
        {"</p><script>alert(1)</script>", "a & b < c > \"d\" 'e'", "&lt;", "]]>", "<!--", "ξ ≤ ∞"}) {
     CAPTURE(text);
-    const Document document("html");
+    const ElementTree document("html");
     document.root().add("p").set("title", text).text(text);
     const auto tree = parsed(document.html());
     CHECK(tree.child("html").child("p").text().get() == text);
@@ -36,7 +36,7 @@ TEST_CASE("text comes back as it was, whatever it looks like") {
 }
 
 TEST_CASE("what XML cannot hold becomes U+FFFD") {
-  const Document document("html");
+  const ElementTree document("html");
   document.root().add("p").text(std::string("a\0b\x01\x7F\xC0\xAFz\xED\xA0\x80\xEF\xBF\xBF", 14));
   const std::string text = parsed(document.html()).child("html").child("p").text().get();
   CHECK(text.substr(0, 8) ==
@@ -51,7 +51,7 @@ TEST_CASE("any bytes give a well-formed document") {
   for (int i = 0; i < 200; ++i) {
     std::string bytes(1 + random() % 60, ' ');
     for (char& c : bytes) c = static_cast<char>(random() % 256);
-    const Document document("html");
+    const ElementTree document("html");
     document.root().add("p").set("title", bytes).text(bytes);
     parsed(document.html());
     parsed(document.xml());
@@ -59,7 +59,7 @@ TEST_CASE("any bytes give a well-formed document") {
 }
 
 TEST_CASE("a script must not end its own element") {
-  const Document document("html");
+  const ElementTree document("html");
   const std::string code = "if (a < b && c > d) { e(); }";
   document.root().add("script").code(code);
   const std::string html = document.html();
@@ -70,7 +70,7 @@ TEST_CASE("a script must not end its own element") {
 }
 
 TEST_CASE("empty elements have an end tag where HTML asks for one, and only there") {
-  const Document document("html");
+  const ElementTree document("html");
   document.root().add("td");
   document.root().add("br");
   const std::string html = document.html();

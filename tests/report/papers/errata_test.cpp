@@ -54,8 +54,9 @@ std::string formula(const std::string& id, const std::string& holds, const std::
 
 /// In whatever form the errata are written.
 std::vector<std::string> all_forms(const Judged& judged) {
-  return {errata_text(judged.file, judged.all), errata_markdown(judged.file, judged.all),
-          errata_json(judged.file, judged.all), errata_sarif(judged.file, judged.all)};
+  const Document document = errata_document(judged.file, judged.all);
+  return {text_of(document), markdown_of(document), errata_json(judged.file, judged.all),
+          errata_sarif(judged.file, judged.all)};
 }
 
 const Finding& finding(const std::string& id) {
@@ -69,7 +70,8 @@ const Finding& finding(const std::string& id) {
 TEST_CASE("every numbered equation of the paper has a claim, and the table shows it") {
   CHECK(test::shipped_paper().paper.equations.size() == 31);  // (1.1)-(1.5), (2.1)-(2.8), (3.1), (4.1)-(4.17)
   CHECK(uncovered_equations(test::shipped_paper()).empty());
-  CHECK(coverage_markdown(test::shipped_paper()).find("| (4.9) | 308 | E4.9.plus, E4.9.minus |") != std::string::npos);
+  CHECK(markdown_of(coverage_document(test::shipped_paper())).find("| (4.9) | 308 | E4.9.plus, E4.9.minus |") !=
+        std::string::npos);
   ClaimsFile less = test::shipped_paper();
   std::erase_if(less.claims, [](const Claim& claim) { return claim.equation == "4.9"; });
   CHECK(uncovered_equations(less) == std::vector<std::string>{"4.9"});
@@ -140,15 +142,16 @@ TEST_CASE("text, Markdown, JSON and SARIF hold the same findings") {
   const Json& results = sarif["runs"][0]["results"];
   REQUIRE(json["findings"].size() == findings().size());
   REQUIRE(results.size() == findings().size());
-  const std::string text = errata_text(test::shipped_paper(), shipped_errata()),
-                    markdown = errata_markdown(test::shipped_paper(), shipped_errata());
+  const Document document = errata_document(test::shipped_paper(), shipped_errata());
+  const std::string text = text_of(document), markdown = markdown_of(document);
   for (std::size_t i = 0; i < findings().size(); ++i) {
     const Finding& f = findings()[i];
     CHECK(json["findings"][i]["id"] == f.id);
     CHECK(results[i]["locations"][0]["physicalLocation"]["region"]["startLine"] == f.line);
     CHECK(results[i]["message"]["text"].get<std::string>().find(f.wrong) != std::string::npos);
-    CHECK(text.find("[" + f.id + "]") != std::string::npos);
-    CHECK(markdown.find("## " + test::shipped_paper().paper.where(f.line) + ", " + f.id) != std::string::npos);
+    const std::string place = test::shipped_paper().paper.source + ":" + std::to_string(f.line) + ": " + grade_text(f);
+    CHECK(text.find("\n\n" + place + " [" + f.id + "]\n") != std::string::npos);
+    CHECK(markdown.find("\n\n## " + place + " \\[" + f.id + "]\n") != std::string::npos);
   }
 }
 
@@ -164,8 +167,7 @@ TEST_CASE("a refuted claim without a grade is a finding, false until somebody sa
     CHECK(form.find("X1") != form.npos);
     CHECK((form.find("no grade is given") != form.npos || form.find("\"graded\": false") != form.npos));
   }
-  CHECK(errata_text(judged.file, judged.all).find("2 findings: 0 misprint, 1 gap, 0 boundary, 1 false") !=
-        std::string::npos);
+  CHECK(all_forms(judged).front().find("2 findings: 0 misprint, 1 gap, 0 boundary, 1 false") != std::string::npos);
 }
 
 TEST_CASE("a refuted part of a finding that was not judged is a finding itself") {

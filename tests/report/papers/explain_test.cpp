@@ -20,7 +20,7 @@ struct Verified {
     result = verify(file, options);
   }
   std::string explanation() const { return explain(file, result.claims.front()); }
-  std::string text() const { return verify_text(file, result); }
+  std::string text() const { return text_of(verify_document(file, result)); }
 
   ClaimsFile file;
   VerifyResult result;
@@ -91,7 +91,7 @@ TEST_CASE("how many of the bicycles met the region of a claim is told") {
 TEST_CASE("a run that judged nothing is not called verified") {
   const Verified some(claim("kind = \"formula\"\nholds = \"b > 0\"\n"));
   CHECK(summary(some.file, VerifyResult{}) == Summary::undecided);
-  CHECK(verify_text(some.file, VerifyResult{}, true) == "s UNDECIDED no claim was judged\n");
+  CHECK(text_of(verify_document(some.file, VerifyResult{})).ends_with("\ns UNDECIDED no claim was judged\n"));
 }
 
 TEST_CASE("the simplest counterexample that can be built comes first, a much simpler one second") {

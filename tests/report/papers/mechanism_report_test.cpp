@@ -39,7 +39,7 @@ Json document(const MechanismScene& scene) {
   return Json::parse(solve_json(SolvedMechanism(scene)));
 }
 std::string text(const MechanismScene& scene) {
-  return solve_text(SolvedMechanism(scene), 6);
+  return text_of(solve_document(SolvedMechanism(scene), 6));
 }
 
 std::vector<std::string> keys(const Json& object) {

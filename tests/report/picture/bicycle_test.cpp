@@ -24,7 +24,7 @@ struct DrawnBicycle {
 };
 
 DrawnBicycle draw(const MechanismScene& scene, const MotionAtLoad* motion) {
-  const Document document("svg");
+  const ElementTree document("svg");
   add_bicycle(document.root(), scene, motion, "A bicycle");
   pugi::xml_document tree;
   REQUIRE(tree.load_string(document.xml().c_str()));
@@ -112,7 +112,7 @@ TEST_CASE("the figure names every length, force and acceleration of the model") 
 TEST_CASE("the pedal force starts at the pedal, L below the axles, and points backwards when positive") {
   const MechanismScene scene = read_scene(SLIPPROOF_SOURCE_DIR "/cases/city-bicycle.toml");
   const MotionAtLoad motion = motions_at_load(scene).front();
-  const Document document("svg");
+  const ElementTree document("svg");
   add_bicycle(document.root(), scene, &motion, "A bicycle");
   pugi::xml_document tree;
   REQUIRE(tree.load_string(document.xml().c_str()));

@@ -30,7 +30,7 @@ ConeDisc disc_of(const MixedProblem& problem, std::vector<double> x, ContactJudg
 }
 
 pugi::xml_document drawn(const ConeDisc& disc) {
-  const Document document("div");
+  const ElementTree document("div");
   add_cone_disc(document.root(), disc, "test");
   pugi::xml_document tree;
   REQUIRE(tree.load_string(document.xml().c_str()));

@@ -264,8 +264,8 @@ TEST_CASE("a coordinate without a value is refused at its place") {
 }
 
 TEST_CASE("inside of a page the same picture has a title and a description") {
+  const ElementTree document("div");
   const MechanismScene scene = read_scene(drawn_scenes + "gripper.toml");
-  const Document document("div");
   add_mechanism(document.root(), scene, nullptr, "A gripper");
   pugi::xml_document tree;
   REQUIRE(tree.load_string(document.xml().c_str()));

@@ -36,12 +36,13 @@ void draw(const CriticalArguments& arguments, const SceneAlong& found) {
   }
 }
 
-std::string critical_text(const CriticalArguments& arguments) {
+void run_critical(const CriticalArguments& arguments) {
   const SceneAlong found = read_scene_along(arguments.scene, arguments.x);
   print_warnings(found.scene.mechanism, arguments.common);
   if (!arguments.out.empty()) draw(arguments, found);
-  return arguments.common.json ? uniqueness_json(found.scene, found.along)
-                               : uniqueness_text(found.scene, found.along, arguments.digits);
+  print_report(
+      arguments.common, [&] { return uniqueness_json(found.scene, found.along); },
+      [&] { return uniqueness_document(found.scene, found.along, arguments.digits); });
 }
 
 }  // namespace
@@ -59,11 +60,10 @@ void add_critical(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command.add_option("-o,--out", options->out,
                      "Also draw a picture over the parameter and the load: a file .svg or .png");
-  add_common_options(command, options->common);
+  add_report_options(command, options->common);
   command.callback([options, &exit_code] {
     expect_drawing_name(options->out);
-    const std::string text = critical_text(*options);
-    print(options->common.quiet && !options->common.json ? last_line(text) : text);
+    run_critical(*options);
     exit_code = as_it_should_be;
   });
 }

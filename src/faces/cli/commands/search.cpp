@@ -51,7 +51,8 @@ Exit run_search(SearchArguments& arguments) {
       [&](std::string_view request) { return search.answer(request); });
   if (run.served()) return as_it_should_be;
   const SearchReport report = searched(mechanism, options, arguments.within, search, run.crew());
-  print(arguments.common.json ? search_json(report) : search_text(report, arguments.common.quiet));
+  print_report(
+      arguments.common, [&] { return search_json(report); }, [&] { return search_document(report); });
   switch (verdict(report)) {
     case SearchVerdict::unique:
     case SearchVerdict::none_found:
@@ -84,7 +85,7 @@ void add_search(CLI::App& app, int& exit_code, Transport& transport) {
                   "Points of the domain, each for every load; default: 30 to 2000, fewer for more modes")
       ->check(whole_number(1, 1'000'000'000));
   add_crew_options(command, options->crew);
-  add_common_options(command, options->common);
+  add_report_options(command, options->common);
   command.callback([options, within, &exit_code] {
     options->narrows = within->count() > 0;
     exit_code = run_search(*options);

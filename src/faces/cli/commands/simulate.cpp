@@ -32,14 +32,15 @@ std::vector<Compliance> compliances(const SimulateArguments& arguments) {
   return all;
 }
 
-std::string simulated(const SimulateArguments& arguments) {
+void run_simulate(const SimulateArguments& arguments) {
   MechanismScene scene = read_scene(arguments.scene);
   print_warnings(scene.mechanism, arguments.common);
   try {
     if (!arguments.load.empty()) scene.load = parse_rational(arguments.load);
     const Simulation simulation = simulate(loaded_contacts(scene), compliances(arguments), arguments.common.threads);
-    return arguments.common.json ? simulation_json(scene, simulation)
-                                 : simulation_text(scene, simulation, arguments.digits);
+    print_report(
+        arguments.common, [&] { return simulation_json(scene, simulation); },
+        [&] { return simulation_document(scene, simulation, arguments.digits); });
   } catch (const NumberError& error) {
     throw CLI::ValidationError("--load", error.what());
   } catch (const std::invalid_argument& error) {
@@ -74,10 +75,9 @@ void add_simulate(CLI::App& app, int& exit_code) {
   command.add_option("--digits", options->digits, "Significant digits of decimals")
       ->check(whole_number(1, 1000))
       ->capture_default_str();
-  add_common_options(command, options->common);
+  add_report_options(command, options->common);
   command.callback([options, &exit_code] {
-    const std::string text = simulated(*options);
-    print(options->common.quiet && !options->common.json ? last_line(text) : text);
+    run_simulate(*options);
     exit_code = as_it_should_be;
   });
 }

@@ -16,10 +16,11 @@ struct SolveArguments {
   int digits = 6;
 };
 
-std::string answer(const SolveArguments& arguments) {
+void answer(const SolveArguments& arguments) {
   const SolvedMechanism solved(read_scene(arguments.scene));
   print_warnings(solved.scene.mechanism, arguments.common);
-  return arguments.common.json ? solve_json(solved) : solve_text(solved, arguments.digits);
+  print_report(
+      arguments.common, [&] { return solve_json(solved); }, [&] { return solve_document(solved, arguments.digits); });
 }
 
 }  // namespace
@@ -32,10 +33,9 @@ void add_solve(CLI::App& app, int& exit_code) {
   command.add_option("--digits", options->digits, "Significant digits of decimals")
       ->check(whole_number(1, 1000))
       ->capture_default_str();
-  add_common_options(command, options->common);
+  add_report_options(command, options->common);
   command.callback([options, &exit_code] {
-    const std::string text = answer(*options);
-    print(options->common.quiet && !options->common.json ? last_line(text) : text);
+    answer(*options);
     exit_code = as_it_should_be;
   });
 }

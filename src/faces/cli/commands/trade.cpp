@@ -39,14 +39,8 @@ int run_trade(TradeArguments& options) {
     if (bar) std::cerr << fmt::format("\r{}/{}{}", done, all, done == all ? "\r\033[K" : "") << std::flush;
   };
   const Trade trade = measure_trade(options.trade, progress, run.crew());
-  if (options.common.json) {
-    print(trade_json(trade));
-  } else {
-    if (!quiet) print(trade_text(trade) + "\n");
-    print(fmt::format("s {} workloads {} types {} scenes {}\n",
-                      trade.sound() ? "MEASURED" : "REFUTED the filter differs from the exact answer:",
-                      trade.workloads.size(), trade.types.size(), trade.workloads.size() * trade.options.scenes));
-  }
+  print_report(
+      options.common, [&] { return trade_json(trade); }, [&] { return trade_document(trade); });
   return trade.sound() ? as_it_should_be : refuted_or_not_certified;
 }
 
@@ -66,7 +60,7 @@ void add_trade(CLI::App& app, int& exit_code, Transport& transport) {
       ->excludes(quick)
       ->capture_default_str();
   add_crew_options(command, options->crew);
-  add_common_options(command, options->common);
+  add_report_options(command, options->common);
   command.callback([options, &exit_code] { exit_code = run_trade(*options); });
 }
 

@@ -21,9 +21,9 @@ struct VerifyArguments : JudgeArguments {
   MutationOptions mutation;
   std::string lemmas, report;
   bool mutants = false;
-  bool errata = false, markdown = false, sarif = false, coverage = false;
+  bool errata = false, sarif = false, coverage = false;
 
-  bool lists_findings() const { return errata || markdown || sarif; }
+  bool lists_findings() const { return errata || sarif; }
 };
 
 /// Writes the lemmas as files that slipproof-check reads.
@@ -61,7 +61,8 @@ int judge_mutants(const std::filesystem::path& claims, const ClaimsFile& file, V
   if (!options.lemmas.empty()) lemmas.emplace(options.lemmas, Inputs{claims});
   const MutationResult result = judge_mutants(file, options.mutation);
   if (lemmas) write_lemmas(*lemmas, result);
-  print(options.common.json ? mutation_json(result) : mutation_text(result, options.common.quiet));
+  print_report(
+      options.common, [&] { return mutation_json(result); }, [&] { return mutation_document(result); });
   return result.count(MutantEnd::survivor) == 0 && result.vacuous.empty() ? as_it_should_be : undecided;
 }
 
@@ -80,7 +81,8 @@ int verify_papers(const std::vector<std::filesystem::path>& papers, const Verify
   }
   const auto judged = judge_papers(papers, options, options.report);
   if (!options.crew.leads()) return as_it_should_be;
-  print(options.common.json ? papers_json(judged) : papers_text(judged, options.common.quiet));
+  print_report(
+      options.common, [&] { return papers_json(judged); }, [&] { return papers_document(judged); });
   return exit_of(summary(judged));
 }
 
@@ -95,13 +97,11 @@ void add_verify(CLI::App& app, int& exit_code, Transport& transport) {
                      "Claims file (TOML), or a folder of papers; default: the shipped paper");
   auto* samples = add_judging_options(command, *options);
   auto* list = command.add_flag("--errata", options->errata, "List what is wrong with the paper");
-  auto* markdown = command.add_flag("--markdown", options->markdown, "Write the errata in Markdown")->needs(list);
   auto* sarif =
       command.add_flag("--sarif", options->sarif, "Write the errata as SARIF 2.1.0, for editors and code hosts");
   command.add_flag("--coverage", options->coverage, "List the claims of each numbered equation; judge nothing")
       ->excludes(list)
       ->excludes(sarif);
-  sarif->excludes(markdown);
   auto* only = command.add_option("--only", options->verify.only,
                                   "Judge only the claims whose id begins with this, such as A or E4.7");
   auto* mutants = command.add_flag("--mutants", options->mutants,
@@ -117,7 +117,8 @@ void add_verify(CLI::App& app, int& exit_code, Transport& transport) {
       "Also write the HTML report of the verdicts to this file; for a folder of papers: to this folder");
   command.add_option("--trade", options->trade, "Output of slipproof trade --json, for the report")->needs(report);
   add_crew_options(command, options->crew);
-  add_common_options(command, options->common);
+  add_report_options(command, options->common);
+  sarif->excludes("--markdown");
   command.callback([options, samples, &exit_code] {
     refuse_report_without_verdicts(*options);
     const std::filesystem::path path = claims_path(options->claims);
@@ -130,7 +131,7 @@ void add_verify(CLI::App& app, int& exit_code, Transport& transport) {
     const ClaimsFile file = read_claims(path);
     print_warnings(file, options->common);
     if (options->coverage) {
-      print(coverage_markdown(file));
+      print(markdown_of(coverage_document(file)));
       exit_code = uncovered_equations(file).empty() ? as_it_should_be : refuted_or_not_certified;
       return;
     }
@@ -152,14 +153,16 @@ void add_verify(CLI::App& app, int& exit_code, Transport& transport) {
     const VerifyResult result = run.result(0);
     input.result = &result;
     if (report) report->write(page_html(input));
-    if (options->lists_findings()) {
+    if (options->sarif) {
+      print(errata_sarif(file, errata(file, result)));
+    } else if (options->errata) {
       const Errata findings = errata(file, result);
-      print(options->sarif         ? errata_sarif(file, findings)
-            : options->common.json ? errata_json(file, findings)
-            : options->markdown    ? errata_markdown(file, findings)
-                                   : errata_text(file, findings));
+      print_report(
+          options->common, [&] { return errata_json(file, findings); },
+          [&] { return errata_document(file, findings); });
     } else {
-      print(options->common.json ? verify_json(file, result) : verify_text(file, result, options->common.quiet));
+      print_report(
+          options->common, [&] { return verify_json(file, result); }, [&] { return verify_document(file, result); });
     }
     exit_code = exit_of(summary(file, result));
   });

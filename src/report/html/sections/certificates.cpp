@@ -33,9 +33,7 @@ void add_certificates_section(const Element& main, const PageInput& input) {
     const std::string also = input.opinions ? agreeing_programs(*input.opinions, certificate.theorem) : "";
     if (!also.empty()) summary.add("small", "also").text("also " + also);
     const auto& [look, sign] = looks[static_cast<std::size_t>(certificate.state)];
-    const Element chip = summary.add("span", std::string("chip ") + look);
-    chip.add("span").set("aria-hidden", "true").text(sign);
-    chip.text(to_string(certificate.state));
+    add_chip(summary, look, sign, to_string(certificate.state));
     if (!certificate.message.empty()) item.add("p").text(certificate.message);
     item.add("pre").set("tabindex", 0).add("code").text(certificate.statement);
   }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "base/number/format.hpp"
+#include "base/output/listed.hpp"
 #include "claims/paper/setting_names.hpp"
 #include "report/html/sections.hpp"
 #include "report/markup/latex.hpp"
@@ -68,9 +69,7 @@ void add_evidence(const Element& parent, const PageInput& input, const Claim& cl
     p.text("Of " + counted(result.tried, noun(*input.claims)) + " that were tried, it says something of " + samples +
            ", and is right at " + (result.samples() == 1 ? "it." : "each of them."));
     if (!result.proved && !result.unless_zero.empty()) {
-      std::string divisors;
-      for (const std::string& e : result.unless_zero) divisors += (divisors.empty() ? "" : ", ") + e;
-      p.text(" It is an identity of rational functions wherever these are not 0: " + divisors + ".");
+      p.text(" It is an identity of rational functions wherever these are not 0: " + listed(result.unless_zero) + ".");
     }
   } else if (result.verdict == Verdict::refuted) {
     p.text("Of " + counted(result.tried, noun(*input.claims)) + " that were tried, it says something of " + samples +
@@ -81,7 +80,7 @@ void add_evidence(const Element& parent, const PageInput& input, const Claim& cl
       p.text(".");
     }
   } else {
-    add_prose(p, input, sentence(explain(*input.claims, result)));
+    add_prose(p, *input.claims, sentence(explain(*input.claims, result)));
   }
   if (input.opinions) add_second_opinions(parent, *input.opinions, theorems_of(result));
   for (const std::string& objection : result.rejections) parent.add("p", "evidence").text("Rejected: " + objection);
@@ -136,14 +135,10 @@ void add_claim_card(const Element& parent, const PageInput& input, std::size_t i
   body.add("p", "place").text(place + ".");
   for (const ClaimResult* result : readings) add_reading(body, input, claim, *result, readings.size() == 1);
   if (!claim.why.empty()) {
-    const Element why = body.add("p");
-    why.add("b").text("Why that is meant. ");
-    add_prose(why, input, claim.why);
+    add_line(body.add("p"), {strong("Why that is meant. "), prose(*input.claims, claim.why)});
   }
   if (!claim.note.empty()) {
-    const Element note = body.add("p");
-    note.add("b").text("Note. ");
-    add_prose(note, input, claim.note);
+    add_line(body.add("p"), {strong("Note. "), prose(*input.claims, claim.note)});
   }
 }
 

@@ -249,7 +249,7 @@ void add_counterexample(const Element& parent, const PageInput& input, const Cla
   const Element what = box.add("p");
   what.add("b").text("Counterexample. ");
   const std::string said = sentence(explain(file, result));
-  add_prose(what, input, said.substr(0, said.size() - 1) + ", ");
+  add_prose(what, *input.claims, said.substr(0, said.size() - 1) + ", ");
   add_place(what, file, result, e);
   what.text(".");
   std::string sure = sentence(realisability(file, result));
@@ -258,7 +258,7 @@ void add_counterexample(const Element& parent, const PageInput& input, const Cla
     sure +=
         std::string(sure.empty() ? "" : " ") + (built ? "No simpler one can be built." : "There is no simpler one.");
   }
-  if (!sure.empty()) add_prose(box.add("p", "built"), input, sure);
+  if (!sure.empty()) add_prose(box.add("p", "built"), *input.claims, sure);
   add_symbols(box, file, claim, result.reading, e);
   if (is_about_motions(claim)) add_motions(box, e);
   add_scene(box, scene_text(setting, e), file_name + ".toml");
@@ -268,7 +268,7 @@ void add_counterexample(const Element& parent, const PageInput& input, const Cla
   const Element where = simplest.add("p");
   where.text("The same fails ");
   add_place(where, file, result, *result.simplest);
-  add_prose(where, input,
+  add_prose(where, *input.claims,
             ". This " + std::string(noun(setting, "mechanism")) + " cannot be built: it breaks " +
                 broken_conditions(setting, *result.simplest) + ".");
   if (is_about_motions(claim)) add_motions(simplest, *result.simplest);

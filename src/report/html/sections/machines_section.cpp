@@ -16,14 +16,6 @@ std::string critical_text(const std::optional<RealRoot>& value) {
   return "between " + decimal_text(value->lower, machine_digits) + " and " + decimal_text(value->upper, machine_digits);
 }
 
-void add_machine(const Element& body, const SceneAlong& machine) {
-  const Element row = body.add("tr");
-  row.add("th").set("scope", "row").text(machine.scene.name);
-  row.add("td", "number").text(critical_text(machine.along.first_apart_for_some_q()));
-  row.add("td", "number").text(critical_text(machine.along.first_apart()));
-  row.add("td", "number").text(exact_text(machine.along.own));
-}
-
 }  // namespace
 
 void add_machines_section(const Element& main, const PageInput& input) {
@@ -34,14 +26,16 @@ void add_machines_section(const Element& main, const PageInput& input) {
           "From which coefficient of friction on a machine has several motions (at that coefficient itself perhaps "
           "infinitely many, or several under a single load), by the equations of its scene and without the claims of "
           "this page: under some push whatever, and under some load of its own.");
-  const Element scroll = section.add("div", "scroll").set("tabindex", 0).set("role", "region");
-  scroll.set("aria-label", "Critical friction of machines");
-  const Element table = scroll.add("table");
-  const Element head = table.add("thead").add("tr");
-  for (const char* text : {"scene", "several under some push, from", "several under some load, from", "in the scene"})
-    head.add("th").set("scope", "col").text(text);
-  const Element body = table.add("tbody");
-  for (const SceneAlong& machine : input.machines) add_machine(body, machine);
+  ReportTable table{{"scene",
+                     {"several under some push, from", true},
+                     {"several under some load, from", true},
+                     {"in the scene", true}}};
+  table.label = "Critical friction of machines";
+  for (const SceneAlong& machine : input.machines) {
+    table.row({machine.scene.name, critical_text(machine.along.first_apart_for_some_q()),
+               critical_text(machine.along.first_apart()), exact_text(machine.along.own)});
+  }
+  add_table(section, table);
   const SceneAlong& first = input.machines.front();
   if (!first.scene.mechanism.load) return;
   const PhaseDiagram diagram = uniqueness_diagram(first.scene, first.along);
@@ -54,7 +48,7 @@ void add_open_section(const Element& main, const PageInput& input) {
   if (open.empty()) return;
   const Element section = add_section(main, "open", "What remains open");
   const Element list = section.add("ul");
-  for (const std::string& text : open) add_prose(list.add("li"), input, text);
+  for (const std::string& text : open) add_prose(list.add("li"), *input.claims, text);
 }
 
 }  // namespace slipproof

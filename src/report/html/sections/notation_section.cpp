@@ -49,20 +49,19 @@ constexpr std::array<Entry, 28> model{{
     {"slip2", "tangential acceleration of the rear contact, forwards; slip3: of the front contact", "m/s²"},
 }};
 
-Element add_table(const Element& section, std::string_view caption, std::initializer_list<const char*> columns) {
-  const Element scroll = section.add("div", "scroll").set("tabindex", 0).set("role", "region");
-  scroll.set("aria-label", caption);
-  const Element table = scroll.add("table", "notation");
-  table.add("caption").text(caption);
-  const Element head = table.add("thead").add("tr");
-  for (const char* column : columns) head.add("th").set("scope", "col").text(column);
-  return table.add("tbody");
+ReportTable symbols_table(std::string caption, const char* last_column) {
+  ReportTable table{{"symbol", "meaning", last_column}};
+  table.label = table.caption = std::move(caption);
+  table.css_class = "notation";
+  return table;
 }
 
-void add_row_symbol(const Element& row, std::string_view symbol) {
-  const Element math = add_math(row.add("th").set("scope", "row"));
-  math.set("aria-label", plain_symbol(symbol));  // a header needs a name, and a formula has none
-  add_symbol(math, symbol);
+ReportCell symbol_cell(std::string_view symbol) {
+  return drawn(plain_symbol(symbol), [symbol = std::string(symbol)](const Element& parent) {
+    const Element math = add_math(parent);
+    math.set("aria-label", plain_symbol(symbol));  // a header needs a name, and a formula has none
+    add_symbol(math, symbol);
+  });
 }
 
 std::string load_meaning(const Setting& setting) {
@@ -73,12 +72,9 @@ std::string load_meaning(const Setting& setting) {
 /// The symbols of a mechanism from a file, with the file's words and units.
 void add_mechanism(const Element& section, const Setting& setting) {
   const Mechanism& mechanism = *setting.mechanism;
-  const Element body = add_table(section, "Symbols of the mechanism: " + mechanism.name, {"symbol", "meaning", "unit"});
+  ReportTable table = symbols_table("Symbols of the mechanism: " + mechanism.name, "unit");
   const auto add = [&](const std::string& symbol, const std::string& meaning, const std::string& unit) {
-    const Element row = body.add("tr");
-    add_row_symbol(row, symbol);
-    row.add("td").text(meaning);
-    row.add("td").text(unit == "1" ? "" : unit);
+    table.row({symbol_cell(symbol), meaning, unit == "1" ? "" : unit});
   };
   for (const MechanismParameter& parameter : mechanism.parameters) {
     add(parameter.symbol, parameter.meaning, parameter.unit);
@@ -92,23 +88,19 @@ void add_mechanism(const Element& section, const Setting& setting) {
     const bool acceleration = unknown.role == MechanismUnknown::Role::acceleration;
     add(unknown.symbol, acceleration ? "acceleration" : "force", unknown.unit);
   }
+  add_table(section, table);
 }
 
 void add_setting(const Element& section, const Setting& setting) {
   const std::string name = setting.statement.empty() ? setting.id : setting.id + ": " + setting.statement;
-  const Element body = add_table(section, "The paper's symbols, " + name, {"symbol", "meaning", "domain"});
+  ReportTable table = symbols_table("The paper's symbols, " + name, "domain");
   for (const Parameter& parameter : setting.parameters) {
-    const Element row = body.add("tr");
-    add_row_symbol(row, parameter.symbol);
-    row.add("td").text(parameter.meaning);
-    add_math(row.add("td"), parameter.domain);
+    table.row({symbol_cell(parameter.symbol), parameter.meaning, formula(parameter.domain)});
   }
   if (!setting.force.symbol.empty()) {
-    const Element row = body.add("tr");
-    add_row_symbol(row, setting.force.symbol);
-    row.add("td").text(load_meaning(setting));
-    add_math(row.add("td"), setting.force.domain);
+    table.row({symbol_cell(setting.force.symbol), load_meaning(setting), formula(setting.force.domain)});
   }
+  add_table(section, table);
   if (setting.realisable.empty()) return;
   const Element p = section.add("p");
   p.text("Called buildable, in this setting, is a " + std::string(noun(setting, "mechanism")) + " with ");
@@ -131,13 +123,9 @@ void add_models(const Element& section, const ClaimsFile& claims) {
       add_mechanism(section, setting);
       continue;
     }
-    const Element body = add_table(section, "Symbols of the model", {"symbol", "meaning", "unit"});
-    for (const Entry& entry : model) {
-      const Element row = body.add("tr");
-      add_row_symbol(row, entry.symbol);
-      row.add("td").text(entry.meaning);
-      row.add("td").text(entry.unit);
-    }
+    ReportTable table = symbols_table("Symbols of the model", "unit");
+    for (const Entry& entry : model) table.row({symbol_cell(entry.symbol), entry.meaning, entry.unit});
+    add_table(section, table);
   }
 }
 

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "base/output/listed.hpp"
 #include "report/html/sections.hpp"
 
 namespace slipproof {
@@ -76,37 +77,32 @@ void add_second_opinions(const Element& parent, const SecondOpinions& opinions, 
 }
 
 void add_opinions_table(const Element& parent, const SecondOpinions& opinions, std::size_t certificates) {
-  const Element scroll = parent.add("div", "scroll").set("tabindex", 0).set("role", "region");
-  scroll.set("aria-label", "Second opinions by program");
-  const Element table = scroll.add("table", "opinions");
-  table.add("caption").text(
+  ReportTable table{{"program", {"agrees", true}, {"timed out", true}, {"could not tell", true}, {"not asked", true}}};
+  table.label = "Second opinions by program";
+  table.caption =
       "Second opinions: what programs that share nothing with slipproof say of the same statements. z3 and cvc5 look "
-      "for a counterexample and find that there is none; Coq checks the certificate, too.");
-  const Element head = table.add("thead").add("tr");
-  for (const char* name : {"program", "agrees", "timed out", "could not tell", "not asked"}) {
-    head.add("th").set("scope", "col").text(name);
-  }
-  const Element body = table.add("tbody");
+      "for a counterexample and find that there is none; Coq checks the certificate, too.";
+  table.css_class = "opinions";
   for (std::size_t program = 0; program < opinion_programs.size(); ++program) {
     std::array<std::size_t, 4> counts{};
     for (const auto& [statement, row] : opinions) ++counts[static_cast<std::size_t>(row[program])];
     counts[static_cast<std::size_t>(Opinion::not_asked)] += certificates - opinions.size();
-    const Element row = body.add("tr");
-    row.add("th").set("scope", "row").text(opinion_programs[program]);
+    std::vector<ReportCell> cells{opinion_programs[program]};
     for (const Opinion opinion : {Opinion::agrees, Opinion::timeout, Opinion::unknown, Opinion::not_asked}) {
-      const std::size_t count = counts[static_cast<std::size_t>(opinion)];
-      row.add("td", count == 0 ? "number none" : "number").text(std::to_string(count));
+      cells.push_back(ReportCell::count(counts[static_cast<std::size_t>(opinion)]));
     }
+    table.row(std::move(cells));
   }
+  add_table(parent, table);
 }
 
 std::string agreeing_programs(const SecondOpinions& opinions, std::string_view theorem) {
   const Opinions row = opinions_of(opinions, theorem);
-  std::string text;
+  std::vector<std::string_view> names;
   for (std::size_t i = 0; i < row.size(); ++i) {
-    if (row[i] == Opinion::agrees) text += (text.empty() ? "" : ", ") + std::string(opinion_programs[i]);
+    if (row[i] == Opinion::agrees) names.push_back(opinion_programs[i]);
   }
-  return text;
+  return listed(names);
 }
 
 }  // namespace slipproof

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/number/format.hpp"
+#include "base/output/listed.hpp"
 #include "report/html/sections.hpp"
 #include "report/html/verdict_bar.hpp"
 #include "report/markup/latex.hpp"
@@ -60,10 +61,10 @@ void add_problem(const Element& section, const PageInput& input) {
   text.add("h2", "sub").text(question.empty() ? "The problem" : "The question");
   const Element asked = text.add("p");
   if (!question.empty()) {
-    add_prose(asked, input, question);
+    add_prose(asked, *input.claims, question);
     if (!input.claims->paper.found.empty()) {
       text.add("h2", "sub").text("The answer in short");
-      add_prose(text.add("p"), input, input.claims->paper.found);
+      add_prose(text.add("p"), *input.claims, input.claims->paper.found);
     }
   } else {
     asked.text(bicycles ? "A vehicle with two wheels, seen from the side, stands on a road with dry friction, and "
@@ -110,7 +111,7 @@ void add_false(const Element& list, const PageInput& input, const Finding& findi
   item.text(", " + input.claims->paper.where(finding.line) + (finding.graded ? "" : ", no grade is given") + ": ");
   add_sentence(item.add("q"), finding.statement);
   item.add("br");
-  add_prose(item.add("span", "because"), input, sentence(finding.wrong));
+  add_prose(item.add("span", "because"), *input.claims, sentence(finding.wrong));
 }
 
 /// The findings in words, and how their numbers add up.
@@ -209,8 +210,7 @@ void add_overview(const Element& main, const PageInput& input) {
   const ClaimsFile& file = *input.claims;
   section.add("p", "kicker").text("Every claim of one paper, compared with exact mechanics");
   section.add("h1").set("id", "title").text(file.paper.title);
-  std::string authors;
-  for (const std::string& author : file.paper.authors) authors += (authors.empty() ? "" : ", ") + author;
+  std::string authors = listed(file.paper.authors);
   if (!file.paper.reference.empty()) authors += (authors.empty() ? "" : ", ") + file.paper.reference;
   if (!authors.empty()) section.add("p", "authors").text(authors);
 

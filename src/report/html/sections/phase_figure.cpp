@@ -52,32 +52,19 @@ std::string column_name(const Plane& plane, const Rational& x) {
   return text;
 }
 
-void add_table(const Element& parent, const PhaseDiagram& diagram) {
-  const Element details = parent.add("details", "data");
-  details.add("summary").text("The same as a table");
-  const Element scroll = details.add("div", "scroll").set("tabindex", 0).set("role", "region");
-  scroll.set("aria-label", "Table of " + diagram.plane.title);
-  const Element table = scroll.add("table");
-  table.add("caption").text("Exact sets of forces, open intervals; the motions at their ends are those of both sides.");
-  const Element head = table.add("thead").add("tr");
-  head.add("th").set("scope", "col").text(plain_symbol(diagram.plane.x.symbol));
-  head.add("th").set("scope", "col").text(plain_symbol(diagram.plane.y.symbol));
-  head.add("th").set("scope", "col").text("motions");
-  const Element body = table.add("tbody");
+void add_columns(const Element& parent, const PhaseDiagram& diagram) {
+  Document hidden;
+  ReportTable& table =
+      hidden.details("The same as a table")
+          .table({{plain_symbol(diagram.plane.x.symbol), {plain_symbol(diagram.plane.y.symbol), true}, "motions"}});
+  table.label = "Table of " + diagram.plane.title;
+  table.caption = "Exact sets of forces, open intervals; the motions at their ends are those of both sides.";
   for (const PhaseColumn* column : table_columns(diagram)) {
-    const auto cells = open_cells(*column);
-    for (std::size_t k = 0; k < cells.size(); ++k) {
-      const Element row = body.add("tr");
-      if (k == 0) {
-        row.add("th")
-            .set("scope", "rowgroup")
-            .set("rowspan", static_cast<int>(cells.size()))
-            .text(column_name(diagram.plane, column->x));
-      }
-      row.add("td", "number").text(in_table(cells[k]->loads));
-      row.add("td").text(name(motion_set(*cells[k])));
+    for (const auto* cell : open_cells(*column)) {
+      table.row({column_name(diagram.plane, column->x), in_table(cell->loads), name(motion_set(*cell))});
     }
   }
+  add_document(parent, hidden);
 }
 
 void add_legend(const Element& parent, const PhasePicture& picture, bool words) {
@@ -173,7 +160,7 @@ void add_phase_figure(const Element& parent, const PhaseFigure& figure) {
   add_legend(box, picture, !figure.small);
   add_line_legend(box, diagram, regions);
   if (!figure.caption.empty()) add_sentence(box.add("figcaption"), figure.caption);
-  add_table(box, diagram);
+  add_columns(box, diagram);
 }
 
 }  // namespace slipproof

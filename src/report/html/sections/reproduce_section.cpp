@@ -1,4 +1,5 @@
 #include "base/number/format.hpp"
+#include "base/output/listed.hpp"
 #include "report/html/sections.hpp"
 
 namespace slipproof {
@@ -8,8 +9,7 @@ namespace {
 /// How to cite this report and the paper. The inputs and the version determine every byte of the page.
 void add_citation(const Element& section, const PageInput& input) {
   const Paper& paper = input.claims->paper;
-  std::string authors;
-  for (const std::string& author : paper.authors) authors += (authors.empty() ? "" : ", ") + author;
+  const std::string authors = listed(paper.authors);
   section.add("h3").text("How to cite");
   const Element p = section.add("p");
   p.text("The paper: " + authors + (authors.empty() ? "" : ", ")).add("i").text(paper.title);
@@ -31,31 +31,21 @@ void add_reproduce_section(const Element& main, const PageInput& input) {
       .text(
           "The same inputs, seed and version give the same bytes of this page, on any machine and "
           "at any number of threads.");
-  section.add("pre").set("tabindex", 0).add("code").text(input.command);
-  const Element facts = section.add("dl");
-  const auto fact = [&](std::string_view term, const std::string& value) {
-    facts.add("dt").text(term);
-    facts.add("dd").text(value);
-  };
-  fact("version", "slipproof " + input.version);
-  fact("seed", std::to_string(input.result->seed));
-  fact("samples of each setting", std::to_string(input.result->samples));
+  Document facts;
+  facts.verbatim(input.command);
+  facts.fact("version", "slipproof " + input.version);
+  facts.fact("seed", std::to_string(input.result->seed));
+  facts.fact("samples of each setting", std::to_string(input.result->samples));
+  add_document(section, facts);
   add_citation(section, input);
   if (input.sources.empty()) return;
-  const Element details = section.add("details", "data");
-  details.add("summary").text("SHA-256 of the " + counted(input.sources.size(), "input"));
-  const Element scroll = details.add("div", "scroll").set("tabindex", 0).set("role", "region");
-  scroll.set("aria-label", "Inputs");
-  const Element table = scroll.add("table", "inputs");
-  const Element head = table.add("thead").add("tr");
-  head.add("th").set("scope", "col").text("file");
-  head.add("th").set("scope", "col").text("SHA-256");
-  const Element body = table.add("tbody");
-  for (const PageSource& source : input.sources) {
-    const Element row = body.add("tr");
-    row.add("th").set("scope", "row").text(source.name);
-    row.add("td").add("code").text(source.sha256);
-  }
+  Document sources;
+  ReportTable& table =
+      sources.details("SHA-256 of the " + counted(input.sources.size(), "input")).table({{"file", "SHA-256"}});
+  table.label = "Inputs";
+  table.css_class = "inputs";
+  for (const PageSource& source : input.sources) table.row({source.name, code(source.sha256)});
+  add_document(section, sources);
 }
 
 }  // namespace slipproof

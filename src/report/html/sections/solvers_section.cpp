@@ -26,6 +26,14 @@ bool occurs(const PageInput& input, std::size_t verdict) {
                      [&](const SolverVerdicts& solver) { return solver.verdicts[verdict] > 0; });
 }
 
+/// The colour of a verdict in the bars.
+ReportSpan key(std::size_t verdict) {
+  return drawn("", [verdict](const Element& head) {
+    const Element svg = head.add("svg", "key").set("viewBox", "0 0 10 10").set("aria-hidden", "true");
+    svg.add("rect", classes[verdict]).set("width", 10).set("height", 10);
+  });
+}
+
 }  // namespace
 
 void add_solvers_section(const Element& main, const PageInput& input) {
@@ -36,40 +44,24 @@ void add_solvers_section(const Element& main, const PageInput& input) {
           "What floating-point solvers answered, judged record by record by slipproof certify with its "
           "default tolerance. Certified: the one motion. Ambiguous: right, but one of several. Inaccurate: "
           "the right motion, with an error above the tolerance. Wrong: no motion is near.");
-  const Element scroll = section.add("div", "scroll").set("tabindex", 0).set("role", "region");
-  scroll.set("aria-label", "Verdicts by solver");
-  const Element table = scroll.add("table", "solvers");
-  const Element head = table.add("thead").add("tr");
-  head.add("th").set("scope", "col").text("solver");
-  head.add("th").set("scope", "col").text("records");
-  head.add("th").set("scope", "col").text("share");
+  ReportTable table{{"solver", {"records", true}, "share"}};
+  table.label = "Verdicts by solver";
+  table.css_class = "solvers";
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
-    if (!occurs(input, i)) continue;
-    const Element th = head.add("th").set("scope", "col");
-    th.add("svg", "key")
-        .set("viewBox", "0 0 10 10")
-        .set("aria-hidden", "true")
-        .add("rect", classes[i])
-        .set("width", 10)
-        .set("height", 10);
-    th.text(" " + std::string(verdicts[i]));
+    if (occurs(input, i)) table.columns.push_back({{key(i), " " + std::string(verdicts[i])}, true});
   }
-  head.add("th").set("scope", "col").text("of these two, called a success");
-  const Element body = table.add("tbody");
+  table.columns.emplace_back("of these two, called a success", true);
   for (const SolverVerdicts& solver : input.solvers) {
-    const Element row = body.add("tr");
-    row.add("th").set("scope", "row").text(solver.name);
-    row.add("td", "number").text(std::to_string(solver.records));
-    add_bar(row.add("td"), parts_of(solver), 200, 14);
+    std::vector<ReportCell> cells{solver.name, std::to_string(solver.records),
+                                  drawn("", [&](const Element& cell) { add_bar(cell, parts_of(solver), 200, 14); })};
     for (std::size_t i = 0; i < verdicts.size(); ++i) {
-      if (!occurs(input, i)) continue;
-      const auto count = solver.verdicts[i];
-      row.add("td", count == 0 ? "number none" : "number").text(std::to_string(count));
+      if (occurs(input, i)) cells.push_back(ReportCell::count(solver.verdicts[i]));
     }
-    const bool none = !solver.unfounded || *solver.unfounded == 0;
-    row.add("td", none ? "number none" : "number alarm")
-        .text(solver.unfounded ? std::to_string(*solver.unfounded) : "–");
+    cells.push_back(ReportCell::count(solver.unfounded.value_or(0), true));
+    if (!solver.unfounded) cells.back() = "–";
+    table.row(std::move(cells));
   }
+  add_table(section, table);
 }
 
 }  // namespace slipproof

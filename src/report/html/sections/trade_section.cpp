@@ -1,11 +1,10 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "report/html/sections.hpp"
 #include "report/planes/scatter.hpp"
+#include "report/scenes/trade_report.hpp"
 
 namespace slipproof {
 
@@ -15,28 +14,21 @@ bool ours(const std::string& type) {
   return type == "filter" || type == "exact";
 }
 
-std::string rounded(double x) {
-  return std::isfinite(x) ? fmt::format("{:.3g}", x) : "∞";
-}
-
 void add_matrix(const Element& parent, const Trade& trade) {
-  const Element scroll = parent.add("div", "scroll").set("tabindex", 0).set("role", "region");
-  scroll.set("aria-label", "Wrong verdicts by workload and number type");
-  const Element table = scroll.add("table", "trade");
-  table.add("caption").text("Wrong verdicts: scenes whose set of contact modes is not the exact one, of " +
-                            std::to_string(trade.options.scenes) + " in each workload");
-  const Element head = table.add("thead").add("tr");
-  head.add("th").set("scope", "col").text("workload");
-  for (const TradeType& type : trade.types) head.add("th").set("scope", "col").text(type.name);
-  const Element body = table.add("tbody");
+  ReportTable table{{"workload"}};
+  for (const TradeType& type : trade.types) table.columns.emplace_back(type.name, true);
   for (std::size_t w = 0; w < trade.workloads.size(); ++w) {
-    const Element row = body.add("tr");
-    row.add("th").set("scope", "row").text(trade.workloads[w].name);
+    std::vector<ReportCell> cells{trade.workloads[w].name};
     for (std::size_t t = 0; t < trade.types.size(); ++t) {
-      const TradeRow& cell = trade.rows[w * trade.types.size() + t];
-      row.add("td", cell.wrong == 0 ? "number none" : "number alarm").text(std::to_string(cell.wrong));
+      cells.push_back(ReportCell::count(trade.rows[w * trade.types.size() + t].wrong, true));
     }
+    table.row(std::move(cells));
   }
+  table.label = "Wrong verdicts by workload and number type";
+  table.caption = "Wrong verdicts: scenes whose set of contact modes is not the exact one, of " +
+                  std::to_string(trade.options.scenes) + " in each workload";
+  table.css_class = "trade";
+  add_table(parent, table);
 }
 
 /// Why a type with more digits may have more wrong verdicts than one with fewer.
@@ -53,30 +45,6 @@ void add_ties(const Element& parent, const Trade& trade) {
                         "not zero. Only exact arithmetic can tell that there is a tie.",
                         more.name, many, less.name, few));
     return;
-  }
-}
-
-void add_details(const Element& parent, const Trade& trade) {
-  const Element details = parent.add("details", "data");
-  details.add("summary").text("All measurements");
-  const Element scroll = details.add("div", "scroll").set("tabindex", 0).set("role", "region");
-  scroll.set("aria-label", "All measurements");
-  const Element table = scroll.add("table");
-  const Element head = table.add("thead").add("tr");
-  for (const char* name : {"workload", "type", "scenes/s", "wrong", "undecided", "worst error of a",
-                           "worst error of forces", "digits lost", "condition"}) {
-    head.add("th").set("scope", "col").text(name);
-  }
-  const Element body = table.add("tbody");
-  for (const TradeRow& r : trade.rows) {
-    const Element row = body.add("tr");
-    row.add("th").set("scope", "row").text(r.workload);
-    row.add("td").text(r.type);
-    for (const std::string& value :
-         {rounded(r.scenes_per_second), std::to_string(r.wrong), std::to_string(r.undecided),
-          rounded(r.worst_acceleration), rounded(r.worst_force), rounded(r.digits_lost), rounded(r.condition)}) {
-      row.add("td", "number").text(value);
-    }
   }
 }
 
@@ -118,7 +86,10 @@ void add_trade_section(const Element& main, const PageInput& input) {
   }
   add_ties(section, trade);
   add_matrix(section, trade);
-  add_details(section, trade);
+  Document all;
+  Document& measurements = all.details("All measurements");
+  for (ReportTable& table : workload_tables(trade)) measurements.table(std::move(table));
+  add_document(section, all);
   section.add("p", "how")
       .text(fmt::format("Measured on {}, {} cores; {}, {}; {} scenes in each workload, seed {}. "
                         "Times are of that machine; everything else is the same on any.",

@@ -4,23 +4,21 @@
 #include <array>
 
 #include "base/number/format.hpp"
+#include "base/output/listed.hpp"
+#include "report/markup/latex.hpp"
+#include "report/markup/mathml.hpp"
 #include "report/papers/errata.hpp"
 #include "report/papers/explain.hpp"
+#include "report/papers/prose.hpp"
 
 namespace slipproof {
 
 namespace {
 
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
 /// `certificates A, B`; empty where there are none.
-std::string listed(const std::vector<std::string>& certificates) {
+std::string certificates_text(const std::vector<std::string>& certificates) {
   if (certificates.empty()) return {};
-  return (certificates.size() == 1 ? "certificate " : "certificates ") + joined(certificates);
+  return (certificates.size() == 1 ? "certificate " : "certificates ") + listed(certificates);
 }
 
 std::string summary_line(const Errata& errata) {
@@ -43,11 +41,8 @@ const char* is(std::size_t n) {
 }  // namespace
 
 std::string to_string(const FindingParts& parts) {
-  std::string text;
-  for (const FindingPart& part : parts) {
-    text += fmt::format("{}{}{}{}", text.empty() ? "" : "; ", part.key, part.defines ? " = " : ": ", part.text);
-  }
-  return text;
+  return listed(
+      parts, [](const FindingPart& part) { return part.key + (part.defines ? " = " : ": ") + part.text; }, "; ");
 }
 
 std::string grade_text(const Finding& finding) {
@@ -66,8 +61,8 @@ std::string standing_text(const Errata& errata) {
   part(s.proved, "is proved for all parameters", "are proved for all parameters");
   part(s.held, "holds at every bicycle that was tried", "hold at every bicycle that was tried");
   part(s.refuted, "is refuted", "are refuted");
-  part(s.undecided.size(), "is undecided", "are undecided", joined(s.undecided));
-  part(s.vacuous.size(), "speaks of no bicycle at all", "speak of no bicycle at all", joined(s.vacuous));
+  part(s.undecided.size(), "is undecided", "are undecided", listed(s.undecided));
+  part(s.vacuous.size(), "speaks of no bicycle at all", "speak of no bicycle at all", listed(s.vacuous));
   std::string text = counted(s.judged, "claim") + (s.judged == 1 ? " was" : " were") + " judged as printed: " + parts +
                      "." + (s.missing == 0 ? "" : " " + missing_text(s.missing) + ".");
   if (!errata.findings.empty()) return text;
@@ -98,60 +93,85 @@ std::string sum_text(const Errata& errata) {
 }
 
 std::string error_certainty(const Finding& finding) {
-  if (!finding.disproofs.empty()) return "proved for all parameters (" + joined(finding.disproofs) + ")";
+  if (!finding.disproofs.empty()) return "proved for all parameters (" + listed(finding.disproofs) + ")";
   if (finding.error == Certainty::sampled) return "sampled (" + std::to_string(finding.tried) + " samples)";
   // A counterexample, or a missing value, is exact.
-  return "exact" + (finding.refutations.empty() ? "" : " (" + listed(finding.refutations) + ")");
+  return "exact" + (finding.refutations.empty() ? "" : " (" + certificates_text(finding.refutations) + ")");
 }
 
 std::string repair_certainty(const Finding& finding) {
-  std::string names = listed(finding.certificates);
+  std::string names = certificates_text(finding.certificates);
   if (finding.mended == Certainty::sampled) {
     names = std::to_string(finding.samples) + " samples" + (names.empty() ? "" : "; in part proved: " + names);
   }
   return std::string(name(finding.mended)) + (names.empty() ? "" : " (" + names + ")");
 }
 
-std::string errata_text(const ClaimsFile& file, const Errata& errata) {
-  std::string text = file.paper.title + "\n" + summary_line(errata) + "\n" + standing_text(errata) + "\n";
-  if (const std::string sum = sum_text(errata); !sum.empty()) text += sum + "\n";
-  const auto line = [&](std::string_view label, const std::string& value) {
-    if (!value.empty()) text += "  " + std::string(label) + ": " + value + "\n";
+namespace {
+
+/// The printed or the intended text. HTML typesets it and has a line for each part.
+ReportLine parts_line(const FindingParts& parts) {
+  if (parts.empty()) return {};
+  ReportSpan whole = code(to_string(parts));
+  whole.drawn = [parts](const Element& parent) {
+    for (const FindingPart& part : parts) {
+      const Element line = parent.add("div", "part");
+      if (part.defines) {
+        add_definition(line, part.key, part.expression);
+        continue;
+      }
+      line.add("span", "key-word").text(part.key + ": ");
+      if (part.expression) {
+        add_math(line, part.expression);
+      } else {
+        line.text(part.text);
+      }
+    }
   };
-  for (const Finding& f : errata.findings) {
-    text += "\n" + file.paper.source + ":" + std::to_string(f.line) + ": " + grade_text(f) + " [" + f.id + "]\n";
-    line("place", file.paper.place(f.line));
-    line("statement", f.statement);
-    line("printed", to_string(f.printed));
-    line("wrong", f.wrong);
-    line("repair", to_string(f.repair));
-    line("why", f.why);
-    line("claims", joined(f.claims));
-    line("certainty", "error " + error_certainty(f) + (f.repair.empty() ? "" : ", repair " + repair_certainty(f)));
-  }
-  return text;
+  return whole;
 }
 
-std::string errata_markdown(const ClaimsFile& file, const Errata& errata) {
-  std::string text = "# Errata: " + file.paper.title + "\n\n" + summary_line(errata) + ". Lines are those of `" +
-                     file.paper.source + "`.\n\n" + standing_text(errata) + "\n";
-  if (const std::string sum = sum_text(errata); !sum.empty()) text += "\n" + sum + "\n";
-  const auto item = [&](std::string_view label, const std::string& value, bool code) {
-    if (value.empty()) return;
-    text += "- **" + std::string(label) + "**: " + (code ? "`" + value + "`" : value) + "\n";
-  };
-  for (const Finding& f : errata.findings) {
-    text += "\n## " + file.paper.where(f.line) + ", " + f.id + " (" + grade_text(f) + ")\n\n";
-    item("Statement", f.statement, false);
-    item("Printed", to_string(f.printed), true);
-    item("What is wrong", f.wrong, false);
-    item("Repair", to_string(f.repair), true);
-    item("Why", f.why, false);
-    item("Claims", joined(f.claims), false);
-    item("How sure",
-         "the error " + error_certainty(f) + (f.repair.empty() ? "" : ", the repair " + repair_certainty(f)), false);
+/// HTML has whole sentences.
+ReportSpan explanation(const ClaimsFile& file, const std::string& text) {
+  ReportSpan span = prose(file, sentence(text));
+  span.text = text;
+  return span;
+}
+
+}  // namespace
+
+ReportLine finding_heading(const ClaimsFile& file, const Finding& f) {
+  const std::string grade = grade_text(f);
+  return {file.paper.source + ":" + std::to_string(f.line) + ": ",
+          drawn(grade, [grade, css_class = "grade " + std::string(name(f.grade))](
+                           const Element& parent) { parent.add("span", css_class).text(grade); }),
+          " [", file.find(f.id) == nullptr ? ReportSpan(f.id) : link_to(f.id, "#claim-" + f.id), "]"};
+}
+
+Document finding_document(const ClaimsFile& file, const Finding& f) {
+  Document facts;
+  facts.fact("place", file.paper.place(f.line));
+  if (!f.statement.empty()) {
+    const auto typeset = [text = f.statement](const Element& parent) { add_sentence(parent, text); };
+    facts.fact("statement", drawn(f.statement, typeset));
   }
-  return text;
+  facts.fact("printed", parts_line(f.printed));
+  facts.fact("wrong", explanation(file, f.wrong));
+  facts.fact("repair", parts_line(f.repair));
+  facts.fact("why", explanation(file, f.why));
+  facts.fact("claims", listed(f.claims));
+  facts.fact("certainty", "error " + error_certainty(f) + (f.repair.empty() ? "" : ", repair " + repair_certainty(f)));
+  return facts;
+}
+
+Document errata_document(const ClaimsFile& file, const Errata& errata) {
+  Document document;
+  document.title(file.paper.title);
+  document.line(summary_line(errata));
+  document.line(standing_text(errata));
+  document.line(sum_text(errata));
+  for (const Finding& f : errata.findings) document.section(finding_heading(file, f)) = finding_document(file, f);
+  return document;
 }
 
 }  // namespace slipproof

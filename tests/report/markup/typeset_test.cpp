@@ -15,7 +15,7 @@ namespace {
 
 /// The MathML without what only structures it, for short expectations.
 std::string math(std::string_view text) {
-  const Document document("p");
+  const ElementTree document("p");
   add_sentence(document.root(), "$" + std::string(text) + "$");
   return document.xml();
 }
@@ -74,7 +74,7 @@ TEST_CASE("every statement of the shipped papers is set in full") {
   for (const char* paper : {"rozenblat-yashin", "rear-drive"}) {
     const auto claims = read_claims(std::string(SLIPPROOF_SOURCE_DIR) + "/proofs/" + paper + "/claims.toml");
     for (const Claim& claim : claims.claims) {
-      const Document document("p");
+      const ElementTree document("p");
       add_sentence(document.root(), claim.statement);
       CAPTURE(claim.statement);
       CHECK(!contains(document.xml(), "<code>"));

@@ -1,10 +1,11 @@
+#include "report/papers/prose.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <set>
 #include <string>
 
-#include "report/html/sections.hpp"
 #include "report/markup/latex.hpp"
 #include "report/markup/mathml.hpp"
 #include "report/markup/symbol.hpp"
@@ -79,9 +80,9 @@ std::string printed_operators(std::string text) {
 
 }  // namespace
 
-void add_prose(const Element& parent, const PageInput& input, const std::string& text) {
+void add_prose(const Element& parent, const ClaimsFile& claims, const std::string& text) {
   if (text.find('$') != text.npos) return add_sentence(parent, text);
-  const auto symbols = symbols_of(*input.claims);
+  const auto symbols = symbols_of(claims);
   const auto in_word = [&](std::size_t i) {
     return i < text.size() && (is_letter(text[i]) || is_digit(text[i]) || text[i] == '_');
   };
@@ -104,6 +105,11 @@ void add_prose(const Element& parent, const PageInput& input, const std::string&
     at = end;
   }
   parent.text(printed_operators(text.substr(plain)));
+}
+
+ReportSpan prose(const ClaimsFile& claims, const std::string& text) {
+  if (text.empty()) return text;
+  return drawn(text, [&claims, text](const Element& parent) { add_prose(parent, claims, text); });
 }
 
 }  // namespace slipproof

@@ -1,0 +1,114 @@
+#include <algorithm>
+
+#include "base/input/utf8.hpp"
+#include "report/document/document.hpp"
+
+namespace slipproof {
+
+namespace {
+
+/// True if an empty line separates the block from its neighbours.
+bool stands_apart(const ReportBlock& block) {
+  using Kind = ReportBlock::Kind;
+  return block.kind == Kind::section || block.kind == Kind::details || block.kind == Kind::verbatim ||
+         block.kind == Kind::status || (block.kind == Kind::table && block.table.has_head());
+}
+
+class TextWriter {
+ public:
+  void write(const Document& document, std::size_t indent) {
+    const ReportBlock* before = nullptr;
+    for (const ReportBlock& block : document.blocks()) {
+      const bool after = before != nullptr && (stands_apart(block) || stands_apart(*before));
+      const bool apart = after || block.kind == ReportBlock::Kind::section || block.kind == ReportBlock::Kind::status;
+      if (apart && !text_.empty()) text_ += '\n';
+      write(block, indent + block.indent.own);
+      before = &block;
+    }
+  }
+
+  std::string take() { return std::move(text_); }
+
+ private:
+  void write(const ReportBlock& block, std::size_t indent) {
+    const std::string margin(indent, ' ');
+    switch (block.kind) {
+      case ReportBlock::Kind::paragraph:
+        text_ += wrapped(margin, block.line.text());
+        break;
+      case ReportBlock::Kind::fact:
+        text_ += margin + block.term + ": " + block.line.text() + '\n';
+        break;
+      case ReportBlock::Kind::table:
+        write(block.table, indent);
+        break;
+      case ReportBlock::Kind::verbatim:
+        text_ += block.line.text() + '\n';
+        break;
+      case ReportBlock::Kind::item:
+        text_ += wrapped(margin, block.line.text());
+        write(block.inside, indent + block.indent.inside);
+        break;
+      default:
+        text_ += margin + block.line.text() + '\n';
+        write(block.inside, indent + block.indent.inside);
+    }
+  }
+
+  /// A word at the end of its row may be longer than its column, so that one long row does not widen all others.
+  static std::vector<std::size_t> widths_of(const ReportTable& table) {
+    std::vector<std::size_t> widths;
+    for (const ReportColumn& column : table.columns) {
+      const std::size_t i = widths.size();
+      widths.push_back(std::max(column.width, utf8_count(column.name.text())));
+      for (const ReportRow& row : table.rows) {
+        if (i + (column.number ? 0 : 1) >= row.cells.size()) continue;
+        widths.back() = std::max(widths.back(), utf8_count(row.cells[i].text()));
+      }
+    }
+    return widths;
+  }
+
+  void write(const ReportTable& table, std::size_t indent) {
+    const bool head = table.has_head();
+    if (head) indent = std::max<std::size_t>(indent, 2);
+    std::vector<std::size_t> widths = widths_of(table);
+    const auto write_row = [&](std::size_t margin, std::size_t cells, const auto& text_of) {
+      std::string line(margin, ' ');
+      for (std::size_t i = 0; i < cells; ++i) {
+        const std::string text = text_of(i);
+        const std::size_t length = utf8_count(text), width = i < widths.size() ? widths[i] : 0;
+        const std::string space(std::max(width, length) - length, ' ');
+        if (i > 0) line += head ? "  " : " ";
+        if (width > 0 && table.columns[i].number) {
+          line += space + text;
+        } else {
+          line += i + 1 < widths.size() ? text + space : text;
+        }
+      }
+      text_ += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
+    };
+    if (head) {
+      const std::size_t out = table.titled ? 2 : 0;
+      widths.front() += out;
+      write_row(indent - out, widths.size(), [&](std::size_t i) { return table.columns[i].name.text(); });
+      widths.front() -= out;
+    }
+    for (const ReportRow& row : table.rows) {
+      write_row(indent, row.cells.size(), [&](std::size_t i) { return row.cells[i].text(); });
+      write(row.below, indent + (head ? 4 : 2));
+    }
+  }
+
+  std::string text_;
+};
+
+}  // namespace
+
+std::string text_of(const Document& document) {
+  TextWriter writer;
+  writer.write(document, 0);
+  return writer.take();
+}
+
+}  // namespace slipproof

@@ -1,0 +1,51 @@
+#include "report/html/frame.hpp"
+
+#include "report/html/assets.hpp"
+#include "report/picture/palette.hpp"
+
+namespace slipproof {
+
+namespace {
+
+void add_head(const Element& html, const PageFrame& frame) {
+  const Element head = html.add("head");
+  head.add("meta").set("charset", "utf-8");
+  head.add("meta").set("name", "viewport").set("content", "width=device-width, initial-scale=1");
+  head.add("meta").set("name", "color-scheme").set("content", "light dark");
+  head.add("meta").set("name", "generator").set("content", "slipproof " + frame.version);
+  // Prevents browsers from fetching an icon.
+  head.add("link").set("rel", "icon").set("href", "data:,");
+  head.add("title").text(frame.title);
+  head.add("style").code(std::string(assets::style_css) + picture_style());
+}
+
+void add_header(const Element& body, const PageFrame& frame) {
+  body.add("a", "skip").set("href", frame.skip).text(frame.skip_words);
+  const Element header = body.add("header", "top");
+  header.add("a", "brand").set("href", frame.brand).text("slipproof");
+  if (frame.links.empty()) return;
+  const Element list = header.add("nav").set("aria-label", "Sections").add("ul");
+  for (const auto& [target, words] : frame.links) list.add("li").add("a").set("href", target).text(words);
+}
+
+}  // namespace
+
+std::string framed(const PageFrame& frame, const std::function<void(const Element& main)>& fill) {
+  const ElementTree document("html");
+  const Element html = document.root().set("lang", "en");
+  add_head(html, frame);
+  const Element body = html.add("body");
+  add_header(body, frame);
+  fill(body.add("main"));
+  body.add("footer").add("p").text(frame.footer);
+  if (!frame.script.empty()) body.add("script").code(frame.script);
+  return document.html();
+}
+
+Element add_section(const Element& main, const char* id, std::string_view heading) {
+  const Element section = main.add("section").set("id", id).set("aria-labelledby", std::string(id) + "-heading");
+  section.add("h2").set("id", std::string(id) + "-heading").text(heading);
+  return section;
+}
+
+}  // namespace slipproof

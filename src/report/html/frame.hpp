@@ -1,0 +1,29 @@
+// The frame of all pages: head, links to the sections, footer. A page fetches nothing.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "report/markup/element.hpp"
+
+namespace slipproof {
+
+struct PageFrame {
+  std::string title, version;
+  std::vector<std::pair<std::string, std::string>> links;  ///< target and words of each
+  std::string footer;
+  std::string brand = "#overview";  ///< target of the program's name
+  std::string skip = "#overview", skip_words = "Skip to the results";
+  std::string_view script = {};  ///< empty: none
+};
+
+/// The page, HTML 5. `fill` adds its content.
+std::string framed(const PageFrame& frame, const std::function<void(const Element& main)>& fill);
+
+/// A section with its heading.
+Element add_section(const Element& main, const char* id, std::string_view heading);
+
+}  // namespace slipproof
