@@ -76,14 +76,14 @@ CompliantMotion::CompliantMotion(const LoadedContacts& contacts, const Complianc
   accelerate(0);
 }
 
-/// What bodies can reach is u = W y, and the springs carry q where W K u = q. Any such y does: they have the same u.
+/// What bodies can reach is u = W y, and the springs carry q where W K u = q.
 void CompliantMotion::find_rest(const std::vector<double>& q) {
   const auto size = static_cast<Eigen::Index>(n_);
   const Eigen::Map<const RowMatrix> W(W_.data(), size, size);
   const Eigen::Map<const Eigen::VectorXd> push(q.data(), size);
   const Eigen::VectorXd stiffness = stiffnesses(n_, ratio_);
   const Eigen::MatrixXd carried = W * stiffness.asDiagonal() * W;
-  const Eigen::VectorXd u = W * carried.colPivHouseholderQr().solve(push);
+  const Eigen::VectorXd u = W * carried.completeOrthogonalDecomposition().solve(push);
   const Eigen::VectorXd force = -stiffness.cwiseProduct(u);
   bool holds = (W * force + push).norm() <= 1e-6 * push.norm();
   const double small = 1e-9 * force.norm();
