@@ -17,8 +17,7 @@ bool Parameter::is_positive() const {
   if (domain->operation != Operation::compare || domain->relations.size() != 1) return false;
   const bool greater = domain->relations[0] == Relation::greater, less = domain->relations[0] == Relation::less;
   const Expression &large = domain->operands[greater ? 0 : 1], &small = domain->operands[greater ? 1 : 0];
-  return (greater || less) && large->operation == Operation::symbol && large->symbol == symbol &&
-         small->operation == Operation::number && small->number == 0;
+  return (greater || less) && is_symbol(large, symbol) && small->operation == Operation::number && small->number == 0;
 }
 
 bool Definition::is_nowhere(Reading reading) const {

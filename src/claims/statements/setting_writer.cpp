@@ -173,8 +173,7 @@ bool SettingWriter::is_bounded(const std::string& parameter) const {
     if (!has(domain)) continue;
     const bool lower_end =
         given.symbol == parameter && domain->operation == Operation::compare && domain->relations.size() == 1 &&
-        domain->operands[0]->operation == Operation::symbol && domain->operands[0]->symbol == parameter &&
-        !has(domain->operands[1]) &&
+        is_symbol(domain->operands[0], parameter) && !has(domain->operands[1]) &&
         (domain->relations[0] == Relation::greater || domain->relations[0] == Relation::greater_equal);
     if (!lower_end) return true;
   }

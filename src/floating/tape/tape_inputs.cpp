@@ -13,10 +13,9 @@ InputSign sign_of(const Expression& domain, const std::string& symbol) {
     return std::max(sign_of(node.operands[0], symbol), sign_of(node.operands[1], symbol));
   }
   if (node.operation != Operation::compare || node.operands.size() != 2) return InputSign::unknown;
-  const bool first = node.operands[0]->operation == Operation::symbol && node.operands[0]->symbol == symbol;
+  const bool first = is_symbol(node.operands[0], symbol);
   const Node& other = *node.operands[first ? 1 : 0];
-  const Node& own = *node.operands[first ? 0 : 1];
-  if (own.operation != Operation::symbol || own.symbol != symbol || other.operation != Operation::number) {
+  if (!is_symbol(node.operands[first ? 0 : 1], symbol) || other.operation != Operation::number) {
     return InputSign::unknown;
   }
   const Relation relation = node.relations[0];

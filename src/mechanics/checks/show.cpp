@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/input/utf8.hpp"
+#include "base/output/listed.hpp"
 #include "mechanics/elements/element.hpp"
 
 namespace slipproof {
@@ -37,12 +38,6 @@ std::string columns(const std::vector<std::vector<std::string>>& rows) {
 
 std::string domain_text(const PlacedExpression& domain) {
   return domain.expression->operation == Operation::truth ? "any" : to_string(domain.expression);
-}
-
-std::string joined(const std::vector<std::string>& words, const std::string& by = ", ") {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : by) + word;
-  return text;
 }
 
 std::string start_text(ElementKind::Start start) {
@@ -111,7 +106,7 @@ class MechanismText {
       if (one.expression->operation != Operation::truth) domain.push_back(to_string(one.expression));
     }
     section("Load",
-            {{m_.load->symbol, domain.empty() ? "any" : joined(domain, " and "), m_.load->unit, m_.load->meaning}});
+            {{m_.load->symbol, domain.empty() ? "any" : listed(domain, " and "), m_.load->unit, m_.load->meaning}});
   }
 
   void conditions(const std::string& title, const std::vector<MechanismCondition>& list) {
@@ -123,8 +118,8 @@ class MechanismText {
   void unknowns() {
     std::vector<std::string> accelerations = acceleration_names(m_);
     accelerations.resize(m_.accelerations);
-    std::vector<std::vector<std::string>> rows{{"accelerations", joined(accelerations)}};
-    if (m_.unknowns.size() > m_.accelerations) rows.push_back({"forces", joined(force_names(m_))});
+    std::vector<std::vector<std::string>> rows{{"accelerations", listed(accelerations)}};
+    if (m_.unknowns.size() > m_.accelerations) rows.push_back({"forces", listed(force_names(m_))});
     section("Unknowns", rows);
   }
 
@@ -139,7 +134,7 @@ class MechanismText {
   std::string states_of(std::size_t element) const {
     std::vector<std::string> names;
     for (const ElementState state : states(kinds_[element])) names.emplace_back(name(state));
-    return joined(names);
+    return listed(names);
   }
 
   void contacts() {
@@ -153,12 +148,12 @@ class MechanismText {
       if (c.tangent) forces.push_back(m_.unknowns[*c.tangent].symbol);
       std::vector<std::vector<std::string>> rows{{"  " + c.gap_name, "= " + to_string(c.gap.expression)}};
       if (c.slip) rows.push_back({"  " + c.slip_name, "= " + to_string(c.slip.expression)});
-      rows.push_back({"  forces", joined(forces)});
+      rows.push_back({"  forces", listed(forces)});
       rows.push_back({"  states", states_of(i)});
       if (!c.lift_needs.empty()) {
         std::vector<std::string> needed;
         for (const std::size_t parameter : c.lift_needs) needed.push_back(m_.parameters[parameter].symbol);
-        rows.push_back({"  lift", "only with " + joined(needed)});
+        rows.push_back({"  lift", "only with " + listed(needed)});
       }
       text_ += wrapped("  " + c.name + ": ", what) + columns(rows);
     }

@@ -134,7 +134,7 @@ class UseCheck {
   }
 
   static Expression find(const Expression& expression, const std::string& symbol) {
-    if (expression->operation == Operation::symbol && expression->symbol == symbol) return expression;
+    if (is_symbol(expression, symbol)) return expression;
     for (const Expression& operand : expression->operands) {
       if (Expression found = find(operand, symbol)) return found;
     }

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "base/input/table_reader.hpp"
+#include "base/output/listed.hpp"
 #include "mechanics/reading/read_mechanism.hpp"
 #include "mechanics/reading/shipped.hpp"
 
@@ -57,12 +58,6 @@ constexpr std::array<std::string_view, 3> force_keys{"kind", "F", "P"};
 enum class Form { first, second, both, none };
 
 using Keys = std::initializer_list<std::string_view>;
-
-std::string listed(Keys keys) {
-  std::string text;
-  for (const std::string_view key : keys) text += (text.empty() ? "" : ", ") + std::string(key);
-  return text;
-}
 
 /// Reads the parameters of one table, judges each by its domain, and remembers nothing of those that failed.
 class KeyReader {

@@ -6,6 +6,7 @@
 #include "base/expression/parser.hpp"
 #include "base/number/binary64.hpp"
 #include "base/number/format.hpp"
+#include "base/output/listed.hpp"
 #include "mechanics/kernel/mode_solver.hpp"
 #include "mechanics/mechanism/words.hpp"
 #include "mechanics/scene/degrees.hpp"
@@ -164,10 +165,6 @@ RecordAngle angle_of(const Record& record, const RecordFields& fields, std::size
 
 namespace {
 
-std::string listed(const std::string& text, const std::string& name) {
-  return text + (text.empty() ? "" : ", ") + name;
-}
-
 /// For one angle: which forms are missing or given in addition; empty if the record has one form, or the scene gives
 /// the angle.
 std::string incomplete_angle(const std::vector<bool>& present, const RecordFields& fields, std::size_t angle,
@@ -178,11 +175,11 @@ std::string incomplete_angle(const std::vector<bool>& present, const RecordField
   const bool point = has(cosine) || has(sine);
   const int forms = static_cast<int>(has(tan_half)) + static_cast<int>(point) + static_cast<int>(has(degrees));
   if (forms > 1) {
-    std::string found;
+    std::vector<std::string> found;
     for (const auto form : {tan_half, cosine, sine, degrees}) {
-      if (has(form)) found = listed(found, name(form));
+      if (has(form)) found.push_back(name(form));
     }
-    return "found " + found + " together, expected the angle in one form";
+    return "found " + listed(found) + " together, expected the angle in one form";
   }
   if (point && !(has(cosine) && has(sine))) return "missing " + name(has(cosine) ? sine : cosine);
   if (forms == 1 || in_scene) return {};
@@ -194,24 +191,19 @@ std::size_t target_field(const RecordFields& fields, const RecordFields::Form::S
   return set.target < fields.parameters() ? set.target : *fields.load();
 }
 
-std::string listed(const std::vector<std::size_t>& some, const RecordFields& fields) {
-  std::string text;
-  for (const std::size_t field : some) text = listed(text, fields.name(field));
-  return text;
-}
-
 /// The mistake in the short forms of a record, if any; adds the fields that the forms set to `set`.
 std::string mistake_in_forms(const std::vector<bool>& present, const RecordFields& fields, std::vector<bool>& set) {
   const auto has = [&](std::size_t field) { return present[field]; };
+  const auto name = [&](std::size_t field) { return fields.name(field); };
   for (const RecordFields::Form& form : fields.forms()) {
     if (std::none_of(form.symbols.begin(), form.symbols.end(), has)) continue;
     for (const std::size_t symbol : form.symbols) {
-      if (!present[symbol]) return "missing " + fields.name(symbol) + ", expected " + listed(form.symbols, fields);
+      if (!present[symbol]) return "missing " + fields.name(symbol) + ", expected " + listed(form.symbols, name);
     }
     for (const RecordFields::Form::Set& one : form.sets) {
       const std::size_t field = target_field(fields, one);
       if (present[field] || set[field]) {
-        return "found " + listed(form.symbols, fields) + " together with " + fields.name(field) +
+        return "found " + listed(form.symbols, name) + " together with " + fields.name(field) +
                (present[field] ? "" : " in another form") + ", expected only one of them";
       }
     }
@@ -227,9 +219,8 @@ std::string other_forms(const RecordFields& fields, std::size_t field) {
     const auto sets = [&](const RecordFields::Form::Set& one) { return target_field(fields, one) == field; };
     if (std::ranges::none_of(form.sets, sets)) continue;
     text += text.empty() ? " (or " : ", or ";
-    for (const std::size_t symbol : form.symbols) {
-      text += (symbol == form.symbols.front() ? "" : " and ") + fields.name(symbol);
-    }
+    text += listed(
+        form.symbols, [&](std::size_t symbol) { return fields.name(symbol); }, " and ");
   }
   return text.empty() ? text : text + ")";
 }
@@ -245,16 +236,16 @@ std::string incomplete(const std::vector<bool>& present, const RecordFields& fie
   }
   std::vector<bool> set(fields.size(), false);
   if (std::string reason = mistake_in_forms(present, fields, set); !reason.empty()) return reason;
-  std::string missing;
+  std::vector<std::string> missing;
   const auto need = [&](std::size_t field) {
-    if (!present[field] && !set[field]) missing = listed(missing, fields.name(field) + other_forms(fields, field));
+    if (!present[field] && !set[field]) missing.push_back(fields.name(field) + other_forms(fields, field));
   };
   for (std::size_t i = 0; i < fields.parameters(); ++i) {
     if (!mechanism.values.given[i] && !mechanism.mechanism.parameters[i].optional) need(i);
   }
   if (fields.load() && !mechanism.load) need(*fields.load());
   for (const std::size_t field : fields.required_answers()) need(field);
-  return missing.empty() ? missing : "missing " + missing;
+  return missing.empty() ? "" : "missing " + listed(missing);
 }
 
 }  // namespace slipproof

@@ -66,7 +66,7 @@ class ColumnSolver {
     for (const Threshold& t : thresholds_) with_.push_back(setting_.compile(t.with, reading));
     const std::string& x = given_.parameters[figure.x].symbol;
     for (const Threshold& line : lines) {
-      const bool with_x = line.with->operation == Operation::symbol && line.with->symbol == x;
+      const bool with_x = is_symbol(line.with, x);
       if (with_x && !names_.depends(make_symbol(line.symbol), Reading::printed, x)) lines_.push_back(line.symbol);
     }
   }
