@@ -101,6 +101,13 @@ TEST_CASE("HTML: formulas are typeset, zeros and alarming counts are marked, nei
   CHECK(found_in(html_of(list), "<ul>\n<li>one</li>\n<li>two</li></ul>"));
 }
 
+TEST_CASE("a section in a section has the next heading, in Markdown and in HTML") {
+  Document document;
+  document.section("outer").section("inner").line("text");
+  CHECK(markdown_of(document) == "## outer\n\n### inner\n\ntext\n");
+  CHECK(found_in(html_of(document), "<h3>outer</h3>\n<h4>inner</h4>\n<p>text</p>"));
+}
+
 TEST_CASE("no text becomes markup, in Markdown and in HTML") {
   const std::string hostile = "# *a* _b_ [c](d) `e` <img src=x> | f\n- g";
   Document document;
