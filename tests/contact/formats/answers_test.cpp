@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "small_files.hpp"
+#include "support/small_files.hpp"
 #include "support/zip_file.hpp"
 
 using namespace slipproof;

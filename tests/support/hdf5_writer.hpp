@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "small_files.hpp"
+#include "support/small_files.hpp"
 
 namespace slipproof::test {
 

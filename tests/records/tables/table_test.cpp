@@ -1,12 +1,12 @@
 // Records in NumPy's files and in HDF5 are judged as the same records in CSV; what is malformed is told.
 #include <nlohmann/json.hpp>
 
-#include "hdf5_writer.hpp"
 #include "records/certify/columns.hpp"
 #include "records/certify/table_records.hpp"
 #include "records/record/bicycle_records.hpp"
-#include "small_files.hpp"
 #include "support/certified.hpp"
+#include "support/hdf5_writer.hpp"
+#include "support/small_files.hpp"
 #include "support/zip_file.hpp"
 
 using namespace slipproof;
