@@ -32,7 +32,7 @@ struct LinePoints {
 LinePoints points_on(const Line& line, const CompiledSetting& compiled, const ClaimParts& parts,
                      const std::set<IntegerPolynomial>& beside = {});
 
-/// Bicycles near the upper end of a parameter, with the other parameters as in `values`: one in the last cell of the
+/// Points near the upper end of a parameter, with the other parameters as in `values`: one in the last cell of the
 /// line that has any, and the one at the end if it belongs to the domain. The truth of `conditions` is the same
 /// throughout the cell. Empty if there are no bicycles; nothing if the end is irrational, where no sample exists.
 std::optional<std::vector<std::unique_ptr<SolvedSample>>> last_points(const CompiledSetting& compiled,

@@ -13,7 +13,7 @@
 #include "base/expression/evaluate.hpp"
 #include "base/expression/program.hpp"
 #include "claims/paper/claims_file.hpp"
-#include "mechanics/scene/problem.hpp"
+#include "mechanics/points/problem.hpp"
 
 namespace slipproof {
 

@@ -65,7 +65,7 @@ class Maker {
     return example;
   }
 
-  /// Bicycles that can be built and at which the claim fails; the given one comes first.
+  /// Points that can be built and at which the claim fails; the given one comes first.
   std::vector<std::vector<Rational>> realisable(const std::vector<Rational>& given, std::uint64_t seed) const {
     std::vector<std::vector<Rational>> found;
     if (!given.empty()) found.push_back(given);

@@ -74,7 +74,7 @@ struct ClaimResult {
   std::uint64_t unsure = 0;  ///< the undecided samples at which it may have a value that was not found
   std::uint64_t lines = 0;   ///< lines along which it was judged; their points count as samples
   std::uint64_t cells = 0;   ///< parts of these lines throughout which the answer is the same
-  /// Bicycles at which it was judged, including those about which it says nothing.
+  /// Points at which it was judged, including those about which it says nothing.
   std::uint64_t tried = 0;
   /// The simplest that can be built; if none was found, the simplest.
   std::optional<Counterexample> counterexample;

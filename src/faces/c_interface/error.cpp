@@ -4,7 +4,7 @@
 #include "base/number/parse.hpp"
 #include "base/parallel/failure.hpp"
 #include "faces/c_interface/call.hpp"
-#include "mechanics/scene/problem.hpp"
+#include "mechanics/points/problem.hpp"
 
 /// Diagnostics, and the parts of their messages as separate texts.
 struct slipproof_error {

@@ -10,7 +10,7 @@
 #include "floating/batch/sure_points.hpp"
 #include "mechanics/kernel/mode_solver.hpp"
 #include "mechanics/mechanism/words.hpp"
-#include "mechanics/scene/degrees.hpp"
+#include "mechanics/points/degrees.hpp"
 
 namespace slipproof {
 

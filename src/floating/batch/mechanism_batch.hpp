@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "floating/batch/column.hpp"
-#include "mechanics/scene/problem.hpp"
+#include "mechanics/points/problem.hpp"
 
 namespace slipproof {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <set>
 
-#include "mechanics/scene/degrees.hpp"
-#include "mechanics/scene/domain_sampler.hpp"
-#include "mechanics/scene/sampling.hpp"
+#include "mechanics/points/degrees.hpp"
+#include "mechanics/points/domain_sampler.hpp"
+#include "mechanics/points/sampling.hpp"
 
 namespace slipproof::mechanism_checks {
 

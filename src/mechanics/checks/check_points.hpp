@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "mechanics/scene/problem.hpp"
+#include "mechanics/points/problem.hpp"
 
 namespace slipproof::mechanism_checks {
 

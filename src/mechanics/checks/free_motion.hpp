@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "mechanics/scene/problem.hpp"
+#include "mechanics/points/problem.hpp"
 
 namespace slipproof::mechanism_checks {
 

@@ -8,10 +8,10 @@
 #include "base/number/format.hpp"
 #include "mechanics/mechanism/forms.hpp"
 #include "mechanics/mechanism/names.hpp"
+#include "mechanics/points/degrees.hpp"
 #include "mechanics/reading/reader.hpp"
 #include "mechanics/reading/shipped.hpp"
 #include "mechanics/scene/bicycle_scene.hpp"
-#include "mechanics/scene/degrees.hpp"
 #include "mechanics/scene/scene.hpp"
 
 namespace slipproof {

@@ -11,7 +11,7 @@
 #include "base/input/table_reader.hpp"
 #include "base/number/affine.hpp"
 #include "mechanics/mechanism/mechanism.hpp"
-#include "mechanics/scene/problem.hpp"
+#include "mechanics/points/problem.hpp"
 
 namespace slipproof {
 

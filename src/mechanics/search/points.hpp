@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "base/number/dice.hpp"
-#include "mechanics/scene/domain_sampler.hpp"
+#include "mechanics/points/domain_sampler.hpp"
 
 namespace slipproof {
 

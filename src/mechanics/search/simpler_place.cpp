@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "mechanics/scene/degrees.hpp"
+#include "mechanics/points/degrees.hpp"
 
 namespace slipproof {
 

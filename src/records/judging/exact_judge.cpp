@@ -4,7 +4,7 @@
 
 #include "base/number/binary64.hpp"
 #include "base/output/json.hpp"
-#include "mechanics/scene/sampling.hpp"
+#include "mechanics/points/sampling.hpp"
 #include "records/judging/answer.hpp"
 #include "records/judging/explanation.hpp"
 

@@ -3,7 +3,7 @@
 #include "base/expression/evaluate.hpp"
 #include "base/number/binary64.hpp"
 #include "base/number/format.hpp"
-#include "mechanics/scene/degrees.hpp"
+#include "mechanics/points/degrees.hpp"
 
 namespace slipproof {
 

@@ -9,7 +9,7 @@
 #include "base/output/listed.hpp"
 #include "mechanics/kernel/mode_solver.hpp"
 #include "mechanics/mechanism/words.hpp"
-#include "mechanics/scene/degrees.hpp"
+#include "mechanics/points/degrees.hpp"
 
 namespace slipproof {
 

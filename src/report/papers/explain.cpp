@@ -7,7 +7,7 @@
 
 #include "base/number/format.hpp"
 #include "claims/paper/setting_names.hpp"
-#include "mechanics/scene/degrees.hpp"
+#include "mechanics/points/degrees.hpp"
 #include "mechanics/scene/scene.hpp"
 
 namespace slipproof {

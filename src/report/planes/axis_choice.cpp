@@ -8,7 +8,7 @@
 #include "base/number/format.hpp"
 #include "base/number/parse.hpp"
 #include "mechanics/kernel/motions_over_loads.hpp"
-#include "mechanics/scene/degrees.hpp"
+#include "mechanics/points/degrees.hpp"
 
 namespace slipproof {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "mechanics/scene/domain_sampler.hpp"
+#include "mechanics/points/domain_sampler.hpp"
 #include "mechanics/scene/scene.hpp"
 #include "report/phase/phase_diagram.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "base/number/format.hpp"
 #include "base/output/listed.hpp"
-#include "mechanics/scene/sampling.hpp"
+#include "mechanics/points/sampling.hpp"
 
 namespace slipproof {
 

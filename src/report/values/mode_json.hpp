@@ -1,7 +1,7 @@
 // Modes and values of a mechanism as JSON.
 #pragma once
 
-#include "mechanics/scene/problem.hpp"
+#include "mechanics/points/problem.hpp"
 #include "report/values/exact_json.hpp"
 
 namespace slipproof {

@@ -12,8 +12,8 @@
 #include "floating/batch/mechanism_batch.hpp"
 #include "floating/tape/mode_code.hpp"
 #include "mechanics/kernel/mode_solver.hpp"
+#include "mechanics/points/problem.hpp"
 #include "mechanics/reading/shipped.hpp"
-#include "mechanics/scene/problem.hpp"
 
 using namespace slipproof;
 

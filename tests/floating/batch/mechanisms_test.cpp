@@ -10,9 +10,9 @@
 #include "floating/batch/mechanism_batch.hpp"
 #include "floating/tape/mode_run.hpp"
 #include "mechanics/kernel/mode_solver.hpp"
+#include "mechanics/points/degrees.hpp"
+#include "mechanics/points/sampling.hpp"
 #include "mechanics/reading/shipped.hpp"
-#include "mechanics/scene/degrees.hpp"
-#include "mechanics/scene/sampling.hpp"
 #include "mechanics/scene/scene.hpp"
 #include "support/how_many.hpp"
 

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "mechanics/kernel/motions.hpp"
+#include "mechanics/points/problem.hpp"
 #include "mechanics/reading/read_mechanism.hpp"
 #include "mechanics/reading/shipped.hpp"
-#include "mechanics/scene/problem.hpp"
 
 using namespace slipproof;
 

@@ -7,10 +7,10 @@
 #include <tuple>
 
 #include "mechanics/checks/free_motion.hpp"
+#include "mechanics/points/problem.hpp"
+#include "mechanics/points/sampling.hpp"
 #include "mechanics/reading/read_mechanism.hpp"
 #include "mechanics/reading/shipped.hpp"
-#include "mechanics/scene/problem.hpp"
-#include "mechanics/scene/sampling.hpp"
 #include "support/bicycle/linear_form.hpp"
 #include "support/random_scene.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/number/parse.hpp"
-#include "mechanics/scene/degrees.hpp"
+#include "mechanics/points/degrees.hpp"
 
 using namespace slipproof;
 

@@ -13,8 +13,8 @@
 #include "base/input/diagnostic.hpp"
 #include "base/number/binary64.hpp"
 #include "mechanics/kernel/motions_over_loads.hpp"
+#include "mechanics/points/degrees.hpp"
 #include "mechanics/reading/read_mechanism.hpp"
-#include "mechanics/scene/degrees.hpp"
 #include "report/phase/phase_points.hpp"
 #include "report/phase/phase_svg.hpp"
 

@@ -1,7 +1,7 @@
 // Angles in degrees as rational points of the unit circle.
 #pragma once
 
-#include "mechanics/scene/problem.hpp"
+#include "mechanics/points/problem.hpp"
 
 namespace slipproof {
 

@@ -1,4 +1,4 @@
-#include "mechanics/scene/domain_sampler.hpp"
+#include "mechanics/points/domain_sampler.hpp"
 
 #include <algorithm>
 #include <set>
@@ -7,7 +7,7 @@
 #include "base/algebra/integer_polynomial.hpp"
 #include "base/algebra/rational_function.hpp"
 #include "base/algebra/real_roots.hpp"
-#include "mechanics/scene/degrees.hpp"
+#include "mechanics/points/degrees.hpp"
 
 namespace slipproof {
 

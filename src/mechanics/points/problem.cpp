@@ -1,4 +1,4 @@
-#include "mechanics/scene/problem.hpp"
+#include "mechanics/points/problem.hpp"
 
 #include <fmt/format.h>
 

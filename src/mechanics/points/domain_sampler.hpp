@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "mechanics/scene/problem.hpp"
+#include "mechanics/points/problem.hpp"
 
 namespace slipproof {
 

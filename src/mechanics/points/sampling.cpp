@@ -1,10 +1,10 @@
-#include "mechanics/scene/sampling.hpp"
+#include "mechanics/points/sampling.hpp"
 
 #include <array>
 #include <random>
 
 #include "base/number/format.hpp"
-#include "mechanics/scene/domain_sampler.hpp"
+#include "mechanics/points/domain_sampler.hpp"
 
 namespace slipproof {
 

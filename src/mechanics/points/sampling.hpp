@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "mechanics/scene/problem.hpp"
+#include "mechanics/points/problem.hpp"
 
 namespace slipproof {
 

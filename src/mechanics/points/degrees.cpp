@@ -1,4 +1,4 @@
-#include "mechanics/scene/degrees.hpp"
+#include "mechanics/points/degrees.hpp"
 
 #include <mpfr.h>
 
