@@ -156,6 +156,7 @@ class InertiaCheck {
 
   /// A symmetric matrix fixes the scale within a block; forces act on several blocks, or have a limit.
   std::vector<MechanismFinding> scale() const {
+    if (mechanism_.bodies) return {};  // all rows follow from them in one way
     const std::vector<std::size_t> block = blocks();
     std::vector<bool> forced(n_), shown(n_);
     for (std::size_t i = 0; i < n_; ++i) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "base/number/format.hpp"
+#include "mechanics/bodies/bodies.hpp"
 #include "mechanics/checks/check_parts.hpp"
 #include "mechanics/checks/free_motion.hpp"
 
@@ -41,12 +42,27 @@ bool rests(const MechanismContact& contact) {
   return contact.start == ElementKind::Start::rest && !contact.bilateral;
 }
 
+/// Whether bodies say that gravity need not press on the contact: it is along the surface, or springs may lift.
+bool gravity_passes_by(const CheckPoints& points, const CheckPoint& point, const MechanismContact& contact) {
+  const auto& bodies = points.mechanism().bodies;
+  if (!bodies || !bodies->gravity || contact.direction.size() != 2) return false;
+  if (std::ranges::any_of(bodies->joints, [](const auto& one) { return one.kind == BodyJoint::Kind::spring; }))
+    return true;
+  const auto part = [&](const PlacedExpression& normal, const PlacedExpression& gravity) {
+    return make(Operation::multiply, {normal.expression, gravity.expression});
+  };
+  const Expression pressing = make(
+      Operation::add, {part(contact.direction[0], bodies->gravity.x), part(contact.direction[1], bodies->gravity.y)});
+  const auto value = points.maker().at(point.values).number(points.maker().compiled().compile(pressing));
+  return value.number && value.number->is_zero();
+}
+
 /// The contact that opens without contact forces and load.
 std::optional<MechanismFinding> opening(const CheckPoints& points, const CheckPoint& point, const FreeMotion& motion) {
   const Mechanism& mechanism = points.mechanism();
   for (std::size_t i = 0; i < motion.gaps.size(); ++i) {
     const MechanismContact& contact = mechanism.contacts[i];
-    if (!rests(contact) || motion.gaps[i] <= 0) continue;
+    if (!rests(contact) || motion.gaps[i] <= 0 || gravity_passes_by(points, point, contact)) continue;
     const auto gap = [&](const CheckPoint& there) -> std::optional<Rational> {
       const auto other = free_motion(mechanism, there.problem);
       return other ? std::optional(other->gaps[i]) : std::nullopt;

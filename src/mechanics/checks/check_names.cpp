@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <set>
 
+#include "mechanics/bodies/bodies.hpp"
 #include "mechanics/checks/check_parts.hpp"
 
 namespace slipproof::mechanism_checks {
@@ -24,6 +25,9 @@ class UsedSymbols {
       add(one.radius);
     }
     add(m.energy);
+    if (m.bodies) {
+      visit_expressions(*m.bodies, [&](const PlacedExpression& one, std::string_view, bool) { add(one); });
+    }
     for (const MechanismParameter& one : m.parameters) add_other(one.domain, {one.symbol});
     if (m.load) {
       for (const PlacedExpression& one : m.load->domain) add_other(one, {m.load->symbol});

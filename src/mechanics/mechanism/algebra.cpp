@@ -44,7 +44,11 @@ Expression negative_of(const Expression& x) {
   if (x->operation == Operation::multiply || x->operation == Operation::divide) {
     return make(x->operation, {negative_of(x->operands[0]), x->operands[1]});
   }
-  if (x->operation == Operation::subtract) return make(Operation::subtract, {x->operands[1], x->operands[0]});
+  if (x->operation == Operation::subtract) {
+    const Expression &from = x->operands[0], &taken = x->operands[1];
+    if (is_negative(from)) return make(Operation::add, {taken, negative_of(from)});
+    return make(Operation::subtract, {taken, from});
+  }
   return make(Operation::negate, {x});
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -137,6 +138,8 @@ struct MechanismShape {
 };
 std::string_view name(MechanismShape::Kind kind);
 
+struct Bodies;
+
 struct Mechanism {
   std::string file, name, source, note;
   std::vector<MechanismParameter> parameters;
@@ -155,6 +158,7 @@ struct Mechanism {
   std::vector<MechanismShape> shapes;
   PlacedExpression energy;  ///< kinetic energy; names of accelerations mean the velocities. Null: not given
   std::vector<SymbolicForm> energy_slopes;  ///< its derivatives by each of them: rows of a symmetric matrix
+  std::shared_ptr<const Bodies> bodies;     ///< of a file with bodies: what the rest follows from
 
   /// Contacts and friction elements: what has a state in a mode.
   std::size_t elements() const { return contacts.size() + friction.size(); }

@@ -14,6 +14,7 @@ constexpr NameKinds derived = constants | Kind::definition;
 constexpr NameKinds velocities = derived | Kind::acceleration;
 constexpr NameKinds motion = derived | Kind::load | Kind::acceleration;
 constexpr NameKinds limit = derived | Kind::load | Kind::force | Kind::element_force;
+constexpr NameKinds pushes = derived | Kind::load;
 constexpr NameKinds applied = motion | Kind::force;
 constexpr NameKinds anything = applied | Kind::element_force;
 
@@ -22,6 +23,7 @@ std::string_view allowed_words(NameKinds allowed) {
   if (allowed == derived) return "parameters, angles and definitions";
   if (allowed == velocities) return "accelerations and parameters";
   if (allowed == motion) return "accelerations, the load and parameters";
+  if (allowed == pushes) return "parameters, angles, definitions and the load";
   if (allowed == limit) return "forces, the load and parameters";
   if (allowed == applied || allowed == anything) return "unknowns, the load and parameters";
   return "parameters, angles and the load";
@@ -66,6 +68,13 @@ class UseCheck {
       for (auto& point : shape.points) all(point, "points");
       one(shape.radius, "radius", derived);
     }
+  }
+
+  /// What equations follow from.
+  void check(Bodies& scene) {
+    visit_expressions(scene, [&](PlacedExpression& placed, std::string_view key, bool load) {
+      one(placed, key, load ? pushes : derived);
+    });
   }
 
  private:
@@ -222,6 +231,10 @@ std::set<std::string> symbols_of_motion(const Mechanism& mechanism) {
 
 void check_uses(Context& context) {
   UseCheck(context).check();
+}
+
+void check_uses(Bodies& bodies, Context& context) {
+  UseCheck(context).check(bodies);
 }
 
 void check_whole(Context& context) {

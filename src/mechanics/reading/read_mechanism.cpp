@@ -7,6 +7,7 @@
 #include "base/input/look_alikes.hpp"
 #include "base/input/near_match.hpp"
 #include "base/input/text_file.hpp"
+#include "mechanics/bodies/settle.hpp"
 #include "mechanics/mechanism/forms.hpp"
 #include "mechanics/reading/reader.hpp"
 
@@ -128,12 +129,12 @@ namespace {
 using mechanism_reader::Context;
 
 constexpr std::string_view schema = "slipproof/mechanism/1";
-constexpr std::array<std::string_view, 20> mechanism_keys{
-    "schema",     "name",        "source",  "note",     "reciprocal", "parameters", "assume",
-    "realisable", "definitions", "angles",  "load",     "unknowns",   "units",      "motion",
-    "equations",  "energy",      "contact", "friction", "link",       "shape"};
+constexpr std::array<std::string_view, 25> mechanism_keys{
+    "schema", "name",  "source",   "note",  "reciprocal", "parameters", "assume", "realisable", "definitions",
+    "angles", "load",  "unknowns", "units", "motion",     "equations",  "energy", "contact",    "friction",
+    "link",   "shape", "gravity",  "body",  "joint",      "force",      "torque"};
 
-void read_root(const TableReader& root, Context& context) {
+void read_root(const TableReader& root, Context& context, std::optional<BodyGeometry>& geometry) {
   Mechanism& mechanism = context.mechanism;
   const std::string found = context.required(root, "schema", "\"" + std::string(schema) + "\"");
   if (!found.empty() && found != schema) {
@@ -144,8 +145,17 @@ void read_root(const TableReader& root, Context& context) {
   mechanism.note = context.text(root, "note");
   mechanism.reciprocal = root.boolean("reciprocal").value_or(true);
   mechanism_reader::read_symbols(root, context);
-  mechanism_reader::read_elements(root, context);
-  mechanism_reader::read_equations(root, context);
+  if (root.has("body")) {
+    Bodies bodies = mechanism_reader::read_bodies(root, context);
+    mechanism_reader::read_shapes(root, context);
+    mechanism_reader::check_uses(bodies, context);
+    if (!context.sound || !context.mistakes.empty()) return;
+    geometry = derive_mechanism(bodies, mechanism);
+    mechanism.bodies = std::make_shared<const Bodies>(std::move(bodies));
+  } else {
+    mechanism_reader::read_elements(root, context);
+    mechanism_reader::read_equations(root, context);
+  }
   mechanism_reader::check_uses(context);
   mechanism_reader::check_whole(context);
 }
@@ -158,10 +168,12 @@ Mechanism parse_mechanism(std::string_view text, const std::string& file) {
   Mistakes mistakes(file);
   if (const auto document = parse_toml(text, mistakes)) {
     Context context(mechanism, mistakes);
-    read_root(TableReader(*document, "", mechanism_keys, mistakes), context);
+    std::optional<BodyGeometry> geometry;
+    read_root(TableReader(*document, "", mechanism_keys, mistakes), context, geometry);
     derive_forms(mechanism, mistakes);
     load_bounds(mechanism, mistakes);
     if (mistakes.empty()) mechanism_reader::check_domain(context);
+    if (mistakes.empty() && geometry) settle_geometry(*geometry, mechanism, mistakes);
   }
   mistakes.refuse_if_any();
   return mechanism;

@@ -27,6 +27,7 @@ class SymbolReader {
     });
     each("angles", [&](const TomlEntry& entry) { read_angle(entry); });
     if (const TomlValue* load = root_.table("load")) read_load(*load);
+    if (root_.has("body")) return;  // the unknowns follow
     if (root_.require("unknowns", "the table [unknowns]")) {
       if (const TomlValue* unknowns = root_.table("unknowns")) read_unknowns(*unknowns);
     }

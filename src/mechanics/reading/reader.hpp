@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/input/table_reader.hpp"
+#include "mechanics/bodies/bodies.hpp"
 #include "mechanics/mechanism/mechanism.hpp"
 #include "mechanics/mechanism/names.hpp"
 
@@ -41,7 +42,8 @@ class Context {
 
   Mechanism& mechanism;
   Mistakes& mistakes;
-  bool sound = true;  ///< false: some expression could not be read, so that what is missing may be in it
+  bool bodies_named_well = true;  ///< false: what one is called is a mistake, so that it may be meant elsewhere
+  bool sound = true;              ///< false: some expression could not be read, so that what is missing may be in it
 
  private:
   PlacedExpression parsed(const PlacedText& text, std::string_view name, Sort sort);
@@ -50,7 +52,8 @@ class Context {
 };
 
 /// No file has more of anything: the work of reading one is bounded.
-inline constexpr std::size_t max_symbols = 1'000, max_unknowns = 64, max_elements = 64, max_shapes = 1'000;
+inline constexpr std::size_t max_symbols = 1'000, max_unknowns = 64, max_elements = 64, max_bodies = 20,
+                             max_shapes = 1'000;
 /// Whether there are at most so many; if not, it is reported.
 bool within(std::size_t count, std::size_t limit, std::string_view key, Place place, Mistakes& mistakes);
 
@@ -58,6 +61,13 @@ bool within(std::size_t count, std::size_t limit, std::string_view key, Place pl
 void read_symbols(const TableReader& root, Context& context);
 /// [[contact]], [[friction]], [[link]], [[shape]]. After the symbols.
 void read_elements(const TableReader& root, Context& context);
+/// [[shape]] alone, beside the pictures of bodies.
+void read_shapes(const TableReader& root, Context& context);
+/// gravity, [[body]], [[contact]], [[joint]], [[friction]], [[force]], [[torque]]: elements and unknowns of the
+/// mechanism, with what their equations follow from. In place of [unknowns], elements and equations.
+Bodies read_bodies(const TableReader& root, Context& context);
+/// Reports wrong symbols in what the equations follow from, as check_uses() does.
+void check_uses(Bodies& bodies, Context& context);
 /// [motion] or [equations], [units], energy. After the elements.
 void read_equations(const TableReader& root, Context& context);
 /// Symbols that do not exist or must not be used where they are, and expressions too large to evaluate. Those become

@@ -258,6 +258,10 @@ void read_states(const TomlValue& table, const Mechanism& mechanism, std::vector
       const auto i = static_cast<std::size_t>(found - names.begin());
       const auto start =
           mechanism_reader::read_start(entry.value.text.text(), entry.key, entry.value.place, kinds[i], mistakes);
+      if (start && mechanism.bodies && *start != starts[i]) {
+        mistakes.add(entry.value.place, entry.key + ": found " + in_quotes(name(*start)) +
+                                            ", but the velocities of the bodies say " + in_quotes(name(starts[i])));
+      }
       starts[i] = start.value_or(starts[i]);
     }
   }

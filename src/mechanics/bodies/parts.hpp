@@ -1,0 +1,43 @@
+// Inside the derivation of a mechanism from bodies: what its parts share.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mechanics/bodies/derive.hpp"
+#include "mechanics/bodies/frame.hpp"
+
+namespace slipproof::bodies_in_motion {
+
+/// What pushes a body, contacts and joints aside.
+struct Load {
+  PlanarVector force;
+  Expression moment;  ///< about its centre of mass
+};
+
+struct Derivation {
+  Derivation(const Bodies& scene, Mechanism& result);
+
+  const Bodies& bodies;
+  Mechanism& mechanism;
+  std::vector<Frame> frames;
+  std::vector<Load> loads;
+  BodyGeometry geometry;
+
+  static PlacedExpression derived(const Expression& expression, Place place);
+  static std::vector<PlacedExpression> derived(const PlanarVector& vector, Place place);
+  /// `name` as of GeometryFact; an X in the text stands for the value.
+  void must_vanish(const Expression& value, std::string name, std::string what, Place place);
+  void must_be(GeometryFact::Kind kind, const Expression& value, std::string name, std::string what, Place place);
+  void must_have_length_1(const PlanarVector& vector, const std::string& name, Place place);
+  /// A force at an arm from the centre of mass; a couple.
+  void push(std::size_t body, const PlanarVector& arm, const PlanarVector& force);
+  void turn(std::size_t body, const Expression& couple);
+};
+
+void derive_contact(Derivation& derivation, const BodyContact& contact);
+void derive_joint(Derivation& derivation, const BodyJoint& joint);
+void derive_friction(Derivation& derivation, const BodyFriction& friction);
+void draw_shapes(Derivation& derivation);
+
+}  // namespace slipproof::bodies_in_motion

@@ -1,0 +1,15 @@
+// Which signs an expression can have, as far as its symbols' domains and the rules of signs tell.
+#pragma once
+
+#include "mechanics/mechanism/mechanism.hpp"
+
+namespace slipproof::bodies_in_motion {
+
+struct Signs {
+  bool negative = true, zero = true, positive = true;
+};
+
+/// No sign is left out that some value of the domain gives.
+Signs sure_signs(const Mechanism& mechanism, const Expression& expression);
+
+}  // namespace slipproof::bodies_in_motion

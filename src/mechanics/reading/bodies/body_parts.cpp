@@ -1,0 +1,61 @@
+#include "mechanics/reading/bodies/body_parts.hpp"
+
+namespace slipproof::mechanism_reader {
+
+PlacedPair BodyParts::two(const TableReader& table, std::string_view key) {
+  const TomlValue* value = table.value(key);
+  return value == nullptr ? PlacedPair{} : two(*value, key);
+}
+PlacedPair BodyParts::two(const TomlValue& value, std::string_view key) {
+  auto both = pair(value, key);
+  if (both.size() != 2) return {{}, {}, value.place};
+  return {std::move(both[0]), std::move(both[1]), value.place};
+}
+PlacedExpression BodyParts::one(const TableReader& table, std::string_view key) {
+  return context_.expression(table, key, Sort::number);
+}
+
+std::optional<std::size_t> BodyParts::find_body(const PlacedText& name, std::string_view key) {
+  std::vector<std::string_view> known;
+  for (std::size_t i = 0; i < bodies_.bodies.size(); ++i) {
+    if (bodies_.bodies[i].name == name.text()) return i;
+    if (!bodies_.bodies[i].name.empty()) known.push_back(bodies_.bodies[i].name);
+  }
+  context_.sound = false;
+  if (!context_.bodies_named_well) return std::nullopt;  // it may be the one whose name is a mistake
+  context_.mistakes.add(name.at(0), std::string(key) + ": " + unknown_name("body", name.text(), known));
+  return std::nullopt;
+}
+
+std::size_t BodyParts::body_of(const TableReader& table, std::string_view key) {
+  if (!table.require(key, "the name of a body")) return failed();
+  const PlacedText* name = table.string(key);
+  return name == nullptr ? failed() : find_body(*name, key).value_or(ground);
+}
+std::size_t BodyParts::failed() {
+  context_.sound = false;
+  return ground;
+}
+
+std::pair<std::size_t, std::size_t> BodyParts::read_between(const TableReader& table) {
+  if (!table.require("between", "the names of two bodies")) return {failed(), ground};
+  const auto names = table.strings("between");
+  if (names.size() != 2) {
+    if (table.value("between")->kind == TomlValue::Kind::array) {
+      table.refuse("between", "found " + std::to_string(names.size()) + " names, expected two");
+    }
+    return {failed(), ground};
+  }
+  const auto first = find_body(*names[0], "between"), second = find_body(*names[1], "between");
+  if (!first || !second) return {failed(), ground};
+  if (*first == *second)
+    table.refuse("between", "found the body " + in_quotes(names[0]->text()) + " twice, expected two bodies");
+  return {*first, *second};
+}
+
+TableReader BodyParts::names_of(const TableReader& table, std::span<const std::string_view> keys) {
+  const TomlValue* names = table.value("names") == nullptr ? nullptr : table.table("names");
+  return names == nullptr ? table : TableReader(*names, "names", keys, context_.mistakes);
+}
+
+}  // namespace slipproof::mechanism_reader

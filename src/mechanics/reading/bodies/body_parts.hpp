@@ -1,0 +1,46 @@
+// Inside the reading of bodies: what refers to them.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "mechanics/reading/element_parts.hpp"
+
+namespace slipproof::mechanism_reader {
+
+class BodyParts : public ElementParts {
+ public:
+  BodyParts(Context& context, Bodies& bodies) : ElementParts(context), bodies_(bodies) {}
+
+ protected:
+  PlacedPair two(const TableReader& table, std::string_view key);
+  PlacedPair two(const TomlValue& value, std::string_view key);
+  PlacedExpression one(const TableReader& table, std::string_view key);
+  /// The body that a key names; the ground, and a report, where there is none.
+  std::size_t body_of(const TableReader& table, std::string_view key);
+  /// The two bodies in `between`.
+  std::pair<std::size_t, std::size_t> read_between(const TableReader& table);
+  /// The names that a table gives in `names`, or the table itself, which has none of these keys.
+  TableReader names_of(const TableReader& table, std::span<const std::string_view> keys);
+
+  Bodies& bodies_;
+
+ private:
+  std::optional<std::size_t> find_body(const PlacedText& name, std::string_view key);
+  std::size_t failed();
+};
+
+/// [[body]] and the unknowns that follow. A mechanism's unknowns come in the order of these calls.
+void read_body_list(const TableReader& root, Context& context, Bodies& bodies);
+/// [[contact]]
+void read_body_contacts(const TableReader& root, Context& context, Bodies& bodies);
+/// [[joint]]: ropes and freewheels are contacts; the links of the others come last, by add_joint_links().
+void read_joints(const TableReader& root, Context& context, Bodies& bodies);
+/// [[friction]], then rolling resistance.
+void read_body_friction(const TableReader& root, Context& context, Bodies& bodies);
+void add_joint_links(Context& context, Bodies& bodies);
+
+}  // namespace slipproof::mechanism_reader

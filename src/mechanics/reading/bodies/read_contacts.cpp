@@ -1,0 +1,144 @@
+#include <algorithm>
+#include <array>
+
+#include "mechanics/reading/bodies/body_parts.hpp"
+
+namespace slipproof::mechanism_reader {
+
+namespace {
+
+using Role = MechanismUnknown::Role;
+
+class BodyContactReader : public BodyParts {
+ public:
+  using BodyParts::BodyParts;
+
+  void read_contacts(const TableReader& root) {
+    for (const TomlValue* contact : tables(root, "contact", max_elements)) read_contact(*contact);
+  }
+  void read_frictions(const TableReader& root) {
+    for (const TomlValue* friction : tables(root, "friction", max_elements)) read_friction(*friction);
+    for (BodyContact& contact : bodies_.contacts) add_rolling(contact);
+  }
+
+ private:
+  void read_contact(const TomlValue& value) {
+    static constexpr std::array<std::string_view, 16> keys{
+        "name",      "of",         "point",    "radius",         "on",
+        "normal",    "through",    "friction", "on_point",       "on_radius",
+        "bilateral", "lift_needs", "state",    "slip_direction", "rolling_resistance",
+        "names"};
+    static constexpr std::array<std::string_view, 5> name_keys{"N", "S", "gap", "slip", "rolling"};
+    const TableReader table(value, "[[contact]]", keys, context_.mistakes);
+    MechanismContact contact;
+    contact.place = value.place;
+    contact.name = name_of(table);
+    read_coefficients(table, contact);
+    read_contact_states(table, contact);
+    BodyContact touch;
+    touch.place = value.place;
+    touch.contact = mechanism_.contacts.size();
+    touch.state_given = table.has("state");
+    read_touch(table, touch);
+    const TableReader names = names_of(table, name_keys);
+    contact.normal = unknown(names, "N", "N_" + contact.name, Role::normal, touch.contact);
+    if (!contact.frictionless()) {
+      contact.tangent = unknown(names, "S", "S_" + contact.name, Role::tangent, touch.contact);
+    } else if (names.has("S")) {
+      names.refuse("S", "found the name of a force that a frictionless contact does not have");
+    }
+    contact.gap_name = named(names, "gap", "gap_" + contact.name);
+    if (!contact.frictionless()) contact.slip_name = named(names, "slip", "slip_" + contact.name);
+    touch.rolling_force = context_.text(names, "rolling");
+    touch.well_named = named_well_;
+    mechanism_.contacts.push_back(std::move(contact));
+    bodies_.contacts.push_back(std::move(touch));
+  }
+
+  void check_pair(const TableReader& table, const BodyContact& touch) {
+    if (!context_.sound) return;  // one of them may be another body
+    const Body &of = bodies_.bodies[touch.of], &on = bodies_.bodies[touch.on];
+    if (touch.of == touch.on) {
+      table.refuse("of", "found the body " + in_quotes(of.name) + " in contact with itself, expected two bodies");
+    } else if (of.is_prescribed() && on.is_prescribed()) {
+      table.refuse("of", "found a contact of two bodies without a mass, expected one that moves");
+    }
+  }
+
+  void read_touch(const TableReader& table, BodyContact& touch) {
+    touch.of = body_of(table, "of");
+    if (table.has("on")) touch.on = body_of(table, "on");
+    check_pair(table, touch);
+    table.require("point", "the point that touches, or the centre of the disc");
+    touch.point = two(table, "point");
+    touch.radius = one(table, "radius");
+    touch.normal = two(table, "normal");
+    touch.through = two(table, "through");
+    touch.on_point = two(table, "on_point");
+    touch.on_radius = one(table, "on_radius");
+    touch.slip_direction = two(table, "slip_direction");
+    touch.rolling_resistance = one(table, "rolling_resistance");
+    if (table.has("on_radius")) {
+      table.require("on_point", "the centre of the disc that is touched");
+      for (const std::string_view key : {"normal", "through"}) {
+        if (table.has(key)) table.refuse(key, "found together with a disc, from which it follows, expected none");
+      }
+    } else {
+      table.require("normal", "the normal of the line that is touched, out of its body, such as [\"0\", \"1\"]");
+      if (table.has("on_point")) table.require("on_radius", "the radius of the disc that is touched");
+      touch.on_radius = {};
+    }
+    if (table.has("rolling_resistance") && !table.has("radius")) {
+      table.refuse("rolling_resistance", "found it at a point, expected a disc: missing radius");
+    }
+  }
+
+  void add_rolling(BodyContact& touch) {
+    if (!touch.rolling_resistance) return;
+    const MechanismContact& contact = mechanism_.contacts[touch.contact];
+    MechanismFriction rolling;
+    rolling.place = touch.rolling_resistance.place();
+    rolling.name = contact.name + "_rolling";
+    const std::string force = touch.rolling_force.empty() ? "S_" + rolling.name : touch.rolling_force;
+    rolling.slip_name = "slip_" + rolling.name;
+    if (touch.well_named) {
+      context_.declare_element(rolling.name, rolling.place);
+      context_.declare(force, rolling.place);
+      context_.declare(rolling.slip_name, rolling.place);
+    }
+    mechanism_.unknowns.push_back({force, Role::friction, mechanism_.friction.size(), {}, rolling.place});
+    rolling.force = mechanism_.unknowns.size() - 1;
+    touch.rolling = mechanism_.friction.size();
+    mechanism_.friction.push_back(std::move(rolling));
+  }
+
+  void read_friction(const TomlValue& value) {
+    static constexpr std::array<std::string_view, 5> keys{"name", "between", "limit", "force", "state"};
+    const TableReader table(value, "[[friction]]", keys, context_.mistakes);
+    MechanismFriction friction;
+    friction.place = value.place;
+    friction.name = name_of(table);
+    if (table.require("limit", "the largest couple that it bears")) {
+      read_two(*table.value("limit"), "limit", friction.static_limit, friction.kinetic_limit);
+    }
+    friction.force = unknown(table, "force", "S_" + friction.name, Role::friction, mechanism_.friction.size());
+    friction.slip_name = "slip_" + friction.name;
+    if (named_well_) context_.declare(friction.slip_name, table.place("name"));
+    read_state(table, friction.start, {.law = ElementKind::Law::limited});
+    const auto [first, second] = read_between(table);
+    bodies_.friction.push_back({mechanism_.friction.size(), first, second, table.has("state"), value.place});
+    mechanism_.friction.push_back(std::move(friction));
+  }
+};
+
+}  // namespace
+
+void read_body_contacts(const TableReader& root, Context& context, Bodies& bodies) {
+  BodyContactReader(context, bodies).read_contacts(root);
+}
+
+void read_body_friction(const TableReader& root, Context& context, Bodies& bodies) {
+  BodyContactReader(context, bodies).read_frictions(root);
+}
+
+}  // namespace slipproof::mechanism_reader

@@ -1,0 +1,155 @@
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "mechanics/reading/bodies/body_parts.hpp"
+
+namespace slipproof::mechanism_reader {
+
+namespace {
+
+using Role = MechanismUnknown::Role;
+
+class JointReader : public BodyParts {
+ public:
+  using BodyParts::BodyParts;
+
+  void read(const TableReader& root) {
+    for (const TomlValue* joint : tables(root, "joint", max_elements)) read_joint(*joint);
+  }
+
+  void add_links(BodyJoint& joint) {
+    using Kind = BodyJoint::Kind;
+    const auto add = [&](std::size_t key, const std::string& suffix) {
+      MechanismLink link;
+      link.place = joint.place;
+      link.name = joint.name + suffix;
+      const std::string& given = joint.force_names[key];
+      const std::string symbol = given.empty() ? "R_" + link.name : given;
+      if (joint.well_named) {
+        if (!suffix.empty()) context_.declare_element(link.name, joint.place);
+        context_.declare(symbol, joint.place);
+      }
+      mechanism_.unknowns.push_back({symbol, Role::link, mechanism_.links.size(), {}, joint.place});
+      link.force = mechanism_.unknowns.size() - 1;
+      joint.links.push_back(mechanism_.links.size());
+      mechanism_.links.push_back(std::move(link));
+    };
+    if (joint.kind == Kind::pin || joint.kind == Kind::weld) add(0, "_x"), add(1, "_y");
+    if (joint.kind == Kind::slider) add(3, "_across");
+    // nothing is linked where neither turns by itself
+    const bool turns =
+        !bodies_.bodies[joint.first].alpha.symbol.empty() || !bodies_.bodies[joint.second].alpha.symbol.empty();
+    if ((joint.kind == Kind::weld || joint.kind == Kind::slider) && turns) add(2, "_turn");
+    if (joint.kind == Kind::rod || (joint.kind == Kind::gear && !joint.contact)) add(4, "");
+  }
+
+ private:
+  void read_joint(const TomlValue& value) {
+    static constexpr std::array<std::string_view, 13> keys{"name",      "kind",   "between", "at",    "to",
+                                                           "axis",      "length", "force",   "ratio", "carrier",
+                                                           "one_sided", "state",  "names"};
+    const TableReader table(value, "[[joint]]", keys, context_.mistakes);
+    BodyJoint joint;
+    joint.place = value.place;
+    joint.name = name_of(table);
+    const bool known = read_kind(table, joint);
+    std::tie(joint.first, joint.second) = read_between(table);
+    joint.at = two(table, "at");
+    joint.to = two(table, "to");
+    joint.axis = two(table, "axis");
+    joint.length = one(table, "length");
+    joint.tension = one(table, "force");
+    joint.ratio = one(table, "ratio");
+    if (table.has("carrier")) joint.carrier = body_of(table, "carrier");
+    joint.state_given = table.has("state");
+    if (known) check_keys(table, joint);
+    static constexpr std::array<std::string_view, 5> name_keys{"x", "y", "turn", "across", "force"};
+    const TableReader names = names_of(table, name_keys);
+    joint.well_named = named_well_;
+    for (std::size_t i = 0; i < name_keys.size() && table.has("names"); ++i) {
+      joint.force_names[i] = context_.text(names, name_keys[i]);
+    }
+    if (joint.kind == BodyJoint::Kind::rope ||
+        (joint.kind == BodyJoint::Kind::gear && table.boolean("one_sided").value_or(false))) {
+      add_one_sided(table, joint, joint.force_names.back());
+    }
+    bodies_.joints.push_back(std::move(joint));
+  }
+
+  bool read_kind(const TableReader& table, BodyJoint& joint) {
+    using Kind = BodyJoint::Kind;
+    static constexpr std::array kinds{Kind::pin,  Kind::slider, Kind::weld, Kind::rod,
+                                      Kind::rope, Kind::spring, Kind::gear};
+    static const std::vector<std::string_view> words{"pin", "slider", "weld", "rod", "rope", "spring", "gear"};
+    const std::string found = context_.required(table, "kind", "pin, slider, weld, rod, rope, spring or gear");
+    const auto word = std::ranges::find(words, found);
+    if (word == words.end()) {
+      if (!found.empty()) table.refuse("kind", unknown_name("kind of joint", found, words));
+      context_.sound = false;
+      return false;
+    }
+    joint.kind = kinds[static_cast<std::size_t>(word - words.begin())];
+    return true;
+  }
+
+  /// What a kind needs, and what it has no use for.
+  void check_keys(const TableReader& table, const BodyJoint& joint) {
+    using Kind = BodyJoint::Kind;
+    const Kind kind = joint.kind;
+    const bool span = kind == Kind::rod || kind == Kind::rope || kind == Kind::spring;
+    const std::string word = table.string("kind")->text();
+    const auto rule = [&](std::string_view key, bool allowed, bool needed, std::string_view expected) {
+      if (needed) context_.sound = table.require(key, expected) && context_.sound;
+      if (!allowed && table.has(key)) table.refuse(key, "a " + word + " has none");
+    };
+    rule("at", kind != Kind::gear, kind != Kind::gear, "the point of the first body");
+    rule("to", kind != Kind::gear, span, "the point of the second body");
+    rule("axis", kind == Kind::slider, kind == Kind::slider,
+         "the direction in which it slides, such as [\"1\", \"0\"]");
+    rule("length", span, span, "the length between its ends");
+    rule("force", kind == Kind::spring, kind == Kind::spring, "the tension of the spring now, such as \"k*x\"");
+    rule("ratio", kind == Kind::gear, kind == Kind::gear, "the second body's turning over the first's");
+    rule("carrier", kind == Kind::gear, false, "");
+    rule("one_sided", kind == Kind::gear, false, "");
+    const bool one_sided = kind == Kind::rope || (kind == Kind::gear && table.boolean("one_sided").value_or(false));
+    rule("state", one_sided, false, "");
+  }
+
+  /// A rope or a freewheel: a frictionless contact that is closed while it is taut or drives.
+  void add_one_sided(const TableReader& table, BodyJoint& joint, const std::string& force) {
+    MechanismContact contact;
+    contact.place = joint.place;
+    contact.name = joint.name;
+    const std::string symbol = force.empty() ? (joint.kind == BodyJoint::Kind::rope ? "T_" : "N_") + joint.name : force;
+    contact.gap_name = "gap_" + joint.name;
+    if (named_well_) {
+      context_.declare(symbol, table.place("name"));
+      context_.declare(contact.gap_name, table.place("name"));
+    }
+    joint.contact = mechanism_.contacts.size();
+    mechanism_.unknowns.push_back({symbol, Role::normal, *joint.contact, {}, table.place("name")});
+    contact.normal = mechanism_.unknowns.size() - 1;
+    if (const PlacedText* state = table.string("state")) {
+      const std::string slack = joint.kind == BodyJoint::Kind::rope ? "slack" : "open";
+      if (state->text() == slack) {
+        contact.start = ElementKind::Start::open;
+      } else {
+        table.refuse("state", "found " + in_quotes(state->text()) + ", expected \"" + slack + "\"");
+      }
+    }
+    mechanism_.contacts.push_back(std::move(contact));
+  }
+};
+
+}  // namespace
+
+void read_joints(const TableReader& root, Context& context, Bodies& bodies) {
+  JointReader(context, bodies).read(root);
+}
+
+void add_joint_links(Context& context, Bodies& bodies) {
+  for (BodyJoint& joint : bodies.joints) JointReader(context, bodies).add_links(joint);
+}
+
+}  // namespace slipproof::mechanism_reader
