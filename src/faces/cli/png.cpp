@@ -1,6 +1,7 @@
 #include "faces/cli/png.hpp"
 
 #include <stdexcept>
+#include <utility>
 
 #ifdef SLIPPROOF_RSVG
 
@@ -67,3 +68,11 @@ std::string png_of(std::string_view) {
 }  // namespace slipproof::cli
 
 #endif
+
+namespace slipproof::cli {
+
+std::string picture_for(const std::string& file, std::string svg) {
+  return file.ends_with(".png") ? png_of(svg) : std::move(svg);
+}
+
+}  // namespace slipproof::cli

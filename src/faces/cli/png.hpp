@@ -9,4 +9,7 @@ namespace slipproof::cli {
 /// The picture at twice its size in pixels. A usage error if the program was built without librsvg.
 std::string png_of(std::string_view svg);
 
+/// What a file of this name holds: the picture as PNG where the name ends in .png, as SVG otherwise.
+std::string picture_for(const std::string& file, std::string svg);
+
 }  // namespace slipproof::cli

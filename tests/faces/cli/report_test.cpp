@@ -171,5 +171,8 @@ TEST_CASE("draw writes the labelled figure of a scene, the shipped one of the ci
   const std::string file = (folder.path() / "figure.svg").string();
   CHECK(run({"draw", city_bicycle, "-o", file}).out == "s DRAWN " + file + "\n");
   CHECK(read_file(file) == figure.out);
+  const std::string pixels = (folder.path() / "figure.png").string();
+  const auto png = run({"draw", city_bicycle, "-o", pixels});
+  CHECK((png.exit_code == 2 || read_file(pixels).starts_with("\x89PNG")));
   CHECK(run({"draw", "/nonexistent.toml"}).exit_code == 3);
 }

@@ -30,7 +30,7 @@ void draw(const CriticalArguments& arguments, const SceneAlong& found) {
   const OutputFile out(arguments.out, {arguments.scene, found.scene.mechanism.file});
   try {
     const std::string svg = uniqueness_svg(uniqueness_diagram(found.scene, found.along), found.along);
-    out.write(arguments.out.ends_with(".png") ? png_of(svg) : svg);
+    out.write(picture_for(arguments.out, svg));
   } catch (const std::invalid_argument& error) {
     throw InputError({{arguments.scene, 0, 0, error.what()}});
   }

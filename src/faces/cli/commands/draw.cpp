@@ -6,6 +6,7 @@
 #include "base/input/diagnostic.hpp"
 #include "base/output/output_file.hpp"
 #include "faces/cli/command.hpp"
+#include "faces/cli/png.hpp"
 #include "faces/cli/warnings.hpp"
 #include "mechanics/scene/bicycle_scene.hpp"
 #include "report/picture/bicycle_figure.hpp"
@@ -59,14 +60,15 @@ void add_draw(CLI::App& app, int& exit_code) {
                   "Draw the forces of this motion, as `solve` numbers them, from 1; default: forces in their positive "
                   "directions")
       ->check(whole_number(1, 1'000'000));
-  command.add_option("-o,--out", options->out, "The file to write; default: standard output");
+  command.add_option("-o,--out", options->out,
+                     "The file to write, a PNG if its name ends in .png; default: standard output");
   add_common_options(command, options->common);
   command.callback([options, &exit_code] {
     Inputs inputs{options->scene};
     const std::string figure = figure_of(*options, inputs);
     exit_code = as_it_should_be;
     if (options->out.empty() || options->out == "-") return print(figure);
-    write_file(options->out, figure, inputs);
+    write_file(options->out, picture_for(options->out, figure), inputs);
     if (!options->common.quiet) print("s DRAWN " + options->out + "\n");
   });
 }
