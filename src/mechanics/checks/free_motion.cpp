@@ -1,6 +1,9 @@
 #include "mechanics/checks/free_motion.hpp"
 
+#include <cstdint>
+
 #include "base/algebra/bareiss.hpp"
+#include "mechanics/points/sampling.hpp"
 
 namespace slipproof::mechanism_checks {
 
@@ -91,6 +94,42 @@ std::optional<FreeMotion> free_motion(const Mechanism& mechanism, const Friction
     result.gaps.push_back(std::move(gap));
   }
   return result;
+}
+
+namespace {
+
+/// The links, from the first, whose accelerations are a combination of those before them.
+std::vector<std::size_t> dependent_links(const Mechanism& mechanism, const FrictionProblem& problem) {
+  std::vector<std::size_t> dependent;
+  IntegerMatrix rows;
+  for (std::size_t i = 0; i < mechanism.links.size(); ++i) {
+    const auto& form = problem.equations[mechanism.equations.size() + i].coefficients;
+    rows.push_back(
+        clear_denominators({form.begin(), form.begin() + static_cast<std::ptrdiff_t>(mechanism.accelerations)}));
+    if (eliminate(rows, mechanism.accelerations).rank() == rows.size()) continue;
+    dependent.push_back(i);
+    rows.pop_back();
+  }
+  return dependent;
+}
+
+}  // namespace
+
+std::optional<Freedom> freedom(const Mechanism& mechanism) {
+  constexpr std::size_t enough = 4;
+  constexpr std::uint64_t seed = 1;
+  const ProblemMaker maker(mechanism);
+  std::optional<std::vector<std::size_t>> dependent;
+  for (const MechanismValues& values : sample_values(mechanism, maker, enough, seed)) {
+    try {
+      auto found = dependent_links(mechanism, maker.problem(values));
+      if (dependent && *dependent != found) return std::nullopt;
+      dependent = std::move(found);
+    } catch (const NoValue&) {  // another point may have one
+    }
+  }
+  if (!dependent) return std::nullopt;
+  return Freedom{mechanism.accelerations + dependent->size() - mechanism.links.size(), std::move(*dependent)};
 }
 
 }  // namespace slipproof::mechanism_checks

@@ -39,4 +39,14 @@ struct FreeMotion {
 /// Nothing where the equations do not determine it.
 std::optional<FreeMotion> free_motion(const Mechanism& mechanism, const FrictionProblem& problem);
 
+/// How a mechanism can move before any contact holds it.
+struct Freedom {
+  std::size_t degrees = 0;               ///< accelerations that the links leave free
+  std::vector<std::size_t> said_before;  ///< links that say what those before them say, at every point that was tried
+};
+
+/// By the rank of the links at points of the domain; nothing where no point was found, or where the rank depends on the
+/// point.
+std::optional<Freedom> freedom(const Mechanism& mechanism);
+
 }  // namespace slipproof::mechanism_checks

@@ -6,6 +6,7 @@
 
 #include "base/input/utf8.hpp"
 #include "base/output/listed.hpp"
+#include "mechanics/checks/free_motion.hpp"
 #include "mechanics/elements/element.hpp"
 
 namespace slipproof {
@@ -177,6 +178,13 @@ class MechanismText {
           {link.name, "0 = " + to_string(link.zero.expression) + ", force " + m_.unknowns[link.force].symbol});
     }
     section("Links", rows);
+    if (m_.links.empty()) return;
+    const auto found = mechanism_checks::freedom(m_);
+    if (!found) return;
+    text_ += fmt::format("\nDegrees of freedom, contacts and friction aside: {}\n", found->degrees);
+    if (found->said_before.empty()) return;
+    const std::string names = listed(found->said_before, [&](std::size_t link) { return m_.links[link].name; });
+    text_ += wrapped("  said by the links before: ", names + ", so that their forces are undetermined");
   }
 
   const Mechanism& m_;

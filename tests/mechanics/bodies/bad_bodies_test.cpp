@@ -6,6 +6,8 @@
 #include <string>
 
 #include "mechanics/checks/checks.hpp"
+#include "mechanics/checks/free_motion.hpp"
+#include "mechanics/checks/show.hpp"
 #include "mechanics/reading/read_mechanism.hpp"
 #include "mechanics/reading/write_mechanism.hpp"
 #include "program/bad_input/table.hpp"
@@ -83,4 +85,39 @@ TEST_CASE("a scene may not say another state than the velocities") {
   CHECK(check_mechanism(barrow).empty());
   const Mechanism again = parse_mechanism(to_toml(barrow), "again.toml");
   CHECK(start_of(again, "leg") == ElementKind::Start::slides_forward);
+}
+
+TEST_CASE("joints that say the same twice are named, and leave their forces open") {
+  const Mechanism door = parse_mechanism(R"(
+schema = "slipproof/mechanism/1"
+name = "trap door on two hinges"
+gravity = ["0", "-g"]
+[parameters]
+g = "g > 0"
+[[body]]
+name = "door"
+mass = "1"
+inertia = "1"
+[[joint]]
+name = "left"
+kind = "pin"
+between = ["ground", "door"]
+at = ["-1", "0"]
+[[joint]]
+name = "right"
+kind = "pin"
+between = ["ground", "door"]
+at = ["1", "0"]
+)",
+                                         "door.toml");
+  const auto found = mechanism_checks::freedom(door);
+  REQUIRE(found);
+  CHECK(found->degrees == 0);
+  REQUIRE(found->said_before.size() == 1);
+  CHECK(door.links[found->said_before[0]].name == "right_x");
+  CHECK(show_text(door, {}).find("said by the links before: right_x") != std::string::npos);
+
+  const Mechanism barrow = parse_mechanism(good_bodies(), "barrow.toml");
+  CHECK(mechanism_checks::freedom(barrow)->degrees == 4);
+  CHECK(mechanism_checks::freedom(barrow)->said_before.empty());
 }
