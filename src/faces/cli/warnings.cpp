@@ -8,7 +8,7 @@
 namespace slipproof::cli {
 
 void print_warnings(const Mechanism& mechanism, const CommonOptions& common) {
-  if (common.quiet) return;
+  if (common.quiet || mechanism.shipped) return;
   for (const MechanismFinding& finding : check_mechanism(mechanism)) {
     if (finding.checkable) std::cerr << to_string(mechanism, finding) << '\n';
   }

@@ -159,6 +159,7 @@ struct Mechanism {
   PlacedExpression energy;  ///< kinetic energy; names of accelerations mean the velocities. Null: not given
   std::vector<SymbolicForm> energy_slopes;  ///< its derivatives by each of them: rows of a symmetric matrix
   std::shared_ptr<const Bodies> bodies;     ///< of a file with bodies: what the rest follows from
+  bool shipped = false;                     ///< comes with slipproof and was found by name: tests have checked it
 
   /// Contacts and friction elements: what has a state in a mode.
   std::size_t elements() const { return contacts.size() + friction.size(); }

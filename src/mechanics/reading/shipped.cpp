@@ -15,12 +15,18 @@ const ShippedMechanism* find_shipped(std::string_view name) {
   return found == all.end() ? nullptr : &*found;
 }
 
+Mechanism read_shipped(const ShippedMechanism& shipped) {
+  Mechanism mechanism = parse_mechanism(shipped.text, std::string(shipped.name) + ".toml");
+  mechanism.shipped = true;
+  return mechanism;
+}
+
 Mechanism open_mechanism(const std::string& file_or_name, const std::string& directory) {
   const std::filesystem::path path = std::filesystem::path(directory) / file_or_name;
   std::error_code error;
   const bool is_there = !file_or_name.empty() && std::filesystem::exists(path, error);
   if (const ShippedMechanism* shipped = find_shipped(file_or_name); shipped != nullptr && !is_there) {
-    return parse_mechanism(shipped->text, std::string(shipped->name) + ".toml");
+    return read_shipped(*shipped);
   }
   if (!is_there && path.extension() != ".toml") {
     std::vector<std::string_view> known;

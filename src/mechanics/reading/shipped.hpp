@@ -18,6 +18,7 @@ struct ShippedMechanism {
 const std::vector<ShippedMechanism>& shipped_mechanisms();
 /// Null if there is none of this name.
 const ShippedMechanism* find_shipped(std::string_view name);
+Mechanism read_shipped(const ShippedMechanism& shipped);
 
 /// The mechanism of a file, or the shipped one of this name if there is no such file. A relative path counts from
 /// `directory`, or from the working directory if that is empty. Throws InputError.

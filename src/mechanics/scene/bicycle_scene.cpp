@@ -8,7 +8,6 @@
 
 #include "base/input/table_reader.hpp"
 #include "base/output/listed.hpp"
-#include "mechanics/reading/read_mechanism.hpp"
 #include "mechanics/reading/shipped.hpp"
 
 namespace slipproof {
@@ -272,7 +271,7 @@ class BicycleReader {
 }  // namespace
 
 const Mechanism& bicycle_mechanism() {
-  static const Mechanism mechanism = parse_mechanism(find_shipped("bicycle")->text, "bicycle");
+  static const Mechanism mechanism = read_shipped(*find_shipped("bicycle"));
   return mechanism;
 }
 
