@@ -7,6 +7,7 @@
 #include "claims/lines/critical.hpp"
 #include "claims/lines/line_mechanism.hpp"
 #include "claims/uniqueness/scene_setting.hpp"
+#include "contact/problem/every_push.hpp"
 #include "mechanics/kernel/motions_over_loads.hpp"
 
 namespace slipproof {
@@ -87,6 +88,15 @@ class SceneLine {
     MotionsAtParameter result;
     result.apart = problem.has_load ? apart_of(motions_over_loads(problem)->cells()) : apart_without_load(problem);
     if (const auto contacts = contact_problem(problem)) result.for_every_q = for_every_load(*contacts);
+    return result;
+  }
+
+  /// There, what is known of every push, too: ranges of the parameter end where mode determinants vanish, not where
+  /// pairs of modes begin to differ.
+  MotionsAtParameter motions_at_own() const {
+    MotionsAtParameter result = motions(own());
+    const FrictionProblem problem = without_equations(maker_.problem(values(own())));
+    if (const auto contacts = contact_problem(problem)) result.for_every_q = for_every_push(*contacts);
     return result;
   }
 
@@ -196,7 +206,7 @@ std::optional<RealRoot> UniquenessAlong::first_apart_for_some_q() const {
 
 UniquenessAlong uniqueness_along(const MechanismScene& scene, const std::string& parameter) {
   const SceneLine line(scene, parameter);
-  return {parameter, line.own(), line.motions(line.own()), line.cells()};
+  return {parameter, line.own(), line.motions_at_own(), line.cells()};
 }
 
 }  // namespace slipproof

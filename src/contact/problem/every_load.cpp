@@ -74,19 +74,20 @@ EveryLoad by_determinants(const ContactProblem& problem, const ContactSolver& so
     if (determinant.sign() > 0) continue;
     return {EveryLoad::Verdict::not_unique, EveryLoad::Reason::determinants, modes.mode(), std::move(determinant)};
   } while (modes.next());
-  return {EveryLoad::Verdict::unique, EveryLoad::Reason::determinants, {}, {}};
+  return {EveryLoad::Verdict::unique, EveryLoad::Reason::determinants};
 }
 
 }  // namespace
 
 std::string_view name(EveryLoad::Verdict verdict) {
-  constexpr std::array<std::string_view, 3> names{"unique", "not unique", "undecided"};
+  constexpr std::array<std::string_view, 4> names{"unique", "at most one", "not unique", "undecided"};
   return names[static_cast<std::size_t>(verdict)];
 }
 
 std::string_view name(EveryLoad::Reason reason) {
-  constexpr std::array<std::string_view, 5> names{"mode determinants", "bound on mu", "positive definite",
-                                                  "matrix not positive definite", "too many modes"};
+  constexpr std::array<std::string_view, 6> names{"mode determinants", "bound on mu",
+                                                  "positive definite", "matrix not positive definite",
+                                                  "too many modes",    "pairs of modes"};
   return names[static_cast<std::size_t>(reason)];
 }
 
@@ -116,14 +117,14 @@ EveryLoad for_every_load(const ContactProblem& problem, Effort& effort) {
   const bool few_enough = effort.allows(solver.work_of_all());
   if (!problem.frictional()) {
     if (few_enough) return by_determinants(problem, solver, effort);
-    if (positive_definite(problem.W)) return {EveryLoad::Verdict::unique, EveryLoad::Reason::definite, {}, {}};
+    if (positive_definite(problem.W)) return {EveryLoad::Verdict::unique, EveryLoad::Reason::definite};
     return {};
   }
   if (!positive_definite(problem.W)) {
-    return {EveryLoad::Verdict::undecided, EveryLoad::Reason::no_theorem, {}, {}};
+    return {EveryLoad::Verdict::undecided, EveryLoad::Reason::no_theorem};
   }
   if (few_enough) return by_determinants(problem, solver, effort);
-  if (is_unique_by_bound(problem)) return {EveryLoad::Verdict::unique, EveryLoad::Reason::bound, {}, {}};
+  if (is_unique_by_bound(problem)) return {EveryLoad::Verdict::unique, EveryLoad::Reason::bound};
   return {};
 }
 

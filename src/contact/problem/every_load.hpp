@@ -36,21 +36,25 @@ namespace slipproof {
 
 struct EveryLoad {
   enum class Verdict : std::uint8_t {
-    unique,      ///< one solution for every q
-    not_unique,  ///< for some q several, infinitely many, or none
-    undecided    ///< W is not positive definite, or there are too many modes and the bound says nothing
+    unique,       ///< one solution for every q
+    at_most_one,  ///< never two w for a q that pushes on the bodies make (every_push.hpp)
+    not_unique,   ///< for some q several, infinitely many, or none
+    undecided     ///< W is not positive definite, or there are too many modes and the bound says nothing
   };
   enum class Reason : std::uint8_t {
     determinants,  ///< all mode determinants are positive; or one is not
     bound,         ///< the sufficient test on mu
     definite,      ///< of an LCP beyond the effort: W is positive definite
     no_theorem,    ///< with friction, W is not positive definite
-    too_many       ///< modes
+    too_many,      ///< modes
+    pairs          ///< of modes have no two solutions that differ, or have them
   };
   Verdict verdict = Verdict::undecided;
   Reason reason = Reason::too_many;
-  std::optional<ProblemMode> mode;  ///< not_unique: the first one with a determinant that is not positive
-  Rational determinant;             ///< of it
+  std::optional<ProblemMode> mode = {};   ///< not_unique: the first one with a determinant that is not positive
+  Rational determinant = 0;               ///< of it
+  std::optional<ProblemMode> other = {};  ///< not_unique, by pairs: under one q it and `mode` have different w
+  std::size_t undetermined = 0;  ///< by pairs: the dimension of the kernel of W, forces that nothing determines
 };
 std::string_view name(EveryLoad::Verdict verdict);  ///< `unique`, `not unique`, `undecided`
 std::string_view name(EveryLoad::Reason reason);    ///< `mode determinants`, `bound on mu`, ...

@@ -7,10 +7,16 @@
 
 namespace slipproof {
 
-/// {"verdict", "by"}, and of `not unique` {"mode", "determinant"}; `mode` is the name of that mode.
-inline Json to_json(const EveryLoad& every, const std::string& mode) {
+/// {"verdict", "by"}; of `not unique` {"mode", "determinant"}, or {"modes"} by pairs, and by pairs {"undetermined"};
+/// `mode` and `other` are the names of the modes.
+inline Json to_json(const EveryLoad& every, const std::string& mode, const std::string& other = {}) {
   Json object{{"verdict", name(every.verdict)}, {"by", name(every.reason)}};
-  if (every.mode) object["mode"] = mode, object["determinant"] = exact_text(every.determinant);
+  if (every.other) {
+    object["modes"] = {mode, other};
+  } else if (every.mode) {
+    object["mode"] = mode, object["determinant"] = exact_text(every.determinant);
+  }
+  if (every.undetermined != 0) object["undetermined"] = every.undetermined;
   return object;
 }
 

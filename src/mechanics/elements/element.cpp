@@ -12,8 +12,8 @@ using Law = ElementKind::Law;
 using Start = ElementKind::Start;
 using State = ElementState;
 
-constexpr std::array<std::string_view, 8> names{"stick", "slip+",  "slip-",  "lift",
-                                                "touch", "stick~", "slip+~", "slip-~"};
+constexpr std::array<std::string_view, 9> names{"stick",  "slip+",  "slip-",  "lift", "touch",
+                                                "stick~", "slip+~", "slip-~", "free"};
 
 std::vector<State> slipping(Start start) {
   switch (start) {
@@ -37,6 +37,13 @@ State pulled(State state) {
   }
 }
 
+/// Whether a friction element at a contact may be in a state while the contact is in another. A frictionless guide is
+/// in one state, whatever the sign of its force.
+bool follows(State own, State contact) {
+  if (own == State::free || contact == State::lift) return own == State::free && contact == State::lift;
+  return contact == State::touch || is_pulled(own) == is_pulled(contact);
+}
+
 }  // namespace
 
 std::string_view name(ElementState state) {
@@ -56,32 +63,54 @@ std::optional<ElementState> parse_element_state(std::string_view text) {
 }
 
 std::vector<ElementState> states(const ElementKind& kind) {
-  if (kind.start == Start::open) return {State::lift};
+  const State apart = kind.law == Law::limited ? State::free : State::lift;
+  if (kind.start == Start::open) return {apart};
   std::vector<State> result = kind.law == Law::frictionless ? std::vector{State::touch} : slipping(kind.start);
-  if (kind.law == Law::limited) return result;
+  if (kind.law == Law::limited && !kind.contact) return result;
   if (kind.bilateral) {
     if (kind.law == Law::frictionless) return result;
     const std::size_t pushed = result.size();
     for (std::size_t i = 0; i < pushed; ++i) result.push_back(pulled(result[i]));
   } else if (kind.lifts) {
-    result.push_back(State::lift);
+    result.push_back(apart);
   }
   return result;
 }
 
+bool go_together(const std::vector<ElementKind>& kinds, const MechanismMode& mode) {
+  for (std::size_t i = 0; i < mode.size(); ++i) {
+    if (kinds[i].contact && !follows(mode[i], mode[*kinds[i].contact])) return false;
+  }
+  return true;
+}
+
 double mode_count(const std::vector<ElementKind>& kinds) {
   double count = 1;
-  for (const ElementKind& kind : kinds) count *= static_cast<double>(states(kind).size());
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    if (kinds[i].contact) continue;
+    double own = 0;
+    for (const ElementState state : states(kinds[i])) {
+      double with = 1;
+      for (const ElementKind& kind : kinds) {
+        if (kind.contact == i) {
+          with *= static_cast<double>(std::ranges::count_if(states(kind), [&](State s) { return follows(s, state); }));
+        }
+      }
+      own += with;
+    }
+    count *= own;
+  }
   return count;
 }
 
 std::vector<MechanismMode> modes_of(const std::vector<ElementKind>& kinds) {
   std::vector<std::vector<ElementState>> all;
   for (const ElementKind& kind : kinds) all.push_back(states(kind));
-  return modes_of(all);
+  return modes_of(kinds, all);
 }
 
-std::vector<MechanismMode> modes_of(const std::vector<std::vector<ElementState>>& states) {
+std::vector<MechanismMode> modes_of(const std::vector<ElementKind>& kinds,
+                                    const std::vector<std::vector<ElementState>>& states) {
   std::vector<MechanismMode> modes{MechanismMode{}};
   for (const std::vector<ElementState>& choice : states) {
     std::vector<MechanismMode> longer;
@@ -89,6 +118,7 @@ std::vector<MechanismMode> modes_of(const std::vector<std::vector<ElementState>>
       for (const ElementState state : choice) {
         longer.push_back(mode);
         longer.back().push_back(state);
+        if (!go_together(kinds, longer.back())) longer.pop_back();
       }
     }
     modes = std::move(longer);
@@ -102,7 +132,7 @@ bool has_state(const ElementKind& kind, ElementState state) {
 }
 
 bool has_mode(const std::vector<ElementKind>& kinds, const MechanismMode& mode) {
-  return std::equal(kinds.begin(), kinds.end(), mode.begin(), mode.end(), has_state);
+  return std::equal(kinds.begin(), kinds.end(), mode.begin(), mode.end(), has_state) && go_together(kinds, mode);
 }
 
 std::string equal_modes(const std::vector<MechanismMode>& modes) {

@@ -26,6 +26,10 @@ struct ElementKind {
   Start start = Start::rest;
   bool bilateral = false;  ///< a guide: N of either sign, and it never opens
   bool lifts = true;       ///< whether `lift` is modelled
+  /// Of a friction element whose limit is one of a contact's force, as rolling resistance is: that contact's number,
+  /// lower than its own. It is `free` where the contact lifts and nowhere else, and pulled where the contact is;
+  /// `bilateral` and `lifts` are those of the contact.
+  std::optional<std::size_t> contact = {};
 
   constexpr bool slides() const { return start == Start::slides_forward || start == Start::slides_backward; }
 };
@@ -40,6 +44,7 @@ enum class ElementState : std::uint8_t {
   pulled_stick,          ///< `stick~`
   pulled_slip_forward,   ///< `slip+~`
   pulled_slip_backward,  ///< `slip-~`
+  free                   ///< `free`, of a friction element whose contact lifts: S = 0
 };
 
 std::string_view name(ElementState state);
@@ -53,7 +58,7 @@ constexpr int slip_direction(ElementState state) {
 }
 /// Whether it is one of those with a tilde.
 constexpr bool is_pulled(ElementState state) {
-  return state >= ElementState::pulled_stick;
+  return state >= ElementState::pulled_stick && state <= ElementState::pulled_slip_backward;
 }
 
 /// The states of an element, in the order in which modes are enumerated.
@@ -102,12 +107,15 @@ constexpr StateList<StateCondition> conditions(const ElementKind& kind, ElementS
 
 /// A state for each element, in the order of the mechanism.
 using MechanismMode = std::vector<ElementState>;
+/// Whether the first states of a mode go together: a friction element at a contact follows the contact.
+bool go_together(const std::vector<ElementKind>& kinds, const MechanismMode& mode);
 /// How many modes such elements have; may round.
 double mode_count(const std::vector<ElementKind>& kinds);
-/// All modes of such elements, in the order of enumeration; of elements with these states each.
+/// All modes of such elements, in the order of enumeration; those with one of these states for each.
 std::vector<MechanismMode> modes_of(const std::vector<ElementKind>& kinds);
-std::vector<MechanismMode> modes_of(const std::vector<std::vector<ElementState>>& states);
-/// Whether a state is one of the element's; whether a mode has one of each element's.
+std::vector<MechanismMode> modes_of(const std::vector<ElementKind>& kinds,
+                                    const std::vector<std::vector<ElementState>>& states);
+/// Whether a state is one of the element's; whether a mode is one of the elements'.
 bool has_state(const ElementKind& kind, ElementState state);
 bool has_mode(const std::vector<ElementKind>& kinds, const MechanismMode& mode);
 std::string name(const MechanismMode& mode);  ///< joined by `/`: `stick/slip+`
@@ -116,6 +124,10 @@ std::string equal_modes(const std::vector<MechanismMode>& modes);
 
 constexpr StateList<StateEquation> equations(const ElementKind& kind, ElementState state) {
   StateList<StateEquation> result;
+  if (state == ElementState::free) {
+    result.add(StateEquation::no_tangent);
+    return result;
+  }
   const bool frictionless = kind.law == ElementKind::Law::frictionless;
   if (state == ElementState::lift) {
     result.add(StateEquation::no_normal);
@@ -133,6 +145,7 @@ constexpr StateList<StateEquation> equations(const ElementKind& kind, ElementSta
 
 constexpr StateList<StateCondition> conditions(const ElementKind& kind, ElementState state) {
   StateList<StateCondition> result;
+  if (state == ElementState::free) return result;
   if (state == ElementState::lift) {
     if (kind.start != ElementKind::Start::open) result.add(StateCondition::opens);
     return result;

@@ -36,6 +36,8 @@ struct FrictionProblem {
   std::size_t load_index() const { return unknowns; }
 };
 
+std::vector<ElementKind> kinds_of(const FrictionProblem& problem);
+
 /// Sums of forms of the same length.
 AffineForm operator+(AffineForm x, const AffineForm& y);
 AffineForm operator-(AffineForm x, const AffineForm& y);
@@ -82,11 +84,11 @@ Form form_of(const ElementForms<Form>& e, ElementState state, StateCondition con
     case StateCondition::opens:
       return e.gap;
     case StateCondition::static_limit:
-      return e.static_limit;
+      return pulled ? -e.static_limit : e.static_limit;
     case StateCondition::kinetic_limit:
       break;
   }
-  return e.kinetic_limit;
+  return pulled ? -e.kinetic_limit : e.kinetic_limit;
 }
 
 }  // namespace slipproof

@@ -257,11 +257,13 @@ ModesOf ModeSolver::among(const StatesOfElements& states, Rejected rejected, Eff
                           const ModeFilter* filter) const {
   using Kind = RegularModes::Outcome::Kind;
   const ModeNumbers numbers(states);
+  const std::vector<ElementKind> kinds = kinds_of(problem_);
   NumberedModes result{{}, {}, rejected == Rejected::told};
   ModeTree::Numbers singular;
   for (std::uint64_t number = 0; number < numbers.count(); ++number) {
     stop_if_asked();
     const MechanismMode mode = numbers.mode(number);
+    if (!go_together(kinds, mode)) continue;
     if (filter != nullptr && filter->excludes(mode)) continue;
     RegularModes::Outcome outcome = regular_.solve(mode, effort);
     if (outcome.kind == Kind::singular) {

@@ -77,10 +77,7 @@ class KernelMotions final : public MotionsOverLoads {
     std::vector<std::size_t> free_;
   };
 
-  bool is_modelled(const MechanismMode& mode) const {
-    return std::equal(problem_.elements.begin(), problem_.elements.end(), mode.begin(), mode.end(),
-                      [](const ProblemElement& e, ElementState state) { return has_state(e.kind, state); });
-  }
+  bool is_modelled(const MechanismMode& mode) const { return has_mode(kinds_of(problem_), mode); }
 
   FrictionProblem problem_;
   std::vector<ConsistentMode> consistent_;

@@ -64,10 +64,17 @@ std::vector<ElementKind> element_kinds(const Mechanism& mechanism, const std::ve
     kind.lifts = missing_for_lift(contact, given).empty();
     kinds.push_back(kind);
   }
-  for (std::size_t i = 0; i < mechanism.friction.size(); ++i) {
+  for (const MechanismFriction& friction : mechanism.friction) {
     ElementKind kind;
     kind.law = ElementKind::Law::limited;
     kind.start = starts[kinds.size()];
+    if (friction.contact) {
+      const ElementKind& contact = kinds[*friction.contact];
+      kind.contact = friction.contact;
+      kind.bilateral = contact.bilateral;
+      kind.lifts = contact.lifts;
+      if (contact.start == ElementKind::Start::open) kind.start = contact.start;
+    }
     kinds.push_back(kind);
   }
   return kinds;

@@ -115,7 +115,8 @@ struct MechanismFriction {
   PlacedExpression static_limit, kinetic_limit;
   ElementKind::Start start = ElementKind::Start::rest;
   std::string slip_name;
-  std::size_t force = 0;  ///< among the unknowns
+  std::optional<std::size_t> contact;  ///< whose force limits it, as of rolling resistance (ElementKind::contact)
+  std::size_t force = 0;               ///< among the unknowns
   SymbolicForm slip_form, static_form, kinetic_form;
   Place place;
 };

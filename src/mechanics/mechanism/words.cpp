@@ -69,15 +69,15 @@ std::optional<ModePattern> parse_mode(const Mechanism& mechanism, const std::vec
     return std::nullopt;
   }
   ModePattern pattern;
+  std::vector<ElementKind> lifting = kinds;
+  for (ElementKind& kind : lifting) kind.lifts = true;
   std::size_t start = 0;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     const std::size_t end = std::min(whole.find('/', start), whole.size());
     const std::string_view part = whole.substr(start, end - start);
-    ElementKind kind = kinds[i];
-    kind.lifts = true;
     std::vector<std::string_view> known{"*"};
     std::optional<ElementState> found;
-    for (const ElementState state : states(kind)) {
+    for (const ElementState state : states(lifting[i])) {
       known.push_back(name(state));
       if (known.back() == part) found = state;
     }
@@ -87,6 +87,12 @@ std::optional<ModePattern> parse_mode(const Mechanism& mechanism, const std::vec
     }
     pattern.states.push_back(found);
     start = end + 1;
+  }
+  if (modes_of(pattern, lifting).empty()) {
+    mistakes.add(text.at(0), prefix + "found " + in_quotes(whole) +
+                                 ", in which a contact and the friction element at it do not go together: expected "
+                                 "\"free\" where the contact lifts, and nowhere else");
+    return std::nullopt;
   }
   return pattern;
 }
@@ -98,7 +104,7 @@ std::vector<MechanismMode> modes_of(const ModePattern& pattern, const std::vecto
     const auto wanted = pattern.states[i];
     std::erase_if(choices.back(), [&](ElementState state) { return wanted && *wanted != state; });
   }
-  return modes_of(choices);
+  return modes_of(kinds, choices);
 }
 
 }  // namespace slipproof

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "mechanics/reading/element_parts.hpp"
@@ -53,7 +54,7 @@ class ElementReader : public ElementParts {
   }
 
   void read_friction(const TomlValue& value) {
-    static constexpr std::array<std::string_view, 5> keys{"name", "slip", "limit", "force", "state"};
+    static constexpr std::array<std::string_view, 6> keys{"name", "slip", "limit", "force", "state", "contact"};
     const TableReader table(value, "[[friction]]", keys, context_.mistakes);
     MechanismFriction friction;
     friction.place = value.place;
@@ -67,7 +68,18 @@ class ElementReader : public ElementParts {
     friction.slip_name = "slip_" + friction.name;
     if (named_well_) context_.declare(friction.slip_name, table.place("name"));
     read_state(table, friction.start, {.law = ElementKind::Law::limited});
+    read_its_contact(table, friction);
     mechanism_.friction.push_back(std::move(friction));
+  }
+
+  void read_its_contact(const TableReader& table, MechanismFriction& friction) {
+    const std::string name = context_.text(table, "contact");
+    if (name.empty()) return;
+    std::vector<std::string_view> known;
+    for (const MechanismContact& contact : mechanism_.contacts) known.push_back(contact.name);
+    const auto found = std::ranges::find(known, name);
+    if (found == known.end()) return table.refuse("contact", unknown_name("contact", name, known));
+    friction.contact = static_cast<std::size_t>(found - known.begin());
   }
 
   void read_link(const TomlValue& value) {

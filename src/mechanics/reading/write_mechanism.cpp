@@ -153,6 +153,7 @@ class MechanismWriter {
     line("slip", quoted(f.slip));
     line("limit", two(f.static_limit, f.kinetic_limit));
     line("force", toml_string(m_.unknowns[f.force].symbol));
+    if (f.contact) line("contact", toml_string(m_.contacts[*f.contact].name));
     state(f.start);
   }
 

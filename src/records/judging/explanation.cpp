@@ -65,6 +65,7 @@ std::string Explanation::not_modelled(const MechanismMode& mode, const Mechanism
     }
     return text;
   }
+  if (!go_together(kinds_of(problem_), mode)) return "the mode is not modelled: a friction element follows its contact";
   return {};
 }
 

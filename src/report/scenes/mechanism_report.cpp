@@ -8,6 +8,7 @@
 #include "base/input/diagnostic.hpp"
 #include "base/number/format.hpp"
 #include "base/output/listed.hpp"
+#include "contact/problem/every_push.hpp"
 #include "mechanics/mechanism/words.hpp"
 #include "report/values/every_load.hpp"
 #include "report/values/number_text.hpp"
@@ -42,7 +43,7 @@ SolvedMechanism::SolvedMechanism(MechanismScene given) : scene(std::move(given))
   } else {
     cells = cells_of(problem, modes);
   }
-  if (const auto contacts = contact_problem(problem)) for_every_q = for_every_load(*contacts);
+  if (const auto contacts = contact_problem(problem)) for_every_q = for_every_push(*contacts);
 }
 
 namespace {

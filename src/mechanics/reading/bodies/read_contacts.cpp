@@ -99,6 +99,7 @@ class BodyContactReader : public BodyParts {
     MechanismFriction rolling;
     rolling.place = touch.rolling_resistance.place();
     rolling.name = contact.name + "_rolling";
+    rolling.contact = touch.contact;
     const std::string force = touch.rolling_force.empty() ? "S_" + rolling.name : touch.rolling_force;
     rolling.slip_name = "slip_" + rolling.name;
     if (touch.well_named) {
