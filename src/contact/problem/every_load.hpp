@@ -54,6 +54,7 @@ struct EveryLoad {
   std::optional<ProblemMode> mode = {};   ///< not_unique: the first one with a determinant that is not positive
   Rational determinant = 0;               ///< of it
   std::optional<ProblemMode> other = {};  ///< not_unique, by pairs: under one q it and `mode` have different w
+  std::vector<Rational> q = {};           ///< by pairs: that q
   std::size_t undetermined = 0;  ///< by pairs: the dimension of the kernel of W, forces that nothing determines
 };
 std::string_view name(EveryLoad::Verdict verdict);  ///< `unique`, `not unique`, `undecided`

@@ -76,6 +76,8 @@ class SolutionPairs {
   /// Whether two solutions with different w were found; the modes are theirs then.
   bool differ() { return differ(space_, {}, true); }
   const ProblemMode& mode(bool second) const { return mode_[second]; }
+  /// Under which both are solutions.
+  const std::vector<Rational>& q() const { return q_; }
 
  private:
   std::size_t w_index(std::size_t i, bool second) const { return (second ? 2 * size_ : 0) + i; }
@@ -141,10 +143,29 @@ class SolutionPairs {
     std::vector<AffineForm> cone;
     for (const AffineForm& condition : conditions) cone.push_back(in_free(condition));
     LinearProgram program(free.size(), cone);
-    return std::ranges::any_of(differences_, [&](const AffineForm& difference) {
-      const AffineForm form = in_free(difference);
-      return !program.least(form) || !program.least(-form);
-    });
+    for (const AffineForm& difference : differences_) {
+      for (AffineForm form = in_free(difference); const bool grows : {false, true}) {
+        if (grows) form = -form;
+        if (program.least(form)) continue;
+        form = -form;
+        form.constant -= 1;  // at least 1 apart
+        cone.push_back(form);
+        AffineForm any;
+        any.coefficients.resize(free.size());
+        tell_q(minimize(any, cone).x, in_free);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  template <class InFree>
+  void tell_q(const std::vector<Rational>& x, const InFree& in_free) {
+    for (std::size_t i = 0; i < size_; ++i) {
+      AffineForm form = w(i, false);
+      for (std::size_t j = 0; j < size_; ++j) form.coefficients[z_index(j, false)] -= problem_.W[i][j];
+      q_.push_back(in_free(form).at(x));
+    }
   }
 
   const ContactProblem& problem_;
@@ -154,6 +175,7 @@ class SolutionPairs {
   std::vector<ProblemElement> elements_[2];
   std::vector<AffineForm> differences_;  ///< of the accelerations w
   ProblemMode mode_[2];
+  std::vector<Rational> q_;
 };
 
 }  // namespace
@@ -180,6 +202,7 @@ EveryLoad for_every_push(const ContactProblem& problem, Work effort) {
     result.verdict = EveryLoad::Verdict::not_unique;
     result.mode = pairs.mode(false);
     result.other = pairs.mode(true);
+    result.q = pairs.q();
   } catch (const TooMuchWork&) {
     result.verdict = EveryLoad::Verdict::undecided;
     result.reason = EveryLoad::Reason::too_many;

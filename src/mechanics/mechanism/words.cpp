@@ -9,6 +9,11 @@ namespace slipproof {
 
 namespace {
 
+/// `c * N`; of a contact that is pulled the opposite.
+std::string own_limit(const Expression& limit, bool pulled) {
+  return pulled ? to_string(make(Operation::negate, {limit})) : to_string(limit);
+}
+
 /// `mu N2`: a coefficient before a force, as people write it.
 std::string friction_limit(const Expression& coefficient, const std::string& normal, bool pulled) {
   const std::string sign = pulled ? "-" : "";
@@ -37,7 +42,7 @@ std::string condition_name(const Mechanism& mechanism, std::size_t element, Elem
       const std::string tangent = force(is_contact ? *contact->tangent : friction->force);
       return "|" + tangent + "|" + (strict ? " < " : " <= ") +
              (is_contact ? friction_limit(contact->static_friction.expression, force(contact->normal), is_pulled(state))
-                         : to_string(friction->static_limit.expression));
+                         : own_limit(friction->static_limit.expression, is_pulled(state)));
     }
     case StateCondition::slips_forward:
       return (is_contact ? contact->slip_name : friction->slip_name) + at_least;
@@ -46,11 +51,11 @@ std::string condition_name(const Mechanism& mechanism, std::size_t element, Elem
     case StateCondition::opens:
       return contact->gap_name + at_least;
     case StateCondition::static_limit:
-      return to_string(friction->static_limit.expression) + at_least;
+      return own_limit(friction->static_limit.expression, is_pulled(state)) + at_least;
     case StateCondition::kinetic_limit:
       break;
   }
-  return to_string(friction->kinetic_limit.expression) + at_least;
+  return own_limit(friction->kinetic_limit.expression, is_pulled(state)) + at_least;
 }
 
 bool ModePattern::matches(const MechanismMode& mode) const {
