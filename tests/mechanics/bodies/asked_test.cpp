@@ -8,6 +8,8 @@
 #include "mechanics/checks/checks.hpp"
 #include "mechanics/kernel/motions.hpp"
 #include "mechanics/kernel/motions_over_loads.hpp"
+#include "mechanics/reading/read_mechanism.hpp"
+#include "mechanics/reading/write_mechanism.hpp"
 #include "mechanics/scene/scene.hpp"
 
 using namespace slipproof;
@@ -41,6 +43,7 @@ TEST_CASE("the scenes people ask about change their motions where the page says"
       {"walking-foot", {Rational(-198157407939) / 7838963500, Rational(184024756026) / 1884748375}},
       {"car-and-trailer", {Rational(1177455543633) / 386875255, Rational(1922651747631) / 428449385}},
       {"stepladder", {Rational(981, 20)}},
+      {"garden-roller", {Rational(2943, 53), Rational(120663, 223), 981}},
       {"double-pendulum", {Rational(2943, 91600), Rational(981, 200)}}};
   const Rational near(1, 100000);
   for (const Asked& asked : all) {
@@ -51,6 +54,17 @@ TEST_CASE("the scenes people ask about change their motions where the page says"
       CHECK(modes_at(scene, load - near) != modes_at(scene, load + near));
     }
   }
+}
+
+TEST_CASE("a roller that leaves the ground has one strict motion, in which its rolling resistance is free") {
+  const auto scene = read_scene(SLIPPROOF_SOURCE_DIR "/cases/mechanisms/asked/scenes/garden-roller.toml");
+  const MotionsAtLoad found = motions_of(friction_problem(scene.mechanism, scene.values), Rational(1000));
+  REQUIRE(found.motions.size() == 1);
+  CHECK(equal_modes(found.motions[0].modes) == "lift/free");
+  CHECK(found.motions[0].boundary_modes.empty());
+  const Mechanism by_equations = parse_mechanism(to_toml(scene.mechanism), "garden-roller.toml");
+  CHECK(motions_of(friction_problem(by_equations, scene.values), Rational(1000)).motions[0].modes ==
+        found.motions[0].modes);
 }
 
 TEST_CASE("a square drawer pulled at its edge jams, and one that is twice as deep does not") {
