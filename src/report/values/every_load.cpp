@@ -19,8 +19,7 @@ std::string in_words(const EveryLoad& every) {
       return "one motion whatever else pushes it, by the " +
              std::string(every.reason == EveryLoad::Reason::definite ? "positive definite matrix" : name(every.reason));
     case EveryLoad::Verdict::at_most_one:
-      return "never two motions, whatever else pushes it: the accelerations are unique, forces undetermined along " +
-             directions(every.undetermined);
+      return "never two motions whatever else pushes, forces undetermined along " + directions(every.undetermined);
     case EveryLoad::Verdict::not_unique:
       if (every.other) {
         return "not one under all other forces: some allow both " + name(*every.mode) + " and " + name(*every.other);
