@@ -84,4 +84,10 @@ GmpInteger::GmpInteger(const Integer& x) {
   mpz_roinit_n(value_, &limb_, x.sign());
 }
 
+std::optional<Integer> exact_root(const Integer& x) {
+  if (x.sign() < 0) return std::nullopt;
+  const Integer root = sqrt(x);
+  return root * root == x ? std::optional(root) : std::nullopt;
+}
+
 }  // namespace slipproof

@@ -8,6 +8,7 @@
 #include <concepts>
 #include <cstddef>
 #include <iosfwd>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -158,6 +159,8 @@ Integer lcm(const Integer& x, const Integer& y);
 Integer pow(const Integer& base, unsigned long exponent);
 /// The root of a number that is not negative, rounded down.
 Integer sqrt(const Integer& x);
+/// The root of a square; nothing of what is none.
+std::optional<Integer> exact_root(const Integer& x);
 /// x / y where y divides x; y must not be 0.
 Integer exact_quotient(const Integer& x, const Integer& y);
 std::ostream& operator<<(std::ostream& out, const Integer& x);

@@ -31,6 +31,10 @@ class JsonProblem {
     answer.lambda = part({"lambda"});
     if (!answer.r.empty() || !answer.u.empty()) read_.answers.push_back(std::move(answer));
     refuse_unknown(global);
+    if (const std::size_t rounded = numbers_.rounded(); rounded > 0) {
+      p.remarks.push_back(std::to_string(rounded) + (rounded == 1 ? " fraction is" : " fractions are") +
+                          " no binary64: the nearest is judged");
+    }
     return std::move(read_);
   }
 
@@ -178,8 +182,8 @@ class JsonProblem {
   void refuse_unknown(bool global) const {
     constexpr std::array<std::string_view, 13> local{"dimension", "title", "W", "M", "q", "mu", "V",
                                                      "R",         "s",     "r", "z", "u", "w"};
-    constexpr std::array<std::string_view, 12> whole{"dimension", "title", "M", "H", "f", "w",
-                                                     "mu",        "G",     "b", "r", "z", "u"};
+    constexpr std::array<std::string_view, 13> whole{"dimension", "title", "contacts", "M", "H", "f", "w",
+                                                     "mu",        "G",     "b",        "r", "z", "u"};
     for (const std::string& key : root_.keys) {
       const bool known =
           (global ? std::ranges::find(whole, key) != whole.end() : std::ranges::find(local, key) != local.end()) ||

@@ -35,8 +35,7 @@ class JsonNumbers {
  public:
   explicit JsonNumbers(std::string file) : file_(std::move(file)) {}
 
-  /// A number, or a text with one in any form that scenes have: decimals mean the nearest binary64, fractions and
-  /// hexadecimal numbers must be one. "NaN", "Infinity" and the like are numbers, too, if `any` allows them.
+  /// A number, or a text with one in any form that scenes have: each means the nearest binary64. "NaN", "Infinity" and the like are numbers, too, if `any` allows them.
   double number(const JsonNode& node, const std::string& where, bool any = false) const;
   std::vector<double> list(const JsonNode& node, const std::string& where, bool any = false) const;
   /// A number that counts something, up to 2^53.
@@ -44,8 +43,12 @@ class JsonNumbers {
 
   [[noreturn]] void refuse(const std::string& where, const std::string& message) const;
 
+  /// How many fractions and hexadecimal numbers were read that are no binary64.
+  std::size_t rounded() const { return rounded_; }
+
  private:
   std::string file_;
+  mutable std::size_t rounded_ = 0;
 };
 
 }  // namespace slipproof

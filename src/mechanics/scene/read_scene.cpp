@@ -9,6 +9,7 @@
 #include "mechanics/mechanism/forms.hpp"
 #include "mechanics/mechanism/names.hpp"
 #include "mechanics/points/degrees.hpp"
+#include "mechanics/reading/read_mechanism.hpp"
 #include "mechanics/reading/reader.hpp"
 #include "mechanics/reading/shipped.hpp"
 #include "mechanics/scene/bicycle_scene.hpp"
@@ -19,12 +20,6 @@ namespace slipproof {
 namespace {
 
 using Circle = MechanismValues::Circle;
-
-/// The root of an integer that is a square.
-std::optional<Integer> exact_root(const Integer& square) {
-  const Integer root = sqrt(square);
-  return Integer(root * root) == square ? std::optional(root) : std::nullopt;
-}
 
 /// One angle in one of its forms.
 class AngleReader {
@@ -216,6 +211,26 @@ class MechanismSceneReader {
   bool complete_ = true;  ///< every parameter and angle has a value
 };
 
+bool is_mechanism(const TomlValue& document) {
+  const TomlEntry* schema = document.find("schema");
+  return schema != nullptr && schema->value.kind == TomlValue::Kind::string &&
+         schema->value.text.text() == "slipproof/mechanism/1";
+}
+
+/// A mechanism all of which stands in numbers is a scene of its own.
+MechanismScene scene_in_numbers(std::string_view text, const std::string& file, Mistakes& mistakes) {
+  MechanismScene scene;
+  scene.mechanism = parse_mechanism(text, file);
+  if (const Mechanism& m = scene.mechanism; !m.parameters.empty() || !m.angles.empty()) {
+    mistakes.add({}, "found a mechanism with " + std::string(m.parameters.empty() ? "angles" : "parameters") +
+                         ", expected a scene of it, with their values: mechanism = " +
+                         toml_string(std::filesystem::path(file).filename().string()) + " and [values]");
+  }
+  scene.name = scene.mechanism.name;
+  scene.values = default_values(scene.mechanism);
+  return scene;
+}
+
 /// Whether a scene is written for any mechanism, even if it forgets to say for which.
 bool names_mechanism(const TomlValue& document) {
   return document.find("mechanism") != nullptr || document.find("values") != nullptr;
@@ -271,8 +286,9 @@ MechanismScene parse_scene(std::string_view text, const std::string& file) {
   Mistakes mistakes(file);
   MechanismScene scene;
   if (const auto document = parse_toml(text, mistakes)) {
-    scene = names_mechanism(*document) ? MechanismSceneReader(*document, file, mistakes).read()
-                                       : read_bicycle_scene(*document, file, mistakes);
+    scene = is_mechanism(*document)      ? scene_in_numbers(text, file, mistakes)
+            : names_mechanism(*document) ? MechanismSceneReader(*document, file, mistakes).read()
+                                         : read_bicycle_scene(*document, file, mistakes);
   }
   mistakes.refuse_if_any();
   return scene;

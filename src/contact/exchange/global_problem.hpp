@@ -1,0 +1,25 @@
+// A contact problem in its global form, in rationals: M v = H r + f, u = H^T v + w, with rows that hold always, M v = H
+// r
+// + G lambda + f, G^T v + b = 0. What `certify` and other solvers read.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "contact/problem/problem.hpp"
+
+namespace slipproof {
+
+struct GlobalProblem {
+  std::string title;
+  int dimension = 3;    ///< 2: a normal and a tangent for each contact; 3: two tangents
+  RationalMatrix M;     ///< symmetric
+  RationalMatrix H, G;  ///< a row for each component of v; G may have no columns
+  std::vector<Rational> f, w, b, mu;
+  std::vector<std::string> contacts;  ///< their names
+};
+
+/// As contact/formats/FORMATS.md describes it, one line for each row.
+std::string to_json(const GlobalProblem& problem);
+
+}  // namespace slipproof

@@ -1,0 +1,28 @@
+// Where outlines touch.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "contact/exchange/touch.hpp"
+#include "contact/exchange/view.hpp"
+
+namespace slipproof::imported {
+
+/// A point or a disc of one body on a line or a disc of another, as they are in the picture.
+struct PlanarContact {
+  std::size_t of = 0, on = 0;  ///< bodies
+  const Shape *point_of = nullptr, *line_of = nullptr;
+  Point centre;                 ///< the point, or the centre of the disc
+  Rational radius = 0;          ///< 0: a point
+  std::optional<Point> normal;  ///< of the line, out of its body
+  Point through;                ///< of the line, or the centre of the other disc
+  Rational on_radius = 0;       ///< of that one
+  Rational distance = 0;        ///< by which the line or disc was moved to touch
+};
+
+/// All of them; mistakes where shapes are inside each other, or touch in a way that is not read.
+std::vector<PlanarContact> planar_contacts(const Scene& scene, const View& view, const Rational& touch,
+                                           Mistakes& mistakes);
+
+}  // namespace slipproof::imported

@@ -1,0 +1,38 @@
+#include "contact/exchange/touch.hpp"
+
+#include "base/number/format.hpp"
+
+namespace slipproof::imported {
+
+void complete(Scene& scene, const TouchOptions& options) {
+  if (options.gravity) {
+    scene.gravity = Vector{0, 0, -*options.gravity};
+  } else if (!scene.gravity) {
+    scene.gravity = Vector{0, 0, Rational(-981, 100)};
+    scene.told.push_back(scene.format + " has no gravity: 9.81 along -z is taken (--gravity says another)");
+  }
+  if (!options.ground) return;
+  Shape plane;
+  plane.kind = Shape::Kind::plane;
+  plane.name = "ground";
+  plane.pose.at.z = *options.ground;
+  plane.kinds = plane.meets = ~0U;
+  scene.bodies[0].shapes.push_back(std::move(plane));
+}
+
+Rational friction_at(const Scene& scene, const Shape& a, const Shape& b, const TouchOptions& options,
+                     Mistakes& mistakes) {
+  const auto mu = friction_between(scene, a, b, options.mu);
+  if (!mu) {
+    mistakes.add(b.place, b.name + " touches " + a.name + ", and nothing says with which friction: --mu does");
+    return 0;
+  }
+  if (mu->sign() < 0) mistakes.add(b.place, b.name + ": found a negative coefficient of friction");
+  return *mu;
+}
+
+std::string distance_in_words(const Rational& distance) {
+  return decimal_text(abs(distance), 2) + (distance.sign() < 0 ? " inside each other" : " apart");
+}
+
+}  // namespace slipproof::imported

@@ -1,0 +1,44 @@
+// What both ways of reading a scene, in a plane and in space, ask of it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "contact/imported/scene.hpp"
+
+namespace slipproof::imported {
+
+struct TouchOptions {
+  Rational touch = Rational(1, 10000);  ///< shapes that are at most so far apart, or inside each other, touch
+  std::optional<Rational> mu;           ///< of all contacts, instead of the format's
+  std::optional<Rational> ground;       ///< a level plane at this height
+  std::optional<Rational> gravity;      ///< along -z, instead of the file's
+};
+
+/// Adds the ground and the gravity that were asked for; URDF, which has none, falls with 9.81, which is told.
+void complete(Scene& scene, const TouchOptions& options);
+
+/// The coefficient of two shapes that touch; a mistake where nothing says one.
+Rational friction_at(const Scene& scene, const Shape& a, const Shape& b, const TouchOptions& options,
+                     Mistakes& mistakes);
+
+/// Calls each(body, shape, other body, other shape) for the pairs of shapes that may touch: of two bodies, one of which
+/// moves, that no joint holds to each other.
+template <class Each>
+void for_each_pair(const Scene& scene, const Each& each) {
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    for (std::size_t j = i + 1; j < scene.bodies.size(); ++j) {
+      if (are_joined(scene, i, j)) continue;
+      for (const Shape& a : scene.bodies[i].shapes) {
+        for (const Shape& b : scene.bodies[j].shapes) {
+          if (may_touch(a, b)) each(i, a, j, b);
+        }
+      }
+    }
+  }
+}
+
+/// `0.00002 apart`, `0.00002 inside each other`.
+std::string distance_in_words(const Rational& distance);
+
+}  // namespace slipproof::imported

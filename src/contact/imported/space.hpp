@@ -1,0 +1,83 @@
+// Vectors, turns and poses in space, in rationals.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "base/number/rational.hpp"
+
+namespace slipproof::imported {
+
+struct Vector {
+  Rational x = 0, y = 0, z = 0;
+
+  const Rational& operator[](std::size_t i) const { return i == 0 ? x : i == 1 ? y : z; }
+  bool operator==(const Vector&) const = default;
+};
+
+inline Vector operator+(const Vector& a, const Vector& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline Vector operator-(const Vector& a, const Vector& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline Vector operator*(const Rational& s, const Vector& a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+inline Rational dot(const Vector& a, const Vector& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+inline Vector cross(const Vector& a, const Vector& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// Columns are the images of the axes.
+struct Turn {
+  std::array<Vector, 3> axes{Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}};
+
+  Vector operator()(const Vector& v) const { return v.x * axes[0] + v.y * axes[1] + v.z * axes[2]; }
+  Turn operator*(const Turn& other) const {
+    return {{(*this)(other.axes[0]), (*this)(other.axes[1]), (*this)(other.axes[2])}};
+  }
+};
+
+struct Pose {
+  Turn turn;
+  Vector at;
+
+  Vector operator()(const Vector& v) const { return at + turn(v); }
+  Pose operator*(const Pose& other) const { return {turn * other.turn, (*this)(other.at)}; }
+};
+
+/// A symmetric matrix: xx, yy, zz, xy, xz, yz.
+struct Inertia {
+  Rational xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
+
+  /// a . I b
+  Rational between(const Vector& a, const Vector& b) const;
+};
+Inertia operator+(const Inertia& a, const Inertia& b);
+/// As seen from axes in which the old ones are these.
+Inertia turned(const Inertia& inertia, const Turn& turn);
+/// Of a point mass at r.
+Inertia of_point(const Rational& mass, const Vector& r);
+
+/// The rational that the shortest decimal of a binary64 writes: what a file says, up to 15 digits. Throws NumberError
+/// for what is not finite.
+Rational written(double x);
+
+/// A turn by a quaternion (w, x, y, z) of any length but 0: exact for right angles up to 5e-6, which is how they are
+/// written in decimals, else the simplest ones within 1e-10. `error` is how far it is from the quaternion's at most,
+/// about, in radians, where that is more than rounding.
+struct RationalTurn {
+  Turn turn;
+  double error = 0;
+};
+RationalTurn rational_turn(const std::array<double, 4>& quaternion);
+
+/// The square root, where it is rational.
+std::optional<Rational> rational_root(const Rational& x);
+/// The vector over its length, where that is rational and not 0.
+std::optional<Vector> direction_of(const Vector& v);
+
+}  // namespace slipproof::imported

@@ -1,0 +1,48 @@
+// What stands in a file of XML, by its tags: each is read, exerts no force, or is refused. The formats' own parsers
+// pass over what they do not know.
+#pragma once
+
+#include <map>
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/input/diagnostic.hpp"
+
+namespace slipproof::imported {
+
+/// The tags of one format.
+struct Tags {
+  std::vector<std::string_view> read;      ///< and what is in them is looked at
+  std::vector<std::string_view> left_out;  ///< with all that is in them: pictures, sensors, names of materials
+};
+
+class TaggedFile {
+ public:
+  /// Throws InputError for what is no XML.
+  TaggedFile(std::string text, std::string file);
+
+  pugi::xml_node root() const { return document_.document_element(); }
+  const std::string& file() const { return file_; }
+  const std::string& text() const { return text_; }
+
+  /// Adds a mistake for each tag that is neither read nor left out, and takes those out of the document that are.
+  /// Returns sentences about these.
+  std::vector<std::string> check(const Tags& tags, Mistakes& mistakes);
+
+  Place place(const pugi::xml_node& node) const;
+  /// Of the first tag of this kind with this name, or of the file's beginning.
+  Place place(std::string_view tag, std::string_view name) const;
+  /// The document as it is now.
+  std::string rest() const;
+
+ private:
+  void check(pugi::xml_node node, const Tags& tags, Mistakes& mistakes);
+
+  std::string text_, file_;
+  pugi::xml_document document_;
+  std::map<std::string, std::vector<std::size_t>> left_out_;  ///< lines, by tag
+};
+
+}  // namespace slipproof::imported
