@@ -24,9 +24,9 @@ struct Placed {
   Outline outline;
 };
 
-class ContactFinder {
+class OutlineContacts {
  public:
-  ContactFinder(const Scene& scene, const View& view, const Rational& touch, Mistakes& mistakes)
+  OutlineContacts(const Scene& scene, const View& view, const Rational& touch, Mistakes& mistakes)
       : scene_(scene), view_(view), touch_(touch), mistakes_(mistakes) {}
 
   std::vector<PlanarContact> find() {
@@ -166,7 +166,7 @@ class ContactFinder {
 
 std::vector<PlanarContact> planar_contacts(const Scene& scene, const View& view, const Rational& touch,
                                            Mistakes& mistakes) {
-  return ContactFinder(scene, view, touch, mistakes).find();
+  return OutlineContacts(scene, view, touch, mistakes).find();
 }
 
 }  // namespace slipproof::imported

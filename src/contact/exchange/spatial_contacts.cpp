@@ -73,9 +73,9 @@ std::vector<Vector> clipped(std::vector<Vector> polygon, const Face& face) {
   return polygon;
 }
 
-class ContactFinder {
+class ShapeContacts {
  public:
-  ContactFinder(const Scene& scene, const Rational& touch, Mistakes& mistakes, std::vector<std::string>& told)
+  ShapeContacts(const Scene& scene, const Rational& touch, Mistakes& mistakes, std::vector<std::string>& told)
       : scene_(scene), touch_(touch), mistakes_(mistakes), told_(told) {}
 
   std::vector<SpatialContact> find() {
@@ -231,7 +231,7 @@ class ContactFinder {
 
 std::vector<SpatialContact> spatial_contacts(const Scene& scene, const Rational& touch, Mistakes& mistakes,
                                              std::vector<std::string>& told) {
-  return ContactFinder(scene, touch, mistakes, told).find();
+  return ShapeContacts(scene, touch, mistakes, told).find();
 }
 
 std::array<Vector, 2> tangents(const Vector& n) {
