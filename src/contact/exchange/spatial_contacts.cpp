@@ -177,6 +177,7 @@ class ShapeContacts {
 
   /// The points of a shape that may touch a face.
   std::vector<Vector> lowest(const Shape& shape, const Face& face) {
+    if (shape.kind == Kind::plane) return {};
     if (shape.kind == Kind::box) return corners(shape);
     if (shape.kind == Kind::sphere) return {shape.pose.at - shape.radius * face.normal};
     const auto& axes = shape.pose.turn.axes;

@@ -1,6 +1,6 @@
 // MJCF, by MuJoCo, which makes a model of the file: defaults, masses from densities, `fromto`. It takes the greater of
 // two coefficients of friction. Its contacts are soft; here they are hard.
-#include "contact/imported/read_scene.hpp"
+#include "contact/imported/readers.hpp"
 
 #ifdef SLIPPROOF_MJCF
 
@@ -82,13 +82,14 @@ class MjcfReader {
     poses_.emplace_back();
     for (int i = 1; i < m_.nbody; ++i) add_body(i);
     for (int i = 0; i < m_.ngeom; ++i) add_shape(i);
-    scene_.told.push_back("MuJoCo's contacts are soft, those of the scene hard");
+    scene_.told.emplace_back("MuJoCo computed lengths, masses and inertias; 15 digits of each are taken");
+    scene_.told.emplace_back("MuJoCo's contacts are soft, those of the scene hard");
   }
 
  private:
   template <class Number>
   static Vector vector_of(const Number* v) {
-    return {written(v[0]), written(v[1]), written(v[2])};
+    return {computed(v[0]), computed(v[1]), computed(v[2])};
   }
   Pose pose_of(const mjtNum* at, const mjtNum* q, const std::string& whose) {
     return {turn_of({q[0], q[1], q[2], q[3]}, whose, scene_), vector_of(at)};
@@ -106,7 +107,7 @@ class MjcfReader {
     poses_.push_back(poses_[parent] * pose_of(m_.body_pos + 3 * i, m_.body_quat + 4 * i, body.name));
     const Pose centre =
         poses_.back() * pose_of(m_.body_ipos + 3 * i, m_.body_iquat + 4 * i, body.name + ", its inertia");
-    body.mass = written(m_.body_mass[i]);
+    body.mass = computed(m_.body_mass[i]);
     body.at = centre.at;
     const Vector inertia = vector_of(m_.body_inertia + 3 * i);
     body.inertia = turned({inertia.x, inertia.y, inertia.z, 0, 0, 0}, centre.turn);
@@ -169,7 +170,7 @@ class MjcfReader {
     const Pose& pose = poses_[own];
     joint.at = pose(vector_of(m_.jnt_pos + 3 * j));
     joint.axis = pose.turn(vector_of(m_.jnt_axis + 3 * j));
-    joint.friction = written(m_.dof_frictionloss[m_.jnt_dofadr[j]]);
+    joint.friction = computed(m_.dof_frictionloss[m_.jnt_dofadr[j]]);
     check_joint(j, joint.name);
     scene_.joints.push_back(std::move(joint));
   }
@@ -182,7 +183,7 @@ class MjcfReader {
     shape.place = file_.place("geom", shape.name);
     if (shape.place.line == 0) shape.place = body.place;
     shape.pose = poses_[owner] * pose_of(m_.geom_pos + 3 * i, m_.geom_quat + 4 * i, shape.name);
-    shape.mu = m_.geom_condim[i] == 1 ? Rational(0) : written(m_.geom_friction[3 * i]);
+    shape.mu = m_.geom_condim[i] == 1 ? Rational(0) : computed(m_.geom_friction[3 * i]);
     shape.kinds = static_cast<unsigned>(m_.geom_contype[i]);
     shape.meets = static_cast<unsigned>(m_.geom_conaffinity[i]);
     if (m_.geom_margin[i] > m_.geom_gap[i]) {
@@ -198,13 +199,13 @@ class MjcfReader {
         break;
       case mjGEOM_SPHERE:
         shape.kind = Shape::Kind::sphere;
-        shape.radius = written(size[0]);
+        shape.radius = computed(size[0]);
         break;
       case mjGEOM_CYLINDER:
       case mjGEOM_CAPSULE:
         shape.kind = m_.geom_type[i] == mjGEOM_CYLINDER ? Shape::Kind::cylinder : Shape::Kind::capsule;
-        shape.radius = written(size[0]);
-        shape.half_length = written(size[1]);
+        shape.radius = computed(size[0]);
+        shape.half_length = computed(size[1]);
         break;
       default:
         return mistakes_.add(shape.place, shape.name +

@@ -1,6 +1,6 @@
 // SDF, by sdformat: a world, or one model. Poses are put together here, in rationals, from what each element says of
 // itself. Gazebo takes the lesser of two coefficients of friction, and 1 where none stands.
-#include "contact/imported/read_scene.hpp"
+#include "contact/imported/readers.hpp"
 
 #ifdef SLIPPROOF_SDF
 

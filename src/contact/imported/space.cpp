@@ -37,6 +37,11 @@ Rational written(double x) {
   return parse_rational(fmt::format("{}", x));
 }
 
+Rational computed(double x) {
+  if (!std::isfinite(x)) return to_rational(x);  // throws
+  return parse_rational(fmt::format("{:.15g}", x));
+}
+
 RationalTurn rational_turn(const std::array<double, 4>& quaternion) {
   const auto largest = *std::ranges::max_element(quaternion, {}, [](double x) { return std::abs(x); });
   std::array<double, 4> ratios{};

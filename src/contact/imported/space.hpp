@@ -65,6 +65,8 @@ Inertia of_point(const Rational& mass, const Vector& r);
 /// The rational that the shortest decimal of a binary64 writes: what a file says, up to 15 digits. Throws NumberError
 /// for what is not finite.
 Rational written(double x);
+/// The same with 15 digits, of a number that a program computed from what a file says, with the error of its last bit.
+Rational computed(double x);
 
 /// A turn by a quaternion (w, x, y, z) of any length but 0: exact for right angles up to 5e-6, which is how they are
 /// written in decimals, else the simplest ones within 1e-10. `error` is how far it is from the quaternion's at most,

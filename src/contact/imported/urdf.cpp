@@ -1,6 +1,6 @@
 // URDF, by urdfdom: one robot. It has neither ground nor gravity nor friction, and whether its first link is held
 // somewhere it does not say, unless that link is called `world`.
-#include "contact/imported/read_scene.hpp"
+#include "contact/imported/readers.hpp"
 
 #ifdef SLIPPROOF_URDF
 

@@ -1,0 +1,35 @@
+// The door of the module.
+#include "contact/imported/parsers.hpp"
+
+#include <fmt/format.h>
+
+#include <exception>
+
+#include "contact/imported/readers.hpp"
+
+namespace slipproof::imported {
+
+Turn turn_of(const std::array<double, 4>& quaternion, const std::string& whose, Scene& scene) {
+  const RationalTurn found = rational_turn(quaternion);
+  if (found.error > 0) {
+    scene.told.push_back(
+        fmt::format("{}: its turn is not rational; one that is {:.1g} rad away is taken", whose, found.error));
+  }
+  return found.turn;
+}
+
+}  // namespace slipproof::imported
+
+extern "C" __attribute__((visibility("default"))) void slipproof_parse_scene(slipproof::imported::TaggedFile* file,
+                                                                             slipproof::imported::Scene* scene,
+                                                                             slipproof::Mistakes* mistakes) {
+  using namespace slipproof::imported;
+  const std::string_view root = file->root().name();
+  try {
+    if (root == "robot") read_urdf(*file, *scene, *mistakes);
+    if (root == "sdf") read_sdf(*file, *scene, *mistakes);
+    if (root == "mujoco") read_mjcf(*file, *scene, *mistakes);
+  } catch (const std::exception& error) {  // its type is another one beyond this door
+    mistakes->add(file->place(file->root()), error.what());
+  }
+}
