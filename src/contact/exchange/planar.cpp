@@ -9,6 +9,7 @@
 #include "base/output/listed.hpp"
 #include "contact/exchange/planar_contacts.hpp"
 #include "contact/exchange/view.hpp"
+#include "mechanics/reading/read_mechanism.hpp"
 
 namespace slipproof::imported {
 
@@ -152,6 +153,7 @@ PlanarMechanism to_planar(Scene scene, const PlanarOptions& options) {
   const View& view = view_of(scene, options.plane, mistakes);
   PlanarMechanism result = PlanarWriter(scene, view, options, mistakes).write();
   mistakes.refuse_if_any();
+  parse_mechanism(result.text, "the mechanism that follows from " + scene.file);  // refuses what no mechanism is
   return result;
 }
 

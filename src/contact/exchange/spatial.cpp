@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "contact/exchange/spatial_contacts.hpp"
+#include "contact/problem/solutions.hpp"
 
 namespace slipproof::imported {
 
@@ -105,11 +106,14 @@ SpatialProblem to_spatial(Scene scene, const TouchOptions& options) {
   Mistakes mistakes(scene.file);
   SpatialProblem result = SpatialBuilder(scene, options, mistakes).build();
   mistakes.refuse_if_any();
+  if (!positive_definite(result.problem.M)) {
+    mistakes.add({}, "found a mass or an inertia that is not positive, expected positive ones");
+  }
   if (result.problem.contacts.empty()) {
     mistakes.add(
         {}, "found nothing that touches within " + options.touch.str() + ", expected contacts (--touch, --ground)");
-    mistakes.refuse_if_any();
   }
+  mistakes.refuse_if_any();
   return result;
 }
 

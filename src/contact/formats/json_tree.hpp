@@ -35,7 +35,8 @@ class JsonNumbers {
  public:
   explicit JsonNumbers(std::string file) : file_(std::move(file)) {}
 
-  /// A number, or a text with one in any form that scenes have: each means the nearest binary64. "NaN", "Infinity" and the like are numbers, too, if `any` allows them.
+  /// A number, or a text with one in any form that scenes have: each means the nearest binary64. "NaN", "Infinity" and
+  /// the like are numbers, too, if `any` allows them.
   double number(const JsonNode& node, const std::string& where, bool any = false) const;
   std::vector<double> list(const JsonNode& node, const std::string& where, bool any = false) const;
   /// A number that counts something, up to 2^53.

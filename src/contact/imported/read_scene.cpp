@@ -9,6 +9,21 @@ namespace {
 
 constexpr std::size_t max_scene_size = std::size_t{16} << 20U;
 
+void check_sizes(const Scene& scene, Mistakes& mistakes) {
+  for (const Body& body : scene.bodies) {
+    if (body.mass.sign() < 0) mistakes.add(body.place, body.name + ": found a negative mass");
+    for (const Shape& shape : body.shapes) {
+      const bool is_box = shape.kind == Shape::Kind::box, is_round = !is_box && shape.kind != Shape::Kind::plane;
+      const bool has_length = shape.kind == Shape::Kind::cylinder || shape.kind == Shape::Kind::capsule;
+      if ((is_box && (shape.half.x.sign() <= 0 || shape.half.y.sign() <= 0 || shape.half.z.sign() <= 0)) ||
+          (is_round && shape.radius.sign() <= 0) || (has_length && shape.half_length.sign() <= 0)) {
+        mistakes.add(shape.place, shape.name + ": found a " + std::string(name(shape.kind)) +
+                                      " with a size that is not positive, expected a positive one");
+      }
+    }
+  }
+}
+
 }  // namespace
 
 Scene parse_scene_of_bodies(std::string text, const std::string& file) {
@@ -26,6 +41,7 @@ Scene parse_scene_of_bodies(std::string text, const std::string& file) {
   } else {
     mistakes.add(beginning, "found <" + root + ">, and " + why);
   }
+  check_sizes(scene, mistakes);
   mistakes.refuse_if_any();
   join_fixed(scene, mistakes);
   mistakes.refuse_if_any();
