@@ -70,6 +70,7 @@ std::optional<Rational> friction_between(const Scene& scene, const Shape& a, con
 }
 
 bool are_joined(const Scene& scene, std::size_t a, std::size_t b) {
+  if (a == 0 || b == 0) return false;
   return std::ranges::any_of(scene.joints, [&](const Joint& joint) {
     return (joint.first == a && joint.second == b) || (joint.first == b && joint.second == a);
   });

@@ -72,7 +72,8 @@ void join_fixed(Scene& scene, Mistakes& mistakes);
 std::optional<Rational> friction_between(const Scene& scene, const Shape& a, const Shape& b,
                                          const std::optional<Rational>& given);
 
-/// Whether a joint holds two bodies to each other: then their shapes do not touch, as in the formats' engines.
+/// Whether a joint holds two bodies that move to each other: then their shapes do not touch, as in the formats'
+/// engines, in which what is held to the ground may touch it.
 bool are_joined(const Scene& scene, std::size_t a, std::size_t b);
 bool may_touch(const Shape& a, const Shape& b);
 
