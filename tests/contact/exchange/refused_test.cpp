@@ -67,7 +67,10 @@ std::string said_of(const std::string& text, bool level) {
 
 void check(const std::string& base, bool level, const std::vector<Change>& changes) {
   std::string why;
-  if (imported::find_parsers(why) == nullptr) return MESSAGE("not tried: " << why);
+  if (imported::find_parsers(why) == nullptr) {
+    MESSAGE("not tried: " << why);
+    return;
+  }
   CHECK(said_of(base, level).rfind("read:", 0) == 0);
   for (const Change& change : changes) {
     CAPTURE(change.from);
