@@ -59,6 +59,10 @@ void join_fixed(Scene& scene, Mistakes& mistakes) {
     if (body.mass.sign() <= 0) {
       mistakes.add(body.place, body.name + ": found a body that moves, without a mass, expected an inertia");
     }
+    for (const Shape& shape : body.shapes) {
+      if (shape.kind != Shape::Kind::plane) continue;
+      mistakes.add(shape.place, shape.name + ": found a plane on a body that moves, expected it to be fixed");
+    }
   }
 }
 

@@ -255,6 +255,11 @@ void read_sdf(TaggedFile& file, Scene& scene, Mistakes& mistakes) {
   scene.format = "SDF";
   scene.rule = FrictionRule::least;
   scene.told = file.check(tags, mistakes);
+  const std::string_view version = file.root().attribute("version").value();
+  if (version.size() != 3 || version.substr(0, 2) != "1." || version > sdf::SDF::Version()) {
+    mistakes.add(file.place(file.root()),
+                 "found the version " + in_quotes(version) + " of SDF, expected one up to " + sdf::SDF::Version());
+  }
   if (!mistakes.empty()) return;
   sdf::Console::Instance()->SetQuiet(true);
   sdf::Root root;

@@ -46,6 +46,9 @@ class UrdfReader {
     scene_.name = robot.getName();
     const urdf::LinkConstSharedPtr root = robot.getRoot();
     add(*root, Pose());
+    if (scene_.bodies.size() != robot.links_.size() + 1) {
+      mistakes_.add(file_.place(file_.root()), "found links that no chain of joints holds to " + root->name);
+    }
     if (root->name == "world") {
       scene_.joints.push_back({Joint::Kind::fixed, "world", 0, 1, {}, {}, 0, {}});
     } else {
