@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "contact/problem/every_load.hpp"
 #include "mechanics/points/problem.hpp"
 
 namespace slipproof {
@@ -17,6 +18,7 @@ class Exporter {
     refuse();
     result_.title = scene_.name.empty() ? m_.name : scene_.name;
     result_.dimension = 2;
+    if (m_.forces > 0 || !m_.by_virtual_work) return local();
     add_rows();
     for (std::size_t i = 0; i < m_.contacts.size(); ++i) add_contact(i);
     for (std::size_t i = 0; i < m_.links.size(); ++i) add_link(i);
@@ -41,11 +43,6 @@ class Exporter {
       if (!kind.bilateral && !kind.lifts)
         mistakes_.add(c.place, c.name + ": found a contact whose lift is not modelled");
     }
-    if (m_.forces > 0) mistakes_.add({}, "found forces that belong to no contact, expected none");
-    if (problem_.equations.size() != m_.accelerations + m_.links.size()) {
-      mistakes_.add({}, "found " + std::to_string(problem_.equations.size()) + " equations for " +
-                            std::to_string(m_.accelerations) + " accelerations, expected one for each");
-    }
     mistakes_.refuse_if_any();
   }
 
@@ -55,6 +52,31 @@ class Exporter {
   }
   std::vector<Rational> over_accelerations(const AffineForm& form) const {
     return {form.coefficients.begin(), form.coefficients.begin() + static_cast<std::ptrdiff_t>(m_.accelerations)};
+  }
+
+  GlobalProblem local() {
+    FrictionProblem at_load = problem_;
+    const auto fold = [&](AffineForm& form) {
+      if (form.coefficients.empty() || !problem_.has_load) return;
+      form.constant = constant(form);
+      form.coefficients[problem_.load_index()] = 0;
+    };
+    std::ranges::for_each(at_load.equations, fold);
+    for (ProblemElement& e : at_load.elements) {
+      for (AffineForm* form : {&e.gap, &e.slip}) fold(*form);
+    }
+    const auto solved = contact_problem(at_load);
+    if (!solved) {
+      mistakes_.add({},
+                    "found equations that contact forces do not determine, or contacts that are not all at rest and "
+                    "with one coefficient each, expected a Delassus matrix");
+    }
+    mistakes_.refuse_if_any();
+    result_.W = solved->W;
+    result_.q = solved->q;
+    result_.mu = solved->mu;
+    for (const MechanismContact& c : m_.contacts) result_.contacts.push_back(c.name);
+    return std::move(result_);
   }
 
   void add_rows() {

@@ -27,6 +27,9 @@ std::string rows(const RationalMatrix& matrix) {
 std::string to_json(const GlobalProblem& p) {
   std::string text = fmt::format("{{\n  \"title\": {},\n  \"dimension\": {},\n", Json(p.title).dump(), p.dimension);
   text += fmt::format("  \"contacts\": {},\n", Json(p.contacts).dump());
+  if (!p.q.empty()) {
+    return text + fmt::format("  \"W\": {},\n  \"q\": {},\n  \"mu\": {}\n}}\n", rows(p.W), list(p.q), list(p.mu));
+  }
   text += fmt::format("  \"M\": {},\n  \"H\": {},\n  \"f\": {},\n  \"w\": {},\n  \"mu\": {}", rows(p.M), rows(p.H),
                       list(p.f), list(p.w), list(p.mu));
   if (!p.b.empty()) text += fmt::format(",\n  \"G\": {},\n  \"b\": {}", rows(p.G), list(p.b));

@@ -1,6 +1,6 @@
-// A contact problem in its global form, in rationals: M v = H r + f, u = H^T v + w, with rows that hold always, M v = H
+// A contact problem in rationals, in its global form: M v = H r + f, u = H^T v + w, with rows that hold always, M v = H
 // r
-// + G lambda + f, G^T v + b = 0. What `certify` and other solvers read.
+// + G lambda + f, G^T v + b = 0; or in the local one, u = W r + q. What `certify` and other solvers read.
 #pragma once
 
 #include <string>
@@ -16,6 +16,8 @@ struct GlobalProblem {
   RationalMatrix M;     ///< symmetric
   RationalMatrix H, G;  ///< a row for each component of v; G may have no columns
   std::vector<Rational> f, w, b, mu;
+  RationalMatrix W;  ///< of the local form, with q; then there is no M, H, G, f, w, b
+  std::vector<Rational> q;
   std::vector<std::string> contacts;  ///< their names
 };
 

@@ -180,8 +180,8 @@ class JsonProblem {
   }
 
   void refuse_unknown(bool global) const {
-    constexpr std::array<std::string_view, 13> local{"dimension", "title", "W", "M", "q", "mu", "V",
-                                                     "R",         "s",     "r", "z", "u", "w"};
+    constexpr std::array<std::string_view, 14> local{"dimension", "title", "contacts", "W", "M", "q", "mu",
+                                                     "V",         "R",     "s",        "r", "z", "u", "w"};
     constexpr std::array<std::string_view, 13> whole{"dimension", "title", "contacts", "M", "H", "f", "w",
                                                      "mu",        "G",     "b",        "r", "z", "u"};
     for (const std::string& key : root_.keys) {

@@ -100,18 +100,25 @@ void add_import(CLI::App& app, int& exit_code) {
 }
 
 void add_export(CLI::App& app, int& exit_code) {
-  auto scene = std::make_shared<std::string>(), output = std::make_shared<std::string>();
+  auto scene = std::make_shared<std::string>(), output = std::make_shared<std::string>(),
+       load = std::make_shared<std::string>();
   CLI::App& command =
       *app.add_subcommand("export", "Write the contact problem of a scene, for certify and other solvers");
   command.add_option("SCENE", *scene, "Scene file (TOML)")->required();
   command.add_option("-o,--output", *output, "Where the problem goes (JSON)")->required();
-  command.callback([scene, output, &exit_code] {
+  command.add_option("--load", *load, "The value of the load, if not the scene's");
+  command.callback([scene, output, load, &exit_code] {
     Inputs inputs;
     inputs.add(*scene);
     const OutputFile file(*output, inputs);
-    const GlobalProblem problem = global_problem(read_scene(*scene));
+    MechanismScene read = read_scene(*scene);
+    if (!load->empty()) {
+      if (!read.mechanism.load) throw CLI::ValidationError("--load", "found a value, and the mechanism has no load");
+      read.load = number("--load", *load);
+    }
+    const GlobalProblem problem = global_problem(read);
     file.write(to_json(problem));
-    print(fmt::format("s EXPORTED {} contacts {} unknowns {}\n", *output, problem.contacts.size(), problem.f.size()));
+    print(fmt::format("s EXPORTED {} contacts {}\n", *output, problem.contacts.size()));
     exit_code = as_it_should_be;
   });
 }
