@@ -4,7 +4,16 @@
 
 #include <pybind11/pybind11.h>
 
+#include <optional>
+#include <string>
+
+#include "mechanics/mechanism/mechanism.hpp"
+
 namespace slipproof::python {
+
+/// The mechanism of a text, which messages call `name`, or without one that of a file or a shipped one. Throws
+/// InputError.
+Mechanism mechanism_of(const std::string& name, const std::optional<std::string>& text);
 
 void bind_errors(pybind11::module_& module);
 void bind_calls(pybind11::module_& module);

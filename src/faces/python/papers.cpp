@@ -8,7 +8,6 @@
 #include "claims/reading/read_claims_file.hpp"
 #include "faces/python/bind.hpp"
 #include "faces/python/interruptible.hpp"
-#include "mechanics/reading/shipped.hpp"
 #include "mechanics/scene/narrow.hpp"
 #include "proofs/check/files.hpp"
 #include "proofs/check_contact/files.hpp"
@@ -79,8 +78,9 @@ py::tuple check(const std::vector<std::string>& paths) {
   return py::make_tuple(std::move(results), report.text, report.summary);
 }
 
-Report search_report(const std::string& name, const std::string& within, SearchOptions options, Call& call) {
-  Mechanism mechanism = open_mechanism(name);
+Report search_report(const std::string& name, const std::optional<std::string>& text, const std::string& within,
+                     SearchOptions options, Call& call) {
+  Mechanism mechanism = mechanism_of(name, text);
   if (!within.empty()) mechanism = narrowed(mechanism, within, "within");
   options.progress = [&call](std::uint64_t done, std::uint64_t all) { call.at(done, all); };
   MotionSearch search(mechanism, options);
@@ -88,9 +88,9 @@ Report search_report(const std::string& name, const std::string& within, SearchO
   return {search_json(report), text_of(search_document(report)), std::string(slipproof::name(verdict(report)))};
 }
 
-py::tuple search(const std::string& name, const std::string& within, std::optional<std::uint64_t> samples,
-                 std::uint64_t seed, const std::optional<std::string>& wanted, bool hysteresis, unsigned threads,
-                 const py::object& progress) {
+py::tuple search(const std::string& name, const std::optional<std::string>& text, const std::string& within,
+                 std::optional<std::uint64_t> samples, std::uint64_t seed, const std::optional<std::string>& wanted,
+                 bool hysteresis, unsigned threads, const py::object& progress) {
   SearchOptions options;
   options.samples = samples;
   options.seed = seed;
@@ -101,7 +101,8 @@ py::tuple search(const std::string& name, const std::string& within, std::option
                      : *wanted == "several" ? MotionCount::several
                                             : MotionCount::continuum;
   }
-  const Report report = interruptible([=](Call& call) { return search_report(name, within, options, call); }, progress);
+  const Report report =
+      interruptible([=](Call& call) { return search_report(name, text, within, options, call); }, progress);
   return py::make_tuple(report.json, report.text, report.summary);
 }
 

@@ -12,6 +12,7 @@
 #include "faces/python/numbers.hpp"
 #include "mechanics/checks/checks.hpp"
 #include "mechanics/checks/show.hpp"
+#include "mechanics/reading/read_mechanism.hpp"
 #include "mechanics/reading/shipped.hpp"
 #include "mechanics/scene/scene.hpp"
 #include "report/scenes/mechanism_report.hpp"
@@ -189,6 +190,10 @@ py::dict described(const Mechanism& mechanism) {
 
 }  // namespace
 
+Mechanism mechanism_of(const std::string& name, const std::optional<std::string>& text) {
+  return text ? parse_mechanism(*text, name) : open_mechanism(name);
+}
+
 py::tuple to_python(const Rational& x) {
   return py::make_tuple(integer(numerator(x)), integer(denominator(x)));
 }
@@ -196,16 +201,24 @@ py::tuple to_python(const Rational& x) {
 void bind_scenes(py::module_& module) {
   bind_scene(module);
   module.def("critical", &critical);
-  module.def("describe_mechanism", [](const std::string& name) { return described(open_mechanism(name)); });
-  module.def("show_mechanism", [](const std::string& name) {
-    return interruptible([name](Call&) {
-      const Mechanism mechanism = open_mechanism(name);
-      return show_text(mechanism, check_mechanism(mechanism));
-    });
-  });
+  module.def(
+      "describe_mechanism",
+      [](const std::string& name, const std::optional<std::string>& text) {
+        return described(mechanism_of(name, text));
+      },
+      py::arg("name"), py::arg("text") = py::none());
+  module.def(
+      "show_mechanism",
+      [](const std::string& name, const std::optional<std::string>& text) {
+        return interruptible([name, text](Call&) {
+          const Mechanism shown = mechanism_of(name, text);
+          return show_text(shown, check_mechanism(shown));
+        });
+      },
+      py::arg("name"), py::arg("text") = py::none());
   module.def("shipped_mechanisms", [] {
     py::list names;
-    for (const ShippedMechanism& mechanism : shipped_mechanisms()) names.append(mechanism.name);
+    for (const ShippedMechanism& one : shipped_mechanisms()) names.append(one.name);
     return names;
   });
 }

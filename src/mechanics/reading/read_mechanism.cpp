@@ -162,21 +162,26 @@ void read_root(const TableReader& root, Context& context, std::optional<BodyGeom
 
 }  // namespace
 
-Mechanism parse_mechanism(std::string_view text, const std::string& file) {
+Mechanism parse_mechanism(const TomlValue& table, const std::string& file) {
   Mechanism mechanism;
   mechanism.file = file;
   Mistakes mistakes(file);
-  if (const auto document = parse_toml(text, mistakes)) {
-    Context context(mechanism, mistakes);
-    std::optional<BodyGeometry> geometry;
-    read_root(TableReader(*document, "", mechanism_keys, mistakes), context, geometry);
-    derive_forms(mechanism, mistakes);
-    load_bounds(mechanism, mistakes);
-    if (mistakes.empty()) mechanism_reader::check_domain(context);
-    if (mistakes.empty() && geometry) settle_geometry(*geometry, mechanism, mistakes);
-  }
+  Context context(mechanism, mistakes);
+  std::optional<BodyGeometry> geometry;
+  read_root(TableReader(table, "", mechanism_keys, mistakes), context, geometry);
+  derive_forms(mechanism, mistakes);
+  load_bounds(mechanism, mistakes);
+  if (mistakes.empty()) mechanism_reader::check_domain(context);
+  if (mistakes.empty() && geometry) settle_geometry(*geometry, mechanism, mistakes);
   mistakes.refuse_if_any();
   return mechanism;
+}
+
+Mechanism parse_mechanism(std::string_view text, const std::string& file) {
+  Mistakes mistakes(file);
+  const auto document = parse_toml(text, mistakes);
+  mistakes.refuse_if_any();
+  return parse_mechanism(*document, file);
 }
 
 Mechanism read_mechanism(const std::filesystem::path& path) {

@@ -14,5 +14,7 @@ Mechanism read_mechanism(const std::filesystem::path& path);
 
 /// The same from a text; `file` is how messages call it. Any bytes are safe.
 Mechanism parse_mechanism(std::string_view text, const std::string& file);
+/// The same from a table of a file with that name.
+Mechanism parse_mechanism(const TomlValue& table, const std::string& file);
 
 }  // namespace slipproof

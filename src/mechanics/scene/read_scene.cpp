@@ -103,14 +103,18 @@ class MechanismSceneReader {
   MechanismScene read() {
     scene_.name = std::filesystem::path(file_).stem().string();
     if (const PlacedText* name = root_.string("name")) scene_.name = name->text();
-    auto mechanism = named_mechanism(root_, std::filesystem::path(file_).parent_path().string());
+    const TomlValue* mechanism_value = root_.value("mechanism");
+    auto mechanism = mechanism_value != nullptr && mechanism_value->kind == TomlValue::Kind::table
+                         ? own_mechanism(*mechanism_value)
+                         : named_mechanism(root_, std::filesystem::path(file_).parent_path().string());
     if (!mechanism) return {};
     scene_.mechanism = std::move(*mechanism);
     scene_.values = default_values(scene_.mechanism);
     if (const TomlValue* state = root_.table("state")) {
       read_states(*state, scene_.mechanism, scene_.values.starts, mistakes_);
     }
-    if (root_.require("values", "the table [values]")) {
+    const bool in_numbers = scene_.mechanism.parameters.empty() && scene_.mechanism.angles.empty();
+    if ((in_numbers && !root_.has("values")) || root_.require("values", "the table [values]")) {
       if (const TomlValue* values = root_.table("values")) read_values(*values);
     }
     return std::move(scene_);
@@ -118,6 +122,20 @@ class MechanismSceneReader {
 
  private:
   static constexpr std::array<std::string_view, 5> keys{"name", "mechanism", "along", "values", "state"};
+
+  /// A mechanism that stands in the scene itself: the table [mechanism].
+  std::optional<Mechanism> own_mechanism(const TomlValue& table) {
+    try {
+      Mechanism mechanism = parse_mechanism(table, file_);
+      const PlacedText* along = root_.string("along");
+      return along == nullptr ? std::move(mechanism) : with_load(mechanism, along->text());
+    } catch (const InputError& error) {
+      for (const Diagnostic& d : error.diagnostics()) {
+        mistakes_.add(d.line == 0 ? root_.place("along") : Place{d.line, d.column}, d.message);
+      }
+    }
+    return std::nullopt;
+  }
 
   void read_values(const TomlValue& values) {
     const Mechanism& mechanism = scene_.mechanism;

@@ -1,5 +1,6 @@
 """Exact, provable answers about dry friction.
 
+- :class:`Body`, :class:`Contact`, :class:`Joint`, ...: a mechanism from what is there, without a file
 - :func:`solve`, :class:`Mechanism`: every motion of a bicycle or of any planar mechanism with dry friction
 - :func:`certify`, :func:`certify_bicycles`, :func:`certify_file`: verdicts on the answers of solvers
 - :func:`consistent_modes`: the consistent modes of many scenes
@@ -12,6 +13,7 @@ Functions may be called from any thread and let other threads run. Ctrl-C ends t
 """
 
 from ._bicycles import VERDICTS, BicycleVerdicts, certify_bicycles
+from ._bodies import Body, Contact, Force, Friction, Joint, Torque
 from ._certify import Verdict, Verdicts, certify, certify_file
 from ._core import version as __version__
 from ._errors import Diagnostic, InputError, TooMuchWork
@@ -26,10 +28,10 @@ from ._solution import Cell, Continuum, Motion, Range, Rejected, Solution
 from ._uniqueness import Critical, critical
 
 __all__ = [
-    "MODES", "VERDICTS", "Affine", "BicycleVerdicts", "Cell", "Check", "CheckedCertificate", "ClaimVerdict", "ConsistentModes", "Continuum", "Critical",
-    "Diagnostic",
-    "InputError", "Interval", "Mechanism", "Motion", "PhaseDiagram", "ProgressBar", "Proof", "Range", "Rejected", "Scene",
-    "Search", "Solution", "TooMuchWork", "Verdict", "Verdicts", "Verification", "__version__", "certify",
+    "MODES", "VERDICTS", "Affine", "BicycleVerdicts", "Body", "Cell", "Check", "CheckedCertificate", "ClaimVerdict", "ConsistentModes", "Contact", "Continuum", "Critical",
+    "Diagnostic", "Force", "Friction",
+    "InputError", "Interval", "Joint", "Mechanism", "Motion", "PhaseDiagram", "ProgressBar", "Proof", "Range", "Rejected", "Scene",
+    "Search", "Solution", "TooMuchWork", "Torque", "Verdict", "Verdicts", "Verification", "__version__", "certify",
     "certify_bicycles", "certify_file",
     "check", "consistent_modes", "critical", "phase_diagram", "prove", "search", "shipped_mechanisms", "solve", "verify",
 ]

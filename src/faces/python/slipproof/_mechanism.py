@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Dict, List, Mapping, Optional, Tuple, Union
+import tomllib
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _core
 from ._arrays import one_of, whole
+from ._bodies import Body, Contact, Force, Friction, Joint, Torque
 from ._certify import _path
 from ._document import Report
-from ._errors import wrong_type, wrong_value
+from ._errors import InputError, wrong_type, wrong_value
 from ._html import table
 from ._numbers import Number
 from ._progress import Progress, reporter
-from ._scene import Scene
+from ._scene import Scene, as_toml
 from ._solution import Solution
+
+_SCHEMA = "slipproof/mechanism/1"
 
 
 class Search(Report):
@@ -30,7 +34,8 @@ class Search(Report):
 
 
 class Mechanism:
-    """A mechanism from a file, or a shipped one; :meth:`load` reads it.
+    """A mechanism: from a file, or a shipped one, with :meth:`load`; from a text or a dict with :meth:`parse`; from
+    bodies with :meth:`of`.
 
     >>> import slipproof
     >>> ladder = slipproof.Mechanism.load("ladder")
@@ -41,16 +46,73 @@ class Mechanism:
     Fraction(0, 1)
     """
 
-    __slots__ = ("_path", "_about")
+    __slots__ = ("_path", "_about", "_document")
 
-    def __init__(self, path: str, about: Dict[str, Any]):
-        self._path, self._about = path, about
+    def __init__(self, path: str, about: Dict[str, Any], document: Optional[Dict[str, Any]] = None):
+        self._path, self._about, self._document = path, about, document
 
     @classmethod
     def load(cls, path: Union[str, "os.PathLike[str]"]) -> "Mechanism":
         """Reads a mechanism from a file, or the shipped one with this name. Raises InputError."""
         name = _path("path", path)
         return cls(os.fsdecode(name), _core.describe_mechanism(name))
+
+    @classmethod
+    def parse(cls, mechanism: Union[str, Mapping[str, Any]], file: str = "mechanism") -> "Mechanism":
+        """Reads the text of a mechanism's file, or a dict with its tables (``schema`` may be left out, numbers may be
+        numbers). ``file`` is its name in messages. Raises InputError."""
+        if isinstance(mechanism, Mapping):
+            return cls._of({"schema": _SCHEMA, **mechanism}, file)
+        if not isinstance(mechanism, str):
+            raise wrong_type("mechanism", mechanism, "a text or a dict; Mechanism.load(path) reads a file")
+        about = _core.describe_mechanism(os.fsencode(file), mechanism.encode("utf-8", "surrogateescape"))
+        return cls(file, about, tomllib.loads(mechanism, parse_float=lambda text: text.replace("_", "")))
+
+    @classmethod
+    def of(cls, name: str, *, bodies: Sequence[Body], gravity: Union[str, Sequence[Number]],
+           parameters: Optional[Mapping[str, Any]] = None, contacts: Sequence[Contact] = (),
+           joints: Sequence[Joint] = (), friction: Sequence[Friction] = (), forces: Sequence[Force] = (),
+           torques: Sequence[Torque] = (), load: Optional[Mapping[str, str]] = None,
+           **tables: Any) -> "Mechanism":
+        """A mechanism of bodies. ``tables`` are others of its file: ``angles``, ``definitions``, ``assume``, ...
+
+        >>> import slipproof
+        >>> from slipproof import Body, Contact, Force
+        >>> feet = [Contact(name, "crate", [x, -1], normal=[0, 1], friction="mu") for name, x in (("left", -1), ("right", 1))]
+        >>> crate = slipproof.Mechanism.of("crate", gravity=[0, -10], parameters={"mu": "mu >= 0"}, load={"symbol": "F"},
+        ...     bodies=[Body("crate", mass=2, inertia=3, at=[0, 1])], contacts=feet, forces=[Force("crate", ["F", 0])])
+        >>> [motion.modes for motion in crate.solve({"mu": "1/2"}, load=4).motions]
+        [('stick/stick',)]
+        """
+        document: Dict[str, Any] = {"schema": _SCHEMA, "name": name, "gravity": gravity}
+        if parameters:
+            document["parameters"] = dict(parameters)
+        if load is not None:
+            document["load"] = dict(load)
+        document.update(tables)
+        for key, parts in (("body", bodies), ("contact", contacts), ("joint", joints), ("friction", friction),
+                           ("force", forces), ("torque", torques)):
+            if parts:
+                document[key] = [part.to_dict() for part in parts]
+        return cls._of(document, "mechanism")
+
+    @classmethod
+    def _of(cls, document: Dict[str, Any], file: str) -> "Mechanism":
+        toml = as_toml(document)
+        try:
+            return cls(file, _core.describe_mechanism(os.fsencode(file), toml.text.encode("utf-8", "surrogateescape")),
+                       document)
+        except InputError as error:
+            raise InputError([(toml.place(d.line) or file, 0, 0, d.message) for d in error.diagnostics]) from None
+
+    def _text(self) -> Optional[bytes]:
+        return None if self._document is None else as_toml(self._document).text.encode("utf-8", "surrogateescape")
+
+    def to_dict(self) -> Dict[str, Any]:
+        """The tables of its file."""
+        if self._document is None:
+            raise wrong_value("mechanism", self._path, "one from a text, a dict or bodies")
+        return dict(self._document)
 
     @property
     def name(self) -> str:
@@ -79,14 +141,15 @@ class Mechanism:
 
     def show(self) -> str:
         """What the program understands of it, and what looks wrong, as ``slipproof show`` prints it."""
-        return _core.show_mechanism(os.fsencode(self._path))
+        return _core.show_mechanism(os.fsencode(self._path), self._text())
 
     def scene(self, values: Mapping[str, Any], *, load: Optional[Number] = None, along: Optional[str] = None,
               state: Optional[Mapping[str, str]] = None, name: Optional[str] = None) -> Scene:
         """A scene of it, with ``values`` for its parameters and angles, and optionally a load."""
         if not isinstance(values, Mapping):
             raise wrong_type("values", values, "a dict")
-        document: Dict[str, Any] = {"name": name or self.name, "mechanism": self._path, "values": dict(values)}
+        own = self._path if self._document is None else self._document
+        document: Dict[str, Any] = {"name": name or self.name, "mechanism": own, "values": dict(values)}
         if along is not None:
             document["along"] = along
         if state is not None:
@@ -113,7 +176,7 @@ class Mechanism:
         if not isinstance(within, str):
             raise wrong_type("within", within, "str")
         return Search(*_core.search(
-            os.fsencode(self._path), within, None if samples is None else whole("samples", samples, 1, 1_000_000_000),
+            os.fsencode(self._path), self._text(), within, None if samples is None else whole("samples", samples, 1, 1_000_000_000),
             whole("seed", seed, 0, 2**64 - 1),
             None if wanted is None else one_of("wanted", wanted, ("none", "several", "continuum")), bool(hysteresis),
             whole("threads", threads, 0, 4096), reporter(progress)))

@@ -57,12 +57,18 @@ class _Toml:
         if isinstance(value, Mapping):
             inner = (f"{_quoted(self._name(k, path))} = {self._value(v, f'{path}.{k}')}" for k, v in value.items())
             return "{ " + ", ".join(inner) + " }"
+        if isinstance(value, (list, tuple)):
+            return "[" + ", ".join(self._value(v, f"{path}[{i + 1}]") for i, v in enumerate(value)) + "]"
         if isinstance(value, os.PathLike):
             value = os.fspath(value)
         return _quoted(text_of(value, path))
 
     def place(self, line: int) -> str:
         return self.keys[line - 1] if 0 < line <= len(self.keys) else ""
+
+
+def as_toml(document: Mapping[str, Any]) -> _Toml:
+    return _Toml(document)
 
 
 def _bytes(text: str, file: str) -> Tuple[bytes, bytes]:
@@ -87,7 +93,8 @@ class Scene:
     """A bicycle or a mechanism with its numbers, read once and solved as often as needed. Immutable.
 
     From keyword arguments, ``Scene(R="0.34", h=..., f="0.8", g="9.81", F=300)``; from a dict with the tables of a scene
-    file; from a file with :meth:`load`; from its text with :meth:`parse`. Numbers are int, float (taken exactly),
+    file, in which ``mechanism`` may be a file, a name, or a dict with the tables of a mechanism's file; from a file with
+    :meth:`load`; from its text with :meth:`parse`. Numbers are int, float (taken exactly),
     Fraction, Decimal, or texts as in a file. Raises InputError with all mistakes.
     """
 
@@ -155,7 +162,7 @@ class Scene:
             values = {k: v for k, v in changes.items() if k not in tables}
             if values:
                 tables["values"] = {**tables.get("values", {}), **values}
-            if "mechanism" not in tables:
+            if "mechanism" not in tables and isinstance(document["mechanism"], str):
                 document["mechanism"] = _from_here(document["mechanism"], self._file)
         else:
             tables = _tables(changes)
