@@ -31,10 +31,10 @@ struct MechanismScene {
   std::vector<CombinedParameter> combined = {};  ///< what may be varied beside the mechanism's own parameters
 };
 
-/// Reads a scene file: of any mechanism (name, mechanism, along, [values], [state]), where `mechanism` is a file, a name
-/// or, in the scene itself, a table; of the bicycle in its own words (bicycle_scene.hpp), which has no key `mechanism`;
-/// or a mechanism without parameters, which is a scene of its own. Throws InputError with every mistake of the file, in
-/// the order of their places; mistakes of the mechanism's file among them.
+/// Reads a scene file: of any mechanism (name, mechanism, along, [values], [state]), where `mechanism` is a file, a
+/// name or, in the scene itself, a table; of the bicycle in its own words (bicycle_scene.hpp), which has no key
+/// `mechanism`; or a mechanism without parameters, which is a scene of its own. Throws InputError with every mistake of
+/// the file, in the order of their places; mistakes of the mechanism's file among them.
 MechanismScene read_scene(const std::filesystem::path& path);
 /// The same from a text; `file` is how messages call it, and where a relative path of the mechanism counts from.
 MechanismScene parse_scene(std::string_view text, const std::string& file);

@@ -24,7 +24,8 @@ def _quoted(text: str) -> str:
 class _Toml:
     """Writes a dict as a scene file with one key on each line, and records the line of each key."""
 
-    def __init__(self, document: Mapping[str, Any]):
+    def __init__(self, document: Mapping[str, Any], is_mechanism: bool = False):
+        self.is_mechanism = is_mechanism
         self.lines: List[str] = []
         self.keys: List[str] = []
         for key, value in document.items():
@@ -57,7 +58,7 @@ class _Toml:
         if isinstance(value, Mapping):
             inner = (f"{_quoted(self._name(k, path))} = {self._value(v, f'{path}.{k}')}" for k, v in value.items())
             return "{ " + ", ".join(inner) + " }"
-        if isinstance(value, (list, tuple)):
+        if isinstance(value, (list, tuple)) and (self.is_mechanism or path.startswith("mechanism.")):
             return "[" + ", ".join(self._value(v, f"{path}[{i + 1}]") for i, v in enumerate(value)) + "]"
         if isinstance(value, os.PathLike):
             value = os.fspath(value)
@@ -68,7 +69,8 @@ class _Toml:
 
 
 def as_toml(document: Mapping[str, Any]) -> _Toml:
-    return _Toml(document)
+    """A mechanism as its file."""
+    return _Toml(document, is_mechanism=True)
 
 
 def _bytes(text: str, file: str) -> Tuple[bytes, bytes]:
