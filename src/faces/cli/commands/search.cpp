@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "faces/cli/command.hpp"
-#include "faces/cli/commands/verify_run.hpp"
+#include "faces/cli/commands/papers/verify_run.hpp"
 #include "faces/cli/crew_run.hpp"
 #include "faces/cli/warnings.hpp"
 #include "mechanics/reading/shipped.hpp"

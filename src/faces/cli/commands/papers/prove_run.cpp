@@ -1,4 +1,4 @@
-#include "faces/cli/commands/prove_run.hpp"
+#include "faces/cli/commands/papers/prove_run.hpp"
 
 #include <unistd.h>
 

@@ -7,7 +7,7 @@
 #include "base/output/output_file.hpp"
 #include "claims/reading/read_claims_file.hpp"
 #include "faces/cli/command.hpp"
-#include "faces/cli/commands/verify_run.hpp"
+#include "faces/cli/commands/papers/verify_run.hpp"
 #include "faces/cli/warnings.hpp"
 #include "report/papers/errata.hpp"
 #include "report/papers/mutation_report.hpp"

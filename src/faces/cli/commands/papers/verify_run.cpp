@@ -1,4 +1,4 @@
-#include "faces/cli/commands/verify_run.hpp"
+#include "faces/cli/commands/papers/verify_run.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -12,7 +12,7 @@
 #include "claims/reading/paper_folder.hpp"
 #include "claims/reading/read_claims_file.hpp"
 #include "faces/cli/command.hpp"
-#include "faces/cli/commands/prove_run.hpp"
+#include "faces/cli/commands/papers/prove_run.hpp"
 #include "faces/cli/crew_run.hpp"
 #include "faces/cli/warnings.hpp"
 #include "proofs/other_provers/coq.hpp"
