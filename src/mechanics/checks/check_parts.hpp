@@ -42,6 +42,10 @@ std::vector<MechanismFinding> check_elements(const CheckPoints& points);
 /// shift of the axes, and a factor for each contact, they are those of points of a rigid body.
 std::vector<MechanismFinding> check_geometry(const CheckPoints& points);
 
+/// Of bodies: contacts at one place, normals into the wrong body, pins and forces beside their bodies, gravity along
+/// the surface, outlines in each other.
+std::vector<MechanismFinding> check_drawing(const CheckPoints& points);
+
 /// Parameters, angles, definitions and loads that occur nowhere else.
 std::vector<MechanismFinding> check_names(const Mechanism& mechanism);
 

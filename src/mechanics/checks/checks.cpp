@@ -23,7 +23,7 @@ std::vector<MechanismFinding> check_mechanism(const Mechanism& mechanism) {
     return findings;
   }
   std::ranges::move(check_inertia(points, units.scaled_well), std::back_inserter(findings));
-  for (auto* check : {check_reciprocity, check_gravity, check_elements, check_geometry}) {
+  for (auto* check : {check_reciprocity, check_gravity, check_elements, check_geometry, check_drawing}) {
     std::ranges::move(check(points), std::back_inserter(findings));
   }
   return findings;
