@@ -8,6 +8,8 @@
 
 namespace slipproof::mechanism_checks {
 
+namespace drawn {
+
 namespace {
 
 using bodies_in_motion::Frame;
@@ -297,8 +299,10 @@ class DrawingCheck {
 
 }  // namespace
 
+}  // namespace drawn
+
 std::vector<MechanismFinding> check_drawing(const CheckPoints& points) {
-  return points.mechanism().bodies ? DrawingCheck(points).check() : std::vector<MechanismFinding>();
+  return points.mechanism().bodies ? drawn::DrawingCheck(points).check() : std::vector<MechanismFinding>();
 }
 
 }  // namespace slipproof::mechanism_checks
