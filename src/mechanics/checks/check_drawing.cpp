@@ -1,6 +1,6 @@
 // What a drawing of bodies shows at a glance, as exact positions at points of the domain: a finding is one that holds
-// at all of them. It speaks of the places of contacts, pins and forces and of outlines that are convex; where a body
-// has none, its points stand for it.
+// at all of them, or for pins and forces at half. It speaks of the places of contacts, pins and forces and of outlines
+// that are convex; where a body has none, its points stand for it.
 #include <algorithm>
 
 #include "mechanics/bodies/frame.hpp"
@@ -174,6 +174,11 @@ class DrawingCheck {
   bool always(const Holds& holds) {
     return std::ranges::all_of(drawings_, holds);
   }
+  /// Of what a drawing means for all sizes: at half of the points it is no accident of the sizes there.
+  template <class Holds>
+  bool often(const Holds& holds) {
+    return 2 * std::ranges::count_if(drawings_, holds) >= static_cast<std::ptrdiff_t>(drawings_.size());
+  }
   void find(Place place, std::string message) {
     findings_.push_back(warning(MechanismFinding::Check::geometry, place, std::move(message)));
   }
@@ -209,6 +214,7 @@ class DrawingCheck {
       return find(c.normal.place, name(c) + ": the normal points away from the centre of " + name(c.of) +
                                       ", which it pushes, expected one out of " + name(c.on));
     }
+    if (m_.contacts[c.contact].bilateral) return;  // a groove is inside
     if (!c.radius && wrong_side(c.of, -1, false)) {
       return find(c.normal.place, name(c) + ": the line that is touched cuts through " + name(c.of) +
                                       ", expected all of it on the side of the normal");
@@ -239,7 +245,7 @@ class DrawingCheck {
         return is_geared(body) && joint.kind == BodyJoint::Kind::pin ? at != d.centre(body)
                                                                      : has_extent(body) && !d.box(body).holds(at);
       };
-      if (always(off)) {
+      if (often(off)) {
         return find(joint.at.place, "joint " + joint.name + ": it is " +
                                         (is_geared(body) ? "not in the centre of " : "outside of ") + name(body) +
                                         ", expected a place on both bodies");
@@ -248,9 +254,10 @@ class DrawingCheck {
   }
 
   void pushed(const BodyForce& force) {
-    if (!force.at || scene_.bodies[force.on].shapes.empty()) return;
+    const auto holds = [&](const BodyJoint& j) { return j.first == force.on || j.second == force.on; };
+    if (!force.at || scene_.bodies[force.on].shapes.empty() || std::ranges::any_of(scene_.joints, holds)) return;
     const auto off = [&](Drawing& d) { return !d.box(force.on).holds(d.place(force.on, force.at)); };
-    if (always(off)) {
+    if (often(off)) {
       find(force.at.place, "the force acts outside of " + name(force.on) + ", expected a place on it");
     }
   }
