@@ -1,5 +1,5 @@
 // What a drawing of bodies shows at a glance, as exact positions at points of the domain: a finding is one that holds
-// at all of them, or for pins and forces at half. It speaks of the places of contacts, pins and forces and of outlines
+// at all of them, or for pins of wheels at half. It speaks of the places of contacts, pins and forces and of outlines
 // that are convex; where a body has none, its points stand for it.
 #include <algorithm>
 
@@ -225,10 +225,10 @@ class DrawingCheck {
     }
   }
 
-  bool has_extent(std::size_t body) const {
-    return !scene_.bodies[body].shapes.empty() ||
-           std::ranges::any_of(scene_.contacts, [&](const BodyContact& c) { return c.of == body && c.radius; });
+  bool is_wheel(std::size_t body) const {
+    return std::ranges::any_of(scene_.contacts, [&](const BodyContact& c) { return c.of == body && c.radius; });
   }
+  bool has_extent(std::size_t body) const { return !scene_.bodies[body].shapes.empty() || is_wheel(body); }
   bool is_geared(std::size_t body) const {
     return std::ranges::any_of(scene_.joints, [&](const BodyJoint& j) {
       return j.kind == BodyJoint::Kind::gear && (j.first == body || j.second == body);
@@ -245,7 +245,7 @@ class DrawingCheck {
         return is_geared(body) && joint.kind == BodyJoint::Kind::pin ? at != d.centre(body)
                                                                      : has_extent(body) && !d.box(body).holds(at);
       };
-      if (often(off)) {
+      if (is_wheel(body) || is_geared(body) ? often(off) : always(off)) {
         return find(joint.at.place, "joint " + joint.name + ": it is " +
                                         (is_geared(body) ? "not in the centre of " : "outside of ") + name(body) +
                                         ", expected a place on both bodies");
@@ -257,7 +257,7 @@ class DrawingCheck {
     const auto holds = [&](const BodyJoint& j) { return j.first == force.on || j.second == force.on; };
     if (!force.at || scene_.bodies[force.on].shapes.empty() || std::ranges::any_of(scene_.joints, holds)) return;
     const auto off = [&](Drawing& d) { return !d.box(force.on).holds(d.place(force.on, force.at)); };
-    if (often(off)) {
+    if (always(off)) {
       find(force.at.place, "the force acts outside of " + name(force.on) + ", expected a place on it");
     }
   }
