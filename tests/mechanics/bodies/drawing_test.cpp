@@ -21,7 +21,7 @@ using namespace slipproof;
 
 namespace {
 
-const std::filesystem::path cases = SLIPPROOF_SOURCE_DIR "/cases/mechanisms";
+const std::filesystem::path drawn_cases = SLIPPROOF_SOURCE_DIR "/cases/mechanisms";
 
 /// Two boxes, one on the other, and a wheel on a pin of the lower one.
 const std::string good = R"(schema = "slipproof/mechanism/1"
@@ -102,14 +102,14 @@ std::string warnings(const std::string& text) {
 }
 
 /// A vector in the text, with its section: a mistake in it may be a sign or a swapped axis.
-struct Vector {
+struct WrittenVector {
   std::size_t begin, length;
   std::string x, y, key;
 };
 
-std::vector<Vector> vectors(const std::string& text) {
+std::vector<WrittenVector> vectors(const std::string& text) {
   static const std::regex pair("\\[ *\"([^\"]*)\" *, *\"([^\"]*)\" *\\]"), table("\\[+([a-z]+)"), key("([a-z_]+) *=.*");
-  std::vector<Vector> result;
+  std::vector<WrittenVector> result;
   std::string section;
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
@@ -133,7 +133,7 @@ std::optional<std::string> negative(const std::string& x) {
   return "-(" + x + ")";
 }
 
-std::vector<std::string> mistakes_in(const std::string& text, const Vector& v) {
+std::vector<std::string> mistakes_in(const std::string& text, const WrittenVector& v) {
   std::vector<std::string> result;
   const auto add = [&](const std::optional<std::string>& x, const std::optional<std::string>& y) {
     if (!x || !y) return;
@@ -182,7 +182,7 @@ void try_mistakes(const std::filesystem::path& file, const MechanismScene& scene
   const std::string text = read_text_file(file);
   const auto before = motions(scene, scene.mechanism);
   int number = 0;
-  for (const Vector& v : vectors(text)) {
+  for (const WrittenVector& v : vectors(text)) {
     for (const std::string& mistaken : mistakes_in(text, v)) {
       if (++number % step != 0) continue;
       bool noticed = true;
@@ -223,8 +223,8 @@ TEST_CASE("most single mistakes in drawings are noticed") {
   const char* wanted = std::getenv("SLIPPROOF_DRAWING_STEP");
   const int step = wanted == nullptr ? 7 : std::atoi(wanted);
   std::map<std::string, Count> counts;
-  for (const auto& [drawings, scenes] :
-       {std::pair(cases / "asked", cases / "asked/scenes"), std::pair(cases / "bodies", cases / "scenes")}) {
+  for (const auto& [drawings, scenes] : {std::pair(drawn_cases / "asked", drawn_cases / "asked/scenes"),
+                                         std::pair(drawn_cases / "bodies", drawn_cases / "scenes")}) {
     std::vector<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::directory_iterator(drawings)) {
       if (entry.path().extension() == ".toml" && std::filesystem::exists(scenes / entry.path().filename())) {
