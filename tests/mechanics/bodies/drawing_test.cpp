@@ -19,6 +19,8 @@
 
 using namespace slipproof;
 
+namespace drawing_test {
+
 namespace {
 
 const std::filesystem::path drawn_cases = SLIPPROOF_SOURCE_DIR "/cases/mechanisms";
@@ -251,3 +253,5 @@ TEST_CASE("most single mistakes in drawings are noticed") {
   CHECK(drawn.all >= 50);
   CHECK(10 * drawn.noticed >= 9 * drawn.all);
 }
+
+}  // namespace drawing_test
