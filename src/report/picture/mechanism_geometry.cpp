@@ -5,6 +5,7 @@
 
 #include "base/input/diagnostic.hpp"
 #include "base/number/binary64.hpp"
+#include "mechanics/bodies/frame.hpp"
 
 namespace slipproof {
 
@@ -14,7 +15,9 @@ class GeometryReader {
  public:
   explicit GeometryReader(const MechanismScene& scene)
       : scene_(scene), maker_(scene.mechanism), at_(maker_.at(scene.values)) {
-    if (scene.load) at_.set(maker_.compiled().load(), *scene.load);
+    const bool positive = maker_.load_domain(scene.values).contains(Rational(1));
+    if (scene.mechanism.load)
+      at_.set(maker_.compiled().load(), scene.load.value_or(positive ? Rational(1) : Rational(-1)));
   }
 
   MechanismGeometry read() {
@@ -28,10 +31,40 @@ class GeometryReader {
     for (std::size_t i = 0; i < scene_.mechanism.contacts.size(); ++i) {
       if (!scene_.mechanism.contacts[i].at.empty()) geometry.contacts.push_back(contact(i));
     }
+    if (scene_.mechanism.bodies) add_pushes(*scene_.mechanism.bodies, geometry);
     return geometry;
   }
 
  private:
+  void add_pushes(const Bodies& bodies, MechanismGeometry& geometry) {
+    using namespace bodies_in_motion;
+    const std::vector<Frame> at = frames(bodies);
+    const auto point = [&](const PlanarVector& v) { return Point{number(v.x), number(v.y)}; };
+    for (const BodyForce& force : bodies.forces) {
+      const PlanarVector is = unplaced(force.is);
+      const Point push = point(force.follows ? at[force.on].in_scene(is) : is);
+      const double size = std::hypot(push[0], push[1]);
+      const PlanarVector place = at[force.on].at + at[force.on].in_scene(unplaced(force.at));
+      if (size > 0) geometry.pushes.push_back({point(place), unit(push), size, name_of(force.is)});
+    }
+    for (const BodyTorque& torque : bodies.torques) {
+      const double size = number(torque.is);
+      if (size != 0) geometry.pushes.push_back({point(at[torque.on].at), {0, 0}, size, text_of(torque.is)});
+    }
+  }
+
+  /// Without the sign, which the arrow shows.
+  static std::string text_of(const PlacedExpression& placed) {
+    const Expression& e = placed.expression;
+    return to_string(e->operation == Operation::negate ? e->operands[0] : e);
+  }
+  static std::string name_of(const PlacedPair& pair) {
+    if (is_literal_zero(pair.x.expression)) return text_of(pair.y);
+    if (is_literal_zero(pair.y.expression)) return text_of(pair.x);
+    return "(" + to_string(pair.x.expression) + ", " + to_string(pair.y.expression) + ")";
+  }
+
+  double number(const Expression& expression) { return number(PlacedExpression{expression, {}}); }
   double number(const PlacedExpression& placed) {
     const auto value = at_.number(maker_.compiled().compile(placed.expression));
     if (value.number) return nearest_binary64(*value.number);

@@ -22,6 +22,14 @@ struct MechanismGeometry {
     Point at;
     Point normal, along;  ///< of length 1; both 0 if unknown
   };
+  /// What pushes a body, or turns it; at the scene's load, or at 1 or -1 where it has none.
+  struct Push {
+    Point at;
+    Point along;       ///< of length 1; both 0 of a couple
+    double size = 0;   ///< of the force, or of the couple, counterclockwise
+    std::string name;  ///< as the file writes it
+  };
+  std::vector<Push> pushes;  ///< of bodies, those that are not 0
   std::vector<Outline> outlines;
   std::vector<Contact> contacts;  ///< only contacts that have a place
 };

@@ -43,6 +43,7 @@ class MechanismDrawing {
     for (const MechanismGeometry::Outline& outline : geometry_.outlines) this->outline(outline);
     set_force_scale();
     for (const MechanismGeometry::Contact& contact : geometry_.contacts) forces(contact);
+    for (const MechanismGeometry::Push& push : geometry_.pushes) pushed(push);
     for (const MechanismGeometry::Outline& outline : geometry_.outlines) {
       if (outline.kind == ShapeKind::label) text_label({pixel(outline.points[0])}, outline.text);
     }
@@ -198,6 +199,9 @@ class MechanismDrawing {
         if (value) largest = std::max(largest, std::abs(nearest_binary64(*value)));
       }
     }
+    for (const MechanismGeometry::Push& push : geometry_.pushes) {
+      if (push.along != Point{0, 0}) largest = std::max(largest, push.size);
+    }
     if (largest > 0) unit_ = longest_force / largest;
   }
 
@@ -239,13 +243,32 @@ class MechanismDrawing {
     names_.push_back({{pushes ? start : end, half}, symbol_of(unknown), std::move(value)});
   }
 
+  /// An arrow that ends where the force acts, to scale beside the forces of a motion; of a couple its name and sense.
+  void pushed(const MechanismGeometry::Push& push) {
+    const Point at = pixel(push.at);
+    if (push.along == Point{0, 0}) return text_label({at}, push.name + (push.size > 0 ? " \u21ba" : " \u21bb"));
+    const Point start =
+        moved(at, push.along, motion_ == nullptr ? -plain_force : -std::max(push.size * unit_, shortest_force));
+    add_arrow(svg_, start, at[0] - start[0], at[1] - start[1], "load");
+    labels_.avoid(start, at, 4);
+    see(start);
+    names_.push_back({{start, {(start[0] + at[0]) / 2, (start[1] + at[1]) / 2}}, {}, push.name});
+    described_.push_back("pushed by " + push.name);
+  }
+
   void place_force_name(const ForceName& name) {
     const double width =
-        letter_width * 13 * static_cast<double>(utf8_count(plain_symbol(name.symbol) + name.value)) + value_gap;
+        letter_width * 13 *
+            static_cast<double>(utf8_count((name.symbol.empty() ? "" : plain_symbol(name.symbol)) + name.value)) +
+        value_gap;
     const LabelBox box = labels_.place(name.near, width, 16);
     const Element text = svg_.add("text", "ink halo").set("x", box.left).set("y", box.bottom - 4).set("font-size", 13);
-    svg_symbol(text, name.symbol);
-    if (!name.value.empty()) text.add("tspan").set("dx", value_gap).text(name.value);
+    if (name.symbol.empty()) {
+      text.text(name.value);  // what a file says pushes
+    } else {
+      svg_symbol(text, name.symbol);
+      if (!name.value.empty()) text.add("tspan").set("dx", value_gap).text(name.value);
+    }
     see(box);
   }
 
