@@ -263,12 +263,9 @@ class MechanismDrawing {
         value_gap;
     const LabelBox box = labels_.place(name.near, width, 16);
     const Element text = svg_.add("text", "ink halo").set("x", box.left).set("y", box.bottom - 4).set("font-size", 13);
-    if (name.symbol.empty()) {
-      text.text(name.value);  // what a file says pushes
-    } else {
-      svg_symbol(text, name.symbol);
-      if (!name.value.empty()) text.add("tspan").set("dx", value_gap).text(name.value);
-    }
+    if (name.symbol.empty()) text.text(name.value);  // what a file says pushes
+    if (!name.symbol.empty()) svg_symbol(text, name.symbol);
+    if (!name.symbol.empty() && !name.value.empty()) text.add("tspan").set("dx", value_gap).text(name.value);
     see(box);
   }
 

@@ -235,6 +235,42 @@ TEST_CASE("every shipped mechanism has a picture, alone and with each motion, in
   CHECK(pictures >= 28);
 }
 
+TEST_CASE("scenes of bodies that people ask about can be read, for every kind of motion that they have") {
+  int pictures = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(SLIPPROOF_SOURCE_DIR "/cases/mechanisms/asked/scenes")) {
+    CAPTURE(entry.path());
+    MechanismScene scene = read_scene(entry.path());
+    check_readable(drawn(scene));
+    const FrictionProblem problem = friction_problem(scene.mechanism, scene.values);
+    for (const LoadCell& cell : cells_of(problem, ModeSolver(problem, std::nullopt).consistent())) {
+      scene.load = cell.loads.sample();
+      for (const MotionAtLoad& motion : motions(scene).motions) {
+        CAPTURE(scene.load->str());
+        check_readable(drawn(scene, &motion));
+        ++pictures;
+      }
+    }
+  }
+  CHECK(pictures >= 50);
+}
+
+TEST_CASE("what pushes a body is drawn where it acts, to scale beside the contact forces") {
+  MechanismScene scene = read_scene(SLIPPROOF_SOURCE_DIR "/cases/mechanisms/asked/scenes/block-pushed.toml");
+  const auto alone = arrows(drawn(scene), "load");
+  REQUIRE(alone.size() == 1);
+  CHECK(alone[0].dx > 0);
+  CHECK(alone[0].dy == doctest::Approx(0));
+  scene.load = Rational(1, 4);
+  const MotionAtLoad motion = motions(scene).motions.at(0);
+  const DrawnMechanism picture = drawn(scene, &motion);
+  const auto load = arrows(picture, "load"), normal = arrows(picture, "normal");
+  REQUIRE(load.size() == 1);
+  REQUIRE(normal.size() == 2);
+  const double weight =
+      std::max(normal[0].length(), normal[1].length()) + std::min(normal[0].length(), normal[1].length());
+  CHECK(load[0].length() == doctest::Approx(std::max(weight / 4, 12.0)).epsilon(0.2));
+}
+
 TEST_CASE("what has no place is told, and a mechanism without any place has no picture") {
   const MechanismScene nowhere = scene_of(runner, 1);
   CHECK_FALSE(has_picture(nowhere.mechanism));
