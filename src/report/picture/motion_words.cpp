@@ -46,9 +46,17 @@ std::string common_state(const MotionAtLoad& motion, std::size_t element) {
 }
 
 std::string modes_text(const MotionAtLoad& motion) {
+  constexpr std::size_t longest = 34;  // letters, with the last mode beyond them: a heading as wide as a picture
   std::vector<std::string> names;
-  for (const MechanismMode& mode : motion.strict() ? motion.modes : motion.boundary_modes) names.push_back(name(mode));
-  if (names.size() > 3) names.resize(3), names.emplace_back("…");
+  std::size_t letters = 0;
+  for (const MechanismMode& mode : motion.strict() ? motion.modes : motion.boundary_modes) {
+    if (!names.empty() && letters + name(mode).size() > longest) {
+      names.emplace_back("…");
+      break;
+    }
+    names.push_back(name(mode));
+    letters += names.back().size();
+  }
   return fmt::format("{}{}", fmt::join(names, " = "), motion.strict() ? "" : " (boundary)");
 }
 

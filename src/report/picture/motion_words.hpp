@@ -20,7 +20,7 @@ std::string range_text(const Range& range);
 
 /// The state of an element if it is the same in all modes of a motion; otherwise empty.
 std::string common_state(const MotionAtLoad& motion, std::size_t element);
-/// The names of the motion's modes, at most three, and whether they hold only at a boundary.
+/// The names of the motion's modes, as many as a heading holds, and whether they hold only at a boundary.
 std::string modes_text(const MotionAtLoad& motion);
 
 /// Of a force among the mechanism's unknowns.
