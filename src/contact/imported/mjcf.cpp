@@ -81,7 +81,12 @@ class MjcfReader {
     if (m_.opt.density != 0 || m_.opt.viscosity != 0) mistakes_.add(place, "found a fluid, expected none");
     poses_.emplace_back();
     for (int i = 1; i < m_.nbody; ++i) add_body(i);
-    for (int i = 0; i < m_.ngeom; ++i) add_shape(i);
+    bool margin = false;
+    for (int i = 0; i < m_.ngeom; ++i) {
+      add_shape(i);
+      margin = margin || m_.geom_margin[i] > m_.geom_gap[i];
+    }
+    if (margin) scene_.told.emplace_back("a margin, within which MuJoCo's contacts push softly from afar, is left out");
     scene_.told.emplace_back("MuJoCo computed lengths, masses and inertias; 15 digits of each are taken");
     scene_.told.emplace_back("MuJoCo's contacts are soft, those of the scene hard");
   }
@@ -186,9 +191,6 @@ class MjcfReader {
     shape.mu = m_.geom_condim[i] == 1 ? Rational(0) : computed(m_.geom_friction[3 * i]);
     shape.kinds = static_cast<unsigned>(m_.geom_contype[i]);
     shape.meets = static_cast<unsigned>(m_.geom_conaffinity[i]);
-    if (m_.geom_margin[i] > m_.geom_gap[i]) {
-      mistakes_.add(shape.place, shape.name + ": found a margin, within which it pushes from afar, expected none");
-    }
     const mjtNum* size = m_.geom_size + 3 * i;
     switch (m_.geom_type[i]) {
       case mjGEOM_PLANE:

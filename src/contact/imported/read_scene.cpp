@@ -44,6 +44,7 @@ Scene parse_scene_of_bodies(std::string text, const std::string& file) {
   check_sizes(scene, mistakes);
   mistakes.refuse_if_any();
   join_fixed(scene, mistakes);
+  if (scene.bodies.size() == 1) mistakes.add(beginning, "found nothing that moves, expected a body with a mass");
   mistakes.refuse_if_any();
   return scene;
 }

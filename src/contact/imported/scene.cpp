@@ -70,6 +70,10 @@ std::optional<Rational> friction_between(const Scene& scene, const Shape& a, con
                                          const std::optional<Rational>& given) {
   if (given) return given;
   if (scene.rule == FrictionRule::none || !a.mu || !b.mu) return std::nullopt;
+  const auto greater = [](const Shape& shape) { return shape.greater_mu.value_or(*shape.mu); };
+  if (scene.rule == FrictionRule::least && std::min(*a.mu, *b.mu) != std::min(greater(a), greater(b))) {
+    return std::nullopt;
+  }
   return scene.rule == FrictionRule::least ? std::min(*a.mu, *b.mu) : std::max(*a.mu, *b.mu);
 }
 

@@ -20,7 +20,8 @@ struct Shape {
   Rational radius = 0;       ///< of the round ones
   Rational half_length = 0;  ///< of a cylinder, and of a capsule without its ends
   Pose pose;                 ///< in the scene
-  std::optional<Rational> mu;
+  /// Of friction; in SDF along two directions, where the greater counts only if it is the pair's as well.
+  std::optional<Rational> mu, greater_mu;
   /// Two shapes touch where the first's kinds have a bit of what the second meets, or the other way round.
   unsigned kinds = 1, meets = 1;
   Place place;
@@ -68,7 +69,8 @@ struct Scene {
 /// are left without a mass become mistakes.
 void join_fixed(Scene& scene, Mistakes& mistakes);
 
-/// The coefficient where two shapes touch: `given`, or by the format's rule. Nothing where neither says one.
+/// The coefficient where two shapes touch: `given`, or by the format's rule. Nothing where neither says one, or the two
+/// directions have different ones.
 std::optional<Rational> friction_between(const Scene& scene, const Shape& a, const Shape& b,
                                          const std::optional<Rational>& given);
 

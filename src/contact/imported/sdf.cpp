@@ -12,37 +12,77 @@ namespace slipproof::imported {
 
 namespace {
 
-const Tags tags{
-    {"sdf",     "world",    "model",    "link",     "joint",    "frame",  "pose",    "inertial",  "mass",
-     "inertia", "ixx",      "ixy",      "ixz",      "iyy",      "iyz",    "izz",     "collision", "geometry",
-     "box",     "size",     "sphere",   "radius",   "cylinder", "length", "capsule", "plane",     "normal",
-     "surface", "friction", "ode",      "mu",       "mu2",      "axis",   "xyz",     "limit",     "lower",
-     "upper",   "effort",   "velocity", "dynamics", "damping",  "static", "gravity", "parent",    "child"},
-    {"visual",
-     "material",
-     "light",
-     "scene",
-     "physics",
-     "gui",
-     "plugin",
-     "sensor",
-     "audio",
-     "atmosphere",
-     "magnetic_field",
-     "spherical_coordinates",
-     "self_collide",
-     "enable_wind",
-     "allow_auto_disable",
-     "contact",
-     "bounce",
-     "velocity_decay",
-     "must_be_base_link",
-     "max_contacts",
-     "laser_retro",
-     "stiffness",
-     "dissipation",
-     "physics",
-     "spring_reference"}};
+const Tags tags{{"sdf",
+                 "world",
+                 "model",
+                 "link",
+                 "joint",
+                 "frame",
+                 "pose",
+                 "inertial",
+                 "mass",
+                 "inertia",
+                 "ixx",
+                 "ixy",
+                 "ixz",
+                 "iyy",
+                 "iyz",
+                 "izz",
+                 "collision",
+                 "geometry",
+                 "box",
+                 "size",
+                 "sphere",
+                 "radius",
+                 "cylinder",
+                 "length",
+                 "capsule",
+                 "plane",
+                 "normal",
+                 "surface",
+                 "friction",
+                 "ode",
+                 "mu",
+                 "mu2",
+                 "axis",
+                 "xyz",
+                 "limit",
+                 "lower",
+                 "upper",
+                 "effort",
+                 "velocity",
+                 "dynamics",
+                 "damping",
+                 "static",
+                 "use_parent_model_frame",
+                 "gravity",
+                 "parent",
+                 "child"},
+                {"visual",
+                 "material",
+                 "light",
+                 "scene",
+                 "physics",
+                 "gui",
+                 "plugin",
+                 "sensor",
+                 "audio",
+                 "atmosphere",
+                 "magnetic_field",
+                 "spherical_coordinates",
+                 "self_collide",
+                 "enable_wind",
+                 "allow_auto_disable",
+                 "contact",
+                 "bounce",
+                 "velocity_decay",
+                 "must_be_base_link",
+                 "max_contacts",
+                 "laser_retro",
+                 "stiffness",
+                 "dissipation",
+                 "physics",
+                 "spring_reference"}};
 
 Vector vector_of(const ignition::math::Vector3d& v) {
   return {written(v.X()), written(v.Y()), written(v.Z())};
@@ -144,7 +184,7 @@ class SdfReader {
     shape.place = file_.place("collision", collision.Name());
     const std::string& to = collision.PoseRelativeTo();
     shape.pose = (to.empty() ? link : frame(to)) * pose_of(collision.RawPose(), shape.name);
-    shape.mu = friction_of(collision, shape);
+    read_friction(collision, shape);
     const sdf::Geometry& geometry = *collision.Geom();
     switch (geometry.Type()) {
       case sdf::GeometryType::BOX:
@@ -182,17 +222,16 @@ class SdfReader {
     body.shapes.push_back(std::move(shape));
   }
 
-  std::optional<Rational> friction_of(const sdf::Collision& collision, const Shape& shape) {
+  void read_friction(const sdf::Collision& collision, Shape& shape) {
     const auto down = [](sdf::ElementPtr element, const char* tag) {
       return element && element->HasElement(tag) ? element->GetElement(tag) : nullptr;
     };
     const sdf::ElementPtr ode = down(down(down(collision.Element(), "surface"), "friction"), "ode");
-    if (!ode || !ode->HasElement("mu")) return Rational(1);
-    const double mu = ode->Get<double>("mu");
-    if (ode->HasElement("mu2") && ode->Get<double>("mu2") != mu) {
-      mistakes_.add(shape.place, shape.name + ": found two coefficients of friction, mu and mu2, expected one");
-    }
-    return written(mu);
+    const auto coefficient = [&](const char* tag) {
+      return ode && ode->HasElement(tag) ? written(ode->Get<double>(tag)) : Rational(1);
+    };
+    shape.mu = std::min(coefficient("mu"), coefficient("mu2"));
+    shape.greater_mu = std::max(coefficient("mu"), coefficient("mu2"));
   }
 
   void add(const sdf::Joint& joint, std::size_t first) {
@@ -249,12 +288,45 @@ class SdfReader {
   Pose own_;
 };
 
+/// Takes Gazebo's sun and ground plane, which most worlds include, out of the document; others are refused. Whether
+/// there was the plane.
+bool take_known_includes(TaggedFile& file, Mistakes& mistakes) {
+  bool found = false;
+  for (pugi::xml_node world : file.root().children("world")) {
+    for (pugi::xml_node include = world.child("include"), next; include; include = next) {
+      next = include.next_sibling("include");
+      const std::string_view uri = include.child_value("uri");
+      const bool known = uri == "model://sun" || (uri == "model://ground_plane" && !include.child("pose"));
+      if (!known) {
+        mistakes.add(file.place(include),
+                     "found the included model " + in_quotes(uri) + ", expected it in the file itself");
+      }
+      found = found || uri == "model://ground_plane";
+      world.remove_child(include);
+    }
+  }
+  return found;
+}
+
+/// As Gazebo's model has it: level at height 0, mu 100 and mu2 50.
+void add_ground_plane(Scene& scene) {
+  Shape plane;
+  plane.kind = Shape::Kind::plane;
+  plane.name = "ground_plane";
+  plane.mu = Rational(50);
+  plane.greater_mu = Rational(100);
+  scene.bodies[0].shapes.push_back(std::move(plane));
+  scene.told.emplace_back("Gazebo's ground_plane is the plane at height 0 with the coefficients 100 and 50");
+}
+
 }  // namespace
 
 void read_sdf(TaggedFile& file, Scene& scene, Mistakes& mistakes) {
   scene.format = "SDF";
   scene.rule = FrictionRule::least;
+  const bool has_ground_plane = take_known_includes(file, mistakes);
   scene.told = file.check(tags, mistakes);
+  if (has_ground_plane) add_ground_plane(scene);
   const std::string_view version = file.root().attribute("version").value();
   if (version.size() != 3 || version.substr(0, 2) != "1." || version > sdf::SDF::Version()) {
     mistakes.add(file.place(file.root()),
