@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/parallel/stop.hpp"
+#include "mechanics/kernel/kinematic_modes.hpp"
 #include "mechanics/kernel/mode_over_loads.hpp"
 
 namespace slipproof {
@@ -294,6 +295,14 @@ MotionsAtLoad motions_of(const FrictionProblem& problem, const std::optional<Rat
   MotionsAtLoad result = gather(solved, modes.consistent);
   result.hysteresis = hysteresis(solved, result, modes.consistent, load);
   result.rejected = std::move(modes.rejected);
+  return result;
+}
+
+MotionsAtLoad motions_by_kinematics(const FrictionProblem& problem, const std::optional<Rational>& load,
+                                    Effort& effort) {
+  const FrictionProblem solved = without_equations(problem);
+  MotionsAtLoad result = gather(solved, kinematic_modes(solved, load, effort));
+  result.by_kinematics = true;
   return result;
 }
 

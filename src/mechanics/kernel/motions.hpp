@@ -34,6 +34,8 @@ struct MotionsAtLoad {
   std::vector<MotionAtLoad> motions;  ///< those that no continuum contains
   std::vector<ContinuumAtLoad> continua;
   std::vector<RejectedMode> rejected;
+  /// The modes were not all tried: of each motion one mode is told, and none of those that were rejected.
+  bool by_kinematics = false;
   /// Several motions that are one where each static limit is the kinetic one: the modes that there are no more then.
   std::vector<MechanismMode> hysteresis;
 };
@@ -55,6 +57,10 @@ MergedModes merge(const FrictionProblem& problem, const std::vector<ConsistentMo
 /// All motions at a load, which need not be of the domain; a problem without a load takes none. The number of modes
 /// must be at most max_modes.
 MotionsAtLoad motions_of(const FrictionProblem& problem, const std::optional<Rational>& load);
+
+/// The same by kinematics (kinematic_modes.hpp), for any number of modes. Throws TooMuchWork beyond the effort.
+MotionsAtLoad motions_by_kinematics(const FrictionProblem& problem, const std::optional<Rational>& load,
+                                    Effort& effort);
 
 /// The same problem with static limits as low as the kinetic ones; nothing where they are. Several motions that are one
 /// then are hysteresis.

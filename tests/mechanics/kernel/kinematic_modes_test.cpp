@@ -1,0 +1,117 @@
+// Motions by kinematics against all modes, on random mechanisms, and where there are too many modes to try.
+#include "mechanics/kernel/kinematic_modes.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "mechanics/kernel/motions.hpp"
+#include "mechanics/kernel/random_problem.hpp"
+#include "support/how_many.hpp"
+
+using namespace slipproof;
+
+namespace {
+
+bool holds(const Range& range, const Rational& x) {
+  return (!range.lower || *range.lower <= x) && (!range.upper || x <= *range.upper);
+}
+
+/// Whether a motion is among those found, alone or perhaps in a continuum.
+bool is_among(const MotionsAtLoad& found, const std::vector<Rational>& accelerations) {
+  const auto same = [&](const MotionAtLoad& motion) { return motion.accelerations == accelerations; };
+  const auto in_ranges = [&](const ContinuumAtLoad& c) {
+    return std::ranges::equal(c.accelerations, accelerations, holds);
+  };
+  return std::ranges::any_of(found.motions, same) || std::ranges::any_of(found.continua, in_ranges);
+}
+
+/// A beam on feet of equal distance, pressed into the floor by its weight and pushed to the side: the unknowns are
+/// ax, ay, alpha, then N and S of each foot. Mass, radius of inertia and gravity are 1.
+FrictionProblem beam(std::size_t feet, const Rational& mu, const Rational& push, const Rational& lift) {
+  FrictionProblem p;
+  p.unknowns = 3 + 2 * feet;
+  const auto form = [&] { return AffineForm{0, std::vector<Rational>(p.unknowns + 1)}; };
+  for (std::size_t i = 0; i < 3; ++i) {
+    p.equations.push_back(form());
+    p.equations.back().coefficients[i] = 1;
+    p.accelerations.push_back(p.equations.back());
+  }
+  p.equations[0].constant = -push;
+  p.equations[1].constant = 1 - lift;
+  for (std::size_t k = 0; k < feet; ++k) {
+    const Rational x = Rational(static_cast<int>(2 * k), static_cast<int>(feet) - 1) - 1, height = Rational(1, 4);
+    ProblemElement e;
+    e.kind.law = ElementKind::Law::coulomb;
+    for (AffineForm* part : {&e.gap, &e.slip, &e.normal, &e.tangent, &e.static_limit}) *part = form();
+    e.gap.coefficients[1] = 1, e.gap.coefficients[2] = x;
+    e.slip.coefficients[0] = 1, e.slip.coefficients[2] = height;
+    const std::size_t N = 3 + 2 * k, S = N + 1;
+    e.normal.coefficients[N] = 1, e.tangent.coefficients[S] = 1, e.static_limit.coefficients[N] = mu;
+    e.kinetic_limit = e.static_limit;
+    p.equations[1].coefficients[N] = -1, p.equations[2].coefficients[N] = -x;
+    p.equations[0].coefficients[S] = -1, p.equations[2].coefficients[S] = -height;
+    p.forces.push_back(e.normal);
+    p.elements.push_back(std::move(e));
+  }
+  return p;
+}
+
+}  // namespace
+
+TEST_CASE("by kinematics random mechanisms have the motions that all modes have") {
+  test::RandomProblems random(39);
+  int motions = 0, continua = 0;
+  const int rounds = test::how_many("SLIPPROOF_RANDOM_MECHANISMS", 400);
+  for (int round = 0; round < rounds; ++round) {
+    const FrictionProblem problem = random.problem();
+    const std::optional<Rational> load =
+        problem.has_load ? std::optional(Rational(random.integer(-4, 4))) : std::nullopt;
+    CAPTURE(round);
+    Effort effort(1'000'000'000);
+    const MotionsAtLoad all = motions_of(problem, load), found = motions_by_kinematics(problem, load, effort);
+    for (const MotionAtLoad& motion : all.motions) CHECK(is_among(found, motion.accelerations));
+    for (const MotionAtLoad& motion : found.motions) CHECK(is_among(all, motion.accelerations));
+    CHECK(all.continua.empty() == found.continua.empty());
+    if (all.continua.empty()) CHECK(all.motions.size() == found.motions.size());
+    motions += static_cast<int>(all.motions.size());
+    continua += static_cast<int>(all.continua.size());
+  }
+  CHECK(motions > 100);
+  CHECK(continua > 10);
+}
+
+TEST_CASE("over all loads the modes by kinematics have the cells of all modes") {
+  test::RandomProblems random(40);
+  int compared = 0;
+  for (int round = 0; round < 200; ++round) {
+    const FrictionProblem problem = random.problem();
+    if (!problem.has_load) continue;
+    Effort effort(1'000'000'000);
+    const auto all = cells_of(problem, ModeSolver(problem, std::nullopt).consistent());
+    const auto found = cells_of(problem, kinematic_modes(problem, std::nullopt, effort));
+    CAPTURE(round);
+    for (const LoadCell& cell : found) {  // each has as many motions as all modes have there
+      const auto same =
+          std::ranges::find_if(all, [&](const LoadCell& other) { return other.loads.contains(cell.loads.sample()); });
+      REQUIRE(same != all.end());
+      if (same->continua.empty() && cell.continua.empty()) CHECK(same->motions.size() == cell.motions.size());
+      CHECK(same->continua.empty() == cell.continua.empty());
+    }
+    compared += static_cast<int>(found.size());
+  }
+  CHECK(compared > 200);
+}
+
+TEST_CASE("a beam on 24 feet rests, slides, tips or leaves the floor") {
+  Effort effort(100'000'000'000);
+  const auto only = [&](const FrictionProblem& problem) {
+    const MotionsAtLoad found = motions_by_kinematics(problem, std::nullopt, effort);
+    REQUIRE(found.motions.size() == 1);
+    CHECK(found.continua.empty());
+    return found.motions[0].accelerations;
+  };
+  CHECK(only(beam(24, Rational(1, 2), Rational(1, 4), 0)) == std::vector<Rational>{0, 0, 0});
+  CHECK(only(beam(24, Rational(1, 2), 1, 0)) == std::vector<Rational>{Rational(1, 2), 0, 0});
+  CHECK(only(beam(24, Rational(1, 2), 0, 2)) == std::vector<Rational>{0, 1, 0});
+}
