@@ -23,14 +23,14 @@ bool is_kinematic(const ProblemElement& e, StateCondition condition) {
 }
 
 /// What must be >= 0, and what must be > 0.
-struct Conditions {
+struct FaceConditions {
   std::vector<AffineForm> closed, open;
 };
 
 /// Accelerations and forces, and the load behind them.
-using Place = std::vector<Rational>;
+using Solution = std::vector<Rational>;
 
-Rational value_at(const AffineForm& form, const Place& place) {
+Rational at_solution(const AffineForm& form, const Solution& place) {
   Rational sum = form.constant;
   for (std::size_t i = 0; i < place.size(); ++i) {
     if (!form.coefficients[i].is_zero()) sum += form.coefficients[i] * place[i];
@@ -80,11 +80,11 @@ class KinematicTree {
     return result;
   }
 
-  void descend(const AffineSpace& space, const Conditions& conditions, const std::optional<Place>& known) {
+  void descend(const AffineSpace& space, const FaceConditions& conditions, const std::optional<Solution>& known) {
     stop_if_asked();
     const std::size_t level = mode_.size();
-    std::optional<Place> place = known;
-    if (!place && !(place = find_place(space, conditions))) return;
+    std::optional<Solution> place = known;
+    if (!place && !(place = find_solution(space, conditions))) return;
     if (level == problem_.elements.size()) {
       found_.push_back(mode_);
       return;
@@ -97,17 +97,17 @@ class KinematicTree {
   }
 
   /// A place of the branch before is one of this branch if it meets what the state adds.
-  void enter(AffineSpace space, Conditions conditions, ElementState state, const Place& before) {
+  void enter(AffineSpace space, FaceConditions conditions, ElementState state, const Solution& before) {
     const ProblemElement& e = problem_.elements[mode_.size() - 1];
     bool here = true;
     for (const StateEquation equation : equations(e.kind, state)) {
       const AffineForm form = form_of(e, state, equation);
-      here = here && value_at(form, before).is_zero();
+      here = here && at_solution(form, before).is_zero();
       if (!space.require(form)) return;
     }
     for (const StateCondition condition : slipproof::conditions(e.kind, state)) {
       AffineForm form = form_of(e, state, condition);
-      const int sign = value_at(form, before).sign();
+      const int sign = at_solution(form, before).sign();
       here = here && (is_kinematic(e, condition) ? sign > 0 : sign >= 0);
       (is_kinematic(e, condition) ? conditions.open : conditions.closed).push_back(std::move(form));
     }
@@ -116,7 +116,7 @@ class KinematicTree {
 
   /// A place in the space that meets the conditions, and what the elements to come always have: where the least of the
   /// open ones is largest.
-  std::optional<Place> find_place(const AffineSpace& space, const Conditions& conditions) {
+  std::optional<Solution> find_solution(const AffineSpace& space, const FaceConditions& conditions) {
     std::vector<std::size_t> free = space.free_unknowns();
     const bool load_is_free = problem_.has_load && space.load_is_free();
     std::vector<AffineForm> constraints;
@@ -144,16 +144,17 @@ class KinematicTree {
     constraints.push_back(std::move(at_most_one));
     const LinearOptimum best = minimize(objective, constraints, effort_);
     if (best.kind != LinearOptimum::Kind::attained || best.value.sign() >= 0) return std::nullopt;
-    return place_of(space, free, best.x);
+    return solution_of(space, free, best.x);
   }
 
-  Place place_of(const AffineSpace& space, const std::vector<std::size_t>& free, const std::vector<Rational>& x) const {
-    Place at_free(problem_.unknowns + 1);
+  Solution solution_of(const AffineSpace& space, const std::vector<std::size_t>& free,
+                       const std::vector<Rational>& x) const {
+    Solution at_free(problem_.unknowns + 1);
     for (std::size_t i = 0; i < free.size(); ++i) at_free[free[i]] = x[i];
     if (problem_.has_load) at_free.back() = space.load_is_free() ? x[free.size()] : space.load();
-    Place place = at_free;
+    Solution place = at_free;
     for (std::size_t i = 0; i < problem_.unknowns; ++i) {
-      if (!space.is_free(i)) place[i] = value_at(space.fixed(i), at_free);
+      if (!space.is_free(i)) place[i] = at_solution(space.fixed(i), at_free);
     }
     return place;
   }
@@ -161,7 +162,7 @@ class KinematicTree {
   const FrictionProblem& problem_;
   const std::vector<ElementKind> kinds_;
   Effort& effort_;
-  Conditions domain_;
+  FaceConditions domain_;
   std::vector<std::vector<AffineForm>> all_states_have_;
   MechanismMode mode_;
   std::vector<MechanismMode> found_;
