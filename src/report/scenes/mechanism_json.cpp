@@ -24,6 +24,7 @@ class SolveDocument {
     document["values"] = values_json(mechanism_, solved_.scene.values);
     document["load"] = load();
     document["notes"] = solved_.scene.notes;
+    document["by_kinematics"] = solved_.by_kinematics;
     document["every_q"] = every_load_json(solved_.for_every_q);
     if (solved_.at_load) put_motions(document, mechanism_, *solved_.at_load);
     document["not_modelled"] = not_modelled();

@@ -9,6 +9,7 @@
 #include "base/number/format.hpp"
 #include "base/output/listed.hpp"
 #include "contact/problem/every_push.hpp"
+#include "mechanics/kernel/kinematic_modes.hpp"
 #include "mechanics/mechanism/words.hpp"
 #include "report/values/every_load.hpp"
 #include "report/values/number_text.hpp"
@@ -18,7 +19,6 @@ namespace slipproof {
 namespace {
 
 FrictionProblem checked_problem(const MechanismScene& scene) {
-  refuse_too_many_modes(scene.mechanism, element_kinds(scene.mechanism, scene.values.starts, scene.values.given));
   FrictionProblem problem;
   try {
     problem = friction_problem(scene.mechanism, scene.values);
@@ -30,7 +30,12 @@ FrictionProblem checked_problem(const MechanismScene& scene) {
 
 }  // namespace
 
-SolvedMechanism::SolvedMechanism(MechanismScene given) : scene(std::move(given)), problem(checked_problem(scene)) {
+SolvedMechanism::SolvedMechanism(MechanismScene given)
+    : scene(std::move(given)), problem(checked_problem(scene)), by_kinematics(mode_count(kinds_of(problem)) > tried) {
+  if (by_kinematics) {
+    find_by_kinematics();
+    return;
+  }
   if (problem.has_load) modes = ModeSolver(problem, std::nullopt).consistent();
   if (scene.load || !problem.has_load) {
     at_load = motions_of(problem, scene.load);
@@ -44,6 +49,26 @@ SolvedMechanism::SolvedMechanism(MechanismScene given) : scene(std::move(given))
     cells = cells_of(problem, modes);
   }
   if (const auto contacts = contact_problem(problem)) for_every_q = for_every_push(*contacts);
+}
+
+void SolvedMechanism::find_by_kinematics() {
+  constexpr Work few_seconds = 20'000'000'000;
+  Effort effort(few_seconds);
+  try {
+    if (problem.has_load) modes = kinematic_modes(problem, std::nullopt, effort);
+    if (scene.load || !problem.has_load) {
+      at_load = motions_by_kinematics(problem, scene.load, effort);
+    } else {
+      cells = cells_of(problem, modes);
+    }
+  } catch (const TooMuchWork&) {
+    throw InputError(
+        {{scene.mechanism.file, 0, 0,
+          fmt::format("found {:.3g} contact modes, the motions among which are not found within {} steps of "
+                      "work, expected fewer contacts: `slipproof export` writes the contact problem, and "
+                      "`slipproof certify` judges an answer to it",
+                      mode_count(kinds_of(problem)), few_seconds)}});
+  }
 }
 
 namespace {
@@ -61,8 +86,12 @@ class SolveText {
   Document whole() {
     const MechanismScene& scene = solved_.scene;
     const double modes = mode_count(element_kinds(mechanism_, scene.values.starts, scene.values.given));
-    document_ =
-        scene_document(scene, mechanism_.name + ", " + counted(static_cast<std::size_t>(modes), "contact mode"));
+    document_ = scene_document(scene, mechanism_.name + ", " +
+                                          (modes < 1e15 ? counted(static_cast<std::size_t>(modes), "contact mode")
+                                                        : fmt::format("{:.3g} contact modes", modes)));
+    if (solved_.by_kinematics) {
+      document_.paragraph("Too many modes to try each: of each motion one is told, not those at its borders.");
+    }
     if (solved_.at_load) {
       write_motions(*solved_.at_load);
     } else {

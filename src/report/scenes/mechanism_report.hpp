@@ -14,15 +14,21 @@ namespace slipproof {
 
 /// A scene of a mechanism with all results about its motions.
 struct SolvedMechanism {
-  /// Throws InputError if the mechanism has more modes than are tried, or if a coefficient has no value.
+  /// Modes beyond `tried` are not all tried; motions are found by kinematics then (kinematic_modes.hpp). Throws
+  /// InputError if that takes more than an effort of some seconds, or if a coefficient has no value.
+  static constexpr double tried = 4096;
   explicit SolvedMechanism(MechanismScene given);
 
   MechanismScene scene;
   FrictionProblem problem;               ///< with its equations solved
+  bool by_kinematics = false;            ///< of each motion one mode is told, and no rejected modes
   std::vector<ConsistentMode> modes;     ///< for all loads; empty for a mechanism without a load
   std::optional<MotionsAtLoad> at_load;  ///< if the load has a value, or the mechanism has no load
   std::vector<LoadCell> cells;           ///< if the load has no value
   std::optional<EveryLoad> for_every_q;  ///< nothing if the theorem does not apply to the contacts
+
+ private:
+  void find_by_kinematics();
 };
 
 /// What the report says first of a scene: the title, its notes, and the parts of it that are not modelled.
