@@ -179,4 +179,14 @@ std::vector<ConsistentMode> kinematic_modes(const FrictionProblem& problem, cons
   return result;
 }
 
+bool has_too_many_to_try(const FrictionProblem& problem) {
+  return mode_count(kinds_of(problem)) > max_tried;
+}
+
+std::vector<ConsistentMode> consistent_modes(const FrictionProblem& problem, const std::optional<Rational>& load) {
+  if (!has_too_many_to_try(problem)) return ModeSolver(problem, load).consistent();
+  Effort effort(kinematic_effort);
+  return kinematic_modes(problem, load, effort);
+}
+
 }  // namespace slipproof

@@ -25,4 +25,15 @@ namespace slipproof {
 std::vector<ConsistentMode> kinematic_modes(const FrictionProblem& problem, const std::optional<Rational>& load,
                                             Effort& effort);
 
+/// Of more modes not all are tried: trying 4^6, of which a body at rest has most at its borders, takes seconds.
+inline constexpr double max_tried = 1024;
+bool has_too_many_to_try(const FrictionProblem& problem);
+
+/// Some seconds.
+inline constexpr Work kinematic_effort = 20'000'000'000;
+
+/// All consistent modes, or where there are too many to try those by kinematics; throws TooMuchWork beyond
+/// kinematic_effort.
+std::vector<ConsistentMode> consistent_modes(const FrictionProblem& problem, const std::optional<Rational>& load);
+
 }  // namespace slipproof

@@ -291,6 +291,10 @@ MergedModes merge(const FrictionProblem& problem, const std::vector<ConsistentMo
 
 MotionsAtLoad motions_of(const FrictionProblem& problem, const std::optional<Rational>& load) {
   const FrictionProblem solved = without_equations(problem);
+  if (has_too_many_to_try(solved)) {
+    Effort effort(kinematic_effort);
+    return motions_by_kinematics(solved, load, effort);
+  }
   ModesOf modes = modes_of(solved, load);
   MotionsAtLoad result = gather(solved, modes.consistent);
   result.hysteresis = hysteresis(solved, result, modes.consistent, load);

@@ -54,8 +54,8 @@ struct MergedModes {
 MergedModes merge(const FrictionProblem& problem, const std::vector<ConsistentMode>& consistent,
                   Effort* effort = nullptr);
 
-/// All motions at a load, which need not be of the domain; a problem without a load takes none. The number of modes
-/// must be at most max_modes.
+/// All motions at a load, which need not be of the domain; a problem without a load takes none. By kinematics where
+/// there are too many modes to try (kinematic_modes.hpp); throws TooMuchWork beyond its effort.
 MotionsAtLoad motions_of(const FrictionProblem& problem, const std::optional<Rational>& load);
 
 /// The same by kinematics (kinematic_modes.hpp), for any number of modes. Throws TooMuchWork beyond the effort.

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <map>
+#include <stdexcept>
 #include <utility>
+
+#include "mechanics/kernel/kinematic_modes.hpp"
 
 namespace slipproof {
 
@@ -18,7 +21,8 @@ class KernelMotions final : public MotionsOverLoads {
       consistent_ =
           ModeSolver(problem_, std::nullopt, states_in(modelled, problem_.elements.size())).consistent_among(modelled);
     } else {
-      consistent_ = ModeSolver(problem_, std::nullopt).consistent();
+      consistent_ = consistent_modes(problem_, std::nullopt);
+      all_tried_ = !has_too_many_to_try(problem_);
     }
     for (const ConsistentMode& mode : consistent_) strict_.push_back(strict_loads(mode.solutions));
   }
@@ -27,6 +31,7 @@ class KernelMotions final : public MotionsOverLoads {
     if (!is_modelled(mode)) return std::nullopt;
     const auto found =
         std::find_if(consistent_.begin(), consistent_.end(), [&](const ConsistentMode& c) { return c.mode == mode; });
+    if (found == consistent_.end() && !all_tried_) throw std::logic_error("a mode by kinematics is not asked for");
     if (found == consistent_.end()) return ModeOverLoads{&nothing_, &nothing_, false};
     return ModeOverLoads{&found->solutions.loads, &strict_[static_cast<std::size_t>(found - consistent_.begin())],
                          !found->determined};
@@ -82,6 +87,7 @@ class KernelMotions final : public MotionsOverLoads {
   FrictionProblem problem_;
   std::vector<ConsistentMode> consistent_;
   std::vector<ForceInterval> strict_;
+  bool all_tried_ = true;
   ForceInterval nothing_ = ForceInterval::nothing();
 };
 

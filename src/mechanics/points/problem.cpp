@@ -106,6 +106,13 @@ std::vector<ProblemMaker::Broken> ProblemMaker::broken(const MechanismValues& va
   return result;
 }
 
+std::string too_many_modes(double modes) {
+  return fmt::format(
+      "found {:.3g} contact modes, among which the motions are not found with the effort that is made, expected fewer "
+      "contacts: `slipproof export` writes the contact problem, and `slipproof certify` judges an answer to it",
+      modes);
+}
+
 void refuse_too_many_modes(const Mechanism& mechanism, const std::vector<ElementKind>& kinds) {
   const double modes = mode_count(kinds);
   if (modes <= static_cast<double>(max_modes)) return;

@@ -58,8 +58,10 @@ class ProblemMaker {
   CompiledMechanism compiled_;
 };
 
-/// Throws InputError if there are more modes than are tried (max_modes), before any work; `kinds` as element_kinds()
-/// gives them.
+/// What is said where the motions among so many modes were not found within the effort.
+std::string too_many_modes(double modes);
+/// Throws InputError if there are more modes than are tried (max_modes), before any work, where each is needed; `kinds`
+/// as element_kinds() gives them.
 void refuse_too_many_modes(const Mechanism& mechanism, const std::vector<ElementKind>& kinds);
 
 /// The problem of one point; ProblemMaker is faster for several. Throws NoValue.

@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "mechanics/kernel/kinematic_modes.hpp"
+
 namespace slipproof {
 
 std::string_view name(MotionCount count) {
@@ -16,7 +18,7 @@ namespace {
 
 std::vector<LoadCell> all_cells(const FrictionProblem& problem) {
   if (problem.has_load) {
-    return cells_of(problem, ModeSolver(problem, std::nullopt).consistent(), Told::modes);
+    return cells_of(problem, consistent_modes(problem, std::nullopt), Told::modes);
   }
   MotionsAtLoad found = motions_of(problem, std::nullopt);
   LoadCell cell;

@@ -181,7 +181,6 @@ class MotionSearch::Run {
 };
 
 MotionSearch::MotionSearch(const Mechanism& mechanism, const SearchOptions& options) {
-  refuse_too_many_modes(mechanism, element_kinds(mechanism));
   run_ = std::make_unique<Run>(mechanism, options);
 }
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "mechanics/points/degrees.hpp"
 #include "report/phase/plane_words.hpp"
 #include "report/planes/axis_choice.hpp"
 #include "report/planes/plane_columns.hpp"
@@ -56,7 +57,6 @@ Plane mechanism_plane(const MechanismScene& scene, const MechanismAxes& axes, st
     throw std::invalid_argument("the mechanism " + scene.mechanism.name +
                                 " has no load, expected one, or a parameter that takes its place");
   }
-  refuse_too_many_modes(scene.mechanism, element_kinds(scene.mechanism, scene.values.starts, scene.values.given));
   const auto columns =
       std::make_shared<const PlaneColumns>(scene, find_across(scene, axes.x.empty() ? usual_parameter(scene) : axes.x));
   const AxisChoice choice(*columns, scene, axes);

@@ -31,43 +31,28 @@ FrictionProblem checked_problem(const MechanismScene& scene) {
 }  // namespace
 
 SolvedMechanism::SolvedMechanism(MechanismScene given)
-    : scene(std::move(given)), problem(checked_problem(scene)), by_kinematics(mode_count(kinds_of(problem)) > tried) {
-  if (by_kinematics) {
-    find_by_kinematics();
-    return;
+    : scene(std::move(given)), problem(checked_problem(scene)), by_kinematics(has_too_many_to_try(problem)) {
+  try {
+    find_motions();
+  } catch (const TooMuchWork&) {
+    throw InputError({{scene.mechanism.file, 0, 0, too_many_modes(mode_count(kinds_of(problem)))}});
   }
-  if (problem.has_load) modes = ModeSolver(problem, std::nullopt).consistent();
-  if (scene.load || !problem.has_load) {
-    at_load = motions_of(problem, scene.load);
-    // Modes that were excluded together share a reason. Solved alone, each has its own reason, which may be a single
-    // condition.
-    const ModeSolver solver(problem, scene.load);
-    for (RejectedMode& rejected : at_load->rejected) {
-      if (!rejected.margin) rejected = std::move(solver.one(rejected.mode).rejected.front());
-    }
-  } else {
-    cells = cells_of(problem, modes);
-  }
+  if (by_kinematics) return;
   if (const auto contacts = contact_problem(problem)) for_every_q = for_every_push(*contacts);
 }
 
-void SolvedMechanism::find_by_kinematics() {
-  constexpr Work few_seconds = 20'000'000'000;
-  Effort effort(few_seconds);
-  try {
-    if (problem.has_load) modes = kinematic_modes(problem, std::nullopt, effort);
-    if (scene.load || !problem.has_load) {
-      at_load = motions_by_kinematics(problem, scene.load, effort);
-    } else {
-      cells = cells_of(problem, modes);
-    }
-  } catch (const TooMuchWork&) {
-    throw InputError(
-        {{scene.mechanism.file, 0, 0,
-          fmt::format("found {:.3g} contact modes, the motions among which are not found within {} steps of "
-                      "work, expected fewer contacts: `slipproof export` writes the contact problem, and "
-                      "`slipproof certify` judges an answer to it",
-                      mode_count(kinds_of(problem)), few_seconds)}});
+void SolvedMechanism::find_motions() {
+  if (problem.has_load) modes = consistent_modes(problem, std::nullopt);
+  if (problem.has_load && !scene.load) {
+    cells = cells_of(problem, modes);
+    return;
+  }
+  at_load = motions_of(problem, scene.load);
+  // Modes that were excluded together share a reason. Solved alone, each has its own reason, which may be a single
+  // condition.
+  const ModeSolver solver(problem, scene.load);
+  for (RejectedMode& rejected : at_load->rejected) {
+    if (!rejected.margin) rejected = std::move(solver.one(rejected.mode).rejected.front());
   }
 }
 

@@ -14,9 +14,8 @@ namespace slipproof {
 
 /// A scene of a mechanism with all results about its motions.
 struct SolvedMechanism {
-  /// Modes beyond `tried` are not all tried; motions are found by kinematics then (kinematic_modes.hpp). Throws
-  /// InputError if that takes more than an effort of some seconds, or if a coefficient has no value.
-  static constexpr double tried = 4096;
+  /// Where there are too many modes to try, motions are found by kinematics (kinematic_modes.hpp). Throws InputError if
+  /// that takes more than some seconds, or if a coefficient has no value.
   explicit SolvedMechanism(MechanismScene given);
 
   MechanismScene scene;
@@ -28,7 +27,7 @@ struct SolvedMechanism {
   std::optional<EveryLoad> for_every_q;  ///< nothing if the theorem does not apply to the contacts
 
  private:
-  void find_by_kinematics();
+  void find_motions();
 };
 
 /// What the report says first of a scene: the title, its notes, and the parts of it that are not modelled.
