@@ -129,8 +129,11 @@ class ShapeContacts {
       }
       case Kind::sphere:
         return shape.radius;
-      default:
-        return shape.half_length * abs(dot(axes[2], axis)) + shape.radius;
+      default: {
+        const Rational along = abs(dot(axes[2], axis));
+        const bool stands = shape.kind == Kind::cylinder && along == 1;
+        return shape.half_length * along + (stands ? Rational(0) : shape.radius);
+      }
     }
   }
 

@@ -24,7 +24,8 @@ Rational friction_at(const Scene& scene, const Shape& a, const Shape& b, const T
                      Mistakes& mistakes) {
   const auto mu = friction_between(scene, a, b, options.mu);
   if (!mu) {
-    mistakes.add(b.place, b.name + " touches " + a.name + ", and nothing says with which one coefficient of friction: --mu does");
+    mistakes.add(b.place, b.name + " touches " + a.name +
+                              ", and nothing says with which one coefficient of friction: --mu does");
     return 0;
   }
   if (mu->sign() < 0) mistakes.add(b.place, b.name + ": found a negative coefficient of friction");

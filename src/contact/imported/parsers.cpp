@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
 
 #include "contact/imported/readers.hpp"
@@ -12,8 +13,9 @@ namespace slipproof::imported {
 Turn turn_of(const std::array<double, 4>& quaternion, const std::string& whose, Scene& scene) {
   const RationalTurn found = rational_turn(quaternion);
   if (found.error > 0) {
-    scene.told.push_back(
-        fmt::format("{}: its turn is not rational; one that is {:.1g} rad away is taken", whose, found.error));
+    const std::string sentence =
+        fmt::format("{}: its turn is not rational; one that is {:.1g} rad away is taken", whose, found.error);
+    if (std::ranges::find(scene.told, sentence) == scene.told.end()) scene.told.push_back(sentence);
   }
   return found.turn;
 }

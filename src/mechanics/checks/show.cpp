@@ -7,6 +7,7 @@
 #include "base/input/utf8.hpp"
 #include "base/output/listed.hpp"
 #include "mechanics/checks/free_motion.hpp"
+#include "mechanics/kernel/kinematic_modes.hpp"
 #include "mechanics/elements/element.hpp"
 
 namespace slipproof {
@@ -77,7 +78,9 @@ class MechanismText {
     contacts();
     friction();
     links();
-    text_ += fmt::format("\nModes: {:.0f}\n", mode_count(kinds_));
+    const double modes = mode_count(kinds_);
+    text_ += fmt::format("\nModes: {:.0f}{}\n", modes,
+                         modes > max_tried ? ", too many to try each: motions are found by kinematics" : "");
     return text_;
   }
 

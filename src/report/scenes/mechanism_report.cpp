@@ -97,7 +97,11 @@ class SolveText {
     Document& below = document.section(equal_modes(motion.strict() ? motion.modes : motion.boundary_modes) +
                                        (motion.strict() ? "  (strict)" : "  (boundary)"));
     if (motion.strict() && !motion.boundary_modes.empty()) {
-      below.line("on the boundary of " + equal_modes(motion.boundary_modes));
+      constexpr std::size_t told = 8;
+      std::vector<MechanismMode> first = motion.boundary_modes;
+      if (first.size() > told) first.resize(told);
+      const std::size_t more = motion.boundary_modes.size() - first.size();
+      below.line("on the boundary of " + equal_modes(first) + (more > 0 ? " and " + counted(more, "other") : ""));
     }
     ReportTable& table = below.table({{"", ""}});
     for (std::size_t i = 0; i < accelerations_.size(); ++i) {

@@ -117,6 +117,25 @@ TEST_CASE("what is farther apart than the touch does not touch, what is inside i
   CHECK_FALSE(mistakes.empty());
 }
 
+TEST_CASE("a cylinder that stands touches with four points of its rim, one that lies with two") {
+  imported::Scene scene = ground();
+  Shape cylinder = box("drum", {0, 0, 1}, {});
+  cylinder.kind = Shape::Kind::cylinder;
+  cylinder.radius = 3;
+  cylinder.half_length = 1;
+  scene.bodies.push_back(body(cylinder));
+  Shape floor = box("floor", {0, 0, 0}, {});
+  floor.kind = Shape::Kind::plane;
+  scene.bodies[0].shapes.push_back(floor);
+  CHECK(places(scene).size() == 4);
+  scene.bodies[1].shapes[0].pose.turn.axes = {Vector{0, 1, 0}, Vector{0, 0, 1}, Vector{1, 0, 0}};
+  scene.bodies[1].shapes[0].pose.at.z = 3;
+  const auto lying = places(scene);
+  CHECK(lying.size() == 2);
+  CHECK(has(lying, {1, 0, 0}));
+  CHECK(has(lying, {-1, 0, 0}));
+}
+
 TEST_CASE("tangents are across the normal and each other") {
   for (const Vector& n : {Vector{0, 0, 1}, Vector{0, 0, -1}, Vector{Rational(2, 3), Rational(-1, 3), Rational(2, 3)},
                           Vector{Rational(3, 5), 0, Rational(-4, 5)}}) {
