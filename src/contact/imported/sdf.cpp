@@ -1,5 +1,6 @@
 // SDF, by sdformat: a world, or one model. Poses are put together here, in rationals, from what each element says of
 // itself. Gazebo takes the lesser of two coefficients of friction, and 1 where none stands.
+#include "contact/imported/gazebo.hpp"
 #include "contact/imported/readers.hpp"
 
 #ifdef SLIPPROOF_SDF
@@ -287,37 +288,6 @@ class SdfReader {
   std::string prefix_;
   Pose own_;
 };
-
-/// Takes Gazebo's sun and ground plane, which most worlds include, out of the document; others are refused. Whether
-/// there was the plane.
-bool take_known_includes(TaggedFile& file, Mistakes& mistakes) {
-  bool found = false;
-  for (pugi::xml_node world : file.root().children("world")) {
-    for (pugi::xml_node include = world.child("include"), next; include; include = next) {
-      next = include.next_sibling("include");
-      const std::string_view uri = include.child_value("uri");
-      const bool known = uri == "model://sun" || (uri == "model://ground_plane" && !include.child("pose"));
-      if (!known) {
-        mistakes.add(file.place(include),
-                     "found the included model " + in_quotes(uri) + ", expected it in the file itself");
-      }
-      found = found || uri == "model://ground_plane";
-      world.remove_child(include);
-    }
-  }
-  return found;
-}
-
-/// As Gazebo's model has it: level at height 0, mu 100 and mu2 50.
-void add_ground_plane(Scene& scene) {
-  Shape plane;
-  plane.kind = Shape::Kind::plane;
-  plane.name = "ground_plane";
-  plane.mu = Rational(50);
-  plane.greater_mu = Rational(100);
-  scene.bodies[0].shapes.push_back(std::move(plane));
-  scene.told.emplace_back("Gazebo's ground_plane is the plane at height 0 with the coefficients 100 and 50");
-}
 
 }  // namespace
 

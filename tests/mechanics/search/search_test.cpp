@@ -270,12 +270,13 @@ TEST_CASE("a condition that is none is refused with its column") {
   CHECK(message("c < s and W*d < 2").empty());
 }
 
-TEST_CASE("an empty domain has no samples, and too many modes are refused before the work") {
+TEST_CASE("an empty domain has no samples, and too many modes to try have their motions by kinematics") {
   CHECK(searched(within("ladder", "mu_f < mu_w and mu_w < mu_f"), 10).samples == 0);
   std::string text = mass("\"mu\"");
   for (int i = 0; i < 8; ++i) {
     text += "[[contact]]\nname = \"c" + std::to_string(i) + "\"\ngap = \"ay\"\nslip = \"ax\"\nfriction = \"mu\"\n";
   }
-  CHECK_THROWS_WITH(searched(parse_mechanism(text, "x.toml"), 1),
-                    "x.toml: found 262144 modes, expected at most 65536: 9 contacts and friction elements");
+  const SearchResult found = searched(parse_mechanism(text, "x.toml"), 5);
+  CHECK(found.samples == 5);
+  CHECK(found.one_everywhere == 5);
 }
