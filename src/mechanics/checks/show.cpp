@@ -7,8 +7,8 @@
 #include "base/input/utf8.hpp"
 #include "base/output/listed.hpp"
 #include "mechanics/checks/free_motion.hpp"
-#include "mechanics/kernel/kinematic_modes.hpp"
 #include "mechanics/elements/element.hpp"
+#include "mechanics/kernel/kinematic_modes.hpp"
 
 namespace slipproof {
 
