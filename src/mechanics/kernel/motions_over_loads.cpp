@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <map>
-#include <stdexcept>
+#include <mutex>
 #include <utility>
 
 #include "mechanics/kernel/kinematic_modes.hpp"
@@ -31,8 +31,7 @@ class KernelMotions final : public MotionsOverLoads {
     if (!is_modelled(mode)) return std::nullopt;
     const auto found =
         std::find_if(consistent_.begin(), consistent_.end(), [&](const ConsistentMode& c) { return c.mode == mode; });
-    if (found == consistent_.end() && !all_tried_) throw std::logic_error("a mode by kinematics is not asked for");
-    if (found == consistent_.end()) return ModeOverLoads{&nothing_, &nothing_, false};
+    if (found == consistent_.end()) return all_tried_ ? ModeOverLoads{&nothing_, &nothing_, false} : find_alone(mode);
     return ModeOverLoads{&found->solutions.loads, &strict_[static_cast<std::size_t>(found - consistent_.begin())],
                          !found->determined};
   }
@@ -54,6 +53,23 @@ class KernelMotions final : public MotionsOverLoads {
   std::vector<LoadCell> cells(Told told) const override { return cells_of(problem_, consistent_, told); }
 
  private:
+  /// A mode that was not tried; kept, as its intervals are given out.
+  struct Alone {
+    ForceInterval closed = ForceInterval::nothing(), strict = ForceInterval::nothing();
+    bool continuum = false;
+  };
+  ModeOverLoads find_alone(const MechanismMode& mode) const {
+    const std::scoped_lock one_at_a_time(alone_mutex_);
+    const auto [entry, is_new] = alone_.try_emplace(mode);
+    Alone& alone = entry->second;
+    if (is_new) {
+      for (const ConsistentMode& c : mode_of(problem_, mode, std::nullopt).consistent) {
+        alone = {c.solutions.loads, strict_loads(c.solutions), !c.determined};
+      }
+    }
+    return {&alone.closed, &alone.strict, alone.continuum};
+  }
+
   /// The forms of a problem over what a space leaves free.
   class FormsOn {
    public:
@@ -88,6 +104,8 @@ class KernelMotions final : public MotionsOverLoads {
   std::vector<ConsistentMode> consistent_;
   std::vector<ForceInterval> strict_;
   bool all_tried_ = true;
+  mutable std::mutex alone_mutex_;
+  mutable std::map<MechanismMode, Alone> alone_;
   ForceInterval nothing_ = ForceInterval::nothing();
 };
 

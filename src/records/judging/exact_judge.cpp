@@ -4,6 +4,7 @@
 
 #include "base/number/binary64.hpp"
 #include "base/output/json.hpp"
+#include "mechanics/kernel/kinematic_modes.hpp"
 #include "mechanics/points/sampling.hpp"
 #include "records/judging/answer.hpp"
 #include "records/judging/explanation.hpp"
@@ -21,7 +22,7 @@ Work work_of(const RecordSetting& setting, const RecordPoint& point) {
   for (const Rational& value : point.values.parameters) bits += bit_count(value);
   for (const auto& angle : point.values.angles) bits += bit_count(angle.cosine) + bit_count(angle.sine);
   const auto kinds = element_kinds(mechanism, point.values.starts, point.values.given);
-  const auto modes = static_cast<Work>(mode_count(kinds));
+  const auto modes = static_cast<Work>(std::min(mode_count(kinds), max_tried));
   const Work unknowns = mechanism.unknowns.size();
   return times(times(modes, unknowns * unknowns), product_work(degree * bits));
 }
@@ -53,8 +54,10 @@ ExactVerdict judge_at(const RecordSetting& setting, const Record& record, const 
   const RecordAnswer answer(setting, record, problem, load);
   const Rational tolerance = to_rational(options.tolerance);
   Effort effort(options.effort);
-  for (const ConsistentMode& mode : ModeSolver(problem, load).consistent()) {
-    if (record.mode != no_mode && mode.mode != setting.fields.modes()[record.mode]) continue;
+  const std::vector<ConsistentMode> modes =
+      record.mode == no_mode ? consistent_modes(problem, load)
+                             : mode_of(problem, setting.fields.modes()[record.mode], load).consistent;
+  for (const ConsistentMode& mode : modes) {
     std::size_t worst = 0;
     Distance distance = answer.distance(mode, effort, worst);
     if (!result.nearest.empty() && !is_nearer(distance, result.distance, tolerance)) continue;

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "mechanics/kernel/motions.hpp"
+#include "mechanics/kernel/motions_over_loads.hpp"
 #include "mechanics/kernel/random_problem.hpp"
 #include "support/how_many.hpp"
 
@@ -114,4 +115,20 @@ TEST_CASE("a beam on 24 feet rests, slides, tips or leaves the floor") {
   CHECK(only(beam(24, Rational(1, 2), Rational(1, 4), 0)) == std::vector<Rational>{0, 0, 0});
   CHECK(only(beam(24, Rational(1, 2), 1, 0)) == std::vector<Rational>{Rational(1, 2), 0, 0});
   CHECK(only(beam(24, Rational(1, 2), 0, 2)) == std::vector<Rational>{0, 1, 0});
+}
+
+TEST_CASE("modes that were not tried are found when they are asked for") {
+  FrictionProblem pushed = beam(6, Rational(1, 2), 0, 0);
+  pushed.has_load = true;
+  pushed.equations[0].coefficients[pushed.load_index()] = -1;
+  REQUIRE(has_too_many_to_try(pushed));
+  const auto motions = motions_over_loads(pushed);
+  MechanismMode mode(6, ElementState::stick);
+  CHECK(motions->find(mode)->closed->contains(Rational(1, 4)));
+  mode[2] = mode[3] = ElementState::lift;  // at rest, with a gap of 0: a border, which kinematics does not list
+  CHECK(motions->find(mode)->closed->contains(Rational(1, 4)));
+  CHECK(motions->find(mode)->strict->empty());
+  mode.assign(6, ElementState::slip_forward);
+  CHECK_FALSE(motions->find(mode)->closed->contains(Rational(1, 4)));
+  CHECK(motions->find(mode)->strict->contains(Rational(3, 4)));
 }
