@@ -15,10 +15,58 @@ namespace {
 using Dense = Eigen::MatrixXd;
 using DenseVector = Eigen::VectorXd;
 
-/// u = W r + q with the free unknowns eliminated.
+/// u = W r + q with the free unknowns eliminated, which makes W dense.
 struct Delassus {
   Dense W;
   DenseVector q;
+};
+
+/// The rows of one contact in u = W r + q.
+class ContactRows {
+ public:
+  /// Of a problem without free unknowns, as it is; or of its elimination.
+  ContactRows(const MixedProblem& problem, const std::optional<Delassus>& eliminated)
+      : problem_(problem), eliminated_(eliminated), size_(static_cast<Eigen::Index>(problem.dimension)) {}
+
+  Eigen::Index first(std::size_t contact) const { return static_cast<Eigen::Index>(contact) * size_; }
+  Eigen::Index count() const { return static_cast<Eigen::Index>(problem_.contacts()) * size_; }
+
+  /// Its own block of W.
+  Dense block(std::size_t contact) const {
+    if (eliminated_) return eliminated_->W.block(first(contact), first(contact), size_, size_);
+    Dense own = Dense::Zero(size_, size_);
+    each_entry(contact, [&](Eigen::Index i, Eigen::Index column, double value) {
+      const Eigen::Index j = column - first(contact);
+      if (j >= 0 && j < size_) own(i, j) += value;
+    });
+    return own;
+  }
+
+  /// u of the contact.
+  DenseVector velocity(std::size_t contact, const DenseVector& r) const {
+    if (eliminated_) {
+      return eliminated_->W.middleRows(first(contact), size_) * r + eliminated_->q.segment(first(contact), size_);
+    }
+    DenseVector u(size_);
+    for (Eigen::Index i = 0; i < size_; ++i) u[i] = problem_.c[static_cast<std::size_t>(first(contact) + i)];
+    each_entry(contact, [&](Eigen::Index i, Eigen::Index column, double value) { u[i] += value * r[column]; });
+    return u;
+  }
+
+ private:
+  template <class Each>
+  void each_entry(std::size_t contact, const Each& each) const {
+    for (Eigen::Index i = 0; i < size_; ++i) {
+      const auto row = static_cast<std::size_t>(first(contact) + i);
+      for (std::size_t e = problem_.A.starts[row]; e < problem_.A.starts[row + 1]; ++e) {
+        each(i, static_cast<Eigen::Index>(problem_.A.column[e]), problem_.A.value[e]);
+      }
+    }
+  }
+
+  const MixedProblem& problem_;
+  const std::optional<Delassus>& eliminated_;
+  Eigen::Index size_;
 };
 
 std::optional<Delassus> delassus(const MixedProblem& problem) {
@@ -32,7 +80,6 @@ std::optional<Delassus> delassus(const MixedProblem& problem) {
     }
   }
   const Eigen::Index m = n - free;
-  if (free == 0) return Delassus{std::move(A), std::move(c)};
   const Eigen::PartialPivLU<Dense> lu(A.topLeftCorner(free, free));
   const Dense X = lu.solve(A.topRightCorner(free, m));
   const DenseVector y = lu.solve(c.head(free));
@@ -94,24 +141,28 @@ bool apart(const Enclosure& a, const Enclosure& b) {
 }  // namespace
 
 std::vector<double> approximate_solution(const MixedProblem& problem, const FindOptions& options) {
-  if (problem.size() > options.largest) return {};
-  const std::optional<Delassus> d = delassus(problem);
-  if (!d) return {};
+  std::optional<Delassus> eliminated;
+  if (problem.free > 0) {
+    if (problem.size() > options.largest) return {};
+    eliminated = delassus(problem);
+    if (!eliminated) return {};
+  }
+  const ContactRows rows(problem, eliminated);
   const auto size = static_cast<Eigen::Index>(problem.dimension);
+  std::vector<Dense> blocks;
   std::vector<OneContact> contacts;
   for (std::size_t k = 0; k < problem.contacts(); ++k) {
-    const Eigen::Index first = static_cast<Eigen::Index>(k) * size;
-    contacts.emplace_back(d->W.block(first, first, size, size), problem.mu[k]);
+    blocks.push_back(rows.block(k));
+    contacts.emplace_back(blocks.back(), problem.mu[k]);
   }
-  DenseVector r = DenseVector::Zero(d->q.size());
+  DenseVector r = DenseVector::Zero(rows.count());
   for (int sweep = 0; sweep < options.sweeps; ++sweep) {
     double moved = 0;
     stop_if_asked();
     for (std::size_t k = 0; k < contacts.size(); ++k) {
-      const Eigen::Index first = static_cast<Eigen::Index>(k) * size;
+      const Eigen::Index first = rows.first(k);
       const DenseVector before = r.segment(first, size);
-      const DenseVector rest =
-          d->W.middleRows(first, size) * r + d->q.segment(first, size) - d->W.block(first, first, size, size) * before;
+      const DenseVector rest = rows.velocity(k, r) - blocks[k] * before;
       const DenseVector after = contacts[k].solve(rest, before);
       moved = std::max(moved, (after - before).lpNorm<Eigen::Infinity>());
       r.segment(first, size) = after;

@@ -10,7 +10,7 @@ namespace slipproof {
 
 struct FindOptions {
   int sweeps = 400;              ///< of the iteration over contacts
-  std::size_t largest = 3000;    ///< components that are made dense
+  std::size_t largest = 3000;    ///< components that are made dense, where free unknowns are eliminated
   std::size_t neighbours = 200;  ///< modes that are tried around a solution
 };
 
