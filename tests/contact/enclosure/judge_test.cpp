@@ -40,6 +40,34 @@ TEST_CASE("a point sticks, slides and leaves") {
   CHECK(leaves.verdict == ContactVerdict::solution_within_rho);
 }
 
+TEST_CASE("solutions of many contacts are found and enclosed, side by side and in a chain") {
+  // Points that are pressed, pulled or lifted, 7 in turn; in the chain each feels a tenth of its neighbours' forces.
+  const std::size_t contacts = 12000;
+  for (const double coupling : {0.0, 0.1}) {
+    MixedProblem p;
+    p.A.rows = p.A.columns = 3 * contacts;
+    for (std::size_t i = 0; i < 3 * contacts; ++i) {
+      const auto add = [&](std::size_t column, double value) {
+        p.A.column.push_back(static_cast<std::uint32_t>(column)), p.A.value.push_back(value);
+      };
+      if (coupling > 0 && i >= 3) add(i - 3, coupling);
+      add(i, 1);
+      if (coupling > 0 && i + 3 < 3 * contacts) add(i + 3, coupling);
+      p.A.starts.push_back(p.A.value.size());
+    }
+    for (std::size_t k = 0; k < contacts; ++k) {
+      const double turn = static_cast<double>(k % 7);
+      p.c.insert(p.c.end(), {turn - 4.5, 0.3 * turn, -0.2});
+      p.mu.push_back(0.25);
+    }
+    const std::vector<double> start = approximate_solution(p);
+    REQUIRE(start.size() == 3 * contacts);
+    const auto found = judged(p, start);
+    CHECK(is_certified(found.verdict));
+    CHECK(found.rho < 1e-10);
+  }
+}
+
 TEST_CASE("a sliding contact may open by rounding") {
   // Right but for the last digits: u = (2^-52, -3, -4), and r is inside of the cone by less than can be seen.
   const auto slides =
