@@ -3,7 +3,6 @@
 #include <iostream>
 #include <memory>
 
-#include "base/input/table_reader.hpp"
 #include "base/number/parse.hpp"
 #include "base/output/output_file.hpp"
 #include "contact/exchange/export_scene.hpp"
@@ -11,6 +10,7 @@
 #include "contact/exchange/spatial.hpp"
 #include "contact/imported/read_scene.hpp"
 #include "faces/cli/command.hpp"
+#include "mechanics/points/problem.hpp"
 
 namespace slipproof::cli {
 
@@ -115,6 +115,10 @@ void add_export(CLI::App& app, int& exit_code) {
     if (!load->empty()) {
       if (!read.mechanism.load) throw CLI::ValidationError("--load", "found a value, and the mechanism has no load");
       read.load = number("--load", *load);
+      const ForceInterval domain = ProblemMaker(read.mechanism).load_domain(read.values);
+      if (!domain.contains(*read.load)) {
+        throw CLI::ValidationError("--load", "found " + *load + ", expected a value in " + to_string(domain));
+      }
     }
     const GlobalProblem problem = global_problem(read);
     file.write(to_json(problem));
