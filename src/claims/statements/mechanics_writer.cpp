@@ -227,8 +227,9 @@ std::string MechanicsWriter::conditions_of(std::size_t element, ElementState sta
 }
 
 std::string MechanicsWriter::state_name(std::size_t element, ElementState state) const {
-  constexpr std::array verbs{"sticks",  "slips_forwards", "slips_backwards",       "lifts",
-                             "touches", "sticks_pulled",  "slips_forwards_pulled", "slips_backwards_pulled"};
+  constexpr std::array<const char*, element_state_count> verbs{
+      "sticks",        "slips_forwards",        "slips_backwards",        "lifts",  "touches",
+      "sticks_pulled", "slips_forwards_pulled", "slips_backwards_pulled", "is_free"};
   return fresh(fmt::format("{}_{}", elements_[element].name, verbs[static_cast<std::size_t>(state)]));
 }
 

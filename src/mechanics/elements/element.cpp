@@ -12,8 +12,8 @@ using Law = ElementKind::Law;
 using Start = ElementKind::Start;
 using State = ElementState;
 
-constexpr std::array<std::string_view, 9> names{"stick",  "slip+",  "slip-",  "lift", "touch",
-                                                "stick~", "slip+~", "slip-~", "free"};
+constexpr std::array<std::string_view, element_state_count> names{"stick",  "slip+",  "slip-",  "lift", "touch",
+                                                                  "stick~", "slip+~", "slip-~", "free"};
 
 std::vector<State> slipping(Start start) {
   switch (start) {

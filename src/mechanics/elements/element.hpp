@@ -47,6 +47,8 @@ enum class ElementState : std::uint8_t {
   free                   ///< `free`, of a friction element whose contact lifts: S = 0
 };
 
+inline constexpr std::size_t element_state_count = 9;  ///< of which a table has as many
+
 std::string_view name(ElementState state);
 std::string_view name(ElementKind::Start start);  ///< as files write it: `rest`, `slides+`, `slides-`, `open`
 std::optional<ElementState> parse_element_state(std::string_view text);  ///< nothing unless as written by name()

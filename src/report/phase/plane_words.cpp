@@ -8,9 +8,9 @@ namespace slipproof {
 namespace {
 
 std::string state_in_words(ElementState state) {
-  static constexpr std::array<std::string_view, 8> words{
-      "sticks",  "slips (+)",      "slips (-)",         "is open",
-      "touches", "sticks, pulled", "slips (+), pulled", "slips (-), pulled"};
+  static constexpr std::array<std::string_view, element_state_count> words{
+      "sticks",         "slips (+)",         "slips (-)",         "is open", "touches",
+      "sticks, pulled", "slips (+), pulled", "slips (-), pulled", "is free"};
   return std::string(words[static_cast<std::size_t>(state)]);
 }
 

@@ -201,6 +201,8 @@ values = { m = "1", b = "1/2", h = "1", I = "1/3", g = "10" }
   const PhaseDiagram diagram = phase_diagram(claims_plane(claims, figure, Reading::printed), 8);
   REQUIRE(diagram.plane.quantities.size() == 3 + 4 + 4);
   CHECK(diagram.plane.words({ElementState::stick, ElementState::lift}) == "left sticks, right is open");
+  CHECK(diagram.plane.words({ElementState::pulled_slip_backward, ElementState::free}) ==
+        "left slips (-), pulled, right is free");
   for (const PhasePoint& point : sample_points(diagram, 4, 4)) {
     REQUIRE(point.motions.size() == 1);
     REQUIRE(point.motions.front().values.size() == diagram.plane.quantities.size());
