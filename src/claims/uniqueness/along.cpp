@@ -82,21 +82,15 @@ class SceneLine {
 
   const Rational& own() const { return scene_.values.parameters[index_]; }
 
-  /// Throws NoValue.
-  MotionsAtParameter motions(const Rational& x) const {
+  /// Throws NoValue. What is known of every push, where contacts are redundant, is for one value only: ranges of the
+  /// parameter end where mode determinants vanish, not where pairs of modes begin to differ.
+  MotionsAtParameter motions(const Rational& x, bool of_every_push = false) const {
     const FrictionProblem problem = without_equations(maker_.problem(values(x)));
     MotionsAtParameter result;
     result.apart = problem.has_load ? apart_of(motions_over_loads(problem)->cells()) : apart_without_load(problem);
-    if (const auto contacts = contact_problem(problem)) result.for_every_q = for_every_load(*contacts);
-    return result;
-  }
-
-  /// There, what is known of every push, too: ranges of the parameter end where mode determinants vanish, not where
-  /// pairs of modes begin to differ.
-  MotionsAtParameter motions_at_own() const {
-    MotionsAtParameter result = motions(own());
-    const FrictionProblem problem = without_equations(maker_.problem(values(own())));
-    if (const auto contacts = contact_problem(problem)) result.for_every_q = for_every_push(*contacts);
+    if (const auto contacts = contact_problem(problem)) {
+      result.for_every_q = of_every_push ? for_every_push(*contacts) : for_every_load(*contacts);
+    }
     return result;
   }
 
@@ -206,7 +200,7 @@ std::optional<RealRoot> UniquenessAlong::first_apart_for_some_q() const {
 
 UniquenessAlong uniqueness_along(const MechanismScene& scene, const std::string& parameter) {
   const SceneLine line(scene, parameter);
-  return {parameter, line.own(), line.motions_at_own(), line.cells()};
+  return {parameter, line.own(), line.motions(line.own(), true), line.cells()};
 }
 
 }  // namespace slipproof

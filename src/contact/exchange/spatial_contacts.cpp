@@ -110,12 +110,9 @@ class ShapeContacts {
       const Rational between = abs(dot(a.pose.at - b.pose.at, axis));
       if (between > reach(a, axis) + reach(b, axis) + touch_) return true;
     }
-    const auto ball = [&](const Shape& p, const Shape& q) {  // a sphere farther off than all of the other reaches
-      return p.kind == Kind::sphere && q.kind == Kind::sphere &&
-             dot(p.pose.at - q.pose.at, p.pose.at - q.pose.at) >
-                 (p.radius + q.radius + touch_) * (p.radius + q.radius + touch_);
-    };
-    return ball(a, b);
+    const Vector between = a.pose.at - b.pose.at;
+    const Rational touching = a.radius + b.radius + touch_;
+    return a.kind == Kind::sphere && b.kind == Kind::sphere && dot(between, between) > touching * touching;
   }
 
   /// An upper bound on how far a shape reaches from its centre along a direction of length 1.

@@ -7,8 +7,8 @@
 
 namespace slipproof::cli {
 
-/// Prints the findings of check_mechanism() that could be checked; nothing if quiet, or
-/// for a shipped mechanism, which the tests check: at every start it would cost more than a solution.
+/// Prints the findings of check_mechanism() that could be checked; nothing if quiet, or for a
+/// shipped mechanism, which the tests check: at every start it would cost more than a solution.
 void print_warnings(const Mechanism& mechanism, const CommonOptions& common);
 /// Prints the warnings of each mechanism of a claims file once.
 void print_warnings(const ClaimsFile& claims, const CommonOptions& common);

@@ -49,7 +49,14 @@ class Drawing {
     }
   }
 
-  Rational number(const Expression& expression) { return at_.number(compiled_.compile(expression)).number.value_or(0); }
+  /// Whether all that was asked for has a value there; what divides by 0 has none.
+  bool has_values() const { return has_values_; }
+
+  Rational number(const Expression& expression) {
+    const auto value = at_.number(compiled_.compile(expression)).number;
+    has_values_ = has_values_ && value;
+    return value.value_or(0);
+  }
   Rational number(const PlacedExpression& placed) { return placed ? number(placed.expression) : Rational(0); }
   Spot spot(const PlanarVector& v) { return {number(v.x), number(v.y)}; }
   Spot centre(std::size_t body) { return spot(frames_[body].at); }
@@ -112,6 +119,7 @@ class Drawing {
   const std::vector<Frame>& frames_;
   const CompiledMechanism& compiled_;
   Evaluator<Rational> at_;
+  bool has_values_ = true;
   std::vector<std::vector<Outline>> outlines_;
 };
 
@@ -172,12 +180,13 @@ class DrawingCheck {
  private:
   template <class Holds>
   bool always(const Holds& holds) {
-    return std::ranges::all_of(drawings_, holds);
+    return std::ranges::all_of(drawings_, [&](Drawing& d) { return holds(d) && d.has_values(); });
   }
   /// Of what a drawing means for all sizes: at half of the points it is no accident of the sizes there.
   template <class Holds>
   bool often(const Holds& holds) {
-    return 2 * std::ranges::count_if(drawings_, holds) >= static_cast<std::ptrdiff_t>(drawings_.size());
+    const auto seen = [&](Drawing& d) { return holds(d) && d.has_values(); };
+    return 2 * std::ranges::count_if(drawings_, seen) >= static_cast<std::ptrdiff_t>(drawings_.size());
   }
   void find(Place place, std::string message) {
     findings_.push_back(warning(MechanismFinding::Check::geometry, place, std::move(message)));
