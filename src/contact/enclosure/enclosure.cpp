@@ -227,13 +227,29 @@ class EnclosureSearch {
     return {sign.not_negative && inside >= 0, sign.positive && inside > 0};
   }
 
+  /// An open contact: u_N >= 0, or for the associated law u_N >= mu |u_T|.
+  Sign open_conditions(const Enclosure& box, std::size_t k, std::span<const double> x) const {
+    const std::size_t first = problem_.normal(k);
+    const Rational u = exact_row(problem_, first, x);
+    const double radius = row_radius(problem_, box, first);
+    if (problem_.law.kind != FrictionLaw::associated || problem_.dimension == 1) return sign_of(u, radius);
+    const Rational least = u - to_rational(radius), mu = to_rational(problem_.mu[k]);
+    Rational square = 0;
+    for (std::size_t i = 1; i < problem_.dimension; ++i) {
+      const Rational T = abs(exact_row(problem_, first + i, x)) + to_rational(row_radius(problem_, box, first + i));
+      square += mu * mu * T * T;
+    }
+    const int inside = least.sign() < 0 ? -1 : Rational(least * least - square).sign();
+    return {inside >= 0, inside > 0};
+  }
+
   std::optional<NoEnclosure> check_conditions(Enclosure& box) const {
     const std::vector<double> x = box.system.x_at(box.center);
     std::vector<std::size_t> failing;
     for (std::size_t k = 0; k < problem_.contacts(); ++k) {
       Sign sign;
       if (box.system.mode()[k] == ConeState::open) {
-        sign = sign_of(exact_row(problem_, problem_.normal(k), x), row_radius(problem_, box, problem_.normal(k)));
+        sign = open_conditions(box, k, x);
       } else {
         sign = force_conditions(box, k);
       }

@@ -26,6 +26,20 @@ void append(std::vector<double>& to, const std::vector<double>& values, double s
   to.resize(to.size() + size - values.size(), 0);  // what the file leaves out is 0
 }
 
+/// From row `first` on.
+void add_to_diagonal(std::vector<MatrixEntry>& entries, std::size_t first, const std::vector<double>& values) {
+  std::vector<double> left = values;
+  for (MatrixEntry& e : entries) {
+    if (e.row != e.column || e.row < first || e.row - first >= left.size()) continue;
+    e.value += left[e.row - first];
+    left[e.row - first] = 0;
+  }
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    const auto place = static_cast<std::uint32_t>(first + i);
+    if (left[i] != 0) entries.push_back({place, place, left[i]});
+  }
+}
+
 }  // namespace
 
 MixedProblem mixed_problem(const ProblemFile& file) {
@@ -52,12 +66,22 @@ MixedProblem mixed_problem(const ProblemFile& file) {
     append(result.c, file.s, 1, result.free);
     append(result.c, file.q, 1, components);
   }
+  add_to_diagonal(entries, result.free, file.compliance);
+  for (std::size_t i = 0; i < file.bias.size(); ++i) result.c[result.free + i] += file.bias[i];
+  result.law = file.law;
   result.dimension = file.dimension;
   const std::size_t n = result.free + components;
   result.A = sparse_matrix(n, n, std::move(entries), twice);
   result.mu = file.mu;
   result.mu.resize(file.contacts(), 0);
   return result;
+}
+
+MixedProblem coulomb_problem(ProblemFile file) {
+  file.law = {};
+  file.compliance.clear();
+  file.bias.clear();
+  return mixed_problem(file);
 }
 
 std::optional<EliminatedProblem> eliminated(const MixedProblem& problem) {

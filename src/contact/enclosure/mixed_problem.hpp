@@ -17,21 +17,26 @@ namespace slipproof {
 /// in w its velocity or acceleration u, the normal part first. A contact obeys
 ///   u_N >= 0, r_N >= 0, u_N r_N = 0                                        (Signorini; all of the law in dimension 1)
 ///   |r_T| <= mu r_N, |u_T| r_T = -mu r_N u_T                               (Coulomb; |.| is Euclidean)
-/// and with mu = 0 or r_N = 0 r_T = 0, u_T being anything.
+/// and with mu = 0 or r_N = 0 r_T = 0, u_T being anything; or, where `law` says so, another law (formats/LAWS.md).
 struct MixedProblem {
   std::size_t free = 0, dimension = 3;
   SparseMatrix A;
   std::vector<double> c;
   std::vector<double> mu;  ///< of each contact; in dimension 1 zeros
+  ContactLaw law;
 
+  bool is_coulomb() const { return law.kind == FrictionLaw::cone || dimension == 1; }
   std::size_t size() const { return c.size(); }
   std::size_t contacts() const { return mu.size(); }
   /// The index of the normal part of contact k in x and w.
   std::size_t normal(std::size_t k) const { return free + dimension * k; }
 };
 
-/// A problem as files hold it: free unknowns are lambda, or (v, lambda). Linear.
+/// A problem as files hold it: free unknowns are lambda, or (v, lambda). With the solver's law, compliance and bias.
+/// Linear.
 MixedProblem mixed_problem(const ProblemFile& file);
+/// The same with Coulomb's law, rigid and without bias.
+MixedProblem coulomb_problem(ProblemFile file);
 
 /// A problem without free unknowns in dimension 1 or 2, exactly as it is. Throws NumberError for NaN and infinities.
 ContactProblem contact_problem(const MixedProblem& problem);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "base/number/binary64.hpp"
 #include "contact/linear/rounding.hpp"
@@ -33,17 +34,19 @@ ConeMode looks_like(const MixedProblem& problem, std::span<const double> x, std:
   ConeMode mode;
   for (std::size_t k = 0; k < problem.contacts(); ++k) {
     const auto projected = [&](std::size_t part) { return before_projection(problem, x, k, part, scales[k]); };
-    const double N = projected(0);
-    if (!(N > 0)) {
+    const double N = projected(0), mu = problem.mu[k];
+    const bool leans = problem.law.kind == FrictionLaw::associated && problem.dimension > 1 && mu > 0;
+    const double T = leans ? std::hypot(projected(1), problem.dimension == 3 ? projected(2) : 0) : 0;
+    if (leans ? !(N > -mu * T) : !(N > 0)) {
       mode.push_back(ConeState::open);
-    } else if (problem.dimension == 1 || problem.mu[k] == 0) {
+    } else if (problem.dimension == 1 || mu == 0) {
       mode.push_back(ConeState::stick);
     } else if (problem.dimension == 2) {
-      const double T = projected(1);
-      const bool sticks = std::abs(T) <= problem.mu[k] * N;
-      mode.push_back(sticks ? ConeState::stick : T < 0 ? ConeState::slide_plus : ConeState::slide_minus);
+      const double along = projected(1);
+      const bool sticks = std::abs(along) <= mu * N;
+      mode.push_back(sticks ? ConeState::stick : along < 0 ? ConeState::slide_plus : ConeState::slide_minus);
     } else {
-      const bool sticks = std::hypot(projected(1), projected(2)) <= problem.mu[k] * N;
+      const bool sticks = std::hypot(projected(1), projected(2)) <= mu * N;
       mode.push_back(sticks ? ConeState::stick : ConeState::slide);
     }
   }
@@ -72,21 +75,23 @@ void ModeSystem::add_contact(std::size_t k) {
     unknown_of_[first + i] = unknowns_.size();
     unknowns_.push_back(first + i);
   }
-  equations_.push_back({Kind::linear, first, force});
+  const bool opens = problem_->law.kind == FrictionLaw::associated;
+  const double sign = mode_[k] == ConeState::slide_minus ? -1 : 1, mu = problem_->mu[k];
   switch (mode_[k]) {
     case ConeState::slide:
       slip_of_[k] = unknowns_.size();
       unknowns_.push_back(none);
+      equations_.push_back({opens ? Kind::opening : Kind::linear, first, force, opens ? slip_of_[k] : none, mu});
       for (std::size_t i = 1; i < d; ++i) equations_.push_back({Kind::tangential, first + i, force + i, slip_of_[k]});
-      equations_.push_back({Kind::cone, first, force, none, problem_->mu[k]});
+      equations_.push_back({Kind::cone, first, force, none, mu});
       break;
     case ConeState::slide_plus:
-    case ConeState::slide_minus: {
-      const double sign = mode_[k] == ConeState::slide_plus ? 1 : -1;
-      equations_.push_back({Kind::edge, first, force, none, sign * problem_->mu[k]});
+    case ConeState::slide_minus:
+      equations_.push_back({opens ? Kind::leaning : Kind::linear, first, force, none, sign * mu});
+      equations_.push_back({Kind::edge, first, force, none, sign * mu});
       break;
-    }
     default:
+      equations_.push_back({Kind::linear, first, force});
       for (std::size_t i = 1; i < d; ++i) equations_.push_back({Kind::linear, first + i, force});
       break;
   }
@@ -124,6 +129,10 @@ Rational ModeSystem::value(std::size_t equation, std::span<const double> z, std:
       return exact_row(*problem_, e.row, x);
     case Kind::tangential:
       return exact_row(*problem_, e.row, x) + at(e.slip) * at(e.force);
+    case Kind::opening:
+      return exact_row(*problem_, e.row, x) - at(e.slip) * at(e.force) * to_rational(e.mu) * to_rational(e.mu);
+    case Kind::leaning:
+      return exact_row(*problem_, e.row, x) - to_rational(e.mu) * exact_row(*problem_, e.row + 1, x);
     case Kind::edge:
       return at(e.force + 1) + to_rational(e.mu) * at(e.force);
     default: {
@@ -144,26 +153,54 @@ std::vector<ModeSystem::Entry> ModeSystem::derivative(std::size_t equation, std:
             {e.force + 1, 2 * z[e.force + 1], 0},
             {e.force + 2, 2 * z[e.force + 2], 0}};
   }
+  if (e.kind == Kind::leaning) return leaning_row(e);
   const auto columns = problem_->A.columns_of(e.row);
   const auto values = problem_->A.values_of(e.row);
-  bool found = e.kind == Kind::linear;
+  const bool slips = e.slip != none;
+  // The term k s r: k is 1, exactly, or -mu^2, rounded by an ulp at most.
+  const double k = e.kind == Kind::opening ? -(e.mu * e.mu) : 1;
+  const double by_force = slips ? k * z[e.slip] : 0, by_slip = slips ? k * z[e.force] : 0;
+  const auto error = [&](double x) { return k == 1 ? 0 : 4 * unit_roundoff * std::abs(x) + 4 * tiny; };
+  bool found = !slips;
   for (std::size_t n = 0; n < columns.size(); ++n) {
     const std::size_t j = unknown_of_[columns[n]];
     if (j == none) continue;
     entries.push_back({j, values[n], 0});
-    if (e.kind != Kind::tangential || j != e.force) continue;
+    if (!slips || j != e.force) continue;
     found = true;
-    entries.back().value += z[e.slip];
-    entries.back().error = 2 * unit_roundoff * std::abs(entries.back().value);
+    entries.back().value += by_force;
+    entries.back().error = 2 * unit_roundoff * std::abs(entries.back().value) + error(by_force);
   }
-  if (!found) entries.push_back({e.force, z[e.slip], 0});
-  if (e.kind == Kind::tangential) entries.push_back({e.slip, z[e.force], 0});
+  if (!found) entries.push_back({e.force, by_force, error(by_force)});
+  if (slips) entries.push_back({e.slip, by_slip, error(by_slip)});
   return entries;
+}
+
+/// A row less mu times the next one.
+std::vector<ModeSystem::Entry> ModeSystem::leaning_row(const Equation& e) const {
+  constexpr double tiny = std::numeric_limits<double>::denorm_min();
+  std::map<std::size_t, Entry> entries;
+  for (const bool next : {false, true}) {
+    const auto columns = problem_->A.columns_of(e.row + (next ? 1 : 0));
+    const auto values = problem_->A.values_of(e.row + (next ? 1 : 0));
+    for (std::size_t n = 0; n < columns.size(); ++n) {
+      const std::size_t j = unknown_of_[columns[n]];
+      if (j == none) continue;
+      Entry& entry = entries.try_emplace(j, Entry{j, 0, 0}).first->second;
+      const double term = next ? -e.mu * values[n] : values[n];
+      entry.value += term;
+      if (next) entry.error = 2 * unit_roundoff * (std::abs(entry.value) + std::abs(term)) + 2 * tiny;
+    }
+  }
+  std::vector<Entry> result;
+  for (const auto& [j, entry] : entries) result.push_back(entry);
+  return result;
 }
 
 double ModeSystem::second_order(std::size_t equation, std::span<const double> radius) const {
   const Equation& e = equations_[equation];
   if (e.kind == Kind::tangential) return radius[e.slip] * radius[e.force];
+  if (e.kind == Kind::opening) return e.mu * e.mu * radius[e.slip] * radius[e.force];
   if (e.kind != Kind::cone) return 0;
   const double N = e.mu * radius[e.force], T1 = radius[e.force + 1], T2 = radius[e.force + 2];
   return std::max(T1 * T1 + T2 * T2, N * N);

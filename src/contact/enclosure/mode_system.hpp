@@ -17,7 +17,7 @@ std::string_view name(ConeState state);
 using ConeMode = std::vector<ConeState>;  ///< of each contact
 
 /// Component `part` of r - u / scale at a contact, 0 being the normal one. Where x is a solution, r is its projection
-/// onto the cone.
+/// onto the cone: for the associated law the nearest point of it, for Coulomb's with the normal part kept.
 double before_projection(const MixedProblem& problem, std::span<const double> x, std::size_t contact, std::size_t part,
                          double scale);
 
@@ -30,19 +30,22 @@ ConeMode looks_like(const MixedProblem& problem, std::span<const double> x, std:
 ///   F_i(z) = the same + s r_T                         (u_T = -s r_T)
 ///   F_i(z) = r_T1^2 + r_T2^2 - mu^2 r_N^2             (on the cone)
 ///   F_i(z) = r_T +- mu r_N                            (on the edge of the planar cone)
+/// and in place of u_N = 0, where the associated law slides and so opens, u_N = mu |u_T|:
+///   F_i(z) = a row of A x + c - s mu^2 r_N            (|u_T| = s mu r_N)
+///   F_i(z) = a row -+ mu the next one                 (in the plane)
 class ModeSystem {
  public:
   ModeSystem(const MixedProblem& problem, ConeMode mode);
 
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-  enum class Kind : std::uint8_t { linear, tangential, cone, edge };
+  enum class Kind : std::uint8_t { linear, tangential, cone, edge, opening, leaning };
   struct Equation {
     Kind kind = Kind::linear;
     std::size_t row = 0;       ///< of A, where it is one
     std::size_t force = none;  ///< tangential: the unknown r_T; others: the first of the contact's force
-    std::size_t slip = none;   ///< tangential: the unknown s
-    double mu = 0;             ///< cone, edge: its coefficient, negative where r_T - mu r_N = 0
+    std::size_t slip = none;   ///< tangential, opening: the unknown s
+    double mu = 0;             ///< its coefficient; edge, leaning: negative where r_T - mu r_N = 0
   };
   struct Entry {
     std::size_t unknown;
@@ -73,6 +76,7 @@ class ModeSystem {
 
  private:
   void add_contact(std::size_t k);
+  std::vector<Entry> leaning_row(const Equation& e) const;
 
   const MixedProblem* problem_;  ///< a pointer, so that systems can be assigned
   ConeMode mode_;

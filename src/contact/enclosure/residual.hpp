@@ -6,29 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "contact/enclosure/fit.hpp"
 #include "contact/enclosure/mixed_problem.hpp"
 
 namespace slipproof {
-
-/// The way in which a contact obeys its law. Where mu = 0, and in dimension 1, what is closed sticks.
-enum class ContactFit : std::uint8_t { open, stick, slide };
-
-/// The friction that engines with a linear complementarity solver compute with, in place of the cone.
-enum class FrictionLaw : std::uint8_t {
-  cone,     ///< |r_T| <= mu r_N, Euclidean
-  box,      ///< |r_T1| <= mu r_N and |r_T2| <= mu r_N, each direction for itself
-  diamond,  ///< |r_T1| + |r_T2| <= mu r_N, with the largest dissipation
-};
-/// `friction cone`, `box pyramid |t1| <= mu n, |t2| <= mu n`, ...
-std::string_view name(FrictionLaw law);
-
-/// The nearest way in which one contact could obey its law.
-struct FittedContact {
-  ContactFit fit = ContactFit::open;
-  std::vector<Rational> r, u;  ///< which obey the law exactly, `dimension` of each
-  double moved = 0;            ///< upper bound on |r - the answer's|, the largest component
-  double change = 0;           ///< the same of u - the answer's A x + c
-};
 
 /// Something that an answer violates. Contacts count from 0; `row` is meant where there is no contact.
 struct Violation {
@@ -56,10 +37,11 @@ struct Residual {
 /// `x` is finite and has the problem's size, `w` is A x + c (`exact_rows`). Linear in the nonzeros of A; exact except
 /// for the bounds.
 Residual residual(const MixedProblem& problem, std::span<const double> x, std::span<const Rational> w,
-                  FrictionLaw law = FrictionLaw::cone);
-
-/// A rational point of the unit circle within 1e-15 of the direction (x, y), which is not (0, 0).
-std::pair<Rational, Rational> unit_direction(double x, double y);
+                  const ContactLaw& law);
+/// By the problem's own law.
+inline Residual residual(const MixedProblem& problem, std::span<const double> x, std::span<const Rational> w) {
+  return residual(problem, x, w, problem.law);
+}
 
 /// For each contact how much u changes with r, roughly: the norm of its block of A, or of the Delassus matrix as the
 /// diagonal of the free rows would give it. Never 0.

@@ -11,17 +11,14 @@ namespace slipproof {
 
 namespace {
 
-/// A number that is known up to a radius.
-struct About {
-  Rational center;
-  double radius = 0;
+double least(const Around& x) {
+  return std::max(0.0, enclose(abs(x.center)).lower - x.radius);
+}
 
-  double least() const { return std::max(0.0, enclose(abs(center)).lower - radius); }
-  double from(double x) const {
-    const Rational distance = abs(to_rational(x) - center);
-    return distance.is_zero() && radius == 0 ? 0 : (enclose(distance).upper + radius) * (1 + 0x1p-50);
-  }
-};
+double distance(const Around& x, double from) {
+  const Rational apart = abs(to_rational(from) - x.center);
+  return apart.is_zero() && x.radius == 0 ? 0 : (enclose(apart).upper + x.radius) * (1 + 0x1p-50);
+}
 
 double over(double distance, double size) {
   if (distance == 0) return 0;
@@ -34,20 +31,20 @@ double error(const MixedProblem& problem, std::span<const double> x, std::span<c
   const ContactSizes sizes = contact_sizes(problem);
   double force = 0, moved = 0, speed = sizes.velocity, differs = 0;
   for (std::size_t i = problem.free; i < problem.size(); ++i) {
-    const About r = component(i);
-    force = std::max(force, r.least());
-    moved = std::max(moved, r.from(x[i]));
+    const Around r = component(i);
+    force = std::max(force, least(r));
+    moved = std::max(moved, distance(r, x[i]));
   }
   if (force == 0) force = sizes.force;
   for (std::size_t i = 0; i < u.size(); ++i) {
-    const About w = velocity(problem.free + i);
-    speed = std::max(speed, w.least());
-    differs = std::max(differs, w.from(u[i]));
+    const Around w = velocity(problem.free + i);
+    speed = std::max(speed, least(w));
+    differs = std::max(differs, distance(w, u[i]));
   }
   double result = std::max(over(moved, force), over(differs, speed));
   const FreeSizes free = free_sizes(problem, force);
   for (std::size_t i = 0; i < problem.free; ++i) {
-    result = std::max(result, over(component(i).from(x[i]), free.unknowns[i]));
+    result = std::max(result, over(distance(component(i), x[i]), free.unknowns[i]));
   }
   return result;
 }
@@ -128,10 +125,10 @@ double error_of(const MixedProblem& problem, std::span<const double> x, std::spa
       problem, x, u,
       [&](std::size_t i) {
         const std::size_t j = solution.system.unknown(i);
-        return About{to_rational(center[i]), j == ModeSystem::none ? 0 : solution.radius[j]};
+        return Around{to_rational(center[i]), j == ModeSystem::none ? 0 : solution.radius[j]};
       },
       [&](std::size_t i) {
-        return About{exact_row(problem, i, center), row_radius(problem, solution, i)};
+        return Around{exact_row(problem, i, center), row_radius(problem, solution, i)};
       });
 }
 
@@ -140,11 +137,17 @@ double error_of(const MixedProblem& problem, std::span<const double> x, std::spa
   return error(
       problem, x, u,
       [&](std::size_t i) {
-        return About{solution[i], 0};
+        return Around{solution[i], 0};
       },
       [&](std::size_t i) {
-        return About{exact_row(problem, i, solution), 0};
+        return Around{exact_row(problem, i, solution), 0};
       });
+}
+
+double error_of(const MixedProblem& problem, std::span<const double> x, std::span<const double> u,
+                std::span<const Around> components, std::span<const Around> velocities) {
+  return error(
+      problem, x, u, [&](std::size_t i) { return components[i]; }, [&](std::size_t i) { return velocities[i]; });
 }
 
 }  // namespace slipproof

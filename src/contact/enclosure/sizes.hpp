@@ -24,6 +24,12 @@ struct FreeSizes {
 };
 FreeSizes free_sizes(const MixedProblem& problem, double force);
 
+/// A number that is known up to a radius.
+struct Around {
+  Rational center;
+  double radius = 0;
+};
+
 /// Upper bound on the error of an answer, which is the largest of these:
 /// - a force's distance from the solution, over the largest force of the solution, or contact_sizes().force if all are
 /// 0;
@@ -34,5 +40,8 @@ double error_of(const MixedProblem& problem, std::span<const double> x, std::spa
                 const Enclosure& solution);
 double error_of(const MixedProblem& problem, std::span<const double> x, std::span<const double> u,
                 const std::vector<Rational>& solution);
+/// Of a solution that is somewhere around: all components of x, and of A x + c.
+double error_of(const MixedProblem& problem, std::span<const double> x, std::span<const double> u,
+                std::span<const Around> components, std::span<const Around> velocities);
 
 }  // namespace slipproof

@@ -23,6 +23,8 @@ class JsonProblem {
     read_dimension(global);
     global ? read_global() : read_local();
     read_coefficients();
+    read_law();
+    read_units();
     SolverAnswer answer;
     answer.origin = "r, u";
     answer.r = part({"r", "z"});
@@ -96,6 +98,54 @@ class JsonProblem {
       tell_dimension(std::nullopt);
       p.mu.assign(p.contacts(), each);
     }
+  }
+
+  /// What a solver solves in place of Coulomb's law.
+  void read_law() {
+    ProblemFile& p = read_.problem;
+    if (const auto law = text_of("law")) {
+      const auto kind = law_called(*law);
+      if (!kind) numbers_.refuse("law", "found '" + *law + "', expected one of " + law_words());
+      p.law.kind = *kind;
+    }
+    if (const auto function = text_of("function")) {
+      const auto kind = regularisation_called(*function);
+      if (!kind) numbers_.refuse("function", "found '" + *function + "', expected linear or soft");
+      p.law.function = *kind;
+    }
+    if (const JsonNode* speed = root_.find("slip_speed")) p.law.slip_speed = numbers_.number(*speed, "slip_speed");
+    p.law.bounds = each("bounds", p.components() - p.contacts());
+    p.compliance = each("compliance", p.components());
+    p.bias = each("bias", p.components());
+  }
+
+  void read_units() {
+    const JsonNode* units = root_.find("units");
+    if (units == nullptr) return;
+    ProblemFile& p = read_.problem;
+    const JsonNode *force = units->find("force"), *velocity = units->find("velocity");
+    const bool texts = force != nullptr && velocity != nullptr && force->kind == JsonNode::Kind::text &&
+                       velocity->kind == JsonNode::Kind::text;
+    if (!texts || units->keys.size() != 2) {
+      numbers_.refuse("units", "found something else, expected {\"force\": \"N s\", \"velocity\": \"m/s\"}");
+    }
+    p.force_unit = force->text;
+    p.velocity_unit = velocity->text;
+  }
+
+  std::optional<std::string> text_of(const std::string& key) const {
+    const JsonNode* node = root_.find(key);
+    if (node == nullptr) return std::nullopt;
+    if (node->kind != JsonNode::Kind::text) numbers_.refuse(key, "found no text, expected a word");
+    return node->text;
+  }
+
+  /// A list, or one number for each of `count` components; empty where there is no such key.
+  std::vector<double> each(const std::string& key, std::size_t count) const {
+    const JsonNode* node = root_.find(key);
+    if (node == nullptr) return {};
+    if (node->kind == JsonNode::Kind::list) return numbers_.list(*node, key);
+    return std::vector<double>(count, numbers_.number(*node, key));
   }
 
   const JsonNode& need(const std::string& key, const std::string& expected) const {
@@ -184,14 +234,17 @@ class JsonProblem {
                                                      "V",         "R",     "s",        "r", "z", "u", "w"};
     constexpr std::array<std::string_view, 13> whole{"dimension", "title", "contacts", "M", "H", "f", "w",
                                                      "mu",        "G",     "b",        "r", "z", "u"};
+    constexpr std::array<std::string_view, 8> common{"lambda", "law",   "bounds",     "compliance",
+                                                     "bias",   "units", "slip_speed", "function"};
     for (const std::string& key : root_.keys) {
       const bool known =
           (global ? std::ranges::find(whole, key) != whole.end() : std::ranges::find(local, key) != local.end()) ||
-          key == "lambda" || (key == "v" && global);
+          std::ranges::find(common, key) != common.end() || (key == "v" && global);
       if (!known) {
         numbers_.refuse(key, std::string("found an unknown key, expected ") +
-                                 (global ? "dimension, M, H, f, w, mu, G, b, r, u, v, lambda or title"
-                                         : "dimension, W, q, mu, V, R, s, r, u, lambda or title"));
+                                 (global ? "dimension, M, H, f, w, mu, G, b, r, u, v, lambda, law, title"
+                                         : "dimension, W, q, mu, V, R, s, r, u, lambda, law, title") +
+                                 " or another of FORMATS.md");
       }
     }
   }
@@ -240,7 +293,7 @@ class JsonPeek {
     return !ended_ && !is_problem();
   }
 
-  bool is_problem() const { return three_ || sparse_ || (M_ && H_); }
+  bool is_problem() const { return three_ || sparse_ || law_ || (M_ && H_); }
   /// Of any dimension, and on more than one line: no line of it could be a record.
   bool is_spread_problem() const { return is_problem() || (lines_ && q_ && (W_ || M_)); }
 
@@ -270,6 +323,7 @@ class JsonPeek {
     H_ = H_ || key_ == "H";
     W_ = W_ || key_ == "W";
     q_ = q_ || key_ == "q";
+    law_ = law_ || key_ == "law";
   }
 
   void end_value() {
@@ -284,7 +338,7 @@ class JsonPeek {
   int depth_ = 0;
   bool ended_ = false, in_text_ = false, escaped_ = false, lines_ = false;
   std::string text_, key_, value_;
-  bool three_ = false, sparse_ = false, M_ = false, H_ = false, W_ = false, q_ = false;
+  bool three_ = false, sparse_ = false, M_ = false, H_ = false, W_ = false, q_ = false, law_ = false;
 };
 
 }  // namespace
@@ -304,7 +358,7 @@ bool begins_as_json_problem(std::istream& text) {
 bool is_json_problem(std::string_view line) {
   const auto has = [&](std::string_view word) { return line.find(word) != std::string_view::npos; };
   // The ends of keys: quotation marks are everywhere in a line, and begin nothing that is quickly looked for.
-  if (!has("dimension\"") && !has("entries\"") && !has("H\"")) return false;
+  if (!has("dimension\"") && !has("entries\"") && !has("H\"") && !has("law\"")) return false;
   JsonPeek peek;
   for (const char c : line) {
     if (!peek.take(c)) break;

@@ -50,13 +50,14 @@ class ProblemCheck {
     if (wrong != v.end()) add(name + place(static_cast<std::size_t>(wrong - v.begin())) + ": " + not_finite(*wrong));
   }
 
-  void coefficients(const std::vector<double>& mu, std::size_t contacts) {
-    size("mu", mu, contacts);
-    finite("mu", mu);
-    const auto negative = std::ranges::find_if(mu, [](double x) { return x < 0; });
-    if (negative == mu.end()) return;
-    add("mu" + place(static_cast<std::size_t>(negative - mu.begin())) + ": found " + short_number(*negative) +
-        ", expected a coefficient of friction, which is not negative");
+  /// Numbers that are not negative, being `what`.
+  void magnitudes(const std::string& name, const std::vector<double>& v, std::size_t expected, const char* what) {
+    size(name, v, expected);
+    finite(name, v);
+    const auto negative = std::ranges::find_if(v, [](double x) { return x < 0; });
+    if (negative == v.end()) return;
+    add(name + place(static_cast<std::size_t>(negative - v.begin())) + ": found " + short_number(*negative) +
+        ", expected " + what + ", which is not negative");
   }
 
   void add(const std::string& message) { mistakes_.add({}, message); }
@@ -104,7 +105,24 @@ void check_contacts(const ProblemFile& p, ProblemCheck& check) {
     check.add("found " + std::to_string(components) + " components, expected a multiple of the dimension " +
               std::to_string(p.dimension));
   }
-  check.coefficients(p.mu, components / p.dimension);
+  check.magnitudes("mu", p.mu, components / p.dimension, "a coefficient of friction");
+}
+
+/// That the law has what it needs, and nothing that only others need.
+void check_law(const ProblemFile& p, ProblemCheck& check) {
+  const std::size_t components = p.components();
+  if (!p.compliance.empty()) check.magnitudes("compliance", p.compliance, components, "a compliance");
+  if (!p.bias.empty()) {
+    check.size("bias", p.bias, components);
+    check.finite("bias", p.bias);
+  }
+  const bool fixed = p.law.kind == FrictionLaw::fixed, regularised = p.law.kind == FrictionLaw::regularised;
+  if (fixed || !p.law.bounds.empty()) {
+    check.magnitudes("bounds", p.law.bounds, components - p.contacts(), "a bound of a tangential component");
+  }
+  if ((regularised || p.law.slip_speed != 0) && !(p.law.slip_speed > 0 && std::isfinite(p.law.slip_speed))) {
+    check.add("slip_speed: found " + short_number(p.law.slip_speed) + ", expected a speed above 0");
+  }
 }
 
 /// Rows of A x added to `sum`, their absolute values to `scale`.
@@ -145,6 +163,26 @@ void remark_asymmetry(const char* name, const SparseMatrix& matrix, ProblemFile&
                             short_number(found.difference / found.largest) + " of the largest entry");
 }
 
+/// Where a compliance or a bias is added to a number of the problem, the sum is rounded: that is the problem of the
+/// law.
+void remark_rounded(const char* name, const std::vector<double>& added, ProblemFile& problem) {
+  double largest = 0;
+  for (std::size_t i = 0; i < added.size(); ++i) {
+    double to = name[0] == 'b' ? (problem.form == ProblemForm::global ? problem.w[i] : problem.q[i]) : 0;
+    if (name[0] == 'c' && problem.form != ProblemForm::global) {
+      const auto columns = problem.W.columns_of(i);
+      const auto found = std::ranges::find(columns, i);
+      if (found != columns.end()) to = problem.W.values_of(i)[static_cast<std::size_t>(found - columns.begin())];
+    }
+    const double sum = to + added[i], rest = sum - to;
+    const double lost = (to - (sum - rest)) + (added[i] - rest);  // exact: what the sum leaves out
+    largest = std::max(largest, std::abs(lost));
+  }
+  if (largest == 0) return;
+  problem.remarks.push_back(std::string("the ") + name + " is added in binary64, which changes it by up to " +
+                            short_number(largest));
+}
+
 }  // namespace
 
 DimensionBySizes dimension_by_sizes(std::size_t components, std::optional<std::size_t> coefficients) {
@@ -172,6 +210,7 @@ void check_problem(const ProblemFile& problem, Mistakes& mistakes) {
     check_velocities(problem, check);
   }
   check_contacts(problem, check);
+  check_law(problem, check);
 }
 
 AnswerSizes answer_sizes(const ProblemFile& problem) {
@@ -256,6 +295,8 @@ void add_remarks(ReadProblem& read) {
   ProblemFile& problem = read.problem;
   if (problem.form == ProblemForm::local) remark_asymmetry("W", problem.W, problem);
   if (problem.form == ProblemForm::global) remark_asymmetry("M", problem.M, problem);
+  remark_rounded("compliance", problem.compliance, problem);
+  remark_rounded("bias", problem.bias, problem);
   if (problem.components() == 0) problem.remarks.emplace_back("there is no contact in it");
   for (const SolverAnswer& answer : read.answers) {
     if (answer.origin != "/solution") continue;

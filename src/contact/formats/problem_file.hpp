@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/algebra/sparse_matrix.hpp"
+#include "contact/formats/law.hpp"
 
 namespace slipproof {
 
@@ -30,13 +31,20 @@ struct ProblemFile {
   SparseMatrix M, H, G;  ///< global
   std::vector<double> f, w, b;
   std::vector<double> mu;  ///< Coulomb coefficient of each contact, >= 0; empty for complementarity
-  std::string title;       ///< as the file calls it; may be empty
+  /// What a solver solves in place of Coulomb's law, if the file says it: its law, and in its law's u a compliance R >
+  /// 0 or = 0 of each component and a bias b, u = W r + R r + q + b. Empty where there is none.
+  ContactLaw law;
+  std::vector<double> compliance, bias;
+  std::string force_unit, velocity_unit;  ///< as the file calls them; may be empty
+  std::string title;                      ///< the same
   /// What the file says that a reader should know and a program must not trust: a stored solution with r = 0, numbers
   /// printed with six digits, a trailing token. Sentences without a full stop.
   std::vector<std::string> remarks;
 
   std::size_t components() const { return form == ProblemForm::global ? H.columns : q.size(); }
   std::size_t contacts() const { return components() / dimension; }
+  /// Whether solvers of it solve something else than Coulomb's law.
+  bool has_own_law() const { return law.kind != FrictionLaw::cone || !compliance.empty() || !bias.empty(); }
 };
 
 /// What a solver gives; an empty vector is a part that it does not give. NaN and infinities are kept: they are answers,

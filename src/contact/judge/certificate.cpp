@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "base/number/binary64.hpp"
@@ -18,6 +19,7 @@ class CertificateWriter {
 
   std::string write(const ContactJudgement& judgement) {
     write_problem();
+    write_law();
     vector("answer", judgement.x);
     if (!write_claims(judgement)) return {};
     line("end");
@@ -28,10 +30,14 @@ class CertificateWriter {
   bool write_claims(const ContactJudgement& judgement) {
     switch (judgement.verdict) {
       case ContactVerdict::inaccurate:
+      case ContactVerdict::not_converged:
       case ContactVerdict::solution_within_rho:
       case ContactVerdict::unique:
       case ContactVerdict::ambiguous:
         return write_solutions(judgement);
+      case ContactVerdict::velocities_within_rho:
+        write_every(*judgement.every);
+        return true;
       case ContactVerdict::no_solution:
         if (judgement.multipliers.empty()) return false;
         line("no-solution");
@@ -39,13 +45,12 @@ class CertificateWriter {
         return true;
       case ContactVerdict::wrong:
       case ContactVerdict::none_within_rho:
-        if (judgement.exclusion->radius > 0) {
-          line("none-within {:a}", judgement.exclusion->radius);
+        if (judgement.excluded() > 0) {
+          line("none-within {:a}", judgement.excluded());
           return true;
         }
         [[fallthrough]];
       case ContactVerdict::eps_solution:
-        if (judgement.law != FrictionLaw::cone && problem_.dimension == 3) return false;
         write_eps(judgement);
         return true;
       default:
@@ -56,9 +61,10 @@ class CertificateWriter {
   bool write_solutions(const ContactJudgement& j) {
     if (j.enclosure) {
       write_enclosure(*j.enclosure, j.rho);
-    } else if (!write_exact(j.exact, j.rho)) {
+    } else if (!j.exact.empty() && !write_exact(j.exact, j.rho)) {
       return false;
     }
+    if (j.every) write_every(*j.every);
     if (j.other) write_enclosure(*j.other, distance_from(*j.other, j.x));
     if (!j.other_exact.empty()) {
       write_exact(j.other_exact, distance_from(j.other_exact, j.x));
@@ -78,6 +84,21 @@ class CertificateWriter {
     vector("point", x);
     vector("motion", w);
     return true;
+  }
+
+  void write_every(const EverySolution& every) {
+    line("every-solution {:a} {:a}", every.rho, every.eta);
+    vector("moduli", every.proof.moduli);
+    line("factor {}", every.proof.factor.entries());
+    entries(every.proof.factor);
+    vector("point", every.point);
+    vector("motion", every.motion);
+    vector("shares", every.shares);
+    vector("gaps", every.gaps);
+    line("energy {:a}", every.energy);
+    std::vector<double> radii = every.radius;
+    for (double& r : radii) r = std::isfinite(r) ? r : 0;  // of an open component: not used
+    vector("radii", radii);
   }
 
   void write_unique(const UniqueProof& proof) {
@@ -131,6 +152,16 @@ class CertificateWriter {
     line("matrix {}", problem_.A.entries());
     entries(problem_.A);
     vector("constant", problem_.c);
+  }
+
+  /// Where it is not Coulomb's.
+  void write_law() {
+    if (problem_.is_coulomb()) return;
+    const ContactLaw& law = problem_.law;
+    add("law {}", word(law.kind));
+    if (law.kind == FrictionLaw::fixed) vector("", law.bounds);
+    if (law.kind == FrictionLaw::regularised) add(" {} {:a}", word(law.function), law.slip_speed);
+    if (law.kind != FrictionLaw::fixed) text_ += '\n';
   }
 
   void write_eps(const ContactJudgement& judgement) {

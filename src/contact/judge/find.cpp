@@ -89,12 +89,16 @@ std::optional<Delassus> delassus(const MixedProblem& problem) {
   return result;
 }
 
-/// The force of one contact for given forces of the others: a fixed-point iteration of projections on the cone.
+/// The force of one contact for given forces of the others: a fixed-point iteration of projections on what its law
+/// allows.
 class OneContact {
  public:
-  OneContact(const Dense& block, double mu) : block_(block), mu_(mu) {
+  OneContact(const MixedProblem& problem, std::size_t k, const Dense& block)
+      : block_(block), mu_(problem.mu[k]), law_(problem.law.kind) {
     const double norm = block.norm();
     step_ = norm > 0 ? 1 / norm : 1;
+    const std::size_t d = problem.dimension - 1;
+    if (law_ == FrictionLaw::fixed) bounds_ = std::span(problem.law.bounds).subspan(d * k, d);
   }
 
   DenseVector solve(const DenseVector& rest, DenseVector r) const {
@@ -109,14 +113,27 @@ class OneContact {
 
  private:
   DenseVector projected(DenseVector r) const {
+    const Eigen::Index tangential = r.size() - 1;
+    if (law_ == FrictionLaw::fixed) {
+      r[0] = std::max(r[0], 0.0);
+      for (Eigen::Index i = 0; i < tangential; ++i) {
+        const double bound = bounds_[static_cast<std::size_t>(i)];
+        r[i + 1] = std::clamp(r[i + 1], -bound, bound);
+      }
+      return r;
+    }
+    const double length = r.tail(tangential).norm();
+    if (law_ == FrictionLaw::associated && length > mu_ * r[0]) r[0] = (r[0] + mu_ * length) / (1 + mu_ * mu_);
     r[0] = std::max(r[0], 0.0);
-    const double length = r.tail(r.size() - 1).norm(), bound = mu_ * r[0];
-    if (length > bound) r.tail(r.size() - 1) *= length > 0 ? bound / length : 0;
+    const double bound = mu_ * r[0];
+    if (length > bound) r.tail(tangential) *= length > 0 ? bound / length : 0;
     return r;
   }
 
   Dense block_;
   double mu_, step_;
+  FrictionLaw law_;
+  std::span<const double> bounds_;
 };
 
 std::vector<double> with_free(const MixedProblem& problem, const DenseVector& r) {
@@ -153,9 +170,12 @@ std::vector<double> approximate_solution(const MixedProblem& problem, const Find
   std::vector<OneContact> contacts;
   for (std::size_t k = 0; k < problem.contacts(); ++k) {
     blocks.push_back(rows.block(k));
-    contacts.emplace_back(blocks.back(), problem.mu[k]);
+    contacts.emplace_back(problem, k, blocks.back());
   }
   DenseVector r = DenseVector::Zero(rows.count());
+  if (!options.start.empty()) {
+    r = Eigen::Map<const DenseVector>(options.start.data() + problem.free, rows.count());
+  }
   for (int sweep = 0; sweep < options.sweeps; ++sweep) {
     double moved = 0;
     stop_if_asked();

@@ -9,13 +9,15 @@
 namespace slipproof {
 
 struct FindOptions {
-  int sweeps = 400;              ///< of the iteration over contacts
-  std::size_t largest = 3000;    ///< components that are made dense, where free unknowns are eliminated
-  std::size_t neighbours = 200;  ///< modes that are tried around a solution
+  int sweeps = 400;                ///< of the iteration over contacts
+  std::size_t largest = 3000;      ///< components that are made dense, where free unknowns are eliminated
+  std::size_t neighbours = 200;    ///< modes that are tried around a solution
+  std::vector<double> start = {};  ///< where the iteration begins: x of the problem's size; empty: without forces
 };
 
 /// A start for enclose_solution: contacts are solved one after the other, each for itself, until they agree (a
-/// projected Gauss-Seidel iteration on the Delassus matrix, as NSGS does it). Nothing is promised. Empty where the free
+/// projected Gauss-Seidel iteration on the Delassus matrix, as NSGS does it), by the cone, the associated law or fixed
+/// bounds. Nothing is promised. Empty where the free
 /// rows cannot be eliminated or the problem is too large.
 std::vector<double> approximate_solution(const MixedProblem& problem, const FindOptions& options = {});
 

@@ -17,9 +17,18 @@ namespace slipproof {
 
 namespace {
 
-constexpr std::array<std::string_view, 10> verdict_names{
-    "invalid",     "wrong",     "inaccurate", "eps-solution", "solution within rho", "unique", "no solution within rho",
-    "no solution", "ambiguous", "undecided"};
+constexpr std::array<std::string_view, 12> verdict_names{"invalid",
+                                                         "wrong",
+                                                         "not converged",
+                                                         "inaccurate",
+                                                         "eps-solution",
+                                                         "solution within rho",
+                                                         "unique",
+                                                         "velocities within rho",
+                                                         "no solution within rho",
+                                                         "no solution",
+                                                         "ambiguous",
+                                                         "undecided"};
 
 /// The largest |u_i - (A x + c)_i|, rounded up.
 double velocity_error_of(const MixedProblem& problem, std::span<const Rational> w, std::span<const double> u) {
@@ -34,9 +43,11 @@ double velocity_error_of(const MixedProblem& problem, std::span<const Rational> 
 /// Wrong for the law that was asked about: would it be right for one that engines use instead?
 std::optional<FrictionLaw> pyramid_that_fits(const MixedProblem& problem, std::span<const double> x,
                                              std::span<const Rational> w, const ContactJudgeOptions& options) {
-  if (problem.dimension != 3 || options.law != FrictionLaw::cone) return std::nullopt;
-  for (const FrictionLaw law : {FrictionLaw::box, FrictionLaw::diamond}) {
-    if (residual(problem, x, w, law).backward_error() <= options.tolerance) return law;
+  if (problem.dimension != 3 || problem.law.kind != FrictionLaw::cone) return std::nullopt;
+  for (const FrictionLaw kind : {FrictionLaw::box, FrictionLaw::diamond}) {
+    ContactLaw law;
+    law.kind = kind;
+    if (residual(problem, x, w, law).backward_error() <= options.tolerance) return kind;
   }
   return std::nullopt;
 }
@@ -51,12 +62,14 @@ class ContactCase {
   /// A solution near the answer, and whether there are others.
   void look_near() {
     bool settled = false;
-    extra("all solutions", [&] { settled = count_all(); });
-    if (!settled) {
-      extra("a solution near the answer", [&] { enclose(); });
-      if (j_.has_solution()) exclude_others();
+    if (problem_.is_coulomb()) extra("all solutions", [&] { settled = count_all(); });
+    if (!settled && has_modes()) extra("a solution near the answer", [&] { enclose(); });
+    if (!settled && problem_.is_coulomb() && j_.has_solution()) exclude_others();
+    const bool known = j_.has_solution();
+    if (known) j_.error = j_.enclosure ? error_from(*j_.enclosure) : error_from(j_.exact);
+    if (is_convex(problem_) && !(known && problem_.is_coulomb())) {
+      extra("a bound on every solution", [&] { bound_every(known); });
     }
-    if (j_.has_solution()) j_.error = j_.enclosure ? error_from(*j_.enclosure) : error_from(j_.exact);
   }
 
   /// What fails beyond the residual costs nothing but itself.
@@ -80,11 +93,36 @@ class ContactCase {
     if (j_.other || !j_.other_exact.empty()) return true;
     return counted_ && (count_.kind == Kind::several || count_.kind == Kind::continuum);
   }
-  bool certainly_one() const { return j_.unique_by || (counted_ && count_.kind == SolutionCount::Kind::one); }
+  bool certainly_one() const {
+    return j_.unique_by || (j_.every && j_.every->unique()) || (counted_ && count_.kind == SolutionCount::Kind::one);
+  }
   /// Whether the known solution is the nearest there is.
-  bool knows_all() const { return counted_ || j_.unique_by; }
+  bool knows_all() const { return counted_ || j_.unique_by || (j_.every && j_.every->unique()); }
 
  private:
+  /// Whether the modes of the law have equations (ModeSystem).
+  bool has_modes() const { return problem_.is_coulomb() || problem_.law.kind == FrictionLaw::associated; }
+
+  /// What follows for every solution, around the one that is known, or around the answer with its forces improved.
+  void bound_every(bool known) {
+    auto proof = prove_monotone(problem_, effort_);
+    if (!proof) {
+      if (!known && j_.reason.empty()) j_.reason = "its matrix is not proved to be semidefinite with free rows exact";
+      return;
+    }
+    std::vector<std::vector<double>> starts{j_.x};
+    if (known && j_.enclosure) starts.push_back(center_of(*j_.enclosure));
+    if (!known) starts.push_back(approximate_solution(problem_, {.start = j_.x}));
+    for (const std::vector<double>& start : starts) {
+      if (start.size() != j_.x.size()) continue;
+      auto found = every_solution(problem_, start, j_.x, *proof);
+      if (found && (!j_.every || found->energy < j_.every->energy)) j_.every = std::move(found);
+    }
+    if (!j_.every || known) return;
+    j_.rho = j_.every->rho;
+    j_.error = error_of(problem_, j_.x, u_, *j_.every);
+  }
+
   template <class Solution>
   double error_from(const Solution& solution) const {
     return error_of(problem_, j_.x, u_, solution);
@@ -118,7 +156,7 @@ class ContactCase {
       j_.enclosure = std::move(*box);
       return;
     }
-    if (solve_exactly()) return;
+    if (problem_.is_coulomb() && solve_exactly()) return;
     auto& failure = std::get<NoEnclosure>(found);
     j_.reason = std::move(failure.reason);
     j_.contacts = std::move(failure.contacts);
@@ -163,7 +201,7 @@ bool may_be_near(const ContactJudgement& j) {
   if (j.residual->backward_error() <= contact_near) return true;
   double largest = 0;
   for (const double x : j.x) largest = std::max(largest, std::abs(x));
-  return j.exclusion->radius <= 2 * contact_near * largest;
+  return j.excluded() <= 2 * contact_near * largest;
 }
 
 }  // namespace
@@ -173,14 +211,15 @@ std::string_view name(ContactVerdict verdict) {
 }
 
 bool is_certified(ContactVerdict verdict) {
-  return verdict == ContactVerdict::solution_within_rho || verdict == ContactVerdict::unique;
+  using enum ContactVerdict;
+  return verdict == solution_within_rho || verdict == unique || verdict == velocities_within_rho;
 }
 
 ContactJudgement judge_contacts(const MixedProblem& problem, std::vector<double> x, std::span<const double> u,
                                 const ContactJudgeOptions& options) {
   ContactJudgement judgement;
   judgement.x = std::move(x);
-  judgement.law = options.law;
+  judgement.law = problem.law.kind;
   const auto finite = [](double value) { return std::isfinite(value); };
   const auto bad = std::find_if_not(judgement.x.begin(), judgement.x.end(), finite);
   if (bad != judgement.x.end() || !std::all_of(u.begin(), u.end(), finite)) {
@@ -188,33 +227,43 @@ ContactJudgement judge_contacts(const MixedProblem& problem, std::vector<double>
     return judgement;
   }
   const std::vector<Rational> w = exact_rows(problem, judgement.x);
-  judgement.residual = residual(problem, judgement.x, w, options.law);
+  judgement.residual = residual(problem, judgement.x, w);
   judgement.velocity_error = velocity_error_of(problem, w, u);
-  judgement.exclusion = exclusion(problem, judgement.x, w);
+  if (problem.is_coulomb()) judgement.exclusion = exclusion(problem, judgement.x, w);
+  const double backward = judgement.residual->backward_error();
   const double velocity_error = judgement.velocity_error / judgement.residual->scale;
-  const bool right = std::max(judgement.residual->backward_error(), velocity_error) <= options.tolerance;
+  const bool right = std::max(backward, velocity_error) <= options.tolerance;
   ContactCase found(problem, u, options, judgement);
-  const bool exact_law = options.law == FrictionLaw::cone || problem.dimension < 3;
-  if (exact_law && (right || options.refine || may_be_near(judgement))) found.look_near();
+  const bool strong = problem.is_coulomb() || is_convex(problem);
+  if (strong && (right || options.refine || may_be_near(judgement))) found.look_near();
   const bool known = judgement.has_solution();
-  if (exact_law && !known && (!right || options.refine) && found.none_at_all()) {
+  const bool near = known && (options.within ? judgement.rho <= *options.within : judgement.error <= contact_near);
+  const bool only_forces_open = judgement.every && !judgement.every->unique();
+  if (problem.is_coulomb() && !known && (!right || options.refine) && found.none_at_all()) {
     judgement.verdict = ContactVerdict::no_solution;
-  } else if (options.within && judgement.exclusion->radius > *options.within) {
+  } else if (options.within && judgement.excluded() > *options.within) {
     judgement.verdict = ContactVerdict::none_within_rho;
   } else if (known && judgement.error <= options.tolerance) {
     judgement.verdict = found.certainly_several() ? ContactVerdict::ambiguous
                         : found.certainly_one()   ? ContactVerdict::unique
                                                   : ContactVerdict::solution_within_rho;
-  } else if (known && judgement.error <= contact_near) {
-    judgement.verdict = ContactVerdict::inaccurate;
+  } else if (near) {
+    judgement.verdict = right ? ContactVerdict::inaccurate : ContactVerdict::not_converged;
+  } else if (right && !known && only_forces_open &&
+             judgement.every->eta <= options.tolerance * judgement.residual->scale) {
+    judgement.verdict = ContactVerdict::velocities_within_rho;
+    judgement.undetermined = judgement.every->open;
+    judgement.reason.clear();
+    judgement.contacts.clear();
   } else if (right && !found.knows_all()) {
     judgement.verdict = ContactVerdict::eps_solution;
     if (known) judgement.reason = "the solution that was found is too far from the answer";
+    if (!strong) judgement.reason = "this law is not convex, and only its residual is judged";
   } else {
     judgement.verdict = ContactVerdict::wrong;
     judgement.reason.clear();  // why nothing is enclosed is no news any more
     judgement.contacts.clear();
-    if (judgement.residual->backward_error() > options.tolerance) {
+    if (backward > options.tolerance) {
       found.extra("a pyramid that it fits",
                   [&] { judgement.right_for = pyramid_that_fits(problem, judgement.x, w, options); });
     } else if (velocity_error > options.tolerance) {

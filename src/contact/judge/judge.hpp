@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/convex/monotone.hpp"
 #include "contact/enclosure/enclosure.hpp"
 #include "contact/enclosure/residual.hpp"
 #include "contact/exact/exclusion.hpp"
@@ -16,27 +17,30 @@
 namespace slipproof {
 
 enum class ContactVerdict : std::uint8_t {
-  invalid,              ///< NaN, infinity, or no answer of the problem's size
-  wrong,                ///< no solution near it is known; or the backward error is above the tolerance
-  inaccurate,           ///< near an exact solution, with an error above the tolerance
-  eps_solution,         ///< it solves a problem within the tolerance; nothing stronger is proved
-  solution_within_rho,  ///< an exact solution is within rho of it, and within the tolerance
-  unique,               ///< and it is the only one there is
-  none_within_rho,      ///< no exact solution is within the radius that was asked for
-  no_solution,          ///< the problem has none at all
-  ambiguous,            ///< it is one of several
-  undecided             ///< no answer was given, and none was found
+  invalid,        ///< NaN, infinity, or no answer of the problem's size
+  wrong,          ///< the backward error is above the tolerance, and no solution near it is known
+  not_converged,  ///< the backward error is above the tolerance, and a solution is near it
+  inaccurate,     ///< it solves a problem within the tolerance, but the solution near it is farther away than that
+  eps_solution,   ///< it solves a problem within the tolerance; nothing stronger is proved
+  solution_within_rho,    ///< an exact solution is within rho of it, and within the tolerance
+  unique,                 ///< and it is the only one there is
+  velocities_within_rho,  ///< nothing determines some forces; the velocities of every solution are within eta
+  none_within_rho,        ///< no exact solution is within the radius that was asked for
+  no_solution,            ///< the problem has none at all
+  ambiguous,              ///< it is one of several
+  undecided               ///< no answer was given, and none was found
 };
 std::string_view name(ContactVerdict verdict);
-/// `solution_within_rho` and `unique`: all that one could ask of an answer.
+/// `solution_within_rho`, `unique` and `velocities_within_rho`: all that one could ask of an answer.
 bool is_certified(ContactVerdict verdict);
 
 struct ContactJudgeOptions {
   /// On the error of the answer (sizes.hpp) where a solution is known, else on its backward error.
   double tolerance = contact_tolerance;
-  std::optional<double> within;  ///< is there no solution within this radius?
-  bool refine = false;           ///< look for a solution near the answer even if that is wrong
-  FrictionLaw law = FrictionLaw::cone;
+  /// What is near: a solution within this radius (without it, within `contact_near` of the largest force), and none
+  /// where this is asked.
+  std::optional<double> within;
+  bool refine = false;  ///< look for a solution near the answer even if that is wrong
   EnclosureOptions enclosure;
   Work effort = 3'000'000'000;     ///< for theorems about all answers, and for exact solutions: a few seconds
   std::size_t others_up_to = 200;  ///< unknowns of a mode up to which other solutions are looked for
@@ -44,27 +48,30 @@ struct ContactJudgeOptions {
 
 struct ContactJudgement {
   ContactVerdict verdict = ContactVerdict::invalid;
-  std::string reason;                   ///< why nothing stronger is proved; what is invalid
-  std::vector<std::size_t> contacts;    ///< that the reason is about, from 0
-  FrictionLaw law = FrictionLaw::cone;  ///< that was asked about
-  std::vector<double> x;                ///< the answer, free unknowns included
-  std::optional<Residual> residual;     ///< of every finite answer
-  std::optional<Exclusion> exclusion;
+  std::string reason;                    ///< why nothing stronger is proved; what is invalid
+  std::vector<std::size_t> contacts;     ///< that the reason is about, from 0
+  FrictionLaw law = FrictionLaw::cone;   ///< of the problem
+  std::vector<double> x;                 ///< the answer, free unknowns included
+  std::optional<Residual> residual;      ///< of every finite answer
+  std::optional<Exclusion> exclusion;    ///< of Coulomb's law
   double velocity_error = 0;             ///< where the answer has velocities: their largest distance from A x + c
   std::optional<FrictionLaw> right_for;  ///< wrong for the cone, and within the tolerance for this pyramid
   std::optional<Enclosure> enclosure;
-  double rho = 0;                  ///< of the enclosure, from the answer
-  std::size_t undetermined = 0;    ///< forces that nothing determines: they are held at the answer's values
-  double error = 0;                ///< where a solution is known: upper bound, each kind by its own size
-  std::vector<Rational> exact;     ///< a solution of the problem, rho from the answer, where one was computed
-  std::optional<Enclosure> other;  ///< a solution elsewhere: there are several
+  double rho = 0;                      ///< of the enclosure, from the answer
+  std::size_t undetermined = 0;        ///< forces that nothing determines: they are held at the answer's values
+  double error = 0;                    ///< where a solution is known: upper bound, each kind by its own size
+  std::optional<EverySolution> every;  ///< of convex laws
+  std::vector<Rational> exact;         ///< a solution of the problem, rho from the answer, where one was computed
+  std::optional<Enclosure> other;      ///< a solution elsewhere: there are several
   std::vector<Rational> other_exact;
   std::optional<UniqueProof> unique_by;  ///< why there is no other; without it all modes were tried
   std::vector<Rational> multipliers;     ///< a proof that there is no solution at all (no_solution.hpp)
   std::vector<std::string> left_out;     ///< what was looked for beyond that, and failed: what it is, and why
 
   /// Whether a solution within rho is known.
-  bool has_solution() const { return enclosure.has_value() || !exact.empty(); }
+  bool has_solution() const { return enclosure || !exact.empty() || (every && every->unique()); }
+  /// 0 where no radius is known.
+  double excluded() const { return exclusion ? exclusion->radius : 0; }
 };
 
 /// The strongest that is proved. `u` is what the answer says of the contacts' velocities; empty if it does not.

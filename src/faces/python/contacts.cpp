@@ -143,17 +143,13 @@ class Judged {
   std::shared_ptr<const JudgedProblem> problem_;
 };
 
-FrictionLaw law_of(const std::string& text) {
-  return text == "box" ? FrictionLaw::box : text == "diamond" ? FrictionLaw::diamond : FrictionLaw::cone;
-}
-
-ContactFileOptions options_of(double tolerance, std::optional<double> within, bool refine, const std::string& law,
-                              std::optional<Work> effort) {
+ContactFileOptions options_of(double tolerance, std::optional<double> within, bool refine,
+                              const std::optional<std::string>& law, std::optional<Work> effort) {
   ContactFileOptions options;
   options.judge.tolerance = tolerance;
   options.judge.within = within;
   options.judge.refine = refine;
-  options.judge.law = law_of(law);
+  if (law) options.law = law_called(*law);
   if (effort) options.judge.effort = *effort;
   return options;
 }
@@ -180,15 +176,31 @@ Judged judged(const Source& source, const ContactFileOptions& options) {
   return Judged(interruptible([source, options](Call&) { return judge(source, options); }));
 }
 
+/// What a law needs, and what a solver adds to u: see certify() in Python.
+struct SolverLaw {
+  std::optional<Doubles> bounds, compliance, bias;
+  std::optional<double> slip_speed;
+  std::string function;
+
+  void put(ProblemFile& problem) const {
+    if (bounds) problem.law.bounds = copied(*bounds);
+    if (compliance) problem.compliance = copied(*compliance);
+    if (bias) problem.bias = copied(*bias);
+    if (slip_speed) problem.law.slip_speed = *slip_speed;
+    if (const auto known = regularisation_called(function)) problem.law.function = *known;
+  }
+};
+
 /// A problem from arrays whose sizes fit each other.
 ReadProblem problem_of(SparseMatrix W, const Doubles& q, const std::optional<Doubles>& mu, std::size_t dimension,
-                       const std::optional<Doubles>& z, const std::optional<Doubles>& w) {
+                       const std::optional<Doubles>& z, const std::optional<Doubles>& w, const SolverLaw& law) {
   ReadProblem read;
   read.problem.form = dimension == 1 ? ProblemForm::complementarity : ProblemForm::local;
   read.problem.dimension = dimension;
   read.problem.W = std::move(W);
   read.problem.q = copied(q);
   if (mu) read.problem.mu = copied(*mu);
+  law.put(read.problem);
   if (z) read.answers.push_back({"z", copied(*z), w ? copied(*w) : std::vector<double>(), {}, {}});
   Mistakes mistakes("arguments");
   check_problem(read.problem, mistakes);
@@ -224,12 +236,23 @@ void bind_problems(py::module_& module) {
       .def("report", &Judged::report);
   module.def("certify_exact", &certify_exact);
   py::class_<ContactFileOptions>(module, "ContactOptions").def(py::init(&options_of));
-  module.def("certify_problem",
-             [](const py::tuple& matrix, const Doubles& q, const std::optional<Doubles>& mu, std::size_t dimension,
-                const std::optional<Doubles>& z, const std::optional<Doubles>& w, const ContactFileOptions& options) {
-               SparseMatrix W = matrix_of(matrix, static_cast<std::size_t>(q.size()));
-               return judged({"arguments", problem_of(std::move(W), q, mu, dimension, z, w), std::nullopt}, options);
-             });
+  module.def(
+      "certify_problem",
+      [](const py::tuple& matrix, const Doubles& q, const std::optional<Doubles>& mu, std::size_t dimension,
+         const std::optional<Doubles>& z, const std::optional<Doubles>& w, const std::optional<Doubles>& bounds,
+         const std::optional<Doubles>& compliance, const std::optional<Doubles>& bias, std::optional<double> slip_speed,
+         const std::string& function, const ContactFileOptions& options) {
+        SparseMatrix W = matrix_of(matrix, static_cast<std::size_t>(q.size()));
+        const SolverLaw law{bounds, compliance, bias, slip_speed, function};
+        return judged({"arguments", problem_of(std::move(W), q, mu, dimension, z, w, law), std::nullopt}, options);
+      });
+  module.def("law_names", [] {
+    std::vector<std::string> names{"coulomb"};
+    for (std::size_t law = 0; law <= static_cast<std::size_t>(FrictionLaw::regularised); ++law) {
+      names.emplace_back(word(static_cast<FrictionLaw>(law)));
+    }
+    return names;
+  });
   module.def("certify_problem_file",
              [](const std::string& path, const std::optional<std::string>& answer, const ContactFileOptions& options) {
                return judged({path, std::nullopt, answer}, options);

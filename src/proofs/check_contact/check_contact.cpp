@@ -4,6 +4,7 @@
 
 #include "proofs/check_contact/claims.hpp"
 #include "proofs/check_contact/enclosure.hpp"
+#include "proofs/check_contact/every_solution.hpp"
 
 namespace slipproof::check_contact {
 
@@ -15,6 +16,7 @@ std::string claim(const Problem& problem, Reader& reader, const char* expected) 
   if (reader.accept("no-solution")) return no_solution(problem, reader);
   if (reader.accept("enclosure")) return Enclosure(problem, reader).check();
   if (reader.accept("unique")) return unique(problem, reader);
+  if (reader.accept("every-solution")) return every_solution(problem, reader);
   reader.refuse(expected);
 }
 
@@ -36,6 +38,7 @@ std::string established(Reader& reader, std::string_view asked) {
   const std::string name = problem.check_name(asked);
   if (rejected) throw Rejected(*rejected);
   problem.check_mu();
+  problem.check_law_numbers();
   return result + ", " + problem.in_words() + ", " + name;
 }
 

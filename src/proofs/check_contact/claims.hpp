@@ -2,32 +2,9 @@
 // and return in words what is established.
 #pragma once
 
-#include "proofs/check_contact/problem.hpp"
+#include "proofs/check_contact/laws.hpp"
 
 namespace slipproof::check_contact {
-
-/// Contact k satisfies the law. Without roots, |u_T| r_T = -m r_N u_T says: if u_T is not 0, r_T is antiparallel to it,
-/// and |r_T| = m r_N.
-inline void check_law(const Problem& problem, std::size_t k, const Vector& x, const Vector& w) {
-  const std::size_t normal = problem.normal(k);
-  require(w[normal].sign() >= 0, "contact", k, "u_N is negative");
-  require(x[normal].sign() >= 0, "contact", k, "r_N is negative");
-  require((x[normal] * w[normal]).sign() == 0, "contact", k, "neither u_N nor r_N is 0");
-  Number force, motion, product;
-  for (std::size_t i = normal + 1; i < normal + problem.dimension; ++i) {
-    force += square(x[i]);
-    motion += square(w[i]);
-    product += x[i] * w[i];
-  }
-  const Number limit = square(problem.mu[k] * x[normal]);
-  require(force <= limit, "contact", k, "the force is outside of the friction cone");
-  if (motion.sign() == 0) return;
-  require(force == limit, "contact", k, "it slides with a force inside of the friction cone");
-  require(product.sign() <= 0, "contact", k, "friction drives the sliding");
-  if (problem.dimension < 3) return;
-  const Number cross = x[normal + 1] * w[normal + 2] - x[normal + 2] * w[normal + 1];
-  require(cross.sign() == 0, "contact", k, "friction is not parallel to the sliding");
-}
 
 inline std::string eps(const Problem& problem, Reader& reader) {
   const Number bound = reader.number(), moved = reader.number();
@@ -91,6 +68,7 @@ inline bool fails(const Problem& problem, std::size_t k, const std::vector<Range
 inline std::string none_within(const Problem& problem, Reader& reader) {
   const Number rho = reader.number();
   require(rho.sign() >= 0, "RHO is negative");
+  problem.require_coulomb();
   const Vector& x = problem.the_answer();
   const std::string nowhere = "no solution within " + decimal(rho) + " of the answer, by ";
   std::vector<Range> forces, motions;
@@ -113,6 +91,7 @@ inline std::string none_within(const Problem& problem, Reader& reader) {
 
 inline std::string no_solution(const Problem& problem, Reader& reader) {
   const Vector y = reader.numbers("multipliers", problem.size());
+  problem.require_coulomb();
   Vector g(problem.size());
   Number work;
   for (std::size_t i = 0; i < problem.size(); ++i) {
@@ -232,6 +211,7 @@ inline std::string unique(const Problem& problem, Reader& reader) {
   Vector d(n, 1);
   if (kind == "dominant") d = reader.numbers(n);
   if (kind != "dominant") L = reader.entries(n, n);
+  problem.require_coulomb();
   require(problem.free == 0, "the problem has free unknowns");
   require(problem.dimension == (planar ? 2 : 1), "the class is not one of this dimension");
   for (std::size_t i = 0; i < L.size(); ++i) {

@@ -34,6 +34,8 @@ class Enclosure {
   }
 
   std::string check() {
+    opens_ = problem_.law.is(Law::Kind::associated);
+    if (!opens_) problem_.require_coulomb();
     require(rho_.sign() >= 0, "RHO is negative");
     for (std::size_t j = 0; j < unknowns_; ++j)
       require(radius_[j].sign() > 0, "unknown", j, "its radius is not positive");
@@ -95,7 +97,7 @@ class Enclosure {
     for (std::size_t i = 0; i < problem_.free; ++i) equations_.push_back(motion(i));
     for (std::size_t k = 0; k < problem_.contacts(); ++k) {
       const std::size_t normal = problem_.normal(k);
-      if (modes_[k] != Mode::open) equations_.push_back(motion(normal));
+      if (modes_[k] != Mode::open) equations_.push_back(opens_ ? opening(k) : motion(normal));
       if (modes_[k] == Mode::stick) {
         for (std::size_t t = 1; t < forces(k); ++t) equations_.push_back(motion(normal + t));
       }
@@ -103,6 +105,28 @@ class Enclosure {
       if (modes_[k] == Mode::slide_plus) equations_.push_back(edge(k, problem_.mu[k]));
       if (modes_[k] == Mode::slide_minus) equations_.push_back(edge(k, -problem_.mu[k]));
     }
+  }
+
+  /// u_N, and where the associated law slides u_N - s m^2 r_N, in dimension 2 u_N -+ m u_T.
+  Equation opening(std::size_t k) const {
+    const std::size_t row = problem_.normal(k);
+    Equation result = motion(row);
+    const Number& m = problem_.mu[k];
+    if (modes_[k] == Mode::slide) {
+      const std::size_t normal = unknown_.at(row), slip = normal + 3;
+      const Number m2 = square(m);
+      result.value += -(m2 * center_[slip] * center_[normal]);
+      result.slope[slip] += -(m2 * center_[normal]);
+      result.slope[normal] += -(m2 * center_[slip]);
+      result.rest = m2 * radius_[slip] * radius_[normal];
+      result.linear = false;
+    } else if (modes_[k] != Mode::stick) {
+      const Number slope = modes_[k] == Mode::slide_plus ? -m : m;
+      const Equation tangential = motion(row + 1);
+      result.value += slope * tangential.value;
+      for (const auto& [j, a] : tangential.slope) result.slope[j] += slope * a;
+    }
+    return result;
   }
 
   /// r_T + m r_N.
@@ -180,10 +204,28 @@ class Enclosure {
     return result;
   }
 
+  /// u_N >= 0, and by the associated law u_N >= m |u_T|.
+  void check_open(std::size_t k) const {
+    const std::size_t row = problem_.normal(k);
+    const Number normal = least(motion(row));
+    require(normal.sign() >= 0, "contact", k, "u_N may be negative");
+    if (!opens_) return;
+    Number tangential;
+    for (std::size_t t = 1; t < problem_.dimension; ++t) {
+      Equation u = motion(row + t);
+      if (u.value.sign() < 0) {
+        u.value = -u.value;
+        for (auto& [j, a] : u.slope) a = -a;
+      }
+      tangential += square(2 * u.value - least(u));  // the greatest |u_t|
+    }
+    require(square(problem_.mu[k]) * tangential <= square(normal), "contact", k, "u_N may be less than m |u_T|");
+  }
+
   /// The conditions of the law that the equations do not imply, everywhere in the box.
   void check_contact(std::size_t k) const {
     const std::size_t row = problem_.normal(k);
-    if (modes_[k] == Mode::open) return require(least(motion(row)).sign() >= 0, "contact", k, "u_N may be negative");
+    if (modes_[k] == Mode::open) return check_open(k);
     const std::size_t normal = unknown_.at(row), slip = normal + 3;
     const Number r = center_[normal] - radius_[normal];
     require(r.sign() >= 0, "contact", k, "r_N may be negative");
@@ -214,6 +256,7 @@ class Enclosure {
 
   const Problem& problem_;
   Number rho_;
+  bool opens_ = false;  ///< by the associated law, what slides
   std::vector<Mode> modes_;
   std::map<std::size_t, std::size_t> unknown_;  ///< the place among the unknowns of a component of x that is one
   std::size_t unknowns_ = 0;                    ///< and equations

@@ -1,6 +1,8 @@
 // The problem and the answer of a certificate (FORMAT.md, "The problem").
 #pragma once
 
+#include <array>
+
 #include "proofs/check_contact/hash.hpp"
 #include "proofs/check_contact/reader.hpp"
 
@@ -21,12 +23,23 @@ inline Number dot(const Row& row, const Vector& x) {
   return sum;
 }
 
+/// How forces and velocities of a contact belong together (FORMAT.md, "Laws").
+struct Law {
+  enum class Kind { coulomb, box, diamond, fixed, associated, linear, soft };
+  Kind kind = Kind::coulomb;
+  Vector bounds;      ///< fixed: of the tangential components
+  Number slip_speed;  ///< linear and soft
+
+  bool is(Kind which) const { return kind == which; }
+};
+
 /// w = A x + c.
 struct Problem {
   std::size_t dimension, free;
   Vector mu;
   Matrix A;
   Vector c;
+  Law law;
   std::optional<Vector> answer;
   std::optional<std::string> named;  ///< which problem the file says that this is
 
@@ -44,7 +57,28 @@ struct Problem {
     reader.announce(size());
     A = reader.entries("matrix", size(), size());
     c = reader.numbers("constant", size());
+    if (reader.accept("law")) read_law(reader);
     if (!reader.accept("no-answer")) answer = reader.numbers("answer", size());
+  }
+
+  void read_law(Reader& reader) {
+    using Kind = Law::Kind;
+    if (reader.accept("box")) {
+      law.kind = Kind::box;
+    } else if (reader.accept("diamond")) {
+      law.kind = Kind::diamond;
+    } else if (reader.accept("fixed")) {
+      law.kind = Kind::fixed;
+      law.bounds = reader.numbers((dimension - 1) * contacts());
+    } else if (reader.accept("associated")) {
+      law.kind = Kind::associated;
+    } else if (reader.accept("regularised")) {
+      law.kind = reader.accept("linear") ? Kind::linear : Kind::soft;
+      if (law.is(Kind::soft)) reader.expect("soft");
+      law.slip_speed = reader.number();
+    } else {
+      reader.refuse("'box', 'diamond', 'fixed', 'associated' or 'regularised'");
+    }
   }
 
   std::size_t contacts() const { return mu.size(); }
@@ -59,6 +93,16 @@ struct Problem {
   const Vector& the_answer() const {
     require(answer.has_value(), "the claim speaks of the answer, and there is no-answer");
     return *answer;
+  }
+
+  /// For claims that speak of Coulomb's law alone.
+  void require_coulomb() const { require(law.is(Law::Kind::coulomb), "the claim is not one of this law"); }
+
+  void check_law_numbers() const {
+    for (const Number& bound : law.bounds) require(bound.sign() >= 0, "a bound is negative");
+    const bool slips = law.is(Law::Kind::linear) || law.is(Law::Kind::soft);
+    require(!slips || law.slip_speed.sign() > 0, "the slip speed is not positive");
+    require(dimension > 1 || law.is(Law::Kind::coulomb), "without friction there is no law of it");
   }
 
   void check_mu() const {
@@ -98,8 +142,16 @@ struct Problem {
   }
 
   std::string in_words() const {
+    constexpr std::array<const char*, 7> laws{"",
+                                              ", by the box pyramid",
+                                              ", by the diamond pyramid",
+                                              ", by fixed bounds",
+                                              ", by the associated law",
+                                              ", by the linear regularised law",
+                                              ", by the soft regularised law"};
     return std::to_string(contacts()) + " contacts in dimension " + std::to_string(dimension) +
-           (free > 0 ? " and " + std::to_string(free) + " free unknowns" : "");
+           (free > 0 ? " and " + std::to_string(free) + " free unknowns" : "") +
+           laws[static_cast<std::size_t>(law.kind)];
   }
 };
 

@@ -10,6 +10,7 @@
 #include "base/parallel/failure.hpp"
 #include "contact/enclosure/answer.hpp"
 #include "contact/exact/exact_lcp.hpp"
+#include "contact/formats/problem_check.hpp"
 #include "contact/judge/find.hpp"
 
 namespace slipproof {
@@ -20,19 +21,24 @@ JudgedAnswer judge_one(const JudgedProblem& problem, const SolverAnswer& answer,
   std::string reason;
   std::vector<double> x = answer_vector(problem.problem, problem.mixed, answer, reason);
   if (!reason.empty()) {
-    JudgedAnswer result{answer.origin, {}};
+    JudgedAnswer result{answer.origin, {}, {}};
     result.judgement.reason = std::move(reason);
     return result;
   }
-  return {answer.origin, judge_contacts(problem.mixed, std::move(x), answer.u, options.judge)};
+  // Velocities are those of bodies: what a compliance or a bias adds is none.
+  const bool moved = !problem.problem.compliance.empty() || !problem.problem.bias.empty();
+  const std::span<const double> u = moved ? std::span<const double>() : answer.u;
+  JudgedAnswer result{answer.origin, judge_contacts(problem.mixed, x, u, options.judge), {}};
+  if (problem.rigid) result.coulomb = judge_contacts(*problem.rigid, std::move(x), answer.u, options.judge);
+  return result;
 }
 
 /// If judging an answer fails, reports that with this answer; the others are still judged.
 template <class Judge>
 JudgedAnswer judged_or_undecided(const std::string& origin, const Judge& judge) {
-  JudgedAnswer result{origin, {}};
+  JudgedAnswer result{origin, {}, {}};
   if (const std::string failure = failure_of([&] { result = judge(); }); !failure.empty()) {
-    result = {origin, {}};
+    result = {origin, {}, {}};
     result.judgement.verdict = ContactVerdict::undecided;
     result.judgement.reason = failure;
   }
@@ -60,26 +66,27 @@ std::vector<std::vector<double>> starts(const MixedProblem& problem, const Conta
 std::vector<double> known_solution(const ContactJudgement& j) {
   if (j.enclosure) return center_of(*j.enclosure);
   std::vector<double> x;
-  for (const Rational& value : j.exact) x.push_back(nearest_binary64(value));
+  for (const Rational& value : j.exact.empty() ? j.every->point : j.exact) x.push_back(nearest_binary64(value));
   return x;
 }
 
 JudgedAnswer judge_what_is_found(const JudgedProblem& problem, const ContactFileOptions& options) {
-  JudgedAnswer result{"none", {}};
+  JudgedAnswer result{"none", {}, {}};
   result.judgement.verdict = ContactVerdict::undecided;
   result.judgement.reason = "no answer is given: --answer FILE, or --refine to look for one";
   if (!options.judge.refine) return result;
   for (std::vector<double>& start : starts(problem.mixed, options.judge)) {
     result.judgement = judge_contacts(problem.mixed, std::move(start), {}, options.judge);
     const ContactVerdict verdict = result.judgement.verdict;
-    const bool far = verdict == ContactVerdict::wrong || verdict == ContactVerdict::inaccurate;
+    using enum ContactVerdict;
+    const bool far = verdict == wrong || verdict == inaccurate || verdict == not_converged;
     if (far && result.judgement.has_solution()) {
       result.judgement = judge_contacts(problem.mixed, known_solution(result.judgement), {}, options.judge);
     }
     result.origin = "found here";
     if (result.judgement.verdict != ContactVerdict::wrong) return result;
   }
-  result = {"none", {}};
+  result = {"none", {}, {}};
   result.judgement.verdict = ContactVerdict::undecided;
   result.judgement.reason = "no answer is given, and none was found";
   return result;
@@ -91,9 +98,9 @@ Json counted_from_one(const std::vector<std::size_t>& contacts) {
   return list;
 }
 
-Json worst_json(const Residual& residual) {
+Json worst_json(const Residual& residual, std::size_t most = 10) {
   Json list = Json::array();
-  for (const Violation& v : residual.worst) {
+  for (const Violation& v : std::span(residual.worst).first(std::min(most, residual.worst.size()))) {
     Json item;
     if (v.contact) {
       item["contact"] = *v.contact + 1;
@@ -113,6 +120,19 @@ Json exact_texts(const std::vector<Rational>& values) {
   return list;
 }
 
+/// What Coulomb's law says of the same forces.
+Json coulomb_json(const ContactJudgement& j) {
+  Json line{{"verdict", name(j.verdict)}};
+  if (j.has_solution()) line["rho"] = at_most(j.rho);
+  if (j.residual) {
+    line["backward_error"] = at_most(j.residual->backward_error());
+    line["worst"] = worst_json(*j.residual, 1);
+  }
+  if (j.velocity_error > 0) line["velocity_error"] = at_most(j.velocity_error);
+  if (!j.reason.empty()) line["reason"] = j.reason;
+  return line;
+}
+
 /// Whether a solution that was found is the only one, and in what sense.
 Json uniqueness(const ContactJudgement& j) {
   if (j.verdict == ContactVerdict::unique) return "globally";
@@ -122,7 +142,13 @@ Json uniqueness(const ContactJudgement& j) {
 }  // namespace
 
 JudgedProblem::JudgedProblem(std::string name, ReadProblem read, const ContactFileOptions& options)
-    : file(std::move(name)), problem(std::move(read.problem)), mixed(mixed_problem(problem)) {
+    : file(std::move(name)), problem(std::move(read.problem)) {
+  if (options.law) problem.law.kind = *options.law;
+  Mistakes mistakes(file);
+  if (options.law) check_problem(problem, mistakes);
+  mistakes.refuse_if_any();
+  mixed = mixed_problem(problem);
+  if (problem.has_own_law()) rigid = coulomb_problem(problem);
   const auto judge = [&](const SolverAnswer& answer) {
     answers.push_back(judged_or_undecided(answer.origin, [&] { return judge_one(*this, answer, options); }));
   };
@@ -152,10 +178,13 @@ std::string contact_members(const JudgedProblem& problem, std::size_t answer) {
             {"verdict", name(j.verdict)}};
   if (j.has_solution()) {
     line["rho"] = at_most(j.rho);
-    if (j.verdict == ContactVerdict::inaccurate) line["error"] = at_most(j.error);
+    if (j.verdict == ContactVerdict::inaccurate || j.verdict == ContactVerdict::not_converged) {
+      line["error"] = at_most(j.error);
+    }
     if (is_certified(j.verdict) || j.verdict == ContactVerdict::ambiguous) line["unique"] = uniqueness(j);
   }
-  if (j.exclusion && j.exclusion->radius > 0) line["no_solution_within"] = at_least(j.exclusion->radius);
+  if (j.every) line["velocities_within"] = at_most(j.every->eta);
+  if (j.excluded() > 0) line["no_solution_within"] = at_least(j.excluded());
   if (j.residual) {
     line["residual"] = at_most(j.residual->change);
     line["moved"] = at_most(j.residual->moved);
@@ -163,9 +192,13 @@ std::string contact_members(const JudgedProblem& problem, std::size_t answer) {
     line["worst"] = worst_json(*j.residual);
   }
   if (j.velocity_error > 0) line["velocity_error"] = at_most(j.velocity_error);
+  if (!problem.problem.force_unit.empty()) {
+    line["units"] = Json{{"force", problem.problem.force_unit}, {"velocity", problem.problem.velocity_unit}};
+  }
   if (j.law != FrictionLaw::cone) line["law"] = name(j.law);
+  if (problem.answers[answer].coulomb) line["coulomb"] = coulomb_json(*problem.answers[answer].coulomb);
   if (j.right_for) line["right_for"] = name(*j.right_for);
-  if (j.has_solution()) line["undetermined_forces"] = j.undetermined;
+  if (j.has_solution() || j.every) line["undetermined_forces"] = j.undetermined;
   if (!j.reason.empty()) line["reason"] = j.reason;
   if (!j.contacts.empty()) line["about"] = counted_from_one(j.contacts);
   if (j.other) {
@@ -190,7 +223,9 @@ std::string refined_answer(const JudgedProblem& problem, std::size_t answer) {
   for (std::size_t i = 0; i < x.size(); ++i) {
     result[i < bodies ? "v" : i < problem.mixed.free ? "lambda" : "r"].push_back(x[i]);
     if (!j.enclosure) {
-      radius.push_back(enclose(abs(to_rational(x[i]) - j.exact[i])).upper);
+      const double own = j.exact.empty() ? j.every->radius[i] : 0;
+      const Rational& point = j.exact.empty() ? j.every->point[i] : j.exact[i];
+      radius.push_back(enclose(abs(to_rational(x[i]) - point) + to_rational(own)).upper);
     } else {
       const std::size_t unknown = j.enclosure->system.unknown(i);
       radius.push_back(unknown == ModeSystem::none ? 0.0 : j.enclosure->radius[unknown]);

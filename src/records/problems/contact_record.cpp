@@ -12,10 +12,12 @@ RecordVerdict record_verdict(ContactVerdict verdict) {
   switch (verdict) {
     case ContactVerdict::unique:
     case ContactVerdict::solution_within_rho:
+    case ContactVerdict::velocities_within_rho:
       return RecordVerdict::certified;
     case ContactVerdict::ambiguous:
       return RecordVerdict::ambiguous;
     case ContactVerdict::inaccurate:
+    case ContactVerdict::not_converged:
     case ContactVerdict::eps_solution:
       return RecordVerdict::inaccurate;
     case ContactVerdict::invalid:
@@ -45,7 +47,8 @@ ReadProblem read(std::string_view line, const CertifyOptions& options) {
 RecordJudgement judge_contact_line(std::string_view line, const CertifyOptions& options) {
   ReadProblem given = read(line, options);
   return judged_or_undecided([&] {
-    const JudgedProblem problem = judge_problem_file(options.file, std::move(given), {options.contact, std::nullopt});
+    const JudgedProblem problem =
+        judge_problem_file(options.file, std::move(given), {options.contact, std::nullopt, std::nullopt});
     RecordJudgement result;
     result.verdict = record_verdict(problem.first().judgement.verdict);
     result.rho = problem.first().judgement.rho;

@@ -28,6 +28,7 @@ VerdictLook look(ContactVerdict verdict) {
     case ContactVerdict::unique:
       return {"proved", "✓✓ "};
     case ContactVerdict::solution_within_rho:
+    case ContactVerdict::velocities_within_rho:
       return {"proved", "✓ "};
     case ContactVerdict::inaccurate:
     case ContactVerdict::eps_solution:
@@ -68,7 +69,7 @@ class NumberList {
 
 std::string uniqueness(const ContactJudgement& j) {
   if (j.verdict == ContactVerdict::unique) return "; there is no other";
-  return j.enclosure->locally_unique ? "; near it there is no other" : "";
+  return j.enclosure && j.enclosure->locally_unique ? "; near it there is no other" : "";
 }
 
 /// Contacts, and rows of the other unknowns, count from 1.
@@ -86,8 +87,9 @@ void add_bounds(const Element& parent, const ContactJudgement& j) {
   NumberList list(parent);
   if (j.enclosure)
     list.add("ρ", bound_text(j.rho), "from the answer to an exact solution, in each component" + uniqueness(j));
-  if (j.exclusion && j.exclusion->radius > 0)
-    list.add("no solution within", at_least(j.exclusion->radius),
+  if (j.every) list.add("velocities", bound_text(j.every->eta), "from those of the answer to those of every solution");
+  if (j.excluded() > 0)
+    list.add("no solution within", at_least(j.excluded()),
              "in each component: the law of " + place_of(j.exclusion->contact, j.exclusion->row) +
                  " fails in all of that box");
   list.add("backward error", bound_text(j.residual->backward_error()), "of the largest of its kind in the problem");
@@ -95,7 +97,7 @@ void add_bounds(const Element& parent, const ContactJudgement& j) {
            "is what the constants change by in the problem that is solved exactly");
   list.add("moved", bound_text(j.residual->moved), "is how far forces go back to obey their law exactly");
   if (j.velocity_error > 0)
-    list.add("velocities", bound_text(j.velocity_error), "between those of the answer and those of its forces");
+    list.add("velocity error", bound_text(j.velocity_error), "between those of the answer and those of its forces");
   if (j.enclosure) list.add("undetermined forces", std::to_string(j.undetermined), "of the components");
   if (j.law != FrictionLaw::cone) list.add("law", std::string(name(j.law)), "in place of the cone");
 }
@@ -234,7 +236,7 @@ void add_disc_table(const Element& parent, const ConeDisc& disc, const JudgedPro
 }
 
 void add_cone_figure(const Element& parent, const ConeDisc& disc, const JudgedProblem& problem, std::size_t answer) {
-  if (disc.points.empty()) return;
+  if (disc.points.empty() || problem.mixed.law.kind == FrictionLaw::fixed) return;  // no bound is mu r_N
   const Element figure = parent.add("figure", "phase small cones");
   figure.add("h3").text("Contacts in their friction cones");
   add_cone_disc(figure.add("div", "plot"), disc, id_of(answer) + "-cones");
@@ -269,6 +271,7 @@ void add_contact_card(const Element& main, const JudgedProblem& problem, std::si
   ruling.add("span").set("aria-hidden", "true").text(how.sign);
   ruling.text(name(j.verdict));
   section.add("p", "lead").text(verdict_words(j));
+  if (const std::string words = coulomb_words(problem, answer); !words.empty()) section.add("p").text(words);
   if (!j.residual) return add_reasons(section, j);
   const ConeDisc disc = cone_disc(problem.mixed, j, std::max(drawn_at_least, drawn_contacts / problem.answers.size()));
   const Element halves = section.add("div", "halves");

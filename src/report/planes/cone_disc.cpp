@@ -40,7 +40,16 @@ std::vector<ConePoint> thinned(const std::vector<ConePoint>& points, std::size_t
 }  // namespace
 
 ConeDisc cone_disc(const MixedProblem& problem, const ContactJudgement& judgement, std::size_t most) {
-  ConeDisc disc{problem.dimension, problem.contacts(), judgement.law, judgement.right_for, {}, 0, {}, {}};
+  // The forces of the other laws are in the cone.
+  const bool pyramid = judgement.law == FrictionLaw::box || judgement.law == FrictionLaw::diamond;
+  ConeDisc disc{problem.dimension,
+                problem.contacts(),
+                pyramid ? judgement.law : FrictionLaw::cone,
+                judgement.right_for,
+                {},
+                0,
+                {},
+                {}};
   const std::vector<std::size_t> worst = worst_contacts(*judgement.residual);
   const auto& x = judgement.x;
   std::vector<ConePoint> points;

@@ -25,7 +25,7 @@ struct ConePoint {
 
 struct ConeDisc {
   std::size_t dimension = 3, contacts = 0;
-  FrictionLaw law = FrictionLaw::cone;
+  FrictionLaw law = FrictionLaw::cone;   ///< the cone, or a pyramid: what keeps forces in
   std::optional<FrictionLaw> right_for;  ///< a pyramid that is drawn in addition to the law
   FitCounts counts;
   std::size_t placed = 0;             ///< number of contacts with a place in the disc

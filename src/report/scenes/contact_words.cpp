@@ -44,11 +44,17 @@ std::string verdict_words(const ContactJudgement& j) {
       return fmt::format(
           "The answer is inaccurate: an exact solution is within {} of it in each component, an error of {}.",
           at_most(j.rho), at_most(j.error));
+    case ContactVerdict::not_converged:
+      return fmt::format(
+          "The answer has not converged: an exact solution is within {} of it in each component, an error of {}.",
+          at_most(j.rho), at_most(j.error));
+    case ContactVerdict::velocities_within_rho:
+      return fmt::format("Every solution has velocities within {} of those of the answer.", at_most(j.every->eta));
     case ContactVerdict::none_within_rho:
     case ContactVerdict::wrong:
       if (!j.reason.empty()) return "The answer is wrong: " + j.reason + ".";
-      if (j.exclusion->radius == 0) return "The answer is wrong: its backward error is too large.";
-      return fmt::format("The answer is wrong: no solution is within {} of it.", at_least(j.exclusion->radius));
+      if (j.excluded() == 0) return "The answer is wrong: its backward error is too large.";
+      return fmt::format("The answer is wrong: no solution is within {} of it.", at_least(j.excluded()));
     default:
       return "The answer solves a problem that is as near as its backward error; whether the problem itself has a "
              "solution near it is undecided.";
@@ -82,10 +88,24 @@ std::vector<std::string> further_words(const ContactJudgement& j) {
   return sentences;
 }
 
+std::string coulomb_words(const JudgedProblem& problem, std::size_t answer) {
+  const auto& coulomb = problem.answers[answer].coulomb;
+  if (!coulomb) return {};
+  const bool cone = problem.mixed.law.kind == FrictionLaw::cone;
+  std::string text = cone ? "Without compliance and bias: " : "By Coulomb's law instead: ";
+  text += verdict_words(*coulomb);
+  if (!coulomb->residual || coulomb->residual->worst.empty() || is_certified(coulomb->verdict)) return text;
+  const Violation& v = coulomb->residual->worst.front();
+  return text + fmt::format(" {} violates {} by {}, {:.2g} % of the largest velocity.",
+                            v.contact ? fmt::format("Contact {}", *v.contact + 1) : fmt::format("Row {}", v.row + 1),
+                            v.condition, at_most(v.amount), 100 * v.effect / coulomb->residual->scale);
+}
+
 std::string contact_words(const JudgedProblem& problem, std::size_t answer) {
   const ContactJudgement& j = problem.answers[answer].judgement;
   std::string text =
       fmt::format("{}: {}, answer: {}\n", problem.file, size_of(problem.mixed), problem.answers[answer].origin);
+  if (problem.mixed.law.kind != FrictionLaw::cone) text += fmt::format("  Judged by the {}.\n", name(j.law));
   text += "  " + verdict_words(j) + '\n';
   if (j.residual) {
     text += fmt::format("  Backward error {} of the largest {}", at_most(j.residual->backward_error()),
@@ -99,6 +119,7 @@ std::string contact_words(const JudgedProblem& problem, std::size_t answer) {
     text += ".\n";
   }
   for (const std::string& sentence : further_words(j)) text += "  " + sentence + '\n';
+  if (const std::string words = coulomb_words(problem, answer); !words.empty()) text += "  " + words + '\n';
   for (const std::string& remark : problem.problem.remarks) text += "  Note: " + remark + ".\n";
   return text;
 }

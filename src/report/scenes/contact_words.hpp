@@ -12,6 +12,9 @@ namespace slipproof {
 /// pyramid, or the problem.
 std::string contact_words(const JudgedProblem& problem, std::size_t answer);
 
+/// What Coulomb's law says of the answer's forces, in a sentence or two; empty where that is what was judged.
+std::string coulomb_words(const JudgedProblem& problem, std::size_t answer);
+
 /// The sentence for the verdict.
 std::string verdict_words(const ContactJudgement& judgement);
 /// Further sentences, beyond verdict and backward error: why nothing stronger is proved, a pyramid for which the answer

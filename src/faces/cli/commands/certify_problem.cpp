@@ -21,10 +21,6 @@ namespace slipproof::cli {
 
 namespace {
 
-FrictionLaw law_of(const std::string& text) {
-  return text == "box" ? FrictionLaw::box : text == "diamond" ? FrictionLaw::diamond : FrictionLaw::cone;
-}
-
 int exit_code_of(const JudgedProblem& problem) {
   int code = as_it_should_be;
   for (const JudgedAnswer& answer : problem.answers) {
@@ -62,7 +58,7 @@ std::string command_line(const CertifyProblemArguments& options) {
   };
   if (!options.answer.empty()) add("--answer", options.answer);
   if (options.refine) text += " --refine";
-  if (options.law != "cone") add("--law", options.law);
+  if (!options.law.empty()) add("--law", options.law);
   if (options.tolerance) add("--tolerance", fmt::format("{}", *options.tolerance));
   if (options.within) add("--within", fmt::format("{}", *options.within));
   if (options.effort) add("--effort", fmt::format("{}", *options.effort));
@@ -108,11 +104,18 @@ void add_problem_options(CLI::App& command, CertifyProblemArguments& options) {
   group->add_option("--certificate", options.certificate,
                     "Write a certificate for slipproof-check-contact to this file");
   group->add_option("--report", options.report, "Write a page that draws the contacts in their cones");
-  group->add_option("--within", options.within, "Try to prove that no solution is within this radius of the answer")
+  group
+      ->add_option(
+          "--within", options.within,
+          "What is near: without it a hundredth of the largest force. No solution\nwithin this radius is proved, "
+          "or the answer has not converged")
       ->check(number_in(0, 1e300));
-  group->add_option("--law", options.law, "The law of friction: cone, or a pyramid (box, diamond)")
-      ->check(CLI::IsMember({"cone", "box", "diamond"}))
-      ->capture_default_str();
+  group
+      ->add_option("--law", options.law,
+                   "The law of contact, in place of the one that the problem names:\n" + law_words())
+      ->check([](const std::string& text) {
+        return law_called(text) ? std::string() : "found " + text + ", expected one of " + law_words();
+      });
   group->add_option("--check-certificate", options.check_certificate,
                     "Judge no answer; check this certificate, and that it is about this problem");
 }
@@ -123,7 +126,7 @@ int run_certify_problem(const CertifyProblemArguments& options, const CommonOpti
   if (options.effort) judge.judge.effort = *options.effort;
   judge.judge.within = options.within;
   judge.judge.refine = options.refine;
-  judge.judge.law = law_of(options.law);
+  judge.law = law_called(options.law);
   ReadProblem read = read_problem_file(options.file);
   if (!options.check_certificate.empty()) return check_certificate(options, read.problem, common);
   if (!options.answer.empty()) {

@@ -11,14 +11,14 @@ namespace slipproof::cli {
 
 struct CertifyProblemArguments {
   std::string file, answer, certificate, check_certificate, report, refined;
-  std::string law = "cone";
+  std::string law;  ///< empty: that of the problem
   std::optional<double> tolerance, within;
   std::optional<Work> effort;
   bool refine = false;
   /// Whether an option was given that only problems have.
   bool any() const {
     return !answer.empty() || !certificate.empty() || !check_certificate.empty() || !report.empty() || refine ||
-           within || law != "cone";
+           within || !law.empty();
   }
 };
 

@@ -17,7 +17,8 @@ from ._progress import Progress, reporter
 #: Sizes up to which every solution of a problem is looked for in exact arithmetic, unless the caller wants otherwise.
 EXACT_UP_TO = 64
 _EFFORT = 1_500_000_000
-_CERTIFIED = ("certified", "solution within rho", "unique")
+_CERTIFIED = ("certified", "solution within rho", "unique", "velocities within rho")
+_LAWS = tuple(_core.law_names())
 
 
 class Verdict:
@@ -170,8 +171,9 @@ def _contacts(mu: Any, shape: Tuple[int, ...], dimension: Optional[int]) -> Tupl
 
 
 def certify(W: Any, q: Any, z: Any = None, mu: Any = None, *, w: Any = None, dimension: Optional[int] = None,
-            tolerance: Optional[float] = None, law: str = "cone", refine: bool = False, within: Optional[float] = None,
-            method: str = "auto", effort: Optional[int] = None, threads: int = 0,
+            tolerance: Optional[float] = None, law: str = "cone", bounds: Any = None, compliance: Any = None,
+            bias: Any = None, slip_speed: Optional[float] = None, function: str = "linear", refine: bool = False,
+            within: Optional[float] = None, method: str = "auto", effort: Optional[int] = None, threads: int = 0,
             progress: Progress = None) -> Union[Verdict, Verdicts]:
     """Is z an answer to the contact problem w = W z + q, and the only one?
 
@@ -186,9 +188,15 @@ def certify(W: Any, q: Any, z: Any = None, mu: Any = None, *, w: Any = None, dim
     arithmetic (``certified``, ``ambiguous``, ``inaccurate``, ``wrong``); ``enclosure`` proves what it can at any size
     (``unique``, ``solution within rho``, ``inaccurate``, ``eps-solution``, ``wrong``, ...). ``auto`` uses ``exact`` if
     it can. ``tolerance`` (default 1e-6) limits the distance from a solution: forces are divided by the largest force,
-    velocities by the largest velocity. If ``enclosure`` finds no solution, it limits the backward error. ``law``:
-    ``cone``, or the pyramids ``box`` and ``diamond``. ``refine``: search for a solution, also without z. ``within``: is
-    there no solution within this radius? ``effort`` limits the work on one answer, in operations on words.
+    velocities by the largest velocity. If ``enclosure`` finds no solution, it limits the backward error. ``refine``:
+    search for a solution, also without z. ``within``: the radius in which a solution is near: with one there an answer
+    whose backward error is above the tolerance is ``not converged``, without one it is wrong. ``effort`` limits the work
+    on one answer, in operations on words.
+
+    ``law`` is what the solver solves: ``cone`` (or ``coulomb``), the pyramids ``box`` and ``diamond``, ``fixed`` with
+    ``bounds`` of the tangential components, ``associated``, ``regularised`` with ``slip_speed`` and ``function``
+    (``linear`` or ``soft``). ``compliance`` and ``bias``, numbers or arrays like q, are what it adds to w: R z and b.
+    Where anything differs from Coulomb's law, ``details["coulomb"]`` judges the same forces by that.
 
     Raises TypeError and ValueError for arrays that do not fit, InputError for numbers that no problem can have.
 
@@ -204,9 +212,11 @@ def certify(W: Any, q: Any, z: Any = None, mu: Any = None, *, w: Any = None, dim
     chosen = None if dimension is None else whole("dimension", dimension, 1, 3)
     dims, mu_array = _contacts(mu, q_array.shape, chosen)
     size = q_array.shape[-1]
-    one_of("law", law, ("cone", "box", "diamond"))
+    one_of("law", law, _LAWS)
+    one_of("function", function, ("linear", "soft"))
     one_of("method", method, ("auto", "exact", "enclosure"))
-    special = refine or within is not None or law != "cone" or z is None
+    own_law = law not in ("cone", "coulomb") or compliance is not None or bias is not None
+    special = refine or within is not None or own_law or z is None
     can_be_exact = dims < 3 and size <= EXACT_UP_TO and not _is_sparse(W) and not special
     if method == "exact" and not can_be_exact:
         raise wrong_value("method", "'exact'", "an array W, an answer z, no refine, within or law, dimension 1 or 2, "
@@ -219,20 +229,33 @@ def certify(W: Any, q: Any, z: Any = None, mu: Any = None, *, w: Any = None, dim
         options = _core.ContactOptions(real("tolerance", 1e-6 if tolerance is None else tolerance, 0, 1),
                                        None if within is None else real("within", within, 0, 1e300), bool(refine), law,
                                        None if effort is None else whole("effort", effort, 1, 2**63))
-        return _certify_any(W, q_array, z, w, mu_array, dims, options)
+        tangential = 0 if mu_array is None else size - size // dims
+        solver = (_each("bounds", bounds, tangential), _each("compliance", compliance, size), _each("bias", bias, size),
+                  None if slip_speed is None else real("slip_speed", slip_speed, 0, 1e300), function)
+        return _certify_any(W, q_array, z, w, mu_array, dims, solver, options)
     return _certify_exact(W, q_array, z, w, mu_array, real("tolerance", 1e-6 if tolerance is None else tolerance, 0, 1),
                           whole("effort", _EFFORT if effort is None else effort, 1, 2**63),
                           whole("threads", threads, 0, 4096), reporter(progress))
 
 
-def _certify_any(W: Any, q: Doubles, z: Any, w: Any, mu: Optional[Doubles], dimension: int,
+def _each(name: str, value: Any, size: int) -> Optional[Doubles]:
+    """An array of this size, or one number for all of it."""
+    if value is None:
+        return None
+    array = doubles(name, value, (0, 1))
+    if array.ndim == 0:
+        return np.full(size, float(array))
+    return shaped(name, array, (size,), f"as that many components have {'one' if name == 'bounds' else 'it'}")
+
+
+def _certify_any(W: Any, q: Doubles, z: Any, w: Any, mu: Optional[Doubles], dimension: int, solver: Tuple[Any, ...],
                  options: "_core.ContactOptions") -> Verdict:
     n = q.shape[0]
     why = f"as q has {n} components"
     matrix = _sparse(W, n) if _is_sparse(W) else (shaped("W", W, (n, n), why),)
     z_array = None if z is None else shaped("z", z, (n,), why)
     w_array = None if w is None else shaped("w", w, (n,), why)
-    judged = _core.certify_problem(matrix, q, mu, dimension, z_array, w_array, options)
+    judged = _core.certify_problem(matrix, q, mu, dimension, z_array, w_array, *solver, options)
     return Verdict(judged.line(0), judged, 0)
 
 
@@ -265,19 +288,20 @@ def _certify_exact(W: Any, q: Doubles, z: Any, w: Any, mu: Optional[Doubles], to
 
 def certify_file(path: Union[str, "os.PathLike[str]"], *, scene: Union[None, str, "os.PathLike[str]"] = None,
                  mechanism: Optional[str] = None, answer: Union[None, str, "os.PathLike[str]"] = None,
-                 tolerance: Optional[float] = None, law: str = "cone", refine: bool = False,
+                 tolerance: Optional[float] = None, law: Optional[str] = None, refine: bool = False,
                  within: Optional[float] = None, effort: Optional[int] = None, ignore_unknown: bool = False,
                  threads: int = 0, progress: Progress = None) -> Verdicts:
     """The verdicts of ``slipproof certify`` on a file: one for each record, or for each answer to a contact problem.
 
     Records are CSV or JSON Lines; ``scene`` has the values that are the same for all of them, or ``mechanism`` is their
     mechanism. Problems are FCLIB's HDF5, text of Siconos, MatrixMarket or JSON; ``answer`` is a file with the solver's
-    answer. Raises InputError.
+    answer, ``law`` is in place of the one that the problem names. Raises InputError.
     """
     name = _path("path", path)
-    one_of("law", law, ("cone", "box", "diamond"))
+    if law is not None:
+        one_of("law", law, _LAWS)
     work = None if effort is None else whole("effort", effort, 1, 2**63)
-    if answer is not None or refine or within is not None or law != "cone" or _core.is_problem_file(name):
+    if answer is not None or refine or within is not None or law is not None or _core.is_problem_file(name):
         options = _core.ContactOptions(real("tolerance", 1e-6 if tolerance is None else tolerance, 0, 1),
                                        None if within is None else real("within", within, 0, 1e300), bool(refine), law,
                                        work)
