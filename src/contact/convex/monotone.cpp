@@ -106,10 +106,6 @@ SparseMatrix spread(const SparseMatrix& L, const std::vector<std::size_t>& rows,
   return result;
 }
 
-double upper(const Rational& x) {
-  return enclose(abs(x)).upper;
-}
-
 /// A few operations on nonnegative numbers, rounded up.
 double raised(double x) {
   return x == 0 ? 0 : x * (1 + 0x1p-45) + 0x1p-1060;
@@ -301,7 +297,7 @@ class Bound {
       const Rational rest = exact_row(problem_, i, result_.point) - result_.motion[i];
       double share = 0;
       if (modulus(i).sign() > 0) {
-        share = raised(upper(rest) / std::sqrt(enclose(modulus(i)).lower));
+        share = raised(upper_size(rest) / std::sqrt(enclose(modulus(i)).lower));
       } else if (!rest.is_zero()) {
         return false;
       }
@@ -310,7 +306,7 @@ class Bound {
     }
     for (std::size_t k = 0; k < problem_.contacts(); ++k) {
       const Rational gap = gap_of(problem_, k, result_.point, result_.motion);
-      result_.gaps.push_back(gap.sign() <= 0 ? 0 : raised(upper(gap)));
+      result_.gaps.push_back(gap.sign() <= 0 ? 0 : raised(upper_size(gap)));
       gaps += result_.gaps.back();
     }
     squares = squares == 0 ? 0 : squares * (1 + 0x1p-30) + 0x1p-1000;  // far fewer than 2^20 sums
@@ -327,7 +323,7 @@ class Bound {
                                        : std::numeric_limits<double>::infinity());
       if (bounded) {
         const Rational away = result_.point[i] - to_rational(x_[i]);
-        result_.rho = std::max(result_.rho, raised(upper(away) + result_.radius[i]));
+        result_.rho = std::max(result_.rho, raised(upper_size(away) + result_.radius[i]));
       } else if (i >= problem_.free) {
         ++result_.open;
       }
@@ -345,7 +341,7 @@ class Bound {
       result_.changes.push_back(sum);
       if (i < problem_.free) continue;
       const Rational away = exact_row(problem_, i, result_.point) - exact_row(problem_, i, std::span<const double>(x_));
-      result_.eta = std::max(result_.eta, raised(upper(away) + sum));
+      result_.eta = std::max(result_.eta, raised(upper_size(away) + sum));
     }
   }
 

@@ -11,17 +11,9 @@ namespace slipproof {
 
 namespace {
 
-double upper(const Rational& x) {
-  return enclose(x).upper;
-}
-
-double upper_size(const Rational& x) {
-  return upper(abs(x));
-}
-
 /// At least the root of x >= 0, and above it by a few ulps.
 Rational root_above(const Rational& x) {
-  double root = std::sqrt(upper(x));
+  double root = std::sqrt(upper_size(x));
   while (to_rational(root) * to_rational(root) < x)
     root = std::nextafter(root, std::numeric_limits<double>::infinity());
   return to_rational(root);

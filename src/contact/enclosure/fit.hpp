@@ -7,10 +7,16 @@
 #include <utility>
 #include <vector>
 
+#include "base/number/binary64.hpp"
 #include "base/number/rational.hpp"
 #include "contact/formats/law.hpp"
 
 namespace slipproof {
+
+/// An upper bound on |x|.
+inline double upper_size(const Rational& x) {
+  return enclose(abs(x)).upper;
+}
 
 /// The way in which a contact obeys its law. Where mu = 0, and in dimension 1, what is closed sticks.
 enum class ContactFit : std::uint8_t { open, stick, slide };

@@ -12,10 +12,6 @@ namespace slipproof {
 
 namespace {
 
-double upper_size(const Rational& x) {
-  return enclose(abs(x)).upper;
-}
-
 /// What a contact violates, by the way it fits best.
 void add_violations(std::vector<Violation>& to, std::size_t k, const FittedContact& c, double scale, FrictionLaw law) {
   const auto [of_motion, of_force] = conditions_of(law, c.fit, c.u.size());
