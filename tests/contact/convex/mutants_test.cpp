@@ -1,0 +1,122 @@
+// Certificates of every law, changed at random: the checker and the second reading judge them alike.
+#include <doctest/doctest.h>
+
+#include <map>
+#include <sstream>
+
+#include "contact/convex/lawful_problem.hpp"
+#include "contact/convex/second_reading.hpp"
+#include "contact/judge/certificate.hpp"
+#include "contact/judge/judge.hpp"
+#include "proofs/check_contact/check_contact.hpp"
+#include "support/how_many.hpp"
+
+using namespace slipproof;
+using namespace slipproof::test;
+
+namespace {
+
+std::string first_reading(const std::string& text) {
+  using Kind = check_contact::ContactVerdict::Kind;
+  const Kind kind = check_contact::check_contact_certificate(text).kind;
+  return kind == Kind::accepted ? "accepted" : kind == Kind::rejected ? "rejected" : "unreadable";
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+/// A certificate without the name of its problem, of one kind of claim. Empty if it has none of it.
+std::string certificate_of(const LawfulProblem& known, const std::vector<double>& answer, const std::string& kind) {
+  ContactJudgement judgement = judge_contacts(known.problem, answer, {}, {});
+  if (kind == "eps") judgement.verdict = ContactVerdict::eps_solution;
+  if (kind == "enclosure") judgement.every.reset();
+  if (kind == "every-solution") judgement.enclosure.reset();
+  std::string text = contact_certificate(known.problem, judgement);
+  if (text.find(kind) == std::string::npos) return {};
+  const std::size_t name = text.find("problem ");
+  return text.erase(name, text.find('\n', name) - name);
+}
+
+/// One word changed, swapped, left out or doubled; numbers by a little, a lot, or their sign.
+std::string changed(std::vector<std::string> words, Dice& dice) {
+  const auto last = static_cast<int>(words.size()) - 1;
+  const auto at = static_cast<std::size_t>(dice.number(0, last));
+  std::string& word = words[at];
+  switch (dice.number(0, 7)) {
+    case 0:
+      word = words[static_cast<std::size_t>(dice.number(0, last))];
+      break;
+    case 1:
+      words.erase(words.begin() + static_cast<std::ptrdiff_t>(at));
+      break;
+    case 2:
+      word = word.front() == '-' ? word.substr(1) : "-" + word;
+      break;
+    case 3:
+      word = std::to_string(dice.number(0, 3));
+      break;
+    case 4:
+      std::swap(word, words[static_cast<std::size_t>(dice.number(0, last))]);
+      break;
+    default: {  // a digit
+      const std::size_t digit = word.find_last_of("0123456789abcdef");
+      if (digit != std::string::npos) word[digit] = "0123456789abcdef"[dice.number(0, 15)];
+      break;
+    }
+  }
+  std::string text;
+  for (const std::string& w : words) text += w + ' ';
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("mutants of certificates of every law are judged alike by two checkers") {
+  struct Kind {
+    FrictionLaw law;
+    Regularisation function;
+    std::string claim;
+  };
+  const std::vector<Kind> kinds{{FrictionLaw::box, Regularisation::linear, "eps"},
+                                {FrictionLaw::diamond, Regularisation::linear, "eps"},
+                                {FrictionLaw::fixed, Regularisation::linear, "eps"},
+                                {FrictionLaw::associated, Regularisation::linear, "eps"},
+                                {FrictionLaw::regularised, Regularisation::linear, "eps"},
+                                {FrictionLaw::regularised, Regularisation::soft, "eps"},
+                                {FrictionLaw::associated, Regularisation::linear, "enclosure"},
+                                {FrictionLaw::associated, Regularisation::linear, "every-solution"},
+                                {FrictionLaw::fixed, Regularisation::linear, "every-solution"}};
+  const int mutants = how_many("SLIPPROOF_LAW_MUTANTS", 150);
+  std::map<std::string, int> count;
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    for (int i = 0; i < mutants;) {
+      Dice dice(31 + k, static_cast<std::uint64_t>(i));
+      ContactLaw law;
+      law.kind = kinds[k].law;
+      law.function = kinds[k].function;
+      const LawfulProblem known = Lawful(dice, law).make(static_cast<std::size_t>(dice.number(1, 3)));
+      std::vector<double> answer = known.x;
+      for (double& x : answer) x *= 1 + dice.number(-3, 3) * 1e-9;
+      const std::string text = certificate_of(known, answer, kinds[k].claim);
+      REQUIRE(!text.empty());
+      REQUIRE(first_reading(text) == "accepted");
+      REQUIRE(second_reading(text) == "accepted");
+      const std::vector<std::string> words = words_of(text);
+      for (int m = 0; m < 50 && i < mutants; ++m, ++i) {
+        const std::string mutant = changed(words, dice);
+        const std::string first = first_reading(mutant), second = second_reading(mutant);
+        CAPTURE(mutant);
+        CAPTURE(second);
+        CHECK(first == second.substr(0, first.size()));
+        ++count[first];
+      }
+    }
+  }
+  CHECK(count["accepted"] > 0);
+  CHECK(count["rejected"] > mutants);
+  CHECK(count["unreadable"] > mutants);
+}
