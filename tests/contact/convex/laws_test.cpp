@@ -5,6 +5,7 @@
 
 #include "contact/convex/lawful_problem.hpp"
 #include "contact/convex/second_reading.hpp"
+#include "contact/enclosure/sizes.hpp"
 #include "contact/judge/certificate.hpp"
 #include "contact/judge/judge.hpp"
 #include "proofs/check_contact/check_contact.hpp"
@@ -66,7 +67,8 @@ TEST_CASE("what a problem was made from is right by its law, and by both reading
       const bool convex = is_convex(known.problem);
       CHECK(found.residual->backward_error() < 1e-15);
       if (known.exact) ++exact;
-      if (known.exact) CHECK(found.residual->change == 0);
+      const bool pyramid = law.kind == FrictionLaw::box || law.kind == FrictionLaw::diamond;
+      if (known.exact && pyramid) CHECK(found.residual->change == 0);  // other directions are rounded
       CHECK(found.verdict == (convex ? ContactVerdict::unique : ContactVerdict::eps_solution));
       const std::string certificate = contact_certificate(known.problem, found);
       CHECK(accepted(certificate));
@@ -94,7 +96,7 @@ TEST_CASE("no other law calls it right where something slides") {
       }
     }
   }
-  CHECK(all > 60);
+  CHECK(all > 40);
   CHECK(wrong > all * 9 / 10);
 }
 
@@ -105,15 +107,17 @@ TEST_CASE("what is certified of a spoiled answer by a convex law contains the so
       const LawfulProblem known = some_problem(5, i, law_of(kind), i % 20 == 0 ? 40 : 5);
       Dice dice(6, static_cast<std::uint64_t>(i));
       std::vector<double> answer = known.x;
-      const double size = std::pow(10.0, -dice.number(2, 14));
-      for (double& x : answer) x = x * (1 + size * dice.number(-9, 9)) + (dice.chance(5) ? size : 0);
+      const double off = std::pow(10.0, -dice.number(2, 14));
+      for (double& x : answer) x = x * (1 + off * dice.number(-9, 9)) + (dice.chance(5) ? off : 0);
       const ContactJudgement found = judge_contacts(known.problem, answer, {}, {});
       if (!known.exact) continue;  // the solution is another one
       ++all;
       if (is_certified(found.verdict)) ++certified;
       const double away = farthest(known.x, answer);
       if (found.has_solution()) CHECK(found.rho >= away * (1 - 1e-12));
-      if (is_certified(found.verdict)) CHECK(away < 1e-4 * farthest(known.x, std::vector<double>(known.x.size(), 0)));
+      const double size =
+          std::max(farthest(known.x, std::vector<double>(known.x.size(), 0)), contact_sizes(known.problem).force);
+      if (is_certified(found.verdict)) CHECK(away < 1e-5 * size);
       if (!found.every) continue;
       for (std::size_t j = 0; j < known.x.size(); ++j) {
         CHECK(abs(found.every->point[j] - to_rational(known.x[j])) <= to_rational(found.every->radius[j]));
@@ -197,20 +201,28 @@ TEST_CASE("where nothing determines the forces, velocities are certified by conv
   }
   p.A = from_dense(18, 18, A);
   p.c.assign(18, 0);
-  p.c[2] = 20;  // weight, M v = H r + f
-  p.c[0] = -2;  // pulled along
+  p.c[2] = 20;  // weight: M v = H r + f
   p.mu.assign(4, 0.5);
-  // It stays: all forces of 5 with friction of 1/2 each, balanced against the pull at its center of mass.
-  std::vector<double> x(6, 0);
-  for (std::size_t k = 0; k < 4; ++k) x.insert(x.end(), {corners[k][0] > 0 ? 5.25 : 4.75, -0.5, 0});
-  const ContactJudgement found = judge_contacts(p, x, {}, {});
-  CHECK(found.verdict == ContactVerdict::velocities_within_rho);
-  CHECK(found.every->eta < 1e-12);
-  CHECK(found.undetermined == 12);
-  const std::string certificate = contact_certificate(p, found);
-  CHECK(accepted(certificate));
-  CHECK(second_reading(certificate) == "accepted");
-  x[6] += 0.1;
-  x[9] -= 0.1;  // other forces, another balance of the body
-  CHECK(judge_contacts(p, x, {}, {}).verdict != ContactVerdict::velocities_within_rho);
+  const auto with = [](std::vector<double> v, double right, double left, double friction) {
+    v.resize(6, 0);
+    for (const double N : {right, right, left, left}) v.insert(v.end(), {N, -friction * N, 0});
+    return v;
+  };
+  // Pulled with 2 it stays; pulled with 20 it slides with 4 and, by this law, rises with 2. The moment of the friction
+  // is balanced by the normal forces in front.
+  for (const bool slides : {false, true}) {
+    p.c[0] = slides ? -20 : -2;
+    std::vector<double> x = slides ? with({4, 0, 2}, 7.5, 4.5, 0.5) : with({}, 5.25, 4.75, 0.1);
+    const ContactJudgement found = judge_contacts(p, x, {}, {});
+    using enum ContactVerdict;
+    CHECK(found.verdict == (slides ? velocities_within_rho : solution_within_rho));
+    CHECK(found.every->eta < 1e-6);
+    CHECK(found.undetermined == (slides ? 12 : 6));
+    const std::string certificate = contact_certificate(p, found);
+    CHECK(accepted(certificate));
+    CHECK(second_reading(certificate) == "accepted");
+    x[6] += 0.1;  // the body would turn
+    x[9] -= 0.1;
+    CHECK(!is_certified(judge_contacts(p, x, {}, {}).verdict));
+  }
 }
