@@ -17,6 +17,8 @@ using Q = mpq_class;
 using Vec = std::vector<Q>;
 using Mat = std::vector<Vec>;  // dense
 
+constexpr std::size_t none = static_cast<std::size_t>(-1);
+
 struct No {
   std::string why;
 };
@@ -312,18 +314,17 @@ void enclosure(const Certificate& p, Words& words) {
   const Q rho = words.number();
   words.expect("modes");
   std::vector<std::string> mode;
-  std::vector<std::size_t> at(p.n, p.n), unknowns_of(p.K), slip(p.K);
+  std::vector<std::size_t> at(p.n, none), unknowns_of(p.K), slip(p.K);
   std::size_t N = 0;
-  std::vector<std::size_t> place;  // of unknowns in x
-  for (std::size_t j = 0; j < p.F; ++j) at[j] = N++, place.push_back(j);
+  for (std::size_t j = 0; j < p.F; ++j) at[j] = N++;
   for (std::size_t k = 0; k < p.K; ++k) {
     mode.push_back(words.next());
     const std::string& s = mode.back();
     const bool rubs = p.D > 1 && p.mu[k] != 0, plus = s == "slide+" || s == "slide-";
     if (s != "open" && s != "stick" && !(rubs && ((p.D == 3 && s == "slide") || (p.D == 2 && plus)))) throw Garbled();
     unknowns_of[k] = s == "open" ? 0 : rubs ? p.D : 1;
-    for (std::size_t t = 0; t < unknowns_of[k]; ++t) at[p.F + p.D * k + t] = N++, place.push_back(p.F + p.D * k + t);
-    if (s == "slide") slip[k] = N++, place.push_back(p.n);
+    for (std::size_t t = 0; t < unknowns_of[k]; ++t) at[p.F + p.D * k + t] = N++;
+    if (s == "slide") slip[k] = N++;
   }
   const Vec z = words.named("center", N);
   Vec radius = words.named("radius", N);
@@ -353,7 +354,7 @@ void enclosure(const Certificate& p, Words& words) {
   const auto row = [&](std::size_t i) {
     Form f{p.c[i], Vec(N), 0};
     for (std::size_t j = 0; j < p.n; ++j) {
-      if (at[j] == p.n || p.A[i][j] == 0) continue;
+      if (at[j] == none || p.A[i][j] == 0) continue;
       f.value += p.A[i][j] * z[at[j]];
       f.slope[at[j]] += p.A[i][j];
     }
@@ -474,7 +475,7 @@ void enclosure(const Certificate& p, Words& words) {
     }
   }
   for (std::size_t i = 0; i < p.n; ++i) {
-    const Q away = at[i] == p.n ? absolute(p.x[i]) : Q(absolute(z[at[i]] - p.x[i]) + radius[at[i]]);
+    const Q away = at[i] == none ? absolute(p.x[i]) : Q(absolute(z[at[i]] - p.x[i]) + radius[at[i]]);
     need(away <= rho, "distance");
   }
 }
