@@ -324,6 +324,7 @@ class Bound {
       if (bounded) {
         const Rational away = result_.point[i] - to_rational(x_[i]);
         result_.rho = std::max(result_.rho, raised(upper_size(away) + result_.radius[i]));
+        result_.apart = std::max(result_.apart, (enclose(abs(away)).lower - result_.radius[i]) * (1 - 0x1p-50));
       } else if (i >= problem_.free) {
         ++result_.open;
       }

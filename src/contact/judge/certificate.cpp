@@ -45,8 +45,9 @@ class CertificateWriter {
         return true;
       case ContactVerdict::wrong:
       case ContactVerdict::none_within_rho:
-        if (judgement.excluded() > 0) {
-          line("none-within {:a}", judgement.excluded());
+        if (judgement.every) write_every(*judgement.every);
+        if (judgement.exclusion && judgement.exclusion->radius > 0) {
+          line("none-within {:a}", judgement.exclusion->radius);
           return true;
         }
         [[fallthrough]];

@@ -201,7 +201,7 @@ bool may_be_near(const ContactJudgement& j) {
   if (j.residual->backward_error() <= contact_near) return true;
   double largest = 0;
   for (const double x : j.x) largest = std::max(largest, std::abs(x));
-  return j.excluded() <= 2 * contact_near * largest;
+  return j.exclusion && j.exclusion->radius <= 2 * contact_near * largest;
 }
 
 }  // namespace

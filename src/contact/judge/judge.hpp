@@ -1,6 +1,7 @@
 // What can be proved about a solver's answer to a contact problem at real size.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -70,8 +71,8 @@ struct ContactJudgement {
 
   /// Whether a solution within rho is known.
   bool has_solution() const { return enclosure || !exact.empty() || (every && every->unique()); }
-  /// 0 where no radius is known.
-  double excluded() const { return exclusion ? exclusion->radius : 0; }
+  /// Within which no solution is; 0 where nothing is known of it.
+  double excluded() const { return std::max(exclusion ? exclusion->radius : 0, every ? every->apart : 0); }
 };
 
 /// The strongest that is proved. `u` is what the answer says of the contacts' velocities; empty if it does not.

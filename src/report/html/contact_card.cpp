@@ -88,10 +88,13 @@ void add_bounds(const Element& parent, const ContactJudgement& j) {
   if (j.enclosure)
     list.add("ρ", bound_text(j.rho), "from the answer to an exact solution, in each component" + uniqueness(j));
   if (j.every) list.add("velocities", bound_text(j.every->eta), "from those of the answer to those of every solution");
-  if (j.excluded() > 0)
+  if (j.excluded() > 0) {
+    const bool fails = j.exclusion && j.exclusion->radius > 0;
     list.add("no solution within", at_least(j.excluded()),
-             "in each component: the law of " + place_of(j.exclusion->contact, j.exclusion->row) +
-                 " fails in all of that box");
+             fails ? "in each component: the law of " + place_of(j.exclusion->contact, j.exclusion->row) +
+                         " fails in all of that box"
+                   : "in each component: every solution is farther away");
+  }
   list.add("backward error", bound_text(j.residual->backward_error()), "of the largest of its kind in the problem");
   list.add("residual", bound_text(j.residual->change),
            "is what the constants change by in the problem that is solved exactly");
@@ -270,7 +273,7 @@ void add_contact_card(const Element& main, const JudgedProblem& problem, std::si
   const Element ruling = section.add("p", "ruling " + std::string(how.css_class));
   ruling.add("span").set("aria-hidden", "true").text(how.sign);
   ruling.text(name(j.verdict));
-  section.add("p", "lead").text(verdict_words(j));
+  section.add("p", "lead").text(verdict_words(j, units_of(problem)));
   if (const std::string words = coulomb_words(problem, answer); !words.empty()) section.add("p").text(words);
   if (!j.residual) return add_reasons(section, j);
   const ConeDisc disc = cone_disc(problem.mixed, j, std::max(drawn_at_least, drawn_contacts / problem.answers.size()));

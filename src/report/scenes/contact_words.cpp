@@ -23,9 +23,20 @@ std::string contact_list(const std::vector<std::size_t>& contacts) {
   return contacts.size() > 6 ? text + fmt::format(" and {} more", contacts.size() - 6) : text;
 }
 
+std::string place_of(const Violation& v) {
+  return v.contact ? fmt::format("contact {}", *v.contact + 1) : fmt::format("row {}", v.row + 1);
+}
+
+std::string violation_words(const Violation& v) {
+  return fmt::format("{}, {}, by {}", place_of(v), v.condition, at_most(v.amount));
+}
+
 }  // namespace
 
-std::string verdict_words(const ContactJudgement& j) {
+std::string verdict_words(const ContactJudgement& j, const ContactUnits& units) {
+  const auto in = [](double bound, const std::string& unit) {
+    return at_most(bound) + (unit.empty() ? "" : " " + unit);
+  };
   switch (j.verdict) {
     case ContactVerdict::invalid:
       return "The answer is invalid: " + j.reason + ".";
@@ -34,22 +45,24 @@ std::string verdict_words(const ContactJudgement& j) {
     case ContactVerdict::no_solution:
       return "The problem has no solution: no forces keep all contacts from overlapping.";
     case ContactVerdict::unique:
-      return fmt::format("The one solution of the problem is within {} of the answer.", at_most(j.rho));
+      return fmt::format("The one solution of the problem is within {} of the answer.", in(j.rho, units.force));
     case ContactVerdict::ambiguous:
-      return fmt::format("A solution is within {} of the answer, and there is another one elsewhere.", at_most(j.rho));
+      return fmt::format("A solution is within {} of the answer, and there is another one elsewhere.",
+                         in(j.rho, units.force));
     case ContactVerdict::solution_within_rho:
-      return fmt::format("An exact solution is within {} of the answer in each component{}.", at_most(j.rho),
+      return fmt::format("An exact solution is within {} of the answer in each component{}.", in(j.rho, units.force),
                          j.enclosure && j.enclosure->locally_unique ? ", and near it there is no other" : "");
     case ContactVerdict::inaccurate:
       return fmt::format(
           "The answer is inaccurate: an exact solution is within {} of it in each component, an error of {}.",
-          at_most(j.rho), at_most(j.error));
+          in(j.rho, units.force), at_most(j.error));
     case ContactVerdict::not_converged:
       return fmt::format(
           "The answer has not converged: an exact solution is within {} of it in each component, an error of {}.",
-          at_most(j.rho), at_most(j.error));
+          in(j.rho, units.force), at_most(j.error));
     case ContactVerdict::velocities_within_rho:
-      return fmt::format("Every solution has velocities within {} of those of the answer.", at_most(j.every->eta));
+      return fmt::format("Every solution has velocities within {} of those of the answer.",
+                         in(j.every->eta, units.velocity));
     case ContactVerdict::none_within_rho:
     case ContactVerdict::wrong:
       if (!j.reason.empty()) return "The answer is wrong: " + j.reason + ".";
@@ -88,17 +101,21 @@ std::vector<std::string> further_words(const ContactJudgement& j) {
   return sentences;
 }
 
+ContactUnits units_of(const JudgedProblem& problem) {
+  const ProblemFile& file = problem.problem;
+  return {problem.mixed.free == 0 ? file.force_unit : "", file.velocity_unit};  // rho is of velocities, too
+}
+
 std::string coulomb_words(const JudgedProblem& problem, std::size_t answer) {
   const auto& coulomb = problem.answers[answer].coulomb;
   if (!coulomb) return {};
   const bool cone = problem.mixed.law.kind == FrictionLaw::cone;
   std::string text = cone ? "Without compliance and bias: " : "By Coulomb's law instead: ";
-  text += verdict_words(*coulomb);
+  text += verdict_words(*coulomb, units_of(problem));
   if (!coulomb->residual || coulomb->residual->worst.empty() || is_certified(coulomb->verdict)) return text;
   const Violation& v = coulomb->residual->worst.front();
-  return text + fmt::format(" {} violates {} by {}, {:.2g} % of the largest velocity.",
-                            v.contact ? fmt::format("Contact {}", *v.contact + 1) : fmt::format("Row {}", v.row + 1),
-                            v.condition, at_most(v.amount), 100 * v.effect / coulomb->residual->scale);
+  return text + fmt::format(" Worst: {}, {:.2g} % of the largest velocity.", violation_words(v),
+                            100 * v.effect / coulomb->residual->scale);
 }
 
 std::string contact_words(const JudgedProblem& problem, std::size_t answer) {
@@ -106,15 +123,13 @@ std::string contact_words(const JudgedProblem& problem, std::size_t answer) {
   std::string text =
       fmt::format("{}: {}, answer: {}\n", problem.file, size_of(problem.mixed), problem.answers[answer].origin);
   if (problem.mixed.law.kind != FrictionLaw::cone) text += fmt::format("  Judged by the {}.\n", name(j.law));
-  text += "  " + verdict_words(j) + '\n';
+  text += "  " + verdict_words(j, units_of(problem)) + '\n';
   if (j.residual) {
     text += fmt::format("  Backward error {} of the largest {}", at_most(j.residual->backward_error()),
                         problem.mixed.free == 0 ? "constant" : "of its kind");
-    if (!j.residual->worst.empty()) {
-      const Violation& v = j.residual->worst.front();
-      const std::string place =
-          v.contact ? fmt::format("contact {}", *v.contact + 1) : fmt::format("row {}", v.row + 1);
-      text += fmt::format("; worst: {}, {}, by {}", place, v.condition, at_most(v.amount));
+    const std::size_t listed = is_certified(j.verdict) ? 1 : 3;
+    for (std::size_t i = 0; i < std::min(listed, j.residual->worst.size()); ++i) {
+      text += (i == 0 ? "; worst: " : "; ") + violation_words(j.residual->worst[i]);
     }
     text += ".\n";
   }

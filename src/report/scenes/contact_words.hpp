@@ -15,8 +15,14 @@ std::string contact_words(const JudgedProblem& problem, std::size_t answer);
 /// What Coulomb's law says of the answer's forces, in a sentence or two; empty where that is what was judged.
 std::string coulomb_words(const JudgedProblem& problem, std::size_t answer);
 
+/// What the problem's file calls its units; empty where it does not.
+struct ContactUnits {
+  std::string force = {}, velocity = {};
+};
+ContactUnits units_of(const JudgedProblem& problem);
+
 /// The sentence for the verdict.
-std::string verdict_words(const ContactJudgement& judgement);
+std::string verdict_words(const ContactJudgement& judgement, const ContactUnits& units = {});
 /// Further sentences, beyond verdict and backward error: why nothing stronger is proved, a pyramid for which the answer
 /// is right, velocities that do not belong to the forces, undetermined forces.
 std::vector<std::string> further_words(const ContactJudgement& judgement);
