@@ -41,6 +41,7 @@ struct EverySolution {
   std::vector<double> changes;  ///< the same of A x + c, from A point + c; may be infinite
   double rho = 0;               ///< of the determined components of x, from the answer
   double eta = 0;               ///< of A x + c, from the answer's
+  double apart = 0;             ///< every solution is at least that far from the answer, in a determined component
   std::size_t open = 0;         ///< forces with d = 0: nothing is said of them
 
   /// There is exactly one: all d are positive.
