@@ -166,9 +166,9 @@ TEST_CASE("the pyramid that an answer is right for is drawn: a square, or a diam
   const auto diamond = drawn(disc_of(problem, {10, -2.5, -2.5}));
   CHECK(how_many(diamond, "//rect") == 0);
   CHECK(how_many(diamond, "//path[@class='line']") == 1);
-  ContactJudgeOptions box;
-  box.law = FrictionLaw::box;
-  const auto asked = drawn(disc_of(problem, {10, -5, -5}, box));
+  MixedProblem box = problem;
+  box.law.kind = FrictionLaw::box;
+  const auto asked = drawn(disc_of(box, {10, -5, -5}));
   CHECK(how_many(asked, "//rect[@class='edge']") == 1);
   CHECK(how_many(asked, "//circle[@class='line']") == 1);
 }
