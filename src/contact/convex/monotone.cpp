@@ -3,11 +3,9 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "base/number/binary64.hpp"
-#include "contact/enclosure/sizes.hpp"
 #include "contact/linear/definite.hpp"
 
 namespace slipproof {
@@ -106,37 +104,6 @@ SparseMatrix spread(const SparseMatrix& L, const std::vector<std::size_t>& rows,
   return result;
 }
 
-/// A few operations on nonnegative numbers, rounded up.
-double raised(double x) {
-  return x == 0 ? 0 : x * (1 + 0x1p-45) + 0x1p-1060;
-}
-
-/// What a contact lacks to be complementary: r . u, and for what bounds its friction sum b |u_t|.
-Rational gap_of(const MixedProblem& problem, std::size_t k, const std::vector<Rational>& r,
-                const std::vector<Rational>& u) {
-  Rational gap = 0;
-  const std::size_t first = problem.normal(k), d = problem.dimension;
-  for (std::size_t i = 0; i < d; ++i) {
-    if (i > 0 && problem.law.kind == FrictionLaw::associated && problem.mu[k] == 0) break;
-    gap += r[first + i] * u[first + i];
-    if (i > 0 && problem.law.kind == FrictionLaw::fixed) {
-      gap += to_rational(problem.law.bounds[(d - 1) * k + i - 1]) * abs(u[first + i]);
-    }
-  }
-  return gap;
-}
-
-/// Whether u has a finite support on the forces of a contact: it is in the cone's dual.
-bool is_dual(const MixedProblem& problem, std::size_t k, const std::vector<Rational>& u) {
-  const std::size_t first = problem.normal(k);
-  if (u[first].sign() < 0) return false;
-  if (problem.law.kind != FrictionLaw::associated) return true;
-  Rational square = 0;
-  for (std::size_t i = 1; i < problem.dimension; ++i) square += u[first + i] * u[first + i];
-  const Rational mu = to_rational(problem.mu[k]);
-  return mu * mu * square <= u[first] * u[first];
-}
-
 }  // namespace
 
 bool is_convex(const MixedProblem& problem) {
@@ -184,189 +151,6 @@ std::optional<MonotoneProof> prove_monotone(const MixedProblem& problem, Effort&
   if (!L) return std::nullopt;
   proof.factor = spread(*L, rows, B.rows);
   return proof;
-}
-
-namespace {
-
-/// What an answer is fitted to, and the bounds that follow.
-class Bound {
- public:
-  Bound(const MixedProblem& problem, std::span<const double> answer, MonotoneProof proof)
-      : problem_(problem), x_(answer.begin(), answer.end()) {
-    result_.proof = std::move(proof);
-  }
-
-  std::optional<EverySolution> around(std::span<const double> start) {
-    fit(start);
-    if (!settle_rest()) return std::nullopt;
-    if (!measure()) return std::nullopt;
-    spread_out();
-    return std::move(result_);
-  }
-
- private:
-  const Rational& modulus(std::size_t i) const { return result_.proof.moduli[i]; }
-
-  void fit(std::span<const double> start) {
-    const Residual r = residual(problem_, start, exact_rows(problem_, start));
-    for (std::size_t i = 0; i < problem_.free; ++i) result_.point.push_back(to_rational(start[i]));
-    result_.motion.assign(problem_.free, Rational(0));
-    for (const FittedContact& c : r.contacts) {
-      result_.point.insert(result_.point.end(), c.r.begin(), c.r.end());
-      result_.motion.insert(result_.motion.end(), c.u.begin(), c.u.end());
-    }
-  }
-
-  /// Velocities of contacts with d = 0 have to be those of the point. Where they leave the dual cone, a push along
-  /// which all contacts open brings them back.
-  bool settle_rest() {
-    std::vector<std::size_t> loose;
-    for (std::size_t k = 0; k < problem_.contacts(); ++k) {
-      for (std::size_t i = 0; i < problem_.dimension; ++i) {
-        if (modulus(problem_.normal(k) + i).sign() > 0) continue;
-        loose.push_back(k);
-        break;
-      }
-    }
-    for (std::size_t i = 0; i < problem_.free; ++i) {
-      if (modulus(i).sign() == 0 && !exact_row(problem_, i, result_.point).is_zero()) return false;
-    }
-    if (loose.empty()) return true;
-    const std::vector<double> push = opening_push(loose);
-    for (double much = 0; much < 0x1p-10; much = much == 0 ? 0x1p-60 * size_of_free(push) : 4 * much) {
-      std::vector<Rational> moved = result_.point;
-      for (std::size_t j = 0; j < problem_.free; ++j) {
-        if (modulus(j).sign() > 0) moved[j] = to_rational(nearest_binary64(moved[j] + to_rational(much * push[j])));
-      }
-      if (take_velocities(loose, moved)) {
-        result_.point = std::move(moved);
-        return true;
-      }
-      if (push.empty()) return false;
-    }
-    return false;
-  }
-
-  double size_of_free(const std::vector<double>& push) const {
-    double size = 0, along = 0;
-    for (std::size_t j = 0; j < problem_.free; ++j) {
-      size = std::max(size, std::abs(x_[j]));
-      along = std::max(along, push.empty() ? 0 : std::abs(push[j]));
-    }
-    return along > 0 && size > 0 ? size / along : 1;
-  }
-
-  bool take_velocities(const std::vector<std::size_t>& loose, const std::vector<Rational>& point) {
-    for (const std::size_t k : loose) {
-      for (std::size_t i = 0; i < problem_.dimension; ++i) {
-        const std::size_t row = problem_.normal(k) + i;
-        result_.motion[row] = exact_row(problem_, row, point);
-      }
-      if (!is_dual(problem_, k, result_.motion)) return false;
-    }
-    return true;
-  }
-
-  /// Free unknowns whose change moves all these contacts along their normals, in the least squares; empty if none does.
-  std::vector<double> opening_push(const std::vector<std::size_t>& loose) const {
-    if (problem_.free == 0 || problem_.free > 3000 || loose.size() > 3000) return {};
-    const auto rows = static_cast<Eigen::Index>(loose.size() * problem_.dimension);
-    Eigen::MatrixXd H = Eigen::MatrixXd::Zero(rows, static_cast<Eigen::Index>(problem_.free));
-    Eigen::VectorXd open = Eigen::VectorXd::Zero(rows);
-    for (std::size_t k = 0; k < loose.size(); ++k) {
-      for (std::size_t i = 0; i < problem_.dimension; ++i) {
-        const std::size_t row = problem_.normal(loose[k]) + i;
-        const auto at = static_cast<Eigen::Index>(k * problem_.dimension + i);
-        open[at] = i == 0 ? 1 : 0;
-        for (std::size_t e = problem_.A.starts[row]; e < problem_.A.starts[row + 1]; ++e) {
-          if (problem_.A.column[e] < problem_.free) {
-            H(at, static_cast<Eigen::Index>(problem_.A.column[e])) = problem_.A.value[e];
-          }
-        }
-      }
-    }
-    const Eigen::VectorXd push = H.completeOrthogonalDecomposition().solve(open);
-    if (!push.allFinite()) return {};
-    return {push.data(), push.data() + push.size()};
-  }
-
-  /// Shares, gaps and the energy. Where a row has d = 0, nothing may be left.
-  bool measure() {
-    double squares = 0, gaps = 0;
-    for (std::size_t i = 0; i < problem_.size(); ++i) {
-      const Rational rest = exact_row(problem_, i, result_.point) - result_.motion[i];
-      double share = 0;
-      if (modulus(i).sign() > 0) {
-        share = raised(upper_size(rest) / std::sqrt(enclose(modulus(i)).lower));
-      } else if (!rest.is_zero()) {
-        return false;
-      }
-      result_.shares.push_back(share);
-      squares += share * share;
-    }
-    for (std::size_t k = 0; k < problem_.contacts(); ++k) {
-      const Rational gap = gap_of(problem_, k, result_.point, result_.motion);
-      result_.gaps.push_back(gap.sign() <= 0 ? 0 : raised(upper_size(gap)));
-      gaps += result_.gaps.back();
-    }
-    squares = squares == 0 ? 0 : squares * (1 + 0x1p-30) + 0x1p-1000;  // far fewer than 2^20 sums
-    gaps = gaps == 0 ? 0 : gaps * (1 + 0x1p-30) + 0x1p-1000;
-    result_.energy = (std::sqrt(squares) + std::sqrt(squares + 4 * gaps)) / 2 * (1 + 0x1p-40);
-    return std::isfinite(result_.energy);
-  }
-
-  void spread_out() {
-    const double energy = result_.energy;
-    for (std::size_t i = 0; i < problem_.size(); ++i) {
-      const bool bounded = modulus(i).sign() > 0;
-      result_.radius.push_back(bounded ? raised(energy / std::sqrt(enclose(modulus(i)).lower))
-                                       : std::numeric_limits<double>::infinity());
-      if (bounded) {
-        const Rational away = result_.point[i] - to_rational(x_[i]);
-        result_.rho = std::max(result_.rho, raised(upper_size(away) + result_.radius[i]));
-        result_.apart = std::max(result_.apart, (enclose(abs(away)).lower - result_.radius[i]) * (1 - 0x1p-50));
-      } else if (i >= problem_.free) {
-        ++result_.open;
-      }
-    }
-    const bool symmetric = problem_.A == transposed(problem_.A);
-    for (std::size_t i = 0; i < problem_.size(); ++i) {
-      double sum = 0, own = 0;
-      for (std::size_t e = problem_.A.starts[i]; e < problem_.A.starts[i + 1]; ++e) {
-        const std::size_t j = problem_.A.column[e];
-        if (j == i) own = problem_.A.value[e];
-        if (problem_.A.value[e] != 0) sum += std::abs(problem_.A.value[e]) * result_.radius[j];
-      }
-      sum = sum == 0 ? 0 : sum * (1 + 0x1p-30) + 0x1p-1000;
-      if (symmetric) sum = std::min(sum, raised(std::sqrt(own) * energy));
-      result_.changes.push_back(sum);
-      if (i < problem_.free) continue;
-      const Rational away = exact_row(problem_, i, result_.point) - exact_row(problem_, i, std::span<const double>(x_));
-      result_.eta = std::max(result_.eta, raised(upper_size(away) + sum));
-    }
-  }
-
-  const MixedProblem& problem_;
-  const std::vector<double> x_;
-  EverySolution result_;
-};
-
-}  // namespace
-
-std::optional<EverySolution> every_solution(const MixedProblem& problem, std::span<const double> start,
-                                            std::span<const double> answer, MonotoneProof proof) {
-  return Bound(problem, answer, std::move(proof)).around(start);
-}
-
-double error_of(const MixedProblem& problem, std::span<const double> x, std::span<const double> u,
-                const EverySolution& solution) {
-  std::vector<Around> components, velocities;
-  for (std::size_t i = 0; i < problem.size(); ++i) {
-    const bool bounded = std::isfinite(solution.radius[i]);
-    components.push_back(bounded ? Around{solution.point[i], solution.radius[i]} : Around{to_rational(x[i]), 0});
-    velocities.push_back({exact_row(problem, i, solution.point), solution.changes[i]});
-  }
-  return error_of(problem, x, u, components, velocities);
 }
 
 }  // namespace slipproof

@@ -1,6 +1,8 @@
 // The laws of contact and friction that solvers solve, one of which is Coulomb's (LAWS.md).
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -32,15 +34,46 @@ struct ContactLaw {
   Regularisation function = Regularisation::linear;
 };
 
-/// `friction cone`, `box pyramid |t1| <= mu n, |t2| <= mu n`, `associated law`, ...
-std::string_view name(FrictionLaw law);
-/// As options, files and certificates call it: `cone`, ...
-std::string_view word(FrictionLaw law);
-std::string_view word(Regularisation function);
-/// By its word; `coulomb` is `cone`, too.
-std::optional<FrictionLaw> law_called(std::string_view word);
-std::optional<Regularisation> regularisation_called(std::string_view word);
-/// `cone, coulomb, box, ...`, for messages.
-std::string law_words();
+/// What a law is called: by options, files and certificates, and in sentences.
+struct LawNames {
+  std::string_view word, name;
+};
+inline constexpr std::array<LawNames, 6> law_names{{{"cone", "friction cone"},
+                                                    {"box", "box pyramid |t1| <= mu n, |t2| <= mu n"},
+                                                    {"diamond", "diamond pyramid |t1| + |t2| <= mu n"},
+                                                    {"fixed", "law of fixed bounds"},
+                                                    {"associated", "associated law"},
+                                                    {"regularised", "regularised law"}}};
+inline constexpr std::array<std::string_view, 2> regularisation_words{"linear", "soft"};
+
+constexpr std::string_view name(FrictionLaw law) {
+  return law_names[static_cast<std::size_t>(law)].name;
+}
+constexpr std::string_view word(FrictionLaw law) {
+  return law_names[static_cast<std::size_t>(law)].word;
+}
+constexpr std::string_view word(Regularisation function) {
+  return regularisation_words[static_cast<std::size_t>(function)];
+}
+
+/// All words by which laws are known: `coulomb` is `cone`, too.
+inline std::vector<std::string> law_words() {
+  std::vector<std::string> words{"coulomb"};
+  for (const LawNames& law : law_names) words.emplace_back(law.word);
+  return words;
+}
+
+inline std::optional<FrictionLaw> law_called(std::string_view word) {
+  if (word == "coulomb") return FrictionLaw::cone;
+  const auto found = std::ranges::find(law_names, word, &LawNames::word);
+  if (found == law_names.end()) return std::nullopt;
+  return static_cast<FrictionLaw>(found - law_names.begin());
+}
+
+inline std::optional<Regularisation> regularisation_called(std::string_view word) {
+  const auto found = std::ranges::find(regularisation_words, word);
+  if (found == regularisation_words.end()) return std::nullopt;
+  return static_cast<Regularisation>(found - regularisation_words.begin());
+}
 
 }  // namespace slipproof

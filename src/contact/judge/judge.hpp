@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/convex/monotone.hpp"
+#include "contact/convex/every_solution.hpp"
 #include "contact/enclosure/enclosure.hpp"
 #include "contact/enclosure/residual.hpp"
 #include "contact/exact/exclusion.hpp"

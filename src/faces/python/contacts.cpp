@@ -246,13 +246,7 @@ void bind_problems(py::module_& module) {
         const SolverLaw law{bounds, compliance, bias, slip_speed, function};
         return judged({"arguments", problem_of(std::move(W), q, mu, dimension, z, w, law), std::nullopt}, options);
       });
-  module.def("law_names", [] {
-    std::vector<std::string> names{"coulomb"};
-    for (std::size_t law = 0; law <= static_cast<std::size_t>(FrictionLaw::regularised); ++law) {
-      names.emplace_back(word(static_cast<FrictionLaw>(law)));
-    }
-    return names;
-  });
+  module.def("law_words", &law_words);
   module.def("certify_problem_file",
              [](const std::string& path, const std::optional<std::string>& answer, const ContactFileOptions& options) {
                return judged({path, std::nullopt, answer}, options);

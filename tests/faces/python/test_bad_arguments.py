@@ -132,7 +132,7 @@ CASES = [
     (certify(W2, [1, 2], [1, 2], tolerance=2), VALUE, "tolerance: found 2.0, expected a number from 0 to 1"),
     (certify(W2, [1, 2], [1, 2], tolerance="1"), TYPE, "tolerance: found str, expected a number"),
     (certify(W2, [1, 2], [1, 2], tolerance=np.nan), VALUE, "tolerance: found nan, expected a number from 0 to 1"),
-    (certify(W2, [1, 2], [1, 2], law="pyramid"), VALUE, "law: found 'pyramid', expected 'cone' or 'box' or 'diamond'"),
+    (certify(W2, [1, 2], [1, 2], law="pyramid"), VALUE, "law: found 'pyramid', expected 'coulomb' or 'cone' or 'box' or 'diamond'"),
     (certify(W2, [1, 2], [1, 2], method="best"), VALUE, "method: found 'best', expected 'auto' or 'exact' or"),
     (certify(W2, [1, 2], [1, 2], method="exact", refine=True), VALUE, "method: found 'exact', expected an array W"),
     (certify(W2, [1, 2], [1, 2], effort=0), VALUE, "effort: found 0, expected a whole number from 1"),

@@ -176,6 +176,7 @@ std::string verdict(const Json& line) {
   static const std::map<std::string, std::string> same{{"unique", "certified"},
                                                        {"solution within rho", "certified"},
                                                        {"eps-solution", "inaccurate"},
+                                                       {"not converged", "inaccurate"},
                                                        {"no solution", "wrong"}};
   const auto at = same.find(word);
   return at == same.end() ? word : at->second;

@@ -43,7 +43,7 @@ class Pages(unittest.TestCase):
 
     def test_a_choice_stands_with_its_default(self):
         text = page(FOLDER + "/man/slipproof-certify.1")
-        self.assertRegex(text, r"\.B --law cone\|box\|diamond\n.* \[cone\]\n")
+        self.assertRegex(text, r"\.B --decimal nearest\|exact\n.* \[nearest\]\n")
 
     def test_man_has_nothing_to_complain_of(self):
         if not shutil.which("man"):
@@ -73,9 +73,9 @@ class Completion(unittest.TestCase):
                 self.assertEqual({word for word in completed(command, "--")}, options_of(command))
 
     def test_values(self):
-        self.assertEqual(completed("certify", "--law", ""), ["cone", "box", "diamond"])
+        self.assertEqual(completed("certify", "--law", ""), ["coulomb", "cone", "box", "diamond", "fixed", "associated", "regularised"])
         self.assertEqual(completed("certify", "--law", "=", "b"), ["box"])
-        self.assertEqual(completed("certify", "--law", "="), ["cone", "box", "diamond"])
+        self.assertEqual(completed("certify", "--law", "="), ["coulomb", "cone", "box", "diamond", "fixed", "associated", "regularised"])
         self.assertEqual(completed("solve", "--digits", ""), [])
 
     def test_files_and_shipped_mechanisms(self):

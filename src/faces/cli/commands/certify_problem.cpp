@@ -110,12 +110,8 @@ void add_problem_options(CLI::App& command, CertifyProblemArguments& options) {
           "What is near: without it a hundredth of the largest force. No solution\nwithin this radius is proved, "
           "or the answer has not converged")
       ->check(number_in(0, 1e300));
-  group
-      ->add_option("--law", options.law,
-                   "The law of contact, in place of the one that the problem names:\n" + law_words())
-      ->check([](const std::string& text) {
-        return law_called(text) ? std::string() : "found " + text + ", expected one of " + law_words();
-      });
+  group->add_option("--law", options.law, "The law of contact, in place of the one that the problem names")
+      ->check(CLI::IsMember(law_words()));
   group->add_option("--check-certificate", options.check_certificate,
                     "Judge no answer; check this certificate, and that it is about this problem");
 }

@@ -18,7 +18,7 @@ from ._progress import Progress, reporter
 EXACT_UP_TO = 64
 _EFFORT = 1_500_000_000
 _CERTIFIED = ("certified", "solution within rho", "unique", "velocities within rho")
-_LAWS = tuple(_core.law_names())
+_LAWS = tuple(_core.law_words())
 
 
 class Verdict:
