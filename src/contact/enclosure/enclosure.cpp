@@ -200,29 +200,34 @@ class EnclosureSearch {
     return {lower >= radius, lower > radius};
   }
 
+  static Sign both(Sign a, Sign b) { return {a.not_negative && b.not_negative, a.positive && b.positive}; }
+
   /// The conditions of a closed contact: r_N >= 0, and r in the cone if it sticks.
   Sign force_conditions(const Enclosure& box, std::size_t k) const {
     const std::size_t first = problem_.normal(k), n = box.system.unknown(first);
     Sign sign = sign_of(to_rational(box.center[n]), box.radius[n]);
     if (box.system.mode()[k] == ConeState::slide) {
       const std::size_t s = box.system.slip(k);
-      const Sign slip = sign_of(to_rational(box.center[s]), box.radius[s]);
-      return {sign.not_negative && slip.not_negative, sign.positive && slip.positive};
+      return both(sign, sign_of(to_rational(box.center[s]), box.radius[s]));
     }
     if (problem_.mu[k] == 0 || problem_.dimension == 1) return sign;
-    if (box.system.mode()[k] != ConeState::stick) {
-      const Rational u = exact_row(problem_, first + 1, box.system.x_at(box.center));
-      const Sign slip = sign_of(box.system.mode()[k] == ConeState::slide_plus ? u : Rational(-u),
-                                row_radius(problem_, box, first + 1));
-      return {sign.not_negative && slip.not_negative, sign.positive && slip.positive};
-    }
+    const std::array<int, 2> signs = slip_signs(box.system.mode()[k]);
     const Rational least = to_rational(problem_.mu[k]) * (to_rational(box.center[n]) - to_rational(box.radius[n]));
+    const bool cone = box.system.mode()[k] == ConeState::stick && problem_.law.kind != FrictionLaw::box;
     Rational square = 0;
     for (std::size_t i = 1; i < problem_.dimension; ++i) {
       const std::size_t t = box.system.unknown(first + i);
       const Rational T = abs(to_rational(box.center[t])) + to_rational(box.radius[t]);
-      square += T * T;
+      if (cone) {
+        square += T * T;
+      } else if (signs[i - 1] == 0) {  // of the box: |r_i| <= mu r_N
+        sign = both(sign, sign_of(least - T, 0));
+      } else {
+        const Rational u = exact_row(problem_, first + i, box.system.x_at(box.center));
+        sign = both(sign, sign_of(signs[i - 1] * u, row_radius(problem_, box, first + i)));
+      }
     }
+    if (!cone) return sign;
     const int inside = least.sign() < 0 ? -1 : Rational(least * least - square).sign();
     return {sign.not_negative && inside >= 0, sign.positive && inside > 0};
   }

@@ -25,7 +25,11 @@ struct MixedProblem {
   std::vector<double> mu;  ///< of each contact; in dimension 1 zeros
   ContactLaw law;
 
-  bool is_coulomb() const { return law.kind == FrictionLaw::cone || dimension == 1; }
+  /// Or a law that is the same here: all without friction, pyramids in the plane.
+  bool is_coulomb() const {
+    const bool pyramid = law.kind == FrictionLaw::box || law.kind == FrictionLaw::diamond;
+    return law.kind == FrictionLaw::cone || dimension == 1 || (dimension == 2 && pyramid);
+  }
   std::size_t size() const { return c.size(); }
   std::size_t contacts() const { return mu.size(); }
   /// The index of the normal part of contact k in x and w.

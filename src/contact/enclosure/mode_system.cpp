@@ -17,11 +17,30 @@ double approximate_row(const MixedProblem& problem, std::size_t row, std::span<c
   return nearest_binary64(exact_row(problem, row, x));
 }
 
+/// The state of a closed contact that slides with these signs, if with any.
+ConeState with_signs(std::array<int, 2> signs, std::size_t dimension) {
+  if (signs == std::array<int, 2>{0, 0}) return ConeState::stick;
+  const auto first = static_cast<std::size_t>(dimension == 2 ? ConeState::slide_plus : ConeState::slide_plus_0);
+  const auto last = static_cast<std::size_t>(dimension == 2 ? ConeState::slide_minus : ConeState::slide_minus_minus);
+  for (std::size_t state = first; state < last; ++state) {
+    if (slip_signs(static_cast<ConeState>(state)) == signs) return static_cast<ConeState>(state);
+  }
+  return static_cast<ConeState>(last);
+}
+
 }  // namespace
 
 std::string_view name(ConeState state) {
-  constexpr std::array<std::string_view, 5> names{"open", "stick", "slide", "slide+", "slide-"};
+  constexpr std::array<std::string_view, 13> names{"open",    "stick",   "slide",   "slide+",  "slide-",
+                                                   "slide+0", "slide-0", "slide0+", "slide0-", "slide++",
+                                                   "slide+-", "slide-+", "slide--"};
   return names[static_cast<std::size_t>(state)];
+}
+
+std::array<int, 2> slip_signs(ConeState state) {
+  const std::string_view signs = name(state).substr(std::min<std::size_t>(name(state).size(), 5));  // after `slide`
+  const auto sign = [&](std::size_t i) { return i >= signs.size() || signs[i] == '0' ? 0 : signs[i] == '+' ? 1 : -1; };
+  return {sign(0), sign(1)};
 }
 
 double before_projection(const MixedProblem& problem, std::span<const double> x, std::size_t contact, std::size_t part,
@@ -32,8 +51,13 @@ double before_projection(const MixedProblem& problem, std::span<const double> x,
 
 ConeMode looks_like(const MixedProblem& problem, std::span<const double> x, std::span<const double> scales) {
   ConeMode mode;
+  const bool box = problem.law.kind == FrictionLaw::box;
   for (std::size_t k = 0; k < problem.contacts(); ++k) {
     const auto projected = [&](std::size_t part) { return before_projection(problem, x, k, part, scales[k]); };
+    const auto slips = [&](std::size_t part, double bound) {
+      const double T = projected(part);
+      return std::abs(T) <= bound ? 0 : T < 0 ? 1 : -1;
+    };
     const double N = projected(0), mu = problem.mu[k];
     const bool leans = problem.law.kind == FrictionLaw::associated && problem.dimension > 1 && mu > 0;
     const double T = leans ? std::hypot(projected(1), problem.dimension == 3 ? projected(2) : 0) : 0;
@@ -42,9 +66,9 @@ ConeMode looks_like(const MixedProblem& problem, std::span<const double> x, std:
     } else if (problem.dimension == 1 || mu == 0) {
       mode.push_back(ConeState::stick);
     } else if (problem.dimension == 2) {
-      const double along = projected(1);
-      const bool sticks = std::abs(along) <= mu * N;
-      mode.push_back(sticks ? ConeState::stick : along < 0 ? ConeState::slide_plus : ConeState::slide_minus);
+      mode.push_back(with_signs({slips(1, mu * N), 0}, 2));
+    } else if (box) {
+      mode.push_back(with_signs({slips(1, mu * N), slips(2, mu * N)}, 3));
     } else {
       const bool sticks = std::hypot(projected(1), projected(2)) <= mu * N;
       mode.push_back(sticks ? ConeState::stick : ConeState::slide);
@@ -76,24 +100,24 @@ void ModeSystem::add_contact(std::size_t k) {
     unknowns_.push_back(first + i);
   }
   const bool opens = problem_->law.kind == FrictionLaw::associated;
-  const double sign = mode_[k] == ConeState::slide_minus ? -1 : 1, mu = problem_->mu[k];
-  switch (mode_[k]) {
-    case ConeState::slide:
-      slip_of_[k] = unknowns_.size();
-      unknowns_.push_back(none);
-      equations_.push_back({opens ? Kind::opening : Kind::linear, first, force, opens ? slip_of_[k] : none, mu});
-      for (std::size_t i = 1; i < d; ++i) equations_.push_back({Kind::tangential, first + i, force + i, slip_of_[k]});
-      equations_.push_back({Kind::cone, first, force, none, mu});
-      break;
-    case ConeState::slide_plus:
-    case ConeState::slide_minus:
-      equations_.push_back({opens ? Kind::leaning : Kind::linear, first, force, none, sign * mu});
-      equations_.push_back({Kind::edge, first, force, none, sign * mu});
-      break;
-    default:
-      equations_.push_back({Kind::linear, first, force});
-      for (std::size_t i = 1; i < d; ++i) equations_.push_back({Kind::linear, first + i, force});
-      break;
+  const double mu = problem_->mu[k];
+  if (mode_[k] == ConeState::slide) {
+    slip_of_[k] = unknowns_.size();
+    unknowns_.push_back(none);
+    equations_.push_back({opens ? Kind::opening : Kind::linear, first, force, opens ? slip_of_[k] : none, mu});
+    for (std::size_t i = 1; i < d; ++i) equations_.push_back({Kind::tangential, first + i, force + i, slip_of_[k]});
+    equations_.push_back({Kind::cone, first, force, none, mu});
+    return;
+  }
+  const std::array<int, 2> signs = slip_signs(mode_[k]);
+  const bool leans = opens && signs[0] != 0;
+  equations_.push_back({leans ? Kind::leaning : Kind::linear, first, force, none, leans ? signs[0] * mu : 0});
+  for (std::size_t i = 1; i < d; ++i) {
+    if (signs[i - 1] == 0) {
+      equations_.push_back({Kind::linear, first + i, force});
+    } else {
+      equations_.push_back({Kind::edge, first, force + i, none, signs[i - 1] * mu, force});
+    }
   }
 }
 
@@ -134,7 +158,7 @@ Rational ModeSystem::value(std::size_t equation, std::span<const double> z, std:
     case Kind::leaning:
       return exact_row(*problem_, e.row, x) - to_rational(e.mu) * exact_row(*problem_, e.row + 1, x);
     case Kind::edge:
-      return at(e.force + 1) + to_rational(e.mu) * at(e.force);
+      return at(e.force) + to_rational(e.mu) * at(e.normal);
     default: {
       const Rational bound = to_rational(e.mu) * at(e.force), r1 = at(e.force + 1), r2 = at(e.force + 2);
       return r1 * r1 + r2 * r2 - bound * bound;
@@ -146,7 +170,7 @@ std::vector<ModeSystem::Entry> ModeSystem::derivative(std::size_t equation, std:
   constexpr double tiny = std::numeric_limits<double>::denorm_min();
   const Equation& e = equations_[equation];
   std::vector<Entry> entries;
-  if (e.kind == Kind::edge) return {{e.force, e.mu, 0}, {e.force + 1, 1, 0}};
+  if (e.kind == Kind::edge) return {{e.normal, e.mu, 0}, {e.force, 1, 0}};
   if (e.kind == Kind::cone) {
     const double slope = -2 * (e.mu * e.mu) * z[e.force];  // two roundings, by more than half an ulp together
     return {{e.force, slope, 4 * unit_roundoff * std::abs(slope) + 4 * tiny * (1 + std::abs(z[e.force]))},

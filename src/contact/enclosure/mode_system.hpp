@@ -1,6 +1,7 @@
 // The equations of one contact mode, as a square system with one quadratic term for each sliding contact.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -9,10 +10,28 @@
 
 namespace slipproof {
 
-/// `slide_plus` (u_T >= 0) and `slide_minus` are the two ways of sliding in the plane, `slide` is that of space. Where
-/// mu = 0, and in dimension 1, what is closed sticks.
-enum class ConeState : std::uint8_t { open, stick, slide, slide_plus, slide_minus };
+/// `slide_plus` (u_T >= 0) and `slide_minus` are the two ways of sliding in the plane, `slide` is that of space. In the
+/// box pyramid each direction of space sticks or slides for itself: the states from `slide_plus_0` on. Where mu = 0,
+/// and in dimension 1, what is closed sticks.
+enum class ConeState : std::uint8_t {
+  open,
+  stick,
+  slide,
+  slide_plus,
+  slide_minus,
+  slide_plus_0,
+  slide_minus_0,
+  slide_0_plus,
+  slide_0_minus,
+  slide_plus_plus,
+  slide_plus_minus,
+  slide_minus_plus,
+  slide_minus_minus
+};
 std::string_view name(ConeState state);
+
+/// The signs of u in the tangential directions of a state, 0 where it sticks; all 0 for `open`, `stick` and `slide`.
+std::array<int, 2> slip_signs(ConeState state);
 
 using ConeMode = std::vector<ConeState>;  ///< of each contact
 
@@ -29,7 +48,7 @@ ConeMode looks_like(const MixedProblem& problem, std::span<const double> x, std:
 ///   F_i(z) = a row of A x + c                         (balance, u_N = 0, u = 0)
 ///   F_i(z) = the same + s r_T                         (u_T = -s r_T)
 ///   F_i(z) = r_T1^2 + r_T2^2 - mu^2 r_N^2             (on the cone)
-///   F_i(z) = r_T +- mu r_N                            (on the edge of the planar cone)
+///   F_i(z) = r_T +- mu r_N                            (on the edge of the planar cone, on a face of the box)
 /// and in place of u_N = 0, where the associated law slides and so opens, u_N = mu |u_T|:
 ///   F_i(z) = a row of A x + c - s mu^2 r_N            (|u_T| = s mu r_N)
 ///   F_i(z) = a row -+ mu the next one                 (in the plane)
@@ -42,10 +61,11 @@ class ModeSystem {
   enum class Kind : std::uint8_t { linear, tangential, cone, edge, opening, leaning };
   struct Equation {
     Kind kind = Kind::linear;
-    std::size_t row = 0;       ///< of A, where it is one
-    std::size_t force = none;  ///< tangential: the unknown r_T; others: the first of the contact's force
-    std::size_t slip = none;   ///< tangential, opening: the unknown s
-    double mu = 0;             ///< its coefficient; edge, leaning: negative where r_T - mu r_N = 0
+    std::size_t row = 0;        ///< of A, where it is one
+    std::size_t force = none;   ///< tangential, edge: the unknown r_T; others: the first of the contact's force
+    std::size_t slip = none;    ///< tangential, opening: the unknown s
+    double mu = 0;              ///< its coefficient; edge, leaning: negative where r_T - mu r_N = 0
+    std::size_t normal = none;  ///< edge: the unknown r_N
   };
   struct Entry {
     std::size_t unknown;

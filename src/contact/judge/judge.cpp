@@ -52,6 +52,12 @@ std::optional<FrictionLaw> pyramid_that_fits(const MixedProblem& problem, std::s
   return std::nullopt;
 }
 
+/// Whether the modes of the law have equations (ModeSystem).
+bool have_modes(const MixedProblem& problem) {
+  using enum FrictionLaw;
+  return problem.is_coulomb() || problem.law.kind == associated || problem.law.kind == box;
+}
+
 /// An answer that is to be judged, and what is known of it so far.
 class ContactCase {
  public:
@@ -63,7 +69,7 @@ class ContactCase {
   void look_near() {
     bool settled = false;
     if (problem_.is_coulomb()) extra("all solutions", [&] { settled = count_all(); });
-    if (!settled && has_modes()) extra("a solution near the answer", [&] { enclose(); });
+    if (!settled && have_modes(problem_)) extra("a solution near the answer", [&] { enclose(); });
     if (!settled && problem_.is_coulomb() && j_.has_solution()) exclude_others();
     const bool known = j_.has_solution();
     if (known) j_.error = j_.enclosure ? error_from(*j_.enclosure) : error_from(j_.exact);
@@ -100,9 +106,6 @@ class ContactCase {
   bool knows_all() const { return counted_ || j_.unique_by || (j_.every && j_.every->unique()); }
 
  private:
-  /// Whether the modes of the law have equations (ModeSystem).
-  bool has_modes() const { return problem_.is_coulomb() || problem_.law.kind == FrictionLaw::associated; }
-
   /// What follows for every solution, around the one that is known, or around the answer with its forces improved.
   void bound_every(bool known) {
     auto proof = prove_monotone(problem_, effort_);
@@ -234,7 +237,7 @@ ContactJudgement judge_contacts(const MixedProblem& problem, std::vector<double>
   const double velocity_error = judgement.velocity_error / judgement.residual->scale;
   const bool right = std::max(backward, velocity_error) <= options.tolerance;
   ContactCase found(problem, u, options, judgement);
-  const bool strong = problem.is_coulomb() || is_convex(problem);
+  const bool strong = have_modes(problem) || is_convex(problem);
   if (strong && (right || options.refine || may_be_near(judgement))) found.look_near();
   const bool known = judgement.has_solution();
   const bool near = known && (options.within ? judgement.rho <= *options.within : judgement.error <= contact_near);
@@ -258,7 +261,7 @@ ContactJudgement judge_contacts(const MixedProblem& problem, std::vector<double>
   } else if (right && !found.knows_all()) {
     judgement.verdict = ContactVerdict::eps_solution;
     if (known) judgement.reason = "the solution that was found is too far from the answer";
-    if (!strong) judgement.reason = "this law is not convex, and only its residual is judged";
+    if (!strong) judgement.reason = "of this law only the residual is judged";
   } else {
     judgement.verdict = ContactVerdict::wrong;
     judgement.reason.clear();  // why nothing is enclosed is no news any more

@@ -21,7 +21,8 @@ install(DIRECTORY ${PROJECT_BINARY_DIR}/installed-headers/ DESTINATION ${CMAKE_I
 install(
   TARGETS slipproof_c EXPORT slipproof_c
   LIBRARY COMPONENT library NAMELINK_COMPONENT development)
-install(FILES ${PROJECT_SOURCE_DIR}/src/faces/c_interface/slipproof.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/src/faces/c_interface/slipproof.h ${PROJECT_SOURCE_DIR}/src/faces/c_interface/slipproof_record.h
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT slipproof_c NAMESPACE slipproof:: FILE slipproofCTargets.cmake DESTINATION ${package_dir})
 cmake_path(RELATIVE_PATH CMAKE_INSTALL_FULL_INCLUDEDIR BASE_DIRECTORY ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig
            OUTPUT_VARIABLE include_dir_from_pc)

@@ -41,7 +41,7 @@ slipproof_package(library libslipproof${PROJECT_VERSION_MAJOR} libs " (library)"
 file(CONFIGURE OUTPUT package/triggers CONTENT "activate-noawait ldconfig\n")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/package/triggers)
 slipproof_package(development libslipproof-dev libdevel " (development)"
-                  "This package has slipproof.h, and the C++ library with its headers.")
+                  "This package has slipproof.h, slipproof_record.h for engines to record\ntheir steps with, and the C++ library with its headers.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libslipproof${PROJECT_VERSION_MAJOR} (= ${PROJECT_VERSION})")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS
     "libgmp-dev, libmpfr-dev, libflint-dev, libfmt-dev, libtbb-dev, libpugixml-dev, libmd-dev, libudunits2-dev, libhdf5-dev, zlib1g-dev")

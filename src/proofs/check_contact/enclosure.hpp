@@ -5,7 +5,10 @@
 
 namespace slipproof::check_contact {
 
-enum class Mode { open, stick, slide, slide_plus, slide_minus };
+enum class Mode { open, stick, slide, faces };
+
+/// The signs of u where each tangential direction sticks, 0, or slides for itself: on faces of a pyramid.
+using Signs = std::array<int, 2>;
 
 /// F_i(z + d) = value + slope d + what is at most `rest` in absolute value, for all |d_j| <= p_j.
 struct Equation {
@@ -22,6 +25,7 @@ class Enclosure {
  public:
   Enclosure(const Problem& problem, Reader& reader) : problem_(problem), rho_(reader.number()) {
     reader.expect("modes");
+    signs_.resize(problem.contacts());
     for (std::size_t k = 0; k < problem.contacts(); ++k) modes_.push_back(mode(reader, k));
     count_unknowns();
     center_ = reader.numbers("center", unknowns_);
@@ -35,7 +39,7 @@ class Enclosure {
 
   std::string check() {
     opens_ = problem_.law.is(Law::Kind::associated);
-    if (!opens_) problem_.require_coulomb();
+    if (!opens_ && !problem_.law.is(Law::Kind::box)) problem_.require_coulomb();
     require(rho_.sign() >= 0, "RHO is negative");
     for (std::size_t j = 0; j < unknowns_; ++j)
       require(radius_[j].sign() > 0, "unknown", j, "its radius is not positive");
@@ -50,13 +54,29 @@ class Enclosure {
   }
 
  private:
-  Mode mode(Reader& reader, std::size_t k) const {
+  Mode mode(Reader& reader, std::size_t k) {
     const bool friction = has_friction(k);
     if (reader.accept("open")) return Mode::open;
     if (reader.accept("stick")) return Mode::stick;
-    if (friction && problem_.dimension == 3 && reader.accept("slide")) return Mode::slide;
-    if (friction && problem_.dimension == 2 && reader.accept("slide+")) return Mode::slide_plus;
-    if (friction && problem_.dimension == 2 && reader.accept("slide-")) return Mode::slide_minus;
+    if (friction && problem_.dimension == 3 && !problem_.law.is(Law::Kind::box) && reader.accept("slide")) {
+      return Mode::slide;
+    }
+    const bool box = problem_.dimension == 3 && problem_.law.is(Law::Kind::box);
+    constexpr std::array<std::pair<const char*, Signs>, 10> faces{{{"slide+", {1, 0}},
+                                                                   {"slide-", {-1, 0}},
+                                                                   {"slide+0", {1, 0}},
+                                                                   {"slide-0", {-1, 0}},
+                                                                   {"slide0+", {0, 1}},
+                                                                   {"slide0-", {0, -1}},
+                                                                   {"slide++", {1, 1}},
+                                                                   {"slide+-", {1, -1}},
+                                                                   {"slide-+", {-1, 1}},
+                                                                   {"slide--", {-1, -1}}}};
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      if (!friction || !(i < 2 ? problem_.dimension == 2 : box) || !reader.accept(faces[i].first)) continue;
+      signs_[k] = faces[i].second;
+      return Mode::faces;
+    }
     reader.refuse("a mode that contact " + std::to_string(k) + " can have");
   }
 
@@ -102,8 +122,10 @@ class Enclosure {
         for (std::size_t t = 1; t < forces(k); ++t) equations_.push_back(motion(normal + t));
       }
       if (modes_[k] == Mode::slide) list_sliding(k);
-      if (modes_[k] == Mode::slide_plus) equations_.push_back(edge(k, problem_.mu[k]));
-      if (modes_[k] == Mode::slide_minus) equations_.push_back(edge(k, -problem_.mu[k]));
+      for (std::size_t t = 1; modes_[k] == Mode::faces && t < problem_.dimension; ++t) {
+        const int sign = signs_[k][t - 1];
+        equations_.push_back(sign == 0 ? motion(normal + t) : edge(k, t, sign * problem_.mu[k]));
+      }
     }
   }
 
@@ -121,7 +143,7 @@ class Enclosure {
       result.rest = m2 * radius_[slip] * radius_[normal];
       result.linear = false;
     } else if (modes_[k] != Mode::stick) {
-      const Number slope = modes_[k] == Mode::slide_plus ? -m : m;
+      const Number slope = -(signs_[k][0] * m);
       const Equation tangential = motion(row + 1);
       result.value += slope * tangential.value;
       for (const auto& [j, a] : tangential.slope) result.slope[j] += slope * a;
@@ -130,8 +152,8 @@ class Enclosure {
   }
 
   /// r_T + m r_N.
-  Equation edge(std::size_t k, const Number& m) const {
-    const std::size_t normal = unknown_.at(problem_.normal(k)), tangential = normal + 1;
+  Equation edge(std::size_t k, std::size_t t, const Number& m) const {
+    const std::size_t normal = unknown_.at(problem_.normal(k)), tangential = normal + t;
     return {center_[tangential] + m * center_[normal], {{tangential, 1}, {normal, m}}};
   }
 
@@ -229,18 +251,22 @@ class Enclosure {
     const std::size_t normal = unknown_.at(row), slip = normal + 3;
     const Number r = center_[normal] - radius_[normal];
     require(r.sign() >= 0, "contact", k, "r_N may be negative");
-    if (modes_[k] == Mode::stick) {
-      Number force;
-      for (std::size_t t = 1; t < forces(k); ++t) force += square(abs(center_[normal + t]) + radius_[normal + t]);
-      require(force <= square(problem_.mu[k] * r), "contact", k, "the force may leave the friction cone");
-    } else if (modes_[k] == Mode::slide) {
-      require(center_[slip] >= radius_[slip], "contact", k, "s may be negative");
-    } else {
-      Equation sliding = motion(row + 1);
-      if (modes_[k] == Mode::slide_minus) sliding.value = -sliding.value;
-      for (auto& [j, a] : sliding.slope) a = modes_[k] == Mode::slide_minus ? -a : a;
+    if (modes_[k] == Mode::slide) return require(center_[slip] >= radius_[slip], "contact", k, "s may be negative");
+    const Number limit = problem_.mu[k] * r;
+    Number force;
+    for (std::size_t t = 1; t < forces(k); ++t) {
+      const int sign = signs_[k][t - 1];
+      const Number most = sign == 0 ? abs(center_[normal + t]) + radius_[normal + t] : Number(0);
+      force += square(most);
+      if (problem_.law.is(Law::Kind::box)) require(most <= limit, "contact", k, "the force may leave the friction box");
+      if (sign == 0) continue;
+      Equation sliding = motion(row + t);
+      if (sign < 0) sliding.value = -sliding.value;
+      for (auto& [j, a] : sliding.slope) a = sign < 0 ? -a : a;
       require(least(sliding).sign() >= 0, "contact", k, "u_T may have the other sign");
     }
+    const bool cone = modes_[k] == Mode::stick && !problem_.law.is(Law::Kind::box);
+    require(!cone || force <= square(limit), "contact", k, "the force may leave the friction cone");
   }
 
   void check_distance() const {
@@ -258,6 +284,7 @@ class Enclosure {
   Number rho_;
   bool opens_ = false;  ///< by the associated law, what slides
   std::vector<Mode> modes_;
+  std::vector<Signs> signs_;
   std::map<std::size_t, std::size_t> unknown_;  ///< the place among the unknowns of a component of x that is one
   std::size_t unknowns_ = 0;                    ///< and equations
   Vector center_, radius_;                      ///< radius 0 where pinned

@@ -88,6 +88,7 @@ TEST_CASE("mutants of certificates of every law are judged alike by two checkers
                                 {FrictionLaw::regularised, Regularisation::linear, "eps"},
                                 {FrictionLaw::regularised, Regularisation::soft, "eps"},
                                 {FrictionLaw::associated, Regularisation::linear, "enclosure"},
+                                {FrictionLaw::box, Regularisation::linear, "enclosure"},
                                 {FrictionLaw::associated, Regularisation::linear, "every-solution"},
                                 {FrictionLaw::fixed, Regularisation::linear, "every-solution"}};
   const int mutants = how_many("SLIPPROOF_LAW_MUTANTS", 150);

@@ -321,7 +321,9 @@ void enclosure(const Certificate& p, Words& words) {
     mode.push_back(words.next());
     const std::string& s = mode.back();
     const bool rubs = p.D > 1 && p.mu[k] != 0, plus = s == "slide+" || s == "slide-";
-    if (s != "open" && s != "stick" && !(rubs && ((p.D == 3 && s == "slide") || (p.D == 2 && plus)))) throw Garbled();
+    const bool face = s.size() == 7 && s.rfind("slide", 0) == 0 && only(s.substr(5), "+-0") && s != "slide00";
+    const bool space = p.D == 3 && (p.law == "box" ? face : s == "slide");
+    if (s != "open" && s != "stick" && !(rubs && (space || (p.D == 2 && plus)))) throw Garbled();
     unknowns_of[k] = s == "open" ? 0 : rubs ? p.D : 1;
     for (std::size_t t = 0; t < unknowns_of[k]; ++t) at[p.F + p.D * k + t] = N++;
     if (s == "slide") slip[k] = N++;
@@ -348,7 +350,12 @@ void enclosure(const Certificate& p, Words& words) {
   words.expect("inverse");
   const Mat R = words.entries(N - pinned.size(), N - dropped.size());
   need(p.has_answer && rho >= 0, "answer");
-  need(p.law == "coulomb" || p.law == "associated", "law");
+  need(p.law == "coulomb" || p.law == "associated" || p.law == "box", "law");
+  // The sign with which a contact slides in direction t, from 1; 0 where it does not.
+  const auto slides = [&](std::size_t k, std::size_t t) {
+    const std::string& s = mode[k];
+    return s.size() < 5 + t || s[4 + t] == '0' ? 0 : s[4 + t] == '+' ? 1 : -1;
+  };
   for (const Q& r : radius) need(r > 0, "radius");
   for (const std::size_t j : pinned) radius[j] = 0;
   const auto row = [&](std::size_t i) {
@@ -376,9 +383,9 @@ void enclosure(const Certificate& p, Words& words) {
     Form normal = row(first);
     const bool opens = p.law == "associated";
     if (mode[k] == "slide" && opens) add_product(normal, -m * m, slip[k], at[first]);
-    if (mode[k].size() == 6 && opens) {  // slide+ and slide-
+    if (slides(k, 1) != 0 && opens) {
       const Form along = row(first + 1);
-      const Q sign = mode[k] == "slide+" ? -1 : 1;
+      const Q sign = -slides(k, 1);
       normal.value += sign * m * along.value;
       for (std::size_t j = 0; j < N; ++j) normal.slope[j] += sign * m * along.slope[j];
     }
@@ -400,12 +407,14 @@ void enclosure(const Certificate& p, Words& words) {
       cone.rest = std::max(up, cone.rest);
       F.push_back(cone);
     } else {
-      Form edge{0, Vec(N), 0};
-      const Q sign = mode[k] == "slide+" ? 1 : -1;
-      edge.value = z[at[first] + 1] + sign * m * z[at[first]];
-      edge.slope[at[first] + 1] = 1;
-      edge.slope[at[first]] = sign * m;
-      F.push_back(edge);
+      for (std::size_t t = 1; t < p.D; ++t) {
+        const Q sign = slides(k, t);
+        Form edge{0, Vec(N), 0};
+        edge.value = z[at[first] + t] + sign * m * z[at[first]];
+        edge.slope[at[first] + t] = 1;
+        edge.slope[at[first]] = sign * m;
+        F.push_back(sign == 0 ? row(first + t) : edge);
+      }
     }
   }
   need(pinned.size() == dropped.size(), "not square");
@@ -460,19 +469,22 @@ void enclosure(const Certificate& p, Words& words) {
     }
     const Q least = z[at[first]] - radius[at[first]];
     need(least >= 0, "presses");
-    if (mode[k] == "stick") {
-      Q square;
-      for (std::size_t t = 1; t < unknowns_of[k]; ++t) {
+    if (mode[k] == "slide") {
+      need(z[slip[k]] >= radius[slip[k]], "slips");
+      continue;
+    }
+    Q square, largest;
+    for (std::size_t t = 1; t < unknowns_of[k]; ++t) {
+      if (slides(k, t) == 0) {
         const Q most = absolute(z[at[first] + t]) + radius[at[first] + t];
         square += most * most;
+        largest = std::max(largest, most);
+      } else {
+        const Form u = row(first + t);
+        need(slides(k, t) * u.value >= reach(u), "slips");
       }
-      need(square <= m * m * least * least, "in the cone");
-    } else if (mode[k] == "slide") {
-      need(z[slip[k]] >= radius[slip[k]], "slips");
-    } else {
-      const Form u = row(first + 1);
-      need((mode[k] == "slide+" ? u.value : Q(-u.value)) >= reach(u), "slips");
     }
+    need(p.law == "box" ? largest <= m * least : square <= m * m * least * least || mode[k] != "stick", "inside");
   }
   for (std::size_t i = 0; i < p.n; ++i) {
     const Q away = at[i] == none ? absolute(p.x[i]) : Q(absolute(z[at[i]] - p.x[i]) + radius[at[i]]);
