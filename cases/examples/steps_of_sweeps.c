@@ -1,6 +1,6 @@
 /* An engine of 60 lines that records its steps: a block on four corners, pushed, by sweeps over the contacts.
  *
- *   record_steps FILE.jsonl [WORST]       then: slipproof certify FILE.jsonl */
+ *   steps_of_sweeps FILE.jsonl [WORST]       then: slipproof certify FILE.jsonl */
 #include <slipproof_record.h>
 
 enum { contacts = 4, n = 3 * contacts, velocities = 6 };
@@ -41,7 +41,7 @@ int main(int argc, char** argv) {
   const double step = 1.0 / 128;
   double J[n][velocities], M[velocities][velocities] = {{0}}, v[velocities] = {0}, f[velocities], r[n];
   slipproof_recorder recorder;
-  if (argc < 2) return fputs("usage: record_steps FILE.jsonl [WORST]\n", stderr), 2;
+  if (argc < 2) return fputs("usage: steps_of_sweeps FILE.jsonl [WORST]\n", stderr), 2;
   if (slipproof_record_open(&recorder, argv[1], argc > 2 ? strtoul(argv[2], NULL, 10) : 0)) return perror(argv[1]), 1;
   jacobian(J);
   for (int j = 0; j < velocities; ++j) M[j][j] = mass[j];

@@ -1,7 +1,7 @@
 /* Records what MuJoCo solves: a box on the floor that is pushed, with elliptic cones, by MuJoCo's own law, which is the
  * associated one with a compliance R and a bias, minus the reference acceleration.
  *
- *   record_mujoco FILE.jsonl [STEPS]       then: slipproof certify FILE.jsonl */
+ *   steps_of_mujoco FILE.jsonl [STEPS]       then: slipproof certify FILE.jsonl */
 #include <mujoco/mujoco.h>
 #include <slipproof_record.h>
 
@@ -47,8 +47,8 @@ static int record(slipproof_recorder* recorder, const mjModel* m, const mjData* 
 }
 
 int main(int argc, char** argv) {
-  char error[500] = "", path[] = "record_mujoco.xml";
-  if (argc < 2) return fputs("usage: record_mujoco FILE.jsonl [STEPS]\n", stderr), 2;
+  char error[500] = "", path[] = "steps_of_mujoco.xml";
+  if (argc < 2) return fputs("usage: steps_of_mujoco FILE.jsonl [STEPS]\n", stderr), 2;
   const int steps = argc > 2 ? atoi(argv[2]) : 200;
   static mjVFS files;
   mj_defaultVFS(&files);

@@ -1,7 +1,7 @@
 /* Records what ODE solves: a cube on the floor that is pushed, by quick steps with few and with many iterations. Its law
  * is the box pyramid, with a compliance (CFM) and a bias (ERP) of each contact.
  *
- *   record_ode FILE.jsonl [ITERATIONS]     then: slipproof certify FILE.jsonl */
+ *   steps_of_ode FILE.jsonl [ITERATIONS]     then: slipproof certify FILE.jsonl */
 #include <ode/ode.h>
 #include <slipproof_record.h>
 
@@ -20,7 +20,7 @@ static void rows_of(const dContact* c, const double* center, double (*rows)[velo
 }
 
 int main(int argc, char** argv) {
-  if (argc < 2) return fputs("usage: record_ode FILE.jsonl [ITERATIONS]\n", stderr), 2;
+  if (argc < 2) return fputs("usage: steps_of_ode FILE.jsonl [ITERATIONS]\n", stderr), 2;
   slipproof_recorder recorder;
   if (slipproof_record_open(&recorder, argv[1], 0)) return perror(argv[1]), 1;
   dInitODE();
