@@ -17,7 +17,8 @@ static void* allocated(size_t count, size_t size) {
   return memory;
 }
 
-/* The constraints of one step that are contacts in three directions, as bodies with Jacobians: accelerations, forces. */
+/* The constraints of one step that are contacts in three directions, as bodies with Jacobians: accelerations, forces.
+ */
 static int record(slipproof_recorder* recorder, const mjModel* m, const mjData* d) {
   const size_t nv = (size_t)m->nv, n = 3 * (size_t)d->ncon;
   double* M = allocated(nv * nv, sizeof(double));
@@ -58,9 +59,9 @@ int main(int argc, char** argv) {
   if (!m) return fprintf(stderr, "%s\n", error), 1;
   mjData* d = mj_makeData(m);
   slipproof_recorder recorder;
-  if (slipproof_record_open(&recorder, argv[1], 5)) return perror(argv[1]), 1;  /* the worst five */
+  if (slipproof_record_open(&recorder, argv[1], 5)) return perror(argv[1]), 1; /* the worst five */
   for (int i = 0; i < steps; ++i) {
-    d->xfrc_applied[6] = i < steps / 2 ? 4 : 6;  /* friction holds 4.9 */
+    d->xfrc_applied[6] = i < steps / 2 ? 4 : 6; /* friction holds 4.9 */
     mj_step1(m, d);
     mj_step2(m, d);
     if (d->ncon > 0 && record(&recorder, m, d)) return 1;

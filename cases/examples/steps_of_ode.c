@@ -1,5 +1,5 @@
-/* Records what ODE solves: a cube on the floor that is pushed, by quick steps with few and with many iterations. Its law
- * is the box pyramid, with a compliance (CFM) and a bias (ERP) of each contact.
+/* Records what ODE solves: a cube on the floor that is pushed, by quick steps with few and with many iterations. Its
+ * law is the box pyramid, with a compliance (CFM) and a bias (ERP) of each contact.
  *
  *   steps_of_ode FILE.jsonl [ITERATIONS]     then: slipproof certify FILE.jsonl */
 #include <ode/ode.h>
@@ -11,7 +11,8 @@ static const double step = 1.0 / 64, mu = 0.5, mass = 1, side = 0.2, cfm = 1e-5,
 /* u = J v of a contact at `place` of the body: rows along its normal and the two directions of friction. */
 static void rows_of(const dContact* c, const double* center, double (*rows)[velocities]) {
   double axes[3][3], arm[3];
-  for (int i = 0; i < 3; ++i) arm[i] = c->geom.pos[i] - center[i], axes[0][i] = c->geom.normal[i], axes[1][i] = c->fdir1[i];
+  for (int i = 0; i < 3; ++i)
+    arm[i] = c->geom.pos[i] - center[i], axes[0][i] = c->geom.normal[i], axes[1][i] = c->fdir1[i];
   dCalcVectorCross3(axes[2], axes[0], axes[1]);
   for (int i = 0; i < 3; ++i) {
     memcpy(rows[i], axes[i], sizeof axes[i]);
@@ -43,7 +44,7 @@ int main(int argc, char** argv) {
     double J[3 * most][velocities], M[velocities][velocities] = {{0}}, f[velocities], v[velocities], coefficients[most];
     double r[3 * most], R[3 * most], bias[3 * most] = {0}, center[3];
     for (int j = 0; j < 3; ++j) {
-      M[j][j] = mass, M[3 + j][3 + j] = m.I[0];  /* of a cube: the same about every axis */
+      M[j][j] = mass, M[3 + j][3 + j] = m.I[0]; /* of a cube: the same about every axis */
       center[j] = dBodyGetPosition(body)[j];
       v[j] = dBodyGetLinearVel(body)[j], v[3 + j] = dBodyGetAngularVel(body)[j];
     }
@@ -58,7 +59,7 @@ int main(int argc, char** argv) {
       dJointSetFeedback(joint, &forces[k]);
       rows_of(c, center, J + 3 * k);
     }
-    const double push[velocities] = {i < 8 ? 4 : 6, 0, -10 * mass, 0, 0, 0};  /* friction holds 5 */
+    const double push[velocities] = {i < 8 ? 4 : 6, 0, -10 * mass, 0, 0, 0}; /* friction holds 5 */
     for (int j = 0; j < velocities; ++j) f[j] = M[j][j] * v[j] + step * push[j];
     dBodyAddForce(body, push[0], 0, 0);
     dWorldQuickStep(world, step);

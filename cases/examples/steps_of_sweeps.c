@@ -46,9 +46,9 @@ int main(int argc, char** argv) {
   jacobian(J);
   for (int j = 0; j < velocities; ++j) M[j][j] = mass[j];
   for (int i = 0; i < 8; ++i) {
-    const double push[velocities] = {i < 4 ? 8 : 12, i < 4 ? 0 : 4, -20, 0, 0, 0};  /* it holds 10 */
+    const double push[velocities] = {i < 4 ? 8 : 12, i < 4 ? 0 : 4, -20, 0, 0, 0}; /* it holds 10 */
     for (int j = 0; j < velocities; ++j) f[j] = mass[j] * v[j] + step * push[j];
-    solve(J, f, v, r, i % 2 == 0 ? 10 : 1000);  /* every other step is given few sweeps */
+    solve(J, f, v, r, i % 2 == 0 ? 10 : 1000); /* every other step is given few sweeps */
     slipproof_record_step record = {0};
     record.dimension = 3, record.contacts = contacts, record.mu = mu;
     record.bodies = velocities, record.M = &M[0][0], record.J = &J[0][0], record.f = f, record.v = v;

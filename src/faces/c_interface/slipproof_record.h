@@ -41,9 +41,9 @@ typedef enum slipproof_record_law {
   SLIPPROOF_LAW_COULOMB,
   SLIPPROOF_LAW_BOX,
   SLIPPROOF_LAW_DIAMOND,
-  SLIPPROOF_LAW_FIXED,       /* needs `bounds` */
+  SLIPPROOF_LAW_FIXED, /* needs `bounds` */
   SLIPPROOF_LAW_ASSOCIATED,
-  SLIPPROOF_LAW_REGULARISED  /* needs `slip_speed` */
+  SLIPPROOF_LAW_REGULARISED /* needs `slip_speed` */
 } slipproof_record_law;
 
 /* An entry of W, row and column from 0, none twice. */
@@ -54,29 +54,29 @@ typedef struct slipproof_record_entry {
 
 /* n = dimension * contacts components. Zero what is not used. Arrays belong to the caller and are not kept. */
 typedef struct slipproof_record_step {
-  int dimension;      /* 1: normal parts only, without mu; 2 or 3 */
+  int dimension; /* 1: normal parts only, without mu; 2 or 3 */
   size_t contacts;
-  const double* mu;   /* of each contact; none in dimension 1 */
-  const double* W;    /* n x n, row by row */
+  const double* mu;                      /* of each contact; none in dimension 1 */
+  const double* W;                       /* n x n, row by row */
   const slipproof_record_entry* entries; /* or the entries of W that are not 0 */
   size_t entry_count;
-  size_t bodies;      /* or bodies: so many velocities, 6 for each body in space */
-  const double* M;    /* their masses, bodies x bodies, row by row */
-  const double* J;    /* n x bodies, row by row: u = J v + w */
-  const double* f;    /* M v = J^T r + f: M times the old velocities, and the step times what pushes */
-  const double* w;    /* n, or none for 0 */
-  const double* v;    /* the new velocities */
-  const double* q;    /* n, with W or entries */
-  const double* r;    /* the answer, n impulses or forces */
-  const double* u;    /* n velocities W r + q, if the solver gives them */
+  size_t bodies;   /* or bodies: so many velocities, 6 for each body in space */
+  const double* M; /* their masses, bodies x bodies, row by row */
+  const double* J; /* n x bodies, row by row: u = J v + w */
+  const double* f; /* M v = J^T r + f: M times the old velocities, and the step times what pushes */
+  const double* w; /* n, or none for 0 */
+  const double* v; /* the new velocities */
+  const double* q; /* n, with W or entries */
+  const double* r; /* the answer, n impulses or forces */
+  const double* u; /* n velocities W r + q, if the solver gives them */
   slipproof_record_law law;
   const double* compliance; /* n, or none: the solver's u has R r added; see LAWS.md */
   const double* bias;       /* n, or none: and this */
   const double* bounds;     /* contacts * (dimension - 1) */
   double slip_speed;
-  int soft;           /* regularised by s / sqrt(1 + s^2), not by min(s, 1) */
-  const char* title;  /* "step 17"; none: the number of the step. Printable ASCII without quotes and backslashes */
-  const char* force_unit;    /* both or none */
+  int soft;               /* regularised by s / sqrt(1 + s^2), not by min(s, 1) */
+  const char* title;      /* "step 17"; none: the number of the step. Printable ASCII without quotes and backslashes */
+  const char* force_unit; /* both or none */
   const char* velocity_unit;
 } slipproof_record_step;
 
@@ -105,8 +105,8 @@ static inline const char* slipproof_record_mistake(const slipproof_recorder* rec
   return recorder->mistake ? recorder->mistake : "";
 }
 
-/* Opens the file; one that is there is replaced. `worst`: how many of the steps are kept, those of the largest residual,
- * which are written at the end, by number; 0: all, each as it comes. */
+/* Opens the file; one that is there is replaced. `worst`: how many of the steps are kept, those of the largest
+ * residual, which are written at the end, by number; 0: all, each as it comes. */
 static inline slipproof_record_status slipproof_record_open(slipproof_recorder* recorder, const char* path,
                                                             size_t worst) {
   memset(recorder, 0, sizeof *recorder);
@@ -252,12 +252,14 @@ static inline const char* slipproof_record_check(const slipproof_record_step* st
   if (step->dimension < 1 || step->dimension > 3) return "dimension: expected 1, 2 or 3";
   if (forms != 1 && step->contacts > 0) return "expected one of W, entries and bodies";
   if (step->bodies > 0 && (!step->M || !step->J || !step->f || !step->v)) return "bodies: expected M, J, f and v";
-  if (step->bodies > 0 && step->dimension == 1) return "bodies: expected dimension 2 or 3, with mu 0 where there is none";
+  if (step->bodies > 0 && step->dimension == 1)
+    return "bodies: expected dimension 2 or 3, with mu 0 where there is none";
   if (step->bodies == 0 && !step->q) return "q: expected with W or entries";
   if (!step->r) return "r: expected the answer";
   if (step->dimension > 1 && !step->mu) return "mu: expected a coefficient of friction for each contact";
   if (step->dimension == 1 && step->mu) return "mu: expected none in dimension 1";
-  if ((step->law == SLIPPROOF_LAW_FIXED) != (step->bounds != NULL)) return "bounds: expected with the law of fixed bounds";
+  if ((step->law == SLIPPROOF_LAW_FIXED) != (step->bounds != NULL))
+    return "bounds: expected with the law of fixed bounds";
   if (step->law == SLIPPROOF_LAW_REGULARISED && !(step->slip_speed > 0)) return "slip_speed: expected more than 0";
   if (!step->force_unit != !step->velocity_unit) return "units: expected both or none";
   if (!slipproof_record_plain(step->title) || !slipproof_record_plain(step->force_unit) ||
@@ -273,7 +275,8 @@ static inline const char* slipproof_record_check(const slipproof_record_step* st
   return NULL;
 }
 
-static inline void slipproof_record_line(slipproof_record_text* text, const slipproof_record_step* step, size_t number) {
+static inline void slipproof_record_line(slipproof_record_text* text, const slipproof_record_step* step,
+                                         size_t number) {
   static const char* const laws[] = {"coulomb", "box", "diamond", "fixed", "associated", "regularised"};
   const size_t d = (size_t)step->dimension, n = d * step->contacts;
   slipproof_record_word(text, "{");
