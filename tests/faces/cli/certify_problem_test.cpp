@@ -76,7 +76,12 @@ TEST_CASE("a pyramid's answer is told as that, and is right for its own law") {
   CHECK(cone.exit_code == 1);
   CHECK(line_of(cone)["right_for"] == "box pyramid |t1| <= mu n, |t2| <= mu n");
   const auto box = run({"certify", file, "--law", "box"});
-  CHECK(line_of(box)["verdict"] == "eps-solution");
+  CHECK(box.exit_code == 0);
+  CHECK(line_of(box)["verdict"] == "solution within rho");
+  CHECK(line_of(box)["coulomb"]["verdict"] == "wrong");
+  const auto fixed = run({"certify", file, "--law", "fixed"});
+  CHECK(fixed.exit_code == 3);
+  CHECK(fixed.err.find("bounds: found 0 numbers, expected 2") != std::string::npos);
 }
 
 TEST_CASE("an answer of its own file, an improved answer, a certificate and a report") {

