@@ -6,6 +6,7 @@
 
 #include "base/number/binary64.hpp"
 #include "base/parallel/stop.hpp"
+#include "contact/enclosure/ball.hpp"
 #include "contact/enclosure/dependence.hpp"
 #include "contact/enclosure/residual.hpp"
 #include "contact/linear/rounding.hpp"
@@ -85,29 +86,40 @@ class EnclosureSearch {
   /// The blocks with their inverses; dependent ones made regular by pinning and dropping.
   std::optional<NoEnclosure> prepare() {
     if (!combinations_.empty()) {  // what is dependent has been found in this mode
-      for (SystemBlock& block : blocks_) block.inverse = approximate_inverse(block_derivative(*system_, block, z_));
+      for (SystemBlock& block : blocks_) invert(block);
       return std::nullopt;
     }
     blocks_ = blocks_of(*system_, z_, pinned_, dropped_);
-    for (std::size_t b = 0; b < blocks_.size(); ++b) {
-      if (blocks_[b].unknowns.size() > options_.largest_block) {
-        return NoEnclosure{"a block of " + std::to_string(blocks_[b].unknowns.size()) +
-                               " unknowns is above the limit of " + std::to_string(options_.largest_block),
-                           {}};
-      }
-    }
-    bool regular = true;
     for (SystemBlock& block : blocks_) {
       stop_if_asked();
       if (block.unknowns.size() == block.equations.size()) {
-        const DenseMatrix J = block_derivative(*system_, block, z_);
-        block.inverse = approximate_inverse(J);
-        if (all_finite(block.inverse.value) && well_conditioned(J, block.inverse)) continue;
+        if (invert(block)) continue;
+        if (block.unknowns.size() > options_.largest_block) return too_large(block);
       }
-      regular = false;
-      break;
+      return make_regular();
     }
-    return regular ? std::nullopt : make_regular();
+    return std::nullopt;
+  }
+
+  NoEnclosure too_large(const SystemBlock& block) const {
+    return {"a block of " + std::to_string(block.unknowns.size()) + " unknowns is above the limit of " +
+                std::to_string(options_.largest_block) + ", and has no sparse factors",
+            {}};
+  }
+
+  /// Finds the inverse of the derivative at the point; false where it has none, or is too large for a dense one.
+  bool invert(SystemBlock& block) const {
+    block.sparse.reset();
+    if (is_large_and_sparse(*system_, block, z_)) block.sparse = sparse_inverse(*system_, block, z_);
+    return block.sparse || invert_densely(block);
+  }
+
+  bool invert_densely(SystemBlock& block) const {
+    block.sparse.reset();
+    if (block.unknowns.size() > options_.largest_block) return false;
+    const DenseMatrix J = block_derivative(*system_, block, z_);
+    block.inverse = approximate_inverse(J);
+    return all_finite(block.inverse.value) && well_conditioned(J, block.inverse);
   }
 
   /// Whether the inverse is one at all: with dependent equations it is noise. Whatever rows and columns are scaled by
@@ -128,10 +140,7 @@ class EnclosureSearch {
     combinations_ = found.dropped;
     blocks_ = blocks_of(*system_, z_, pinned_, dropped_);
     for (SystemBlock& block : blocks_) {
-      if (block.unknowns.size() == block.equations.size()) {
-        block.inverse = approximate_inverse(block_derivative(*system_, block, z_));
-        if (all_finite(block.inverse.value)) continue;
-      }
+      if (block.unknowns.size() == block.equations.size() && invert(block)) continue;
       return NoEnclosure{"the forces of these contacts depend on each other, not exactly, but up to rounding",
                          contacts_of(problem_, *system_, block.unknowns)};
     }
@@ -167,17 +176,19 @@ class EnclosureSearch {
     return last <= 1e-6 * size;
   }
 
+  std::optional<KrawczykBox> test(const SystemBlock& block) const {
+    return block.sparse ? enclose_in_ball(*system_, block, z_) : krawczyk(*system_, block, z_);
+  }
+
   std::variant<Enclosure, NoEnclosure> test() {
     Enclosure result{*system_, z_, std::vector<double>(z_.size(), 0), {}, combinations_, {}, true};
     for (std::size_t j = 0; j < pinned_.size(); ++j) {
       if (pinned_[j]) result.pinned.push_back(j);
     }
     for (SystemBlock& block : blocks_) {
-      std::optional<KrawczykBox> box = krawczyk(*system_, block, z_);
-      if (!box) {  // the point has moved: its own inverse
-        block.inverse = approximate_inverse(block_derivative(*system_, block, z_));
-        box = krawczyk(*system_, block, z_);
-      }
+      std::optional<KrawczykBox> box = test(block);
+      if (!box && invert(block)) box = test(block);  // the point has moved: its own inverse
+      if (!box && block.sparse && invert_densely(block)) box = test(block);
       if (!box) {
         return NoEnclosure{"the equations of these contacts are too close to dependent for binary64",
                            contacts_of(problem_, *system_, block.unknowns)};

@@ -6,6 +6,7 @@
 
 #include "base/number/binary64.hpp"
 #include "base/parallel/stop.hpp"
+#include "contact/enclosure/ball.hpp"
 #include "contact/linear/rounding.hpp"
 
 namespace slipproof {
@@ -157,6 +158,12 @@ std::vector<double> newton_step(const ModeSystem& system, const SystemBlock& blo
                                 std::span<const double> x) {
   std::vector<double> F, step;
   for (const std::size_t e : block.equations) F.push_back(nearest_binary64(system.value(e, z, x)));
+  if (block.sparse) {
+    for (std::size_t i = 0; i < F.size(); ++i) F[i] *= block.sparse->rows[i];
+    step = block.sparse->factor.solve(F);
+    for (std::size_t j = 0; j < step.size(); ++j) step[j] *= block.sparse->columns[j];
+    return step;
+  }
   for (std::size_t j = 0; j < block.unknowns.size(); ++j) step.push_back(dot(block.inverse.row(j), F));
   return step;
 }

@@ -1,6 +1,7 @@
 // A box around an approximate zero of a mode's equations that is proved to contain a zero.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -10,11 +11,14 @@
 
 namespace slipproof {
 
+struct SparseInverse;  // ball.hpp
+
 /// Unknowns and equations that belong together: no other equation contains these unknowns, except pinned ones. There
 /// are as many equations as unknowns.
 struct SystemBlock {
   std::vector<std::size_t> unknowns, equations;
   DenseMatrix inverse;  ///< approximate, of the derivative: rows for the unknowns, columns for the equations
+  std::shared_ptr<const SparseInverse> sparse = {};  ///< in its place for a large block with few entries
 };
 
 /// The connected parts of a system, without the `pinned` unknowns and the `dropped` equations. Some may not be square.

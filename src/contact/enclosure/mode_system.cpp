@@ -145,18 +145,17 @@ std::vector<double> ModeSystem::x_at(std::span<const double> z) const {
   return x;
 }
 
-Rational ModeSystem::value(std::size_t equation, std::span<const double> z, std::span<const double> x) const {
-  const Equation& e = equations_[equation];
-  const auto at = [&](std::size_t j) { return to_rational(z[j]); };
+template <class Row, class At>
+Rational ModeSystem::value_of(const Equation& e, const Row& row, const At& at) const {
   switch (e.kind) {
     case Kind::linear:
-      return exact_row(*problem_, e.row, x);
+      return row(e.row);
     case Kind::tangential:
-      return exact_row(*problem_, e.row, x) + at(e.slip) * at(e.force);
+      return row(e.row) + at(e.slip) * at(e.force);
     case Kind::opening:
-      return exact_row(*problem_, e.row, x) - at(e.slip) * at(e.force) * to_rational(e.mu) * to_rational(e.mu);
+      return row(e.row) - at(e.slip) * at(e.force) * to_rational(e.mu) * to_rational(e.mu);
     case Kind::leaning:
-      return exact_row(*problem_, e.row, x) - to_rational(e.mu) * exact_row(*problem_, e.row + 1, x);
+      return row(e.row) - to_rational(e.mu) * row(e.row + 1);
     case Kind::edge:
       return at(e.force) + to_rational(e.mu) * at(e.normal);
     default: {
@@ -164,6 +163,24 @@ Rational ModeSystem::value(std::size_t equation, std::span<const double> z, std:
       return r1 * r1 + r2 * r2 - bound * bound;
     }
   }
+}
+
+Rational ModeSystem::value(std::size_t equation, std::span<const double> z, std::span<const double> x) const {
+  return value_of(
+      equations_[equation], [&](std::size_t row) { return exact_row(*problem_, row, x); },
+      [&](std::size_t j) { return to_rational(z[j]); });
+}
+
+Rational ModeSystem::value(std::size_t equation, std::span<const Rational> z) const {
+  const auto row = [&](std::size_t i) {
+    Rational sum = to_rational(problem_->c[i]);
+    for (std::size_t e = problem_->A.starts[i]; e < problem_->A.starts[i + 1]; ++e) {
+      const std::size_t j = unknown_of_[problem_->A.column[e]];
+      if (j != none) sum += to_rational(problem_->A.value[e]) * z[j];
+    }
+    return sum;
+  };
+  return value_of(equations_[equation], row, [&](std::size_t j) -> const Rational& { return z[j]; });
 }
 
 std::vector<ModeSystem::Entry> ModeSystem::derivative(std::size_t equation, std::span<const double> z) const {

@@ -89,6 +89,8 @@ class ModeSystem {
   std::vector<double> x_at(std::span<const double> z) const;
   /// F_i, exactly; `x` is x_at(z).
   Rational value(std::size_t equation, std::span<const double> z, std::span<const double> x) const;
+  /// The same at unknowns that are no binary64.
+  Rational value(std::size_t equation, std::span<const Rational> z) const;
   /// Row i of the derivative of F, in no order, each unknown once.
   std::vector<Entry> derivative(std::size_t equation, std::span<const double> z) const;
   /// Upper bound on the terms of second order in F_i for steps up to `radius`, apart from rounding (a few ulps).
@@ -96,6 +98,8 @@ class ModeSystem {
 
  private:
   void add_contact(std::size_t k);
+  template <class Row, class At>
+  Rational value_of(const Equation& e, const Row& row, const At& at) const;
   std::vector<Entry> leaning_row(const Equation& e) const;
 
   const MixedProblem* problem_;  ///< a pointer, so that systems can be assigned

@@ -1,0 +1,34 @@
+// Krawczyk's test for large sparse blocks, in the Euclidean norm: no inverse is formed (MATHEMATICS.md, "Large
+// blocks").
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "contact/enclosure/krawczyk.hpp"
+#include "contact/linear/singular_value.hpp"
+
+namespace slipproof {
+
+/// The derivative of a block's equations with rows and columns scaled by powers of 2, D J E, and its factors.
+struct SparseInverse {
+  SparseMatrix matrix;
+  std::vector<double> rows, columns;  ///< the diagonals of D and E
+  double error = 0;                   ///< upper bound on the norm of what rounding changed in the matrix
+  SparseFactor factor;
+};
+
+/// Nothing where the elimination breaks down, or the matrix is singular as far as binary64 can tell.
+std::shared_ptr<const SparseInverse> sparse_inverse(const ModeSystem& system, const SystemBlock& block,
+                                                    std::span<const double> z);
+
+/// Whether the block is large, and nearly all entries of its derivative are 0.
+bool is_large_and_sparse(const ModeSystem& system, const SystemBlock& block, std::span<const double> z);
+
+/// As krawczyk(); the block has its sparse inverse.
+std::optional<KrawczykBox> enclose_in_ball(const ModeSystem& system, const SystemBlock& block,
+                                           std::span<const double> z);
+
+}  // namespace slipproof
