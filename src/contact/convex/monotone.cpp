@@ -3,8 +3,8 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "base/algebra/union_find.hpp"
 #include "base/number/binary64.hpp"
 #include "contact/linear/definite.hpp"
 
@@ -36,17 +36,12 @@ SparseMatrix symmetric_part(const SparseMatrix& A) {
 
 /// The connected parts of a matrix: of each row the number of its part.
 std::vector<std::size_t> parts_of(const SparseMatrix& B) {
-  std::vector<std::size_t> parent(B.rows);
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
-  const auto root = [&](std::size_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
+  UnionFind parts(B.rows);
   for (std::size_t i = 0; i < B.rows; ++i) {
-    for (const std::uint32_t j : B.columns_of(i)) parent[root(i)] = root(j);
+    for (const std::uint32_t j : B.columns_of(i)) parts.join(i, j);
   }
   std::vector<std::size_t> part(B.rows);
-  for (std::size_t i = 0; i < B.rows; ++i) part[i] = root(i);
+  for (std::size_t i = 0; i < B.rows; ++i) part[i] = parts.find(i);
   return part;
 }
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "base/algebra/union_find.hpp"
 #include "base/number/binary64.hpp"
 #include "base/parallel/stop.hpp"
 #include "contact/enclosure/ball.hpp"
@@ -12,19 +12,6 @@
 namespace slipproof {
 
 namespace {
-
-class UnionFind {
- public:
-  explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-  std::size_t find(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::size_t i, std::size_t j) { parent_[find(i)] = find(j); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 double dot(std::span<const double> a, const std::vector<double>& b) {
   double sum = 0;

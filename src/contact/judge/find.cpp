@@ -3,7 +3,9 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
+#include "base/algebra/union_find.hpp"
 #include "base/parallel/stop.hpp"
 #include "contact/enclosure/answer.hpp"
 #include "contact/enclosure/residual.hpp"
@@ -15,25 +17,113 @@ namespace {
 using Dense = Eigen::MatrixXd;
 using DenseVector = Eigen::VectorXd;
 
-/// u = W r + q with the free unknowns eliminated, which makes W dense.
-struct Delassus {
-  Dense W;
-  DenseVector q;
+/// The free unknowns that depend on each other, as lists: bodies, and what joints connect.
+std::vector<std::vector<std::size_t>> free_parts(const MixedProblem& problem) {
+  UnionFind parts(problem.free);
+  for (std::size_t i = 0; i < problem.free; ++i) {
+    for (const std::uint32_t j : problem.A.columns_of(i)) {
+      if (j < problem.free) parts.join(i, j);
+    }
+  }
+  std::vector<std::vector<std::size_t>> by_root(problem.free);
+  for (std::size_t i = 0; i < problem.free; ++i) by_root[parts.find(i)].push_back(i);
+  std::erase_if(by_root, [](const auto& part) { return part.empty(); });
+  return by_root;
+}
+
+/// x_free = -X r - y in binary64, by the parts of the free unknowns: a row of (column, value) for each.
+struct FreeByForces {
+  std::vector<std::vector<std::pair<std::size_t, double>>> X;
+  std::vector<double> y;
 };
+
+/// Nothing where a part is singular, or larger than `largest`.
+std::optional<FreeByForces> free_by_forces(const MixedProblem& problem, std::size_t largest) {
+  FreeByForces result{std::vector<std::vector<std::pair<std::size_t, double>>>(problem.free),
+                      std::vector<double>(problem.free, 0)};
+  std::vector<Eigen::Index> place(problem.size(), -1);
+  for (const std::vector<std::size_t>& part : free_parts(problem)) {
+    stop_if_asked();
+    if (part.size() > largest) return std::nullopt;
+    const auto n = static_cast<Eigen::Index>(part.size());
+    for (Eigen::Index i = 0; i < n; ++i) place[part[static_cast<std::size_t>(i)]] = i;
+    Dense own = Dense::Zero(n, n);
+    std::map<std::size_t, DenseVector> columns;  // of what depends on forces; the last is the constant
+    const auto column = [&](std::size_t j) -> DenseVector& {
+      return columns.try_emplace(j, DenseVector::Zero(n)).first->second;
+    };
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const std::size_t row = part[static_cast<std::size_t>(i)];
+      column(problem.size())[i] = problem.c[row];
+      for (std::size_t e = problem.A.starts[row]; e < problem.A.starts[row + 1]; ++e) {
+        const std::size_t j = problem.A.column[e];
+        (j < problem.free ? own(i, place[j]) : column(j)[i]) = problem.A.value[e];
+      }
+    }
+    const Eigen::PartialPivLU<Dense> lu(own);
+    for (const auto& [j, b] : columns) {
+      const DenseVector x = lu.solve(b);
+      if (!x.allFinite()) return std::nullopt;
+      for (Eigen::Index i = 0; i < n; ++i) {
+        const std::size_t row = part[static_cast<std::size_t>(i)];
+        if (j == problem.size()) {
+          result.y[row] = x[i];
+        } else if (x[i] != 0) {
+          result.X[row].emplace_back(j - problem.free, x[i]);
+        }
+      }
+    }
+  }
+  return result;
+}
+
+/// u = W r + q with the free unknowns eliminated, in binary64. Nothing where that is impossible, or W would have more
+/// than `most` entries.
+std::optional<MixedProblem> delassus(const MixedProblem& problem, const FindOptions& options) {
+  const auto free = free_by_forces(problem, options.largest);
+  if (!free) return std::nullopt;
+  MixedProblem result;
+  result.dimension = problem.dimension;
+  result.mu = problem.mu;
+  result.law = problem.law;
+  const std::size_t n = problem.size() - problem.free;
+  result.A.rows = result.A.columns = n;
+  std::map<std::size_t, double> row;
+  for (std::size_t i = problem.free; i < problem.size(); ++i) {
+    row.clear();
+    result.c.push_back(problem.c[i]);
+    for (std::size_t e = problem.A.starts[i]; e < problem.A.starts[i + 1]; ++e) {
+      const std::size_t j = problem.A.column[e];
+      const double a = problem.A.value[e];
+      if (j >= problem.free) {
+        row[j - problem.free] += a;
+        continue;
+      }
+      result.c.back() -= a * free->y[j];
+      for (const auto& [k, x] : free->X[j]) row[k] -= a * x;
+    }
+    for (const auto& [j, w] : row) {
+      result.A.column.push_back(static_cast<std::uint32_t>(j));
+      result.A.value.push_back(w);
+    }
+    result.A.starts.push_back(result.A.value.size());
+    if (result.A.value.size() > options.most_entries) return std::nullopt;
+  }
+  return result;
+}
 
 /// The rows of one contact in u = W r + q.
 class ContactRows {
  public:
-  /// Of a problem without free unknowns, as it is; or of its elimination.
-  ContactRows(const MixedProblem& problem, const std::optional<Delassus>& eliminated)
-      : problem_(problem), eliminated_(eliminated), size_(static_cast<Eigen::Index>(problem.dimension)) {}
+  /// Of a problem without free unknowns.
+  explicit ContactRows(const MixedProblem& problem)
+      : problem_(problem), size_(static_cast<Eigen::Index>(problem.dimension)) {}
 
   Eigen::Index first(std::size_t contact) const { return static_cast<Eigen::Index>(contact) * size_; }
   Eigen::Index count() const { return static_cast<Eigen::Index>(problem_.contacts()) * size_; }
 
   /// Its own block of W.
   Dense block(std::size_t contact) const {
-    if (eliminated_) return eliminated_->W.block(first(contact), first(contact), size_, size_);
     Dense own = Dense::Zero(size_, size_);
     each_entry(contact, [&](Eigen::Index i, Eigen::Index column, double value) {
       const Eigen::Index j = column - first(contact);
@@ -44,9 +134,6 @@ class ContactRows {
 
   /// u of the contact.
   DenseVector velocity(std::size_t contact, const DenseVector& r) const {
-    if (eliminated_) {
-      return eliminated_->W.middleRows(first(contact), size_) * r + eliminated_->q.segment(first(contact), size_);
-    }
     DenseVector u(size_);
     for (Eigen::Index i = 0; i < size_; ++i) u[i] = problem_.c[static_cast<std::size_t>(first(contact) + i)];
     each_entry(contact, [&](Eigen::Index i, Eigen::Index column, double value) { u[i] += value * r[column]; });
@@ -65,29 +152,8 @@ class ContactRows {
   }
 
   const MixedProblem& problem_;
-  const std::optional<Delassus>& eliminated_;
   Eigen::Index size_;
 };
-
-std::optional<Delassus> delassus(const MixedProblem& problem) {
-  const auto n = static_cast<Eigen::Index>(problem.size()), free = static_cast<Eigen::Index>(problem.free);
-  Dense A = Dense::Zero(n, n);
-  DenseVector c(n);
-  for (std::size_t i = 0; i < problem.size(); ++i) {
-    c[static_cast<Eigen::Index>(i)] = problem.c[i];
-    for (std::size_t e = problem.A.starts[i]; e < problem.A.starts[i + 1]; ++e) {
-      A(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(problem.A.column[e])) = problem.A.value[e];
-    }
-  }
-  const Eigen::Index m = n - free;
-  const Eigen::PartialPivLU<Dense> lu(A.topLeftCorner(free, free));
-  const Dense X = lu.solve(A.topRightCorner(free, m));
-  const DenseVector y = lu.solve(c.head(free));
-  Delassus result{A.bottomRightCorner(m, m) - A.bottomLeftCorner(m, free) * X,
-                  c.tail(m) - A.bottomLeftCorner(m, free) * y};
-  if (!result.W.allFinite() || !result.q.allFinite()) return std::nullopt;
-  return result;
-}
 
 /// The force of one contact for given forces of the others: a fixed-point iteration of projections on what its law
 /// allows.
@@ -158,13 +224,9 @@ bool apart(const Enclosure& a, const Enclosure& b) {
 }  // namespace
 
 std::vector<double> approximate_solution(const MixedProblem& problem, const FindOptions& options) {
-  std::optional<Delassus> eliminated;
-  if (problem.free > 0) {
-    if (problem.size() > options.largest) return {};
-    eliminated = delassus(problem);
-    if (!eliminated) return {};
-  }
-  const ContactRows rows(problem, eliminated);
+  std::optional<MixedProblem> eliminated;
+  if (problem.free > 0 && !(eliminated = delassus(problem, options))) return {};
+  const ContactRows rows(eliminated ? *eliminated : problem);
   const auto size = static_cast<Eigen::Index>(problem.dimension);
   std::vector<Dense> blocks;
   std::vector<OneContact> contacts;
