@@ -9,9 +9,10 @@
 namespace slipproof {
 
 struct FindOptions {
-  int sweeps = 400;                ///< of the iteration over contacts
-  std::size_t largest = 3000;      ///< components that are made dense, where free unknowns are eliminated
-  std::size_t neighbours = 200;    ///< modes that are tried around a solution
+  int sweeps = 400;                       ///< of the iteration over contacts
+  std::size_t largest = 3000;             ///< free unknowns that depend on each other, which are eliminated densely
+  std::size_t most_entries = 20'000'000;  ///< of the Delassus matrix that remains
+  std::size_t neighbours = 200;           ///< modes that are tried around a solution
   std::vector<double> start = {};  ///< where the iteration begins: x of the problem's size; empty: without forces
 };
 
