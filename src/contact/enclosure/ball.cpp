@@ -24,12 +24,24 @@ double norm_above(std::span<const double> values) {
   return sum == 0 ? 0 : std::sqrt(rounded_up(sum, values.size()) + underflow_of(values.size())) * (1 + 0x1p-50);
 }
 
-/// How far the block's equations are from 0 at z + correction: the norm of D F, evaluated without rounding.
-double defect_at(const ModeSystem& system, const SystemBlock& block, std::span<const double> z,
-                 std::span<const double> correction, const SparseInverse& inverse) {
+/// One step of Newton's method, kept apart from z: what is left is far below the last place of z.
+std::vector<double> correction_at(const ModeSystem& system, const SystemBlock& block, std::span<const double> z) {
+  std::vector<double> correction = newton_step(system, block, z, system.x_at(z));
+  for (double& d : correction) d = -d;
+  return correction;
+}
+
+std::vector<Rational> corrected(const SystemBlock& block, std::span<const double> z,
+                                std::span<const double> correction) {
   std::vector<Rational> exact;
   for (const double x : z) exact.push_back(to_rational(x));
   for (std::size_t j = 0; j < correction.size(); ++j) exact[block.unknowns[j]] += to_rational(correction[j]);
+  return exact;
+}
+
+/// How far the block's equations are from 0: the norm of D F, evaluated without rounding.
+double defect_at(const ModeSystem& system, const SystemBlock& block, const std::vector<Rational>& exact,
+                 const SparseInverse& inverse) {
   std::vector<double> defects;
   for (std::size_t i = 0; i < block.equations.size(); ++i) {
     if (i % 1024 == 0) stop_if_asked();
@@ -90,11 +102,8 @@ std::optional<KrawczykBox> enclose_in_ball(const ModeSystem& system, const Syste
   if (!least || !(*least > 2 * inverse.error)) return std::nullopt;
   const double s = (*least - inverse.error) * (1 - 0x1p-50);
 
-  // One more step of Newton's method, kept apart from z: what is left is far below the last place of z.
-  const std::vector<double> x = system.x_at(z);
-  std::vector<double> correction = newton_step(system, block, z, x);
-  for (double& d : correction) d = -d;
-  const double defect = defect_at(system, block, z, correction, inverse);
+  const std::vector<double> correction = correction_at(system, block, z);
+  const double defect = defect_at(system, block, corrected(block, z, correction), inverse);
 
   // |D Q(E y)| <= curvature |y|^2: each contact has three such terms at most, in unknowns of its own.
   std::vector<double> unit(system.size(), 0);
@@ -117,6 +126,41 @@ std::optional<KrawczykBox> enclose_in_ball(const ModeSystem& system, const Syste
     box.radius.push_back((std::abs(correction[j]) + inverse.columns[j] * radius) * (1 + 0x1p-50) + 0x1p-1060);
   }
   return box;
+}
+
+std::optional<BallProof> prove_in_ball(const Enclosure& box) {
+  const ModeSystem& system = box.system;
+  std::vector<bool> pinned(system.size(), false), dropped(system.size(), false);
+  for (const std::size_t j : box.pinned) pinned[j] = true;
+  for (const DroppedEquation& d : box.dropped) dropped[d.equation] = true;
+  SystemBlock whole;
+  for (std::size_t i = 0; i < system.size(); ++i) {
+    if (!pinned[i]) whole.unknowns.push_back(i);
+    if (!dropped[i]) whole.equations.push_back(i);
+  }
+  whole.sparse = sparse_inverse(system, whole, box.center);
+  if (!whole.sparse) return std::nullopt;
+  const SparseInverse& inverse = *whole.sparse;
+  auto singular = prove_singular_value(inverse.matrix, inverse.factor);
+  if (!singular) return std::nullopt;
+  BallProof proof;
+  proof.center = corrected(whole, box.center, correction_at(system, whole, box.center));
+  const double defect = defect_at(system, whole, proof.center, inverse);
+  const double scale = std::ldexp(1.0, std::ilogb(std::max(defect / singular->value, 0x1p-900)) + 2);
+  proof.radius.assign(system.size(), 1);
+  for (std::size_t j = 0; j < whole.unknowns.size(); ++j) proof.radius[whole.unknowns[j]] = inverse.columns[j] * scale;
+  std::vector<double> moved = proof.radius, bends;
+  for (const std::size_t j : box.pinned) moved[j] = 0;
+  for (std::size_t i = 0; i < whole.equations.size(); ++i) {
+    proof.rows.push_back(inverse.rows[i] / scale);
+    bends.push_back(proof.rows[i] * system.second_order(whole.equations[i], moved) * (1 + 0x1p-40));
+  }
+  proof.least = singular->value;
+  proof.defect = defect / scale;
+  proof.bend = norm_above(bends);
+  proof.factor = std::move(singular->factor);
+  if (!(proof.defect + proof.bend < proof.least)) return std::nullopt;
+  return proof;
 }
 
 }  // namespace slipproof

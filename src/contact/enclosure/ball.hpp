@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "contact/enclosure/krawczyk.hpp"
+#include "contact/enclosure/enclosure.hpp"
 #include "contact/linear/singular_value.hpp"
 
 namespace slipproof {
@@ -30,5 +30,16 @@ bool is_large_and_sparse(const ModeSystem& system, const SystemBlock& block, std
 /// As krawczyk(); the block has its sparse inverse.
 std::optional<KrawczykBox> enclose_in_ball(const ModeSystem& system, const SystemBlock& block,
                                            std::span<const double> z);
+
+/// What a certificate says of a whole system at once (FORMAT.md, `ball`).
+struct BallProof {
+  std::vector<Rational> center;      ///< of all unknowns
+  std::vector<double> radius, rows;  ///< powers of 2; the radius of a pinned unknown is 1
+  double least = 0, defect = 0, bend = 0;
+  std::vector<SingularValueProof::Entry> factor;
+};
+
+/// Of an enclosure whose blocks are large and sparse. Nothing where their norms together are too coarse.
+std::optional<BallProof> prove_in_ball(const Enclosure& enclosure);
 
 }  // namespace slipproof

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "base/number/binary64.hpp"
+#include "contact/enclosure/ball.hpp"
 #include "contact/judge/problem_name.hpp"
 
 namespace slipproof {
@@ -61,12 +62,12 @@ class CertificateWriter {
 
   bool write_solutions(const ContactJudgement& j) {
     if (j.enclosure) {
-      write_enclosure(*j.enclosure, j.rho);
+      if (!write_enclosure(*j.enclosure, j.x)) return false;
     } else if (!j.exact.empty() && !write_exact(j.exact, j.rho)) {
       return false;
     }
     if (j.every) write_every(*j.every);
-    if (j.other) write_enclosure(*j.other, distance_from(*j.other, j.x));
+    if (j.other && !write_enclosure(*j.other, j.x)) return false;
     if (!j.other_exact.empty()) {
       write_exact(j.other_exact, distance_from(j.other_exact, j.x));
     }
@@ -178,15 +179,55 @@ class CertificateWriter {
     vector("motion", motion);
   }
 
-  void write_enclosure(const Enclosure& box, double rho) {
-    line("enclosure {:a}", rho);
+  /// By inverses of its blocks, or where one of them is large and sparse as a ball. False where that is too coarse.
+  bool write_enclosure(const Enclosure& box, std::span<const double> answer) {
+    const auto is_sparse = [](const SystemBlock& block) { return block.sparse != nullptr; };
+    if (std::any_of(box.blocks.begin(), box.blocks.end(), is_sparse)) return write_ball(box, answer);
+    line("enclosure {:a}", distance_from(box, answer));
+    std::vector<double> radius = box.radius;
+    for (const std::size_t j : box.pinned) radius[j] = 1;  // any positive number: it is not used
+    write_modes(box);
+    vector("center", box.center);
+    vector("radius", radius);
+    write_dependent(box);
+    write_inverse(box);
+    return true;
+  }
+
+  bool write_ball(const Enclosure& box, std::span<const double> answer) {
+    const auto proof = prove_in_ball(box);
+    if (!proof) return false;
+    Rational rho = 0;
+    for (std::size_t i = 0; i < answer.size(); ++i) {
+      const std::size_t j = box.system.unknown(i);
+      const bool pinned = std::find(box.pinned.begin(), box.pinned.end(), j) != box.pinned.end();
+      const Rational center = j == ModeSystem::none ? Rational(0) : proof->center[j];
+      const Rational radius = j == ModeSystem::none || pinned ? Rational(0) : to_rational(proof->radius[j]);
+      rho = std::max(rho, Rational(abs(center - to_rational(answer[i])) + radius));
+    }
+    line("ball {:a}", enclose(rho).upper);
+    write_modes(box);
+    vector("center", proof->center);
+    vector("radius", proof->radius);
+    write_dependent(box);
+    vector("rows", proof->rows);
+    line("least {:a}", proof->least);
+    line("defect {:a}", proof->defect);
+    line("bend {:a}", proof->bend);
+    line("factor {}", proof->factor.size());
+    for (const auto& e : proof->factor) {
+      line("{} {} {}", e.row, e.column, Rational(to_rational(e.high) + to_rational(e.low)).str());
+    }
+    return true;
+  }
+
+  void write_modes(const Enclosure& box) {
     text_ += "modes";
     for (const ConeState state : box.system.mode()) add(" {}", name(state));
     text_ += '\n';
-    vector("center", box.center);
-    std::vector<double> radius = box.radius;
-    for (const std::size_t j : box.pinned) radius[j] = 1;  // any positive number: it is not used
-    vector("radius", radius);
+  }
+
+  void write_dependent(const Enclosure& box) {
     add("pinned {}", box.pinned.size());
     for (const std::size_t j : box.pinned) add(" {}", j);
     line("\ndropped {}", box.dropped.size());
@@ -195,7 +236,6 @@ class CertificateWriter {
       for (const auto& [equation, coefficient] : d.combination) add(" {} {}", equation, coefficient.str());
       text_ += '\n';
     }
-    write_inverse(box);
   }
 
   /// Unknowns and equations are counted without the pinned and the dropped ones.

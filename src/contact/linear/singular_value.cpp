@@ -55,14 +55,24 @@ WideMatrix lower_square(const SparseMatrix& A) {
   return result;
 }
 
-/// Whether Cholesky's method in 106 bits goes to its end.
-bool is_positive(const WideMatrix& lower, double shift) {
+using WideCholesky = Eigen::SimplicialLLT<WideMatrix, Eigen::Lower>;
+
+/// Cholesky's method in 106 bits; null where it does not go to its end.
+std::unique_ptr<WideCholesky> cholesky(const WideMatrix& lower, double shift) {
   WideMatrix shifted = lower;
   for (Eigen::Index j = 0; j < shifted.cols(); ++j) shifted.coeffRef(j, j) -= DoubleDouble(shift);
   stop_if_asked();
-  const Eigen::SimplicialLLT<WideMatrix, Eigen::Lower> llt(shifted);
-  return llt.info() == Eigen::Success;
+  auto result = std::make_unique<WideCholesky>(shifted);
+  return result->info() == Eigen::Success ? std::move(result) : nullptr;
 }
+
+/// A shift for which it does, and what rounding may have hidden.
+struct Shifted {
+  double shift, lost;
+  std::unique_ptr<WideCholesky> cholesky;
+};
+
+std::optional<Shifted> largest_shift(const SparseMatrix& A, const SparseFactor& factor);
 
 }  // namespace singular
 
@@ -123,22 +133,42 @@ double guessed_singular_value(std::size_t n, const SparseFactor& factor) {
   return 1 / std::sqrt(growth);
 }
 
-std::optional<double> least_singular_value(const SparseMatrix& A, const SparseFactor& factor) {
+std::optional<singular::Shifted> singular::largest_shift(const SparseMatrix& A, const SparseFactor& factor) {
   const auto n = static_cast<double>(A.rows);
   const double guess = guessed_singular_value(A.rows, factor);
   if (!(guess > 0)) return std::nullopt;
-  const singular::WideMatrix lower = singular::lower_square(A);
+  const WideMatrix lower = lower_square(A);
   double trace = 0;
   for (const double v : A.value) trace += v * v;
   trace *= 1 + 0x1p-20;  // far fewer than 2^30 terms
   // Products and Cholesky's method: each at most gamma_(n+2) trace; what underflows is far below.
   const double lost = 2 * (n + 8) * double_double_roundoff * 1.001 * trace + n * n * 0x1p-1000;
   for (double s = 0.7 * guess; s > 1e-3 * guess; s /= 4) {
-    const double shift = s * s;
-    if (shift <= 4 * lost) return std::nullopt;
-    if (singular::is_positive(lower, shift)) return std::sqrt(shift - lost) * (1 - 0x1p-50);
+    if (s * s <= 4 * lost) return std::nullopt;
+    if (auto found = cholesky(lower, s * s)) return Shifted{s * s, lost, std::move(found)};
   }
   return std::nullopt;
+}
+
+std::optional<double> least_singular_value(const SparseMatrix& A, const SparseFactor& factor) {
+  const auto found = singular::largest_shift(A, factor);
+  if (!found) return std::nullopt;
+  return std::sqrt(found->shift - found->lost) * (1 - 0x1p-50);
+}
+
+std::optional<SingularValueProof> prove_singular_value(const SparseMatrix& A, const SparseFactor& factor) {
+  const auto found = singular::largest_shift(A, factor);
+  if (!found) return std::nullopt;
+  SingularValueProof result{std::sqrt(found->shift / 2) * (1 - 0x1p-50), {}};
+  const singular::WideMatrix L = found->cholesky->matrixL();
+  const auto& back = found->cholesky->permutationPinv().indices();
+  const auto in_order = [&](Eigen::Index i) { return static_cast<std::size_t>(back.size() > 0 ? back[i] : i); };
+  for (Eigen::Index j = 0; j < L.cols(); ++j) {
+    for (singular::WideMatrix::InnerIterator it(L, j); it; ++it) {
+      result.factor.push_back({in_order(it.row()), static_cast<std::size_t>(j), it.value().high, it.value().low});
+    }
+  }
+  return result;
 }
 
 }  // namespace slipproof

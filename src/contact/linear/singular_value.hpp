@@ -40,4 +40,16 @@ double guessed_singular_value(std::size_t n, const SparseFactor& factor);
 /// most, has no eigenvalue below t - 2 gamma trace. The time is that of a sparse factorisation of A^T A, times 20.
 std::optional<double> least_singular_value(const SparseMatrix& A, const SparseFactor& factor);
 
+/// The same with what shows it: A^T A - 2 value^2 I is L L^T, as far as 106 bits tell. L is in the order of A's
+/// columns.
+struct SingularValueProof {
+  struct Entry {
+    std::size_t row, column;
+    double high, low;  ///< their sum
+  };
+  double value = 0;
+  std::vector<Entry> factor;
+};
+std::optional<SingularValueProof> prove_singular_value(const SparseMatrix& A, const SparseFactor& factor);
+
 }  // namespace slipproof

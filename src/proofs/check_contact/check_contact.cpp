@@ -2,8 +2,8 @@
 
 #include <optional>
 
+#include "proofs/check_contact/ball.hpp"
 #include "proofs/check_contact/claims.hpp"
-#include "proofs/check_contact/enclosure.hpp"
 #include "proofs/check_contact/every_solution.hpp"
 
 namespace slipproof::check_contact {
@@ -15,6 +15,7 @@ std::string claim(const Problem& problem, Reader& reader, const char* expected) 
   if (reader.accept("none-within")) return none_within(problem, reader);
   if (reader.accept("no-solution")) return no_solution(problem, reader);
   if (reader.accept("enclosure")) return Enclosure(problem, reader).check();
+  if (reader.accept("ball")) return Ball(problem, reader).check();
   if (reader.accept("unique")) return unique(problem, reader);
   if (reader.accept("every-solution")) return every_solution(problem, reader);
   reader.refuse(expected);

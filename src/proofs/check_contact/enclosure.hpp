@@ -21,9 +21,11 @@ struct Equation {
 /// A dropped equation is this combination of others.
 using Dropped = std::map<std::size_t, Row>;
 
-class Enclosure {
+/// A neighbourhood of a point in given modes, and what holds everywhere in it; that it contains a zero of their
+/// equations is for those that derive from it.
+class Neighbourhood {
  public:
-  Enclosure(const Problem& problem, Reader& reader) : problem_(problem), rho_(reader.number()) {
+  Neighbourhood(const Problem& problem, Reader& reader) : problem_(problem), rho_(reader.number()) {
     reader.expect("modes");
     signs_.resize(problem.contacts());
     for (std::size_t k = 0; k < problem.contacts(); ++k) modes_.push_back(mode(reader, k));
@@ -34,8 +36,8 @@ class Enclosure {
     for (std::size_t left = reader.count(); left > 0; --left) pinned_.insert(reader.index(unknowns_, pinned_));
     reader.expect("dropped");
     for (std::size_t left = reader.count(); left > 0; --left) read_dropped(reader);
-    inverse_ = reader.entries("inverse", unknowns_ - pinned_.size(), unknowns_ - dropped_.size());
   }
+  virtual ~Neighbourhood() = default;
 
   std::string check() {
     opens_ = problem_.law.is(Law::Kind::associated);
@@ -47,11 +49,29 @@ class Enclosure {
     list_equations();
     for (const auto& [row, combination] : dropped_) check_dropped(row, combination);
     require(pinned_.size() == dropped_.size(), "as many unknowns as equations must be left");
-    check_contraction();
+    check_zero();
     for (std::size_t k = 0; k < problem_.contacts(); ++k) check_contact(k);
     check_distance();
     return "a solution within " + decimal(rho_) + " of the answer";
   }
+
+ protected:
+  /// The equations that are kept have a zero within the radii of the center.
+  virtual void check_zero() const = 0;
+
+  std::vector<const Equation*> kept() const {
+    std::vector<const Equation*> result;
+    for (std::size_t i = 0; i < unknowns_; ++i) {
+      if (dropped_.count(i) == 0) result.push_back(&equations_[i]);
+    }
+    return result;
+  }
+
+  const Problem& problem_;
+  std::size_t unknowns_ = 0;  ///< and equations
+  Vector center_, radius_;    ///< radius 0 where pinned
+  Indices pinned_;
+  Dropped dropped_;
 
  private:
   Mode mode(Reader& reader, std::size_t k) {
@@ -196,29 +216,6 @@ class Enclosure {
     }
   }
 
-  /// For each unknown that is left, |R f| + |I - R J| p + |R| q <= p and |I - R J| p < p.
-  void check_contraction() const {
-    std::vector<const Equation*> kept;
-    for (std::size_t i = 0; i < unknowns_; ++i) {
-      if (dropped_.count(i) == 0) kept.push_back(&equations_[i]);
-    }
-    std::size_t row = 0;
-    for (std::size_t j = 0; j < unknowns_; ++j) {
-      if (pinned_.count(j) > 0) continue;
-      Number shift, rest, spread;
-      Vector product(unknowns_);
-      product[j] = -1;
-      for (const auto& [i, r] : inverse_[row++]) {
-        shift += r * kept[i]->value;
-        rest += abs(r) * kept[i]->rest;
-        for (const auto& [k, a] : kept[i]->slope) product[k] += r * a;
-      }
-      for (std::size_t k = 0; k < unknowns_; ++k) spread += abs(product[k]) * radius_[k];
-      require(spread < radius_[j], "unknown", j, "|I - R J| p is not less than its radius");
-      require(abs(shift) + spread + rest <= radius_[j], "unknown", j, "the box is not mapped into its radius");
-    }
-  }
-
   /// The least that a linear function is in the box.
   Number least(const Equation& function) const {
     Number result = function.value;
@@ -280,18 +277,43 @@ class Enclosure {
     }
   }
 
-  const Problem& problem_;
   Number rho_;
   bool opens_ = false;  ///< by the associated law, what slides
   std::vector<Mode> modes_;
   std::vector<Signs> signs_;
   std::map<std::size_t, std::size_t> unknown_;  ///< the place among the unknowns of a component of x that is one
-  std::size_t unknowns_ = 0;                    ///< and equations
-  Vector center_, radius_;                      ///< radius 0 where pinned
-  Indices pinned_;
-  Dropped dropped_;
-  Matrix inverse_;
   std::vector<Equation> equations_;
+};
+
+/// By an approximate inverse, component by component.
+class Enclosure : public Neighbourhood {
+ public:
+  Enclosure(const Problem& problem, Reader& reader) : Neighbourhood(problem, reader) {
+    inverse_ = reader.entries("inverse", unknowns_ - pinned_.size(), unknowns_ - dropped_.size());
+  }
+
+ private:
+  /// For each unknown that is left, |R f| + |I - R J| p + |R| q <= p and |I - R J| p < p.
+  void check_zero() const override {
+    const std::vector<const Equation*> kept = this->kept();
+    std::size_t row = 0;
+    for (std::size_t j = 0; j < unknowns_; ++j) {
+      if (pinned_.count(j) > 0) continue;
+      Number shift, rest, spread;
+      Vector product(unknowns_);
+      product[j] = -1;
+      for (const auto& [i, r] : inverse_[row++]) {
+        shift += r * kept[i]->value;
+        rest += abs(r) * kept[i]->rest;
+        for (const auto& [k, a] : kept[i]->slope) product[k] += r * a;
+      }
+      for (std::size_t k = 0; k < unknowns_; ++k) spread += abs(product[k]) * radius_[k];
+      require(spread < radius_[j], "unknown", j, "|I - R J| p is not less than its radius");
+      require(abs(shift) + spread + rest <= radius_[j], "unknown", j, "the box is not mapped into its radius");
+    }
+  }
+
+  Matrix inverse_;
 };
 
 }  // namespace slipproof::check_contact
