@@ -52,8 +52,9 @@ double defect_at(const ModeSystem& system, const SystemBlock& block, const std::
 
 }  // namespace
 
-bool is_large_and_sparse(const ModeSystem& system, const SystemBlock& block, std::span<const double> z) {
-  constexpr std::size_t large = 400;
+bool is_large_and_sparse(const ModeSystem& system, const SystemBlock& block, std::span<const double> z,
+                         std::size_t large) {
+  if (large == 0) return block.unknowns.size() == block.equations.size();
   const std::size_t n = block.unknowns.size();
   if (n < large || n != block.equations.size()) return false;
   std::size_t entries = 0;

@@ -24,8 +24,9 @@ struct SparseInverse {
 std::shared_ptr<const SparseInverse> sparse_inverse(const ModeSystem& system, const SystemBlock& block,
                                                     std::span<const double> z);
 
-/// Whether the block is large, and nearly all entries of its derivative are 0.
-bool is_large_and_sparse(const ModeSystem& system, const SystemBlock& block, std::span<const double> z);
+/// Whether the block has at least so many unknowns, and nearly all entries of its derivative are 0; with 0: always.
+bool is_large_and_sparse(const ModeSystem& system, const SystemBlock& block, std::span<const double> z,
+                         std::size_t large);
 
 /// As krawczyk(); the block has its sparse inverse.
 std::optional<KrawczykBox> enclose_in_ball(const ModeSystem& system, const SystemBlock& block,

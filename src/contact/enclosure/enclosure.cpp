@@ -110,7 +110,9 @@ class EnclosureSearch {
   /// Finds the inverse of the derivative at the point; false where it has none, or is too large for a dense one.
   bool invert(SystemBlock& block) const {
     block.sparse.reset();
-    if (is_large_and_sparse(*system_, block, z_)) block.sparse = sparse_inverse(*system_, block, z_);
+    if (is_large_and_sparse(*system_, block, z_, options_.sparse_from)) {
+      block.sparse = sparse_inverse(*system_, block, z_);
+    }
     return block.sparse || invert_densely(block);
   }
 

@@ -37,6 +37,8 @@ struct NoEnclosure {
 struct EnclosureOptions {
   std::size_t largest_block = 6000;  ///< unknowns; a block takes 24 bytes and about 4 n operations for each pair
   int modes = 40;                    ///< how many are tried on the way
+  /// Blocks of so many unknowns, of whose derivative nearly all is 0, are enclosed without an inverse; 0: all are.
+  std::size_t sparse_from = 400;
 };
 
 /// Newton's method from an answer, which changes the mode where the projection says so, then Krawczyk's test and the

@@ -74,7 +74,9 @@ class Lawful {
         }
         if (state == 2) return add_creep(N, size, c, -a, b);
         break;
-      default:
+      case FrictionLaw::cone:
+        if (state == 1) return put({N, a * size, b * size}, {0, 0, 0});
+        if (state == 2) return put({N, 20 * a * size, 20 * b * size}, {0, -a * s, -b * s});
         break;
     }
     put({0, 0, 0}, {s, a, b});

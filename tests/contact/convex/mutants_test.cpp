@@ -31,9 +31,11 @@ std::vector<std::string> words_of(const std::string& text) {
 
 /// A certificate without the name of its problem, of one kind of claim. Empty if it has none of it.
 std::string certificate_of(const LawfulProblem& known, const std::vector<double>& answer, const std::string& kind) {
-  ContactJudgement judgement = judge_contacts(known.problem, answer, {}, {});
+  ContactJudgeOptions options;
+  if (kind == "ball") options.enclosure.sparse_from = 0;
+  ContactJudgement judgement = judge_contacts(known.problem, answer, {}, options);
   if (kind == "eps") judgement.verdict = ContactVerdict::eps_solution;
-  if (kind == "enclosure") judgement.every.reset();
+  if (kind == "enclosure" || kind == "ball") judgement.every.reset();
   if (kind == "every-solution") judgement.enclosure.reset();
   std::string text = contact_certificate(known.problem, judgement);
   if (text.find(kind) == std::string::npos) return {};
@@ -89,6 +91,9 @@ TEST_CASE("mutants of certificates of every law are judged alike by two checkers
                                 {FrictionLaw::regularised, Regularisation::soft, "eps"},
                                 {FrictionLaw::associated, Regularisation::linear, "enclosure"},
                                 {FrictionLaw::box, Regularisation::linear, "enclosure"},
+                                {FrictionLaw::associated, Regularisation::linear, "ball"},
+                                {FrictionLaw::box, Regularisation::linear, "ball"},
+                                {FrictionLaw::cone, Regularisation::linear, "ball"},
                                 {FrictionLaw::associated, Regularisation::linear, "every-solution"},
                                 {FrictionLaw::fixed, Regularisation::linear, "every-solution"}};
   const int mutants = how_many("SLIPPROOF_LAW_MUTANTS", 150);

@@ -310,7 +310,7 @@ struct Form {
   bool linear = true;
 };
 
-void enclosure(const Certificate& p, Words& words) {
+void enclosure(const Certificate& p, Words& words, bool ball) {
   const Q rho = words.number();
   words.expect("modes");
   std::vector<std::string> mode;
@@ -347,8 +347,20 @@ void enclosure(const Certificate& p, Words& words) {
       combination[i] = words.number();
     }
   }
-  words.expect("inverse");
-  const Mat R = words.entries(N - pinned.size(), N - dropped.size());
+  const std::size_t M = N - pinned.size(), equations = N - dropped.size();
+  Vec D;
+  Q least_singular, defect, bend;
+  if (ball) {
+    D = words.named("rows", equations);
+    words.expect("least");
+    least_singular = words.number();
+    words.expect("defect");
+    defect = words.number();
+    words.expect("bend");
+    bend = words.number();
+  }
+  words.expect(ball ? "factor" : "inverse");
+  const Mat R = words.entries(M, ball ? M : equations);
   need(p.has_answer && rho >= 0, "answer");
   need(p.law == "coulomb" || p.law == "associated" || p.law == "box", "law");
   // The sign with which a contact slides in direction t, from 1; 0 where it does not.
@@ -434,7 +446,28 @@ void enclosure(const Certificate& p, Words& words) {
     if (dropped.count(i) == 0) kept.push_back(i);
     if (pinned.count(i) == 0) left.push_back(i);
   }
-  for (std::size_t a = 0; a < left.size(); ++a) {
+  if (ball) {  // as if with the inverse of D J P: |y| <= 1 is mapped into itself
+    Q defects, bends;
+    Mat rows(M, Vec(M));
+    for (std::size_t i = 0; i < M; ++i) {
+      const Form& f = F[kept[i]];
+      defects += D[i] * D[i] * f.value * f.value;
+      bends += D[i] * D[i] * f.rest * f.rest;
+      for (std::size_t j = 0; j < M; ++j) rows[i][j] = D[i] * f.slope[left[j]] * radius[left[j]];
+    }
+    need(least_singular > 0 && defect >= 0 && bend >= 0 && defect + bend <= least_singular, "ball");
+    need(defects <= defect * defect && bends <= bend * bend, "defect or bend");
+    for (std::size_t i = 0; i < M; ++i) {
+      Q excess;
+      for (std::size_t j = 0; j < M; ++j) {
+        Q g = i == j ? Q(-least_singular * least_singular) : Q(0);
+        for (std::size_t k = 0; k < M; ++k) g += rows[k][i] * rows[k][j] - R[i][k] * R[j][k];
+        excess += i == j ? g : Q(-absolute(g));
+      }
+      need(excess >= 0, "least singular value");
+    }
+  }
+  for (std::size_t a = 0; a < left.size() && !ball; ++a) {
     Q shift, rest, spread;
     for (std::size_t b = 0; b < kept.size(); ++b) {
       shift += R[a][b] * F[kept[b]].value;
@@ -546,7 +579,9 @@ std::string second_reading(const std::string& text) {
         if (words.take("eps")) {
           second::eps(p, words);
         } else if (words.take("enclosure")) {
-          second::enclosure(p, words);
+          second::enclosure(p, words, false);
+        } else if (words.take("ball")) {
+          second::enclosure(p, words, true);
         } else if (words.take("every-solution")) {
           second::every(p, words);
         } else {
