@@ -21,7 +21,7 @@ double between(Dice& dice, double low, double high) {
   return low + (high - low) * dice.number(0, 1'000'000) * 1e-6;
 }
 
-Rational exact(const DoubleDouble& x) {
+Rational value_of(const DoubleDouble& x) {
   return to_rational(x.high) + to_rational(x.low);
 }
 
@@ -77,12 +77,12 @@ TEST_CASE("numbers of 106 bits are rounded by less than their bound") {
   };
   for (int i = 0; i < 20000; ++i) {
     const DoubleDouble a = number(), b = number();
-    const Rational x = exact(a), y = exact(b);
-    CHECK(abs(exact(a + b) - (x + y)) <= bound * abs(x + y));
-    CHECK(abs(exact(a - b) - (x - y)) <= bound * abs(x - y));
-    CHECK(abs(exact(a * b) - x * y) <= bound * abs(x * y));
-    CHECK(abs(exact(a / b) - x / y) <= bound * abs(x / y));
-    const Rational root = exact(sqrt(abs(a)));
+    const Rational x = value_of(a), y = value_of(b);
+    CHECK(abs(value_of(a + b) - (x + y)) <= bound * abs(x + y));
+    CHECK(abs(value_of(a - b) - (x - y)) <= bound * abs(x - y));
+    CHECK(abs(value_of(a * b) - x * y) <= bound * abs(x * y));
+    CHECK(abs(value_of(a / b) - x / y) <= bound * abs(x / y));
+    const Rational root = value_of(sqrt(abs(a)));
     CHECK(abs(root * root - abs(x)) <= 2 * bound * abs(x));
   }
 }
