@@ -147,7 +147,8 @@ std::optional<BallProof> prove_in_ball(const Enclosure& box) {
   BallProof proof;
   proof.center = corrected(whole, box.center, correction_at(system, whole, box.center));
   const double defect = defect_at(system, whole, proof.center, inverse);
-  const double scale = std::ldexp(1.0, std::ilogb(std::max(defect / singular->value, 0x1p-900)) + 2);
+  // Not so small that its square underflows, even where the center is exact.
+  const double scale = std::ldexp(1.0, std::ilogb(std::max(defect / singular->value, 0x1p-300)) + 2);
   proof.radius.assign(system.size(), 1);
   for (std::size_t j = 0; j < whole.unknowns.size(); ++j) proof.radius[whole.unknowns[j]] = inverse.columns[j] * scale;
   std::vector<double> moved = proof.radius, bends;

@@ -108,6 +108,8 @@ TEST_CASE("mutants of certificates of every law are judged alike by two checkers
       std::vector<double> answer = known.x;
       for (double& x : answer) x *= 1 + dice.number(-3, 3) * 1e-9;
       const std::string text = certificate_of(known, answer, kinds[k].claim);
+      CAPTURE(kinds[k].claim);
+      CAPTURE(name(kinds[k].law));
       REQUIRE(!text.empty());
       REQUIRE(first_reading(text) == "accepted");
       REQUIRE(second_reading(text) == "accepted");
