@@ -99,7 +99,7 @@ TEST_CASE("mutants of certificates of every law are judged alike by two checkers
   const int mutants = how_many("SLIPPROOF_LAW_MUTANTS", 150);
   std::map<std::string, int> count;
   for (std::size_t k = 0; k < kinds.size(); ++k) {
-    for (int i = 0; i < mutants;) {
+    for (int i = 0, made = 0; made < mutants; ++i) {
       Dice dice(31 + k, static_cast<std::uint64_t>(i));
       ContactLaw law;
       law.kind = kinds[k].law;
@@ -110,11 +110,12 @@ TEST_CASE("mutants of certificates of every law are judged alike by two checkers
       const std::string text = certificate_of(known, answer, kinds[k].claim);
       CAPTURE(kinds[k].claim);
       CAPTURE(name(kinds[k].law));
-      REQUIRE(!text.empty());
+      REQUIRE(i < 2 * mutants);
+      if (text.empty()) continue;  // all contacts are open, and there is nothing to enclose
       REQUIRE(first_reading(text) == "accepted");
       REQUIRE(second_reading(text) == "accepted");
       const std::vector<std::string> words = words_of(text);
-      for (int m = 0; m < 50 && i < mutants; ++m, ++i) {
+      for (int m = 0; m < 50 && made < mutants; ++m, ++made) {
         const std::string mutant = changed(words, dice);
         const std::string first = first_reading(mutant), second = second_reading(mutant);
         CAPTURE(mutant);
