@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "base/number/dice.hpp"
+#include "contact/enclosure/known_problem.hpp"
 #include "contact/exact/exact_lcp.hpp"
+#include "contact/judge/find.hpp"
 #include "contact/judge/judge.hpp"
 
 namespace {
@@ -86,6 +88,42 @@ void enclosure_of_contacts(benchmark::State& state) {
   }
 }
 BENCHMARK(enclosure_of_contacts)->Arg(60)->Arg(733)->Arg(2143)->Unit(benchmark::kMillisecond);
+
+/// Balls in rows that push each other: a row of so many, or as many rows.
+void coupled(benchmark::State& state) {
+  const auto contacts = static_cast<std::size_t>(state.range(0)), rows = static_cast<std::size_t>(state.range(1));
+  Dice dice(3, contacts);
+  const test::KnownProblem made = test::coupled_contacts(dice, contacts, rows);
+  for (auto _ : state) {
+    if (!judge_contacts(made.problem, made.x, {}, {}).enclosure) state.SkipWithError("no enclosure");
+  }
+}
+BENCHMARK(coupled)->ArgsProduct({{200, 1000, 10000, 30000}, {1}})->Unit(benchmark::kMillisecond);
+BENCHMARK(coupled)->Args({20, 20})->Args({40, 40})->Args({80, 80})->Unit(benchmark::kMillisecond);
+
+/// What sweeps over the contacts take to find the answer, where they find one: W's diagonal exceeds its row by 1/2.
+void sweeps_find(benchmark::State& state) {
+  const auto contacts = static_cast<std::size_t>(state.range(0));
+  Dice dice(3, contacts);
+  const test::KnownProblem made = test::coupled_contacts(dice, contacts, 1, 0.5);
+  for (auto _ : state) {
+    const std::vector<double> x = approximate_solution(made.problem);
+    const Residual found = residual(made.problem, x, exact_rows(made.problem, x));
+    if (found.backward_error() > 1e-10) state.SkipWithError("not found");
+  }
+}
+BENCHMARK(sweeps_find)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
+
+/// And what it takes to enclose it.
+void enclosure_of_what_sweeps_find(benchmark::State& state) {
+  const auto contacts = static_cast<std::size_t>(state.range(0));
+  Dice dice(3, contacts);
+  const test::KnownProblem made = test::coupled_contacts(dice, contacts, 1, 0.5);
+  for (auto _ : state) {
+    if (!judge_contacts(made.problem, made.x, {}, {}).enclosure) state.SkipWithError("no enclosure");
+  }
+}
+BENCHMARK(enclosure_of_what_sweeps_find)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
 
 /// Random and positive definite, all components active.
 void exact_complementarity(benchmark::State& state) {

@@ -37,35 +37,6 @@ SparseMatrix sparse_random(Dice& dice, std::size_t n, double apart) {
   return from_dense(n, n, A);
 }
 
-/// Balls in a row, all closed: contact k pushes its neighbours, and the answer is known to the last digit.
-KnownProblem row_of_balls(Dice& dice, std::size_t contacts) {
-  KnownProblem known;
-  MixedProblem& p = known.problem;
-  const std::size_t n = 3 * contacts;
-  std::vector<MatrixEntry> entries, twice;
-  const auto put = [&](std::size_t i, std::size_t j, double a) {
-    entries.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), a});
-  };
-  std::vector<double> u(n, 0);
-  for (std::size_t k = 0; k < contacts; ++k) {
-    for (std::size_t i = 3 * k; i < 3 * k + 3; ++i) {
-      put(i, i, 2);
-      if (k > 0) put(i, i - 3, -1), put(i - 3, i, -1);
-    }
-    put(3 * k, 3 * k + 1, 0.25), put(3 * k + 1, 3 * k, 0.25);
-    const double size = dice.number(1, 20);
-    const bool slides = dice.chance(3);
-    known.x.insert(known.x.end(), {20 * size, (slides ? 6 : 1) * size, (slides ? 8 : 1) * size});
-    known.mode.push_back(slides ? ConeState::slide : ConeState::stick);
-    if (slides) u[3 * k + 1] = -3 * size, u[3 * k + 2] = -4 * size;
-  }
-  p.A = sparse_matrix(n, n, std::move(entries), twice);
-  p.mu.assign(contacts, 0.5);
-  p.c.assign(n, 0);
-  for (std::size_t i = 0; i < n; ++i) p.c[i] = (to_rational(u[i]) - exact_row(p, i, known.x)).to_double();
-  return known;
-}
-
 }  // namespace
 
 TEST_CASE("numbers of 106 bits are rounded by less than their bound") {
@@ -116,7 +87,7 @@ TEST_CASE("a bound on the least singular value is below it, and near") {
 TEST_CASE("balls around solutions of long rows contain them, and their certificates are accepted") {
   for (int i = 0; i < how_many("SLIPPROOF_LONG_ROWS", 6); ++i) {
     Dice dice(10, static_cast<std::uint64_t>(i));
-    const KnownProblem known = row_of_balls(dice, static_cast<std::size_t>(dice.number(150, 400)));
+    const KnownProblem known = coupled_contacts(dice, static_cast<std::size_t>(dice.number(150, 400)), 1);
     std::vector<double> answer = known.x;
     for (double& x : answer) x *= 1 + dice.number(-1000, 1000) * 1e-13;
     const ContactJudgement found = judge_contacts(known.problem, answer, {}, {});
@@ -163,7 +134,7 @@ TEST_CASE("without inverses small problems get the verdicts that they get with t
 
 TEST_CASE("a row of ten thousand contacts is certified, and one that is spoiled is not") {
   Dice dice(12, 0);
-  const KnownProblem known = row_of_balls(dice, 10000);
+  const KnownProblem known = coupled_contacts(dice, 10000, 1);
   CHECK(judge_contacts(known.problem, known.x, {}, {}).verdict == ContactVerdict::solution_within_rho);
   std::vector<double> spoiled = known.x;
   spoiled[15000] += 1;

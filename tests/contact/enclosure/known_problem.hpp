@@ -72,4 +72,37 @@ inline KnownProblem known_problem(Dice& dice, std::size_t contacts) {
   return known;
 }
 
+/// Contacts that push their neighbours as balls do, in rows of `contacts` one above the other, all closed; the answer
+/// is known to the last digit. `own` is what the diagonal of W has beyond the sum of its row: 0 for balls, whose
+/// condition grows with the square of a row's length.
+inline KnownProblem coupled_contacts(Dice& dice, std::size_t contacts, std::size_t rows, double own = 0) {
+  KnownProblem known;
+  MixedProblem& p = known.problem;
+  const std::size_t n = 3 * contacts * rows;
+  std::vector<MatrixEntry> entries, twice;
+  const auto put = [&](std::size_t i, std::size_t j, double a) {
+    entries.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), a});
+    if (i != j) entries.push_back({static_cast<std::uint32_t>(j), static_cast<std::uint32_t>(i), a});
+  };
+  std::vector<double> u(n, 0);
+  for (std::size_t k = 0; k < contacts * rows; ++k) {
+    for (std::size_t i = 3 * k; i < 3 * k + 3; ++i) {
+      put(i, i, own + (rows > 1 ? 4 : 2));
+      if (k % contacts > 0) put(i, i - 3, -1);
+      if (k >= contacts) put(i, i - 3 * contacts, -1);
+    }
+    put(3 * k, 3 * k + 1, 0.25);
+    const double size = dice.number(1, 20);
+    const bool slides = dice.chance(3);
+    known.x.insert(known.x.end(), {20 * size, (slides ? 6 : 1) * size, (slides ? 8 : 1) * size});
+    known.mode.push_back(slides ? ConeState::slide : ConeState::stick);
+    if (slides) u[3 * k + 1] = -3 * size, u[3 * k + 2] = -4 * size;
+  }
+  p.A = sparse_matrix(n, n, std::move(entries), twice);
+  p.mu.assign(contacts * rows, 0.5);
+  p.c.assign(n, 0);
+  for (std::size_t i = 0; i < n; ++i) p.c[i] = (to_rational(u[i]) - exact_row(p, i, known.x)).to_double();
+  return known;
+}
+
 }  // namespace slipproof::test
