@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/number/binary64.hpp"
 #include "base/number/dice.hpp"
 #include "contact/enclosure/mode_system.hpp"
 
