@@ -78,6 +78,7 @@ CellCode mode_code(const RecordFields& fields, const CellType& type, const char*
   if (type.is_integer()) {
     const std::int64_t code = integer_at(type, cell), modes = static_cast<std::int64_t>(fields.modes().size());
     if (code == -1) return {no_mode, {}};
+    if (!fields.modes().has_all()) return {no_mode, "mode: found a number, expected the mode's name, or -1 for none"};
     if (code >= 0 && code < modes) return {static_cast<std::uint16_t>(code), {}};
     return {no_mode, "mode: found " + std::to_string(code) + ", expected 0 to " + std::to_string(modes - 1) +
                          ", or -1 for none"};

@@ -88,6 +88,8 @@ void BlockJudge::use(const std::vector<bool>& present) {
   const RecordFields& fields = judge_.fields();
   present_ = present;
   sources_.clear();
+  able_ = fields.modes().has_all();  // no program tries the modes of others
+  if (!able_) return;
   std::vector<bool> given;
   for (std::size_t i = 0; i <= fields.parameters(); ++i) sources_.push_back(source(i, present));
   for (std::size_t i = 0; i < fields.parameters(); ++i) given.push_back(sources_[i].kind != Source::Kind::none);

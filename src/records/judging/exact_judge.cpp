@@ -35,6 +35,7 @@ struct ExactVerdict {
   Distance distance;      ///< to it
   std::size_t worst = 0;  ///< the component of the answer with the largest relative error
   RecordVerdict verdict = RecordVerdict::wrong;
+  std::string unexamined;  ///< why not all motions were looked for; `found` is empty then
 };
 
 /// The motion that a mode belongs to; null for a mode of a continuum.
@@ -47,46 +48,79 @@ const MotionAtLoad* motion_with(const MotionsAtLoad& found, const MechanismMode&
   return nullptr;
 }
 
-ExactVerdict judge_at(const RecordSetting& setting, const Record& record, const FrictionProblem& problem,
-                      const std::optional<Rational>& load, const JudgeOptions& options) {
-  ExactVerdict result;
-  result.found = motions_of(without_equations(problem), load);
-  const RecordAnswer answer(setting, record, problem, load);
-  const Rational tolerance = to_rational(options.tolerance);
-  Effort effort(options.effort);
-  const std::vector<ConsistentMode> modes =
-      record.mode == no_mode ? consistent_modes(problem, load)
-                             : mode_of(problem, setting.fields.modes()[record.mode], load).consistent;
+/// The solutions of some modes, the nearest of which counts.
+void find_nearest(const std::vector<ConsistentMode>& modes, const RecordAnswer& answer, const JudgeOptions& options,
+                  Effort& effort, ExactVerdict& result) {
   for (const ConsistentMode& mode : modes) {
     std::size_t worst = 0;
     Distance distance = answer.distance(mode, effort, worst);
-    if (!result.nearest.empty() && !is_nearer(distance, result.distance, tolerance)) continue;
+    if (!result.nearest.empty() && !is_nearer(distance, result.distance, to_rational(options.tolerance))) continue;
     result.nearest = mode.mode;
     result.distance = std::move(distance);
     result.worst = worst;
   }
-  if (result.nearest.empty() || result.distance.scaled > to_rational(options.near)) return result;
+}
+
+/// All motions, with a bound on the effort where there are more modes than are tried; why not, where it does not do.
+std::string all_motions(const FrictionProblem& problem, const std::optional<Rational>& load, MotionsAtLoad& found) {
+  try {
+    found = motions_of(without_equations(problem), load);
+    return {};
+  } catch (const TooMuchWork&) {
+    return "the other modes: " + too_much_work(endless, kinematic_effort);
+  }
+}
+
+/// The answer's own mode first: of many modes the others are tried only where they matter.
+ExactVerdict judge_at(const RecordSetting& setting, const Record& record, const FrictionProblem& problem,
+                      const std::optional<Rational>& load, const std::optional<MechanismMode>& own,
+                      const JudgeOptions& options) {
+  ExactVerdict result;
+  const RecordAnswer answer(setting, record, problem, load);
+  Effort effort(options.effort);
+  const bool claimed = record.mode != no_mode, many = has_too_many_to_try(problem);
+  const auto near = [&] { return !result.nearest.empty() && result.distance.scaled <= to_rational(options.near); };
+  if (own && (claimed || many)) find_nearest(mode_of(problem, *own, load).consistent, answer, options, effort, result);
+  if (many && claimed && !near()) {
+    result.unexamined = "the other modes: the answer's own decides";
+    return result;
+  }
+  result.unexamined = all_motions(problem, load, result.found);
+  if (!claimed && result.unexamined.empty() && !near()) {
+    find_nearest(consistent_modes(problem, load), answer, options, effort, result);
+  }
+  if (!near()) {
+    if (!claimed && !result.unexamined.empty()) result.verdict = RecordVerdict::undecided;
+    return result;
+  }
   const bool several = result.found.motions.size() > 1 || !result.found.continua.empty();
-  result.verdict = result.distance.relative > tolerance ? RecordVerdict::inaccurate
-                   : several                            ? RecordVerdict::ambiguous
-                                                        : RecordVerdict::certified;
+  result.verdict = result.distance.relative > to_rational(options.tolerance) ? RecordVerdict::inaccurate
+                   : !result.unexamined.empty()                              ? RecordVerdict::undecided
+                   : several                                                 ? RecordVerdict::ambiguous
+                                                                             : RecordVerdict::certified;
   return result;
 }
 
 RecordJudgement judge_point(const RecordSetting& setting, const Record& record, const RecordPoint& point,
                             const FrictionProblem& problem, const JudgeOptions& options) {
-  const ExactVerdict judged = judge_at(setting, record, problem, point.load, options);
+  const FrictionProblem solved = without_equations(problem);
+  std::optional<MechanismMode> own;
+  if (record.mode != no_mode) {
+    own = setting.fields.modes().mode(record.mode);
+  } else if (has_too_many_to_try(problem)) {
+    own = Explanation(setting, solved, {}, point.load).looks_like(record);
+  }
+  const ExactVerdict judged = judge_at(setting, record, problem, point.load, own, options);
   const MotionsAtLoad& found = judged.found;
   RecordJudgement result;
   result.verdict = judged.verdict;
   result.motions = found.motions.size();
   result.continuum = !found.continua.empty();
   Json details = Json::object();
-  const FrictionProblem solved = without_equations(problem);
   const Explanation explanation(setting, solved, found, point.load);
   if (result.verdict == RecordVerdict::wrong) {
     if (record.mode != no_mode) {
-      explanation.add_claimed(details, setting.fields.modes()[record.mode], point.values);
+      explanation.add_claimed(details, setting.fields.modes().mode(record.mode), point.values);
     } else {
       explanation.add_likely(details, record, point.values);
     }
@@ -97,14 +131,18 @@ RecordJudgement judge_point(const RecordSetting& setting, const Record& record, 
                                                                 : motion->boundary_modes;
     for (const MechanismMode& mode : modes) {
       const std::string text = name(mode);
-      result.add_mode(*setting.fields.find_mode(text), text);
+      result.add_mode(setting.fields.find_mode(text).value_or(no_mode), text);
     }
     result.max_error = enclose(judged.distance.relative).upper;
     if (result.verdict == RecordVerdict::inaccurate) {
       details["worst"] = setting.fields.name(setting.fields.first_answer() + judged.worst);
     }
   }
-  if (result.verdict != RecordVerdict::certified) explanation.add_motions(details);
+  if (!judged.unexamined.empty()) {
+    details["unexamined"] = judged.unexamined;
+  } else if (result.verdict != RecordVerdict::certified) {
+    explanation.add_motions(details);
+  }
   if (!details.empty()) result.details = "," + inner_json_text(details);
   return result;
 }

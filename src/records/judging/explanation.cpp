@@ -113,8 +113,6 @@ void Explanation::add_likely(Json& details, const Record& record, const Mechanis
   add_against(details, *mode, values);
 }
 
-/// The mode that the forces of the contacts suggest, so far as the record has them. Only for mechanisms without other
-/// elements.
 std::optional<MechanismMode> Explanation::looks_like(const Record& record) const {
   const auto& fields = setting_.fields;
   if (problem_.elements.size() != setting_.certified.mechanism.contacts.size()) return std::nullopt;

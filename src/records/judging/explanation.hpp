@@ -14,9 +14,9 @@ namespace slipproof {
 /// Explains one record; all arguments must outlive it. `problem` is the problem at its point, without the equations.
 class Explanation {
  public:
-  Explanation(const RecordSetting& setting, const FrictionProblem& problem, const MotionsAtLoad& found,
+  Explanation(const RecordSetting& setting, const FrictionProblem& problem, MotionsAtLoad found,
               const std::optional<Rational>& load)
-      : setting_(setting), problem_(problem), found_(found), load_(load) {}
+      : setting_(setting), problem_(problem), found_(std::move(found)), load_(load) {}
 
   /// Adds `found`, `continua` and `hysteresis`: all motions that exist.
   void add_motions(Json& details) const;
@@ -24,16 +24,18 @@ class Explanation {
   void add_claimed(Json& details, const MechanismMode& mode, const MechanismValues& values) const;
   /// The same for the mode that an answer suggests, if it has the forces of all contacts.
   void add_likely(Json& details, const Record& record, const MechanismValues& values) const;
+  /// The mode that the forces of the contacts suggest, so far as the record has them. Only for mechanisms without other
+  /// elements.
+  std::optional<MechanismMode> looks_like(const Record& record) const;
 
  private:
   Json motion_of(const MotionAtLoad& motion) const;
   void add_against(Json& details, const MechanismMode& mode, const MechanismValues& values) const;
   std::string not_modelled(const MechanismMode& mode, const MechanismValues& values) const;
-  std::optional<MechanismMode> looks_like(const Record& record) const;
 
   const RecordSetting& setting_;
   const FrictionProblem& problem_;
-  const MotionsAtLoad& found_;
+  const MotionsAtLoad found_;
   const std::optional<Rational>& load_;
 };
 

@@ -32,8 +32,7 @@ std::vector<bool> fields_of_columns(const std::vector<int>& columns, const Recor
 
 std::uint16_t read_mode(const RecordFields& fields, std::string_view text, std::size_t place) {
   if (const auto mode = fields.find_mode(text)) return *mode;
-  throw BrokenRecord{place, "found the mode " + in_quotes(text) + ", expected one like " +
-                                fields.mode_name(std::min<std::size_t>(1, fields.modes().size() - 1))};
+  throw BrokenRecord{place, "found the mode " + in_quotes(text) + ", expected one like " + fields.modes().example()};
 }
 
 std::size_t read_word(const RecordFields& fields, std::string_view text, std::size_t place) {

@@ -48,13 +48,7 @@ RecordFields::RecordFields(const CertifiedMechanism& certified)
   for (std::string& name : acceleration_names(mechanism)) add(std::move(name));
   accelerations_ = names_.size() - first_answer_;
   for (std::string& name : force_names(mechanism)) add(std::move(name));
-  const auto kinds = element_kinds(mechanism);
-  refuse_too_many_modes(mechanism, kinds);
-  modes_ = modes_of(kinds);
-  for (std::size_t i = 0; i < modes_.size(); ++i) {
-    mode_names_.push_back(slipproof::name(modes_[i]));
-    mode_places_.emplace(mode_names_.back(), static_cast<std::uint16_t>(i));
-  }
+  modes_ = std::make_shared<ModeTable>(element_kinds(mechanism));
   for (const std::string& name : certified.answers) required_.push_back(*find(name));
   for (std::size_t i = 0; i < mechanism.accelerations && certified.answers.empty(); ++i) {
     required_.push_back(first_answer_ + i);
@@ -80,11 +74,6 @@ std::optional<std::size_t> RecordFields::find_word(std::string_view word) const 
 std::optional<std::size_t> RecordFields::find(std::string_view name) const {
   const auto place = places_.find(name);
   return place == places_.end() ? std::nullopt : std::optional(place->second);
-}
-
-std::optional<std::uint16_t> RecordFields::find_mode(std::string_view name) const {
-  const auto place = mode_places_.find(name);
-  return place == mode_places_.end() ? std::nullopt : std::optional(place->second);
 }
 
 void Record::clear(std::size_t fields) {

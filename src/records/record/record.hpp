@@ -13,6 +13,7 @@
 #include "base/expression/program.hpp"
 #include "mechanics/scene/scene.hpp"
 #include "records/record/cells.hpp"
+#include "records/record/mode_table.hpp"
 
 namespace slipproof {
 
@@ -56,7 +57,6 @@ class RecordFields {
   enum AngleForm : std::size_t { tan_half, cosine, sine, degrees };
   static constexpr std::size_t angle_forms = 4;
 
-  /// Throws InputError if there are more than max_modes modes.
   explicit RecordFields(const CertifiedMechanism& certified);
 
   std::size_t size() const { return names_.size(); }
@@ -88,25 +88,20 @@ class RecordFields {
   std::optional<std::size_t> find_word(std::string_view word) const;
 
   /// The modes that a record may claim, in the order of enumeration; `lift` of every contact is among them.
-  const std::vector<MechanismMode>& modes() const { return modes_; }
-  const std::string& mode_name(std::size_t mode) const { return mode_names_[mode]; }
-  std::optional<std::uint16_t> find_mode(std::string_view name) const;
+  ModeTable& modes() const { return *modes_; }
+  const std::string& mode_name(std::size_t mode) const { return modes_->name(mode); }
+  std::optional<std::uint16_t> find_mode(std::string_view name) const { return modes_->find(name); }
 
  private:
   std::vector<std::string> names_;
   std::map<std::string, std::size_t, std::less<>> places_;
-  std::vector<MechanismMode> modes_;
-  std::vector<std::string> mode_names_;
-  std::map<std::string, std::uint16_t, std::less<>> mode_places_;
+  std::shared_ptr<ModeTable> modes_;
   std::vector<Form> forms_;
   std::optional<WordColumn> word_;
   std::vector<std::size_t> required_;
   std::size_t parameters_, angles_, first_answer_ = 0, accelerations_ = 0;
   std::optional<std::size_t> load_;
 };
-
-/// Stands for a record that claims no mode.
-inline constexpr std::uint16_t no_mode = 0xFFFF;
 
 /// The output of a solver. If it is used again for the next record, it keeps its memory.
 struct Record {

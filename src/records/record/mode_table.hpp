@@ -1,0 +1,48 @@
+// The modes that records claim, by numbers.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mechanics/elements/element.hpp"
+
+namespace slipproof {
+
+/// Stands for a record that claims no mode.
+inline constexpr std::uint16_t no_mode = 0xFFFF;
+
+/// All modes of a mechanism, by their place in the enumeration; or of a mechanism with more than max_modes those that
+/// are met, in the order in which they are. Thread-safe.
+class ModeTable {
+ public:
+  explicit ModeTable(std::vector<ElementKind> kinds);
+
+  bool has_all() const { return has_all_; }
+  /// How many there are, or have been met.
+  std::size_t size() const;
+  const MechanismMode& mode(std::size_t number) const;
+  const std::string& name(std::size_t number) const;
+  /// Nothing for what is no mode of the mechanism, or beyond 65,535 that were met.
+  std::optional<std::uint16_t> find(std::string_view name);
+  /// A mode, to show how they are written.
+  std::string example() const;
+
+ private:
+  std::optional<MechanismMode> parsed(std::string_view name) const;
+  std::uint16_t add(MechanismMode mode);
+
+  std::vector<ElementKind> kinds_;
+  bool has_all_;
+  mutable std::mutex mutex_;
+  std::deque<MechanismMode> modes_;  // whose elements stay where they are
+  std::deque<std::string> names_;
+  std::map<std::string, std::uint16_t, std::less<>> places_;
+};
+
+}  // namespace slipproof
