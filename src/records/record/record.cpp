@@ -48,7 +48,7 @@ RecordFields::RecordFields(const CertifiedMechanism& certified)
   for (std::string& name : acceleration_names(mechanism)) add(std::move(name));
   accelerations_ = names_.size() - first_answer_;
   for (std::string& name : force_names(mechanism)) add(std::move(name));
-  modes_ = std::make_shared<ModeTable>(element_kinds(mechanism));
+  modes_ = std::make_shared<RecordModes>(element_kinds(mechanism));
   for (const std::string& name : certified.answers) required_.push_back(*find(name));
   for (std::size_t i = 0; i < mechanism.accelerations && certified.answers.empty(); ++i) {
     required_.push_back(first_answer_ + i);

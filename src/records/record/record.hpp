@@ -13,7 +13,7 @@
 #include "base/expression/program.hpp"
 #include "mechanics/scene/scene.hpp"
 #include "records/record/cells.hpp"
-#include "records/record/mode_table.hpp"
+#include "records/record/record_modes.hpp"
 
 namespace slipproof {
 
@@ -88,14 +88,14 @@ class RecordFields {
   std::optional<std::size_t> find_word(std::string_view word) const;
 
   /// The modes that a record may claim, in the order of enumeration; `lift` of every contact is among them.
-  ModeTable& modes() const { return *modes_; }
+  RecordModes& modes() const { return *modes_; }
   const std::string& mode_name(std::size_t mode) const { return modes_->name(mode); }
   std::optional<std::uint16_t> find_mode(std::string_view name) const { return modes_->find(name); }
 
  private:
   std::vector<std::string> names_;
   std::map<std::string, std::size_t, std::less<>> places_;
-  std::shared_ptr<ModeTable> modes_;
+  std::shared_ptr<RecordModes> modes_;
   std::vector<Form> forms_;
   std::optional<WordColumn> word_;
   std::vector<std::size_t> required_;

@@ -19,9 +19,9 @@ inline constexpr std::uint16_t no_mode = 0xFFFF;
 
 /// All modes of a mechanism, by their place in the enumeration; or of a mechanism with more than max_modes those that
 /// are met, in the order in which they are. Thread-safe.
-class ModeTable {
+class RecordModes {
  public:
-  explicit ModeTable(std::vector<ElementKind> kinds);
+  explicit RecordModes(std::vector<ElementKind> kinds);
 
   bool has_all() const { return has_all_; }
   /// How many there are, or have been met.

@@ -1,4 +1,4 @@
-#include "records/record/mode_table.hpp"
+#include "records/record/record_modes.hpp"
 
 #include <algorithm>
 
@@ -6,29 +6,29 @@
 
 namespace slipproof {
 
-ModeTable::ModeTable(std::vector<ElementKind> kinds)
+RecordModes::RecordModes(std::vector<ElementKind> kinds)
     : kinds_(std::move(kinds)), has_all_(mode_count(kinds_) <= static_cast<double>(max_modes) - 1) {
   if (has_all_) {
     for (MechanismMode& mode : modes_of(kinds_)) add(std::move(mode));
   }
 }
 
-std::size_t ModeTable::size() const {
+std::size_t RecordModes::size() const {
   const std::lock_guard lock(mutex_);
   return modes_.size();
 }
 
-const MechanismMode& ModeTable::mode(std::size_t number) const {
+const MechanismMode& RecordModes::mode(std::size_t number) const {
   const std::lock_guard lock(mutex_);
   return modes_[number];
 }
 
-const std::string& ModeTable::name(std::size_t number) const {
+const std::string& RecordModes::name(std::size_t number) const {
   const std::lock_guard lock(mutex_);
   return names_[number];
 }
 
-std::optional<std::uint16_t> ModeTable::find(std::string_view name) {
+std::optional<std::uint16_t> RecordModes::find(std::string_view name) {
   const std::lock_guard lock(mutex_);
   if (const auto place = places_.find(name); place != places_.end()) return place->second;
   if (has_all_ || modes_.size() >= no_mode) return std::nullopt;
@@ -37,14 +37,14 @@ std::optional<std::uint16_t> ModeTable::find(std::string_view name) {
   return add(std::move(*mode));
 }
 
-std::string ModeTable::example() const {
+std::string RecordModes::example() const {
   if (has_all_) return name(std::min<std::size_t>(1, size() - 1));
   MechanismMode mode;
   for (const ElementKind& kind : kinds_) mode.push_back(states(kind).front());
   return slipproof::name(mode);
 }
 
-std::optional<MechanismMode> ModeTable::parsed(std::string_view text) const {
+std::optional<MechanismMode> RecordModes::parsed(std::string_view text) const {
   MechanismMode mode;
   for (const ElementKind& kind : kinds_) {
     const std::size_t end = std::min(text.find('/'), text.size());
@@ -59,7 +59,7 @@ std::optional<MechanismMode> ModeTable::parsed(std::string_view text) const {
   return mode;
 }
 
-std::uint16_t ModeTable::add(MechanismMode mode) {
+std::uint16_t RecordModes::add(MechanismMode mode) {
   const auto number = static_cast<std::uint16_t>(modes_.size());
   names_.push_back(slipproof::name(mode));
   modes_.push_back(std::move(mode));
