@@ -90,7 +90,7 @@ void append_line(std::string& out, std::uint64_t record, const RecordJudgement& 
       out += j.mode_names;
     }
     line.put(j.contact_problem ? "],\"solutions\":"sv : "],\"motions\":"sv);
-    if (j.verdict == RecordVerdict::undecided) {
+    if (j.verdict == RecordVerdict::undecided || !j.counted) {
       line.put("null"sv);  // nobody has counted the motions
     } else {
       line.put(std::uint64_t{j.motions});

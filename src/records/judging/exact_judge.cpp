@@ -115,6 +115,7 @@ RecordJudgement judge_point(const RecordSetting& setting, const Record& record, 
   RecordJudgement result;
   result.verdict = judged.verdict;
   result.motions = found.motions.size();
+  result.counted = judged.unexamined.empty();
   result.continuum = !found.continua.empty();
   Json details = Json::object();
   const Explanation explanation(setting, solved, found, point.load);

@@ -44,6 +44,7 @@ struct RecordJudgement {
       {};                       ///< modes of the motion that the answer is, as numbers among the fields' modes
   std::string mode_names = {};  ///< the same modes, or those of a contact problem, as JSON texts without the brackets
   std::size_t motions = 0;      ///< how many motions the scene has
+  bool counted = true;          ///< whether they were looked for
   bool continuum = false;       ///< there are also infinitely many others
   /// Upper bound on the largest relative error of a component, if certified, ambiguous or inaccurate.
   double max_error = 0;

@@ -251,6 +251,7 @@ class Judge {
   void judge_alone() {
     ModeOutcome outcome = solver_.solve(looks_like_, effort_);
     result_.verdict = answer_.mode ? RecordVerdict::wrong : RecordVerdict::undecided;
+    result_.counted = false;
     if (outcome.kind == ModeOutcome::Kind::solution || outcome.kind == ModeOutcome::Kind::continuum) {
       const Distance distance =
           distance_to(outcome.continuum ? nearest_member(*outcome.continuum) : determined(outcome.z));
@@ -262,6 +263,7 @@ class Judge {
                : only            ? RecordVerdict::certified
                                  : RecordVerdict::undecided);
         result_.motions = outcome.continuum ? 0 : 1;
+        result_.counted = true;
         result_.continuum = outcome.continuum.has_value();
         if (only) {
           details_["unique_by"] = name(EveryLoad::Reason::bound);

@@ -45,3 +45,19 @@ TEST_CASE("of ten blocks the topmost slides, and the tower stands") {
   CHECK(slides[27] == 1);  // of the tenth block along x: 6 - 5 over 1
   for (std::size_t i = 0; i < 27; ++i) CHECK(slides[i].is_zero());
 }
+
+TEST_CASE("twelve fingertips hold a ball, and jam it where the most oblique reach above their own normals") {
+  // A finger with the normal (12, 5) / 13 pulls down as hard as it pushes up at mu = 5/12.
+  Many hand("hand-of-12-fingers");
+  const auto motions = [&](const Rational& mu, const Rational& load) {
+    hand.scene.values.parameters[0] = mu;
+    return motions_of(friction_problem(hand.scene.mechanism, hand.scene.values), load).motions;
+  };
+  CHECK(motions(Rational(1, 2), 8).size() == 1);
+  CHECK(motions(Rational(1, 2), 12).size() == 2);
+  CHECK(motions(Rational(5, 12) + Rational(1, 1000), 12).size() == 2);
+  const auto lifts = motions(Rational(5, 12) - Rational(1, 1000), 12);
+  REQUIRE(lifts.size() == 1);
+  CHECK(lifts[0].accelerations[1] == 2);
+  CHECK(motions(Rational(5, 12) - Rational(1, 1000), 8)[0].accelerations[1] == 0);
+}

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "mechanics/kernel/motions.hpp"
 #include "mechanics/kernel/motions_over_loads.hpp"
@@ -58,7 +59,63 @@ FrictionProblem beam(std::size_t feet, const Rational& mu, const Rational& push,
   return p;
 }
 
+/// A body of mass 1 on contacts at random points with random normals, in small numbers, under a random force and
+/// moment.
+FrictionProblem random_body(test::RandomProblems& random, std::size_t contacts) {
+  FrictionProblem p = beam(contacts, 0, 0, 0);
+  const std::array<std::array<int, 3>, 4> triples{{{0, 1, 1}, {3, 4, 5}, {4, 3, 5}, {5, 12, 13}}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    p.equations[i] = p.accelerations[i];
+    p.equations[i].constant = random.integer(-4, 4);
+  }
+  p.equations[2].coefficients[2] = Rational(random.integer(1, 4), 4);
+  for (std::size_t k = 0; k < contacts; ++k) {
+    const auto& [a, b, c] = triples[static_cast<std::size_t>(random.integer(0, 3))];
+    const Rational nx = Rational(random.one_in(2) ? a : -a, c), ny = Rational(random.one_in(4) ? -b : b, c);
+    const Rational x = random.integer(-3, 3), y = random.integer(-2, 1);
+    // Along the normal (nx, ny) and the tangent (ny, -nx): the velocity of the point is (vx - w y, vy + w x).
+    const auto along = [&](AffineForm& form, const Rational& dx, const Rational& dy) {
+      form.coefficients[0] = dx, form.coefficients[1] = dy, form.coefficients[2] = x * dy - y * dx;
+    };
+    ProblemElement& e = p.elements[k];
+    along(e.gap, nx, ny);
+    along(e.slip, ny, -nx);
+    const std::size_t N = 3 + 2 * k, S = N + 1;
+    e.static_limit.coefficients[N] = Rational(random.integer(0, 6), 4);
+    e.kinetic_limit = e.static_limit;
+    for (std::size_t i = 0; i < 3; ++i) {  // virtual work
+      p.equations[i].coefficients[N] = -e.gap.coefficients[i];
+      p.equations[i].coefficients[S] = -e.slip.coefficients[i];
+    }
+  }
+  return p;
+}
+
 }  // namespace
+
+TEST_CASE("a body on two to seven contacts has the motions that all of its modes have") {
+  const int bodies = test::how_many("SLIPPROOF_RANDOM_BODIES", 120);
+  test::RandomProblems random(41);
+  int motions = 0, several = 0, none = 0;
+  for (int i = 0; i < bodies; ++i) {
+    const int most = i % 40 == 0 ? 6 : 5;  // all of 4^7 modes take a second
+    const auto contacts = static_cast<std::size_t>(bodies > 120 ? random.integer(2, 7) : random.integer(2, most));
+    const FrictionProblem problem = random_body(random, contacts);
+    CAPTURE(i);
+    Effort effort(kinematic_effort);
+    const MergedModes all = merge(problem, ModeSolver(problem, std::nullopt).consistent());
+    const MotionsAtLoad found = motions_by_kinematics(problem, std::nullopt, effort);
+    for (const MergedModes::Motion& motion : all.motions) CHECK(is_among(found, motion.accelerations));
+    CHECK(all.continua.empty() == found.continua.empty());
+    if (all.continua.empty()) CHECK(all.motions.size() == found.motions.size());
+    motions += static_cast<int>(all.motions.size());
+    several += all.motions.size() > 1 ? 1 : 0;
+    none += all.motions.empty() && all.continua.empty() ? 1 : 0;
+  }
+  CHECK(motions > bodies / 2);
+  CHECK(several > 0);
+  MESSAGE(motions << " motions, several of " << several << " bodies, none of " << none);
+}
 
 TEST_CASE("by kinematics random mechanisms have the motions that all modes have") {
   test::RandomProblems random(39);

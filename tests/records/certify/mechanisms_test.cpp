@@ -420,3 +420,28 @@ TEST_CASE("JSON Lines of a mechanism give what CSV gives, at any number of threa
   };
   CHECK(strip(from_json) == strip(one));
 }
+
+TEST_CASE("records of mechanisms with more modes than are numbered: the answer's own mode decides first") {
+  const std::string folder = std::string(SLIPPROOF_SOURCE_DIR) + "/cases/mechanisms/many/scenes/";
+  const auto lines_of = [&](const std::string& scene, const std::string& text) {
+    CertifyOptions options;
+    options.mechanism = CertifiedMechanism(read_scene(folder + scene + ".toml"));
+    return certified(text, options).lines();
+  };
+  std::string lifts = "lift", slips = "slip+";
+  for (int i = 1; i < 12; ++i) lifts += "/lift";
+  for (int i = 1; i < 24; ++i) slips += "/slip+";
+  const auto hand =
+      lines_of("hand-of-12-fingers", "F,ax,ay,alpha,mode\n12,0,2,0," + lifts + "\n12,0,0,0,\n8,0,0,0,\n8,0,1,0,\n" +
+                                         "12,0,2,0,stick/stick\n8,0,-2,0," + lifts + "\n8,0,1e-13,0,\n");
+  const std::vector<std::string> expected{"ambiguous", "ambiguous", "certified", "wrong",
+                                          "invalid",   "wrong",     "certified"};
+  REQUIRE(hand.size() == expected.size());
+  for (std::size_t i = 0; i < hand.size(); ++i) CHECK(hand[i]["verdict"] == expected[i]);
+  CHECK(hand[5]["violated"] == "gap_finger1 >= 0");
+  CHECK(hand[5]["motions"].is_null());
+  const auto beam = lines_of("beam-on-24-feet", "F,ax,ay,alpha,mode\n72,1,0,0," + slips + "\n72,1.1,0,0,\n");
+  CHECK(beam[0]["verdict"] == "certified");
+  CHECK(beam[0]["modes"][0] == slips);
+  CHECK(beam[1]["verdict"] == "inaccurate");
+}
