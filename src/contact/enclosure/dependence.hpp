@@ -35,6 +35,6 @@ struct DependenceResult {
 /// keep. A proof that the others follow writes each as a rational combination, coefficient by coefficient and constants
 /// included. Cubic in the size of the system, for systems up to `largest_dependent`.
 DependenceResult exact_dependence(const MixedProblem& problem, const ModeSystem& system, std::span<const double> z);
-inline constexpr std::size_t largest_dependent = 1000;
+inline constexpr std::size_t largest_dependent = 600;
 
 }  // namespace slipproof

@@ -159,7 +159,8 @@ typedef struct slipproof_verdict slipproof_verdict;
 /* The result of a judgement. */
 typedef struct slipproof_judgement {
   const char* verdict; /* "certified", "wrong", "solution within rho", ...: the words of `slipproof certify` */
-  int certified;       /* the verdict is one of the best: "certified", "solution within rho", "unique" */
+  int certified;       /* the verdict is one of the best: "certified", "solution within rho", "unique",
+                        * "velocities within rho" */
   double error; /* upper bound on the largest relative error; rho for "solution within rho" and "unique"; NaN if no
                  * solution near the answer is known */
   double backward_error; /* upper bound; NaN if the answer was compared with solutions */
@@ -168,8 +169,8 @@ typedef struct slipproof_judgement {
 
 /* Judges the answer to a problem. With up to 64 components in dimension 1 or 2, the answer is compared with all exact
  * solutions ("certified", "ambiguous", "inaccurate", "wrong", ...). Larger or spatial problems are judged by enclosures
- * ("solution within rho", "unique", "inaccurate", "eps-solution", "wrong", ...), by the same rule. `options` may be
- * NULL. */
+ * ("solution within rho", "unique", "inaccurate", "not converged", "eps-solution", "wrong", ...), by the same rule.
+ * `options` may be NULL. */
 SLIPPROOF_API slipproof_status slipproof_certify(const slipproof_problem* problem,
                                                  const slipproof_certify_options* options, slipproof_verdict** verdict,
                                                  slipproof_error** error);

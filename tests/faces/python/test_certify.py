@@ -133,3 +133,24 @@ def test_verdicts_in_notebooks_and_in_conditions():
     with pytest.raises(AttributeError, match="this verdict has no rho; it has record, verdict"):
         verdict.rho  # noqa: B018
     assert not slipproof.certify([[1.0]], [-1.0], [2.0])
+
+
+def test_each_law_is_one_that_solvers_claim():
+    W, q, mu = np.eye(3), [-10, 6, 0], 0.5
+    judged = lambda r, **law: slipproof.certify(W, q, r, mu, dimension=3, **law)
+    assert judged([10, -5, 0]).verdict == "solution within rho"
+    own = judged([10.4, -5.2, 0], law="associated")
+    assert own.verdict == "unique" and own.certified and own.coulomb["verdict"] == "wrong"
+    assert judged([10, -5, 0], law="associated").verdict == "wrong"
+    assert judged([8.32, -4.16, 0], law="associated", compliance=0.25).verdict == "unique"
+    assert judged([8.32, -4.16, 0], law="associated", compliance=[0.25] * 3, bias=0).verdict == "unique"
+    assert judged([10, -2, 0], law="fixed", bounds=2).verdict == "unique"
+    assert judged([10, -3, 0], law="regularised", slip_speed=4, function="soft").verdict == "eps-solution"
+    assert judged([10, -5, 0], law="box").verdict == "solution within rho"
+    assert judged([10.01, -5, 0]).verdict == "not converged"
+    assert judged([12, -5, 0], refine=True, within=4).verdict == "not converged"
+    assert judged([12, -5, 0], refine=True).verdict == "wrong"
+    with pytest.raises(slipproof.InputError, match="bounds: found 0 numbers, expected 2"):
+        judged([10, -2, 0], law="fixed")
+    with pytest.raises(slipproof.InputError, match="compliance.*not negative"):
+        judged([10, -2, 0], law="associated", compliance=-1)
