@@ -49,12 +49,17 @@ RecordJudgement judge_contact_line(std::string_view line, const CertifyOptions& 
   return judged_or_undecided([&] {
     const JudgedProblem problem =
         judge_problem_file(options.file, std::move(given), {options.contact, std::nullopt, std::nullopt});
-    RecordJudgement result;
-    result.verdict = record_verdict(problem.first().judgement.verdict);
-    result.rho = problem.first().judgement.rho;
-    result.members = contact_members(problem, 0);
-    return result;
+    return as_record(problem, 0);
   });
+}
+
+RecordJudgement as_record(const JudgedProblem& problem, std::size_t answer) {
+  RecordJudgement result;
+  const ContactJudgement& judgement = problem.answers[answer].judgement;
+  result.verdict = record_verdict(judgement.verdict);
+  result.rho = judgement.rho;
+  result.members = contact_members(problem, answer);
+  return result;
 }
 
 }  // namespace slipproof

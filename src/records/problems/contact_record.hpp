@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "records/problems/contact_file.hpp"
 #include "records/reading/options.hpp"
 
 namespace slipproof {
@@ -11,5 +12,8 @@ namespace slipproof {
 /// for records, `certified` is a solution within rho or the only one, `inaccurate` also an eps-solution, and `wrong`
 /// also a problem without a solution, near the answer or at all. Throws BrokenRecord, also if decimals are to be exact.
 RecordJudgement judge_contact_line(std::string_view line, const CertifyOptions& options);
+
+/// The verdict on an answer to a problem at real size, as one of a record.
+RecordJudgement as_record(const JudgedProblem& problem, std::size_t answer);
 
 }  // namespace slipproof

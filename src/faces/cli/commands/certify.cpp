@@ -14,6 +14,7 @@
 #include "contact/formats/read_files.hpp"
 #include "faces/cli/command.hpp"
 #include "faces/cli/commands/certify_problem.hpp"
+#include "faces/cli/commands/gate.hpp"
 #include "faces/cli/crew_run.hpp"
 #include "faces/cli/warnings.hpp"
 #include "mechanics/reading/shipped.hpp"
@@ -34,6 +35,7 @@ struct CertifyArguments {
   std::string file, scene, mechanism, decimal = "nearest", broken = "report", format, summary, parts;
   TableOptions table;
   CrewArguments crew;
+  GateArguments gate;
   std::optional<double> tolerance;
   std::optional<Work> effort;
 };
@@ -185,7 +187,10 @@ int run_certify(CertifyArguments& options) {
     options.problem.file = options.file;
     options.problem.tolerance = options.tolerance;
     options.problem.effort = options.effort;
-    return run_certify_problem(options.problem, options.common);
+    return run_certify_problem(options.problem, options.gate, options.common);
+  }
+  if (options.crew.wanted() && options.gate.writes()) {
+    throw CLI::ValidationError("--junit, --sarif", "found with --checkpoint, --parts or many ranks, expected without");
   }
   if (options.tolerance) options.certify.judge.tolerance = options.certify.contact.tolerance = *options.tolerance;
   if (options.effort) options.certify.judge.effort = options.certify.contact.effort = *options.effort;
@@ -199,6 +204,12 @@ int run_certify(CertifyArguments& options) {
   if (!options.summary.empty())
     summary_file.emplace(options.summary, Inputs{options.file == "-" ? "/dev/stdin" : options.file, options.scene});
   const bool quiet = options.common.quiet;
+  Gate gate(options.gate, options.file, Inputs{options.file == "-" ? "/dev/stdin" : options.file, options.scene});
+  if (options.gate.writes()) {
+    options.certify.judged = [&](std::uint64_t record, const RecordJudgement& judgement) {
+      gate.add(record, judgement);
+    };
+  }
   const Progress progress = record_counter(!quiet);
   const LineSink sink = [&](std::string_view lines) {
     if (!quiet) print(lines);
@@ -214,7 +225,8 @@ int run_certify(CertifyArguments& options) {
   } else if (!quiet) {
     std::cerr << summary_text(summary);  // standard output has only a line for each record
   }
-  return certified_exit(summary);
+  gate.write();
+  return gate.exit_code(summary, certified_exit(summary));
 }
 
 }  // namespace
@@ -267,6 +279,7 @@ void add_certify(CLI::App& app, int& exit_code, Transport& transport) {
   command.add_flag("--every-q", options->certify.judge.every_q,
                    "For each contact problem in a line: does it have one solution for every q?");
   add_problem_options(command, options->problem);
+  add_gate_options(command, options->gate);
   CLI::Option* checkpoint = add_crew_options(command, options->crew);
   command
       .add_option("--parts", options->parts,

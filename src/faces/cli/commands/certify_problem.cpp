@@ -13,6 +13,7 @@
 #include "contact/judge/problem_name.hpp"
 #include "proofs/check_contact/files.hpp"
 #include "records/problems/contact_file.hpp"
+#include "records/problems/contact_record.hpp"
 #include "report/html/contact_report.hpp"
 #include "report/scenes/contact_words.hpp"
 #include "report/values/exact_json.hpp"
@@ -116,7 +117,8 @@ void add_problem_options(CLI::App& command, CertifyProblemArguments& options) {
                     "Judge no answer; check this certificate, and that it is about this problem");
 }
 
-int run_certify_problem(const CertifyProblemArguments& options, const CommonOptions& common) {
+int run_certify_problem(const CertifyProblemArguments& options, const GateArguments& gate_options,
+                        const CommonOptions& common) {
   ContactFileOptions judge;
   if (options.tolerance) judge.judge.tolerance = *options.tolerance;
   if (options.effort) judge.judge.effort = *options.effort;
@@ -137,11 +139,13 @@ int run_certify_problem(const CertifyProblemArguments& options, const CommonOpti
   if (!options.certificate.empty()) certificate.emplace(options.certificate, inputs);
   if (!options.report.empty()) report.emplace(options.report, inputs);
 
+  Gate gate(gate_options, options.file, inputs);
   const JudgedProblem problem = judge_problem_file(options.file, std::move(read), judge);
   std::string lines, words;
   for (std::size_t i = 0; i < problem.answers.size(); ++i) {
     lines += contact_line(problem, i) + '\n';
     words += contact_words(problem, i);
+    gate.add(i + 1, as_record(problem, i));
   }
   const int code = exit_code_of(problem);
   words += last_line(problem, code);
@@ -168,7 +172,8 @@ int run_certify_problem(const CertifyProblemArguments& options, const CommonOpti
   } else if (!common.quiet) {
     std::cerr << words;
   }
-  return code;
+  gate.write();
+  return gate.exit_code(code);
 }
 
 }  // namespace slipproof::cli

@@ -6,6 +6,7 @@
 
 #include "base/number/effort.hpp"
 #include "faces/cli/command.hpp"
+#include "faces/cli/commands/gate.hpp"
 
 namespace slipproof::cli {
 
@@ -27,6 +28,6 @@ void add_problem_options(CLI::App& command, CertifyProblemArguments& options);
 
 /// Judges the answers, prints a line for each and a summary in words, and writes the requested files. Throws InputError
 /// and OutputError. Returns the exit code.
-int run_certify_problem(const CertifyProblemArguments& options, const CommonOptions& common);
+int run_certify_problem(const CertifyProblemArguments& options, const GateArguments& gate, const CommonOptions& common);
 
 }  // namespace slipproof::cli

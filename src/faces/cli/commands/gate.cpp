@@ -1,0 +1,51 @@
+#include "faces/cli/commands/gate.hpp"
+
+#include <stdexcept>
+
+namespace slipproof::cli {
+
+void add_gate_options(CLI::App& command, GateArguments& options) {
+  const auto group = command.add_option_group("Continuous integration", "what fails, and where it is read");
+  group
+      ->add_option("--fail-on", options.fail_on,
+                   "Verdicts that end with exit code 1, others with 0: some of ambiguous,\ninaccurate, wrong, invalid, "
+                   "undecided, with commas. Without it all are told by\ntheir own exit codes")
+      ->delimiter(',')
+      ->check([](const std::string& word) {
+        try {
+          FailingVerdicts({word});
+          return std::string();
+        } catch (const std::invalid_argument&) {
+          return "found " + word + ", expected ambiguous, inaccurate, wrong, invalid or undecided";
+        }
+      });
+  group->add_option("--junit", options.junit, "Write what fails to this file, as JUnit's XML");
+  group->add_option("--sarif", options.sarif, "Write what fails to this file, as SARIF 2.1.0");
+}
+
+Gate::Gate(const GateArguments& options, std::string file, const Inputs& inputs) : asked_(!options.fail_on.empty()) {
+  if (asked_) fails_ = FailingVerdicts(options.fail_on);
+  run_.file = std::move(file);
+  if (!options.junit.empty()) junit_.emplace(options.junit, inputs);
+  if (!options.sarif.empty()) sarif_.emplace(options.sarif, inputs);
+}
+
+void Gate::write() {
+  if (junit_) junit_->write(junit(run_));
+  if (sarif_) sarif_->write(sarif(run_));
+}
+
+int Gate::exit_code(const CertifySummary& summary, int without) const {
+  if (!asked_) return without;
+  for (std::size_t i = 0; i < record_verdict_count; ++i) {
+    if (summary.verdicts[i] > 0 && fails_(static_cast<RecordVerdict>(i))) return refuted_or_not_certified;
+  }
+  return as_it_should_be;
+}
+
+int Gate::exit_code(int without) const {
+  if (!asked_) return without;
+  return run_.failed > 0 ? refuted_or_not_certified : as_it_should_be;
+}
+
+}  // namespace slipproof::cli

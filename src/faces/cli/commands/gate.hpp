@@ -1,0 +1,42 @@
+// What fails a run of `certify`, and where continuous integration reads it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/output/output_file.hpp"
+#include "faces/cli/command.hpp"
+#include "records/certify/certify.hpp"
+#include "report/scenes/gate.hpp"
+
+namespace slipproof::cli {
+
+struct GateArguments {
+  std::vector<std::string> fail_on;
+  std::string junit, sarif;
+  bool writes() const { return !junit.empty() || !sarif.empty(); }
+};
+
+void add_gate_options(CLI::App& command, GateArguments& options);
+
+class Gate {
+ public:
+  /// Opens the files. Throws OutputError.
+  Gate(const GateArguments& options, std::string file, const Inputs& inputs);
+
+  void add(std::uint64_t record, const RecordJudgement& judgement) { run_.add(record, judgement, fails_); }
+  /// Writes the files.
+  void write();
+  /// With --fail-on whether anything of it occurred; otherwise what would be without a gate.
+  int exit_code(const CertifySummary& summary, int without) const;
+  int exit_code(int without) const;
+
+ private:
+  bool asked_;
+  FailingVerdicts fails_;
+  GateRun run_;
+  std::optional<OutputFile> junit_, sarif_;
+};
+
+}  // namespace slipproof::cli

@@ -1,0 +1,106 @@
+#include "report/scenes/gate.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "base/number/format.hpp"
+#include "base/output/json.hpp"
+#include "records/certify/certify.hpp"
+#include "report/markup/element.hpp"
+#include "report/values/exact_json.hpp"
+
+namespace slipproof {
+
+namespace {
+
+std::string case_name(const GateFailure& failure) {
+  return "record " + std::to_string(failure.record);
+}
+
+/// The reason in a line of output, where it has one.
+std::string message_of(const GateFailure& failure) {
+  const Json line = Json::parse(failure.line);
+  std::string text = line.value("verdict", std::string(name(failure.verdict)));
+  if (line.contains("reason")) text += ": " + line["reason"].get<std::string>();
+  if (line.contains("violated") && line["violated"].is_string()) {
+    text += ": violates " + line["violated"].get<std::string>() + " by " + line.value("margin", std::string());
+  }
+  if (line.contains("worst") && line["worst"].is_array() && !line["worst"].empty()) {
+    const Json& worst = line["worst"][0];
+    const std::string place =
+        worst.contains("contact") ? "contact " + worst["contact"].dump() : "row " + worst["row"].dump();
+    text +=
+        ": " + place + " violates " + worst["violates"].get<std::string>() + " by " + worst["by"].get<std::string>();
+  }
+  return text;
+}
+
+}  // namespace
+
+FailingVerdicts::FailingVerdicts(const std::vector<std::string>& names) {
+  for (const std::string& wanted : names) {
+    bool known = false;
+    for (std::size_t i = 0; i < record_verdict_count; ++i) {
+      if (name(static_cast<RecordVerdict>(i)) != wanted) continue;
+      fails_[i] = known = true;
+    }
+    if (!known) throw std::invalid_argument(wanted);
+  }
+}
+
+void GateRun::add(std::uint64_t record, const RecordJudgement& judgement, const FailingVerdicts& fails) {
+  ++records;
+  if (!fails(judgement.verdict)) return;
+  ++failed;
+  if (listed.size() == most_listed) return;
+  std::string line;
+  append_line(line, record, judgement);
+  listed.push_back({record, judgement.verdict, std::move(line)});
+}
+
+std::string junit(const GateRun& run) {
+  const ElementTree tree("testsuites");
+  const Element suite = tree.root().add("testsuite").set("name", run.file);
+  suite.set("tests", std::to_string(run.listed.size() + 1)).set("failures", std::to_string(run.listed.size()));
+  suite.add("testcase")
+      .set("classname", run.file)
+      .set("name",
+           counted(run.records - run.failed, "record") + " of " + std::to_string(run.records) + " as they should be");
+  for (const GateFailure& failure : run.listed) {
+    const Element own = suite.add("testcase").set("classname", run.file).set("name", case_name(failure));
+    own.add("failure").set("type", name(failure.verdict)).set("message", message_of(failure)).text(failure.line);
+  }
+  if (run.failed > run.listed.size()) {
+    suite.add("system-out")
+        .text(counted(run.failed, "record") + " fail; the first " + std::to_string(run.listed.size()) + " are listed");
+  }
+  return tree.xml();
+}
+
+std::string sarif(const GateRun& run) {
+  Json rules = Json::array(), results = Json::array();
+  for (std::size_t i = 0; i < record_verdict_count; ++i) {
+    rules.push_back(Json{{"id", name(static_cast<RecordVerdict>(i))}});
+  }
+  for (const GateFailure& failure : run.listed) {
+    Json result, location;
+    result["ruleId"] = name(failure.verdict);
+    result["level"] = failure.verdict == RecordVerdict::undecided ? "warning" : "error";
+    result["message"]["text"] = case_name(failure) + ": " + message_of(failure);
+    location["physicalLocation"]["artifactLocation"]["uri"] = run.file;
+    result["locations"] = Json::array({std::move(location)});
+    result["properties"]["record"] = failure.record;
+    results.push_back(std::move(result));
+  }
+  Json own, document;
+  own["tool"]["driver"]["name"] = "slipproof";
+  own["tool"]["driver"]["rules"] = std::move(rules);
+  own["results"] = std::move(results);
+  own["properties"] = Json{{"records", run.records}, {"failed", run.failed}};
+  document["$schema"] = "https://json.schemastore.org/sarif-2.1.0.json";
+  document["version"] = "2.1.0";
+  document["runs"] = Json::array({std::move(own)});
+  return dump(document);
+}
+
+}  // namespace slipproof

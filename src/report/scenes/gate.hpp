@@ -1,0 +1,51 @@
+// What a run in continuous integration fails for, as its servers read it: JUnit's XML, and SARIF 2.1.0.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "records/judging/judge.hpp"
+
+namespace slipproof {
+
+/// Which verdicts fail.
+class FailingVerdicts {
+ public:
+  /// All but `certified`.
+  FailingVerdicts() { fails_.fill(true), fails_[static_cast<std::size_t>(RecordVerdict::certified)] = false; }
+  /// Those that are named; nothing else. Throws std::invalid_argument for what is none.
+  explicit FailingVerdicts(const std::vector<std::string>& names);
+
+  bool operator()(RecordVerdict verdict) const { return fails_[static_cast<std::size_t>(verdict)]; }
+
+ private:
+  std::array<bool, record_verdict_count> fails_{};
+};
+
+/// A record, or an answer, that fails: its number, its verdict, and its line of output.
+struct GateFailure {
+  std::uint64_t record = 0;
+  RecordVerdict verdict = RecordVerdict::wrong;
+  std::string line;
+};
+
+/// A run: the counts, and of what failed the first `most_listed`.
+struct GateRun {
+  static constexpr std::size_t most_listed = 1000;
+
+  std::string file;
+  std::uint64_t records = 0, failed = 0;
+  std::vector<GateFailure> listed;
+
+  void add(std::uint64_t record, const RecordJudgement& judgement, const FailingVerdicts& fails);
+};
+
+/// A suite with a case for each failure, and one for all others together.
+std::string junit(const GateRun& run);
+/// A result for each failure, with the file as its place and the record's number among its properties.
+std::string sarif(const GateRun& run);
+
+}  // namespace slipproof

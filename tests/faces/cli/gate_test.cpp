@@ -1,0 +1,65 @@
+// What fails a run of `certify` in continuous integration, and the files that its servers read.
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/run_program.hpp"
+
+using namespace slipproof::test;
+
+namespace {
+
+const std::string examples = SLIPPROOF_SOURCE_DIR "/cases/contact-problems/examples.jsonl";
+
+}  // namespace
+
+TEST_CASE("--fail-on says which verdicts fail, and without it exit codes are as they were") {
+  const TemporaryFolder folder;
+  const std::string ambiguous = folder.write("a.jsonl", R"({"M":[[1,2],[2,1]],"q":[-1,-1],"z":[1,0]})"
+                                                        "\n"
+                                                        R"({"M":[[2,1],[1,2]],"q":[-5,-6],"z":["4/3","7/3"]})"
+                                                        "\n");
+  CHECK(run({"certify", ambiguous}).exit_code == 1);
+  CHECK(run({"certify", ambiguous, "--fail-on", "wrong,inaccurate"}).exit_code == 0);
+  CHECK(run({"certify", ambiguous, "--fail-on", "wrong,ambiguous"}).exit_code == 1);
+  CHECK(run({"certify", examples, "--fail-on", "undecided"}).exit_code == 0);
+  CHECK(run({"certify", examples, "--fail-on", "wrong"}).exit_code == 1);
+  const auto mistaken = run({"certify", examples, "--fail-on", "wrong,slow"});
+  CHECK(mistaken.exit_code == 2);
+  CHECK(mistaken.err.find("found slow, expected ambiguous, inaccurate, wrong, invalid or undecided") !=
+        std::string::npos);
+  const std::string block = SLIPPROOF_SOURCE_DIR "/cases/contact-problems/pushed-block.json";
+  CHECK(run({"certify", block, "--fail-on", "wrong"}).exit_code == 0);
+  CHECK(run({"certify", block, "--tolerance", "1e-12"}).exit_code == 1);
+  CHECK(run({"certify", block, "--tolerance", "1e-12", "--fail-on", "wrong"}).exit_code == 0);
+  CHECK(run({"certify", block, "--tolerance", "1e-12", "--fail-on", "inaccurate"}).exit_code == 1);
+}
+
+TEST_CASE("JUnit's XML and SARIF have what fails, and how much does not") {
+  const TemporaryFolder folder;
+  const std::string junit = folder / "j.xml", sarif = folder / "s.sarif";
+  const auto outcome =
+      run({"certify", examples, "--fail-on", "wrong,inaccurate", "--junit", junit, "--sarif", sarif, "--quiet"});
+  CHECK(outcome.exit_code == 1);
+  const std::string xml = read_file(junit);
+  CHECK(xml.find("tests=\"5\" failures=\"4\"") != std::string::npos);
+  CHECK(xml.find("name=\"6 records of 10 as they should be\"") != std::string::npos);
+  CHECK(xml.find("name=\"record 3\"") != std::string::npos);
+  CHECK(xml.find("message=\"wrong: violates w2 &gt;= 0 by -7/2\"") != std::string::npos);
+  const auto document = nlohmann::json::parse(read_file(sarif));
+  CHECK(document["version"] == "2.1.0");
+  const auto& results = document["runs"][0]["results"];
+  REQUIRE(results.size() == 4);
+  CHECK(results[1]["ruleId"] == "wrong");
+  CHECK(results[1]["properties"]["record"] == 3);
+  CHECK(document["runs"][0]["properties"]["records"] == 10);
+  // A file of one problem, by its contacts.
+  const std::string laws = SLIPPROOF_SOURCE_DIR "/cases/contact-problems/laws.jsonl";
+  CHECK(run({"certify", laws, "--fail-on", "wrong", "--sarif", sarif}).exit_code == 1);
+  const auto found = nlohmann::json::parse(read_file(sarif))["runs"][0]["results"];
+  REQUIRE(found.size() == 1);
+  CHECK(found[0]["message"]["text"].get<std::string>().find("record 3: wrong: contact 1 violates u_n = mu |u_t|") == 0);
+  // Nothing is written over an input, and nothing beside a checkpoint.
+  CHECK(run({"certify", examples, "--junit", examples}).exit_code != 0);
+  CHECK(run({"certify", examples, "--junit", junit, "--checkpoint", folder / "c"}).exit_code == 2);
+}
