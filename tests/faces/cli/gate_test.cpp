@@ -37,7 +37,7 @@ TEST_CASE("--fail-on says which verdicts fail, and without it exit codes are as 
 
 TEST_CASE("JUnit's XML and SARIF have what fails, and how much does not") {
   const TemporaryFolder folder;
-  const std::string junit = folder / "j.xml", sarif = folder / "s.sarif";
+  const std::string junit = folder.path() / "j.xml", sarif = folder.path() / "s.sarif";
   const auto outcome =
       run({"certify", examples, "--fail-on", "wrong,inaccurate", "--junit", junit, "--sarif", sarif, "--quiet"});
   CHECK(outcome.exit_code == 1);
@@ -61,5 +61,5 @@ TEST_CASE("JUnit's XML and SARIF have what fails, and how much does not") {
   CHECK(found[0]["message"]["text"].get<std::string>().find("record 3: wrong: contact 1 violates u_n = mu |u_t|") == 0);
   // Nothing is written over an input, and nothing beside a checkpoint.
   CHECK(run({"certify", examples, "--junit", examples}).exit_code != 0);
-  CHECK(run({"certify", examples, "--junit", junit, "--checkpoint", folder / "c"}).exit_code == 2);
+  CHECK(run({"certify", examples, "--junit", junit, "--checkpoint", folder.path() / "c"}).exit_code == 2);
 }
