@@ -23,7 +23,7 @@ std::string message_of(const GateFailure& failure) {
   std::string text = line.value("verdict", std::string(name(failure.verdict)));
   if (line.contains("reason")) text += ": " + line["reason"].get<std::string>();
   if (line.contains("violated") && line["violated"].is_string()) {
-    text += ": violates " + line["violated"].get<std::string>() + " by " + line.value("margin", std::string());
+    text += ": violates " + line["violated"].get<std::string>() + ", margin " + line.value("margin", std::string());
   }
   if (line.contains("worst") && line["worst"].is_array() && !line["worst"].empty()) {
     const Json& worst = line["worst"][0];

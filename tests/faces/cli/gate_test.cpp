@@ -45,7 +45,7 @@ TEST_CASE("JUnit's XML and SARIF have what fails, and how much does not") {
   CHECK(xml.find("tests=\"5\" failures=\"4\"") != std::string::npos);
   CHECK(xml.find("name=\"6 records of 10 as they should be\"") != std::string::npos);
   CHECK(xml.find("name=\"record 3\"") != std::string::npos);
-  CHECK(xml.find("message=\"wrong: violates w2 &gt;= 0 by -7/2\"") != std::string::npos);
+  CHECK(xml.find("message=\"wrong: violates w2 >= 0, margin -7/2\"") != std::string::npos);
   const auto document = nlohmann::json::parse(read_file(sarif));
   CHECK(document["version"] == "2.1.0");
   const auto& results = document["runs"][0]["results"];
