@@ -216,7 +216,7 @@ class EnclosureSearch {
   static Sign both(Sign a, Sign b) { return {a.not_negative && b.not_negative, a.positive && b.positive}; }
 
   /// The conditions of a closed contact: r_N >= 0, and r in the cone if it sticks.
-  Sign force_conditions(const Enclosure& box, std::size_t k) const {
+  Sign force_conditions(const Enclosure& box, std::size_t k, std::span<const double> x) const {
     const std::size_t first = problem_.normal(k), n = box.system.unknown(first);
     Sign sign = sign_of(to_rational(box.center[n]), box.radius[n]);
     if (box.system.mode()[k] == ConeState::slide) {
@@ -236,7 +236,7 @@ class EnclosureSearch {
       } else if (signs[i - 1] == 0) {  // of the box: |r_i| <= mu r_N
         sign = both(sign, sign_of(least - T, 0));
       } else {
-        const Rational u = exact_row(problem_, first + i, box.system.x_at(box.center));
+        const Rational u = exact_row(problem_, first + i, x);
         sign = both(sign, sign_of(signs[i - 1] * u, row_radius(problem_, box, first + i)));
       }
     }
@@ -269,7 +269,7 @@ class EnclosureSearch {
       if (box.system.mode()[k] == ConeState::open) {
         sign = open_conditions(box, k, x);
       } else {
-        sign = force_conditions(box, k);
+        sign = force_conditions(box, k, x);
       }
       if (!sign.not_negative) failing.push_back(k);
       box.locally_unique = box.locally_unique && sign.positive;
