@@ -55,6 +55,7 @@ setup(
     python_requires=">=3.11",
     install_requires=["numpy"],
     packages=["slipproof"],
+    entry_points={"pytest11": ["slipproof = slipproof.testing"]},
     package_data={"slipproof": ["py.typed", "*.pyi"]},
     ext_modules=[Extension("slipproof._core", sources=[])],
     cmdclass={"build_ext": CMakeBuild},
