@@ -43,8 +43,6 @@ struct ProblemFile {
 
   std::size_t components() const { return form == ProblemForm::global ? H.columns : q.size(); }
   std::size_t contacts() const { return components() / dimension; }
-  /// Whether solvers of it solve something else than Coulomb's law.
-  bool has_own_law() const { return law.kind != FrictionLaw::cone || !compliance.empty() || !bias.empty(); }
 };
 
 /// What a solver gives; an empty vector is a part that it does not give. NaN and infinities are kept: they are answers,

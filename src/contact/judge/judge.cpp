@@ -238,7 +238,8 @@ ContactJudgement judge_contacts(const MixedProblem& problem, std::vector<double>
   const bool right = std::max(backward, velocity_error) <= options.tolerance;
   ContactCase found(problem, u, options, judgement);
   const bool strong = have_modes(problem) || is_convex(problem);
-  if (strong && (right || options.refine || may_be_near(judgement))) found.look_near();
+  const bool other_convex = !problem.is_coulomb() && is_convex(problem);  // then every answer has a certified distance
+  if (strong && (right || options.refine || other_convex || may_be_near(judgement))) found.look_near();
   const bool known = judgement.has_solution();
   const bool near = known && (options.within ? judgement.rho <= *options.within : judgement.error <= contact_near);
   const bool only_forces_open = judgement.every && !judgement.every->unique();

@@ -148,7 +148,7 @@ JudgedProblem::JudgedProblem(std::string name, ReadProblem read, const ContactFi
   if (options.law) check_problem(problem, mistakes);
   mistakes.refuse_if_any();
   mixed = mixed_problem(problem);
-  if (problem.has_own_law()) rigid = coulomb_problem(problem);
+  if (!mixed.is_coulomb() || !problem.compliance.empty() || !problem.bias.empty()) rigid = coulomb_problem(problem);
   const auto judge = [&](const SolverAnswer& answer) {
     answers.push_back(judged_or_undecided(answer.origin, [&] { return judge_one(*this, answer, options); }));
   };
