@@ -63,8 +63,12 @@ class LineJudge {
 
   /// Throws BrokenRecord. The judgement may come later, but before finish() returns.
   void judge(std::string_view line, std::uint64_t at, RecordJudgement& judgement) {
+    const bool may_be_problem = !options_.mechanism && options_.format == RecordFormat::json_lines;
+    if (options_.as_files() && !may_be_problem) {
+      throw BrokenRecord{0, "found a record, expected a contact problem, which --law and --within are for"};
+    }
     if (reader_.has_usual_lines() && read_usual(line, judgement)) return;
-    if (!options_.mechanism && options_.format == RecordFormat::json_lines && is_any_problem(line)) {
+    if (may_be_problem && (options_.as_files() || is_any_problem(line))) {
       judgement = judge_problem_of(line, at);
     } else {
       judge_record(line, at, judgement);
@@ -84,7 +88,7 @@ class LineJudge {
   }
 
   RecordJudgement judge_problem_of(std::string_view line, std::uint64_t at) const {
-    if (is_json_problem(line)) return judge_contact_line(line, options_);
+    if (options_.as_files() || is_json_problem(line)) return judge_contact_line(line, options_);
     const ProblemRecord record = read_problem(line, options_.decimal_exact, options_.ignore_unknown);
     if (record.not_finite) return not_finite(*record.not_finite, at);
     JudgeOptions judge = options_.judge;

@@ -48,7 +48,7 @@ RecordJudgement judge_contact_line(std::string_view line, const CertifyOptions& 
   ReadProblem given = read(line, options);
   return judged_or_undecided([&] {
     const JudgedProblem problem =
-        judge_problem_file(options.file, std::move(given), {options.contact, std::nullopt, std::nullopt});
+        judge_problem_file(options.file, std::move(given), {options.contact, std::nullopt, options.law});
     return as_record(problem, 0);
   });
 }

@@ -21,6 +21,10 @@ enum class RecordFormat {
 struct CertifyOptions {
   JudgeOptions judge;
   ContactJudgeOptions contact = {};  ///< for lines with a contact problem in the form of `read_problem_line`
+  /// In place of the law that a contact problem in a line names. With it, or with contact.within, all lines are contact
+  /// problems, and judged as files are.
+  std::optional<FrictionLaw> law = std::nullopt;
+  bool as_files() const { return law || contact.within; }
   RecordFormat format = RecordFormat::by_first_byte;
   std::string file = "-";  ///< the name of the input in messages
   /// The mechanism of the records; if there is none, they are bicycles (bicycle_records.hpp) or contact problems.

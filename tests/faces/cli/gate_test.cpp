@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "support/run_program.hpp"
 
@@ -62,4 +63,29 @@ TEST_CASE("JUnit's XML and SARIF have what fails, and how much does not") {
   // Nothing is written over an input, and nothing beside a checkpoint.
   CHECK(run({"certify", examples, "--junit", examples}).exit_code != 0);
   CHECK(run({"certify", examples, "--junit", junit, "--checkpoint", folder.path() / "c"}).exit_code == 2);
+}
+
+TEST_CASE("--law and --within are for lines, too, which are judged as files then") {
+  const std::string laws = SLIPPROOF_SOURCE_DIR "/cases/contact-problems/laws.jsonl";
+  const auto verdict = [&](const std::vector<std::string>& options, std::size_t line) {
+    std::vector<std::string> arguments{"certify", laws, "--json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    std::istringstream lines(run(arguments).out);
+    std::string text;
+    for (std::size_t i = 0; i <= line; ++i) std::getline(lines, text);
+    return nlohmann::json::parse(text)["verdict"].get<std::string>();
+  };
+  CHECK(verdict({}, 1) == "unique");
+  CHECK(verdict({"--law", "coulomb"}, 1) == "wrong");
+  CHECK(verdict({"--law", "coulomb", "--within", "0.5"}, 1) == "no solution within rho");
+  CHECK(verdict({"--within", "1"}, 2) == "not converged");
+  const auto small = run({"certify", examples, "--law", "coulomb", "--json"});
+  CHECK(small.out.find(R"("verdict":"unique")") != std::string::npos);
+  CHECK(small.out.find(R"("verdict":"certified")") == std::string::npos);
+  const TemporaryFolder folder;
+  const std::string scenes = folder.write("s.jsonl", R"({"M":1,"R":1,"F":1,"a":1})"
+                                                     "\n");
+  const auto other =
+      run({"certify", scenes, "--scene", SLIPPROOF_SOURCE_DIR "/cases/city-bicycle.toml", "--law", "box"});
+  CHECK(other.out.find("expected a contact problem") != std::string::npos);
 }

@@ -94,10 +94,10 @@ bool is_one_problem(const CertifyArguments& options) {
   if (options.file != "-" && !is_json_lines(options.file)) {
     return options.problem.any() || is_problem_file(options.file);
   }
-  if (options.problem.any()) {
+  if (options.problem.any_of_one()) {
     throw CLI::ValidationError("FILE", "found " + std::string(options.file == "-" ? "standard input" : "JSON Lines") +
                                            ", expected a file with one contact problem for --answer, --refine, "
-                                           "--certificate, --check-certificate, --report, --within and --law");
+                                           "--certificate, --check-certificate and --report");
   }
   return false;
 }
@@ -118,11 +118,11 @@ std::string certified_work(const CertifyArguments& options, const RecordPieces& 
   const CertifyOptions& c = options.certify;
   return fmt::format(
       "certify {}\nparts {} scene {} mechanism {}\nformat {} decimal {} broken {} unknown {} from {}\n"
-      "tolerance {} {} effort {} {} every-q {}\n",
+      "tolerance {} {} effort {} {} every-q {} law {} within {}\n",
       pieces.input(), !options.parts.empty(), options.scene.empty() ? "" : digest_of(options.scene),
       c.mechanism ? digest_of(c.mechanism->mechanism.file) : "", static_cast<int>(c.format), options.decimal,
       options.broken, c.ignore_unknown, c.first_record, c.judge.tolerance, c.contact.tolerance, c.judge.effort,
-      c.contact.effort, c.judge.every_q);
+      c.contact.effort, c.judge.every_q, options.problem.law, c.contact.within.value_or(-1));
 }
 
 Exit certified_exit(const CertifySummary& summary) {
@@ -193,6 +193,8 @@ int run_certify(CertifyArguments& options) {
     throw CLI::ValidationError("--junit, --sarif", "found with --checkpoint, --parts or many ranks, expected without");
   }
   if (options.tolerance) options.certify.judge.tolerance = options.certify.contact.tolerance = *options.tolerance;
+  options.certify.contact.within = options.problem.within;
+  options.certify.law = law_called(options.problem.law);
   if (options.effort) options.certify.judge.effort = options.certify.contact.effort = *options.effort;
   options.certify.format = format_of(options);
   options.certify.file = options.file;

@@ -16,11 +16,11 @@ struct CertifyProblemArguments {
   std::optional<double> tolerance, within;
   std::optional<Work> effort;
   bool refine = false;
-  /// Whether an option was given that only problems have.
-  bool any() const {
-    return !answer.empty() || !certificate.empty() || !check_certificate.empty() || !report.empty() || refine ||
-           within || !law.empty();
+  /// Whether an option was given that only a file with one problem has, or only problems have.
+  bool any_of_one() const {
+    return !answer.empty() || !certificate.empty() || !check_certificate.empty() || !report.empty() || refine;
   }
+  bool any() const { return any_of_one() || within || !law.empty(); }
 };
 
 /// Adds these options to `certify`.
