@@ -200,8 +200,9 @@ class ContactCase {
 };
 
 /// Whether the nearest solution may be near: where the law fails all around, it is not.
-bool may_be_near(const ContactJudgement& j) {
+bool may_be_near(const ContactJudgement& j, const ContactJudgeOptions& options) {
   if (j.residual->backward_error() <= contact_near) return true;
+  if (options.within) return j.excluded() <= *options.within;
   double largest = 0;
   for (const double x : j.x) largest = std::max(largest, std::abs(x));
   return j.exclusion && j.exclusion->radius <= 2 * contact_near * largest;
@@ -239,7 +240,7 @@ ContactJudgement judge_contacts(const MixedProblem& problem, std::vector<double>
   ContactCase found(problem, u, options, judgement);
   const bool strong = have_modes(problem) || is_convex(problem);
   const bool other_convex = !problem.is_coulomb() && is_convex(problem);  // then every answer has a certified distance
-  if (strong && (right || options.refine || other_convex || may_be_near(judgement))) found.look_near();
+  if (strong && (right || options.refine || other_convex || may_be_near(judgement, options))) found.look_near();
   const bool known = judgement.has_solution();
   const bool near = known && (options.within ? judgement.rho <= *options.within : judgement.error <= contact_near);
   const bool only_forces_open = judgement.every && !judgement.every->unique();
