@@ -31,6 +31,7 @@ MatrixXd derivative_of(const ModeSystem& system, std::span<const double> z, std:
 
 /// The columns that pivoting takes first; each has its weight as its size before.
 std::vector<Index> independent_columns(const MatrixXd& matrix, const std::vector<double>& weights) {
+  if (matrix.size() == 0) return {};
   MatrixXd scaled = matrix;
   for (Index j = 0; j < scaled.cols(); ++j) {
     const double norm = scaled.col(j).norm();

@@ -78,11 +78,16 @@ class JsonPeek {
     H_ = H_ || key_ == "H";
     W_ = W_ || key_ == "W";
     q_ = q_ || key_ == "q";
-    law_ = law_ || key_ == "law";
+    law_ = law_ || is_of_law();
   }
 
   void end_value() {
     if (depth_ == 1) three_ = three_ || value_ == "3";
+  }
+
+  bool is_of_law() const {
+    constexpr std::array<std::string_view, 6> keys{"law", "compliance", "bias", "bounds", "slip_speed", "units"};
+    return std::ranges::find(keys, key_) != keys.end();
   }
 
   bool is_matrix() const {
@@ -108,7 +113,10 @@ bool begins_as_json_problem(std::istream& text) {
 bool is_json_problem(std::string_view line) {
   const auto has = [&](std::string_view word) { return line.find(word) != std::string_view::npos; };
   // The ends of keys: quotation marks are everywhere in a line, and begin nothing that is quickly looked for.
-  if (!has("dimension\"") && !has("entries\"") && !has("H\"") && !has("law\"")) return false;
+  if (!has("dimension\"") && !has("entries\"") && !has("H\"") && !has("law\"") && !has("compliance\"") &&
+      !has("bias\"") && !has("bounds\"") && !has("slip_speed\"") && !has("units\"")) {
+    return false;
+  }
   JsonPeek peek;
   for (const char c : line) {
     if (!peek.take(c)) break;

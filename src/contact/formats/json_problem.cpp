@@ -37,7 +37,8 @@ class JsonProblem {
     answer.u = global ? part({"u"}) : part({"u", "w"});
     answer.v = part({"v"});
     answer.lambda = part({"lambda"});
-    if (!answer.r.empty() || !answer.u.empty()) read_.answers.push_back(std::move(answer));
+    const bool empty = p.components() == 0 && (root_.find("r") != nullptr || root_.find("z") != nullptr);
+    if (!answer.r.empty() || !answer.u.empty() || empty) read_.answers.push_back(std::move(answer));
     refuse_unknown(global);
     if (const std::size_t rounded = numbers_.rounded(); rounded > 0) {
       p.remarks.push_back(std::to_string(rounded) + (rounded == 1 ? " fraction is" : " fractions are") +
@@ -120,9 +121,19 @@ class JsonProblem {
       p.law.function = *kind;
     }
     if (const JsonNode* speed = root_.find("slip_speed")) p.law.slip_speed = numbers_.number(*speed, "slip_speed");
+    refuse_of_other("bounds", FrictionLaw::fixed);
+    refuse_of_other("slip_speed", FrictionLaw::regularised);
+    refuse_of_other("function", FrictionLaw::regularised);
     p.law.bounds = each("bounds", p.components() - p.contacts());
     p.compliance = each("compliance", p.components());
     p.bias = each("bias", p.components());
+  }
+
+  /// What belongs to another law than the one that is named.
+  void refuse_of_other(const std::string& key, FrictionLaw law) const {
+    if (root_.find(key) == nullptr || root_.find("law") == nullptr || read_.problem.law.kind == law) return;
+    numbers_.refuse(key, "found it with the law " + std::string(word(read_.problem.law.kind)) + ", expected " +
+                             std::string(word(law)));
   }
 
   void read_units() {
@@ -150,7 +161,10 @@ class JsonProblem {
   std::vector<double> each(const std::string& key, std::size_t count) const {
     const JsonNode* node = root_.find(key);
     if (node == nullptr) return {};
-    if (node->kind == JsonNode::Kind::list) return numbers_.list(*node, key);
+    if (node->kind == JsonNode::Kind::list) {
+      if (node->size() == 0 && count > 0) numbers_.refuse(key, "found 0 numbers, expected " + std::to_string(count));
+      return numbers_.list(*node, key);
+    }
     return std::vector<double>(count, numbers_.number(*node, key));
   }
 

@@ -121,7 +121,8 @@ void check_law(const ProblemFile& p, ProblemCheck& check) {
     check.magnitudes("bounds", p.law.bounds, components - p.contacts(), "a bound of a tangential component");
   }
   if ((regularised || p.law.slip_speed != 0) && !(p.law.slip_speed > 0 && std::isfinite(p.law.slip_speed))) {
-    check.add("slip_speed: found " + short_number(p.law.slip_speed) + ", expected a speed above 0");
+    const std::string found = p.law.slip_speed == 0 ? "nothing or 0" : short_number(p.law.slip_speed);
+    check.add("slip_speed: found " + found + ", expected a speed above 0");
   }
 }
 

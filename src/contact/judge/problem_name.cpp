@@ -28,6 +28,13 @@ std::string canonical_form(const MixedProblem& problem) {
     }
   }
   vector("constant", problem.c);
+  if (problem.is_coulomb()) return text;
+  const ContactLaw& law = problem.law;
+  text += fmt::format("law {}", word(law.kind));
+  if (law.kind == FrictionLaw::regularised) {
+    text += fmt::format(" {} {}", word(law.function), to_rational(law.slip_speed).str());
+  }
+  vector("", law.kind == FrictionLaw::fixed ? law.bounds : std::vector<double>());
   return text;
 }
 

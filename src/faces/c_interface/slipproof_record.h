@@ -187,7 +187,7 @@ static inline void slipproof_record_key(slipproof_record_text* text, const char*
 
 static inline void slipproof_record_vector(slipproof_record_text* text, const char* key, const double* values,
                                            size_t count) {
-  if (!values) return;
+  if (!values && count > 0) return;
   slipproof_record_key(text, key);
   slipproof_record_list(text, values, count);
 }
@@ -254,9 +254,11 @@ static inline const char* slipproof_record_check(const slipproof_record_step* st
   if (step->bodies > 0 && (!step->M || !step->J || !step->f || !step->v)) return "bodies: expected M, J, f and v";
   if (step->bodies > 0 && step->dimension == 1)
     return "bodies: expected dimension 2 or 3, with mu 0 where there is none";
-  if (step->bodies == 0 && !step->q) return "q: expected with W or entries";
-  if (!step->r) return "r: expected the answer";
-  if (step->dimension > 1 && !step->mu) return "mu: expected a coefficient of friction for each contact";
+  if (step->bodies == 0 && !step->q && step->contacts > 0) return "q: expected with W or entries";
+  if (!step->r && step->contacts > 0) return "r: expected the answer";
+  if ((int)step->law < SLIPPROOF_LAW_COULOMB || (int)step->law > SLIPPROOF_LAW_REGULARISED) return "law: expected one";
+  if (step->dimension > 1 && !step->mu && step->contacts > 0)
+    return "mu: expected a coefficient of friction for each contact";
   if (step->dimension == 1 && step->mu) return "mu: expected none in dimension 1";
   if ((step->law == SLIPPROOF_LAW_FIXED) != (step->bounds != NULL))
     return "bounds: expected with the law of fixed bounds";
@@ -270,7 +272,13 @@ static inline const char* slipproof_record_check(const slipproof_record_step* st
     if (step->entries[k].row >= n || step->entries[k].column >= n) return "entries: expected rows and columns below n";
   }
   for (k = 0; k < step->contacts && step->mu; ++k) {
-    if (!(step->mu[k] >= 0)) return "mu: expected no negative number";
+    if (!(step->mu[k] >= 0 && step->mu[k] < HUGE_VAL)) return "mu: expected no negative number, and no infinity";
+  }
+  for (k = 0; k < n && step->compliance; ++k) {
+    if (!(step->compliance[k] >= 0)) return "compliance: expected no negative number";
+  }
+  for (k = 0; k + step->contacts < n && step->bounds; ++k) {
+    if (!(step->bounds[k] >= 0)) return "bounds: expected no negative number";
   }
   return NULL;
 }
@@ -314,14 +322,14 @@ static inline void slipproof_record_line(slipproof_record_text* text, const slip
     }
     slipproof_record_vector(text, "q", step->q, n);
   }
-  slipproof_record_vector(text, "mu", step->mu, step->contacts);
+  if (d > 1) slipproof_record_vector(text, "mu", step->mu, step->contacts);
   slipproof_record_key(text, "law");
   slipproof_record_word(text, "\"");
   slipproof_record_word(text, laws[step->law]);
   slipproof_record_word(text, "\"");
-  slipproof_record_vector(text, "compliance", step->compliance, n);
-  slipproof_record_vector(text, "bias", step->bias, n);
-  slipproof_record_vector(text, "bounds", step->bounds, step->contacts * (d - 1));
+  if (step->compliance) slipproof_record_vector(text, "compliance", step->compliance, n);
+  if (step->bias) slipproof_record_vector(text, "bias", step->bias, n);
+  if (step->bounds) slipproof_record_vector(text, "bounds", step->bounds, step->contacts * (d - 1));
   if (step->law == SLIPPROOF_LAW_REGULARISED) {
     slipproof_record_key(text, "slip_speed");
     slipproof_record_number(text, step->slip_speed);
@@ -329,7 +337,7 @@ static inline void slipproof_record_line(slipproof_record_text* text, const slip
     slipproof_record_word(text, step->soft ? "\"soft\"" : "\"linear\"");
   }
   slipproof_record_vector(text, "r", step->r, n);
-  slipproof_record_vector(text, "u", step->u, n);
+  if (step->u) slipproof_record_vector(text, "u", step->u, n);
   if (step->force_unit) {
     slipproof_record_key(text, "units");
     slipproof_record_word(text, "{\"force\":\"");

@@ -130,6 +130,13 @@ struct Problem {
       }
     }
     add("constant", c);
+    if (!law.is(Law::Kind::coulomb)) {
+      constexpr std::array<const char*, 7> words{
+          "", "box", "diamond", "fixed", "associated", "regularised linear", "regularised soft"};
+      const bool slips = law.is(Law::Kind::linear) || law.is(Law::Kind::soft);
+      add(("law " + std::string(words[static_cast<std::size_t>(law.kind)])).c_str(),
+          slips ? Vector{law.slip_speed} : law.bounds);
+    }
     return hash.hexadecimal();
   }
 

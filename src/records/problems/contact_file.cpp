@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/number/binary64.hpp"
 #include "base/number/format.hpp"
@@ -183,7 +184,7 @@ std::string contact_members(const JudgedProblem& problem, std::size_t answer) {
     }
     if (is_certified(j.verdict) || j.verdict == ContactVerdict::ambiguous) line["unique"] = uniqueness(j);
   }
-  if (j.every) line["velocities_within"] = at_most(j.every->eta);
+  if (j.every && std::isfinite(j.every->eta)) line["velocities_within"] = at_most(j.every->eta);
   if (j.excluded() > 0) line["no_solution_within"] = at_least(j.excluded());
   if (j.residual) {
     line["residual"] = at_most(j.residual->change);

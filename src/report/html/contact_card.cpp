@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "base/number/format.hpp"
 #include "report/html/sections.hpp"
@@ -87,7 +88,8 @@ void add_bounds(const Element& parent, const ContactJudgement& j) {
   NumberList list(parent);
   if (j.enclosure)
     list.add("ρ", bound_text(j.rho), "from the answer to an exact solution, in each component" + uniqueness(j));
-  if (j.every) list.add("velocities", bound_text(j.every->eta), "from those of the answer to those of every solution");
+  if (j.every && std::isfinite(j.every->eta))
+    list.add("velocities", bound_text(j.every->eta), "from those of the answer to those of every solution");
   if (j.excluded() > 0) {
     const bool fails = j.exclusion && j.exclusion->radius > 0;
     list.add("no solution within", at_least(j.excluded()),

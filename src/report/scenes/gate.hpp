@@ -16,7 +16,8 @@ class FailingVerdicts {
  public:
   /// All but `certified`.
   FailingVerdicts() { fails_.fill(true), fails_[static_cast<std::size_t>(RecordVerdict::certified)] = false; }
-  /// Those that are named; nothing else. Throws std::invalid_argument for what is none.
+  /// Those that are named, and `invalid`: what could not be judged is never right. Throws std::invalid_argument for
+  /// what is none.
   explicit FailingVerdicts(const std::vector<std::string>& names);
 
   bool operator()(RecordVerdict verdict) const { return fails_[static_cast<std::size_t>(verdict)]; }

@@ -89,3 +89,16 @@ TEST_CASE("a nearly singular matrix is enclosed where binary64 can, and contains
   }
   CHECK(enclosed >= 8);
 }
+
+TEST_CASE("rows of free unknowns without any of them are judged, too") {
+  // M = 0: v is anything as long as no force acts, and the contact opens with 1.
+  MixedProblem p;
+  p.free = 1;
+  p.dimension = 2;
+  p.A = from_dense(3, 3, std::vector<double>{0, -1, 0, 1, 0, 0, 0, 0, 0});
+  p.c = {0, 1, 1};
+  p.mu = {0.5};
+  const ContactJudgement found = judge_contacts(p, {0, 0, 0}, {}, {});
+  CHECK(found.residual->backward_error() == 0);
+  CHECK(found.verdict != ContactVerdict::wrong);
+}

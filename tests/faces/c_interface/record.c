@@ -43,6 +43,19 @@ static void writes_each_step(void) {
       0);
 }
 
+/* A step without contacts, as most are. */
+static void writes_nothing_that_touches(void) {
+  slipproof_recorder recorder;
+  slipproof_record_step step = {0};
+  step.dimension = 3;
+  assert(slipproof_record_open(&recorder, path, 0) == SLIPPROOF_RECORD_OK);
+  assert(slipproof_record(&recorder, &step) == SLIPPROOF_RECORD_OK);
+  assert(slipproof_record_close(&recorder) == SLIPPROOF_RECORD_OK);
+  assert(strcmp(content(),
+                "{\"title\":\"step 1\",\"dimension\":3,\"W\":{\"rows\":0,\"columns\":0,\"entries\":[]},\"q\":[],"
+                "\"mu\":[],\"law\":\"coulomb\",\"r\":[]}\n") == 0);
+}
+
 /* Of ten steps the three that are farthest from their law, in the order in which they came. */
 static void keeps_the_worst(void) {
   static const double off[] = {0, 5e-3, 1e-9, 2, 1e-6, 1e-7, 1, 1e-3, 0, NAN};
@@ -91,7 +104,7 @@ static void refuses(slipproof_record_step step, const char* expected) {
 }
 
 static void refuses_what_is_no_step(void) {
-  static const double r[] = {10, -3, 0}, negative[] = {-1}, M[] = {1};
+  static const double r[] = {10, -3, 0}, negative[] = {-1}, M[] = {1}, negative3[] = {0, -1, 0};
   static const slipproof_record_entry beyond = {3, 0, 1};
   slipproof_record_step step = point(r);
   slipproof_recorder recorder;
@@ -109,6 +122,10 @@ static void refuses_what_is_no_step(void) {
   refuses(step, "bounds");
   step = point(r), step.law = SLIPPROOF_LAW_REGULARISED;
   refuses(step, "slip_speed");
+  step = point(r), step.compliance = negative3;
+  refuses(step, "compliance");
+  step = point(r), step.law = (slipproof_record_law)17;
+  refuses(step, "law");
   step = point(r), step.title = "a \"quote\"";
   refuses(step, "title");
   step = point(r), step.force_unit = "N";
@@ -124,6 +141,7 @@ int main(void) {
   for (i = 0; i < 3 && !setlocale(LC_ALL, locales[i]); ++i) {
   }
   writes_each_step();
+  writes_nothing_that_touches();
   keeps_the_worst();
   measures_by_each_law();
   refuses_what_is_no_step();

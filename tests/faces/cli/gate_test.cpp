@@ -29,6 +29,16 @@ TEST_CASE("--fail-on says which verdicts fail, and without it exit codes are as 
   CHECK(mistaken.exit_code == 2);
   CHECK(mistaken.err.find("found slow, expected ambiguous, inaccurate, wrong, invalid or undecided") !=
         std::string::npos);
+  const std::string nan = folder.write("n.jsonl", R"({"M":[[2,1],[1,2]],"q":[-5,-6],"z":["4/3","7/3"]})"
+                                                  "\n"
+                                                  R"({"M":[[2,1],[1,2]],"q":[-5,-6],"z":[NaN,0]})"
+                                                  "\n");
+  CHECK(run({"certify", nan, "--fail-on", "wrong"}).exit_code == 1);
+  CHECK(run({"certify", folder.write("g.jsonl", "{}\ngarbage\n"), "--fail-on", "wrong"}).exit_code == 1);
+  CHECK(run({"certify", folder.write("e.jsonl", ""), "--fail-on", "wrong"}).exit_code != 0);
+  CHECK(run({"certify", nan, "--junit", ""}).exit_code == 2);
+  const std::string same = folder.path() / "same";
+  CHECK(run({"certify", nan, "--junit", same, "--sarif", same}).exit_code == 2);
   const std::string block = SLIPPROOF_SOURCE_DIR "/cases/contact-problems/pushed-block.json";
   CHECK(run({"certify", block, "--fail-on", "wrong"}).exit_code == 0);
   CHECK(run({"certify", block, "--tolerance", "1e-12"}).exit_code == 1);
@@ -44,7 +54,7 @@ TEST_CASE("JUnit's XML and SARIF have what fails, and how much does not") {
   CHECK(outcome.exit_code == 1);
   const std::string xml = read_file(junit);
   CHECK(xml.find("tests=\"5\" failures=\"4\"") != std::string::npos);
-  CHECK(xml.find("name=\"6 records of 10 as they should be\"") != std::string::npos);
+  CHECK(xml.find("name=\"6 records of 10 that do not fail\"") != std::string::npos);
   CHECK(xml.find("name=\"record 3\"") != std::string::npos);
   CHECK(xml.find("message=\"wrong: violates w2 >= 0, margin -7/2\"") != std::string::npos);
   const auto document = nlohmann::json::parse(read_file(sarif));

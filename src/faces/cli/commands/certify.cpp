@@ -206,6 +206,7 @@ int run_certify(CertifyArguments& options) {
   if (!options.summary.empty())
     summary_file.emplace(options.summary, Inputs{options.file == "-" ? "/dev/stdin" : options.file, options.scene});
   const bool quiet = options.common.quiet;
+  refuse_one_file_twice({options.summary, options.gate.junit, options.gate.sarif});
   Gate gate(options.gate, options.file, Inputs{options.file == "-" ? "/dev/stdin" : options.file, options.scene});
   if (options.gate.writes()) {
     options.certify.judged = [&](std::uint64_t record, const RecordJudgement& judgement) {

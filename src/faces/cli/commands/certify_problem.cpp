@@ -134,6 +134,7 @@ int run_certify_problem(const CertifyProblemArguments& options, const GateArgume
     mistakes.refuse_if_any();
   }
   const Inputs inputs{options.file, options.answer};
+  refuse_one_file_twice({options.refined, options.certificate, options.report, gate_options.junit, gate_options.sarif});
   std::optional<OutputFile> refined, certificate, report;
   if (!options.refined.empty()) refined.emplace(options.refined, inputs);
   if (!options.certificate.empty()) certificate.emplace(options.certificate, inputs);

@@ -1,5 +1,7 @@
 #include "faces/cli/commands/gate.hpp"
 
+#include <filesystem>
+#include <set>
 #include <stdexcept>
 
 namespace slipproof::cli {
@@ -7,9 +9,10 @@ namespace slipproof::cli {
 void add_gate_options(CLI::App& command, GateArguments& options) {
   const auto group = command.add_option_group("Continuous integration", "what fails, and where it is read");
   group
-      ->add_option("--fail-on", options.fail_on,
-                   "Verdicts that end with exit code 1, others with 0: some of ambiguous,\ninaccurate, wrong, invalid, "
-                   "undecided, with commas. Without it all are told by\ntheir own exit codes")
+      ->add_option(
+          "--fail-on", options.fail_on,
+          "Verdicts that end with exit code 1, others with 0: some of ambiguous,\ninaccurate, wrong, undecided, with "
+          "commas; invalid ones always do. Without it all\nare told by their own exit codes")
       ->delimiter(',')
       ->check([](const std::string& word) {
         try {
@@ -19,8 +22,20 @@ void add_gate_options(CLI::App& command, GateArguments& options) {
           return "found " + word + ", expected ambiguous, inaccurate, wrong, invalid or undecided";
         }
       });
-  group->add_option("--junit", options.junit, "Write what fails to this file, as JUnit's XML");
-  group->add_option("--sarif", options.sarif, "Write what fails to this file, as SARIF 2.1.0");
+  const auto named = [](const std::string& file) {
+    return file.empty() ? std::string("found an empty name, expected a file") : std::string();
+  };
+  group->add_option("--junit", options.junit, "Write what fails to this file, as JUnit's XML")->check(named);
+  group->add_option("--sarif", options.sarif, "Write what fails to this file, as SARIF 2.1.0")->check(named);
+}
+
+void refuse_one_file_twice(const std::vector<std::string>& files) {
+  std::set<std::filesystem::path> seen;
+  for (const std::string& file : files) {
+    if (file.empty() || file.starts_with("/dev/")) continue;
+    if (seen.insert(std::filesystem::weakly_canonical(file)).second) continue;
+    throw CLI::ValidationError(file, "found for two results, expected a file for each");
+  }
 }
 
 Gate::Gate(const GateArguments& options, std::string file, const Inputs& inputs) : asked_(!options.fail_on.empty()) {
@@ -37,6 +52,7 @@ void Gate::write() {
 
 int Gate::exit_code(const CertifySummary& summary, int without) const {
   if (!asked_) return without;
+  if (summary.records == 0) return refuted_or_not_certified;  // nothing has been looked at
   for (std::size_t i = 0; i < record_verdict_count; ++i) {
     if (summary.verdicts[i] > 0 && fails_(static_cast<RecordVerdict>(i))) return refuted_or_not_certified;
   }

@@ -20,6 +20,10 @@ struct GateArguments {
 
 void add_gate_options(CLI::App& command, GateArguments& options);
 
+/// Refuses two results in one file, of which one would be lost. Empty names are passed over. Throws
+/// CLI::ValidationError.
+void refuse_one_file_twice(const std::vector<std::string>& files);
+
 class Gate {
  public:
   /// Opens the files. Throws OutputError.
