@@ -1,6 +1,9 @@
 #include "report/scenes/gate.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cctype>
 #include <stdexcept>
 
 #include "base/number/format.hpp"
@@ -33,6 +36,17 @@ std::string message_of(const GateFailure& failure) {
         ": " + place + " violates " + worst["violates"].get<std::string>() + " by " + worst["by"].get<std::string>();
   }
   return text;
+}
+
+/// A file's name as a URI, RFC 3986.
+std::string uri_of(const std::string& file) {
+  std::string uri;
+  for (const char c : file) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain = std::isalnum(byte) != 0 || std::string_view("-._~/").find(c) != std::string_view::npos;
+    uri += plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
+  }
+  return uri;
 }
 
 }  // namespace
@@ -88,7 +102,7 @@ std::string sarif(const GateRun& run) {
     result["ruleId"] = name(failure.verdict);
     result["level"] = failure.verdict == RecordVerdict::undecided ? "warning" : "error";
     result["message"]["text"] = case_name(failure) + ": " + message_of(failure);
-    location["physicalLocation"]["artifactLocation"]["uri"] = run.file;
+    location["physicalLocation"]["artifactLocation"]["uri"] = uri_of(run.file);
     result["locations"] = Json::array({std::move(location)});
     result["properties"]["record"] = failure.record;
     results.push_back(std::move(result));

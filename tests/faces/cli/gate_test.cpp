@@ -59,6 +59,9 @@ TEST_CASE("JUnit's XML and SARIF have what fails, and how much does not") {
   CHECK(xml.find("message=\"wrong: violates w2 >= 0, margin -7/2\"") != std::string::npos);
   const auto document = nlohmann::json::parse(read_file(sarif));
   CHECK(document["version"] == "2.1.0");
+  const std::string odd = folder.write("50% #1.jsonl", read_file(examples));
+  CHECK(run({"certify", odd, "--sarif", sarif, "--quiet"}).exit_code == 1);
+  CHECK(read_file(sarif).find("50%25%20%231.jsonl") != std::string::npos);
   const auto& results = document["runs"][0]["results"];
   REQUIRE(results.size() == 4);
   CHECK(results[1]["ruleId"] == "wrong");

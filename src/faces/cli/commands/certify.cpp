@@ -184,6 +184,9 @@ int run_certify(CertifyArguments& options) {
   if (table) refuse_crew(options, "a table");
   if (!table && is_one_problem(options)) {
     refuse_crew(options, "one contact problem");
+    if (options.certify.judge.every_q || options.decimal == "exact") {
+      throw CLI::ValidationError("--every-q, --decimal exact", "found with a file of one problem, expected lines");
+    }
     options.problem.file = options.file;
     options.problem.tolerance = options.tolerance;
     options.problem.effort = options.effort;
