@@ -87,7 +87,9 @@ class Bound {
     }
     if (loose.empty()) return true;
     const std::vector<double> push = opening_push(loose);
-    for (double much = 0; much < 0x1p-10; much = much == 0 ? 0x1p-60 * size_of_free(push) : 4 * much) {
+    const double size = size_of_free(push);
+    for (double part = 0; part < 0x1p-10; part = part == 0 ? 0x1p-60 : 4 * part) {
+      const double much = part * size;
       std::vector<Rational> moved = result_.point;
       for (std::size_t j = 0; j < problem_.free; ++j) {
         if (modulus(j).sign() > 0) moved[j] = to_rational(nearest_binary64(moved[j] + to_rational(much * push[j])));
