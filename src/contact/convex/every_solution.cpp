@@ -91,7 +91,7 @@ class Bound {
     for (double part = 0; part < 0x1p-10; part = part == 0 ? 0x1p-60 : 4 * part) {
       const double much = part * size;
       std::vector<Rational> moved = result_.point;
-      for (std::size_t j = 0; j < problem_.free; ++j) {
+      for (std::size_t j = 0; part > 0 && j < problem_.free; ++j) {
         if (modulus(j).sign() > 0) moved[j] = to_rational(nearest_binary64(moved[j] + to_rational(much * push[j])));
       }
       if (take_velocities(loose, moved)) {
