@@ -88,7 +88,9 @@ class CertificateWriter {
     return true;
   }
 
+  /// Nothing where no velocity is bounded.
   void write_every(const EverySolution& every) {
+    if (!std::isfinite(every.eta)) return;
     line("every-solution {:a} {:a}", every.rho, every.eta);
     vector("moduli", every.proof.moduli);
     line("factor {}", every.proof.factor.entries());
