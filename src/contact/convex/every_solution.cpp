@@ -22,7 +22,6 @@ Rational gap_of(const MixedProblem& problem, std::size_t k, const std::vector<Ra
   Rational gap = 0;
   const std::size_t first = problem.normal(k), d = problem.dimension;
   for (std::size_t i = 0; i < d; ++i) {
-    if (i > 0 && problem.law.kind == FrictionLaw::associated && problem.mu[k] == 0) break;
     gap += r[first + i] * u[first + i];
     if (i > 0 && problem.law.kind == FrictionLaw::fixed) {
       gap += to_rational(problem.law.bounds[(d - 1) * k + i - 1]) * abs(u[first + i]);
@@ -150,7 +149,8 @@ class Bound {
   bool measure() {
     double squares = 0, gaps = 0;
     for (std::size_t i = 0; i < problem_.size(); ++i) {
-      const Rational rest = exact_row(problem_, i, result_.point) - result_.motion[i];
+      result_.velocity.push_back(exact_row(problem_, i, result_.point));
+      const Rational rest = result_.velocity[i] - result_.motion[i];
       double share = 0;
       if (modulus(i).sign() > 0) {
         share = raised(upper_size(rest) / std::sqrt(enclose(modulus(i)).lower));
@@ -197,7 +197,7 @@ class Bound {
       if (symmetric) sum = std::min(sum, raised(std::sqrt(own) * energy));
       result_.changes.push_back(sum);
       if (i < problem_.free) continue;
-      const Rational away = exact_row(problem_, i, result_.point) - exact_row(problem_, i, std::span<const double>(x_));
+      const Rational away = result_.velocity[i] - exact_row(problem_, i, std::span<const double>(x_));
       result_.eta = std::max(result_.eta, raised(upper_size(away) + sum));
     }
   }
@@ -220,7 +220,7 @@ double error_of(const MixedProblem& problem, std::span<const double> x, std::spa
   for (std::size_t i = 0; i < problem.size(); ++i) {
     const bool bounded = std::isfinite(solution.radius[i]);
     components.push_back(bounded ? Around{solution.point[i], solution.radius[i]} : Around{to_rational(x[i]), 0});
-    velocities.push_back({exact_row(problem, i, solution.point), solution.changes[i]});
+    velocities.push_back({solution.velocity[i], solution.changes[i]});
   }
   return error_of(problem, x, u, components, velocities);
 }

@@ -14,6 +14,7 @@ namespace slipproof {
 struct EverySolution {
   MonotoneProof proof;
   std::vector<Rational> point, motion;  ///< forces of the convex set, velocities with a finite support there
+  std::vector<Rational> velocity;       ///< A point + c
   std::vector<double> shares;           ///< at least |A point + c - motion| / sqrt(d), of each row
   std::vector<double> gaps;             ///< at least what each contact lacks to be complementary
   double energy = 0;

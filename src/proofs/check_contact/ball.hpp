@@ -49,27 +49,17 @@ class Ball : public Neighbourhood {
     return result;
   }
 
-  /// M^T M - least^2 - L L^T is semidefinite, by its rows: the diagonal is at least the sum of the others.
+  /// M^T M - least^2 - L L^T is semidefinite.
   void check_least(const Matrix& M) const {
-    Matrix rest(factor_.size()), columns(factor_.size());
+    Matrix rest(factor_.size());
     for (const Row& row : M) {
       for (const auto& [j, a] : row) {
         for (const auto& [k, b] : row) rest[j][k] += a * b;
       }
     }
-    for (std::size_t j = 0; j < factor_.size(); ++j) {
-      rest[j][j] += -square(least_);
-      for (const auto& [k, l] : factor_[j]) columns[k][j] = -l;
-    }
-    for (std::size_t j = 0; j < factor_.size(); ++j) {
-      for (const auto& [k, l] : factor_[j]) {
-        for (const auto& [i, minus] : columns[k]) rest[j][i] += l * minus;
-      }
-      Number excess;
-      for (const auto& [i, a] : rest[j]) excess += i == j ? a : -abs(a);
-      require(excess.sign() >= 0, "unknown", j, "the diagonal is less than the others");
-      rest[j].clear();
-    }
+    for (std::size_t j = 0; j < rest.size(); ++j) rest[j][j] += -square(least_);
+    subtract_square(rest, factor_);
+    check_semidefinite(rest);
   }
 
   Vector rows_;

@@ -125,19 +125,37 @@ inline void check_dominant(const Matrix& A, const Vector& d) {
   }
 }
 
-/// A + A^T - L L^T.
-inline Matrix remainder(const Matrix& A, const Matrix& L) {
-  Matrix result(A.size()), columns(A.size());
-  for (std::size_t i = 0; i < A.size(); ++i) {
-    for (const auto& [j, a] : A[i]) result[i][j] += a, result[j][i] += a;
+/// Takes L L^T from a matrix.
+inline void subtract_square(Matrix& from, const Matrix& L) {
+  Matrix columns(L.size());
+  for (std::size_t i = 0; i < L.size(); ++i) {
     for (const auto& [k, l] : L[i]) columns[k][i] = -l;
   }
-  for (std::size_t i = 0; i < A.size(); ++i) {
+  for (std::size_t i = 0; i < L.size(); ++i) {
     for (const auto& [k, l] : L[i]) {
-      for (const auto& [j, minus] : columns[k]) result[i][j] += l * minus;
+      for (const auto& [j, minus] : columns[k]) from[i][j] += l * minus;
     }
   }
+}
+
+/// A + A^T - L L^T.
+inline Matrix remainder(const Matrix& A, const Matrix& L) {
+  Matrix result(A.size());
+  for (std::size_t i = 0; i < A.size(); ++i) {
+    for (const auto& [j, a] : A[i]) result[i][j] += a, result[j][i] += a;
+  }
+  subtract_square(result, L);
   return result;
+}
+
+/// Each row has its diagonal entry at least the sum of the absolute values of the others: it is semidefinite, where it
+/// is symmetric (Gershgorin).
+inline void check_semidefinite(const Matrix& matrix) {
+  for (std::size_t i = 0; i < matrix.size(); ++i) {
+    Number excess;
+    for (const auto& [j, a] : matrix[i]) excess += j == i ? a : -abs(a);
+    require(excess.sign() >= 0, "row", i, "the diagonal is less than the others");
+  }
 }
 
 /// `bound`: A less what mu takes from its diagonal.

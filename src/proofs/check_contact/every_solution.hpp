@@ -12,12 +12,8 @@ inline void check_moduli(const Problem& problem, const Vector& moduli, const Mat
     require(L[i].empty() || L[i].rbegin()->first <= i, "row", i, "an entry stands above the diagonal");
   }
   Matrix rest = remainder(problem.A, L);
-  for (std::size_t i = 0; i < rest.size(); ++i) {
-    rest[i][i] += -2 * moduli[i];
-    Number excess;
-    for (const auto& [j, a] : rest[i]) excess += j == i ? a : -abs(a);
-    require(excess.sign() >= 0, "row", i, "the diagonal is less than the others");
-  }
+  for (std::size_t i = 0; i < rest.size(); ++i) rest[i][i] += -2 * moduli[i];
+  check_semidefinite(rest);
 }
 
 inline bool is_symmetric(const Problem& problem) {
