@@ -1,5 +1,7 @@
 #include "base/output/json.hpp"
 
+#include "base/number/format.hpp"
+
 namespace slipproof {
 
 std::string json_text(const Json& json, int indent) {
@@ -9,6 +11,12 @@ std::string json_text(const Json& json, int indent) {
 std::string inner_json_text(const Json& json) {
   const std::string text = json_text(json);
   return text.substr(1, text.size() - 2);
+}
+
+Json exact_texts(const std::vector<Rational>& values) {
+  Json list = Json::array();
+  for (const Rational& x : values) list.push_back(exact_text(x));
+  return list;
 }
 
 }  // namespace slipproof

@@ -3,6 +3,9 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
+
+#include "base/number/rational.hpp"
 
 namespace slipproof {
 
@@ -13,5 +16,8 @@ std::string json_text(const Json& json, int indent = -1);
 
 /// The members of an object, or the elements of an array, without what stands around them.
 std::string inner_json_text(const Json& json);
+
+/// A list of numbers as texts, `["3/4", ...]`.
+Json exact_texts(const std::vector<Rational>& values);
 
 }  // namespace slipproof

@@ -9,9 +9,9 @@
 #include "contact/enclosure/sizes.hpp"
 #include "contact/exact/border.hpp"
 #include "contact/exact/exact_lcp.hpp"
-#include "contact/exact/multiple.hpp"
 #include "contact/exact/no_solution.hpp"
 #include "contact/judge/find.hpp"
+#include "contact/judge/small.hpp"
 
 namespace slipproof {
 
@@ -58,6 +58,12 @@ bool have_modes(const MixedProblem& problem) {
   return problem.is_coulomb() || problem.law.kind == associated || problem.law.kind == box;
 }
 
+std::vector<Rational> rationals(std::span<const double> values) {
+  std::vector<Rational> result;
+  for (const double x : values) result.push_back(to_rational(x));
+  return result;
+}
+
 /// An answer that is to be judged, and what is known of it so far.
 class ContactCase {
  public:
@@ -68,7 +74,7 @@ class ContactCase {
   /// A solution near the answer, and whether there are others.
   void look_near() {
     bool settled = false;
-    if (problem_.is_coulomb()) extra("all solutions", [&] { settled = count_all(); });
+    if (problem_.is_coulomb()) extra("all solutions", [&] { settled = judge_among_all(); });
     if (!settled && have_modes(problem_)) extra("a solution near the answer", [&] { enclose(); });
     if (!settled && problem_.is_coulomb() && j_.has_solution()) exclude_others();
     const bool known = j_.has_solution();
@@ -86,7 +92,7 @@ class ContactCase {
 
   /// Looks for multipliers that show that there is no solution at all.
   bool none_at_all() {
-    if (counted_ && count_.kind == SolutionCount::Kind::none) return true;
+    if (all_ && all_->solutions.empty() && all_->continua.empty()) return true;
     if (problem_.size() > 60) return false;
     std::optional<std::vector<Rational>> found;
     extra("why there is no solution", [&] { found = infeasibility(problem_, effort_); });
@@ -94,16 +100,10 @@ class ContactCase {
     return found.has_value();
   }
 
-  bool certainly_several() const {
-    using Kind = SolutionCount::Kind;
-    if (j_.other || !j_.other_exact.empty()) return true;
-    return counted_ && (count_.kind == Kind::several || count_.kind == Kind::continuum);
-  }
-  bool certainly_one() const {
-    return j_.unique_by || (j_.every && j_.every->unique()) || (counted_ && count_.kind == SolutionCount::Kind::one);
-  }
+  bool certainly_several() const { return j_.other || !j_.other_exact.empty(); }
+  bool certainly_one() const { return j_.unique_by || (j_.every && j_.every->unique()) || (all_ && all_->one()); }
   /// Whether the known solution is the nearest there is.
-  bool knows_all() const { return counted_ || j_.unique_by || (j_.every && j_.every->unique()); }
+  bool knows_all() const { return all_ || j_.unique_by || (j_.every && j_.every->unique()); }
 
  private:
   /// What follows for every solution, around the one that is known, or around the answer with its forces improved.
@@ -131,24 +131,37 @@ class ContactCase {
     return error_of(problem_, j_.x, u_, solution);
   }
 
-  /// Finds all solutions of a small problem in the plane or without friction; true if that settles it.
-  bool count_all() {
-    const std::size_t few = problem_.dimension == 1 ? 12 : 6;
-    return problem_.dimension < 3 && problem_.contacts() <= few && count();
+  /// Holds the answer against all solutions where a problem in the plane or without friction is small; true if that
+  /// settles it.
+  bool judge_among_all() {
+    const std::size_t n = problem_.size(), free = problem_.free, most_free = 200;
+    if (problem_.dimension == 3 || free > most_free || n - free > 12 || (n == free && n > 0)) return false;
+    try {
+      effort_.spend(times(times(free, free), times(free, 8)));
+      const auto small = eliminated(problem_);
+      if (!small) return false;
+      ProblemAnswer answer{rationals(std::span(j_.x).subspan(free)), std::nullopt, std::nullopt};
+      if (!u_.empty()) answer.w = rationals(u_);
+      SmallJudgement found = judge_small(small->problem, answer, options_.tolerance, effort_);
+      if (found.meant) take(*small, found);
+      all_ = std::move(found.all);
+    } catch (const TooMuchWork&) {
+    }
+    return all_.has_value();
   }
 
-  bool count() {
-    count_ = count_solutions(problem_, effort_, j_.x);
-    counted_ = count_.kind != SolutionCount::Kind::unknown;
-    if (count_.solutions.empty()) return counted_;
-    std::stable_sort(count_.solutions.begin(), count_.solutions.end(),
-                     [&](const auto& a, const auto& b) { return error_from(a) < error_from(b); });
-    j_.enclosure.reset();
-    j_.exact = count_.solutions.front();
+  void take(const EliminatedProblem& small, const SmallJudgement& found) {
+    if (!found.all) return;
+    j_.exact = small.with_free(found.meant->z);
     j_.rho = distance_from(j_.exact, j_.x);
-    if (count_.kind == SolutionCount::Kind::one) j_.unique_by = prove_unique(problem_, effort_);
-    if (count_.solutions.size() > 1) j_.other_exact = count_.solutions[1];
-    return counted_;
+    if (found.all->one()) j_.unique_by = prove_unique(problem_, effort_);
+    std::vector<std::vector<Rational>> others = found.members;
+    for (const ContactSolution& s : found.all->solutions) others.push_back(s.z);
+    if (!found.all->continua.empty()) {
+      for (auto& z : found.all->continua.front().two(effort_)) others.push_back(std::move(z));
+    }
+    const auto other = std::ranges::find_if(others, [&](const auto& z) { return z != found.meant->z; });
+    if (other != others.end()) j_.other_exact = small.with_free(*other);
   }
 
   void enclose() {
@@ -195,8 +208,7 @@ class ContactCase {
   const ContactJudgeOptions& options_;
   ContactJudgement& j_;
   Effort effort_;
-  bool counted_ = false;
-  SolutionCount count_;
+  std::optional<ContactSolutions> all_;  ///< where they were found
 };
 
 /// Whether the nearest solution may be near: where the law fails all around, it is not.

@@ -1,9 +1,9 @@
 #include "contact/problem/solutions.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "base/algebra/bareiss.hpp"
-#include "contact/problem/yardstick.hpp"
 #include "mechanics/kernel/motions.hpp"
 
 namespace slipproof {
@@ -158,14 +158,23 @@ std::vector<Rational> ContactContinuum::at(const std::vector<Rational>& t) const
   return z;
 }
 
-std::vector<Rational> ContactContinuum::nearest(const std::vector<Rational>& z, Effort& effort) const {
-  std::vector<OpenComponent> components;
-  for (std::size_t i = 0; i < z.size(); ++i) {
-    AffineForm form{base[i], {}};
-    for (const auto& direction : directions) form.coefficients.push_back(direction[i]);
-    components.push_back({std::move(form), z[i], 1});
+std::array<std::vector<Rational>, 2> ContactContinuum::two(Effort& effort) const {
+  const std::size_t m = directions.size();
+  const AffineForm nothing{0, std::vector<Rational>(m)};
+  const std::vector<Rational> first = minimize(nothing, conditions, effort).x;
+  for (std::size_t i = 0; i < m; ++i) {
+    for (const int side : {1, -1}) {  // up to 1 away in one parameter
+      AffineForm back = nothing, near = nothing;
+      back.coefficients[i] = -side;
+      near.constant = 1 + side * first[i];
+      near.coefficients[i] = -side;
+      std::vector<AffineForm> within = conditions;
+      within.push_back(near);
+      const std::vector<Rational> second = minimize(back, within, effort).x;
+      if (second[i] != first[i]) return {at(first), at(second)};
+    }
   }
-  return at(nearest_solution(components, conditions, directions.size(), effort));
+  throw std::logic_error("a continuum of one solution");
 }
 
 }  // namespace slipproof

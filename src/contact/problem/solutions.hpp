@@ -1,6 +1,8 @@
 // Every solution of a contact problem, exactly.
 #pragma once
 
+#include <array>
+
 #include "base/algebra/linear_program.hpp"
 #include "base/number/effort.hpp"
 #include "contact/problem/problem.hpp"
@@ -23,8 +25,8 @@ struct ContactContinuum {
   std::vector<AffineForm> conditions;  ///< of t; they have solutions, more than one
 
   std::vector<Rational> at(const std::vector<Rational>& t) const;
-  /// The solution that is nearest to z in its largest distance of a component. Throws TooMuchWork.
-  std::vector<Rational> nearest(const std::vector<Rational>& z, Effort& effort) const;
+  /// Two solutions that differ. Throws TooMuchWork.
+  std::array<std::vector<Rational>, 2> two(Effort& effort) const;
 };
 
 /// What one mode gives.

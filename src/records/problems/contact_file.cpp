@@ -115,12 +115,6 @@ Json worst_json(const Residual& residual, std::size_t most = 10) {
   return list;
 }
 
-Json exact_texts(const std::vector<Rational>& values) {
-  Json list = Json::array();
-  for (const Rational& x : values) list.push_back(exact_text(x));
-  return list;
-}
-
 /// What Coulomb's law says of the same forces.
 Json coulomb_json(const ContactJudgement& j) {
   Json line{{"verdict", name(j.verdict)}};

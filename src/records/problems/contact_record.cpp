@@ -3,31 +3,11 @@
 #include "contact/formats/read_files.hpp"
 #include "records/judging/judge.hpp"
 #include "records/problems/contact_file.hpp"
+#include "records/problems/problem_judge.hpp"
 
 namespace slipproof {
 
 namespace {
-
-RecordVerdict record_verdict(ContactVerdict verdict) {
-  switch (verdict) {
-    case ContactVerdict::unique:
-    case ContactVerdict::solution_within_rho:
-    case ContactVerdict::velocities_within_rho:
-      return RecordVerdict::certified;
-    case ContactVerdict::ambiguous:
-      return RecordVerdict::ambiguous;
-    case ContactVerdict::inaccurate:
-    case ContactVerdict::not_converged:
-    case ContactVerdict::eps_solution:
-      return RecordVerdict::inaccurate;
-    case ContactVerdict::invalid:
-      return RecordVerdict::invalid;
-    case ContactVerdict::undecided:
-      return RecordVerdict::undecided;
-    default:
-      return RecordVerdict::wrong;
-  }
-}
 
 ReadProblem read(std::string_view line, const CertifyOptions& options) {
   if (options.decimal_exact) {

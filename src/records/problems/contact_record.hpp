@@ -8,9 +8,8 @@
 
 namespace slipproof {
 
-/// Judges a line that `read_problem_line` reads, by `options.contact`; its output is in `members`. Among the verdicts
-/// for records, `certified` is a solution within rho or the only one, `inaccurate` also an eps-solution, and `wrong`
-/// also a problem without a solution, near the answer or at all. Throws BrokenRecord, also if decimals are to be exact.
+/// Judges a line that `read_problem_line` reads, by `options.contact`; its output is in `members`. Throws
+/// BrokenRecord, also if decimals are to be exact.
 RecordJudgement judge_contact_line(std::string_view line, const CertifyOptions& options);
 
 /// The verdict on an answer to a problem at real size, as one of a record.

@@ -9,6 +9,7 @@
 
 #include "base/number/binary64.hpp"
 #include "contact/enclosure/mixed_problem.hpp"
+#include "contact/problem/solutions.hpp"
 
 namespace lcp {
 
@@ -173,6 +174,31 @@ inline Enumerated enumerate(const MixedProblem& p, const Matrix& dense) {
       if ((set >> i & 1U) != 0) x[i] = (*in)[k++];
     }
     if (obeys_law(p, x)) result.solutions.insert(x);
+  }
+  return result;
+}
+
+/// The solutions of a small problem in the plane or without friction; of a continuum two.
+struct SolutionCount {
+  enum class Kind { none, one, several, continuum, unknown };
+  Kind kind = Kind::unknown;
+  std::vector<Rationals> solutions;
+};
+
+inline SolutionCount count_solutions(const MixedProblem& problem, Effort& effort) {
+  const auto small = eliminated(problem);
+  if (!small) return {};
+  const ContactSolver solver(small->problem);
+  const auto all = solver.all(effort);
+  if (!all) return {};
+  using enum SolutionCount::Kind;
+  SolutionCount result;
+  for (const ContactSolution& solution : all->solutions) result.solutions.push_back(small->with_free(solution.z));
+  if (all->continua.empty()) {
+    result.kind = result.solutions.empty() ? none : all->one() ? one : several;
+  } else {
+    result.kind = continuum;
+    for (const Rationals& z : all->continua.front().two(effort)) result.solutions.push_back(small->with_free(z));
   }
   return result;
 }

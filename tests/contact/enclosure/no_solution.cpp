@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "base/algebra/linear_program.hpp"
-#include "contact/exact/multiple.hpp"
 #include "lcp_problems.hpp"
 
 using namespace lcp;

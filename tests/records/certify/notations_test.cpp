@@ -210,7 +210,7 @@ Known solutions_of(const Bodies& b) {
   }
   Effort effort(1'000'000'000);
   for (const ContactContinuum& c : all.continua) {
-    const std::vector<Rational> member = c.nearest(std::vector<Rational>(problem.size()), effort);
+    const std::vector<Rational> member = c.two(effort)[0];
     known.z.push_back(rounded(member));
     known.w.push_back(rounded(accelerations(problem, member)));
   }

@@ -1,5 +1,3 @@
-#include "contact/exact/multiple.hpp"
-
 #include <doctest/doctest.h>
 
 #include <algorithm>

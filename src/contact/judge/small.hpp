@@ -1,0 +1,51 @@
+// An answer to a small problem, held against all solutions of the problem in exact numbers.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/judge/judge.hpp"
+#include "contact/problem/every_load.hpp"
+#include "contact/problem/solutions.hpp"
+#include "contact/problem/yardstick.hpp"
+
+namespace slipproof {
+
+struct ProblemAnswer {
+  std::vector<Rational> z;
+  std::optional<std::vector<Rational>> w;  ///< if the solver gives it
+  std::optional<ProblemMode> mode;         ///< claimed by the solver
+};
+
+struct SmallJudgement {
+  /// The solution that an answer means: the nearest, of the answer's mode where it claims one.
+  struct Meant {
+    std::vector<ProblemMode> modes;
+    std::vector<Rational> z;
+    Distance distance;
+  };
+  ContactVerdict verdict = ContactVerdict::undecided;  ///< unique, ambiguous, inaccurate, wrong or undecided
+  ProblemMode looks_like;                              ///< the mode that the answer claims, or suggests
+  std::optional<ContactSolutions> all;                 ///< nothing where finding them is beyond the effort
+  std::vector<std::vector<Rational>> members;          ///< of each continuum in `all` the one nearest to the answer
+  std::optional<Meant> meant;
+  std::optional<EveryLoad::Reason> unique_by;  ///< the theorem by which no other mode was tried
+  /// What the mode `looks_like` gives: of a wrong answer, and where not all solutions are known.
+  std::optional<ModeOutcome> own;
+  Work needed = 0;  ///< where not all are known: what that would take, endless if unknown
+
+  /// Whether `meant` is near enough to say that the answer means it.
+  bool near() const;
+};
+
+/// Compares Distance::scaled (yardstick.hpp) with the tolerance, and with `contact_near` beyond which an answer is
+/// wrong. z is one kind of quantity, w and q are another. If z = 0, its yardstick is the largest |q_i / W_ii|. Of
+/// infinitely many solutions the nearest counts. The verdict on a right answer is `undecided` if other solutions cannot
+/// be excluded: trying every mode is beyond the effort, and the matrix is not positive definite or, with friction, mu
+/// is not below the bound of problem/every_load.hpp. Requires that mistake_in(problem) is empty and that `answer` has
+/// the size of the problem. Throws TooMuchWork.
+SmallJudgement judge_small(const ContactProblem& problem, const ProblemAnswer& answer, double tolerance,
+                           Effort& effort);
+
+}  // namespace slipproof
