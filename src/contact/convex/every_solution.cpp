@@ -11,9 +11,10 @@ namespace slipproof {
 
 namespace {
 
-/// A few operations on nonnegative numbers, rounded up.
-double raised(double x) {
-  return x == 0 ? 0 : x * (1 + 0x1p-45) + 0x1p-1060;
+/// A few operations on nonnegative numbers, rounded up, also where they underflow; 0 only where `zero` says that the
+/// result is.
+double raised(double x, bool zero) {
+  return zero ? 0 : x * (1 + 0x1p-45) + 0x1p-1060;
 }
 
 /// What a contact lacks to be complementary: r . u, and for what bounds its friction sum b |u_t|.
@@ -153,33 +154,37 @@ class Bound {
       const Rational rest = result_.velocity[i] - result_.motion[i];
       double share = 0;
       if (modulus(i).sign() > 0) {
-        share = raised(upper_size(rest) / std::sqrt(enclose(modulus(i)).lower));
+        share = raised(upper_size(rest) / std::sqrt(enclose(modulus(i)).lower), rest.is_zero());
       } else if (!rest.is_zero()) {
         return false;
       }
       result_.shares.push_back(share);
-      squares += share * share;
+      squares += raised(share * share, share == 0);
     }
     for (std::size_t k = 0; k < problem_.contacts(); ++k) {
       const Rational gap = gap_of(problem_, k, result_.point, result_.motion);
-      result_.gaps.push_back(gap.sign() <= 0 ? 0 : raised(upper_size(gap)));
+      result_.gaps.push_back(raised(upper_size(gap), gap.sign() <= 0));
       gaps += result_.gaps.back();
     }
-    squares = squares == 0 ? 0 : squares * (1 + 0x1p-30) + 0x1p-1000;  // far fewer than 2^20 sums
-    gaps = gaps == 0 ? 0 : gaps * (1 + 0x1p-30) + 0x1p-1000;
+    squares *= 1 + 0x1p-30;  // far fewer than 2^20 sums
+    gaps *= 1 + 0x1p-30;
     result_.energy = (std::sqrt(squares) + std::sqrt(squares + 4 * gaps)) / 2 * (1 + 0x1p-40);
     return std::isfinite(result_.energy);
+  }
+
+  static double distance(const Rational& away, double radius) {
+    return raised(upper_size(away) + radius, away.is_zero() && radius == 0);
   }
 
   void spread_out() {
     const double energy = result_.energy;
     for (std::size_t i = 0; i < problem_.size(); ++i) {
       const bool bounded = modulus(i).sign() > 0;
-      result_.radius.push_back(bounded ? raised(energy / std::sqrt(enclose(modulus(i)).lower))
+      result_.radius.push_back(bounded ? raised(energy / std::sqrt(enclose(modulus(i)).lower), energy == 0)
                                        : std::numeric_limits<double>::infinity());
       if (bounded) {
         const Rational away = result_.point[i] - to_rational(x_[i]);
-        result_.rho = std::max(result_.rho, raised(upper_size(away) + result_.radius[i]));
+        result_.rho = std::max(result_.rho, distance(away, result_.radius[i]));
         result_.apart = std::max(result_.apart, (enclose(abs(away)).lower - result_.radius[i]) * (1 - 0x1p-50));
       } else if (i >= problem_.free) {
         ++result_.open;
@@ -191,14 +196,15 @@ class Bound {
       for (std::size_t e = problem_.A.starts[i]; e < problem_.A.starts[i + 1]; ++e) {
         const std::size_t j = problem_.A.column[e];
         if (j == i) own = problem_.A.value[e];
-        if (problem_.A.value[e] != 0) sum += std::abs(problem_.A.value[e]) * result_.radius[j];
+        const double size = std::abs(problem_.A.value[e]), radius = result_.radius[j];
+        if (size != 0) sum += raised(size * radius, radius == 0);
       }
-      sum = sum == 0 ? 0 : sum * (1 + 0x1p-30) + 0x1p-1000;
-      if (symmetric) sum = std::min(sum, raised(std::sqrt(own) * energy));
+      sum *= 1 + 0x1p-30;
+      if (symmetric) sum = std::min(sum, raised(std::sqrt(own) * energy, energy == 0));
       result_.changes.push_back(sum);
       if (i < problem_.free) continue;
       const Rational away = result_.velocity[i] - exact_row(problem_, i, std::span<const double>(x_));
-      result_.eta = std::max(result_.eta, raised(upper_size(away) + sum));
+      result_.eta = std::max(result_.eta, distance(away, sum));
     }
   }
 

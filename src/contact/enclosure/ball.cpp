@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/number/binary64.hpp"
 #include "base/parallel/stop.hpp"
@@ -17,11 +18,15 @@ double to_one(double size) {
   return size > 0 && std::isfinite(size) ? std::ldexp(1.0, -std::ilogb(size)) : 1;
 }
 
-/// An upper bound on the Euclidean norm.
+/// An upper bound on the Euclidean norm, also where squares underflow.
 double norm_above(std::span<const double> values) {
   double sum = 0;
-  for (const double v : values) sum += v * v;
-  return sum == 0 ? 0 : std::sqrt(rounded_up(sum, values.size()) + underflow_of(values.size())) * (1 + 0x1p-50);
+  bool zero = true;
+  for (const double v : values) {
+    sum += v * v;
+    zero = zero && v == 0;
+  }
+  return zero ? 0 : std::sqrt(rounded_up(sum, values.size()) + underflow_of(values.size())) * (1 + 0x1p-50);
 }
 
 /// One step of Newton's method, kept apart from z: what is left is far below the last place of z.
@@ -45,7 +50,8 @@ double defect_at(const ModeSystem& system, const SystemBlock& block, const std::
   std::vector<double> defects;
   for (std::size_t i = 0; i < block.equations.size(); ++i) {
     if (i % 1024 == 0) stop_if_asked();
-    defects.push_back(inverse.rows[i] * upper_size(system.value(block.equations[i], exact)));
+    const double size = upper_size(system.value(block.equations[i], exact));
+    defects.push_back(size == 0 ? 0 : inverse.rows[i] * size + std::numeric_limits<double>::denorm_min());
   }
   return norm_above(defects);
 }

@@ -134,6 +134,20 @@ TEST_CASE("what is certified of a spoiled answer by another law contains the sol
   CHECK(certified > all / 3);
 }
 
+TEST_CASE("an error whose square underflows is an error") {
+  MixedProblem p = pulled_point(0.5, law_of(FrictionLaw::associated));
+  p.c = {-10, 0, 0};  // it sticks: r = (10, 0, 0)
+  const std::vector<double> answer{10, 0x1p-1074, 0};
+  Effort effort(1'000'000'000);
+  const auto found = every_solution(p, answer, answer, *prove_monotone(p, effort));
+  REQUIRE(found);
+  CHECK(found->energy > 0);
+  const std::vector<Rational> solution{10, 0, 0};
+  for (std::size_t j = 0; j < solution.size(); ++j) {
+    CHECK(abs(found->point[j] - solution[j]) <= to_rational(found->radius[j]));
+  }
+}
+
 TEST_CASE("one contact by each law, in closed form") {
   // Coulomb: r = (10, -5, 0), u = (0, 1, 0). Associated: r is the projection of (10, -6, 0) onto the cone.
   const double mu = 0.5, N = (10 + mu * 6) / (1 + mu * mu);
