@@ -3,6 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "contact/enclosure/known_problem.hpp"
 #include "support/bicycle/motions.hpp"
 #include "support/bicycle_populations.hpp"
 
@@ -54,5 +55,40 @@ void siconos_scenes_exact(benchmark::State& state) {
   }
 }
 BENCHMARK(siconos_scenes_exact)->Unit(benchmark::kMicrosecond);
+
+/// What NSGS takes to find the answer of a row of balls, to 1e-8, where W's diagonal exceeds its row by `own`/2: beside
+/// `sweeps_find` and `enclosure_of_what_sweeps_find`.
+void siconos_nsgs(benchmark::State& state) {
+  Dice dice(3, static_cast<std::uint64_t>(state.range(0)));
+  const auto contacts = static_cast<std::size_t>(state.range(0));
+  const test::KnownProblem made = test::coupled_contacts(dice, contacts, 1, 0.5);
+  const MixedProblem& p = made.problem;
+  const int n = static_cast<int>(p.size());
+  const std::unique_ptr<NumericsMatrix, decltype(&NM_free)> W(NM_create(NM_SPARSE, n, n), NM_free);
+  NM_triplet_alloc(W.get(), static_cast<CS_INT>(p.A.entries()));
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    for (std::size_t e = p.A.starts[i]; e < p.A.starts[i + 1]; ++e) {
+      NM_entry(W.get(), static_cast<int>(i), static_cast<int>(p.A.column[e]), p.A.value[e]);
+    }
+  }
+  std::vector<double> q = p.c, mu = p.mu;
+  FrictionContactProblem problem{};
+  problem.dimension = 3;
+  problem.numberOfContacts = static_cast<int>(contacts);
+  problem.M = W.get();
+  problem.q = q.data();
+  problem.mu = mu.data();
+  const auto options = test::siconos_options(SICONOS_FRICTION_3D_NSGS);
+  options->dparam[SICONOS_DPARAM_TOL] = 1e-8;
+  options->iparam[SICONOS_IPARAM_MAX_ITER] = 100'000;
+  int info = 0;
+  for (auto _ : state) {
+    std::vector<double> r(q.size()), u(q.size());
+    info = fc3d_driver(&problem, r.data(), u.data(), options.get());
+  }
+  state.counters["failed"] = info;
+  state.counters["iterations"] = options->iparam[SICONOS_IPARAM_ITER_DONE];
+}
+BENCHMARK(siconos_nsgs)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
 
 }  // namespace
