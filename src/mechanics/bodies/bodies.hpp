@@ -96,6 +96,12 @@ struct BodyJoint {
   Place place;
 };
 
+/// The kinds of joints as files write them, in their order.
+inline constexpr std::array<std::string_view, 7> joint_kinds{"pin", "slider", "weld", "rod", "rope", "spring", "gear"};
+constexpr std::string_view name(BodyJoint::Kind kind) {
+  return joint_kinds[static_cast<std::size_t>(kind)];
+}
+
 /// A brake or a clutch: friction against the turning of the second body relative to the first.
 struct BodyFriction {
   std::size_t friction = 0;  ///< among the mechanism's

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "base/number/format.hpp"
 #include "mechanics/mechanism/forms.hpp"
+#include "mechanics/mechanism/names.hpp"
+#include "mechanics/points/degrees.hpp"
 
 namespace slipproof {
 
@@ -27,6 +30,54 @@ MechanismScene with_load(const MechanismScene& scene, std::string_view parameter
   if (before.load) {
     changed.values.parameters.push_back(*scene.load);
     changed.values.given.push_back(true);
+  }
+  return changed;
+}
+
+namespace {
+
+void set_value(MechanismScene& scene, const std::string& name, const Rational& value) {
+  const Mechanism& m = scene.mechanism;
+  std::vector<std::string_view> names;
+  for (std::size_t i = 0; i < m.parameters.size(); ++i) {
+    if (m.parameters[i].symbol == name) {
+      scene.values.parameters[i] = value;
+      scene.values.given[i] = true;
+      return;
+    }
+    names.push_back(m.parameters[i].symbol);
+  }
+  for (std::size_t i = 0; i < m.angles.size(); ++i) {
+    if (m.angles[i].name == name) {
+      scene.values.angles[i] = point_of_tan_half(value);
+      return;
+    }
+    names.push_back(m.angles[i].name);
+  }
+  if (m.load) {
+    if (m.load->symbol == name) {
+      scene.load = value;
+      return;
+    }
+    names.push_back(m.load->symbol);
+  }
+  throw std::invalid_argument(unknown_name("parameter", name, names));
+}
+
+}  // namespace
+
+MechanismScene with_values(const MechanismScene& scene, const std::vector<std::pair<std::string, Rational>>& values) {
+  MechanismScene changed = scene;
+  for (const auto& [name, value] : values) set_value(changed, name, value);
+  const ProblemMaker maker(changed.mechanism);
+  const auto broken = maker.broken(changed.values);
+  if (!broken.empty()) {
+    throw std::invalid_argument("found values outside the domain, expected " +
+                                to_string(broken.front().condition->expression));
+  }
+  if (changed.load && !maker.load_domain(changed.values).contains(*changed.load)) {
+    throw std::invalid_argument("found " + changed.mechanism.load->symbol + " = " + exact_text(*changed.load) +
+                                ", expected a value in " + to_string(maker.load_domain(changed.values)));
   }
   return changed;
 }

@@ -44,6 +44,11 @@ MechanismScene parse_scene(std::string_view text, const std::string& file);
 /// std::invalid_argument where the scene has no value of the load that becomes a parameter.
 MechanismScene with_load(const MechanismScene& scene, std::string_view parameter);
 
+/// The same scene with other values: of parameters, of the load, or of angles, which are given by the tangents of their
+/// halves. Throws std::invalid_argument, with a message for people, for a name that it has not and for values that are
+/// not in the domain.
+MechanismScene with_values(const MechanismScene& scene, const std::vector<std::pair<std::string, Rational>>& values);
+
 /// The first parameter that is a contact's coefficient of friction; if there is none, the first parameter that is
 /// given, or the first angle.
 std::string usual_parameter(const MechanismScene& scene);

@@ -76,3 +76,32 @@ TEST_CASE("an exported problem is judged, with the answer that the scene has") {
   CHECK(run({"export", scene, "-o", out}).exit_code == 3);
   CHECK(run({"export", scene, "--load", "-1", "-o", out}).exit_code == 2);
 }
+
+TEST_CASE("a scene's bodies are exported on one line, with other values") {
+  const TemporaryFolder folder;
+  const std::string out = folder.path() / "scene.json", cases = SLIPPROOF_SOURCE_DIR "/cases/mechanisms/";
+  const std::string scene = cases + "asked/scenes/block-pushed.toml";
+  CHECK(run({"export", scene, "--bodies", "--set", "mu=1/4", "--set", "m=2", "--load", "3", "-o", out}).out ==
+        "s EXPORTED " + out + " contacts 2\n");
+  const std::string text = read_file(out);
+  CHECK(text.find('\n') == text.size() - 1);
+  const Json bodies = Json::parse(text);
+  CHECK(bodies["schema"] == "slipproof/bodies/1");
+  CHECK(bodies["bodies"][0]["mass"] == 2);
+  CHECK(bodies["contacts"][0]["friction"] == 0.25);
+  const auto fails = [&](const std::vector<std::string>& more, int code, const std::string& said) {
+    std::vector<std::string> arguments{"export", "--bodies", "-o", out};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const auto end = run(arguments);
+    CAPTURE(end.err);
+    CHECK(end.exit_code == code);
+    CHECK(end.err.find(said) != std::string::npos);
+    CHECK(read_file(out) == text);
+  };
+  fails({scene}, 3, "found no value of the load F");
+  fails({cases + "scenes/ladder.toml"}, 3, "given by its equations");
+  fails({scene, "--set", "mu"}, 2, "expected NAME=VALUE");
+  fails({scene, "--set", "mu=x"}, 2, "--set");
+  fails({scene, "--set", "mo=1"}, 2, "--set");
+  fails({scene, "--set", "h=-1"}, 2, "expected h > 0");
+}

@@ -2,15 +2,18 @@
 
 #include <iostream>
 #include <memory>
+#include <stdexcept>
 
+#include "base/input/diagnostic.hpp"
 #include "base/number/parse.hpp"
 #include "base/output/output_file.hpp"
+#include "contact/exchange/export_bodies.hpp"
 #include "contact/exchange/export_scene.hpp"
 #include "contact/exchange/planar.hpp"
 #include "contact/exchange/spatial.hpp"
 #include "contact/imported/read_scene.hpp"
 #include "faces/cli/command.hpp"
-#include "mechanics/points/problem.hpp"
+#include "mechanics/bodies/bodies.hpp"
 
 namespace slipproof::cli {
 
@@ -99,30 +102,75 @@ void add_import(CLI::App& app, int& exit_code) {
   });
 }
 
+struct ExportArguments {
+  std::string scene, output, load;
+  std::vector<std::string> set;
+  bool bodies = false;
+};
+
+/// NAME=VALUE
+std::pair<std::string, Rational> setting(const std::string& text) {
+  const std::size_t sign = text.find('=');
+  if (sign == std::string::npos) {
+    throw CLI::ValidationError("--set", "found " + in_quotes(text) + ", expected NAME=VALUE");
+  }
+  return {text.substr(0, sign), number("--set", text.substr(sign + 1))};
+}
+
+MechanismScene scene_of(const ExportArguments& arguments) {
+  const MechanismScene scene = read_scene(arguments.scene);
+  const char* option = "--set";
+  try {
+    std::vector<std::pair<std::string, Rational>> values;
+    for (const std::string& one : arguments.set) values.push_back(setting(one));
+    if (!arguments.load.empty()) {
+      option = "--load";
+      if (!scene.mechanism.load) throw std::invalid_argument("found a value, and the mechanism has no load");
+      values.emplace_back(scene.mechanism.load->symbol, number("--load", arguments.load));
+    }
+    return with_values(scene, values);
+  } catch (const std::invalid_argument& error) {
+    throw CLI::ValidationError(option, error.what());
+  }
+}
+
+void export_scene(const ExportArguments& arguments) {
+  Inputs inputs;
+  inputs.add(arguments.scene);
+  const MechanismScene scene = scene_of(arguments);
+  inputs.add(scene.mechanism.file);
+  const OutputFile file(arguments.output, inputs);
+  std::string text;
+  std::size_t contacts = 0;
+  if (arguments.bodies) {
+    text = bodies_json(scene) + '\n';
+    contacts = scene.mechanism.bodies->contacts.size();
+  } else {
+    const GlobalProblem problem = global_problem(scene);
+    text = to_json(problem);
+    contacts = problem.contacts.size();
+  }
+  file.write(text);
+  print(fmt::format("s EXPORTED {} contacts {}\n", arguments.output, contacts));
+}
+
 void add_export(CLI::App& app, int& exit_code) {
-  auto scene = std::make_shared<std::string>(), output = std::make_shared<std::string>(),
-       load = std::make_shared<std::string>();
+  auto options = std::make_shared<ExportArguments>();
   CLI::App& command =
       *app.add_subcommand("export", "Write the contact problem of a scene, for certify and other solvers");
-  command.add_option("SCENE", *scene, "Scene file (TOML)")->required();
-  command.add_option("-o,--output", *output, "Where the problem goes (JSON)")->required();
-  command.add_option("--load", *load, "The value of the load, if not the scene's");
-  command.callback([scene, output, load, &exit_code] {
-    Inputs inputs;
-    inputs.add(*scene);
-    const OutputFile file(*output, inputs);
-    MechanismScene read = read_scene(*scene);
-    if (!load->empty()) {
-      if (!read.mechanism.load) throw CLI::ValidationError("--load", "found a value, and the mechanism has no load");
-      read.load = number("--load", *load);
-      const ForceInterval domain = ProblemMaker(read.mechanism).load_domain(read.values);
-      if (!domain.contains(*read.load)) {
-        throw CLI::ValidationError("--load", "found " + *load + ", expected a value in " + to_string(domain));
-      }
-    }
-    const GlobalProblem problem = global_problem(read);
-    file.write(to_json(problem));
-    print(fmt::format("s EXPORTED {} contacts {}\n", *output, problem.contacts.size()));
+  command.add_option("SCENE", options->scene, "Scene file (TOML)")->required();
+  command.add_option("-o,--output", options->output, "Where the problem, or the scene, goes (JSON)")->required();
+  command.add_option("--load", options->load, "The value of the load, if not the scene's");
+  command
+      .add_option("--set", options->set,
+                  "NAME=VALUE: another value of a parameter, of the load, or of an angle, by the tangent of its half; "
+                  "may be repeated")
+      ->take_all()
+      ->expected(1);
+  command.add_flag("--bodies", options->bodies,
+                   "Write the bodies, contacts, joints and forces in numbers, for physics engines, on one line");
+  command.callback([options, &exit_code] {
+    export_scene(*options);
     exit_code = as_it_should_be;
   });
 }

@@ -78,18 +78,16 @@ class JointReader : public BodyParts {
   }
 
   bool read_kind(const TableReader& table, BodyJoint& joint) {
-    using Kind = BodyJoint::Kind;
-    static constexpr std::array kinds{Kind::pin,  Kind::slider, Kind::weld, Kind::rod,
-                                      Kind::rope, Kind::spring, Kind::gear};
-    static const std::vector<std::string_view> words{"pin", "slider", "weld", "rod", "rope", "spring", "gear"};
     const std::string found = context_.required(table, "kind", "pin, slider, weld, rod, rope, spring or gear");
-    const auto word = std::ranges::find(words, found);
-    if (word == words.end()) {
-      if (!found.empty()) table.refuse("kind", unknown_name("kind of joint", found, words));
+    const auto word = std::ranges::find(joint_kinds, found);
+    if (word == joint_kinds.end()) {
+      if (!found.empty()) {
+        table.refuse("kind", unknown_name("kind of joint", found, {joint_kinds.begin(), joint_kinds.end()}));
+      }
       context_.sound = false;
       return false;
     }
-    joint.kind = kinds[static_cast<std::size_t>(word - words.begin())];
+    joint.kind = static_cast<BodyJoint::Kind>(word - joint_kinds.begin());
     return true;
   }
 
