@@ -52,7 +52,7 @@ class Context {
 };
 
 /// No file has more of anything: the work of reading one is bounded.
-inline constexpr std::size_t max_symbols = 1'000, max_unknowns = 64, max_elements = 64, max_bodies = 20,
+inline constexpr std::size_t max_symbols = 1'000, max_unknowns = 64, max_elements = 64, max_bodies = 32,
                              max_shapes = 1'000;
 /// Whether there are at most so many; if not, it is reported.
 bool within(std::size_t count, std::size_t limit, std::string_view key, Place place, Mistakes& mistakes);

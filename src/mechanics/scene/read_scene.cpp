@@ -8,11 +8,11 @@
 #include "base/number/format.hpp"
 #include "mechanics/mechanism/forms.hpp"
 #include "mechanics/mechanism/names.hpp"
-#include "mechanics/points/degrees.hpp"
 #include "mechanics/reading/read_mechanism.hpp"
 #include "mechanics/reading/reader.hpp"
 #include "mechanics/reading/shipped.hpp"
 #include "mechanics/scene/bicycle_scene.hpp"
+#include "mechanics/scene/read_angle.hpp"
 #include "mechanics/scene/scene.hpp"
 
 namespace slipproof {
@@ -20,80 +20,6 @@ namespace slipproof {
 namespace {
 
 using Circle = MechanismValues::Circle;
-
-/// One angle in one of its forms.
-class AngleReader {
- public:
-  AngleReader(const TomlValue& value, std::string name, Mistakes& mistakes, std::vector<std::string>& notes)
-      : value_(value), name_(std::move(name)), mistakes_(mistakes), notes_(notes) {}
-
-  std::optional<Circle> read() {
-    if (value_.kind != TomlValue::Kind::table) {
-      return refuse("found " + std::string(kind_name(value_.kind)) + ", " + expected);
-    }
-    static constexpr std::array<std::string_view, 5> keys{"cos", "sin", "tan_half", "tan", "degrees"};
-    const TableReader table(value_, "the angle " + name_, keys, mistakes_);
-    const auto forms = static_cast<int>(table.has("cos") || table.has("sin")) + table.has("tan_half") +
-                       table.has("tan") + table.has("degrees");
-    if (forms != 1)
-      return refuse(std::string(forms == 0 ? "found no angle" : "found more than one angle") + ", " + expected);
-    if (table.has("tan_half")) return from_tan_half(table);
-    if (table.has("tan")) return from_tan(table);
-    if (table.has("degrees")) return from_degrees(table);
-    return from_point(table);
-  }
-
- private:
-  static constexpr const char* expected = "expected { cos, sin }, { tan_half }, { tan } or { degrees }";
-
-  std::optional<Circle> refuse(const std::string& message) {
-    mistakes_.add(value_.place, name_ + ": " + message);
-    return std::nullopt;
-  }
-
-  std::optional<Circle> from_point(const TableReader& table) {
-    table.require("cos", "the cosine");
-    table.require("sin", "the sine");
-    const auto cosine = table.number("cos"), sine = table.number("sin");
-    if (!cosine || !sine) return std::nullopt;
-    if (Rational(*cosine * *cosine + *sine * *sine) == 1) return Circle{*cosine, *sine};
-    return refuse("found cos^2 + sin^2 = " + decimal_text(*cosine * *cosine + *sine * *sine, 17) +
-                  ", expected exactly 1");
-  }
-
-  std::optional<Circle> from_tan_half(const TableReader& table) {
-    const auto half = table.number("tan_half");
-    return half ? std::optional(point_of_tan_half(*half)) : std::nullopt;
-  }
-
-  std::optional<Circle> from_tan(const TableReader& table) {
-    const auto tangent = table.number("tan");
-    if (!tangent) return std::nullopt;
-    const Integer p = numerator(*tangent), q = denominator(*tangent);
-    const auto hypotenuse = exact_root(Integer(p * p + q * q));
-    if (!hypotenuse) {
-      return refuse("found the tangent " + in_quotes(exact_text(*tangent)) +
-                    " of an angle with an irrational sine, expected one such as 3/4, or degrees, which are rounded");
-    }
-    return Circle{Rational(q, *hypotenuse), Rational(p, *hypotenuse)};
-  }
-
-  std::optional<Circle> from_degrees(const TableReader& table) {
-    const auto degrees = table.number("degrees");
-    if (!degrees) return std::nullopt;
-    const AngleFromDegrees angle = angle_from_degrees(*degrees);
-    if (!angle.difference.is_zero()) {
-      notes_.push_back(name_ + " is the rational angle nearest to " + decimal_text(*degrees, 17) +
-                       " degrees: it differs by " + decimal_text(angle.difference, 3) + " degrees");
-    }
-    return angle.point;
-  }
-
-  const TomlValue& value_;
-  std::string name_;
-  Mistakes& mistakes_;
-  std::vector<std::string>& notes_;
-};
 
 class MechanismSceneReader {
  public:
@@ -108,6 +34,8 @@ class MechanismSceneReader {
                          ? own_mechanism(*mechanism_value)
                          : named_mechanism(root_, std::filesystem::path(file_).parent_path().string());
     if (!mechanism) return {};
+    if (const PlacedText* question = root_.string("question")) scene_.question = question->text();
+    if (const PlacedText* asked = root_.string("asked")) scene_.asked = asked->text();
     scene_.mechanism = std::move(*mechanism);
     scene_.values = default_values(scene_.mechanism);
     if (const TomlValue* state = root_.table("state")) {
@@ -117,11 +45,33 @@ class MechanismSceneReader {
     if ((in_numbers && !root_.has("values")) || root_.require("values", "the table [values]")) {
       if (const TomlValue* values = root_.table("values")) read_values(*values);
     }
+    if (const TomlValue* threshold = root_.table("threshold")) read_threshold(*threshold);
     return std::move(scene_);
   }
 
  private:
-  static constexpr std::array<std::string_view, 5> keys{"name", "mechanism", "along", "values", "state"};
+  static constexpr std::array<std::string_view, 8> keys{"name",     "mechanism", "along", "values",
+                                                        "question", "asked",     "state", "threshold"};
+
+  void read_threshold(const TomlValue& value) {
+    static constexpr std::array<std::string_view, 3> threshold_keys{"parameter", "from", "to"};
+    const TableReader table(value, "[threshold]", threshold_keys, mistakes_);
+    table.require("parameter", "the parameter, or the load, along which the motion changes");
+    table.require("from", "the value at which it is looked for first");
+    table.require("to", "the value up to which it is looked for");
+    const PlacedText* parameter = table.string("parameter");
+    const auto from = table.number("from"), to = table.number("to");
+    if (parameter != nullptr) {
+      std::vector<std::string_view> names;
+      for (const MechanismParameter& one : scene_.mechanism.parameters) names.push_back(one.symbol);
+      if (scene_.mechanism.load) names.push_back(scene_.mechanism.load->symbol);
+      if (std::ranges::find(names, parameter->text()) == names.end()) {
+        table.refuse("parameter", unknown_name("parameter", parameter->text(), names));
+      }
+    }
+    if (from && to && *from >= *to) table.refuse("to", "found " + exact_text(*to) + ", expected more than `from`");
+    if (parameter != nullptr && from && to) scene_.threshold = SceneThreshold{parameter->text(), *from, *to};
+  }
 
   /// A mechanism that stands in the scene itself: the table [mechanism].
   std::optional<Mechanism> own_mechanism(const TomlValue& table) {
@@ -183,7 +133,7 @@ class MechanismSceneReader {
     table.require(angle.name, "an angle such as { tan = \"3/4\" }");
     const TomlValue* value = table.value(angle.name);
     std::optional<Circle> point;
-    if (value != nullptr) point = AngleReader(*value, angle.name, mistakes_, scene_.notes).read();
+    if (value != nullptr) point = slipproof::read_angle(*value, angle.name, mistakes_, scene_.notes);
     complete_ = complete_ && point;
     if (point) scene_.values.angles[index] = *point;
   }

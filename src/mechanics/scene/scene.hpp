@@ -22,6 +22,12 @@ struct CombinedParameter {
   std::vector<std::pair<std::string, Affine<Rational>>> sets;
 };
 
+/// The values of a parameter between which the motion is expected to change.
+struct SceneThreshold {
+  std::string parameter;  ///< or the load
+  Rational from, to;      ///< from < to
+};
+
 struct MechanismScene {
   std::string name;
   Mechanism mechanism;                           ///< with the load that `along` asks for
@@ -29,12 +35,15 @@ struct MechanismScene {
   std::optional<Rational> load;                  ///< absent: every load at once, or a mechanism without one
   std::vector<std::string> notes;                ///< what the reader should know of how the file was understood
   std::vector<CombinedParameter> combined = {};  ///< what may be varied beside the mechanism's own parameters
+  std::string question = {}, asked = {};         ///< in a sentence; where people asked it
+  std::optional<SceneThreshold> threshold = {};
 };
 
-/// Reads a scene file: of any mechanism (name, mechanism, along, [values], [state]), where `mechanism` is a file, a
-/// name or, in the scene itself, a table; of the bicycle in its own words (bicycle_scene.hpp), which has no key
-/// `mechanism`; or a mechanism without parameters, which is a scene of its own. Throws InputError with every mistake of
-/// the file, in the order of their places; mistakes of the mechanism's file among them.
+/// Reads a scene file: of any mechanism (name, mechanism, along, question, asked, [values], [state], [threshold]),
+/// where `mechanism` is a file, a name or, in the scene itself, a table; of the bicycle in its own words
+/// (bicycle_scene.hpp), which has no key `mechanism`; or a mechanism without parameters, which is a scene of its own.
+/// Throws InputError with every mistake of the file, in the order of their places; mistakes of the mechanism's file
+/// among them.
 MechanismScene read_scene(const std::filesystem::path& path);
 /// The same from a text; `file` is how messages call it, and where a relative path of the mechanism counts from.
 MechanismScene parse_scene(std::string_view text, const std::string& file);
