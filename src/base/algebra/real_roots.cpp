@@ -9,6 +9,8 @@
 #include <tuple>
 #include <utility>
 
+#include "base/number/binary64.hpp"
+#include "base/number/format.hpp"
 #include "base/number/simplest.hpp"
 
 namespace slipproof {
@@ -192,8 +194,42 @@ std::vector<RealRoot> real_roots(const std::set<IntegerPolynomial>& polynomials,
       refine(root);
   }
   std::vector<RealRoot> roots;
-  for (Found& root : found) roots.push_back(std::move(root.place));
+  for (Found& root : found) {
+    if (!root.place.is_rational()) root.place.polynomial = std::make_shared<const IntegerPolynomial>(*root.polynomial);
+    roots.push_back(std::move(root.place));
+  }
   return roots;
+}
+
+void halve(RealRoot& root) {
+  if (root.is_rational()) return;
+  Found found{root, root.polynomial.get()};
+  refine(found);
+  root = std::move(found.place);
+}
+
+double nearest_binary64(RealRoot& root) {
+  double lower = nearest_binary64(root.lower), upper = nearest_binary64(root.upper);
+  while (lower != upper) {
+    halve(root);
+    lower = nearest_binary64(root.lower);
+    upper = nearest_binary64(root.upper);
+  }
+  return lower;
+}
+
+std::string text_of(const IntegerPolynomial& polynomial, const std::string& symbol) {
+  std::string text;
+  for (long power = polynomial.degree(); power >= 0; --power) {
+    const Integer c = polynomial.coefficient(power);
+    if (c == 0) continue;
+    const Integer size = abs(c);
+    text += text.empty() ? (c < 0 ? "-" : "") : (c < 0 ? " - " : " + ");
+    if (size != 1 || power == 0) text += exact_text(Rational(size)) + (power > 0 ? "*" : "");
+    if (power > 0) text += symbol;
+    if (power > 1) text += "^" + std::to_string(power);
+  }
+  return text.empty() ? "0" : text;
 }
 
 std::vector<Rational> cell_points(const std::vector<RealRoot>& roots, const LinePart& part) {

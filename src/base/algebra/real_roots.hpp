@@ -1,8 +1,10 @@
 // The real roots of several polynomials on one line, and a rational number between each two neighbours.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "base/algebra/integer_polynomial.hpp"
@@ -17,8 +19,18 @@ struct LinePart {
 /// Where a polynomial vanishes: exactly, or irrational and strictly between two numbers.
 struct RealRoot {
   Rational lower, upper;  ///< equal: the root itself
+  /// Of an irrational root: its irreducible polynomial, which has no other root between them.
+  std::shared_ptr<const IntegerPolynomial> polynomial = nullptr;
+
   bool is_rational() const { return lower == upper; }
 };
+
+/// Half of the interval of an irrational root; a rational one stays as it is.
+void halve(RealRoot& root);
+/// The binary64 nearest to a root, and for an irrational one an interval whose numbers all have it.
+double nearest_binary64(RealRoot& root);
+/// The polynomial as an expression: `3*mu^2 - 2*mu - 1`.
+std::string text_of(const IntegerPolynomial& polynomial, const std::string& symbol);
 
 /// The roots of all of `polynomials` inside of `part`, its ends left out, each once and ascending; what encloses two
 /// neighbours is apart. Zero polynomials do not count. Every polynomial is factored over the integers once: roots are
