@@ -45,6 +45,7 @@
 #include "records/problems/contact_file.hpp"
 #include "records/record/bicycle_records.hpp"
 #include "records/tables/table.hpp"
+#include "report/expected/expected.hpp"
 #include "report/html/contact_report.hpp"
 #include "report/html/page.hpp"
 #include "report/papers/errata.hpp"

@@ -84,6 +84,7 @@ std::filesystem::path claims_path(const std::string& argument);
 void add_exchange(CLI::App& app, int& exit_code);  ///< import and export
 void add_solve(CLI::App& app, int& exit_code);
 void add_show(CLI::App& app, int& exit_code);
+void add_expect(CLI::App& app, int& exit_code);
 void add_critical(CLI::App& app, int& exit_code);
 void add_simulate(CLI::App& app, int& exit_code);
 void add_search(CLI::App& app, int& exit_code, Transport& transport);

@@ -64,6 +64,7 @@ int run(int argc, char** argv, Transport& transport) {
   int exit_code = as_it_should_be;
   add_solve(app, exit_code);
   add_show(app, exit_code);
+  add_expect(app, exit_code);
   add_exchange(app, exit_code);
   add_search(app, exit_code, transport);
   add_critical(app, exit_code);

@@ -1,0 +1,79 @@
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/input/diagnostic.hpp"
+#include "base/output/output_file.hpp"
+#include "faces/cli/command.hpp"
+#include "mechanics/scene/scene.hpp"
+#include "report/expected/expected.hpp"
+
+namespace slipproof::cli {
+
+namespace {
+
+struct ExpectArguments {
+  std::vector<std::string> scenes;
+  std::string format = "json", output;
+};
+
+std::string text_of(const std::string& format, const std::vector<ExpectedAnswer>& answers) {
+  if (format == "csv") return expected_csv(answers);
+  if (format == "pytest") return expected_pytest(answers);
+  if (format == "c++") return expected_header(answers);
+  return expected_json(answers);
+}
+
+std::string id_of(const std::string& file) {
+  return std::filesystem::path(file).stem().string();
+}
+
+void expect(const ExpectArguments& arguments) {
+  Inputs inputs;
+  std::set<std::string> ids;
+  for (const std::string& file : arguments.scenes) {
+    if (ids.insert(id_of(file)).second) continue;
+    throw CLI::ValidationError(
+        "SCENE", "found two scenes called " + in_quotes(id_of(file)) + ", expected files with different names");
+  }
+  std::vector<MechanismScene> scenes;
+  for (const std::string& file : arguments.scenes) {
+    scenes.push_back(read_scene(file));
+    inputs.add(file);
+    inputs.add(scenes.back().mechanism.file);
+  }
+  std::optional<OutputFile> output;
+  if (!arguments.output.empty()) output.emplace(arguments.output, inputs);
+  std::vector<ExpectedAnswer> answers;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    answers.push_back(expected_answer(std::move(scenes[i]), id_of(arguments.scenes[i])));
+  }
+  const std::string text = text_of(arguments.format, answers);
+  output ? output->write(text) : print(text);
+}
+
+}  // namespace
+
+void add_expect(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<ExpectArguments>();
+  CLI::App& command =
+      *app.add_subcommand("expect", "Write the motions that a physics engine should find, as data or as tests");
+  command.add_option("SCENE", options->scenes, "Scene files (TOML), each with a value of its load")->required();
+  command
+      .add_option("--format", options->format,
+                  "json; csv, a line for each motion and quantity; pytest, a file of tests for an engine of one's own; "
+                  "c++, a header")
+      ->check(CLI::IsMember({"json", "csv", "pytest", "c++"}))
+      ->capture_default_str();
+  command.add_option("-o,--output", options->output, "Where it goes; standard output if left out");
+  command.callback([options, &exit_code] {
+    expect(*options);
+    exit_code = as_it_should_be;
+  });
+}
+
+}  // namespace slipproof::cli

@@ -1,0 +1,172 @@
+// Expected answers as data, and those that are shipped.
+#include "report/expected/expected.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "base/input/diagnostic.hpp"
+#include "base/input/text_file.hpp"
+#include "mechanics/reading/read_mechanism.hpp"
+#include "mechanics/scene/scene.hpp"
+#include "support/how_many.hpp"
+
+using namespace slipproof;
+using Read = nlohmann::json;
+
+namespace {
+
+const std::string engines = SLIPPROOF_SOURCE_DIR "/cases/engines/";
+
+ExpectedAnswer answer_of(const std::string& scene) {
+  return expected_answer(read_scene(engines + "scenes/" + scene + ".toml"),
+                         std::filesystem::path(scene).stem().string());
+}
+Read json_of(const std::string& scene) {
+  return Read::parse(expected_json({answer_of(scene)}));
+}
+
+}  // namespace
+
+TEST_CASE("a cube pushed above what friction holds has the acceleration that one computes by hand") {
+  const Read cube = json_of("one-motion/cube-pushed-above-limit");
+  CHECK(cube["schema"] == "slipproof/expected/1");
+  CHECK(cube["how_many"] == "one");
+  CHECK(cube["unknowns"] == Read({"ax", "ay", "alpha"}));
+  REQUIRE(cube["motions"].size() == 1);
+  const Read& motion = cube["motions"][0];
+  CHECK(motion["modes"] == Read({"slip+/slip+"}));
+  CHECK(motion["accelerations"]["ax"]["exact"] == "19/200");  // 5 - 9.81/2
+  CHECK(motion["accelerations"]["ax"]["double"] == 0.095);
+  CHECK(cube["threshold"].is_null());
+}
+
+TEST_CASE("forces that nothing determines have their ranges") {
+  // At rest, each foot may bear all of the push that the other's cone allows: |S| <= mu N = 4.905/2.
+  const Read block = json_of("undetermined/block-friction-opposed");
+  const Read& forces = block["motions"][0]["forces"];
+  CHECK(forces["N_left"]["exact"] == "981/200");
+  CHECK(forces["S_left"]["lower"]["exact"] == "-981/200");
+  CHECK(forces["S_left"]["upper"]["double"] == 4.905);
+}
+
+TEST_CASE("thresholds are where statics has them") {
+  const auto at = [](const std::string& scene) {
+    const Read read = json_of("thresholds/" + scene);
+    REQUIRE(read["threshold"]["changes"].size() == 1);
+    return read["threshold"]["changes"][0]["at"];
+  };
+  CHECK(at("push-that-moves-a-cube")["exact"] == "981/200");  // mu m g
+  CHECK(at("friction-on-slope-3-4")["exact"] == "3/4");       // the slope
+  CHECK(at("disc-rolls-on-slope")["exact"] == "1/4");         // a third of it
+  CHECK(at("ring-slips-when-pulled")["exact"] == "981/100");  // 2 mu m g
+  // T = m g R mu (1 + mu)/(1 + mu^2) with m g R = 5, T = 3/2
+  const Read drum = at("friction-that-holds-a-drum");
+  CHECK(drum["polynomial"] == "7*mu^2 + 10*mu - 3");
+  const double mu = drum["double"];
+  CHECK(std::abs(7 * mu * mu + 10 * mu - 3) < 1e-15);
+}
+
+TEST_CASE("between its ends a threshold scene has the motions of below or of above, and no others") {
+  for (const std::string name : {"push-that-leaves-a-box-behind", "ladder-friction", "couple-over-a-kerb"}) {
+    const ExpectedAnswer answer = answer_of("thresholds/" + name);
+    const SceneThreshold& along = *answer.solved.scene.threshold;
+    REQUIRE(answer.changes.size() == 1);
+    const MotionChange& change = answer.changes[0];
+    for (int i = 1; i < 16; ++i) {
+      const Rational x = along.from + (along.to - along.from) * Rational(i, 16);
+      if (change.at.lower <= x && x <= change.at.upper) continue;
+      const MechanismScene there = with_values(answer.solved.scene, {{along.parameter, x}});
+      const auto motions = motions_of(friction_problem(there.mechanism, there.values), there.load).motions;
+      REQUIRE(motions.size() == 1);
+      const auto& expected = (x < change.at.lower ? change.below : change.above).motions[0];
+      const auto modes = motions[0].all_modes();
+      CHECK(std::ranges::find_first_of(modes, expected) != modes.end());
+    }
+  }
+}
+
+TEST_CASE("a line of CSV for each quantity, with infinite ends where forces have no bound") {
+  const std::string csv = expected_csv({answer_of("undetermined/drum-in-rough-corner"),
+                                        answer_of("several-or-none/painleve-rod-inconsistent"),
+                                        answer_of("thresholds/friction-that-holds-a-drum")});
+  CHECK(csv.starts_with("scene,motion,modes,status,kind,quantity,lower,upper,exact_lower,exact_upper\n"));
+  CHECK(csv.find("drum-in-rough-corner,1,") != std::string::npos);
+  CHECK(csv.find(",inf,") != std::string::npos);
+  CHECK(csv.find("painleve-rod-inconsistent,0,,none,,,,,,\n") != std::string::npos);
+  CHECK(csv.find("friction-that-holds-a-drum,,,,threshold,mu,") != std::string::npos);
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);) {
+    long commas = 0;
+    bool quoted = false;
+    for (const char c : line) quoted = quoted != (c == '"'), commas += c == ',' && !quoted ? 1 : 0;
+    CHECK(commas == 9);
+  }
+}
+
+TEST_CASE("what cannot be expected is refused with its reason") {
+  MechanismScene scene = read_scene(SLIPPROOF_SOURCE_DIR "/cases/mechanisms/asked/scenes/block-pushed.toml");
+  CHECK_THROWS_WITH_AS(expected_answer(scene, "block"), doctest::Contains("block: found no value of the load F"),
+                       InputError);
+  scene.load = 1;
+  scene.threshold = SceneThreshold{"F", 0, 1};
+  CHECK(expected_answer(scene, "block").changes.size() == 3);
+  scene.threshold = SceneThreshold{"nu", 0, 1};
+  CHECK_THROWS_WITH_AS(expected_answer(scene, "block"), doctest::Contains("[threshold]: unknown parameter"),
+                       InputError);
+  scene.threshold = SceneThreshold{"m", -1, 1};
+  CHECK_THROWS_WITH_AS(expected_answer(scene, "block"), doctest::Contains("outside the domain"), InputError);
+}
+
+TEST_CASE("a scene says its question, who asked it, and its threshold, and is written with them") {
+  const std::string mechanism = engines + "mechanisms/block.toml";
+  const std::string text = "name = \"a\"\nquestion = \"Does it move?\"\nasked = \"by nobody\"\nmechanism = \"" +
+                           mechanism +
+                           "\"\n[values]\nm = 1\nI = 1\nb = 1\nh = 1\nmu = 1\ng = 10\nFx = 1\n[threshold]\n";
+  const MechanismScene scene = parse_scene(text + "parameter = \"Fx\"\nfrom = 1\nto = 20\n", "scene.toml");
+  CHECK(scene.question == "Does it move?");
+  const MechanismScene again = parse_scene(to_toml(scene, mechanism), "scene.toml");
+  CHECK(again.asked == "by nobody");
+  CHECK(again.threshold->parameter == "Fx");
+  CHECK(again.threshold->to == 20);
+  const auto fails = [&](const std::string& threshold, const char* said) {
+    CHECK_THROWS_WITH_AS(parse_scene(text + threshold, "scene.toml"), doctest::Contains(said), InputError);
+  };
+  fails("parameter = \"Fz\"\nfrom = 1\nto = 2\n", "unknown parameter 'Fz'");
+  fails("parameter = \"Fx\"\nfrom = 2\nto = 2\n", "expected more than `from`");
+  fails("parameter = \"Fx\"\nto = 2\n", "missing from");
+}
+
+TEST_CASE("the shipped expected answers are found again, byte for byte") {
+  const auto every = static_cast<std::size_t>(test::how_many("SLIPPROOF_EXPECTED_EVERY", 10));
+  std::set<std::string> scenes, answers;
+  const auto collect = [](const std::string& folder, const std::string& extension, std::set<std::string>& names) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+      if (entry.path().extension() != extension) continue;
+      names.insert(entry.path().parent_path().filename().string() + "/" + entry.path().stem().string());
+    }
+  };
+  collect(engines + "scenes", ".toml", scenes);
+  collect(engines + "expected", ".json", answers);
+  CHECK(scenes == answers);
+  CHECK(scenes.size() >= 200);
+  std::set<std::string> stems, classes;
+  std::size_t next = 0;
+  for (const std::string& name : scenes) {
+    CAPTURE(name);
+    CHECK(stems.insert(std::filesystem::path(name).stem().string()).second);
+    classes.insert(std::filesystem::path(name).parent_path().string());
+    if (next++ % every != 0) continue;
+    const ExpectedAnswer answer = answer_of(name);
+    CHECK_FALSE(answer.solved.scene.question.empty());
+    CHECK(expected_json({answer}) == read_text_file(engines + "expected/" + name + ".json"));
+  }
+  CHECK(classes.size() == 5);
+}
