@@ -1,0 +1,58 @@
+// expect: what it writes where, and what it refuses.
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/run_program.hpp"
+
+using slipproof::test::read_file;
+using slipproof::test::run;
+using slipproof::test::TemporaryFolder;
+using Json = nlohmann::json;
+
+namespace {
+
+const std::string shipped_cases = SLIPPROOF_SOURCE_DIR "/cases/";
+const std::string tipping_cube = shipped_cases + "engines/scenes/one-motion/cube-tips.toml";
+const std::string stuck_rod = shipped_cases + "engines/scenes/several-or-none/painleve-rod-inconsistent.toml";
+
+}  // namespace
+
+TEST_CASE("one scene is one document, several are an array, to a file or standard output") {
+  const TemporaryFolder folder;
+  const std::string out = folder.path() / "expected.json";
+  const auto printed = run({"expect", tipping_cube});
+  CHECK(printed.exit_code == 0);
+  CHECK(Json::parse(printed.out)["scene"] == "cube-tips");
+  CHECK(run({"expect", tipping_cube, "-o", out}).out.empty());
+  CHECK(read_file(out) == printed.out);
+  const Json both = Json::parse(run({"expect", tipping_cube, stuck_rod}).out);
+  REQUIRE(both.size() == 2);
+  CHECK(both[0] == Json::parse(printed.out));
+  CHECK(both[1]["how_many"] == "none");
+}
+
+TEST_CASE("what no engine can be asked is refused, and nothing is written") {
+  const TemporaryFolder folder;
+  const std::string out = folder.path() / "expected.json";
+  const auto fails = [&](const std::vector<std::string>& more, int code, const std::string& said) {
+    std::vector<std::string> arguments{"expect", "-o", out};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const auto end = run(arguments);
+    CAPTURE(end.err);
+    CHECK(end.exit_code == code);
+    CHECK(end.err.find(said) != std::string::npos);
+    CHECK_FALSE(std::filesystem::exists(out));
+  };
+  fails({shipped_cases + "mechanisms/asked/scenes/book.toml"}, 3, "book: found no value of the load P");
+  fails({tipping_cube, tipping_cube}, 2, "found two scenes called 'cube-tips'");
+  fails({tipping_cube, "--format", "xml"}, 2, "--format");
+  fails({shipped_cases + "mechanisms/scenes/painleve-rod.toml", "--format", "pytest"}, 3, "given by its equations");
+  fails({tipping_cube, folder.path() / "missing.toml"}, 3, "missing.toml");
+  std::string text = read_file(tipping_cube);
+  text.replace(text.find("../../"), 6, shipped_cases + "engines/");
+  const std::string copy = folder.write("cube.toml", text);
+  CHECK(run({"expect", copy}).exit_code == 0);
+  CHECK(run({"expect", copy, "-o", copy}).exit_code == 3);
+  CHECK(read_file(copy) == text);
+}

@@ -1,0 +1,83 @@
+"""expect.py PROGRAM CASES COMPILER FOLDER: what `slipproof expect` writes is run: the file for pytest by pytest, with an
+engine that is right and with one that is not, and the header by a compiler."""
+
+import csv
+import io
+import json
+import pathlib
+import subprocess
+import sys
+
+program, cases, compiler, folder = sys.argv[1:]
+folder = pathlib.Path(folder)
+folder.mkdir(parents=True, exist_ok=True)
+scenes = pathlib.Path(cases) / "engines" / "scenes"
+files = [str(scenes / f"{name}.toml") for name in (
+    "one-motion/cube-tips", "one-motion/two-boxes-move-together", "several-or-none/painleve-rod-inconsistent",
+    "several-or-none/rod-lifted-and-pushed", "several-or-none/box-in-slot-flat", "undetermined/drum-in-rough-corner",
+    "thresholds/friction-that-holds-a-drum", "extremes/gravity-10-km-slides")]
+
+
+def expect(form):
+    return subprocess.run([program, "expect", *files, "--format", form], check=True, capture_output=True, text=True).stdout
+
+
+def nearest(number):
+    return number["double"] if "double" in number else number["lower"]["double"]
+
+
+answers = {answer["scene"]: answer for answer in json.loads(expect("json"))}
+assert len(answers) == len(files)
+
+# The CSV has the same numbers.
+for line in csv.DictReader(io.StringIO(expect("csv"))):
+    answer = answers[line["scene"]]
+    if line["kind"] == "acceleration" and not line["status"].startswith("continuum"):
+        number = answer["motions"][int(line["motion"]) - 1]["accelerations"][line["quantity"]]
+        assert float(line["lower"]) == float(line["upper"]) == number["double"], line
+        assert line["exact_lower"] == number["exact"], line
+    if line["kind"] == "threshold":
+        assert float(line["lower"]) == answer["threshold"]["changes"][0]["at"]["double"], line
+    if line["status"] == "none":
+        assert answer["how_many"] == "none", line
+
+# pytest: the last motion that is expected is right, and so is None where there is none; anything else is not.
+try:
+    import pytest
+except ImportError:
+    print("not tried: there is no pytest")
+    pytest = None
+if pytest:
+    text = expect("pytest")
+    before, after = text.split("def accelerations(scene):")
+    body = '    pytest.skip("accelerations(scene) is not written yet")\n'
+    assert body in after
+
+    def run(name, off):
+        answered = {}
+        for answer in answers.values():
+            told = answer["motions"] + answer["continua"]
+            answered[answer["name"]] = (
+                {u: nearest(told[-1]["accelerations"][u]) + off for u in answer["unknowns"]} if told
+                else None if not off else {"ax": 0.0})
+        engine = f"    return {answered!r}[scene['name']]\n"
+        file = folder / f"test_{name}.py"
+        file.write_text(before + "def accelerations(scene):" + after.replace(body, engine))
+        end = subprocess.run([sys.executable, "-B", "-m", "pytest", "-q", "-p", "no:cacheprovider", str(file)], capture_output=True, text=True)
+        return end.stdout.strip().splitlines()[-1]
+
+    right, wrong = run("right", 0), run("wrong", 0.5)
+    assert right.startswith(f"{len(files)} passed"), right
+    assert wrong.startswith(f"{len(files)} failed"), wrong
+
+# The header's numbers are those of the JSON.
+(folder / "expected.hpp").write_text(expect("c++"))
+checks = ""
+for index, answer in enumerate(answers.values()):
+    checks += f"static_assert(scenes[{index}].motion_count == {len(answer['motions']) + len(answer['continua'])});\n"
+    for k, motion in enumerate(answer["motions"]):
+        for i, number in enumerate(motion["accelerations"].values()):
+            checks += f"static_assert(scenes[{index}].motions[{k}].accelerations[{i}].upper.nearest == {number['double']!r});\n"
+(folder / "expected.cpp").write_text('#include "expected.hpp"\nusing slipproof_expected::scenes;\n' + checks)
+subprocess.run([compiler, "-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-fsyntax-only", str(folder / "expected.cpp")],
+               check=True)
