@@ -117,6 +117,7 @@ RecordJudgement judge_point(const RecordSetting& setting, const Record& record, 
   result.motions = found.motions.size();
   result.counted = judged.unexamined.empty();
   result.continuum = !found.continua.empty();
+  if (!judged.nearest.empty()) result.distance = enclose(judged.distance.scaled).upper;
   Json details = Json::object();
   const Explanation explanation(setting, solved, found, point.load);
   if (result.verdict == RecordVerdict::wrong) {

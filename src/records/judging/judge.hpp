@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,6 +49,9 @@ struct RecordJudgement {
   bool continuum = false;       ///< there are also infinitely many others
   /// Upper bound on the largest relative error of a component, if certified, ambiguous or inaccurate.
   double max_error = 0;
+  /// Upper bound on Distance::scaled to the nearest motion, of a wrong answer, too; nothing where none is known, or where
+  /// binary64 was sure of the record.
+  std::optional<double> distance = std::nullopt;
   bool contact_problem = false;
   std::string details = {};  ///< further JSON members, `,"violated":...`; empty for a certified record
   /// For a contact problem with rho: bound on the distance from the answer to a solution, in each component.

@@ -10,6 +10,7 @@
 #include "faces/cli/command.hpp"
 #include "faces/cli/commands/papers/verify_run.hpp"
 #include "faces/cli/warnings.hpp"
+#include "report/engines/engine_pages.hpp"
 #include "report/values/exact_json.hpp"
 
 namespace slipproof::cli {
@@ -19,6 +20,20 @@ namespace {
 struct ReportArguments : JudgeArguments {
   std::string out;
 };
+
+/// Reports on what engines answered: a page for all, one for each class of scenes and one for each scene.
+int report_engines(const std::filesystem::path& folder, const ReportArguments& options) {
+  if (options.out == "-") throw CLI::ValidationError("--out", "found -, expected a folder: engines have many pages");
+  const OutputFolder pages(options.out);
+  const EngineResults results = engine_results(judge_engines(folder));
+  std::size_t count = 0;
+  write_engine_pages(results, folder.generic_string(), SLIPPROOF_VERSION, [&](const auto& name, const auto& html) {
+    pages.write(name, html);
+    ++count;
+  });
+  print(options.common.json ? engine_table_json(results) : fmt::format("s REPORTED {} {} pages\n", options.out, count));
+  return as_it_should_be;
+}
 
 /// Reports on all papers in a folder: a page for each, and one for all.
 int report_papers(const std::vector<std::filesystem::path>& papers, const ReportArguments& options) {
@@ -42,9 +57,10 @@ void add_report(CLI::App& app, int& exit_code) {
   CLI::App& command =
       *app.add_subcommand("report", "Write one self-contained HTML file with verdicts, proofs and pictures");
   command.add_option("CLAIMS", options->claims,
-                     "Claims file (TOML), or a folder of papers; default: the shipped paper");
+                     "Claims file (TOML), or a folder of papers, or one of engines and their scenes; default: the "
+                     "shipped paper");
   command.add_option("--out", options->out,
-                     "The file to write; default: report.html; - for standard output. For a folder of papers: the "
+                     "The file to write; default: report.html; - for standard output. For a folder: the "
                      "folder to write; default: report");
   auto* samples = add_judging_options(command, *options);
   command.add_option("--only", options->verify.only,
@@ -54,6 +70,11 @@ void add_report(CLI::App& app, int& exit_code) {
   add_common_options(command, options->common);
   command.callback([options, samples, &exit_code] {
     const std::filesystem::path path = claims_path(options->claims);
+    if (is_engines_folder(path)) {
+      if (options->out.empty()) options->out = "report";
+      exit_code = report_engines(path, *options);
+      return;
+    }
     const auto papers = papers_in(path);
     if (options->out.empty()) options->out = papers.empty() ? "report.html" : "report";
     if (!papers.empty()) {

@@ -1,0 +1,59 @@
+// What engines answered, held against all motions of each scene.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mechanics/kernel/motions.hpp"
+#include "mechanics/scene/scene.hpp"
+#include "records/engines/engine_answers.hpp"
+
+namespace slipproof {
+
+/// How near an answer is to a motion: the largest error of an acceleration over the largest acceleration of its kind
+/// (contact/yardstick.hpp).
+enum class EngineVerdict : std::uint8_t {
+  right,      ///< within `engine_right`
+  near,       ///< within `contact_near`
+  wrong,      ///< no motion is near
+  undecided,  ///< not all motions were found within the effort
+  refused,    ///< the engine cannot have the scene
+  failed      ///< it crashed, did not answer in time, or answered with a number that is not finite
+};
+inline constexpr std::size_t engine_verdict_count = 6;
+std::string_view name(EngineVerdict verdict);
+
+/// Engines iterate: what is within a thousandth is right.
+inline constexpr double engine_right = 1e-3;
+
+struct JudgedEngineAnswer {
+  EngineAnswer answer;
+  EngineVerdict verdict = EngineVerdict::failed;
+  std::optional<double> distance;  ///< from the nearest motion; nothing where there is none
+};
+
+struct EngineScene {
+  std::string name;  ///< CLASS/NAME
+  std::filesystem::path file;
+  MechanismScene scene;
+  std::vector<JudgedEngineAnswer> answers;  ///< by engine, then as they were asked
+
+  std::string class_name() const { return name.substr(0, name.find('/')); }
+};
+
+struct JudgedEngines {
+  std::vector<EngineScene> scenes;   ///< by name
+  std::vector<std::string> engines;  ///< with their versions, by name
+};
+
+/// Whether a folder has `scenes` and `answers`.
+bool is_engines_folder(const std::filesystem::path& folder);
+
+/// Reads FOLDER/scenes/CLASS/NAME.toml and FOLDER/answers/ENGINE.jsonl, and judges each answer in exact numbers; the
+/// scenes in parallel. Throws InputError for files that cannot be read, for an answer about a scene that is not there,
+/// and for a motion that lacks an acceleration.
+JudgedEngines judge_engines(const std::filesystem::path& folder);
+
+}  // namespace slipproof

@@ -1,0 +1,270 @@
+#include "report/engines/engine_pages.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "base/number/format.hpp"
+#include "report/document/document.hpp"
+#include "report/html/sections.hpp"
+#include "report/html/verdict_bar.hpp"
+#include "report/picture/mechanism_svg.hpp"
+#include "report/scenes/mechanism_report.hpp"
+
+namespace slipproof {
+
+namespace {
+
+constexpr std::array<const char*, engine_verdict_count> fills{"fill-proved",    "fill-holds",   "fill-refuted",
+                                                              "fill-undecided", "fill-vacuous", "fill-inaccurate"};
+constexpr std::array<std::string_view, engine_verdict_count> chips{"proved",    "holds",   "refuted",
+                                                                   "undecided", "vacuous", "undecided"};
+constexpr std::array<std::string_view, engine_verdict_count> signs{"✓", "≈", "✗", "?", "–", "!"};
+
+std::size_t sum(const EngineCounts& counts) {
+  return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+}
+
+/// The answers that can be judged: those that were not refused.
+std::size_t answered(const EngineCounts& counts) {
+  return sum(counts) - counts[static_cast<std::size_t>(EngineVerdict::refused)];
+}
+
+std::string error_text(double error) {
+  return fmt::format("{:.1e}", error);
+}
+
+/// `31 of 40`.
+std::string share_text(const EngineCounts& counts) {
+  return fmt::format("{} of {}", counts[static_cast<std::size_t>(EngineVerdict::right)], answered(counts));
+}
+
+ReportCell bar_cell(const EngineCounts& counts) {
+  return drawn("", [counts](const Element& cell) {
+    std::vector<BarPart> parts;
+    for (std::size_t i = 0; i < counts.size(); ++i) parts.push_back({fills[i], counts[i]});
+    add_bar(cell, parts, 160, 12);
+  });
+}
+
+ReportCell verdict_cell(const JudgedEngineAnswer& one, const std::string& href) {
+  const auto verdict = static_cast<std::size_t>(one.verdict);
+  std::string words = std::string(name(one.verdict));
+  if (one.distance && one.verdict != EngineVerdict::right) words = error_text(*one.distance);
+  return drawn(words, [=](const Element& cell) {
+    const Element link = href.empty() ? cell : cell.add("a").set("href", href);
+    add_chip(link, chips[verdict], signs[verdict], words);
+  });
+}
+
+/// One of the pages, with what all of them share.
+class EnginePages {
+ public:
+  EnginePages(const EngineResults& results, const std::string& folder, const std::string& version,
+              const PageSink& write)
+      : results_(results), judged_(results.judged), folder_(folder), version_(version), write_(write) {}
+
+  void write() {
+    write_("index.html", page("Engines, tested against the truth", "", [&](const Element& main) { add_index(main); }));
+    for (const std::string& name : engine_classes(judged_)) {
+      write_(name + ".html", page(class_title(name), "", [&](const Element& main) { add_class(main, name); }));
+    }
+    for (std::size_t i = 0; i < judged_.scenes.size(); ++i) {
+      const EngineScene& scene = judged_.scenes[i];
+      write_(scene.name + ".html", page(scene.scene.name, "../", [&](const Element& main) {
+               add_scene(main, scene, results_.expected[i].solved);
+             }));
+    }
+  }
+
+ private:
+  std::string page(const std::string& title, const std::string& up, const std::function<void(const Element&)>& fill) {
+    std::vector<std::pair<std::string, std::string>> links{{up + "index.html", "Engines"}};
+    for (const std::string& name : engine_classes(judged_)) links.emplace_back(up + name + ".html", class_title(name));
+    PageFrame frame{"slipproof: " + title, version_, std::move(links),
+                    "Made by slipproof " + version_ + " from recorded answers. Each page says how to ask again."};
+    frame.brand = up + "index.html";
+    return framed(frame, fill);
+  }
+
+  static Element add_title(const Element& main, const std::string& kicker, const std::string& title) {
+    const Element section = main.add("section", "overview").set("id", "overview").set("aria-labelledby", "title");
+    section.add("p", "kicker").text(kicker);
+    section.add("h1").set("id", "title").text(title);
+    return section;
+  }
+
+  void add_index(const Element& main) const {
+    const Element top =
+        add_title(main, fmt::format("{} scenes, {} engines", judged_.scenes.size(), judged_.engines.size()),
+                  "What physics engines answer where the truth is known");
+    top.add("p", "lead")
+        .text(
+            "Each scene is at rest, or in a state of motion that it names, and is pushed. The first step of an engine "
+            "then says an acceleration of each body, and slipproof knows all motions that the scene has, in exact "
+            "numbers. Right is an answer within a thousandth of the largest acceleration from one of them, near one "
+            "within a hundredth; wrong is everything else. Where a scene has no motion, every answer is wrong.");
+    add_key(top);
+    add_counts(main);
+    add_thresholds(main);
+    add_reproduce(main);
+  }
+
+  static void add_key(const Element& top) {
+    const Element list = top.add("p", "how");
+    for (std::size_t i = 0; i < engine_verdict_count; ++i) {
+      add_chip(list, chips[i], signs[i], name(static_cast<EngineVerdict>(i)));
+      list.text(" ");
+    }
+  }
+
+  void add_counts(const Element& main) const {
+    const Element section = add_section(main, "table", "Right answers, by class of scenes");
+    section.add("p", "how")
+        .text(
+            "Of the scenes that the engine can have. A class opens its scenes, and a scene its picture, its exact "
+            "motions "
+            "and what each engine says.");
+    ReportTable table{{"engine", "asked"}};
+    table.label = "Right answers by engine and class";
+    table.css_class = "solvers";
+    const std::vector<std::string> classes = engine_classes(judged_);
+    for (const std::string& name : classes) {
+      table.columns.emplace_back(ReportLine(link_to(class_title(name), name + ".html")), true);
+    }
+    table.columns.emplace_back("all", true);
+    table.columns.emplace_back("share");
+    table.columns.emplace_back("the law that it solves");
+    for (const EngineRow& row : engine_rows(judged_)) {
+      std::vector<ReportCell> cells{row.engine + " " + row.version, row.asked};
+      for (const std::string& name : classes) {
+        const auto found = row.classes.find(name);
+        cells.emplace_back(found == row.classes.end() ? "–" : share_text(found->second));
+      }
+      cells.emplace_back(share_text(row.all));
+      cells.push_back(bar_cell(row.all));
+      cells.emplace_back(row.law);
+      table.row(std::move(cells));
+    }
+    add_table(section, table);
+  }
+
+  void add_thresholds(const Element& main) const {
+    const auto thresholds = engine_thresholds(results_);
+    if (thresholds.empty()) return;
+    const Element section = add_section(main, "thresholds-found", "Where engines change their minds");
+    section.add("p", "how")
+        .text("A parameter is varied until the engine's answer changes its mode; beside it the exact value.");
+    ReportTable table{{"engine", "scene", "parameter", {"changes at", true}, {"exact", true}, {"off by", true}}};
+    table.label = "Thresholds by engine";
+    for (const EngineThresholdRow& row : thresholds) {
+      table.row({row.engine, ReportLine(link_to(row.scene, row.scene + ".html")), row.found.parameter,
+                 fmt::format("{:.8g}", row.found.changes_at), row.exact ? fmt::format("{:.8g}", *row.exact) : "none",
+                 row.exact ? error_text(row.off()) : "–"});
+    }
+    add_table(section, table);
+  }
+
+  void add_reproduce(const Element& main) const {
+    const Element section = add_section(main, "reproduce", "Ask again");
+    section.add("pre")
+        .set("tabindex", 0)
+        .add("code")
+        .text(fmt::format("./run engines\nslipproof report {} --out REPORT", folder_));
+  }
+
+  void add_class(const Element& main, const std::string& name) const {
+    add_title(main, "A class of scenes", class_title(name));
+    const Element section = add_section(main, "scenes", "What each engine says at its default settings");
+    add_key(section);
+    ReportTable table{{"scene", {"motions", true}}};
+    table.label = "Verdicts by scene and engine";
+    for (const std::string& engine : judged_.engines) table.columns.emplace_back(engine);
+    for (std::size_t i = 0; i < judged_.scenes.size(); ++i) {
+      const EngineScene& scene = judged_.scenes[i];
+      if (scene.class_name() != name) continue;
+      const std::string href = scene.name + ".html";
+      std::vector<ReportCell> cells{ReportLine(link_to(scene.scene.name, href)),
+                                    motions_text(*results_.expected[i].solved.at_load)};
+      for (const std::string& engine : judged_.engines) cells.push_back(cell_of(scene, engine, href));
+      table.row(std::move(cells));
+    }
+    add_table(section, table);
+  }
+
+  static std::string motions_text(const MotionsAtLoad& found) {
+    return std::to_string(found.motions.size()) + (found.continua.empty() ? "" : ", continuum");
+  }
+
+  static ReportCell cell_of(const EngineScene& scene, const std::string& engine, const std::string& href) {
+    const auto found = std::ranges::find_if(scene.answers, [&](const JudgedEngineAnswer& one) {
+      return one.answer.engine == engine && one.answer.asked == "default";
+    });
+    return found == scene.answers.end() ? ReportCell("") : verdict_cell(*found, href + "#engines");
+  }
+
+  void add_scene(const Element& main, const EngineScene& scene, const SolvedMechanism& solved) const {
+    const Element top = add_title(main, class_title(scene.class_name()), scene.scene.name);
+    if (!scene.scene.question.empty()) top.add("p", "lead").text(scene.scene.question);
+    if (!scene.scene.asked.empty()) top.add("p", "how").text("Asked: " + scene.scene.asked + ".");
+    const MotionAtLoad* first =
+        solved.at_load && !solved.at_load->motions.empty() ? &solved.at_load->motions.front() : nullptr;
+    if (has_picture(scene.scene.mechanism)) {
+      const Element figure = top.add("figure", "plot");
+      add_mechanism(figure, scene.scene, first, scene.scene.name);
+      figure.add("figcaption").text(first ? "With the forces of its first motion." : "It has no motion.");
+    }
+    const Element exact = add_section(main, "exact", "Every motion, exactly");
+    add_document(exact, solve_document(solved, 6));
+    add_answers(main, scene);
+  }
+
+  void add_answers(const Element& main, const EngineScene& scene) const {
+    const Element section = add_section(main, "engines", "What engines say");
+    ReportTable table{{"engine", "asked", "verdict", "accelerations", "settings"}};
+    table.label = "Answers of engines";
+    for (const JudgedEngineAnswer& one : scene.answers) {
+      const EngineAnswer& answer = one.answer;
+      table.row({answer.engine + " " + answer.version, answer.asked, verdict_cell(one, ""), answer_text(answer),
+                 ReportLine(code(answer.settings))});
+    }
+    add_table(section, table);
+    section.add("p", "how")
+        .text("Judge one again: its line in answers/ENGINE.jsonl, its motion as a record of this scene.");
+    section.add("pre")
+        .set("tabindex", 0)
+        .add("code")
+        .text(fmt::format("slipproof export {0}/scenes/{1}.toml --bodies -o scene.json\nslipproof certify --scene "
+                          "{0}/scenes/{1}.toml answer.jsonl",
+                          folder_, scene.name));
+  }
+
+  static std::string answer_text(const EngineAnswer& answer) {
+    if (!answer.refused.empty()) return answer.refused;
+    if (!answer.failed.empty()) return answer.failed;
+    if (answer.threshold) {
+      return fmt::format("changes at {} = {:.8g}", answer.threshold->parameter, answer.threshold->changes_at);
+    }
+    std::string text;
+    for (const auto& [name, value] : answer.motion) {
+      text += fmt::format("{}{} = {:.6g}", text.empty() ? "" : ", ", name, value);
+    }
+    return text;
+  }
+
+  const EngineResults& results_;
+  const JudgedEngines& judged_;
+  const std::string& folder_;
+  const std::string& version_;
+  const PageSink& write_;
+};
+
+}  // namespace
+
+void write_engine_pages(const EngineResults& results, const std::string& folder, const std::string& version,
+                        const PageSink& write) {
+  EnginePages(results, folder, version, write).write();
+}
+
+}  // namespace slipproof

@@ -1,0 +1,125 @@
+#include "report/engines/engine_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "base/output/json.hpp"
+#include "base/parallel/in_parallel.hpp"
+#include "report/expected/numbers.hpp"
+
+namespace slipproof {
+
+namespace {
+
+/// The value nearest to `found` at which the motions of a scene change.
+std::optional<double> nearest_change(const ExpectedAnswer& expected, double found) {
+  std::optional<double> nearest;
+  for (const MotionChange& change : expected.changes) {
+    const double at = expected::told_root(change.at, "x").nearest;
+    if (!nearest || std::abs(at - found) < std::abs(*nearest - found)) nearest = at;
+  }
+  return nearest;
+}
+
+Json counts_json(const EngineCounts& counts) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (counts[i] > 0) json[std::string(name(static_cast<EngineVerdict>(i)))] = counts[i];
+  }
+  return json;
+}
+
+}  // namespace
+
+EngineResults engine_results(JudgedEngines judged) {
+  EngineResults results{std::move(judged), {}};
+  std::vector<std::optional<ExpectedAnswer>> expected(results.judged.scenes.size());
+  in_parallel(0, expected.size(), [&](std::size_t i) {
+    const EngineScene& scene = results.judged.scenes[i];
+    expected[i] = expected_answer(scene.scene, scene.name);
+  });
+  for (auto& one : expected) results.expected.push_back(std::move(*one));
+  return results;
+}
+
+double EngineThresholdRow::off() const {
+  const double apart = std::abs(found.changes_at - *exact);
+  return *exact == 0 ? apart : apart / std::abs(*exact);
+}
+
+std::vector<EngineThresholdRow> engine_thresholds(const EngineResults& results) {
+  std::vector<EngineThresholdRow> rows;
+  for (std::size_t i = 0; i < results.expected.size(); ++i) {
+    const EngineScene& scene = results.judged.scenes[i];
+    for (const JudgedEngineAnswer& one : scene.answers) {
+      if (!one.answer.threshold) continue;
+      const EngineThreshold& found = *one.answer.threshold;
+      rows.push_back({one.answer.engine, scene.name, found, nearest_change(results.expected[i], found.changes_at)});
+    }
+  }
+  std::stable_sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.engine < b.engine; });
+  return rows;
+}
+
+std::string engine_table_json(const EngineResults& results) {
+  Json document{{"schema", "slipproof/engine-table/1"}, {"scenes", results.judged.scenes.size()}};
+  document["engines"] = Json::array();
+  for (const EngineRow& row : engine_rows(results.judged)) {
+    Json classes = Json::object();
+    for (const auto& [name, counts] : row.classes) classes[name] = counts_json(counts);
+    document["engines"].push_back({{"engine", row.engine},
+                                   {"version", row.version},
+                                   {"asked", row.asked},
+                                   {"law", row.law},
+                                   {"date", row.date},
+                                   {"classes", std::move(classes)},
+                                   {"all", counts_json(row.all)}});
+  }
+  document["thresholds"] = Json::array();
+  for (const EngineThresholdRow& row : engine_thresholds(results)) {
+    Json one{{"engine", row.engine},
+             {"scene", row.scene},
+             {"parameter", row.found.parameter},
+             {"changes_at", row.found.changes_at},
+             {"within", row.found.within}};
+    one["exact"] = row.exact ? Json(*row.exact) : Json();
+    document["thresholds"].push_back(std::move(one));
+  }
+  return json_text(document, 2) + '\n';
+}
+
+std::vector<EngineRow> engine_rows(const JudgedEngines& judged) {
+  std::map<std::pair<std::string, std::string>, EngineRow> rows;
+  for (const EngineScene& scene : judged.scenes) {
+    for (const JudgedEngineAnswer& one : scene.answers) {
+      if (one.answer.threshold || one.answer.asked == "threshold") continue;
+      EngineRow& row = rows[{one.answer.engine, one.answer.asked}];
+      if (row.engine.empty()) {
+        row.engine = one.answer.engine, row.asked = one.answer.asked;
+        row.version = one.answer.version, row.date = one.answer.date;
+      }
+      if (row.law.empty()) row.law = one.answer.law;
+      const auto verdict = static_cast<std::size_t>(one.verdict);
+      ++row.classes[scene.class_name()][verdict];
+      ++row.all[verdict];
+    }
+  }
+  std::vector<EngineRow> result;
+  for (auto& [key, row] : rows) result.push_back(std::move(row));
+  return result;
+}
+
+std::vector<std::string> engine_classes(const JudgedEngines& judged) {
+  std::set<std::string> names;
+  for (const EngineScene& scene : judged.scenes) names.insert(scene.class_name());
+  return {names.begin(), names.end()};
+}
+
+std::string class_title(const std::string& name) {
+  std::string title = name;
+  std::replace(title.begin(), title.end(), '-', ' ');
+  return title;
+}
+
+}  // namespace slipproof

@@ -1,0 +1,63 @@
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "base/input/diagnostic.hpp"
+#include "records/engines/judged_engines.hpp"
+#include "support/engine_files.hpp"
+
+using namespace slipproof;
+
+namespace {
+
+EngineVerdict verdict_on(const std::string& scene, const std::string& line) {
+  const test::EngineFiles files;
+  files.answer(scene, line);
+  const JudgedEngines judged = judge_engines(files.folder());
+  for (const EngineScene& one : judged.scenes) {
+    if (one.name == scene) return one.answers.at(0).verdict;
+  }
+  return EngineVerdict::failed;
+}
+
+std::string mistake_of(const std::string& line) {
+  const test::EngineFiles files;
+  files.line(line);
+  try {
+    judge_engines(files.folder());
+  } catch (const InputError& error) {
+    return error.diagnostics().front().message;
+  }
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("an engine's answer is right within a thousandth of the largest acceleration, near within a hundredth") {
+  using enum EngineVerdict;
+  CHECK(verdict_on("one-motion/pulled", R"("motion":{"ax":1,"ay":0})") == right);
+  CHECK(verdict_on("one-motion/pulled", R"("motion":{"ax":1.009,"ay":0})") == right);  // of 10
+  CHECK(verdict_on("one-motion/pulled", R"("motion":{"ax":1.02,"ay":0})") == near);
+  CHECK(verdict_on("one-motion/pulled", R"("motion":{"ax":0,"ay":0})") == wrong);
+  CHECK(verdict_on("one-motion/pulled", R"("refused":"it has no blocks")") == refused);
+  CHECK(verdict_on("one-motion/pulled", R"("failed":"no answer within 10 s")") == failed);
+  CHECK(verdict_on("one-motion/pulled", R"("motion":{"ax":null,"ay":0})") == failed);
+}
+
+TEST_CASE("where there is no motion every answer is wrong") {
+  CHECK(verdict_on("none/rod", R"("motion":{"ax":0,"ay":0,"phi":0})") == EngineVerdict::wrong);
+  CHECK(verdict_on("none/rod", R"("motion":{"ax":0,"ay":-10,"phi":0})") == EngineVerdict::wrong);
+}
+
+TEST_CASE("what a line lacks is told with its place") {
+  CHECK(mistake_of("{}").starts_with("schema: found nothing"));
+  CHECK(mistake_of("[1]") == "found no JSON object, expected an answer of an engine");
+  const std::string head = R"({"schema":"slipproof/engine-answer/1","engine":"e","asked":"default","scene":)";
+  CHECK(mistake_of(head + R"("one-motion/pulled"})").starts_with("found no motion, changes_at, refused or failed"));
+  CHECK(mistake_of(head + R"("one-motion/pushed","refused":"no"})").starts_with("found the scene"));
+  CHECK(mistake_of(head + R"("one-motion/pulled","motion":{"ax":1}})").find("ay") != std::string::npos);
+  CHECK(mistake_of(head + R"("one-motion/pulled","motion":{"az":1}})").find("az") != std::string::npos);
+  CHECK(mistake_of(head + R"("one-motion/pulled","motion":{"ax":"1"}})").starts_with("motion: found"));
+}

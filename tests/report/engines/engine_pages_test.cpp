@@ -1,0 +1,79 @@
+#include "report/engines/engine_pages.hpp"
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <map>
+#include <pugixml.hpp>
+#include <sstream>
+
+#include "base/output/json.hpp"
+#include "support/engine_files.hpp"
+
+using namespace slipproof;
+
+namespace {
+
+const char* const answers =
+    R"({"schema":"slipproof/engine-answer/1","engine":"e","version":"1","asked":"default","law":"cone","scene":"one-motion/pulled","motion":{"ax":1,"ay":0}}
+{"schema":"slipproof/engine-answer/1","engine":"e","version":"1","asked":"default","law":"cone","scene":"none/rod","motion":{"ax":1,"ay":0,"phi":0}}
+{"schema":"slipproof/engine-answer/1","engine":"e","version":"1","asked":"threshold","scene":"one-motion/pulled","parameter":"F","changes_at":5.05,"within":0.001}
+{"schema":"slipproof/engine-answer/1","engine":"<f>","version":"2","asked":"default","law":"box","scene":"none/rod","refused":"no <rods>"})";
+
+EngineResults results_of(const test::EngineFiles& files) {
+  files.line(answers);
+  return engine_results(judge_engines(files.folder()));
+}
+
+std::map<std::string, std::string> pages_of(const EngineResults& results) {
+  std::map<std::string, std::string> pages;
+  write_engine_pages(results, "engines", "0", [&](const auto& name, const auto& html) { pages[name] = html; });
+  return pages;
+}
+
+}  // namespace
+
+TEST_CASE("the table counts what each engine answers, class by class") {
+  const test::EngineFiles files;
+  const Json table = Json::parse(engine_table_json(results_of(files)));
+  CHECK(table["scenes"] == 2);
+  REQUIRE(table["engines"].size() == 2);
+  CHECK(table["engines"][0]["engine"] == "<f>");
+  CHECK(table["engines"][0]["all"] == Json{{"refused", 1}});
+  CHECK(table["engines"][1]["classes"] == Json{{"none", {{"wrong", 1}}}, {"one-motion", {{"right", 1}}}});
+  CHECK(table["engines"][1]["law"] == "cone");
+}
+
+TEST_CASE("a threshold that an engine has stands beside the exact one") {
+  const test::EngineFiles files;
+  std::filesystem::path scene = files.folder() / "scenes/one-motion/pulled.toml";
+  std::ofstream(scene, std::ios::app) << "[threshold]\nparameter = \"F\"\nfrom = \"1\"\nto = \"9\"\n";
+  const auto rows = engine_thresholds(results_of(files));
+  REQUIRE(rows.size() == 1);
+  CHECK(rows[0].exact == 5);  // mu times the weight
+  CHECK(rows[0].off() == doctest::Approx(0.01));
+}
+
+TEST_CASE("each link of the pages leads to a page, and what engines call themselves stays text") {
+  const test::EngineFiles files;
+  const auto pages = pages_of(results_of(files));
+  CHECK(pages.size() == 5);
+  int links = 0;
+  for (const auto& [name, html] : pages) {
+    pugi::xml_document page;
+    REQUIRE(page.load_string(html.c_str()));
+    CHECK(page.select_nodes("//f").empty());
+    for (const auto& link : page.select_nodes("//a[@href]")) {
+      std::string target = link.node().attribute("href").value();
+      const std::size_t hash = target.find('#');
+      const std::string id = hash == target.npos ? "" : target.substr(hash + 1);
+      target = target.substr(0, hash);
+      const auto path = (std::filesystem::path(name).parent_path() / target).lexically_normal().generic_string();
+      const std::string& there = target.empty() ? html : pages.at(path);
+      if (!id.empty()) CHECK(there.find("id=\"" + id + "\"") != std::string::npos);
+      ++links;
+    }
+  }
+  CHECK(links > 20);
+  CHECK(pages.at("one-motion/pulled.html").find("right") != std::string::npos);
+}
