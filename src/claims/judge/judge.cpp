@@ -1,17 +1,8 @@
 #include "claims/judge/judge.hpp"
 
-#include <array>
-
 #include "claims/judge/claim_judge.hpp"
 
 namespace slipproof {
-
-std::string_view name(Reason reason) {
-  constexpr std::array<std::string_view, 13> names{"none",      "ends",     "forces",   "exists",    "formula",
-                                                   "continuum", "extra",    "missing",  "uncovered", "limit",
-                                                   "equation",  "no value", "undecided"};
-  return names[static_cast<std::size_t>(reason)];
-}
 
 Judgement ClaimJudge::judge() {
   Judgement j = judged();

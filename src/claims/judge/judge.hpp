@@ -16,23 +16,26 @@ enum class Outcome : std::uint8_t {
   undecided  ///< the claim has no value at the sample, or its value was not found
 };
 
-/// How a claim fails.
-enum class Reason : std::uint8_t {
-  none,
-  ends,       ///< the forces agree except for ends that belong to one side only
-  forces,     ///< the mode has other forces than the claim says
-  exists,     ///< there is a motion that the claim calls impossible
-  formula,    ///< a formula has another value
-  continuum,  ///< there is a continuum of motions where the claim states one motion
-  extra,      ///< there is a motion that the claim does not mention
-  missing,    ///< a motion of the claim does not exist
-  uncovered,  ///< none of the claims covers this bicycle
-  limit,      ///< false however large the parameter is
-  equation,   ///< an equation does not follow
-  no_value,   ///< undefined in the claim's own region
-  unsure      ///< nothing is undefined, but a comparison over the forces was not decided
+/// How a claim fails. Kinds may have reasons of their own; ClaimKind::failing() puts those in words.
+struct Reason {
+  std::string_view name;
+  bool operator==(const Reason&) const = default;
+
+  static const Reason none;
+  static const Reason ends;       ///< the forces agree except for ends that belong to one side only
+  static const Reason forces;     ///< the mode has other forces than the claim says
+  static const Reason exists;     ///< there is a motion that the claim calls impossible
+  static const Reason formula;    ///< a formula has another value
+  static const Reason continuum;  ///< there is a continuum of motions where the claim states one motion
+  static const Reason extra;      ///< there is a motion that the claim does not mention
+  static const Reason missing;    ///< a motion of the claim does not exist
+  static const Reason uncovered;  ///< none of the claims covers this bicycle
+  static const Reason no_value;   ///< undefined in the claim's own region
+  static const Reason unsure;     ///< nothing is undefined, but a comparison over the forces was not decided
 };
-std::string_view name(Reason reason);
+inline constexpr Reason Reason::none{"none"}, Reason::ends{"ends"}, Reason::forces{"forces"}, Reason::exists{"exists"},
+    Reason::formula{"formula"}, Reason::continuum{"continuum"}, Reason::extra{"extra"}, Reason::missing{"missing"},
+    Reason::uncovered{"uncovered"}, Reason::no_value{"no value"}, Reason::unsure{"undecided"};
 
 /// The judgement of a claim at one sample. Forces are values of the paper's force variable.
 struct Judgement {
@@ -42,7 +45,7 @@ struct Judgement {
   std::optional<ForceInterval> claimed;    ///< interval: what the claim says
   std::optional<ForceInterval> real;       ///< interval, impossible: the forces that the mode has
   std::optional<ForceInterval> witnesses;  ///< forces at which claim and truth differ
-  std::optional<std::size_t> equation;     ///< consequence: which of the equations does not follow
+  std::optional<std::size_t> number;       ///< what the kind counts, for its words
 };
 
 /// Judges a claim, given by its index, in a reading. `compiled` must be made from `file`, the sample from the claim's

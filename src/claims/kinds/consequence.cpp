@@ -34,17 +34,17 @@ class ConsequenceKind : public LinearKind {
 
   std::string failing(const ClaimBody& claim, const Judgement& judgement, std::string_view) const override {
     const std::string from = claim.from_model() ? "the equations of motion" : "what is given";
-    if (!judgement.equation) return "an equation does not follow from " + from;
-    return to_string(claim.equations[*judgement.equation]) + " does not follow from " + from;
+    if (!judgement.number) return "an equation does not follow from " + from;
+    return to_string(claim.equations[*judgement.number]) + " does not follow from " + from;
   }
 
  protected:
   Judgement judge_rows(ClaimJudge&, const Sides& rows) const override {
     if (!has_solution(rows.left)) return {};
     if (follows(rows.equations, rows.left)) return ClaimJudge::holds();
-    Judgement j = ClaimJudge::refuted(Reason::equation);
-    for (std::size_t i = 0; i < rows.equations.size() && !j.equation; ++i) {
-      if (!follows({rows.equations[i]}, rows.left)) j.equation = i;
+    Judgement j = ClaimJudge::refuted(does_not_follow);
+    for (std::size_t i = 0; i < rows.equations.size() && !j.number; ++i) {
+      if (!follows({rows.equations[i]}, rows.left)) j.number = i;
     }
     return j;
   }

@@ -1,17 +1,31 @@
-// To add a kind, add a file to this folder and its name to both lists.
-#include "claims/kinds/kinds.hpp"
+// The list of the kinds of claims, in the order in which messages list them. A new kind is a file in this folder and a
+// line here.
+#define SLIPPROOF_CLAIM_KINDS(KIND) \
+  KIND(interval)                    \
+  KIND(impossible)                  \
+  KIND(formula)                     \
+  KIND(motions)                     \
+  KIND(unique)                      \
+  KIND(cover)                       \
+  KIND(force_cover)                 \
+  KIND(equivalence)                 \
+  KIND(limit)                       \
+  KIND(exists)                      \
+  KIND(consequence)                 \
+  KIND(system)
 
 #include <algorithm>
 
+#include "claims/paper/claim_kind.hpp"
+
 namespace slipproof {
 
-const ClaimKind &interval_kind(), &impossible_kind(), &formula_kind(), &motions_kind(), &unique_kind(), &cover_kind(),
-    &force_cover_kind(), &equivalence_kind(), &limit_kind(), &exists_kind(), &consequence_kind(), &system_kind();
+#define DECLARED(kind) const ClaimKind& kind##_kind();
+SLIPPROOF_CLAIM_KINDS(DECLARED)
 
 const std::vector<const ClaimKind*>& claim_kinds() {
-  static const std::vector<const ClaimKind*> all{
-      &interval_kind(),    &impossible_kind(),  &formula_kind(), &motions_kind(), &unique_kind(),      &cover_kind(),
-      &force_cover_kind(), &equivalence_kind(), &limit_kind(),   &exists_kind(),  &consequence_kind(), &system_kind()};
+#define LISTED(kind) &kind##_kind(),
+  static const std::vector<const ClaimKind*> all{SLIPPROOF_CLAIM_KINDS(LISTED)};
   return all;
 }
 

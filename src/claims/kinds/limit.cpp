@@ -1,17 +1,53 @@
 // As the parameter goes to the upper end of its domain, `holds` is true from some value on.
 #include "claims/kinds/kind_base.hpp"
 #include "claims/lines/critical.hpp"
+#include "claims/reading/claims_reader.hpp"
 
 namespace slipproof {
 
 namespace {
 
+using claims_reader::BodyTable;
+
+/// The value of the parameter from which on proofs show it, independent of the parameter.
+const Expression* from(const ClaimBody& claim) {
+  const auto found = claim.own.find("from");
+  return found == claim.own.end() ? nullptr : &found->second;
+}
+
+void read_from(const BodyTable& in, std::string_view key) {
+  const Expression value = in.read(key, Sort::number, {.definitions = true});
+  in.body.own["from"] = value;
+  auto& uses = in.context.uses;
+  if (!uses.empty() && uses.back().expression == value) uses.back().independent_of = in.body.parameter;
+}
+
+void read_parameter(const BodyTable& in, std::string_view key) {
+  in.body.parameter.clear();
+  const PlacedText* text = in.table.string(key);
+  if (text == nullptr || in.in_setting() == nullptr) return;
+  std::vector<std::string_view> known;
+  for (const Parameter& parameter : in.in_setting()->parameters) {
+    if (!parameter.angle) known.push_back(parameter.symbol);
+  }
+  if (std::find(known.begin(), known.end(), text->text()) == known.end()) {
+    in.table.refuse(key, claims_reader::unknown("parameter", text->text(), known));
+  }
+  in.body.parameter = text->text();
+}
+
 class LimitKind : public KindBase {
  public:
   LimitKind()
-      : KindBase(
-            {.name = "limit", .fields = {{"parameter"}, {"holds"}, {"from", Need::optional}}, .says_by_region = true}) {
-  }
+      : KindBase({.name = "limit",
+                  .fields = {{.key = "parameter", .expected = "a parameter of the setting", .read = read_parameter},
+                             {"holds"},
+                             {.key = "from",
+                              .need = Need::optional,
+                              .expected = "a number, independent of the parameter",
+                              .read = read_from,
+                              .only_for_proofs = true}},
+                  .says_by_region = true}) {}
 
   Judgement judge(ClaimJudge& at) const override {
     const std::size_t index = at.setting().parameter_index(at.body().parameter);
@@ -23,7 +59,7 @@ class LimitKind : public KindBase {
       const Truth said = truth(holds);
       return ClaimJudge::no_value(said) ? ClaimJudge::undecided()
              : said == Truth::yes       ? ClaimJudge::holds()
-                                        : ClaimJudge::refuted(Reason::limit);
+                                        : ClaimJudge::refuted({"limit"});
     };
     if (at.sample().eventually(at.compiled().is_point(), index) == Truth::yes) {
       return judged([&](const Program& p) { return at.sample().eventually(p, index); });
@@ -34,16 +70,17 @@ class LimitKind : public KindBase {
         *last, [&](const auto& bicycle) { return judged([&](const Program& p) { return bicycle->region(p); }); });
   }
 
-  /// Writes three statements: `holds` from a value of the parameter on that the other parameters determine; that this
-  /// value is defined; and that there are greater ones.
+  /// ID.eventually: `holds` for values of the parameter greater than `from`; ID.from: `from` is defined; ID.beyond,
+  /// where the parameter may be bounded: there are greater values.
   void state(ClaimWriter& writer) const override {
     const ClaimBody& claim = writer.body();
-    if (!claim.from) return;
-    const Expression beyond = make_comparison({claim.from, make_symbol(claim.parameter)}, {Relation::less});
+    const Expression* least = from(claim);
+    if (least == nullptr) return;
+    const Expression beyond = make_comparison({*least, make_symbol(claim.parameter)}, {Relation::less});
     writer.implied({".eventually", {{"region", claim.region}, {"beyond", beyond}}, {}, false}, claim.holds);
-    const Expression defined = make_comparison({claim.from, claim.from}, {Relation::equal});
+    const Expression defined = make_comparison({*least, *least}, {Relation::equal});
     writer.implied({".from", {{"region", claim.region}}, {}, false}, defined);
-    writer.goes_beyond(".beyond", claim.parameter, claim.from);
+    writer.goes_beyond(".beyond", claim.parameter, *least);
     writer.has_value(".defined", {{"beyond", beyond}}, claim.region);
   }
 
@@ -52,7 +89,7 @@ class LimitKind : public KindBase {
 
   std::string why_unstated(const ClaimBody& claim) const override {
     if (claim.expect == Expectation::refuted) return "statements cannot say that a limit is false";
-    if (claim.from) return {};
+    if (from(claim) != nullptr) return {};
     return "a limit needs `from`: a value of " + claim.parameter + " from which on it can be shown";
   }
 

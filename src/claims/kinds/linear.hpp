@@ -18,6 +18,7 @@ class LinearKind : public KindBase {
   ClaimWords words(const ClaimBody& claim, std::string_view noun) const override;
 
  protected:
+  static constexpr Reason does_not_follow{"equation"};
   /// The rows of a claim: its hypotheses, its equations, and the complete right side of a system.
   struct Sides {
     LinearRows left, equations, right;

@@ -49,7 +49,7 @@ class SystemKind : public LinearKind {
   Judgement judge_rows(ClaimJudge& at, const Sides& rows) const override {
     if (!has_solution(rows.left) && !has_solution(rows.right)) return {};
     const bool same = equivalent(rows.left, rows.right, occurring(at));
-    return same ? ClaimJudge::holds() : ClaimJudge::refuted(Reason::equation);
+    return same ? ClaimJudge::holds() : ClaimJudge::refuted(does_not_follow);
   }
 
   /// Settles a change of an assumption about unknowns that the equations do not contain: both versions may be

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -36,8 +37,8 @@ struct ClaimBody {
   Modes modes;
   References claims, except, given;
   Equations equations, assume;
-  std::string parameter;  ///< the parameter that grows to the upper end of its domain
-  Expression from;  ///< the value from which on proofs show it, independent of the parameter; null: there is no proof
+  std::string parameter;                  ///< the parameter that grows to the upper end of its domain
+  std::map<std::string, Expression> own;  ///< by key: what only its kind reads and understands
   Expectation expect = Expectation::none;
 
   std::optional<MechanismMode> mode() const { return modes.empty() ? std::nullopt : std::optional(modes.front()); }

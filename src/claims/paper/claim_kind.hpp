@@ -22,6 +22,9 @@ class Implications;
 struct ClaimBody;
 struct Judgement;
 struct Settlement;
+namespace claims_reader {
+struct BodyTable;
+}
 
 using Modes = std::vector<MechanismMode>;
 /// Equations, `=`, between numbers that are linear in the mechanism's unknowns and the force.
@@ -29,12 +32,17 @@ using Equations = std::vector<Expression>;
 /// Indices of other claims.
 using References = std::vector<std::size_t>;
 
-/// A key that claims of a kind have, one of those in claims/reading/read_body.cpp.
+/// A key that claims of a kind have.
 struct ClaimField {
   std::string_view key;
   enum class Need : std::uint8_t { required, optional } need = Need::required;
   std::vector<std::string_view> kinds = {};  ///< for references: the kinds of claims that they may refer to
   bool not_empty = false;                    ///< for references: at least one is required
+  /// For a key of this kind alone: what messages expect, and how it is read. Those that kinds share are read in
+  /// claims/reading/read_body.cpp.
+  std::string_view expected = {};
+  void (*read)(const claims_reader::BodyTable& table, std::string_view key) = nullptr;
+  bool only_for_proofs = false;  ///< it does not change what is claimed
 };
 
 /// The content of a claim in words, piece by piece: texts, modes, claims, formulas, equations.
@@ -97,5 +105,10 @@ class ClaimKind {
  private:
   Traits traits_;
 };
+
+/// All kinds, in the order in which messages list them; claims/kinds has them.
+const std::vector<const ClaimKind*>& claim_kinds();
+/// Null if no kind has this name.
+const ClaimKind* claim_kind(std::string_view name);
 
 }  // namespace slipproof

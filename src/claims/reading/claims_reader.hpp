@@ -1,4 +1,5 @@
-// Internal to the reading of claims files: declarations that its parts share.
+// Internal to the reading of claims files: declarations that its parts share, and what kinds need for keys of their
+// own.
 #pragma once
 
 #include <cstddef>
@@ -57,6 +58,22 @@ class Context {
   std::map<std::pair<std::string, std::string>, std::shared_ptr<const Mechanism>> mechanisms;
 };
 
+/// The keys of a claim in one reading, and the body of known kind that they are read into.
+struct BodyTable {
+  const TableReader& table;
+  Context& context;
+  std::size_t setting;
+  ClaimBody& body;
+
+  /// Null if there is none of this index.
+  const Setting* in_setting() const {
+    return setting < context.file.settings.size() ? &context.file.settings[setting] : nullptr;
+  }
+  Expression read(std::string_view key, Sort sort, Allowed allowed) const {
+    return context.expression(table, key, sort, setting, allowed);
+  }
+};
+
 void read_settings(const TableReader& root, Context& context);
 /// Whether a setting names no mechanism: it then describes the bicycle, and its force says whether it is external.
 inline bool of_bicycle(const TableReader& setting) {
@@ -95,8 +112,8 @@ class OpenReferences {
 std::vector<std::string_view> body_keys();
 /// Reports the required keys of the kind that a table lacks.
 void require_body(const TableReader& table, const ClaimKind& kind);
-/// Reads the keys of a table into `body`, whose kind is known, over its present values; does not read references.
-void read_body(const TableReader& table, Context& context, std::size_t setting, ClaimBody& body);
+/// Reads the keys of a table over the present values of its body; does not read references.
+void read_body(const BodyTable& table);
 /// Must come after the settings.
 void read_claims(const TableReader& root, Context& context);
 /// Reports symbols that do not exist or must not be used, and definitions that are circular or too large to evaluate.

@@ -1,8 +1,7 @@
-// Reads what a claim says: each key that kinds of claims have is read in one way.
+// Reads what a claim says: each key that several kinds of claims have is read in one way.
 #include <algorithm>
 #include <array>
 
-#include "claims/kinds/kinds.hpp"
 #include "claims/reading/claims_reader.hpp"
 #include "mechanics/mechanism/words.hpp"
 
@@ -10,144 +9,107 @@ namespace slipproof::claims_reader {
 
 namespace {
 
-class BodyReader {
- public:
-  BodyReader(const TableReader& table, Context& context, std::size_t setting, ClaimBody& body)
-      : table_(table), context_(context), setting_(setting), body_(body) {}
+/// The modes that a text stands for; if it is not a mode of the setting's mechanism, reports that and returns none.
+Modes modes_in(const BodyTable& in, const PlacedText& text, std::string_view key) {
+  if (in.in_setting() == nullptr) return {};
+  const auto kinds = in.in_setting()->all_kinds();
+  const auto pattern = parse_mode(*in.in_setting()->mechanism, kinds, text, key, in.context.mistakes);
+  return pattern ? modes_of(*pattern, kinds) : Modes{};
+}
 
-  void mode(std::string_view) {
-    body_.modes.clear();
-    const PlacedText* text = table_.string("mode");
-    if (text == nullptr) return;
-    Modes modes = modes_in(*text, "mode");
-    if (modes.size() > 1) table_.refuse("mode", "found " + in_quotes(text->text()) + ", expected one mode, without *");
-    if (modes.empty()) return;
-    body_.modes = {std::move(modes.front())};
-    if (body_.kind->is_linear() &&
-        std::find(body_.modes[0].begin(), body_.modes[0].end(), ElementState::lift) != body_.modes[0].end()) {
-      table_.refuse("mode", "expected a mode in which no contact lifts");
+void refuse_empty(const BodyTable& in, std::string_view key, const std::string& expected) {
+  if (in.table.strings(key).empty()) in.table.refuse(key, "found an empty array, expected " + expected);
+}
+
+void read_mode(const BodyTable& in, std::string_view key) {
+  Modes& one = in.body.modes;
+  one.clear();
+  const PlacedText* text = in.table.string(key);
+  if (text == nullptr) return;
+  Modes modes = modes_in(in, *text, key);
+  if (modes.size() > 1) in.table.refuse(key, "found " + in_quotes(text->text()) + ", expected one mode, without *");
+  if (modes.empty()) return;
+  one = {std::move(modes.front())};
+  if (in.body.kind->is_linear() && std::find(one[0].begin(), one[0].end(), ElementState::lift) != one[0].end()) {
+    in.table.refuse(key, "expected a mode in which no contact lifts");
+  }
+}
+
+void read_modes(const BodyTable& in, std::string_view key) {
+  Modes& all = in.body.modes;
+  all.clear();
+  refuse_empty(in, key, "at least one mode");
+  for (const PlacedText* text : in.table.strings(key)) {
+    for (MechanismMode& mode : modes_in(in, *text, key)) {
+      if (std::find(all.begin(), all.end(), mode) == all.end()) all.push_back(std::move(mode));
     }
   }
+}
 
-  void modes(std::string_view key) {
-    body_.modes.clear();
-    refuse_empty(key, "at least one mode");
-    for (const PlacedText* text : table_.strings(key)) {
-      for (MechanismMode& mode : modes_in(*text, key)) {
-        if (std::find(body_.modes.begin(), body_.modes.end(), mode) == body_.modes.end()) {
-          body_.modes.push_back(std::move(mode));
-        }
-      }
+void read_forces(const BodyTable& in, std::string_view key) {
+  in.body.forces = in.read(key, Sort::truth, {.definitions = true, .force = true});
+}
+
+void read_holds(const BodyTable& in, std::string_view key) {
+  const bool force = !in.body.kind->has("parameter");  // a limit is about bicycles, not forces
+  in.body.holds =
+      in.read(key, Sort::truth, {.definitions = true, .force = force, .quantities = !in.body.modes.empty()});
+}
+
+void read_equations(const BodyTable& in, std::string_view key) {
+  Equations& equations = key == "assume" ? in.body.assume : in.body.equations;
+  equations.clear();
+  const Allowed allowed{.definitions = true, .force = true, .unknowns = true};
+  for (const PlacedText* text : in.table.strings(key)) {
+    Expression equation = in.context.expression(*text, key, Sort::truth, in.setting, allowed);
+    if (equation->operation == Operation::compare && equation->relations == std::vector{Relation::equal}) {
+      equations.push_back(std::move(equation));
+    } else if (equation->operation != Operation::truth) {
+      in.context.refuse(*text, 0, key, "expected EXPRESSION = EXPRESSION");
     }
   }
+  if (key == "equations") refuse_empty(in, key, "at least one equation");
+}
 
-  void forces(std::string_view key) { body_.forces = read(key, Sort::truth, {.definitions = true, .force = true}); }
+/// Keeps the ids, which are resolved when all claims are read.
+void read_ids(const BodyTable& in, std::string_view key) {
+  if (in.body.kind->field(key)->not_empty) refuse_empty(in, key, "at least one claim");
+}
 
-  void holds(std::string_view key) {
-    const bool force = !body_.kind->has("parameter");  // a limit is about bicycles, not forces
-    body_.holds = read(key, Sort::truth, {.definitions = true, .force = force, .quantities = !body_.modes.empty()});
+void read_expectation(const BodyTable& in) {
+  in.body.expect = Expectation::none;
+  const PlacedText* expect = in.table.string("expect");
+  if (expect == nullptr) return;
+  std::vector<std::string_view> names;
+  for (const Expectation known :
+       {Expectation::holds, Expectation::refuted, Expectation::undecided, Expectation::vacuous}) {
+    if (expect->text() == name(known)) in.body.expect = known;
+    names.push_back(name(known));
   }
-
-  void equations(std::string_view key) {
-    Equations& equations = key == "assume" ? body_.assume : body_.equations;
-    equations.clear();
-    const Allowed allowed{.definitions = true, .force = true, .unknowns = true};
-    for (const PlacedText* text : table_.strings(key)) {
-      Expression equation = context_.expression(*text, key, Sort::truth, setting_, allowed);
-      if (equation->operation == Operation::compare && equation->relations == std::vector{Relation::equal}) {
-        equations.push_back(std::move(equation));
-      } else if (equation->operation != Operation::truth) {
-        context_.refuse(*text, 0, key, "expected EXPRESSION = EXPRESSION");
-      }
-    }
-    if (key == "equations") refuse_empty(key, "at least one equation");
-  }
-
-  void parameter(std::string_view key) {
-    body_.parameter.clear();
-    const PlacedText* text = table_.string(key);
-    if (text == nullptr || setting_ >= context_.file.settings.size()) return;
-    std::vector<std::string_view> known;
-    for (const Parameter& parameter : context_.file.settings[setting_].parameters) {
-      if (!parameter.angle) known.push_back(parameter.symbol);
-    }
-    if (std::find(known.begin(), known.end(), text->text()) == known.end()) {
-      table_.refuse(key, unknown("parameter", text->text(), known));
-    }
-    body_.parameter = text->text();
-  }
-
-  void from(std::string_view key) {
-    body_.from = read(key, Sort::number, {.definitions = true});
-    auto& uses = context_.uses;
-    if (!uses.empty() && uses.back().expression == body_.from) uses.back().independent_of = body_.parameter;
-  }
-
-  /// Keeps the ids, which are resolved when all claims are read.
-  void references(std::string_view key) {
-    if (body_.kind->field(key)->not_empty) refuse_empty(key, "at least one claim");
-  }
-
-  void expectation() {
-    body_.expect = Expectation::none;
-    const PlacedText* expect = table_.string("expect");
-    if (expect == nullptr) return;
-    std::vector<std::string_view> names;
-    for (const Expectation known :
-         {Expectation::holds, Expectation::refuted, Expectation::undecided, Expectation::vacuous}) {
-      if (expect->text() == name(known)) body_.expect = known;
-      names.push_back(name(known));
-    }
-    if (body_.expect == Expectation::none) table_.refuse("expect", unknown("verdict", expect->text(), names));
-  }
-
- private:
-  Expression read(std::string_view key, Sort sort, Allowed allowed) {
-    return context_.expression(table_, key, sort, setting_, allowed);
-  }
-
-  void refuse_empty(std::string_view key, const std::string& expected) {
-    if (table_.strings(key).empty()) table_.refuse(key, "found an empty array, expected " + expected);
-  }
-
-  /// The modes that a text stands for; if it is not a mode of the setting's mechanism, reports that and returns none.
-  Modes modes_in(const PlacedText& text, std::string_view key) {
-    if (setting_ >= context_.file.settings.size()) return {};
-    const Setting& s = context_.file.settings[setting_];
-    const auto kinds = s.all_kinds();
-    const auto pattern = parse_mode(*s.mechanism, kinds, text, key, context_.mistakes);
-    return pattern ? modes_of(*pattern, kinds) : Modes{};
-  }
-
-  const TableReader& table_;
-  Context& context_;
-  std::size_t setting_;
-  ClaimBody& body_;
-};
-
-struct BodyKey {
-  std::string_view key, expected;
-  void (BodyReader::*read)(std::string_view key);
-};
+  if (in.body.expect == Expectation::none) in.table.refuse("expect", unknown("verdict", expect->text(), names));
+}
 
 constexpr std::string_view an_array_of_ids = "an array of ids of claims",
                            an_array_of_equations = "an array of equations";
-constexpr std::array<BodyKey, 11> body_key_table{
-    {{"mode", "a contact mode such as \"stick/slip+\"", &BodyReader::mode},
-     {"modes", "an array of contact modes such as [\"*/lift\"]", &BodyReader::modes},
-     {"forces", "a condition on the force", &BodyReader::forces},
-     {"holds", "what is claimed, as a condition", &BodyReader::holds},
-     {"equations", an_array_of_equations, &BodyReader::equations},
-     {"assume", an_array_of_equations, &BodyReader::equations},
-     {"parameter", "a parameter of the setting", &BodyReader::parameter},
-     {"from", "a number, independent of the parameter", &BodyReader::from},
-     {"claims", an_array_of_ids, &BodyReader::references},
-     {"except", an_array_of_ids, &BodyReader::references},
-     {"given", an_array_of_ids, &BodyReader::references}}};
+struct SharedKey {
+  std::string_view key, expected;
+  decltype(ClaimField::read) read;
+};
+constexpr std::array<SharedKey, 9> shared_keys{{{"mode", "a contact mode such as \"stick/slip+\"", read_mode},
+                                                {"modes", "an array of contact modes such as [\"*/lift\"]", read_modes},
+                                                {"forces", "a condition on the force", read_forces},
+                                                {"holds", "what is claimed, as a condition", read_holds},
+                                                {"equations", an_array_of_equations, read_equations},
+                                                {"assume", an_array_of_equations, read_equations},
+                                                {"claims", an_array_of_ids, read_ids},
+                                                {"except", an_array_of_ids, read_ids},
+                                                {"given", an_array_of_ids, read_ids}}};
 
-const BodyKey& body_key(std::string_view key) {
-  return *std::find_if(body_key_table.begin(), body_key_table.end(),
-                       [&](const BodyKey& known) { return known.key == key; });
+/// What a field says about its key; for a key that kinds share, what the list does.
+SharedKey key_of(const ClaimField& field) {
+  if (field.read != nullptr) return {field.key, field.expected, field.read};
+  return *std::find_if(shared_keys.begin(), shared_keys.end(),
+                       [&](const SharedKey& known) { return known.key == field.key; });
 }
 
 }  // namespace
@@ -164,19 +126,16 @@ std::vector<std::string_view> body_keys() {
 
 void require_body(const TableReader& table, const ClaimKind& kind) {
   for (const ClaimField& field : kind.traits().fields) {
-    if (field.need == ClaimField::Need::required) table.require(field.key, std::string(body_key(field.key).expected));
+    if (field.need == ClaimField::Need::required) table.require(field.key, std::string(key_of(field).expected));
   }
 }
 
-void read_body(const TableReader& table, Context& context, std::size_t setting, ClaimBody& body) {
-  if (table.has("region")) {
-    body.region = context.expression(table, "region", Sort::truth, setting, {.definitions = true});
+void read_body(const BodyTable& in) {
+  if (in.table.has("region")) in.body.region = in.read("region", Sort::truth, {.definitions = true});
+  for (const ClaimField& field : in.body.kind->traits().fields) {
+    if (in.table.has(field.key)) key_of(field).read(in, field.key);
   }
-  BodyReader reader(table, context, setting, body);
-  for (const ClaimField& field : body.kind->traits().fields) {
-    if (table.has(field.key)) (reader.*body_key(field.key).read)(field.key);
-  }
-  reader.expectation();
+  read_expectation(in);
 }
 
 }  // namespace slipproof::claims_reader

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 
-#include "claims/kinds/kinds.hpp"
 #include "claims/reading/claims_reader.hpp"
 
 namespace slipproof::claims_reader {
@@ -40,7 +39,7 @@ class ClaimsReader {
     if (read_kind(table, claim)) {
       check_keys(table, claim.kind(), "[[claim]]");
       require_body(table, claim.kind());
-      read_body(table, context_, claim.setting, claim.printed);
+      read_body({table, context_, claim.setting, claim.printed});
       references_.add(table, index, Reading::printed, claim.kind());
       read_repaired(table, claim);
     }
@@ -125,7 +124,7 @@ class ClaimsReader {
     const TableReader repaired(*value, "[claim.repaired]", body_keys_, context_.mistakes);
     check_keys(repaired, claim.kind(), "[claim.repaired]");
     claim.repaired = claim.printed;
-    read_body(repaired, context_, claim.setting, *claim.repaired);
+    read_body({repaired, context_, claim.setting, *claim.repaired});
     references_.add(repaired, context_.file.claims.size(), Reading::repaired, claim.kind());
     const bool changes = std::any_of(body_keys_.begin(), body_keys_.end(),
                                      [&](std::string_view key) { return key != "expect" && repaired.has(key); });

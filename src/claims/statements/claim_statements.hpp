@@ -10,22 +10,10 @@
 
 namespace slipproof {
 
-/// The claim in a reading as statements (proofs/FORMAT.md) about the raw equations of the model:
-/// - interval: ID.only-then (a motion in the mode needs a force of `forces`) and ID.always (each such force has one);
-/// - impossible, formula: ID, or ID.1, ID.2, ... if there are several modes;
-/// - cover, consequence: ID;
-/// - motions: ID.1, ID.2, ... (there is a motion in each mode), ID.1.one, ... (there is only one), and
-///   ID.complete (each motion is in one of the modes);
-/// - equivalence: ID.forwards (where `forces` is true, `holds` is) and ID.backwards (the converse);
-/// - system: ID.forwards (the equations follow) and ID.backwards (their solutions can be completed to the rest);
-/// - exists: ID;
-/// - limit, if it has `from`: ID.eventually (`holds` is true for greater values of the parameter),
-///   ID.from (`from` is defined) and, where the parameter may be bounded, ID.beyond (there are greater values);
-/// - unique: the statements of unique_statements.hpp;
-/// - ID.defined...: an assumption of the claim has a value, if it has a divisor that is not plainly of one sign.
-///
-/// The repaired reading adds `.repaired` to ID if it differs. Empty if statements cannot express the claim: `limit`
-/// without `from`, modes that are not modelled, and claims that would take too many cases.
+/// The claim in a reading as statements (proofs/FORMAT.md) about the raw equations of the model: ID, or ID with
+/// suffixes that ClaimKind::state() of its kind names; and ID.defined..., if it assumes something with a divisor that
+/// is not plainly of one sign. The repaired reading adds `.repaired` to ID if it differs. Empty if statements cannot
+/// express the claim: `limit` without `from`, modes that are not modelled, and claims that would take too many cases.
 std::vector<NamedStatement> claim_statements(const ClaimsFile& claims, const Claim& claim, Reading reading);
 
 /// For a claim that is false: ID.refuted states that there are a bicycle, a force and, if the claim is about motions, a

@@ -39,6 +39,11 @@ FindingParts changed(const ClaimBody& body, const ClaimBody& other) {
     const auto named = [](const MechanismMode& mode) { return name(mode); };
     result.push_back({"motions", nullptr, listed(body.modes, named), false});
   }
+  for (const auto& [key, value] : body.own) {
+    const auto found = other.own.find(key);
+    if (body.kind->field(key)->only_for_proofs || (found != other.own.end() && same(value, found->second))) continue;
+    result.push_back({key, value, to_string(value), false});
+  }
   return result;
 }
 

@@ -41,31 +41,21 @@ class Explanation {
         F_(setting_.force.symbol) {}
 
   std::string text() const {
-    switch (j_.reason) {
-      case Reason::ends:
-        return interval() + "; only the ends differ";
-      case Reason::forces:
-        return interval();
-      case Reason::exists:
-        return fmt::format("there is a motion in {}{}, and the claim says that there is none", mode(), forces());
-      case Reason::formula:
-        return formula();
-      case Reason::continuum:
-        return fmt::format("in {} there is a continuum of motions{}, and the claim knows of one", mode(), forces());
-      case Reason::extra:
-        return fmt::format("there is also a motion in {}{}, which the claim rules out", mode(), forces());
-      case Reason::missing:
-        return missing();
-      case Reason::uncovered:
-        return uncovered();
-      case Reason::limit:
-      case Reason::equation:
-        return failing();
-      case Reason::none:
-      case Reason::no_value:
-      case Reason::unsure:
-        break;
+    if (j_.reason == Reason::ends) return interval() + "; only the ends differ";
+    if (j_.reason == Reason::forces) return interval();
+    if (j_.reason == Reason::exists) {
+      return fmt::format("there is a motion in {}{}, and the claim says that there is none", mode(), forces());
     }
+    if (j_.reason == Reason::formula) return formula();
+    if (j_.reason == Reason::continuum) {
+      return fmt::format("in {} there is a continuum of motions{}, and the claim knows of one", mode(), forces());
+    }
+    if (j_.reason == Reason::extra) {
+      return fmt::format("there is also a motion in {}{}, which the claim rules out", mode(), forces());
+    }
+    if (j_.reason == Reason::missing) return missing();
+    if (j_.reason == Reason::uncovered) return uncovered();
+    if (j_.outcome == Outcome::refuted) return failing() + forces();
     return "the claim has no value";
   }
 

@@ -142,7 +142,7 @@ std::string mutation_json(const MutationResult& result) {
       entry["parameters"] = std::move(parameters);
       entry["force"] = to_json(m.force);
     }
-    if (m.end == MutantEnd::refuted) entry["reason"] = name(m.reason);
+    if (m.end == MutantEnd::refuted) entry["reason"] = m.reason.name;
     if (!m.argument.empty()) entry["argument"] = m.argument;
     for (const Lemma& lemma : m.lemmas) used.push_back(numbers.at(lemma.statement));
     if (!used.empty()) entry["lemmas"] = std::move(used);

@@ -34,7 +34,7 @@ Json counterexample_json(const ClaimsFile& file, const ClaimResult& result, cons
   const Setting& setting = file.settings[file.claims[result.claim].setting];
   Json object, parameters = Json::object();
   for (const auto& [symbol, value] : parameters_of(setting, e)) parameters[symbol] = to_json(value);
-  object["reason"] = name(e.judgement.reason);
+  object["reason"] = e.judgement.reason.name;
   object["explanation"] = explain(file, result, e);
   object["minimal"] = e.minimal;
   object["realisable"] = setting.realisable.empty() ? Json(nullptr) : Json(e.unrealisable.empty());

@@ -294,7 +294,7 @@ TEST_CASE("where a limit begins is an expression without its parameter") {
            parameter + "\"\nholds = \"b > f\"\nfrom = \"" + from + "\"\n";
   };
   const ClaimsFile file = parse_claims(limit("b", "2*f"), "claims.toml");
-  CHECK(same(file.claims[4].printed.from, number("2*f")));
+  CHECK(same(file.claims[4].printed.own.at("from"), number("2*f")));
   CHECK(mistakes(limit("b", "f + xi")) ==
         std::vector<std::string>{"claims.toml:78:13: from: depends on b itself"});  // xi = b/b1
   CHECK(mistakes(limit("b", "P")) ==

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "base/expression/parser.hpp"
-#include "claims/kinds/kinds.hpp"
 #include "claims/lines/critical.hpp"
 #include "claims/mutation/claims_mutants.hpp"
+#include "claims/paper/claim_kind.hpp"
 #include "claims/reading/read_claims_file.hpp"
 #include "claims/sampling/sampler.hpp"
 #include "claims/verify/verify.hpp"

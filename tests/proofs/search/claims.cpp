@@ -150,7 +150,7 @@ TEST_CASE("a limit is proved from a value on, and only if that value is defined 
   ClaimsFile claims = read_claims(shipped_folder / "claims.toml");
   const auto proved = [&](const std::string& from) {
     Claim claim = *claims.find("R3.3.1");  // as f grows, b < b11 and b < b0
-    claim.printed.from = from.empty() ? nullptr : parse_expression(from, Sort::number);
+    if (!from.empty()) claim.printed.own["from"] = parse_expression(from, Sort::number);
     const auto statements = claim_statements(claims, claim, Reading::printed);
     return !statements.empty() && std::all_of(statements.begin(), statements.end(), [](const NamedStatement& s) {
       return prove_statement(s.name, s.text, {.split_depth = 1, .products = 0, .steps = 100'000}).proved();
