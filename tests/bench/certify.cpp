@@ -9,8 +9,8 @@
 #include "records/certify/columns.hpp"
 #include "records/certify/table_records.hpp"
 #include "records/record/bicycle_records.hpp"
-#include "support/npy_file.hpp"
-#include "support/solver_records.hpp"
+#include "support/files/npy_file.hpp"
+#include "support/scenes/solver_records.hpp"
 
 namespace {
 

@@ -5,7 +5,7 @@
 
 #include "contact/enclosure/known_problem.hpp"
 #include "support/bicycle/motions.hpp"
-#include "support/bicycle_populations.hpp"
+#include "support/scenes/bicycle_populations.hpp"
 
 namespace {
 

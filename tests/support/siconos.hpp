@@ -16,7 +16,7 @@
 
 #include "base/number/binary64.hpp"
 #include "support/bicycle/forced_scene.hpp"
-#include "support/bicycle_scenes.hpp"
+#include "support/scenes/bicycle_scenes.hpp"
 
 namespace slipproof::test {
 

@@ -7,7 +7,7 @@
 
 #include "base/expression/random_expression.hpp"
 #include "base/expression/sure_condition.hpp"
-#include "support/formula.hpp"
+#include "support/papers/formula.hpp"
 
 using namespace slipproof;
 using namespace slipproof::test;

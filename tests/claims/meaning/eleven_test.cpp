@@ -12,7 +12,7 @@
 #include "claims/verify/verify.hpp"
 #include "proofs/check/judge.hpp"
 #include "proofs/search/prove.hpp"
-#include "support/shipped.hpp"
+#include "support/papers/shipped.hpp"
 
 using namespace slipproof;
 

@@ -8,9 +8,9 @@
 
 #include "base/input/diagnostic.hpp"
 #include "claims/judge/judge.hpp"
-#include "claims/meaning/random_kinds.hpp"
-#include "claims/meaning/second_judge.hpp"
-#include "claims/meaning/shrink.hpp"
+#include "claims/meaning/random/random_kinds.hpp"
+#include "claims/meaning/random/shrink.hpp"
+#include "claims/meaning/second_judge/second_judge.hpp"
 #include "claims/meaning/statement_judge.hpp"
 #include "claims/paper/claim_kind.hpp"
 #include "claims/reading/read_claims_file.hpp"

@@ -4,7 +4,7 @@
 
 #include "claims/reading/read_claims_file.hpp"
 #include "claims/statements/claim_statements.hpp"
-#include "support/proved.hpp"
+#include "support/papers/proved.hpp"
 #include "support/run_program.hpp"
 
 using namespace slipproof;

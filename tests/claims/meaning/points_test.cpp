@@ -8,7 +8,7 @@
 #include "claims/verify/verify.hpp"
 #include "proofs/search/prove.hpp"
 #include "proofs/statement/statement.hpp"
-#include "support/proved.hpp"
+#include "support/papers/proved.hpp"
 #include "support/run_program.hpp"
 
 using namespace slipproof;

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "claims/meaning/random_claims.hpp"
-#include "claims/meaning/second_judge.hpp"
+#include "claims/meaning/random/random_claims.hpp"
+#include "claims/meaning/second_judge/second_judge.hpp"
 #include "proofs/statement/statement_text.hpp"
 
 namespace slipproof::meaning {

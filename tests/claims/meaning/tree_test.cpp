@@ -1,7 +1,7 @@
 // The section "Values" of proofs/MEANING.md, and "closure", sentence by sentence.
 #include <doctest/doctest.h>
 
-#include "claims/meaning/second_judge.hpp"
+#include "claims/meaning/second_judge/second_judge.hpp"
 
 using namespace slipproof;
 

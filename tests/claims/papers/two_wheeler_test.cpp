@@ -11,7 +11,7 @@
 #include "claims/reading/read_claims_file.hpp"
 #include "support/bicycle/motions.hpp"
 #include "support/how_many.hpp"
-#include "support/random_scene.hpp"
+#include "support/scenes/random_scene.hpp"
 
 using namespace slipproof;
 using slipproof::test::RandomScenes;

@@ -8,8 +8,8 @@
 #include "base/input/diagnostic.hpp"
 #include "claims/paper/compiled.hpp"
 #include "claims/reading/read_claims_file.hpp"
-#include "support/formula.hpp"
-#include "support/shipped.hpp"
+#include "support/papers/formula.hpp"
+#include "support/papers/shipped.hpp"
 
 using namespace slipproof;
 using namespace slipproof::test;

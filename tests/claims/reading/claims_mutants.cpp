@@ -7,7 +7,7 @@
 #include <string>
 
 #include "claims/paper/compiled.hpp"
-#include "support/shipped.hpp"
+#include "support/papers/shipped.hpp"
 
 using namespace slipproof;
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/expression/random_expression.hpp"
-#include "support/formula.hpp"
+#include "support/papers/formula.hpp"
 
 using namespace slipproof;
 using namespace slipproof::test;

@@ -10,8 +10,8 @@
 #include "proofs/statement/undecided.hpp"
 #include "report/papers/errata.hpp"
 #include "report/papers/verify_report.hpp"
+#include "support/papers/shipped.hpp"
 #include "support/run_program.hpp"
-#include "support/shipped.hpp"
 
 using namespace slipproof;
 using test::read_file;

@@ -14,7 +14,7 @@
 #include "claims/verify/verify.hpp"
 #include "report/papers/verify_report.hpp"
 #include "support/how_many.hpp"
-#include "support/shipped.hpp"
+#include "support/papers/shipped.hpp"
 #include "support/thread_ranks.hpp"
 
 using namespace slipproof;

@@ -16,7 +16,7 @@
 #include "mechanics/reading/shipped.hpp"
 #include "report/papers/explain.hpp"
 #include "report/papers/verify_report.hpp"
-#include "support/shipped.hpp"
+#include "support/papers/shipped.hpp"
 
 using namespace slipproof;
 

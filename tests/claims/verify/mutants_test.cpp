@@ -10,9 +10,9 @@
 #include "claims/sampling/sampler.hpp"
 #include "proofs/check/files.hpp"
 #include "support/how_many.hpp"
+#include "support/papers/shipped.hpp"
+#include "support/papers/small_claims.hpp"
 #include "support/run_program.hpp"
-#include "support/shipped.hpp"
-#include "support/small_claims.hpp"
 
 using namespace slipproof;
 

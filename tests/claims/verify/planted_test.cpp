@@ -14,7 +14,7 @@
 #include "claims/sampling/sampler.hpp"
 #include "claims/verify/verify.hpp"
 #include "support/how_many.hpp"
-#include "support/shipped.hpp"
+#include "support/papers/shipped.hpp"
 
 using namespace slipproof;
 

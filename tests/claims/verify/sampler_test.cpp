@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "support/shipped.hpp"
+#include "support/papers/shipped.hpp"
 
 using namespace slipproof;
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "claims/reading/read_claims_file.hpp"
-#include "support/small_claims.hpp"
+#include "support/papers/small_claims.hpp"
 
 using namespace slipproof;
 

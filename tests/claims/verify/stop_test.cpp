@@ -4,7 +4,7 @@
 #include "claims/mutation/mutation.hpp"
 #include "claims/verify/verify.hpp"
 #include "proofs/search/prove.hpp"
-#include "support/shipped.hpp"
+#include "support/papers/shipped.hpp"
 #include "support/stopped.hpp"
 
 using namespace slipproof;

@@ -11,7 +11,7 @@
 #include "support/bicycle/conditions.hpp"
 #include "support/bicycle/equations.hpp"
 #include "support/how_many.hpp"
-#include "support/shipped.hpp"
+#include "support/papers/shipped.hpp"
 #include "support/thread_ranks.hpp"
 
 using namespace slipproof;

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <limits>
 
-#include "support/small_files.hpp"
-#include "support/zip_file.hpp"
+#include "support/files/small_files.hpp"
+#include "support/files/zip_file.hpp"
 
 using namespace slipproof;
 using namespace slipproof::test;

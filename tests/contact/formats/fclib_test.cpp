@@ -6,7 +6,7 @@
 
 #include "base/files/hdf5_file.hpp"
 #include "base/input/text_file.hpp"
-#include "support/hdf5_writer.hpp"
+#include "support/files/hdf5_writer.hpp"
 
 using namespace slipproof;
 using namespace slipproof::test;

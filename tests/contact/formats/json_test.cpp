@@ -3,7 +3,7 @@
 
 #include "contact/formats/json_problem.hpp"
 #include "contact/formats/read_files.hpp"
-#include "support/small_files.hpp"
+#include "support/files/small_files.hpp"
 
 using namespace slipproof;
 using namespace slipproof::test;

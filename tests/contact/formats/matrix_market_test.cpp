@@ -1,7 +1,7 @@
 // MatrixMarket: a matrix with its vectors beside it.
 #include "contact/formats/matrix_market.hpp"
 
-#include "support/small_files.hpp"
+#include "support/files/small_files.hpp"
 
 using namespace slipproof;
 using namespace slipproof::test;

@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "support/hdf5_writer.hpp"
-#include "support/small_files.hpp"
+#include "support/files/hdf5_writer.hpp"
+#include "support/files/small_files.hpp"
 
 using namespace slipproof;
 using namespace slipproof::test;

@@ -1,7 +1,7 @@
 // The text files of Siconos: all storages, told apart by their content.
 #include "contact/formats/siconos.hpp"
 
-#include "support/small_files.hpp"
+#include "support/files/small_files.hpp"
 
 using namespace slipproof;
 using namespace slipproof::test;

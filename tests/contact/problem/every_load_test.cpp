@@ -8,8 +8,8 @@
 #include "contact/problem/solutions.hpp"
 #include "mechanics/kernel/mode_solver.hpp"
 #include "support/bicycle/motions.hpp"
-#include "support/bicycle_scenes.hpp"
-#include "support/random_scene.hpp"
+#include "support/scenes/bicycle_scenes.hpp"
+#include "support/scenes/random_scene.hpp"
 
 using namespace slipproof;
 

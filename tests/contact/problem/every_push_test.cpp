@@ -6,7 +6,7 @@
 #include <set>
 
 #include "contact/problem/solutions.hpp"
-#include "support/random_scene.hpp"
+#include "support/scenes/random_scene.hpp"
 
 using namespace slipproof;
 using Verdict = EveryLoad::Verdict;

@@ -6,9 +6,9 @@
 #include <set>
 
 #include "support/bicycle/motions.hpp"
-#include "support/bicycle_scenes.hpp"
 #include "support/eigen_rational.hpp"
-#include "support/random_scene.hpp"
+#include "support/scenes/bicycle_scenes.hpp"
+#include "support/scenes/random_scene.hpp"
 
 using namespace slipproof;
 

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "support/papers/small_claims.hpp"
 #include "support/run_program.hpp"
-#include "support/small_claims.hpp"
 
 using slipproof::test::read_file;
 using slipproof::test::run;

@@ -6,8 +6,8 @@
 #include <bit>
 #include <cmath>
 
-#include "support/bicycle_populations.hpp"
 #include "support/how_many.hpp"
+#include "support/scenes/bicycle_populations.hpp"
 
 using namespace slipproof;
 using namespace slipproof::test;

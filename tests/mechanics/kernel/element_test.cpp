@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "support/random_scene.hpp"
+#include "support/scenes/random_scene.hpp"
 
 using namespace slipproof;
 using Law = ElementKind::Law;

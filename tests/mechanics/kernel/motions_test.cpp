@@ -8,8 +8,8 @@
 #include <set>
 
 #include "mechanics/kernel/motions.hpp"
-#include "support/friction_problems.hpp"
-#include "support/random_scene.hpp"
+#include "support/scenes/friction_problems.hpp"
+#include "support/scenes/random_scene.hpp"
 
 using namespace slipproof;
 using namespace slipproof::test;

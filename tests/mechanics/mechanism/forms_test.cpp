@@ -12,7 +12,7 @@
 #include "mechanics/reading/read_mechanism.hpp"
 #include "mechanics/reading/shipped.hpp"
 #include "support/bicycle/linear_form.hpp"
-#include "support/random_scene.hpp"
+#include "support/scenes/random_scene.hpp"
 
 using namespace slipproof;
 using namespace slipproof::test;

@@ -4,8 +4,8 @@
 #include <spawn.h>
 #include <sys/resource.h>
 
+#include "support/files/zip_file.hpp"
 #include "support/run_program.hpp"
-#include "support/zip_file.hpp"
 
 using namespace slipproof::test;
 

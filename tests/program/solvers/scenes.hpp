@@ -11,7 +11,7 @@
 #include "base/number/binary64.hpp"
 #include "base/number/format.hpp"
 #include "support/bicycle/motions.hpp"
-#include "support/bicycle_populations.hpp"
+#include "support/scenes/bicycle_populations.hpp"
 
 namespace slipproof::test {
 

@@ -1,7 +1,7 @@
-// Hostile folders (support/hostile_files.hpp), by the program slipproof-check or by another of the same format, which
-// SLIPPROOF_CHECKER names. And their names in a file of Coq.
+// Hostile folders (support/files/hostile_files.hpp), by the program slipproof-check or by another of the same format,
+// which SLIPPROOF_CHECKER names. And their names in a file of Coq.
 #include "proofs/check/examples.hpp"
-#include "support/hostile_files.hpp"
+#include "support/files/hostile_files.hpp"
 
 using namespace slipproof::test;
 

@@ -1,6 +1,6 @@
-// Hostile folders (support/hostile_files.hpp), of which slipproof-check-contact gets the certificates.
+// Hostile folders (support/files/hostile_files.hpp), of which slipproof-check-contact gets the certificates.
 #include "proofs/check_contact/examples.hpp"
-#include "support/hostile_files.hpp"
+#include "support/files/hostile_files.hpp"
 
 using namespace slipproof::test;
 

@@ -10,8 +10,8 @@
 #include "proofs/check/files.hpp"
 #include "proofs/other_provers/certificate_reader.hpp"
 #include "proofs/search/prove_files.hpp"
+#include "support/papers/shipped.hpp"
 #include "support/run_program.hpp"
-#include "support/shipped.hpp"
 
 using namespace slipproof;
 using test::read_file;

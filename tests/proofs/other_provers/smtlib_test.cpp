@@ -13,8 +13,8 @@
 #include "base/number/rational.hpp"
 #include "proofs/check/theorem.hpp"
 #include "proofs/statement/statement.hpp"
+#include "support/papers/shipped.hpp"
 #include "support/run_program.hpp"
-#include "support/shipped.hpp"
 
 using namespace slipproof;
 using test::read_file;

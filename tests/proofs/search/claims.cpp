@@ -18,8 +18,8 @@
 #include "proofs/search/prove.hpp"
 #include "proofs/statement/statement.hpp"
 #include "support/bicycle/motions.hpp"
+#include "support/papers/shipped.hpp"
 #include "support/run_program.hpp"
-#include "support/shipped.hpp"
 
 namespace {
 

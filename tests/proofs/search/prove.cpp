@@ -12,8 +12,8 @@
 #include "base/input/diagnostic.hpp"
 #include "proofs/check/files.hpp"
 #include "proofs/search/prove_files.hpp"
+#include "support/papers/shipped.hpp"
 #include "support/run_program.hpp"
-#include "support/shipped.hpp"
 #include "support/thread_ranks.hpp"
 
 using slipproof::test::read_file;

@@ -14,8 +14,8 @@
 #include "proofs/check/theorem.hpp"
 #include "proofs/search/prove_files.hpp"
 #include "support/how_many.hpp"
+#include "support/papers/shipped.hpp"
 #include "support/run_program.hpp"
-#include "support/shipped.hpp"
 
 using namespace slipproof;
 

@@ -7,7 +7,7 @@
 
 #include "support/certified.hpp"
 #include "support/how_many.hpp"
-#include "support/solver_records.hpp"
+#include "support/scenes/solver_records.hpp"
 
 using namespace slipproof;
 using namespace slipproof::test;

@@ -11,8 +11,8 @@
 #include "records/problems/problem_reader.hpp"
 #include "records/reading/record_reader.hpp"
 #include "records/record/bicycle_records.hpp"
-#include "support/bicycle_scenes.hpp"
 #include "support/certified.hpp"
+#include "support/scenes/bicycle_scenes.hpp"
 
 using namespace slipproof;
 using namespace slipproof::test;

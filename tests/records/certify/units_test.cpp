@@ -16,7 +16,7 @@
 #include "records/record/bicycle_records.hpp"
 #include "support/certified.hpp"
 #include "support/how_many.hpp"
-#include "support/solver_records.hpp"
+#include "support/scenes/solver_records.hpp"
 #include "support/unit_systems.hpp"
 
 using namespace slipproof;

@@ -8,7 +8,7 @@
 #include "records/certify/certify.hpp"
 #include "support/bicycle/motions.hpp"
 #include "support/certified.hpp"
-#include "support/random_scene.hpp"
+#include "support/scenes/random_scene.hpp"
 
 using namespace slipproof;
 using namespace slipproof::test;

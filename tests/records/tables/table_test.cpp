@@ -5,9 +5,9 @@
 #include "records/certify/table_records.hpp"
 #include "records/record/bicycle_records.hpp"
 #include "support/certified.hpp"
-#include "support/hdf5_writer.hpp"
-#include "support/small_files.hpp"
-#include "support/zip_file.hpp"
+#include "support/files/hdf5_writer.hpp"
+#include "support/files/small_files.hpp"
+#include "support/files/zip_file.hpp"
 
 using namespace slipproof;
 using namespace slipproof::test;

@@ -13,9 +13,9 @@
 #include "report/html/trade_data.hpp"
 #include "report/papers/explain.hpp"
 #include "report/scenes/trade_report.hpp"
+#include "support/papers/shipped.hpp"
+#include "support/papers/small_claims.hpp"
 #include "support/run_program.hpp"
-#include "support/shipped.hpp"
-#include "support/small_claims.hpp"
 
 using namespace slipproof;
 

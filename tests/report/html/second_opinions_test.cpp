@@ -8,8 +8,8 @@
 #include "base/input/diagnostic.hpp"
 #include "proofs/check/files.hpp"
 #include "report/html/page.hpp"
+#include "support/papers/shipped.hpp"
 #include "support/run_program.hpp"
-#include "support/shipped.hpp"
 
 using namespace slipproof;
 

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "claims/reading/read_claims_file.hpp"
-#include "support/shipped.hpp"
-#include "support/small_claims.hpp"
+#include "support/papers/shipped.hpp"
+#include "support/papers/small_claims.hpp"
 
 using namespace slipproof;
 using Json = nlohmann::ordered_json;

@@ -7,7 +7,7 @@
 
 #include "claims/reading/read_claims_file.hpp"
 #include "report/papers/verify_report.hpp"
-#include "support/small_claims.hpp"
+#include "support/papers/small_claims.hpp"
 
 using namespace slipproof;
 

@@ -18,9 +18,9 @@
 #include "report/planes/mechanism_plane.hpp"
 #include "support/bicycle/domain.hpp"
 #include "support/bicycle/motions.hpp"
-#include "support/bicycle_scenes.hpp"
-#include "support/random_scene.hpp"
-#include "support/shipped.hpp"
+#include "support/papers/shipped.hpp"
+#include "support/scenes/bicycle_scenes.hpp"
+#include "support/scenes/random_scene.hpp"
 
 using namespace slipproof;
 

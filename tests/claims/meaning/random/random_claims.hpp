@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "claims/meaning/claims.hpp"
-#include "claims/meaning/world.hpp"
+#include "claims/meaning/second_judge/claims.hpp"
+#include "claims/meaning/second_judge/world.hpp"
 
 namespace slipproof::meaning {
 

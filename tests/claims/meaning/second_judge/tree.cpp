@@ -1,4 +1,4 @@
-#include "claims/meaning/tree.hpp"
+#include "claims/meaning/second_judge/tree.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "claims/meaning/random_claims.hpp"
+#include "claims/meaning/random/random_claims.hpp"
 
 namespace slipproof::meaning {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "support/small_files.hpp"
+#include "support/files/small_files.hpp"
 
 namespace slipproof::test {
 

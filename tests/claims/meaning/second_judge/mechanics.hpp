@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "claims/meaning/tree.hpp"
+#include "claims/meaning/second_judge/tree.hpp"
 #include "mechanics/elements/element.hpp"
 
 namespace slipproof::meaning {

@@ -1,6 +1,6 @@
-#include "claims/meaning/random_claims.hpp"
+#include "claims/meaning/random/random_claims.hpp"
 
-#include "claims/meaning/random_kinds.hpp"
+#include "claims/meaning/random/random_kinds.hpp"
 
 namespace slipproof::meaning {
 

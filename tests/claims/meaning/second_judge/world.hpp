@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "claims/meaning/claims.hpp"
-#include "claims/meaning/critical.hpp"
-#include "claims/meaning/linear.hpp"
+#include "claims/meaning/second_judge/claims.hpp"
+#include "claims/meaning/second_judge/critical.hpp"
+#include "claims/meaning/second_judge/linear.hpp"
 
 namespace slipproof::meaning {
 

@@ -1,7 +1,7 @@
 // Random mechanisms: small ones, which divide by parameters, with all sorts of elements.
 #include <algorithm>
 
-#include "claims/meaning/random_claims.hpp"
+#include "claims/meaning/random/random_claims.hpp"
 
 namespace slipproof::meaning {
 

@@ -7,8 +7,8 @@
 #include <memory>
 #include <string_view>
 
-#include "claims/meaning/linear.hpp"
-#include "claims/meaning/world.hpp"
+#include "claims/meaning/second_judge/linear.hpp"
+#include "claims/meaning/second_judge/world.hpp"
 
 namespace slipproof::meaning {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "claims/meaning/tree.hpp"
+#include "claims/meaning/second_judge/tree.hpp"
 
 namespace slipproof::meaning {
 

@@ -1,4 +1,4 @@
-#include "claims/meaning/second_judge.hpp"
+#include "claims/meaning/second_judge/second_judge.hpp"
 
 #include <algorithm>
 

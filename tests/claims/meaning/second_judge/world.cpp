@@ -1,4 +1,4 @@
-#include "claims/meaning/world.hpp"
+#include "claims/meaning/second_judge/world.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "claims/meaning/random_kinds.hpp"
+#include "claims/meaning/random/random_kinds.hpp"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
-#include "claims/meaning/linear.hpp"
+#include "claims/meaning/second_judge/linear.hpp"
 
 #include <algorithm>
 #include <numeric>
 
-#include "claims/meaning/world.hpp"
+#include "claims/meaning/second_judge/world.hpp"
 
 namespace slipproof::meaning {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "claims/meaning/mechanics.hpp"
+#include "claims/meaning/second_judge/mechanics.hpp"
 
 namespace slipproof::meaning {
 

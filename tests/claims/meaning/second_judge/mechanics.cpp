@@ -1,4 +1,4 @@
-#include "claims/meaning/mechanics.hpp"
+#include "claims/meaning/second_judge/mechanics.hpp"
 
 namespace slipproof::meaning {
 

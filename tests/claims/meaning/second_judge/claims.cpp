@@ -1,4 +1,4 @@
-#include "claims/meaning/claims.hpp"
+#include "claims/meaning/second_judge/claims.hpp"
 
 namespace slipproof::meaning {
 

@@ -1,4 +1,4 @@
-#include "claims/meaning/shrink.hpp"
+#include "claims/meaning/random/shrink.hpp"
 
 #include <algorithm>
 

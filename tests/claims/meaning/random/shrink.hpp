@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "claims/meaning/claims.hpp"
+#include "claims/meaning/second_judge/claims.hpp"
 
 namespace slipproof::meaning {
 

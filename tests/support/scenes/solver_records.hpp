@@ -8,7 +8,7 @@
 
 #include "records/certify/certify.hpp"
 #include "support/bicycle/motions.hpp"
-#include "support/bicycle_populations.hpp"
+#include "support/scenes/bicycle_populations.hpp"
 
 namespace slipproof::test {
 

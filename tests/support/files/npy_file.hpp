@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "support/bicycle/contact_mode.hpp"
-#include "support/solver_records.hpp"
+#include "support/scenes/solver_records.hpp"
 
 namespace slipproof::test {
 

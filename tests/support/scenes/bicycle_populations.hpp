@@ -7,7 +7,7 @@
 
 #include "base/number/binary64.hpp"
 #include "support/bicycle/forced_scene.hpp"
-#include "support/force_oracle.hpp"
+#include "support/scenes/force_oracle.hpp"
 
 namespace slipproof::test {
 

@@ -1,4 +1,4 @@
-#include "claims/meaning/critical.hpp"
+#include "claims/meaning/second_judge/critical.hpp"
 
 #include <algorithm>
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "support/npy_file.hpp"
+#include "support/files/npy_file.hpp"
 
 #ifdef SLIPPROOF_ZLIB
 #include <zlib.h>
