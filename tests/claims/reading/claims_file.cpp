@@ -1,112 +1,14 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <string>
-#include <vector>
 
 #include "base/expression/parser.hpp"
-#include "base/input/diagnostic.hpp"
 #include "claims/paper/compiled.hpp"
-#include "claims/reading/read_claims_file.hpp"
+#include "claims/reading/small_paper.hpp"
 #include "support/papers/formula.hpp"
-#include "support/papers/shipped.hpp"
 
 using namespace slipproof;
 using namespace slipproof::test;
-
-namespace {
-
-// A small paper, one line a key, so that places are easy to count.
-const std::string small = R"(schema = "slipproof/claims/1"
-[paper]
-title = "A paper"
-authors = ["A. Uthor"]
-source = "paper.tex"
-[[setting]]
-id = "plain"
-motions = "strict"
-boundaries = ["b = b1"]
-[setting.parameters]
-b = { domain = "b > 0", meaning = "half the distance of the axles" }
-f = { domain = "f >= 0", meaning = "friction" }
-[setting.force]
-symbol = "P"
-kind = "internal"
-domain = "P > 0"
-[setting.scene]
-M = "1"
-R = "1"
-h = "1"
-b2 = "b"
-b3 = "b"
-I1 = "0"
-I2 = "1"
-I3 = "1"
-r1 = "1"
-r2 = "1"
-L = "1"
-f = "f"
-g = "10"
-F = "P"
-[[setting.definition]]
-symbol = "b1"
-line = 10
-printed = "f*2"
-repaired = "f/2"
-why = "a fraction bar is lost"
-[[setting.definition]]
-symbol = "xi"
-line = 11
-printed = "b/b1"
-[[claim]]
-id = "A1"
-line = 12
-statement = "what is said"
-kind = "interval"
-mode = "stick/slip+"
-region = "b > b1"
-forces = "0 < P < xi"
-[[claim]]
-id = "A2"
-line = 13
-statement = "what is said"
-kind = "motions"
-modes = ["stick/stick", "*/lift"]
-forces = "P < 3"
-[[claim]]
-id = "A3"
-line = 14
-statement = "what is said"
-kind = "unique"
-claims = ["A1"]
-except = ["A2"]
-[[claim]]
-id = "A4"
-line = 15
-statement = "what is said"
-kind = "formula"
-mode = "slip-/stick"
-holds = "a = P/2"
-)";
-
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  const std::size_t position = text.find(what);
-  REQUIRE_MESSAGE(position != text.npos, what);
-  return text.replace(position, what.size(), by);
-}
-
-std::vector<std::string> mistakes(const std::string& text) {
-  try {
-    parse_claims(text, "claims.toml");
-  } catch (const InputError& error) {
-    std::vector<std::string> found;
-    for (const Diagnostic& diagnostic : error.diagnostics()) found.push_back(to_string(diagnostic));
-    return found;
-  }
-  return {};
-}
-
-}  // namespace
 
 TEST_CASE("a claims file is read as it is written") {
   const ClaimsFile file = parse_claims(small, "claims.toml");
@@ -337,76 +239,6 @@ TEST_CASE("definitions that explode or nest without end are refused, not attempt
   CHECK(refused(chain(5, "#^64"), "too large to evaluate"));
   CHECK(refused(chain(900, std::string(100, '-') + "#"), "nested more than 1000"));
   CHECK(refused(chain(2000, "#"), "expected at most 1000"));
-}
-
-TEST_CASE("the shipped paper") {
-  const ClaimsFile file = read_claims(SLIPPROOF_SOURCE_DIR "/proofs/rozenblat-yashin/claims.toml");
-  for (const char* id : {"A1.1", "A1.2", "A2.1",  "A2.2",  "A2.3",  "A2.4",  "A3.1",  "A3.2",  "A4.1",  "A4.2", "A4.3",
-                         "A5.1", "A5.2", "A1.1a", "A1.2a", "A2.1a", "A2.2a", "A2.3a", "A3.1a", "A4.1a", "A4.2a"}) {
-    CAPTURE(id);
-    const Claim* claim = file.find(id);
-    REQUIRE(claim);
-    CHECK(claim->line >= 201);
-    CHECK(claim->line <= 233);
-  }
-  // (3.1) at R = 2, h = 3, b = 5, M2 = 1/2, M3 = 1/4, f = 1/3, g = 10, sigma = 1/2, F = 7, worked out apart from this.
-  const CompiledClaims compiled(file);
-  const CompiledSetting& setting = compiled.settings.at(0);
-  Evaluator<Rational> evaluator(setting.scope());
-  const std::vector<Rational> values{2, 3, 5, Rational(1, 2), Rational(1, 4), Rational(1, 3), 10, Rational(1, 2), 1};
-  for (std::size_t i = 0; i < values.size(); ++i) evaluator.set(CompiledSetting::parameter_slot(i), values[i]);
-  evaluator.set(CompiledSetting::force_slot(), 7);
-  const auto value = [&](const std::string& expression, Reading reading) {
-    return *evaluator.number(setting.compile(number(expression), reading)).number;
-  };
-  const std::vector<std::pair<std::string, Rational>> expected{
-      {"M0", Rational(7, 4)},
-      {"M1", Rational(3, 2)},
-      {"b0", Rational(13, 6)},
-      {"b11", 2},
-      {"xi1", Rational(175, 62)},
-      {"xi2", Rational(25, 4)},
-      {"xi3", Rational(25, 2)},
-      {"eta", 4},
-      {"xi4", 2},
-      {"xi5", Rational(40, 3)},
-      {"xi6", 20},
-      {"a21", Rational(31, 21)},
-      {"a22", Rational(31, 21)},
-      {"a31", Rational(38, 23)},
-      {"a41", Rational(7, 12)},
-      {"s1", Rational(36, 25)},
-      {"s2", Rational(-11, 25)},
-  };
-  for (const auto& symbol_and_value : expected) {
-    CAPTURE(symbol_and_value.first);
-    CHECK(value(symbol_and_value.first, Reading::printed) == symbol_and_value.second);
-  }
-  CHECK(value("b1", Reading::printed) == 3);
-  CHECK(value("b1", Reading::repaired) == Rational(1, 3));
-}
-
-TEST_CASE("lines of a paper's source are told as places in the paper") {
-  const Paper& paper = test::shipped_paper().paper;
-  const std::vector<std::pair<std::size_t, std::string>> expected{
-      {1, ""},
-      {37, "Section 1"},
-      {53, "Section 1, Problem 1"},
-      {72, "Section 1.1, (1.3)"},
-      {73, "Section 1.1, after (1.3)"},
-      {192, "Section 3, (3.1)"},
-      {193, "Section 3, after (3.1)"},
-      {201, "Section 3, Assertion 1"},
-      {233, "Section 3, Assertion 5"},
-      {243, "Section 4"},
-      {265, "Section 4.2, (4.3)"},
-  };
-  for (const auto& [line, place] : expected) CHECK(paper.place(line) == place);
-  Paper plain;
-  plain.equations = {{"1", 3}};
-  CHECK(plain.place(3).empty());
-  CHECK(plain.where(3) == "Line 3");
-  CHECK(paper.where(233) == "Section 3, Assertion 5 (line 233)");
 }
 
 TEST_CASE("headings of a paper stand at lines") {

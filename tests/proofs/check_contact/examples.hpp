@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "proofs/check_contact/check_contact.hpp"
 
@@ -25,6 +26,21 @@ inline std::string replaced(std::string text, const std::string& from, const std
   const std::size_t place = text.find(from);
   REQUIRE_MESSAGE(place != std::string::npos, "no '" << from << "'");
   return text.replace(place, from.size(), to);
+}
+
+/// A change of a certificate, and why it is rejected then.
+struct Forgery {
+  std::string from, to, expected;
+};
+
+inline void reject_all(const std::string& certificate, const std::vector<Forgery>& forgeries) {
+  const std::string genuine = verdict(certificate);
+  REQUIRE_MESSAGE(genuine.starts_with("accepted: "), genuine);
+  for (const Forgery& forgery : forgeries) {
+    const std::string found = verdict(replaced(certificate, forgery.from, forgery.to));
+    INFO("'", forgery.from, "' -> '", forgery.to, "'");
+    CHECK(found == "rejected: " + forgery.expected);
+  }
 }
 
 /// Slides with r_T = -(3, 4) against u_T = (6, 8); the constant is off by 1/4, the answer by 1/8.

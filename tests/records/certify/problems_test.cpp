@@ -3,15 +3,15 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "contact/simulation/loaded_contacts.hpp"
 #include "mechanics/scene/bicycle_scene.hpp"
 #include "records/certify/certify.hpp"
-#include "records/problems/problem_reader.hpp"
+#include "records/certify/judged_problems.hpp"
+#include "records/judging/record_judge.hpp"
+#include "records/problems/problem_judge.hpp"
 #include "records/reading/record_reader.hpp"
 #include "records/record/bicycle_records.hpp"
-#include "support/certified.hpp"
 #include "support/scenes/bicycle_scenes.hpp"
 
 using namespace slipproof;
@@ -19,17 +19,6 @@ using namespace slipproof::test;
 using Json = nlohmann::json;
 
 namespace {
-
-Certified problems(const std::string& text, CertifyOptions options = {}) {
-  options.format = RecordFormat::json_lines;
-  return certified(text, options);
-}
-
-Json judged(const std::string& line, const CertifyOptions& options = {}) {
-  const auto lines = problems(line + "\n", options).lines();
-  REQUIRE(lines.size() == 1);
-  return lines.front();
-}
 
 const std::string definite = R"({"M":[[2,1],[1,2]],"q":[-5,-6],)";        // z = (4/3, 7/3)
 const std::string three = R"({"M":[[1,2],[2,1]],"q":[-1,-1],)";           // z = (1/3, 1/3), (1, 0), (0, 1)
@@ -249,65 +238,6 @@ TEST_CASE("recorded answers of Siconos get the same verdict as contact problems 
   }
   CHECK(records > 950);
   CHECK(several >= 50);
-}
-
-namespace {
-
-/// Verdicts in the table of a page under a heading, by the numbers of lines.
-std::vector<std::string> verdicts_in_table(const std::string& page, const std::string& heading) {
-  std::ifstream file(page);
-  std::vector<std::string> expected;
-  bool here = false;
-  for (std::string row; std::getline(file, row);) {
-    if (row.starts_with("#")) here = row.ends_with(heading);
-    const std::size_t first = row.find("| "), second = row.find(" | ", first + 1), third = row.find(" | ", second + 1);
-    if (!here || first != 0 || third == std::string::npos) continue;
-    if (row.substr(2, second - 2) == std::to_string(expected.size() + 1)) {
-      expected.push_back(row.substr(second + 3, third - second - 3));
-    }
-  }
-  return expected;
-}
-
-std::string text_of(const std::string& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-}  // namespace
-
-TEST_CASE("each law's shipped line gets the verdict that its table tells") {
-  const std::string folder = std::string(SLIPPROOF_SOURCE_DIR) + "/cases/contact-problems/";
-  const auto expected = verdicts_in_table(folder + "README.md", "laws.jsonl");
-  const auto lines = problems(text_of(folder + "laws.jsonl")).lines();
-  REQUIRE(lines.size() == 10);
-  REQUIRE(expected.size() == lines.size());
-  for (std::size_t i = 0; i < lines.size(); ++i) CHECK(lines[i]["verdict"] == expected[i]);
-  CHECK(lines[2]["coulomb"]["verdict"] == "solution within rho");
-  CHECK(lines[3]["coulomb"]["verdict"] == "wrong");
-  CHECK(lines[3]["law"] == "associated law");
-}
-
-TEST_CASE("the shipped examples get the verdicts that their table tells, and the bicycle is the one of the scene") {
-  const std::string folder = std::string(SLIPPROOF_SOURCE_DIR) + "/cases/";
-  const auto expected = verdicts_in_table(folder + "contact-problems/README.md", "examples.jsonl");
-  const std::string all = text_of(folder + "contact-problems/examples.jsonl");
-  const auto lines = problems(all).lines();
-  REQUIRE(lines.size() == 10);
-  REQUIRE(expected.size() == lines.size());
-  for (std::size_t i = 0; i < lines.size(); ++i) CHECK(lines[i]["verdict"] == expected[i]);
-  CHECK(lines[3]["solutions"] == 3);
-  CHECK(lines[7]["solutions"] == 3);
-  CHECK(lines[9]["solutions"] == 3);
-
-  const ContactProblem problem = loaded_contacts(read_scene(folder + "ambiguous.toml")).problem;
-  const std::size_t last = all.rfind("{");
-  const auto record = read_problem(std::string_view(all).substr(last, all.find('\n', last) - last), false, false);
-  CHECK(record.problem.W == problem.W);
-  CHECK(record.problem.q == problem.q);
-  CHECK(record.problem.mu == problem.mu);
 }
 
 TEST_CASE("one mu for what may be planar or in space asks for the dimension") {

@@ -1,6 +1,6 @@
 #!/bin/sh
-# house.sh PROJECT: at most nine wings, each with a page of its own that names its rooms; no folder with more than 20
-# source files, no source file above 350 lines; and the drawing in CONTRIBUTING.md is that of drawing.sh.
+# house.sh PROJECT: at most nine wings, each with a page of its own that names its rooms; in src and in tests no folder
+# with more than 20 source files, no source file above 350 lines; and the drawing in CONTRIBUTING.md is that of drawing.sh.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 cd "$1"
@@ -22,10 +22,10 @@ done
 
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-find src -name '*.hpp' -o -name '*.cpp' -o -name '*.h' -o -name '*.inc' -o -name '*.py' | sort >"$scratch/sources"
+find src tests -name '*.hpp' -o -name '*.cpp' -o -name '*.h' -o -name '*.c' -o -name '*.inc' -o -name '*.py' | sort >"$scratch/sources"
 sed 's#/[^/]*$##' "$scratch/sources" | uniq -c |
   awk '$1 > 20 { print $2 " has " $1 " source files, at most 20 are one idea" }' >"$scratch/wrong"
-# slipproof_record.h is copied into engines, so it is one file.
+# slipproof_record.h is copied into engines, so it is one file. A test whose table is one idea may be named here, too.
 grep -v '/slipproof_record\.h$' "$scratch/sources" | xargs wc -l |
   awk '$1 > 350 && $2 != "total" { print $2 " has " $1 " lines, at most 350 are read as one" }' >>"$scratch/wrong"
 [ ! -s "$scratch/wrong" ] || wrong "$(cat "$scratch/wrong")"

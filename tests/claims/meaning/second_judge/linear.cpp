@@ -84,6 +84,11 @@ void subtract(Row& row, const Rational& times, const Row& other) {
 
 }  // namespace
 
+Row added(Row row, const Rational& factor, const Row& other) {
+  for (std::size_t i = 0; i < row.size(); ++i) row[i] += factor * other[i];
+  return row;
+}
+
 std::optional<Row> linear(const Tree& equation, const World& world) {
   const AsItStands as_it_stands(world);
   const auto left = as_it_stands.of(equation->parts[0]), right = as_it_stands.of(equation->parts[1]);

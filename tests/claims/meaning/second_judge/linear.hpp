@@ -17,6 +17,9 @@ class World;
 using Row = std::vector<Rational>;
 using Rows = std::vector<Row>;
 
+/// row + factor other.
+Row added(Row row, const Rational& factor, const Row& other);
+
 /// Nothing if it is undefined or not linear.
 std::optional<Row> linear(const Tree& equation, const World& world);
 

@@ -2,6 +2,7 @@
 // have a value, or none. Nothing here knows of src/claims/reading.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <optional>
@@ -95,5 +96,13 @@ inline bool is_false(Truth x) {
 
 /// Base to an integer power; nothing for a negative power of zero.
 Number to_power(const Rational& base, int exponent);
+
+/// A condition that is left out is true.
+inline Tree or_true(const Tree& condition) {
+  return condition ? condition : truth(true);
+}
+inline bool any(const std::vector<Truth>& truths, Truth wanted) {
+  return std::find(truths.begin(), truths.end(), wanted) != truths.end();
+}
 
 }  // namespace slipproof::meaning
