@@ -1,7 +1,5 @@
 #include "claims/statements/claim_statements.hpp"
 
-#include <map>
-
 #include "base/input/diagnostic.hpp"
 #include "claims/statements/claim_writer.hpp"
 
@@ -26,24 +24,14 @@ std::vector<NamedStatement> expected_statements(const ClaimsFile& claims, const 
                                         : claim_statements(claims, claim, reading);
 }
 
-std::vector<NamedStatement> paper_statements(const ClaimsFile& claims) {
-  std::vector<NamedStatement> result;
-  std::map<std::string, const Claim*> claim_of;
-  for (const Claim& claim : claims.claims) {
-    for (const Reading reading : all_readings) {
-      if (reading == Reading::repaired && !claim.repaired) continue;
-      for (NamedStatement& statement : expected_statements(claims, claim, reading)) {
-        const auto [other, is_new] = claim_of.emplace(statement.name, &claim);
-        if (!is_new) {
-          throw InputError({{claims.file, 0, 0,
-                             "the claims " + other->second->id + " and " + claim.id + " both have a statement " +
-                                 statement.name + ", expected ids whose statements have names of their own"}});
-        }
-        result.push_back(std::move(statement));
-      }
-    }
+void StatementNames::add(const Claim& claim, const std::vector<NamedStatement>& statements) {
+  for (const NamedStatement& statement : statements) {
+    const Claim* other = claim_of_.emplace(statement.name, &claim).first->second;
+    if (other == &claim) continue;
+    throw InputError({{claims_.file, 0, 0,
+                       "the claims " + other->id + " and " + claim.id + " both have a statement " + statement.name +
+                           ", expected ids whose statements have names of their own"}});
   }
-  return result;
 }
 
 }  // namespace slipproof

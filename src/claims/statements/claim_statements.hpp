@@ -1,6 +1,7 @@
 // The statements whose proofs together prove a claim of a claims file.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,12 +22,21 @@ std::vector<NamedStatement> claim_statements(const ClaimsFile& claims, const Cla
 /// for `limit`, and if the claim fails in another way.
 std::vector<NamedStatement> claim_refutation(const ClaimsFile& claims, const Claim& claim, Reading reading);
 
-/// The statements for all claims in all readings: of the claim, or of its refutation if `expect` says refuted; none if
-/// it says undecided.
-std::vector<NamedStatement> paper_statements(const ClaimsFile& claims);
-
-/// The same for one claim in one reading.
+/// What `expect` asks for: the statements of the claim, or those of its refutation if it says refuted; none if it says
+/// undecided.
 std::vector<NamedStatement> expected_statements(const ClaimsFile& claims, const Claim& claim, Reading reading);
+
+/// Which claim has the statements of each name: V with two modes and V.1 would both have a V.1.
+class StatementNames {
+ public:
+  explicit StatementNames(const ClaimsFile& claims) : claims_(claims) {}
+  /// Throws InputError if one of the statements has the name of another claim's.
+  void add(const Claim& claim, const std::vector<NamedStatement>& statements);
+
+ private:
+  const ClaimsFile& claims_;
+  std::map<std::string, const Claim*> claim_of_;
+};
 
 /// In the domain of a setting, `given` implies `shown`. Both may use the unknowns of the model and the quantities of a
 /// motion; these may be any numbers unless a motion is required.

@@ -279,7 +279,10 @@ TEST_CASE("two claims may not have a statement of one name") {
   const std::string rests = "kind = \"motions\"\nmodes = [\"stick/stick\"]\nregion = \"s <= mu*c and h*s <= b*c\"";
   const ClaimsFile file =
       parse_claims(incline + claim("V", rests) + claim("V.1", "kind = \"formula\"\nholds = \"m > 0\""), "block.toml");
-  CHECK_THROWS_WITH_AS(paper_statements(file),
+  StatementNames names(file);
+  const auto add = [&](const Claim& one) { names.add(one, expected_statements(file, one, Reading::printed)); };
+  add(file.claims[0]);
+  CHECK_THROWS_WITH_AS(add(file.claims[1]),
                        "block.toml: the claims V and V.1 both have a statement V.1, expected ids whose statements have "
                        "names of their own",
                        InputError);

@@ -1,4 +1,4 @@
-// Claims without a value or without a statement: what prove says of them.
+// Claims without a value, without a statement, or with the statement of another: what prove says of them.
 #include <doctest/doctest.h>
 
 #include <nlohmann/json.hpp>
@@ -56,4 +56,20 @@ holds = "f > 7"
   CHECK(run({"prove", claims, "--out", folder.path() / "new"}).exit_code == 4);
   const auto json = run({"prove", "--json", claims});
   CHECK(json.out.find("\"unstated\"") != std::string::npos);
+}
+
+TEST_CASE("prove refuses claims whose statements would have one name, and writes nothing") {
+  const TemporaryFolder folder;
+  const auto claims = folder.write(
+      "claims.toml",
+      slipproof::test::SmallClaims{
+          .parameters = "b = { domain = \"b > 0\", line = 1, meaning = \"b\" }\n",
+          .claims = "[[claim]]\nid = \"V\"\nline = 1\nstatement = \"two modes\"\nkind = \"formula\"\n"
+                    "modes = [\"stick/stick\", \"slip+/stick\"]\nholds = \"a > 0\"\n"
+                    "[[claim]]\nid = \"V.1\"\nline = 2\nstatement = \"b\"\nkind = \"formula\"\nholds = \"b > 0\"\n"}
+          .text());
+  const auto outcome = run({"prove", claims});
+  CHECK(outcome.exit_code == 3);
+  CHECK(outcome.err.find("the claims V and V.1 both have a statement V.1") != std::string::npos);
+  CHECK_FALSE(std::filesystem::exists(folder.path() / "certificates"));
 }

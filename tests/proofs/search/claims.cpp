@@ -183,7 +183,14 @@ TEST_CASE("every claim has a proof or a refutation, as far as statements can say
   for (const char* paper : {"rozenblat-yashin", "rear-drive"}) {
     const std::filesystem::path file = shipped_folder.parent_path() / paper / "claims.toml";
     const std::filesystem::path certificates = file.parent_path() / "certificates";
-    const std::vector<NamedStatement> statements = paper_statements(read_claims(file));
+    const ClaimsFile claims = read_claims(file);
+    std::vector<NamedStatement> statements;
+    for (const Claim& claim : claims.claims) {
+      for (const Reading reading : all_readings) {
+        if (reading == Reading::repaired && !claim.repaired) continue;
+        for (NamedStatement& s : expected_statements(claims, claim, reading)) statements.push_back(std::move(s));
+      }
+    }
     CHECK(statements.size() > 30);
     for (const NamedStatement& statement : statements) {
       INFO(statement.name);

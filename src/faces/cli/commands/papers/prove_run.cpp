@@ -141,10 +141,12 @@ std::vector<NamedStatement> ProveRun::sound(const Claim& claim, const Write& wri
 
 std::vector<ProveRun::Stated> ProveRun::stated(const ClaimsFile& file) {
   std::vector<Stated> result;
+  StatementNames names(file);
   for (const Claim& claim : file.claims) {
     for (const Reading reading : all_readings) {
       if (reading == Reading::repaired && !claim.repaired) continue;
       result.push_back({&claim, reading, sound(claim, [&] { return expected_statements(file, claim, reading); })});
+      names.add(claim, result.back().statements);
     }
   }
   return result;
