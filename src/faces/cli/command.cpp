@@ -26,6 +26,12 @@ void add_report_options(CLI::App& command, CommonOptions& options) {
       ->excludes("--json");
 }
 
+void add_digits_option(CLI::App& command, int& digits) {
+  command.add_option("--digits", digits, "Significant digits of decimals")
+      ->check(whole_number(1, 1000))
+      ->capture_default_str();
+}
+
 void print_document(const Document& document, const CommonOptions& options) {
   const auto& blocks = document.blocks();
   if (options.quiet && !blocks.empty() && blocks.back().kind == ReportBlock::Kind::status) {

@@ -52,6 +52,8 @@ struct CommonOptions {
 void add_common_options(CLI::App& command, CommonOptions& options);
 /// The same and --markdown, for commands that print a document with print_report().
 void add_report_options(CLI::App& command, CommonOptions& options);
+/// --digits.
+void add_digits_option(CLI::App& command, int& digits);
 
 /// Accepts a whole number from low to high in decimal digits and nothing else: no sign, blank, octal or hexadecimal.
 CLI::Validator whole_number(std::uint64_t low, std::uint64_t high = std::numeric_limits<std::uint64_t>::max());

@@ -55,9 +55,7 @@ void add_critical(CLI::App& app, int& exit_code) {
   command.add_option("--x", options->x,
                      "The parameter to vary; default: f of a bicycle, or a mechanism's first coefficient of "
                      "friction");
-  command.add_option("--digits", options->digits, "Significant digits of decimals")
-      ->check(whole_number(1, 1000))
-      ->capture_default_str();
+  add_digits_option(command, options->digits);
   command.add_option("-o,--out", options->out,
                      "Also draw a picture over the parameter and the load: a file .svg or .png");
   add_report_options(command, options->common);

@@ -1,12 +1,10 @@
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "base/input/diagnostic.hpp"
 #include "base/number/parse.hpp"
-#include "claims/uniqueness/scene_setting.hpp"
 #include "faces/cli/command.hpp"
 #include "faces/cli/warnings.hpp"
 #include "report/scenes/simulation_report.hpp"
@@ -72,9 +70,7 @@ void add_simulate(CLI::App& app, int& exit_code) {
       .add_option("--rise", options->rises, "Elastic periods over which the load rises; each value in turn; 0: at once")
       ->check(number_in(0, 10'000))
       ->capture_default_str();
-  command.add_option("--digits", options->digits, "Significant digits of decimals")
-      ->check(whole_number(1, 1000))
-      ->capture_default_str();
+  add_digits_option(command, options->digits);
   add_report_options(command, options->common);
   command.callback([options, &exit_code] {
     run_simulate(*options);

@@ -30,9 +30,7 @@ void add_solve(CLI::App& app, int& exit_code) {
   CLI::App& command =
       *app.add_subcommand("solve", "Find every motion of a scene; without a force, for every force at once");
   command.add_option("SCENE", options->scene, "Scene file (TOML)")->required();
-  command.add_option("--digits", options->digits, "Significant digits of decimals")
-      ->check(whole_number(1, 1000))
-      ->capture_default_str();
+  add_digits_option(command, options->digits);
   add_report_options(command, options->common);
   command.callback([options, &exit_code] {
     answer(*options);
