@@ -1,7 +1,5 @@
 #include "base/algebra/integer_polynomial.hpp"
 
-#include <algorithm>
-
 #include "base/rounding/approximate.hpp"
 
 namespace slipproof {

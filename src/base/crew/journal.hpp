@@ -1,7 +1,6 @@
 // Keeps the results of long work as they come, so that a later run can continue.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>

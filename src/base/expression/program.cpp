@@ -1,7 +1,6 @@
 #include "base/expression/program.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace slipproof {
 

@@ -1,7 +1,6 @@
 #include "base/files/chunk_run.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "base/files/words.hpp"
 

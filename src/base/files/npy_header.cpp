@@ -1,6 +1,5 @@
 #include "base/files/npy_header.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <utility>

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <utility>
 
 #include "base/files/byte_file.hpp"
 #include "base/files/words.hpp"

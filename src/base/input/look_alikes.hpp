@@ -1,7 +1,6 @@
 // Characters that people write and that names and expressions do not know, and what to write instead: mu for a µ.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>

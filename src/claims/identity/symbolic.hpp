@@ -2,7 +2,6 @@
 // and their quotients in lowest terms.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <utility>

@@ -6,7 +6,6 @@
 // is false of some motion exactly if one of the conjunctions of its negation has a point in the polytope, which exact
 // linear programming decides. A comparison that is not linear, or undefined, has no value here.
 #include <array>
-#include <functional>
 
 #include "base/algebra/linear_program.hpp"
 #include "claims/judge/claim_judge.hpp"

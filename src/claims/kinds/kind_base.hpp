@@ -2,12 +2,8 @@
 #pragma once
 
 #include <algorithm>
-#include <optional>
-#include <string>
-#include <utility>
 #include <vector>
 
-#include "base/expression/logic.hpp"
 #include "claims/identity/claim_change.hpp"
 #include "claims/judge/claim_judge.hpp"
 #include "claims/paper/claim_kind.hpp"

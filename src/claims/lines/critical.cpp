@@ -1,7 +1,6 @@
 #include "claims/lines/critical.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "claims/lines/line_mechanism.hpp"

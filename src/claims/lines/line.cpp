@@ -1,6 +1,5 @@
 #include "claims/lines/line.hpp"
 
-#include <algorithm>
 #include <random>
 
 #include "claims/sampling/claim_parts.hpp"

@@ -2,7 +2,6 @@
 // polynomials in the line's t.
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include "base/algebra/integer_polynomial.hpp"

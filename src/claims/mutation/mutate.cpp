@@ -1,6 +1,5 @@
 #include "claims/mutation/mutate.hpp"
 
-#include <algorithm>
 #include <functional>
 #include <unordered_set>
 #include <utility>

@@ -1,7 +1,6 @@
 #include "claims/paper/setting_names.hpp"
 
 #include <algorithm>
-#include <functional>
 
 namespace slipproof {
 

@@ -1,6 +1,5 @@
 #include "claims/reading/read_claims_file.hpp"
 
-#include <algorithm>
 #include <charconv>
 
 #include "base/expression/parser.hpp"

@@ -1,8 +1,5 @@
 #include "claims/sampling/reach.hpp"
 
-#include <algorithm>
-#include <utility>
-
 namespace slipproof {
 
 namespace {

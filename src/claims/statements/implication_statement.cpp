@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-
 #include "claims/statements/claim_statements.hpp"
 #include "claims/statements/setting_writer.hpp"
 #include "proofs/statement/zero_divisors.hpp"

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <utility>
 
 #include "claims/statements/determined_forces.hpp"
 #include "claims/statements/truth_text.hpp"

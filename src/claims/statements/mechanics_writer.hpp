@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "claims/paper/claims_file.hpp"
 #include "claims/statements/plain_signs.hpp"
 #include "mechanics/elements/friction_problem.hpp"
 

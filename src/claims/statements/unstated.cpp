@@ -1,7 +1,5 @@
 #include "claims/statements/unstated.hpp"
 
-#include <algorithm>
-
 #include "base/parallel/failure.hpp"
 
 namespace slipproof {

@@ -5,7 +5,6 @@
 // Between two such values nothing changes, so one rational number there gives the answer for all.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>

@@ -1,7 +1,6 @@
 // Joins neighbouring values of a parameter that have the same result.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <vector>
 

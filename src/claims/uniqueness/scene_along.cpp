@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "base/input/diagnostic.hpp"
-#include "claims/uniqueness/scene_setting.hpp"
 
 namespace slipproof {
 

@@ -1,11 +1,9 @@
 #include "claims/uniqueness/scene_setting.hpp"
 
-#include <algorithm>
 #include <memory>
 #include <stdexcept>
 
 #include "base/expression/logic.hpp"
-#include "base/input/near_match.hpp"
 
 namespace slipproof {
 

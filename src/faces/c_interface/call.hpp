@@ -1,10 +1,8 @@
 // Common to all calls of the C interface: no exception leaves them; failures become a status and an error.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "base/input/diagnostic.hpp"
 #include "faces/c_interface/slipproof.h"

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <span>
 
 #include "base/number/binary64.hpp"
 #include "contact/formats/problem_check.hpp"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <string>
-#include <vector>
 
 #include "faces/python/bind.hpp"
 #include "faces/python/interruptible.hpp"

@@ -16,7 +16,6 @@
 #include "faces/python/bind.hpp"
 #include "faces/python/interruptible.hpp"
 #include "records/certify/certify.hpp"
-#include "records/judging/exact_judge.hpp"
 #include "records/problems/contact_file.hpp"
 #include "records/problems/problem_judge.hpp"
 #include "report/html/contact_report.hpp"

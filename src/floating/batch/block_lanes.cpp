@@ -1,7 +1,5 @@
 #include "floating/batch/block_lanes.hpp"
 
-#include <cmath>
-
 #include "floating/lanes/vector_kernel.hpp"
 #include "floating/tape/linear_mode.hpp"
 

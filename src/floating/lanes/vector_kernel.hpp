@@ -1,8 +1,6 @@
 // Kernels over vectors, compiled for each width of registers; each call chooses which one runs.
 #pragma once
 
-#include <span>
-
 #include "base/os/registers.hpp"
 
 // Not for AddressSanitizer, under which it would take minutes to compile. Not for Clang 14, which does not inline
@@ -31,10 +29,6 @@ inline Registers widest_registers() {
 #else
   return Registers::two;
 #endif
-}
-
-inline bool available(Registers registers) {
-  return registers <= widest_registers();
 }
 
 /// Calls `f()`, with everything in it compiled for the registers in the name.

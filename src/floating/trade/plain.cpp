@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <boost/multiprecision/mpfr.hpp>
-#include <string>
 
 #include "base/number/binary64.hpp"
 #include "floating/trade/arithmetic.hpp"

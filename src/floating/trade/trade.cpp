@@ -3,7 +3,6 @@
 #include <time.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "base/crew/bytes.hpp"
 #include "base/crew/share.hpp"

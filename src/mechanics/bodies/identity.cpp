@@ -1,9 +1,7 @@
 #include "mechanics/bodies/identity.hpp"
 
 #include <map>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "base/algebra/polynomial.hpp"

@@ -1,6 +1,5 @@
 #include "mechanics/checks/check_points.hpp"
 
-#include <algorithm>
 #include <set>
 
 #include "mechanics/points/degrees.hpp"

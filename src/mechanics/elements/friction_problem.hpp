@@ -2,7 +2,6 @@
 // become one of these.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "base/algebra/linear_program.hpp"

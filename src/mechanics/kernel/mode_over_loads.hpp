@@ -7,7 +7,6 @@
 
 #include "base/rounding/approximate.hpp"
 #include "mechanics/kernel/mode_solver.hpp"
-#include "mechanics/kernel/motions.hpp"
 
 namespace slipproof {
 

@@ -1,7 +1,6 @@
 // Linear forms of equations, gaps, slips and limits: extracted from their expressions, symbolically.
 #pragma once
 
-#include <string>
 #include <string_view>
 
 #include "base/input/diagnostic.hpp"

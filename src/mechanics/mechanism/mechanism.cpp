@@ -1,6 +1,5 @@
 #include "mechanics/mechanism/mechanism.hpp"
 
-#include <algorithm>
 #include <array>
 
 #include "mechanics/mechanism/algebra.hpp"

@@ -1,6 +1,5 @@
 #include "mechanics/mechanism/names.hpp"
 
-#include <algorithm>
 #include <array>
 
 #include "base/input/near_match.hpp"

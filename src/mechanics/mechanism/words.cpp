@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "base/input/near_match.hpp"
 #include "mechanics/mechanism/names.hpp"
 
 namespace slipproof {
@@ -56,11 +55,6 @@ std::string condition_name(const Mechanism& mechanism, std::size_t element, Elem
       break;
   }
   return own_limit(friction->kinetic_limit.expression, is_pulled(state)) + at_least;
-}
-
-bool ModePattern::matches(const MechanismMode& mode) const {
-  return std::equal(states.begin(), states.end(), mode.begin(), mode.end(),
-                    [](const auto& wanted, ElementState state) { return !wanted || *wanted == state; });
 }
 
 std::optional<ModePattern> parse_mode(const Mechanism& mechanism, const std::vector<ElementKind>& kinds,

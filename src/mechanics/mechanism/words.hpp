@@ -18,7 +18,6 @@ std::string condition_name(const Mechanism& mechanism, std::size_t element, Elem
 /// A mode as a file writes it, `*` for any state of an element: `stick/*`.
 struct ModePattern {
   std::vector<std::optional<ElementState>> states;  ///< nothing: any
-  bool matches(const MechanismMode& mode) const;
 };
 
 /// Reads a mode. For a malformed one, such as a wrong number of states or a state that the element does not have,

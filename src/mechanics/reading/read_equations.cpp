@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <array>
 
-#include "base/expression/parser.hpp"
 #include "mechanics/reading/reader.hpp"
 
 namespace slipproof::mechanism_reader {

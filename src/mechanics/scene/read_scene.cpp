@@ -2,7 +2,6 @@
 #include <array>
 #include <utility>
 
-#include "base/input/near_match.hpp"
 #include "base/input/table_reader.hpp"
 #include "base/input/text_file.hpp"
 #include "base/number/format.hpp"

@@ -1,9 +1,6 @@
 // Polynomials as other programs read them: with integer coefficients.
 #pragma once
 
-#include <utility>
-#include <vector>
-
 #include "base/algebra/polynomial.hpp"
 
 namespace slipproof {

@@ -1,7 +1,6 @@
 #include "proofs/statement/statement_line.hpp"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <utility>
 

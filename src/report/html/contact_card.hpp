@@ -1,8 +1,6 @@
 // One judged answer to a contact problem, as a section of a page.
 #pragma once
 
-#include <string>
-
 #include "records/problems/contact_file.hpp"
 #include "report/markup/element.hpp"
 

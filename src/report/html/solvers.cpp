@@ -1,7 +1,6 @@
 #include "report/html/solvers.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <sstream>
 #include <vector>
 

@@ -1,7 +1,6 @@
 #include "report/markup/element.hpp"
 
 #include <algorithm>
-#include <array>
 #include <pugixml.hpp>
 #include <stdexcept>
 

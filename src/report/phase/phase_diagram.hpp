@@ -2,7 +2,6 @@
 // column the answer is exact for all loads; neighbouring columns are joined.
 #pragma once
 
-#include <compare>
 #include <functional>
 #include <optional>
 #include <string>

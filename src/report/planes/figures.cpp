@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 
 #include "base/input/table_reader.hpp"
 #include "base/input/text_file.hpp"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "base/input/near_match.hpp"
 #include "mechanics/kernel/motions_over_loads.hpp"
 #include "mechanics/mechanism/names.hpp"
 

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "base/number/format.hpp"
 #include "base/output/listed.hpp"
 #include "report/scenes/mechanism_report.hpp"

@@ -18,7 +18,6 @@
 #include "faces/cli/crew_run.hpp"
 #include "faces/cli/warnings.hpp"
 #include "mechanics/reading/shipped.hpp"
-#include "mechanics/scene/scene.hpp"
 #include "records/certify/pieces.hpp"
 #include "records/certify/table_records.hpp"
 #include "records/problems/contact_file.hpp"

@@ -4,7 +4,6 @@
 
 #include <memory>
 #include <string>
-#include <utility>
 
 #include "faces/cli/command.hpp"
 #include "faces/cli/commands/papers/verify_run.hpp"

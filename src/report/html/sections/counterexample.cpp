@@ -1,13 +1,11 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cctype>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "base/number/format.hpp"
 #include "claims/paper/compiled.hpp"
 #include "claims/paper/setting_names.hpp"
 #include "mechanics/mechanism/words.hpp"

@@ -3,7 +3,6 @@
 #include "base/expression/logic.hpp"
 #include "report/html/sections.hpp"
 #include "report/markup/mathml.hpp"
-#include "report/markup/symbol.hpp"
 #include "report/papers/explain.hpp"
 
 namespace slipproof {
