@@ -6,7 +6,7 @@
 
 #include "base/input/diagnostic.hpp"
 #include "records/engines/judged_engines.hpp"
-#include "support/engine_files.hpp"
+#include "support/files/engine_files.hpp"
 
 using namespace slipproof;
 

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "base/output/json.hpp"
-#include "support/engine_files.hpp"
+#include "support/files/engine_files.hpp"
 
 using namespace slipproof;
 

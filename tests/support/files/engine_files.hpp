@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "support/small_files.hpp"
+#include "support/files/small_files.hpp"
 
 namespace slipproof::test {
 
