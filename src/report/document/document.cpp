@@ -102,4 +102,11 @@ void Document::status(std::string text) {
   blocks_.push_back({ReportBlock::Kind::status, std::move(text)});
 }
 
+Document Document::as_part() && {
+  std::erase_if(blocks_, [](const ReportBlock& block) {
+    return block.kind == ReportBlock::Kind::title || block.kind == ReportBlock::Kind::status;
+  });
+  return std::move(*this);
+}
+
 }  // namespace slipproof

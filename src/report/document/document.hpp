@@ -91,6 +91,8 @@ class Document {
   void status(std::string text);
 
   const std::list<ReportBlock>& blocks() const { return blocks_; }
+  /// The same without its title and status: as a part of another report.
+  Document as_part() &&;
 
  private:
   std::list<ReportBlock> blocks_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 #include "base/number/format.hpp"
@@ -20,7 +21,7 @@ constexpr std::array<const char*, engine_verdict_count> fills{"fill-proved",    
                                                               "fill-undecided", "fill-vacuous", "fill-inaccurate"};
 constexpr std::array<std::string_view, engine_verdict_count> chips{"proved",    "holds",   "refuted",
                                                                    "undecided", "vacuous", "undecided"};
-constexpr std::array<std::string_view, engine_verdict_count> signs{"✓", "≈", "✗", "?", "–", "!"};
+constexpr std::array<std::string_view, engine_verdict_count> signs{"✓ ", "≈ ", "✗ ", "? ", "– ", "! "};
 
 std::size_t sum(const EngineCounts& counts) {
   return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
@@ -108,6 +109,7 @@ class EnginePages {
     add_key(top);
     add_counts(main);
     add_thresholds(main);
+    add_laws(main);
     add_reproduce(main);
   }
 
@@ -135,7 +137,6 @@ class EnginePages {
     }
     table.columns.emplace_back("all", true);
     table.columns.emplace_back("share");
-    table.columns.emplace_back("the law that it solves");
     for (const EngineRow& row : engine_rows(judged_)) {
       std::vector<ReportCell> cells{row.engine + " " + row.version, row.asked};
       for (const std::string& name : classes) {
@@ -144,24 +145,64 @@ class EnginePages {
       }
       cells.emplace_back(share_text(row.all));
       cells.push_back(bar_cell(row.all));
-      cells.emplace_back(row.law);
       table.row(std::move(cells));
     }
     add_table(section, table);
   }
 
+  /// How far off the thresholds of each engine are.
   void add_thresholds(const Element& main) const {
-    const auto thresholds = engine_thresholds(results_);
-    if (thresholds.empty()) return;
-    const Element section = add_section(main, "thresholds-found", "Where engines change their minds");
-    section.add("p", "how")
-        .text("A parameter is varied until the engine's answer changes its mode; beside it the exact value.");
-    ReportTable table{{"engine", "scene", "parameter", {"changes at", true}, {"exact", true}, {"off by", true}}};
+    std::map<std::string, std::vector<double>> off;
+    std::string page;
+    for (const EngineThresholdRow& row : engine_thresholds(results_)) {
+      if (page.empty()) page = row.scene.substr(0, row.scene.find('/')) + ".html";
+      auto& engine = off[row.engine];
+      if (row.exact) engine.push_back(row.off());
+    }
+    if (off.empty()) return;
+    const Element section = add_section(main, "changes", "Where engines change their minds");
+    add_line(
+        section.add("p", "how"),
+        {"A parameter is varied until the engine's answer changes its mode; how far is that from the exact value? ",
+         link_to("Scene by scene", page + "#changes"), "."});
+    ReportTable table{{"engine", {"thresholds", true}, {"to 1e-6", true}, {"to 1e-3", true}, {"worst", true}}};
     table.label = "Thresholds by engine";
-    for (const EngineThresholdRow& row : thresholds) {
-      table.row({row.engine, ReportLine(link_to(row.scene, row.scene + ".html")), row.found.parameter,
-                 fmt::format("{:.8g}", row.found.changes_at), row.exact ? fmt::format("{:.8g}", *row.exact) : "none",
-                 row.exact ? error_text(row.off()) : "–"});
+    for (const auto& [engine, errors] : off) {
+      const auto within = [&](double bound) {
+        return std::to_string(std::ranges::count_if(errors, [&](double error) { return error <= bound; }));
+      };
+      table.row({engine, std::to_string(errors.size()), within(1e-6), within(1e-3),
+                 errors.empty() ? "–" : error_text(*std::ranges::max_element(errors))});
+    }
+    add_table(section, table);
+  }
+
+  /// Each threshold that an engine was asked for in a class.
+  void add_changes(const Element& main, const std::string& name) const {
+    ReportTable table{{"engine", "scene", "parameter", {"changes at", true}, {"exact", true}, {"off by", true}}};
+    table.label = "Thresholds by engine and scene";
+    for (const EngineThresholdRow& row : engine_thresholds(results_)) {
+      if (!row.scene.starts_with(name + "/")) continue;
+      table.row({row.engine, ReportLine(link_to(row.scene.substr(name.size() + 1), row.scene + ".html")),
+                 row.found.parameter, fmt::format("{:.8g}", row.found.changes_at),
+                 row.exact ? fmt::format("{:.8g}", *row.exact) : "none", row.exact ? error_text(row.off()) : "–"});
+    }
+    if (table.rows.empty()) return;
+    add_table(add_section(main, "changes", "Where engines change their minds"), table);
+  }
+
+  void add_laws(const Element& main) const {
+    const Element section = add_section(main, "laws", "What each engine solves");
+    section.add("p", "how")
+        .text(
+            "In the words of its adapter; an engine that softens contacts solves another law, and is asked about that "
+            "one here.");
+    ReportTable table{{"engine", "law", "asked on"}};
+    table.label = "Laws of engines";
+    std::string last;
+    for (const EngineRow& row : engine_rows(judged_)) {
+      if (row.engine != last) table.row({row.engine + " " + row.version, row.law, row.date});
+      last = row.engine;
     }
     add_table(section, table);
   }
@@ -176,10 +217,18 @@ class EnginePages {
 
   void add_class(const Element& main, const std::string& name) const {
     add_title(main, "A class of scenes", class_title(name));
-    const Element section = add_section(main, "scenes", "What each engine says at its default settings");
+    add_matrix(main, name, "default", "What each engine says at its default settings");
+    add_matrix(main, name, "many iterations", "And with many iterations");
+    add_changes(main, name);
+  }
+
+  /// Scenes in rows, engines in columns.
+  void add_matrix(const Element& main, const std::string& name, const std::string& asked,
+                  const std::string& heading) const {
+    const Element section = add_section(main, asked == "default" ? "scenes" : "iterated", heading);
     add_key(section);
     ReportTable table{{"scene", {"motions", true}}};
-    table.label = "Verdicts by scene and engine";
+    table.label = heading;
     for (const std::string& engine : judged_.engines) table.columns.emplace_back(engine);
     for (std::size_t i = 0; i < judged_.scenes.size(); ++i) {
       const EngineScene& scene = judged_.scenes[i];
@@ -187,7 +236,7 @@ class EnginePages {
       const std::string href = scene.name + ".html";
       std::vector<ReportCell> cells{ReportLine(link_to(scene.scene.name, href)),
                                     motions_text(*results_.expected[i].solved.at_load)};
-      for (const std::string& engine : judged_.engines) cells.push_back(cell_of(scene, engine, href));
+      for (const std::string& engine : judged_.engines) cells.push_back(cell_of(scene, engine, asked, href));
       table.row(std::move(cells));
     }
     add_table(section, table);
@@ -197,9 +246,10 @@ class EnginePages {
     return std::to_string(found.motions.size()) + (found.continua.empty() ? "" : ", continuum");
   }
 
-  static ReportCell cell_of(const EngineScene& scene, const std::string& engine, const std::string& href) {
+  static ReportCell cell_of(const EngineScene& scene, const std::string& engine, const std::string& asked,
+                            const std::string& href) {
     const auto found = std::ranges::find_if(scene.answers, [&](const JudgedEngineAnswer& one) {
-      return one.answer.engine == engine && one.answer.asked == "default";
+      return one.answer.engine == engine && one.answer.asked == asked;
     });
     return found == scene.answers.end() ? ReportCell("") : verdict_cell(*found, href + "#engines");
   }
@@ -216,7 +266,7 @@ class EnginePages {
       figure.add("figcaption").text(first ? "With the forces of its first motion." : "It has no motion.");
     }
     const Element exact = add_section(main, "exact", "Every motion, exactly");
-    add_document(exact, solve_document(solved, 6));
+    add_document(exact, solve_document(solved, 6).as_part());
     add_answers(main, scene);
   }
 

@@ -113,7 +113,10 @@ std::vector<EngineRow> engine_rows(const JudgedEngines& judged) {
 std::vector<std::string> engine_classes(const JudgedEngines& judged) {
   std::set<std::string> names;
   for (const EngineScene& scene : judged.scenes) names.insert(scene.class_name());
-  return {names.begin(), names.end()};
+  std::vector<std::string> classes{"one-motion", "thresholds", "several-or-none", "undetermined", "extremes"};
+  std::erase_if(classes, [&](const std::string& name) { return names.erase(name) == 0; });
+  classes.insert(classes.end(), names.begin(), names.end());
+  return classes;
 }
 
 std::string class_title(const std::string& name) {

@@ -42,7 +42,7 @@ struct EngineThresholdRow {
 };
 std::vector<EngineThresholdRow> engine_thresholds(const EngineResults& results);
 
-/// The classes of the scenes, by name.
+/// The classes of the scenes: the shipped ones in their order, then others by name.
 std::vector<std::string> engine_classes(const JudgedEngines& judged);
 
 /// `one-motion` as people write it: `one motion`.

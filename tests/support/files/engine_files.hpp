@@ -27,7 +27,6 @@ symbol = "F"
 [[body]]
 name = "point"
 mass = "1"
-inertia = "1"
 turning = "0"
 at = ["0", "0"]
 shape = { circle = "1" }
