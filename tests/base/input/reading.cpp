@@ -7,7 +7,6 @@
 #include <fstream>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "base/input/near_match.hpp"
 #include "base/input/table_reader.hpp"

@@ -2,9 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include <bit>
 #include <charconv>
-#include <cmath>
 #include <cstdint>
 #include <random>
 #include <string>

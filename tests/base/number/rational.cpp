@@ -5,7 +5,6 @@
 
 #include <random>
 #include <sstream>
-#include <vector>
 
 using namespace slipproof;
 

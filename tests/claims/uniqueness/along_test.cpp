@@ -3,8 +3,6 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
-
 #include "claims/uniqueness/ranges.hpp"
 #include "claims/uniqueness/scene_setting.hpp"
 #include "mechanics/kernel/mode_solver.hpp"

@@ -1,7 +1,6 @@
 // Claims about mechanisms other than the bicycle, and the bicycle as one of them.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <string>
 
 #include "base/algebra/real_roots.hpp"

@@ -1,7 +1,6 @@
 // The program on a processor with narrower registers: only slower.
 #include <doctest/doctest.h>
 
-#include <cstdlib>
 #include <string>
 
 #include "support/run_program.hpp"

@@ -1,7 +1,6 @@
 // Small mechanisms whose motions one finds with a pencil.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <map>
 #include <string>
 

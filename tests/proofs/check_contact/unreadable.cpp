@@ -1,6 +1,5 @@
 // What is no certificate is refused with its place, with what was found and what was expected.
 #include <random>
-#include <utility>
 #include <vector>
 
 #include "proofs/check_contact/examples.hpp"

@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <string>
-#include <vector>
 
 #include "proofs/check/files.hpp"
 #include "proofs/search/prove.hpp"

@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <pugixml.hpp>
 #include <sstream>
 

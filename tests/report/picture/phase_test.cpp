@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
-#include <random>
 
 #include "base/input/diagnostic.hpp"
 #include "base/number/binary64.hpp"

@@ -2,9 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "base/number/rational.hpp"
 
@@ -36,22 +33,6 @@ struct Road {
 
 /// Internal: the rider on the bicycle pushes the pedal (Problem 1). External: somebody beside it does (Problem 2).
 enum class ForceKind { internal, external };
-
-/// "internal" or "external", as files have it.
-constexpr std::optional<ForceKind> parse_force_kind(std::string_view text) {
-  if (text == "internal") return ForceKind::internal;
-  return text == "external" ? std::optional(ForceKind::external) : std::nullopt;
-}
-
-/// What a scene file says, read exactly.
-struct Scene {
-  std::string name;
-  Bicycle<Rational> bicycle;
-  Road<Rational> road;
-  ForceKind force_kind = ForceKind::internal;
-  std::optional<Rational> F;       ///< pedal force along -x, N; absent: every force at once
-  std::vector<std::string> notes;  ///< what the reader should know of how the file was understood
-};
 
 /// sigma = mu L / R, equation (1.3).
 template <class T>

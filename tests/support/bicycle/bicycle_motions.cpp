@@ -43,9 +43,4 @@ std::optional<ContactMode> contact_mode(const MechanismMode& mode) {
   return ContactMode{mode[0], mode[1]};
 }
 
-Scene bicycle_scene(const MechanismScene& scene) {
-  const BicycleOfValues bicycle = bicycle_of(scene.values);
-  return {scene.name, bicycle.bicycle, bicycle.road, bicycle.kind, scene.load, scene.notes};
-}
-
 }  // namespace slipproof

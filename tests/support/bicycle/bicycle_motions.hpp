@@ -42,7 +42,4 @@ const MechanismMode& mechanism_mode(ContactMode mode);
 /// Nothing unless it has two states of wheels.
 std::optional<ContactMode> contact_mode(const MechanismMode& mode);
 
-/// A scene of the mechanism `bicycle` as one of a bicycle.
-Scene bicycle_scene(const MechanismScene& scene);
-
 }  // namespace slipproof

@@ -49,8 +49,6 @@ constexpr std::array<Quantity, quantity_count> all_quantities() {
 
 std::string name(ContactMode mode);  ///< `rear/front`
 std::string_view name(Quantity quantity);
-std::optional<ContactMode> parse_mode(std::string_view text);  ///< nothing unless exactly as written by name()
-std::optional<Quantity> parse_quantity(std::string_view text);
 
 /// One value for each quantity; V is a number, or affine in F.
 template <class V>
@@ -68,8 +66,5 @@ struct Condition {
   StateCondition kind;
   bool operator==(const Condition&) const = default;
 };
-
-/// As a reader would write it: `N3 >= 0`, `|S2| <= f N2`, `slip3 <= 0`, `gap3 >= 0`.
-std::string name(const Condition& condition);
 
 }  // namespace slipproof

@@ -13,10 +13,6 @@ namespace {
 /// Columns in the order of elimination: what a user would rather see as a free parameter comes last.
 /// Indices into Unknowns: a, a_y, phi, eps1, eps2, eps3, T, S2, S3, N2, N3.
 constexpr std::array<std::size_t, unknown_count> column_order{6, 3, 1, 2, 0, 7, 8, 4, 5, 9, 10};
-constexpr std::array<std::size_t, 6> columns_of_accelerations{1, 2, 3, 4, 7, 8};
-constexpr std::array<Quantity, unknown_count> quantity_of_unknown{
-    Quantity::a,  Quantity::a_y, Quantity::phi, Quantity::eps2, Quantity::eps2, Quantity::eps3,
-    Quantity::S2, Quantity::S2,  Quantity::S3,  Quantity::N2,   Quantity::N3};
 
 /// Over the unknowns in column order.
 AffineForm to_form(const LinearForm<Rational>& form) {
@@ -57,7 +53,6 @@ std::optional<Continuum> SingularModes::solve(ContactMode mode) const {
   }
   Continuum result;
   result.mode = mode;
-  if (!space.load_is_free()) result.solvable = ForceInterval::point(space.load());
 
   std::array<AffineForm, unknown_count> solution;
   std::array<Affine<Rational>, unknown_count> base;
@@ -72,7 +67,6 @@ std::optional<Continuum> SingularModes::solve(ContactMode mode) const {
       direction[column_order[column]] = solution[column].coefficients[free];
     }
     result.directions.push_back(motion_of(bicycle_, from_array(direction)));
-    result.parameters.push_back(quantity_of_unknown[column_order[free]]);
     result.free_.push_back(unknown(free));
   }
 
@@ -84,9 +78,6 @@ std::optional<Continuum> SingularModes::solve(ContactMode mode) const {
   if (auto* solutions = std::get_if<Polyhedron>(&narrowed)) {
     result.closed = solutions->loads;
     result.strict = strict_loads(*solutions);
-    result.one_motion = std::all_of(columns_of_accelerations.begin(), columns_of_accelerations.end(), [&](auto column) {
-      return is_free_of_unknowns(solutions->space.on(unknown(column)));
-    });
     result.solutions_ = std::move(*solutions);
   } else {
     result.closed = result.strict = ForceInterval::nothing();
@@ -100,19 +91,6 @@ std::optional<std::vector<ForceInterval>> Continuum::parameter_ranges(const Rati
   std::vector<ForceInterval> result;
   for (const Range& range : ranges(*consistent, free_)) {
     result.push_back(ForceInterval::between(range.lower, true, range.upper, true));
-  }
-  return result;
-}
-
-std::vector<Quantity> Continuum::undetermined() const {
-  std::vector<Quantity> result;
-  for (const Quantity q : all_quantities()) {
-    for (const auto& direction : directions) {
-      if (sign(direction[q]) != 0) {
-        result.push_back(q);
-        break;
-      }
-    }
   }
   return result;
 }

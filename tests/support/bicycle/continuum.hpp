@@ -15,20 +15,13 @@ namespace slipproof {
 class Continuum {
  public:
   ContactMode mode;
-  ForceInterval solvable;                    ///< forces for which the equations have solutions: all or one
   Motion<Affine<Rational>> base;             ///< the solution with all parameters 0
   std::vector<Motion<Rational>> directions;  ///< one for each free parameter, linearly independent
-  std::vector<Quantity> parameters;          ///< the quantity that is its free parameter: base is 0 there
   ForceInterval closed;                      ///< forces for which some solution meets all conditions
   ForceInterval strict;                      ///< the same with all conditions strict
-  bool one_motion = false;                   ///< at a force all of those are one motion: only forces vary
 
   /// The range of each parameter over the consistent motions at a force; nothing if there are none.
   std::optional<std::vector<ForceInterval>> parameter_ranges(const Rational& force) const;
-  /// The left-hand sides of the mode's conditions over what the equations leave free, and the force.
-  const std::vector<AffineForm>& conditions() const { return conditions_; }
-  /// The quantities that are not determined by the force.
-  std::vector<Quantity> undetermined() const;
 
  private:
   friend class SingularModes;

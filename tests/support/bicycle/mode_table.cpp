@@ -1,7 +1,6 @@
 #include "support/bicycle/mode_table.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "support/bicycle/conditions.hpp"
@@ -18,10 +17,6 @@ Affine<Rational> value_of(const Quotient<Affine<Rational>, Rational>& q) {
 
 Affine<Rational> ModeSolution::quantity(Quantity quantity) const {
   return value_of(reduced_->quantity(quantity));
-}
-
-Affine<Rational> ModeSolution::condition_value(const Condition& condition) const {
-  return value_of(reduced_->condition_value(condition));
 }
 
 Motion<Affine<Rational>> ModeSolution::motion() const {

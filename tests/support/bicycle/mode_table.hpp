@@ -29,9 +29,8 @@ class ModeSolution {
   const ForceInterval& closed() const { return closed_; }
   const ForceInterval& strict() const { return strict_; }
 
-  /// Regular modes only: a quantity, or a condition's left-hand side, as a function of F.
+  /// Regular modes only: a quantity as a function of F.
   Affine<Rational> quantity(Quantity quantity) const;
-  Affine<Rational> condition_value(const Condition& condition) const;
   Motion<Affine<Rational>> motion() const;
   /// Of a continuum only.
   const Continuum& continuum() const { return *continuum_; }
@@ -51,12 +50,8 @@ class ModeSolution {
 class ModeTable {
  public:
   ModeTable(const Bicycle<Rational>& bicycle, const Road<Rational>& road, ForceKind kind);
-  /// Only those of some modes that are modelled, for who asks for no others.
-  ModeTable(const Bicycle<Rational>& bicycle, const Road<Rational>& road, ForceKind kind,
-            const std::vector<ContactMode>& modes);
 
-  bool detachment() const { return detachment_; }
-  /// In the order of all_modes(), or of those given.
+  /// In the order of all_modes().
   const std::vector<ModeSolution>& solutions() const { return solutions_; }
   /// nullptr for a mode that is not modelled.
   const ModeSolution* find(ContactMode mode) const;

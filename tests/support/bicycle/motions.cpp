@@ -4,8 +4,6 @@
 #include <array>
 #include <utility>
 
-#include "support/bicycle/conditions.hpp"
-
 namespace slipproof {
 
 namespace {
@@ -28,27 +26,6 @@ Motion<Rational> at(const Motion<Affine<Rational>>& motion, const Rational& forc
   Motion<Rational> result;
   for (const Quantity q : all_quantities()) result[q] = motion[q].at(force);
   return result;
-}
-
-std::optional<Rejection> first_violation(const ModeSolution& s, const Rational& force) {
-  for (const Condition& condition : conditions(s.mode())) {
-    Rational value = s.condition_value(condition).at(force);
-    if (sign(value) >= 0) continue;
-    return Rejection{s.mode(), condition, std::move(value), true};
-  }
-  return std::nullopt;
-}
-
-/// Of a singular mode without a motion at the force: a condition may be the same for all solutions, and violated.
-Rejection singular_rejection(const ModeSolution& s, const Rational& force) {
-  if (s.kind() == Kind::none || !s.continuum().solvable.contains(force)) return {s.mode(), std::nullopt, 0, false};
-  const std::vector<Condition> all = conditions(s.mode());
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const AffineForm& form = s.continuum().conditions()[i];
-    Rational value = form.constant + form.coefficients.back() * force;
-    if (is_free_of_unknowns(form) && sign(value) < 0) return {s.mode(), all[i], std::move(value), true};
-  }
-  return {s.mode(), std::nullopt, 0, true};
 }
 
 /// A continuum whose consistent motions at the force shrink to one, gives that one.
@@ -103,21 +80,16 @@ std::vector<Rational> breakpoints(const ModeTable& table) {
   return points;
 }
 
-/// What a mode gives at a force; with `rejected`, also why it gives nothing.
-void visit(const ModeSolution& s, const Rational& force, MotionsAtForce& result, bool rejected) {
-  const bool consistent = s.closed().contains(force);
+/// What a mode gives at a force.
+void visit(const ModeSolution& s, const Rational& force, MotionsAtForce& result) {
+  if (!s.closed().contains(force)) return;
   if (s.kind() == Kind::regular) {
-    if (consistent) {
-      add(result.motions, s.mode(), s.strict().contains(force), at(s.motion(), force));
-    } else if (rejected) {
-      if (auto rejection = first_violation(s, force)) result.rejected.push_back(std::move(*rejection));
-    }
+    add(result.motions, s.mode(), s.strict().contains(force), at(s.motion(), force));
     return;
   }
-  auto ranges = consistent ? s.continuum().parameter_ranges(force) : std::nullopt;
-  if (!ranges) {
-    if (rejected) result.rejected.push_back(singular_rejection(s, force));
-  } else if (auto motion = only_motion(s.continuum(), *ranges, force)) {
+  auto ranges = s.continuum().parameter_ranges(force);
+  if (!ranges) return;
+  if (auto motion = only_motion(s.continuum(), *ranges, force)) {
     add(result.motions, s.mode(), false, std::move(*motion));
   } else {
     result.continua.push_back({s.shared_continuum(), std::move(*ranges), s.strict().contains(force)});
@@ -128,7 +100,7 @@ Cell point_cell(const ModeTable& table, const Rational& force) {
   Cell cell;
   cell.forces = ForceInterval::point(force);
   MotionsAtForce found;
-  for (const ModeSolution& s : table.solutions()) visit(s, force, found, false);
+  for (const ModeSolution& s : table.solutions()) visit(s, force, found);
   for (auto& motion : found.motions) {
     Motion<Affine<Rational>> values;
     for (const Quantity q : all_quantities()) values[q] = motion.values[q];
@@ -182,7 +154,7 @@ Cell open_cell(const ModeTable& table, const ForceInterval& forces) {
 
 MotionsAtForce motions_at(const ModeTable& table, const Rational& force) {
   MotionsAtForce result;
-  for (const ModeSolution& s : table.solutions()) visit(s, force, result, true);
+  for (const ModeSolution& s : table.solutions()) visit(s, force, result);
   return result;
 }
 
@@ -192,16 +164,6 @@ MotionsAtForce motions_at(const ForcedScene<Rational>& s) {
 
 MotionsAtForce motions_at(const ForcedScene<double>& scene) {
   return motions_at(to_rational(scene));
-}
-
-std::string reason(const Rejection& r) {
-  if (r.violated) return name(*r.violated) + " is violated";
-  return r.solvable ? "no solution of its equations meets all conditions" : "its equations have no solution";
-}
-
-std::size_t Cell::strict_count() const {
-  return static_cast<std::size_t>(
-      std::count_if(motions.begin(), motions.end(), [](const auto& motion) { return motion.strict; }));
 }
 
 std::vector<Cell> partition(const ModeTable& table) {

@@ -3,7 +3,6 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "support/bicycle/forced_scene.hpp"
@@ -26,21 +25,9 @@ struct FoundContinuum {
   bool strict = false;
 };
 
-/// Why a mode has no motion at a force.
-struct Rejection {
-  ContactMode mode;
-  std::optional<Condition> violated;  ///< the first, by every solution of the mode's equations alike
-  Rational margin;                    ///< the left-hand side of that condition, negative
-  bool solvable = true;               ///< the equations have solutions; none of them meets all conditions
-};
-
-/// Why, in words: "N3 >= 0 is violated", "its equations have no solution", ...
-std::string reason(const Rejection& rejection);
-
 struct MotionsAtForce {
   std::vector<FoundMotion<Rational>> motions;
   std::vector<FoundContinuum> continua;
-  std::vector<Rejection> rejected;
 };
 
 /// Every motion at a force. A motion found through several modes is one motion.
@@ -56,8 +43,6 @@ struct Cell {
   ForceInterval forces;
   std::vector<FoundMotion<Affine<Rational>>> motions;
   std::vector<ContactMode> continua;
-
-  std::size_t strict_count() const;
 };
 
 /// The whole line of forces, from -oo to +oo, cut into points and open intervals.

@@ -31,8 +31,6 @@ class ReducedMotion {
   Quotient<V, T> quantity(Quantity q) const;
   /// Left-hand side of one of the mode's conditions, times something positive and the determinant.
   V condition_numerator(const Condition& condition) const;
-  /// The same over its denominator, which has the sign of the determinant.
-  Quotient<V, T> condition_value(const Condition& condition) const;
 
  private:
   /// alpha a + beta y + sigma S = gamma: what the contact state says of a wheel's tangential force. What is not there
@@ -269,23 +267,6 @@ V ReducedMotion<T, V>::condition_numerator(const Condition& c) const {
       return T(d_.fn * sigma) * N - d_.fd * S;
     default:
       return T(d_.fn * sigma) * N + d_.fd * S;
-  }
-}
-
-template <class T, class V>
-Quotient<V, T> ReducedMotion<T, V>::condition_value(const Condition& c) const {
-  const T& D = determinant_;
-  V numerator = condition_numerator(c);
-  switch (c.kind) {
-    case StateCondition::pushes:
-      return {std::move(numerator), D};
-    case StateCondition::opens:
-      return {std::move(numerator), airborne() ? T(d_.M * D) : D};
-    case StateCondition::slips_forward:
-    case StateCondition::slips_backward:
-      return {std::move(numerator), T(spin_unit(c.wheel) * D)};
-    default:
-      return {std::move(numerator), T(d_.fd * T((c.wheel == Wheel::rear ? rear_sigma_ : front_sigma_) * D))};
   }
 }
 

@@ -1,7 +1,5 @@
 #include "claims/meaning/random/shrink.hpp"
 
-#include <algorithm>
-
 namespace slipproof::meaning {
 
 namespace {

@@ -1,5 +1,4 @@
 // The two kinds of claims that proofs/MEANING.md gives paragraphs of their own: what `unique` leaves out, and `limit`.
-#include <algorithm>
 
 #include "claims/meaning/second_judge/second_judge.hpp"
 

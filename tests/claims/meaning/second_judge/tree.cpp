@@ -1,6 +1,5 @@
 #include "claims/meaning/second_judge/tree.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
 namespace slipproof::meaning {
