@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "base/output/json.hpp"
 #include "report/expected/expected.hpp"
 #include "report/expected/numbers.hpp"
 
@@ -58,9 +57,19 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 )text";
 
-/// JSON's escapes are C++'s, for text without control characters and surrogates.
+/// A string literal; bytes beyond ASCII stay as they are.
 std::string quoted(const std::string& text) {
-  return json_text(Json(text));
+  std::string literal = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      literal += std::string("\\") + c;
+    } else if ((c >= 0 && c < ' ') || c == '\x7f') {
+      literal += fmt::format("\\{:03o}", static_cast<int>(c));
+    } else {
+      literal += c;
+    }
+  }
+  return literal + '"';
 }
 
 std::string number(double nearest, const std::string& exact) {

@@ -111,6 +111,15 @@ TEST_CASE("a line of CSV for each quantity, with infinite ends where forces have
   }
 }
 
+TEST_CASE("texts with quotes, backslashes and control characters are told as they are") {
+  ExpectedAnswer answer = answer_of("one-motion/cube-tips");
+  answer.solved.scene.question = "a \"b\" \\ c\n\a\xc3\xa9?";
+  CHECK(expected_header({answer}).find("\"a \\\"b\\\" \\\\ c\\012\\007\xc3\xa9?\"") != std::string::npos);
+  CHECK(expected_pytest({answer}).find("\"a \\\"b\\\" \\\\ c\\n\\u0007\xc3\xa9?\"") != std::string::npos);
+  answer.id = "a,\"b\"";
+  CHECK(expected_csv({answer}).find("\n\"a,\"\"b\"\"\",1,lift/stick,strict,acceleration,ax,") != std::string::npos);
+}
+
 TEST_CASE("what cannot be expected is refused with its reason") {
   MechanismScene scene = read_scene(SLIPPROOF_SOURCE_DIR "/cases/mechanisms/asked/scenes/block-pushed.toml");
   CHECK_THROWS_WITH_AS(expected_answer(scene, "block"), doctest::Contains("block: found no value of the load F"),
