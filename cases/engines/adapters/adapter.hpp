@@ -1,0 +1,182 @@
+// What adapters in C++ share: reads the lines, gives each scene to the engine, writes the answers. A scene comes as the
+// driver's `world` (asking/world.py): everything in the axes of the scene; body 0 is the ground.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace engines {
+
+using Json = nlohmann::json;
+using Vector = std::array<double, 2>;
+
+struct Body {
+  std::string name;
+  Vector at{}, velocity{}, acceleration{}, force{};
+  double spin = 0, turning = 0, mass = 0, inertia = 0, torque = 0;
+  bool is_free = false;  ///< has a mass; if not, moves by `acceleration`
+  bool turns = false;    ///< has an inertia; if not, turns by `turning`
+  Json names{};
+
+  bool is_ground() const { return name == "ground"; }
+  bool is_prescribed() const { return !is_free && !turns; }
+  /// How a body that moves as prescribed moves at the end of a step.
+  Vector velocity_after(double step) const {
+    return {velocity[0] + step * acceleration[0], velocity[1] + step * acceleration[1]};
+  }
+  double spin_after(double step) const { return spin + step * turning; }
+};
+
+struct Contact {
+  std::string name;
+  std::size_t of = 0, on = 0;
+  Vector at{}, normal{}, tangent{};
+  double radius = 0, friction = 0;
+  std::vector<std::string> forces;
+};
+
+struct Joint {
+  std::string name, kind;
+  std::size_t first = 0, second = 0, carrier = 0;
+  Vector at{}, to{}, axis{};
+  double length = 0, ratio = 0;
+  bool one_sided = false;
+  std::vector<std::string> forces{};
+};
+
+/// A brake or a clutch.
+struct Friction {
+  std::size_t first = 0, second = 0;
+  double limit = 0;
+  std::string force;
+};
+
+struct Question {
+  Vector gravity{};
+  double size = 1, step = 0;
+  int iterations = 0;  ///< 0: the engine's default
+  std::vector<Body> bodies{};
+  std::vector<Contact> contacts{};
+  std::vector<Joint> joints{};
+  std::vector<Friction> friction{};
+
+  Vector arm(std::size_t body, const Vector& point) const {
+    return {point[0] - bodies[body].at[0], point[1] - bodies[body].at[1]};
+  }
+};
+
+struct Answer {
+  std::vector<std::array<double, 3>> velocity;  ///< of each body after the step: x, y, counterclockwise
+  std::map<std::string, double> forces;
+  bool tells_forces = true;
+  Json settings = Json::object();
+
+  /// Of a contact: along its normal and its tangent.
+  void push(const Contact& contact, double normal, double tangent) {
+    if (!contact.forces.empty()) forces[contact.forces[0]] += normal;
+    if (contact.forces.size() > 1) forces[contact.forces[1]] += tangent;
+  }
+};
+
+/// Why an engine cannot have a scene.
+struct Refused : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct Engine {
+  std::string name, version, law;
+  std::function<Answer(const Question&)> ask;
+};
+
+inline Vector vector(const Json& given) { return {given[0], given[1]}; }
+inline double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1]; }
+
+inline Body read_body(const Json& given) {
+  Body body{given["name"], vector(given["at"]), vector(given["velocity"])};
+  body.force = vector(given["force"]);
+  body.torque = given["torque"], body.spin = given["spin"], body.names = given["names"];
+  if ((body.is_free = given.contains("mass"))) body.mass = given["mass"];
+  if ((body.turns = given.contains("inertia"))) body.inertia = given["inertia"];
+  if (!body.is_free) body.acceleration = vector(given["acceleration"]);
+  if (!body.turns) body.turning = given["turning"];
+  return body;
+}
+
+inline Contact read_contact(const Json& given) {
+  return {given["name"],           given["of"],     given["on"],       vector(given["at"]), vector(given["normal"]),
+          vector(given["tangent"]), given["radius"], given["friction"], given["forces"]};
+}
+
+inline Joint read_joint(const Json& given) {
+  Joint joint{given["name"], given["kind"], given["first"], given["second"]};
+  joint.forces = given["forces"];
+  if (joint.kind == "gear") {
+    joint.ratio = given["ratio"], joint.carrier = given["carrier"], joint.one_sided = given["one_sided"];
+    return joint;
+  }
+  joint.at = vector(given["at"]), joint.to = vector(given["to"]);
+  if (given.contains("axis")) joint.axis = vector(given["axis"]);
+  if (given.contains("length")) joint.length = given["length"];
+  return joint;
+}
+
+inline Question read_question(const Json& line) {
+  const Json &ask = line.at("ask"), &world = ask.at("world");
+  Question q{vector(world["gravity"]), world["size"], ask["step"]};
+  if (!ask["iterations"].is_null()) q.iterations = ask["iterations"];
+  for (const Json& one : world["bodies"]) q.bodies.push_back(read_body(one));
+  for (const Json& one : world["contacts"]) q.contacts.push_back(read_contact(one));
+  for (const Json& one : world["joints"]) q.joints.push_back(read_joint(one));
+  for (const Json& one : world["friction"])
+    q.friction.push_back({one["first"], one["second"], one["limit"], one["force"]});
+  return q;
+}
+
+/// Accelerations by the names of the unknowns.
+inline Json motion(const Question& q, const Answer& answer) {
+  Json result = Json::object();
+  for (std::size_t i = 1; i < q.bodies.size(); ++i) {
+    const Body& body = q.bodies[i];
+    const std::array<double, 3> before{body.velocity[0], body.velocity[1], body.spin};
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (body.names[k].is_null()) continue;
+      result[body.names[k][0]] = body.names[k][1].get<double>() * (answer.velocity[i][k] - before[k]) / q.step;
+    }
+  }
+  return result;
+}
+
+inline Json answer_to(const Engine& engine, const Json& line) {
+  Json result{{"schema", "slipproof/engine-answer/1"}, {"engine", engine.name}, {"version", engine.version}};
+  result["scene"] = line["name"];
+  try {
+    const Question question = read_question(line);
+    const Answer answer = engine.ask(question);
+    result["settings"] = answer.settings;
+    result["settings"]["step"] = question.step;
+    result["motion"] = motion(question, answer);
+    result["forces"] = answer.tells_forces ? Json(answer.forces) : Json();
+    result["law"] = engine.law;
+  } catch (const Refused& refused) {
+    result["refused"] = refused.what();
+  }
+  return result;
+}
+
+/// Answers all lines of standard input; for `main`.
+inline int run(const Engine& engine) {
+  for (std::string line; std::getline(std::cin, line);) {
+    std::cout << answer_to(engine, Json::parse(line)).dump() << std::endl;
+  }
+  return 0;
+}
+
+}  // namespace engines

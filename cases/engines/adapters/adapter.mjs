@@ -1,0 +1,80 @@
+// What adapters in JavaScript share: reads the lines, gives each scene to the engine, writes the answers. A scene comes
+// as the driver's `world` (asking/world.py): everything in the axes of the scene; body 0 is the ground.
+import { createInterface } from "node:readline";
+import { readFileSync } from "node:fs";
+import { pathToFileURL } from "node:url";
+import { createRequire } from "node:module";
+
+/** Why an engine cannot have a scene. */
+export class Refused extends Error {}
+
+const require = createRequire(pathToFileURL(`${process.cwd()}/`)); // packages are where the driver starts adapters
+
+/** A package of npm: its module and its version. */
+export async function engine(name) {
+  const path = require.resolve(name);
+  const root = path.slice(0, path.lastIndexOf(`/node_modules/${name}/`)) + `/node_modules/${name}`;
+  const { version } = JSON.parse(readFileSync(`${root}/package.json`, "utf8"));
+  const module = await import(pathToFileURL(path));
+  return { version, root, module: module.default ?? module };
+}
+
+export const dot = (a, b) => a[0] * b[0] + a[1] * b[1];
+
+/** Whether a body is free, turns freely, or moves as prescribed, and how it moves after the step where prescribed. */
+function withKind(body, step) {
+  const free = "mass" in body, turns = "inertia" in body;
+  const after = free ? body.velocity : body.velocity.map((v, i) => v + step * body.acceleration[i]);
+  return { ...body, free, turns, prescribed: !free && !turns, velocity: body.velocity, velocityAfter: after,
+           spinAfter: turns ? body.spin : body.spin + step * body.turning };
+}
+
+function question(line) {
+  const { step, iterations, world } = line.ask;
+  const bodies = world.bodies.map((body) => withKind(body, step));
+  const arm = (body, point) => point.map((p, i) => p - bodies[body].at[i]);
+  // The disc and the face that touch in a contact, for engines that find contacts themselves: of the contact's own
+  // radius, or small; the face is as wide and as thick as the disc.
+  const contacts = world.contacts.map((c) => {
+    const radius = c.radius > 0 ? c.radius : 0.05 * world.size;
+    return { ...c, disc: radius, centre: arm(c.of, c.at.map((p, i) => p + radius * c.normal[i])), face: arm(c.on, c.at) };
+  });
+  return { ...world, step, iterations, bodies, contacts, arm };
+}
+
+/** Accelerations by the names of the unknowns, from the velocities after the step. */
+function motion(q, velocities) {
+  const named = q.bodies.slice(1).flatMap((body, i) => {
+    const before = [...body.velocity, body.spin];
+    return body.names.flatMap((name, k) =>
+      name ? [[name[0], (name[1] * (velocities[i + 1][k] - before[k])) / q.step]] : []);
+  });
+  return Object.fromEntries(named);
+}
+
+/** Forces by their names, from [normal, tangential] of each contact; null where the engine tells none. */
+function forces(q, pairs) {
+  if (!pairs) return null;
+  return Object.fromEntries(q.contacts.flatMap((c, i) => c.forces.map((name, k) => [name, pairs[i][k]])));
+}
+
+function answer({ name, version, law, ask }, line) {
+  const head = { schema: "slipproof/engine-answer/1", engine: name, version, scene: line.name };
+  const q = question(line);
+  try {
+    const { velocities, contacts, settings } = ask(q);
+    return { ...head, settings: { ...settings, step: q.step }, motion: motion(q, velocities),
+             forces: forces(q, contacts), law };
+  } catch (error) {
+    if (error instanceof Refused) return { ...head, refused: error.message };
+    throw error;
+  }
+}
+
+/** Answers all lines of standard input. `ask(q)` gives `velocities`, [x, y, spin] of each body after the step,
+ * `contacts`, [normal, tangential] force of each contact or null, and `settings`. */
+export async function run(adapter) {
+  for await (const line of createInterface({ input: process.stdin })) {
+    process.stdout.write(`${JSON.stringify(answer(adapter, JSON.parse(line)))}\n`);
+  }
+}

@@ -1,0 +1,151 @@
+// Open Dynamics Engine: one step, by dWorldStep (Dantzig's method) or, with the argument `quick`, by dWorldQuickStep
+// (sweeps). Contacts are handed over as contact joints; dContactApprox1 bounds friction by mu times the normal force,
+// in two directions, of which the one out of the plane has none here: nothing pushes bodies out of their plane, and
+// constraints that say so again would make the matrix singular. Plane2D joints hold what may not turn or not move.
+#include <ode/ode.h>
+
+#include <deque>
+
+#include "adapter.hpp"
+
+using namespace engines;
+
+namespace {
+
+class Scene {
+ public:
+  explicit Scene(const Question& q) : q_(q) {
+    dWorldSetGravity(world_, q.gravity[0], q.gravity[1], 0);
+    dWorldSetERP(world_, 0);
+    for (const Body& body : q.bodies) add(body);
+    for (const Joint& joint : q.joints) add(joint);
+    for (const Friction& brake : q.friction) add(brake);
+    for (const Contact& contact : q.contacts) add(contact);
+  }
+  ~Scene() {
+    dJointGroupDestroy(joints_);
+    dWorldDestroy(world_);
+  }
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  Answer step(bool quick) {
+    Answer answer;
+    if (quick && q_.iterations > 0) dWorldSetQuickStepNumIterations(world_, q_.iterations);
+    if (quick) {
+      dWorldQuickStep(world_, q_.step);
+      answer.settings["iterations"] = dWorldGetQuickStepNumIterations(world_);
+    } else {
+      dWorldStep(world_, q_.step);
+    }
+    answer.settings["CFM"] = dWorldGetCFM(world_);
+    for (dBodyID body : bodies_) {
+      const dReal zero[3] = {0, 0, 0};
+      const dReal *v = body ? dBodyGetLinearVel(body) : zero, *w = body ? dBodyGetAngularVel(body) : zero;
+      answer.velocity.push_back({v[0], v[1], w[2]});
+    }
+    for (std::size_t i = 0; i < q_.contacts.size(); ++i) {
+      const Vector f{feedback_[i].f1[0], feedback_[i].f1[1]};
+      answer.push(q_.contacts[i], dot(f, q_.contacts[i].normal), dot(f, q_.contacts[i].tangent));
+    }
+    return answer;
+  }
+
+ private:
+  void add(const Body& body) {
+    if (body.is_ground()) {
+      bodies_.push_back(nullptr);
+      return;
+    }
+    dBodyID b = dBodyCreate(world_);
+    bodies_.push_back(b);
+    dBodySetPosition(b, body.at[0], body.at[1], 0);
+    const Vector v = body.is_free ? body.velocity : body.velocity_after(q_.step);
+    dBodySetLinearVel(b, v[0], v[1], 0);
+    dBodySetAngularVel(b, 0, 0, body.turns ? body.spin : body.spin_after(q_.step));
+    if (body.is_prescribed()) return dBodySetKinematic(b);
+    const double i = body.turns ? body.inertia : 1;
+    dMass mass;
+    dMassSetParameters(&mass, body.is_free ? body.mass : 1, 0, 0, 0, i, i, i, 0, 0, 0);
+    dBodySetMass(b, &mass);
+    dBodySetGyroscopicMode(b, 0);
+    dBodyAddForce(b, body.force[0], body.force[1], 0);
+    dBodyAddTorque(b, 0, 0, body.torque);
+    if (body.is_free && body.turns) return;
+    dJointID plane = dJointCreatePlane2D(world_, joints_);
+    dJointAttach(plane, b, nullptr);
+    if (!body.turns) {
+      dJointSetPlane2DAngleParam(plane, dParamVel, body.spin_after(q_.step));
+      dJointSetPlane2DAngleParam(plane, dParamFMax, dInfinity);
+    }
+    if (!body.is_free) {
+      dJointSetPlane2DXParam(plane, dParamVel, v[0]), dJointSetPlane2DXParam(plane, dParamFMax, dInfinity);
+      dJointSetPlane2DYParam(plane, dParamVel, v[1]), dJointSetPlane2DYParam(plane, dParamFMax, dInfinity);
+    }
+  }
+
+  void add(const Joint& joint) {
+    dBodyID first = bodies_[joint.first], second = bodies_[joint.second];
+    if (joint.kind == "pin") {
+      dJointID j = dJointCreateHinge(world_, joints_);
+      dJointAttach(j, first, second);
+      dJointSetHingeAnchor(j, joint.at[0], joint.at[1], 0);
+      dJointSetHingeAxis(j, 0, 0, 1);
+    } else if (joint.kind == "slider") {
+      dJointID j = dJointCreateSlider(world_, joints_);
+      dJointAttach(j, first, second);
+      dJointSetSliderAxis(j, joint.axis[0], joint.axis[1], 0);
+    } else if (joint.kind == "weld") {
+      dJointID j = dJointCreateFixed(world_, joints_);
+      dJointAttach(j, first, second);
+      dJointSetFixed(j);
+    } else if (joint.kind == "rod") {
+      dJointID j = dJointCreateDBall(world_, joints_);
+      dJointAttach(j, first, second);
+      dJointSetDBallAnchor1(j, joint.at[0], joint.at[1], 0);
+      dJointSetDBallAnchor2(j, joint.to[0], joint.to[1], 0);
+    } else {
+      throw Refused("ODE has no " + joint.kind);
+    }
+  }
+
+  void add(const Friction& brake) {
+    dJointID motor = dJointCreateAMotor(world_, joints_);
+    dJointAttach(motor, bodies_[brake.first], bodies_[brake.second]);
+    dJointSetAMotorNumAxes(motor, 1);
+    dJointSetAMotorAxis(motor, 0, 0, 0, 0, 1);
+    dJointSetAMotorParam(motor, dParamVel, 0);
+    dJointSetAMotorParam(motor, dParamFMax, brake.limit);
+  }
+
+  void add(const Contact& contact) {
+    dContact given{};
+    given.surface.mode = dContactFDir1 | dContactApprox1 | dContactMu2;
+    given.surface.mu = contact.friction;
+    for (int i = 0; i < 2; ++i) {
+      given.geom.pos[i] = contact.at[i], given.geom.normal[i] = contact.normal[i], given.fdir1[i] = contact.tangent[i];
+    }
+    dJointID joint = dJointCreateContact(world_, joints_, &given);
+    dJointAttach(joint, bodies_[contact.of], bodies_[contact.on]);
+    feedback_.emplace_back();
+    dJointSetFeedback(joint, &feedback_.back());
+  }
+
+  const Question& q_;
+  dWorldID world_ = dWorldCreate();
+  dJointGroupID joints_ = dJointGroupCreate(0);
+  std::vector<dBodyID> bodies_;
+  std::deque<dJointFeedback> feedback_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const bool quick = argc > 1 && std::string(argv[1]) == "quick";
+  dInitODE();
+  return run({quick ? "ode-quick" : "ode", ENGINE_VERSION,
+              quick ? "cone, by sweeps; the first step from rest"
+                    : "friction bounded by mu times the normal force that the contacts would have without friction; the "
+                      "first step from rest",
+              [&](const Question& q) { return Scene(q).step(quick); }});
+}
