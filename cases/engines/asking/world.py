@@ -144,15 +144,19 @@ def world(scene):
 
 
 def step_of(built):
-    """A millisecond, or less where bodies would move or turn by much within it."""
-    fastest = math.hypot(*built["gravity"])
+    """A step of games, 1/60 s, or a shorter one in which no body moves by more than about a hundredth of the size, and
+    no velocity that is there at the start changes by more than that part of it."""
+    size, gravity = built["size"], math.hypot(*built["gravity"])
+    fastest, speed = gravity, 0
     for body in built["bodies"]:
-        weight = body.get("mass", 0) * math.hypot(*built["gravity"])
-        push = math.hypot(*body["force"]) + weight
+        push = math.hypot(*body["force"]) + body.get("mass", 0) * gravity
         if body.get("mass"):
             fastest = max(fastest, push / body["mass"])
         if body.get("inertia"):
-            fastest = max(fastest, (abs(body["torque"]) + push * built["size"]) / body["inertia"] * built["size"])
-    if not fastest:
-        return 1e-3
-    return min(1e-3, 10.0 ** math.floor(math.log10(0.01 * math.sqrt(built["size"] / fastest))))
+            fastest = max(fastest, (abs(body["torque"]) + push * size) / body["inertia"] * size)
+        speed = max(speed, math.hypot(*body["velocity"]), abs(body["spin"]) * size)
+    limits = [0.1 * math.sqrt(size / fastest)] if fastest else []
+    if speed:
+        limits += [0.01 * size / speed] + ([0.01 * speed / fastest] if fastest else [])
+    shortest = min(limits, default=1)
+    return 1 / 60 if shortest >= 1 / 60 else 10.0 ** math.floor(math.log10(shortest))

@@ -1,0 +1,94 @@
+// Rapier in binary32, in the plane or, with the argument 3d, in space, where nothing pushes bodies out of their plane, and
+// they are not locked to it: friction out of the plane would have no mass to act on. Contacts are found by the engine, between a ball on one body and a box on the other that meet in the contact's point and nothing
+// else. The default is 4 solver iterations, which are substeps.
+import { Refused, engine, run, dot } from "./adapter.mjs";
+
+const space = process.argv[2] === "3d";
+const { module: rapier, version } = await engine(`@dimforge/rapier${space ? 3 : 2}d-compat`);
+const { log } = console;
+console.log = console.warn = () => {}; // a notice while it loads
+await rapier.init();
+console.log = log;
+
+const vec = ([x, y]) => (space ? { x, y, z: 0 } : { x, y });
+const upright = space ? { x: 0, y: 0, z: 0, w: 1 } : 0;
+
+function addBody(world, body, step) {
+  const desc = body.prescribed ? rapier.RigidBodyDesc.kinematicVelocityBased() : rapier.RigidBodyDesc.dynamic();
+  const at = space ? [...body.at, 0] : body.at, velocity = space ? [...body.velocityAfter, 0] : body.velocityAfter;
+  desc.setTranslation(...at).setLinvel(...velocity).setCanSleep(false);
+  desc.setAngvel(space ? { x: 0, y: 0, z: body.spinAfter } : body.spinAfter);
+  const made = world.createRigidBody(desc);
+  if (body.prescribed) return made;
+  if (!body.free && body.acceleration.some((a) => a !== 0)) throw new Refused("an axle that accelerates as prescribed");
+  if (!body.free) made.lockTranslations(true, true);
+  if (!body.turns) made.lockRotations(true, true);
+  const mass = body.mass ?? 1, inertia = body.inertia ?? 1;
+  if (space) made.setAdditionalMassProperties(mass, vec([0, 0]), { x: inertia, y: inertia, z: inertia }, upright, true);
+  else made.setAdditionalMassProperties(mass, vec([0, 0]), inertia, true);
+  made.addForce(vec(body.force), true);
+  made.addTorque(space ? { x: 0, y: 0, z: body.torque } : body.torque, true);
+  return made;
+}
+
+/** Pairs of colliders are let through by hooks, which know of which contact each is. */
+function addContact(world, bodies, contact) {
+  const r = contact.disc, [nx, ny] = contact.normal, angle = Math.atan2(-nx, ny);
+  const turned = space ? { x: 0, y: 0, z: Math.sin(angle / 2), w: Math.cos(angle / 2) } : angle;
+  const add = (desc, at, body) => world.createCollider(
+    desc.setTranslation(...at, ...(space ? [0] : [])).setDensity(0).setFriction(contact.friction)
+      .setActiveHooks(rapier.ActiveHooks.FILTER_CONTACT_PAIRS)
+      .setActiveCollisionTypes(rapier.ActiveCollisionTypes.ALL), bodies[body]).handle;
+  const box = rapier.ColliderDesc.cuboid(r, r, r).setRotation(turned);
+  return [add(rapier.ColliderDesc.ball(r + contact.overlap), contact.centre, contact.of),
+          add(box, contact.face.map((p, i) => p - r * contact.normal[i]), contact.on)];
+}
+
+function addJoint(world, bodies, joint, q) {
+  const at = vec(q.arm(joint.first, joint.at)), to = vec(q.arm(joint.second, joint.to));
+  const same = vec(q.arm(joint.second, joint.at)), { JointData } = rapier;
+  const data = {
+    pin: () => (space ? JointData.revolute(at, same, { x: 0, y: 0, z: 1 }) : JointData.revolute(at, same)),
+    slider: () => JointData.prismatic(at, same, vec(joint.axis)),
+    weld: () => JointData.fixed(at, upright, same, upright),
+    rope: () => JointData.rope(joint.length, at, to),
+  }[joint.kind];
+  if (!data) throw new Refused(`Rapier has no ${joint.kind} of this kind`);
+  world.createImpulseJoint(data(), bodies[joint.first], bodies[joint.second], true);
+}
+
+/** [normal, tangential] force of each contact. In space Rapier does not tell along which directions friction counts. */
+function told(world, q, colliders) {
+  return q.contacts.map((contact, i) => {
+    let pair = [0, 0];
+    world.contactPair(...colliders[i].map((handle) => world.getCollider(handle)), (manifold, flipped) => {
+      if (manifold.numContacts() !== 1) throw new Error(`contact ${i} has ${manifold.numContacts()} points, expected 1`);
+      const { x, y } = manifold.normal();
+      const along = dot([y, -x], contact.tangent);
+      pair = [manifold.contactImpulse(0) / q.step, (along * manifold.contactTangentImpulse(0)) / q.step];
+    });
+    return pair;
+  });
+}
+
+function ask(q) {
+  if (q.friction.length > 0) throw new Refused("brakes and clutches");
+  const world = new rapier.World(vec(q.gravity));
+  const bodies = q.bodies.map((body) => addBody(world, body));
+  const colliders = q.contacts.map((contact) => addContact(world, bodies, contact));
+  q.joints.forEach((joint) => addJoint(world, bodies, joint, q));
+  world.timestep = q.step;
+  if (q.iterations) world.integrationParameters.numSolverIterations = q.iterations;
+  const of = new Map(colliders.flatMap((pair, i) => pair.map((handle) => [handle, i])));
+  const filterContactPair = (a, b) => (of.get(a) === of.get(b) ? rapier.SolverFlags.COMPUTE_IMPULSE : null);
+  world.step(new rapier.EventQueue(true), { filterContactPair, filterIntersectionPair: () => false });
+  const velocities = bodies.map((b) => [b.linvel().x, b.linvel().y, space ? b.angvel().z : b.angvel()]);
+  const { numSolverIterations, numInternalPgsIterations } = world.integrationParameters;
+  const settings = { numSolverIterations, numInternalPgsIterations };
+  const contacts = space ? null : told(world, q, colliders);
+  world.free();
+  return { velocities, contacts, settings };
+}
+
+await run({ name: space ? "rapier3d" : "rapier2d", version, ask,
+            law: `cone, by substeps with soft contacts${space ? "; in space" : ""}; the first step from rest` });
