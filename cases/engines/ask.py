@@ -1,0 +1,140 @@
+#!/usr/bin/env python3
+"""Asks physics engines the scenes of this folder and records what they answer: see ENGINES.md."""
+
+import argparse
+import datetime
+import json
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from asking.engines import HERE, Asked, Failed, NotAsked, table
+from asking.scenes import scenes_of
+from asking.threshold import Bisection
+from asking.world import Refused
+
+
+class Interview:
+    """One engine and all scenes."""
+
+    def __init__(self, engine, limit, date):
+        self.engine, self.limit, self.date = engine, limit, date
+
+    def lines(self, scenes):
+        with Asked(self.engine, self.limit) as asked:
+            self.asked = asked
+            for scene in scenes:
+                yield from self.about(scene)
+
+    def settings(self):
+        """What is asked, and the iterations for it."""
+        yield "", None
+        if self.engine.many:
+            yield "many iterations", self.engine.many
+
+    def about(self, scene):
+        for name, iterations in self.settings():
+            yield self.kept(scene, name or "default", lambda: self.one(scene, iterations)[1])
+        if not scene.expected or not scene.expected["threshold"]:
+            return
+        for name, iterations in self.settings():
+            asked = "threshold" + (f", {name}" if name else "")
+            yield self.kept(scene, asked, lambda: self.threshold(scene, iterations))
+
+    def one(self, scene, iterations, *settings):
+        question = scene.question(iterations, *settings)
+        question["ask"]["problem"] = scene.problem(*settings) if self.engine.given.get("problem") else None
+        answer = self.asked.answer(question)
+        if "refused" in answer:
+            raise Refused(answer["refused"])
+        if any(value is None or value != value for value in answer["motion"].values()):
+            raise Failed("an acceleration that is no number")
+        return question, answer
+
+    def threshold(self, scene, iterations):
+        answers = []
+
+        def ask(setting):
+            question, answer = self.one(scene, iterations, setting)
+            answers.append(answer)
+            return question, answer
+
+        bisection = Bisection(scene, ask)
+        at, within = bisection.run()
+        kept = {key: answers[-1][key] for key in ("version", "settings", "law")}
+        return kept | {"parameter": bisection.parameter, "changes_at": at, "within": within}
+
+    def kept(self, scene, asked, answer):
+        """A line of the record, whatever happens."""
+        head = {"schema": "slipproof/engine-answer/1", "engine": self.engine.name, "scene": scene.name, "asked": asked,
+                "date": self.date}
+        try:
+            return head | {key: value for key, value in answer().items() if key not in head}
+        except Refused as reason:
+            return head | {"refused": str(reason)}
+        except Failed as reason:
+            return head | {"failed": str(reason)}
+
+
+def interview(engine, arguments, scenes, date):
+    """Writes the answers of an engine, and gives a line of the summary."""
+    try:
+        engine.prepare(arguments.folder)
+    except NotAsked as reason:
+        return f"{engine.name:12} not asked: {reason}"
+    lines = list(Interview(engine, arguments.limit, date).lines(scenes))
+    lines.sort(key=lambda line: (line["scene"], line["asked"]))
+    file = arguments.answers / f"{engine.name}.jsonl"
+    new = file.with_suffix(".new")
+    new.write_text("".join(json.dumps(line) + "\n" for line in lines))
+    new.replace(file)
+    return f"{engine.name:12} {counted(lines)}"
+
+
+def counted(lines):
+    def count(asked):
+        mine = [line for line in lines if line["asked"] == asked]
+        bad = {word: sum(word in line for line in mine) for word in ("refused", "failed")}
+        return f"{asked} {len(mine) - sum(bad.values())}/{len(mine)}" + (f" ({bad['failed']} failed)" if bad["failed"] else "")
+    return "; ".join(count(asked) for asked in dict.fromkeys(line["asked"] for line in lines))
+
+
+def arguments_of(words):
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("engines", nargs="*", metavar="ENGINE", help="who is asked; all, if nobody is named")
+    parser.add_argument("--slipproof", default="slipproof", help="the program")
+    parser.add_argument("--folder", type=Path, default=Path("build/engines"), help="where adapters are built and packages of npm are")
+    parser.add_argument("--scenes", type=Path, default=HERE, help="a folder with scenes/ and expected/")
+    parser.add_argument("--only", default="", metavar="TEXT", help="only scenes whose CLASS/NAME contains this")
+    parser.add_argument("--answers", type=Path, default=HERE / "answers", help="where ENGINE.jsonl are written")
+    parser.add_argument("--limit", type=float, default=20, help="seconds for one answer")
+    parser.add_argument("--jobs", type=int, default=2, help="engines that are asked at the same time")
+    parser.add_argument("--table", type=Path, default=HERE / "engines.toml", help="the engines")
+    return parser.parse_args(words)
+
+
+def main(words):
+    arguments = arguments_of(words)
+    engines = table(arguments.table)
+    unknown = [name for name in arguments.engines if name not in engines]
+    if unknown:
+        print(f"ask.py: found {unknown[0]}, expected one of {', '.join(engines)}", file=sys.stderr)
+        return 2
+    arguments.folder = arguments.folder.resolve()
+    arguments.folder.mkdir(parents=True, exist_ok=True)
+    arguments.answers.mkdir(parents=True, exist_ok=True)
+    scenes = [scene for scene in scenes_of(arguments.scenes, arguments.slipproof) if arguments.only in scene.name]
+    if not scenes:
+        print(f"ask.py: found no scenes in {arguments.scenes / 'scenes'}", file=sys.stderr)
+        return 3
+    date = datetime.date.today().isoformat()
+    asked = [engines[name] for name in arguments.engines or engines]
+    print(f"{len(scenes)} scenes; answered/asked:")
+    with ThreadPoolExecutor(arguments.jobs) as crew:
+        for line in crew.map(lambda engine: interview(engine, arguments, scenes, date), asked):
+            print(line, flush=True)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,59 @@
+"""Scenes as questions: exported by slipproof at any value of a parameter."""
+
+import functools
+import json
+import subprocess
+import tempfile
+from fractions import Fraction
+from pathlib import Path
+
+from .world import Refused, step_of, world
+
+
+class Scene:
+    def __init__(self, file, program, expected=None):
+        self.file, self.program = Path(file), program
+        self.name = f"{self.file.parent.name}/{self.file.stem}"
+        self.expected = expected
+
+    @functools.lru_cache(maxsize=4096)
+    def bodies(self, *settings):
+        """The scene in numbers, at NAME=VALUE settings; by the words of slipproof, or Refused."""
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "scene.json"
+            told = subprocess.run([self.program, "export", str(self.file), "--bodies", "-o", str(file),
+                                   *(word for setting in settings for word in ("--set", setting))],
+                                  capture_output=True, text=True)
+            if told.returncode:
+                raise Refused(f"slipproof export: {told.stderr.strip()}")
+            return json.loads(file.read_text())
+
+    @functools.lru_cache(maxsize=4096)
+    def problem(self, *settings):
+        """Its contact problem, for solvers that have no bodies."""
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "problem.json"
+            told = subprocess.run([self.program, "export", str(self.file), "-o", str(file)], capture_output=True, text=True)
+            if told.returncode or settings:
+                raise Refused(f"slipproof export: {told.stderr.strip()}")
+            return json.loads(file.read_text())
+
+    def question(self, iterations, *settings):
+        """A line for an adapter. Raises Refused."""
+        scene = self.bodies(*settings)
+        built = world(scene)
+        return scene | {"ask": {"step": step_of(built), "iterations": iterations, "world": built}}
+
+
+def scenes_of(folder, program):
+    """All scenes below a folder, sorted by class and name, with what is expected of them where that is recorded."""
+    result = []
+    for file in sorted((folder / "scenes").glob("*/*.toml")):
+        expected = folder / "expected" / file.parent.name / f"{file.stem}.json"
+        result.append(Scene(file, program, json.loads(expected.read_text()) if expected.exists() else None))
+    return result
+
+
+def exact(number):
+    """A number of slipproof/expected/1: exactly, or, if it is algebraic, the nearest double."""
+    return Fraction(number["exact"] if "exact" in number else number["double"])
