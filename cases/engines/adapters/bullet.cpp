@@ -1,0 +1,158 @@
+// Bullet in binary64: one step of btDiscreteDynamicsWorld, sequential impulses, 10 iterations by default. Contacts are
+// handed over as points of manifolds, so that they are those of the scene. Bodies move in the plane only. What pushes is
+// added to the velocities before the step: Bullet's friction does not see a couple that is applied in the same step. With
+// the argument `applied` it is applied as force and couple, as programs do.
+#include <btBulletDynamicsCommon.h>
+
+#include <memory>
+
+#include "adapter.hpp"
+
+using namespace engines;
+
+namespace {
+
+btVector3 vec(const Vector& v) { return {v[0], v[1], 0}; }
+
+/// A world whose contacts are given.
+class GivenContacts : public btDiscreteDynamicsWorld {
+ public:
+  using btDiscreteDynamicsWorld::btDiscreteDynamicsWorld;
+  void performDiscreteCollisionDetection() override {}
+};
+
+class Scene {
+ public:
+  Scene(const Question& q, bool applied) : q_(q), applied_(applied) {
+    world_.setGravity(applied ? vec(q.gravity) : btVector3(0, 0, 0));
+    for (const Body& body : q.bodies) add(body);
+    for (const Joint& joint : q.joints) add(joint);
+    for (const Friction& brake : q.friction) add(brake);
+    for (const Contact& contact : q.contacts) add(contact);
+  }
+  ~Scene() {
+    for (auto& joint : joints_) world_.removeConstraint(joint.get());
+    for (auto& body : bodies_) world_.removeRigidBody(body.get());
+    for (btPersistentManifold* manifold : manifolds_) dispatcher_.releaseManifold(manifold);
+  }
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  Answer step() {
+    btContactSolverInfo& info = world_.getSolverInfo();
+    if (q_.iterations > 0) info.m_numIterations = q_.iterations, info.m_leastSquaresResidualThreshold = 0;
+    Answer answer;
+    answer.settings["iterations"] = info.m_numIterations;
+    world_.stepSimulation(q_.step, 1, q_.step);
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      const btVector3 v = bodies_[i]->getLinearVelocity(), w = bodies_[i]->getAngularVelocity();
+      answer.velocity.push_back({v.x(), v.y(), w.z()});
+    }
+    for (std::size_t i = 0; i < q_.contacts.size(); ++i) {
+      const btManifoldPoint& point = manifolds_[i]->getContactPoint(0);
+      const Vector along{point.m_lateralFrictionDir1.x(), point.m_lateralFrictionDir1.y()};
+      answer.push(q_.contacts[i], point.m_appliedImpulse / q_.step,
+                  dot(along, q_.contacts[i].tangent) * point.m_appliedImpulseLateral1 / q_.step);
+    }
+    return answer;
+  }
+
+ private:
+  void add(const Body& body) {
+    const double mass = body.is_prescribed() ? 0 : body.is_free ? body.mass : 1, inertia = body.turns ? body.inertia : 1;
+    btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, &shape_, btVector3(inertia, inertia, inertia));
+    info.m_startWorldTransform.setIdentity();
+    info.m_startWorldTransform.setOrigin(vec(body.at));
+    bodies_.push_back(std::make_unique<btRigidBody>(info));
+    btRigidBody& made = *bodies_.back();
+    made.setActivationState(DISABLE_DEACTIVATION);
+    made.setLinearFactor(body.is_free ? btVector3(1, 1, 0) : btVector3(0, 0, 0));
+    made.setAngularFactor(body.turns ? btVector3(0, 0, 1) : btVector3(0, 0, 0));
+    if (body.is_prescribed() && !body.is_ground()) made.setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
+    if (!body.is_free && !body.is_prescribed() && (body.acceleration[0] != 0 || body.acceleration[1] != 0))
+      throw Refused("an axle that accelerates as prescribed");
+    world_.addRigidBody(&made, 0, 0);
+    made.setLinearVelocity(vec(body.is_free ? body.velocity : body.velocity_after(q_.step)));
+    made.setAngularVelocity({0, 0, body.turns ? body.spin : body.spin_after(q_.step)});
+    if (body.is_prescribed() && !body.is_ground()) {
+      // Bullet takes the velocity of such a body from where it was one step before.
+      const btVector3 v = made.getLinearVelocity();
+      btTransform before = made.getWorldTransform();
+      before.setOrigin(before.getOrigin() - q_.step * v);
+      made.setInterpolationWorldTransform(before);
+      if (body.spin_after(q_.step) != 0) throw Refused("a body that turns as prescribed");
+    }
+    if (applied_) {
+      made.applyCentralForce(vec(body.force));
+      made.applyTorque({0, 0, body.torque});
+    } else {
+      if (body.is_free) made.setLinearVelocity(made.getLinearVelocity() + q_.step * (vec(q_.gravity) + vec(body.force) / mass));
+      if (body.turns) made.setAngularVelocity({0, 0, body.spin + q_.step * body.torque / inertia});
+    }
+  }
+
+  template <class J, class... Arguments>
+  J& create(const Joint& joint, Arguments&&... arguments) {
+    joints_.push_back(std::make_unique<J>(*bodies_[joint.first], *bodies_[joint.second], arguments...));
+    world_.addConstraint(joints_.back().get(), true);
+    return static_cast<J&>(*joints_.back());
+  }
+
+  void add(const Joint& joint) {
+    const btVector3 a = vec(q_.arm(joint.first, joint.at)), b = vec(q_.arm(joint.second, joint.at));
+    const btTransform at_a(btQuaternion::getIdentity(), a), at_b(btQuaternion::getIdentity(), b);
+    if (joint.kind == "pin") {
+      create<btPoint2PointConstraint>(joint, a, b);
+    } else if (joint.kind == "weld") {
+      create<btFixedConstraint>(joint, at_a, at_b);
+    } else if (joint.kind == "slider") {
+      const btQuaternion turned({0, 0, 1}, std::atan2(joint.axis[1], joint.axis[0]));
+      auto& made = create<btSliderConstraint>(joint, btTransform(turned, a), btTransform(turned, b), true);
+      made.setLowerLinLimit(1), made.setUpperLinLimit(-1);
+      made.setLowerAngLimit(0), made.setUpperAngLimit(0);
+    } else {
+      throw Refused("Bullet has no " + joint.kind);
+    }
+  }
+
+  void add(const Friction& brake) {
+    Joint joint;
+    joint.first = brake.first, joint.second = brake.second;
+    auto& made = create<btHingeConstraint>(joint, btVector3(0, 0, 0), vec(q_.arm(brake.second, q_.bodies[brake.first].at)),
+                                           btVector3(0, 0, 1), btVector3(0, 0, 1));
+    made.setAngularOnly(true);
+    made.enableAngularMotor(true, 0, brake.limit * q_.step);
+  }
+
+  void add(const Contact& contact) {
+    btManifoldPoint point(vec(q_.arm(contact.of, contact.at)), vec(q_.arm(contact.on, contact.at)), vec(contact.normal), 0);
+    point.m_positionWorldOnA = point.m_positionWorldOnB = vec(contact.at);
+    point.m_combinedFriction = contact.friction;
+    btPersistentManifold* manifold = dispatcher_.getNewManifold(bodies_[contact.of].get(), bodies_[contact.on].get());
+    manifold->addManifoldPoint(point);
+    manifolds_.push_back(manifold);
+  }
+
+  const Question& q_;
+  const bool applied_;
+  btSphereShape shape_{1};
+  btDefaultCollisionConfiguration configuration_;
+  btCollisionDispatcher dispatcher_{&configuration_};
+  btDbvtBroadphase broadphase_;
+  btSequentialImpulseConstraintSolver solver_;
+  GivenContacts world_{&dispatcher_, &broadphase_, &solver_, &configuration_};
+  std::vector<std::unique_ptr<btRigidBody>> bodies_;
+  std::vector<std::unique_ptr<btTypedConstraint>> joints_;
+  std::vector<btPersistentManifold*> manifolds_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const bool applied = argc > 1 && std::string(argv[1]) == "applied";
+  const int version = btGetVersion();
+  return run({applied ? "bullet-applied" : "bullet", std::to_string(version / 100) + "." + std::to_string(version % 100),
+              applied ? "cone in the plane, by sweeps, where friction does not see couples; the first step from rest"
+                      : "cone in the plane, by sweeps; the first step from rest",
+              [=](const Question& q) { return Scene(q, applied).step(); }});
+}

@@ -1,0 +1,173 @@
+// MuJoCo: the accelerations of mj_forward. By default its own: pyramidal cones, impedance 0.9 at gap 0, so that a body at
+// rest sinks by a tenth of what it would fall. With many iterations it is as hard and exact as it can be: elliptic cones,
+// impedance 0.9999, tolerance 0. In both, friction belongs to an associated law, by which what slides also opens.
+#include <mujoco/mujoco.h>
+
+#include <cstring>
+#include <memory>
+#include <sstream>
+
+#include "adapter.hpp"
+
+using namespace engines;
+
+namespace {
+
+bool moves(const Body& body) {
+  return body.acceleration[0] != 0 || body.acceleration[1] != 0 || body.turning != 0 ||
+         (!body.is_free && (body.velocity[0] != 0 || body.velocity[1] != 0)) || (!body.turns && body.spin != 0);
+}
+
+std::string pair(const Vector& v) {
+  std::ostringstream text;
+  text.precision(17);
+  text << v[0] << ' ' << v[1];
+  return text.str();
+}
+
+class Model {
+ public:
+  explicit Model(const Question& q) : q_(q) {
+    text_.precision(17);
+    if (!q.friction.empty()) throw Refused("brakes and clutches");
+    text_ << "<mujoco><option gravity='" << pair(q.gravity) << " 0'";
+    if (q.iterations > 0) text_ << " cone='elliptic' solver='Newton' tolerance='0' iterations='" << q.iterations << "'";
+    text_ << "/><size njmax='2000' nconmax='500'/><worldbody>";
+    for (std::size_t i = 0; i < q.bodies.size(); ++i) add_body(i);
+    text_ << "</worldbody><contact>";
+    for (std::size_t i = 0; i < q.contacts.size(); ++i) {
+      const double mu = q.contacts[i].friction;
+      text_ << "<pair geom1='box" << i << "' geom2='disc" << i << "' friction='" << mu << ' ' << mu << " 0 0 0'" << hard() << "/>";
+    }
+    text_ << "</contact><equality>";
+    for (const Joint& joint : q.joints) add(joint);
+    text_ << "</equality></mujoco>";
+  }
+  std::string text() const { return text_.str(); }
+
+ private:
+  const char* hard() const { return q_.iterations > 0 ? " solimp='0.9999 0.9999 0.001 0.5 2'" : ""; }
+
+  void add_body(std::size_t index) {
+    const Body& body = q_.bodies[index];
+    if (!body.is_ground()) {
+      if (moves(body)) throw Refused("a body that moves as prescribed");
+      text_ << "<body name='" << index << "' pos='" << pair(body.at) << " 0'>";
+      if (body.is_free) {
+        text_ << "<joint name='x" << index << "' type='slide' axis='1 0 0'/><joint name='y" << index
+              << "' type='slide' axis='0 1 0'/>";
+      }
+      if (body.turns) text_ << "<joint name='z" << index << "' type='hinge' axis='0 0 1'/>";
+      if (!body.is_prescribed()) {
+        const double i = body.turns ? body.inertia : 1;
+        text_ << "<inertial pos='0 0 0' mass='" << (body.is_free ? body.mass : 1) << "' diaginertia='" << i << ' ' << i << ' '
+              << i << "'/>";
+      }
+    }
+    for (std::size_t i = 0; i < q_.contacts.size(); ++i) add_geoms(index, i);
+    if (!body.is_ground()) text_ << "</body>";
+  }
+
+  /// The disc overlaps the box by a little to be found.
+  void add_geoms(std::size_t body, std::size_t index) {
+    const Contact& c = q_.contacts[index];
+    const double r = c.radius > 0 ? c.radius : 0.05 * q_.size;
+    const Vector up = q_.arm(c.of, c.at), face = q_.arm(c.on, c.at), n = c.normal;
+    if (c.of == body) {
+      text_ << "<geom name='disc" << index << "' type='sphere' size='" << r + 1e-9 * q_.size << "' contype='0' conaffinity='0' pos='"
+            << pair({up[0] + r * n[0], up[1] + r * n[1]}) << " 0'/>";
+    }
+    if (c.on == body) {
+      text_ << "<geom name='box" << index << "' type='box' size='" << r << ' ' << r << ' ' << r
+            << "' contype='0' conaffinity='0' pos='" << pair({face[0] - r * n[0], face[1] - r * n[1]}) << " 0' xyaxes='"
+            << pair({n[1], -n[0]}) << " 0 " << pair(n) << " 0'/>";
+    }
+  }
+
+  void add(const Joint& joint) {
+    // The ground is MuJoCo's world, and no body to begin with.
+    const bool swap = q_.bodies[joint.first].is_ground();
+    const std::size_t first = swap ? joint.second : joint.first, second = swap ? joint.first : joint.second;
+    text_ << (joint.kind == "pin" ? "<connect" : "<weld") << " body1='" << first << "'";
+    if (joint.kind != "pin" && joint.kind != "weld") throw Refused("MuJoCo has no " + joint.kind + " of this kind");
+    if (!q_.bodies[second].is_ground()) text_ << " body2='" << second << "'";
+    if (joint.kind == "pin") text_ << " anchor='" << pair(q_.arm(first, joint.at)) << " 0'";
+    text_ << hard() << "/>";
+  }
+
+  const Question& q_;
+  std::ostringstream text_;
+};
+
+struct Free {
+  void operator()(mjModel* m) const { mj_deleteModel(m); }
+  void operator()(mjData* d) const { mj_deleteData(d); }
+};
+
+std::unique_ptr<mjModel, Free> load(const std::string& text) {
+  auto files = std::make_unique<mjVFS>();
+  mj_defaultVFS(files.get());
+  mj_makeEmptyFileVFS(files.get(), "scene.xml", static_cast<int>(text.size()));
+  std::memcpy(files->filedata[mj_findFileVFS(files.get(), "scene.xml")], text.data(), text.size());
+  char error[1000] = "";
+  std::unique_ptr<mjModel, Free> model(mj_loadXML("scene.xml", files.get(), error, sizeof error));
+  mj_deleteVFS(files.get());
+  if (!model) throw std::runtime_error(error);
+  return model;
+}
+
+void tell(const Question& q, const mjModel& m, const mjData& d, Answer& answer) {
+  for (const Contact& contact : q.contacts) answer.push(contact, 0, 0);
+  for (int i = 0; i < d.ncon; ++i) {
+    const mjContact& found = d.contact[i];
+    const std::string name = mj_id2name(&m, mjOBJ_GEOM, found.geom2);
+    const Contact& contact = q.contacts.at(std::stoul(name.substr(name.find_first_of("0123456789"))));
+    mjtNum force[6];
+    mj_contactForce(&m, &d, i, force);
+    const mjtNum* f = found.frame;  // rows: from the first geom to the second, and two tangents
+    const double turn = name[0] == 'd' ? 1 : -1;  // the force is on the second
+    const Vector total{turn * (f[0] * force[0] + f[3] * force[1] + f[6] * force[2]),
+                       turn * (f[1] * force[0] + f[4] * force[1] + f[7] * force[2])};
+    answer.push(contact, dot(total, contact.normal), dot(total, contact.tangent));
+  }
+}
+
+Answer ask(const Question& q) {
+  const auto model = load(Model(q).text());
+  const mjModel& m = *model;
+  const std::unique_ptr<mjData, Free> data(mj_makeData(&m));
+  mjData& d = *data;
+  const auto place = [&](const char* axis, std::size_t body) {
+    const int joint = mj_name2id(&m, mjOBJ_JOINT, (axis + std::to_string(body)).c_str());
+    return joint < 0 ? -1 : m.jnt_dofadr[joint];
+  };
+  const char* axes[3] = {"x", "y", "z"};
+  for (std::size_t i = 1; i < q.bodies.size(); ++i) {
+    const double before[3] = {q.bodies[i].velocity[0], q.bodies[i].velocity[1], q.bodies[i].spin};
+    const double push[3] = {q.bodies[i].force[0], q.bodies[i].force[1], q.bodies[i].torque};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int dof = place(axes[k], i);
+      if (dof >= 0) d.qvel[dof] = before[k], d.qfrc_applied[dof] = push[k];
+    }
+  }
+  mj_forward(&m, &d);
+  Answer answer;
+  answer.settings = {{"cone", m.opt.cone == mjCONE_ELLIPTIC ? "elliptic" : "pyramidal"}, {"iterations", m.opt.iterations},
+                     {"impedance", q.iterations > 0 ? 0.9999 : 0.9}};
+  for (std::size_t i = 0; i < q.bodies.size(); ++i) {
+    std::array<double, 3> v{q.bodies[i].velocity[0], q.bodies[i].velocity[1], q.bodies[i].spin};
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (const int dof = place(axes[k], i); dof >= 0) v[k] += q.step * d.qacc[dof];
+    }
+    answer.velocity.push_back(v);
+  }
+  tell(q, m, d, answer);
+  return answer;
+}
+
+}  // namespace
+
+int main() {
+  return run({"mujoco", mj_versionString(),
+              "associated, soft: by the impedance in the settings a contact gives way; the accelerations from rest", ask});
+}
