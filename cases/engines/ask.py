@@ -43,7 +43,8 @@ class Interview:
 
     def one(self, scene, iterations, *settings):
         question = scene.question(iterations, *settings)
-        question["ask"]["problem"] = scene.problem(*settings) if self.engine.given.get("problem") else None
+        if self.engine.given.get("problem"):
+            question["ask"]["problem"] = scene.problem(*settings)
         answer = self.asked.answer(question)
         if "refused" in answer:
             raise Refused(answer["refused"])

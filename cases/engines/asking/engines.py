@@ -35,7 +35,7 @@ class Engine:
         missing = [p for p in self.given.get("npm", []) if not (folder / "node_modules" / p).is_dir()]
         if missing:
             raise NotAsked(f"{missing[0]} of npm is not installed")
-        start = {".mjs": lambda: [self.tool("node"), str(source)], ".py": lambda: [sys.executable, str(source)],
+        start = {".mjs": lambda: [self.tool("node"), str(source)], ".py": lambda: [self.python(), str(source)],
                  ".cpp": lambda: [str(self.compiled(source, folder))]}[source.suffix]()
         self.command = start + self.arguments
         self.folder = folder
@@ -45,6 +45,12 @@ class Engine:
         if not shutil.which(name):
             raise NotAsked(f"{name} is not installed")
         return name
+
+    def python(self):
+        module = self.given.get("module")
+        if module and subprocess.run([sys.executable, "-c", f"import {module}"], capture_output=True).returncode:
+            raise NotAsked(f"the module {module} of Python is not installed")
+        return sys.executable
 
     def compiled(self, source, folder):
         program = folder / source.stem

@@ -16,25 +16,22 @@ class Scene:
         self.name = f"{self.file.parent.name}/{self.file.stem}"
         self.expected = expected
 
-    @functools.lru_cache(maxsize=4096)
     def bodies(self, *settings):
-        """The scene in numbers, at NAME=VALUE settings; by the words of slipproof, or Refused."""
-        with tempfile.TemporaryDirectory() as folder:
-            file = Path(folder) / "scene.json"
-            told = subprocess.run([self.program, "export", str(self.file), "--bodies", "-o", str(file),
-                                   *(word for setting in settings for word in ("--set", setting))],
-                                  capture_output=True, text=True)
-            if told.returncode:
-                raise Refused(f"slipproof export: {told.stderr.strip()}")
-            return json.loads(file.read_text())
+        """The scene in numbers, at NAME=VALUE settings. Raises Refused, with the words of slipproof."""
+        return self.exported("--bodies", *settings)
 
-    @functools.lru_cache(maxsize=4096)
     def problem(self, *settings):
         """Its contact problem, for solvers that have no bodies."""
+        return self.exported("", *settings)
+
+    @functools.lru_cache(maxsize=4096)
+    def exported(self, form, *settings):
         with tempfile.TemporaryDirectory() as folder:
-            file = Path(folder) / "problem.json"
-            told = subprocess.run([self.program, "export", str(self.file), "-o", str(file)], capture_output=True, text=True)
-            if told.returncode or settings:
+            file = Path(folder) / "scene.json"
+            words = [form] * bool(form) + [word for setting in settings for word in ("--set", setting)]
+            told = subprocess.run([self.program, "export", str(self.file), *words, "-o", str(file)],
+                                  capture_output=True, text=True)
+            if told.returncode:
                 raise Refused(f"slipproof export: {told.stderr.strip()}")
             return json.loads(file.read_text())
 

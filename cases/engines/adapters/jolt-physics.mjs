@@ -1,0 +1,122 @@
+// Jolt in binary32: one step, 10 velocity steps by default, bodies in the plane. Contacts are found by the engine, between
+// a sphere on one body and a box on the other that meet in the contact's point; pairs that belong to no contact are
+// refused by a listener. Jolt tells no forces.
+import { Refused, engine, run } from "./adapter.mjs";
+
+const { module, version } = await engine("jolt-physics");
+const Jolt = await module();
+const vec = ([x, y]) => new Jolt.Vec3(x, y, 0), at = ([x, y]) => new Jolt.RVec3(x, y, 0), upright = new Jolt.Quat(0, 0, 0, 1);
+const none = 1e6;
+
+function makeWorld(q) {
+  const settings = new Jolt.JoltSettings();
+  const pairs = new Jolt.ObjectLayerPairFilterTable(1);
+  pairs.EnableCollision(0, 0);
+  const layers = new Jolt.BroadPhaseLayerInterfaceTable(1, 1);
+  layers.MapObjectToBroadPhaseLayer(0, new Jolt.BroadPhaseLayer(0));
+  settings.mObjectLayerPairFilter = pairs;
+  settings.mBroadPhaseLayerInterface = layers;
+  settings.mObjectVsBroadPhaseLayerFilter = new Jolt.ObjectVsBroadPhaseLayerFilterTable(layers, 1, pairs, 1);
+  settings.mMaxWorkerThreads = 0;
+  const world = new Jolt.JoltInterface(settings), system = world.GetPhysicsSystem();
+  Jolt.destroy(settings);
+  system.SetGravity(vec(q.gravity));
+  const physics = system.GetPhysicsSettings();
+  if (q.iterations) physics.mNumVelocitySteps = q.iterations;
+  system.SetPhysicsSettings(physics);
+  return { world, system, steps: physics.mNumVelocitySteps };
+}
+
+/** Spheres and boxes of all contacts of a body, each with the number of its contact, around the centre of mass. */
+function shapeOf(q, index) {
+  const parts = new Jolt.StaticCompoundShapeSettings(), zero = new Jolt.Vec3(0, 0, 0);
+  const add = (settings, where, turned, number) => {
+    settings.mUserData = number;
+    parts.AddShape(where, turned, settings, 0);
+  };
+  add(new Jolt.SphereShapeSettings(0.05 * q.size), zero, upright, none);
+  q.contacts.forEach((contact, i) => {
+    const r = contact.disc, [nx, ny] = contact.normal, half = Math.atan2(-nx, ny) / 2;
+    if (contact.of === index) add(new Jolt.SphereShapeSettings(r + contact.overlap), vec(contact.centre), upright, i);
+    if (contact.on === index) {
+      add(new Jolt.BoxShapeSettings(new Jolt.Vec3(r, r, r), 0), vec(contact.face.map((p, k) => p - r * contact.normal[k])),
+          new Jolt.Quat(0, 0, Math.sin(half), Math.cos(half)), i);
+    }
+  });
+  const shape = parts.Create().Get(), com = shape.GetCenterOfMass();
+  return new Jolt.OffsetCenterOfMassShapeSettings(new Jolt.Vec3(-com.GetX(), -com.GetY(), -com.GetZ()), parts).Create().Get();
+}
+
+function addBody(system, q, body, index) {
+  const kind = body.prescribed ? Jolt.EMotionType_Kinematic : Jolt.EMotionType_Dynamic;
+  const settings = new Jolt.BodyCreationSettings(shapeOf(q, index), at(body.at), upright, kind, 0);
+  settings.mAllowSleeping = settings.mUseManifoldReduction = false;
+  settings.mLinearDamping = settings.mAngularDamping = 0;
+  settings.mMaxLinearVelocity = settings.mMaxAngularVelocity = 1e9;
+  if (!body.prescribed) settings.mAllowedDOFs = Jolt.EAllowedDOFs_Plane2D;
+  const made = system.GetBodyInterface().CreateBody(settings);
+  system.GetBodyInterface().AddBody(made.GetID(), Jolt.EActivation_Activate);
+  made.SetLinearVelocity(vec(body.velocityAfter));
+  made.SetAngularVelocity(new Jolt.Vec3(0, 0, body.spinAfter));
+  if (body.prescribed) return made;
+  if (!body.free && body.acceleration.some((a) => a !== 0)) throw new Refused("an axle that accelerates as prescribed");
+  made.GetMotionProperties().SetInverseMass(body.free ? 1 / body.mass : 0);
+  made.GetMotionProperties().SetInverseInertia(new Jolt.Vec3(0, 0, body.turns ? 1 / body.inertia : 0), upright);
+  made.AddForce(vec(body.force));
+  made.AddTorque(new Jolt.Vec3(0, 0, body.torque));
+  return made;
+}
+
+function addJoint(system, bodies, joint) {
+  const settings = {
+    pin: () => new Jolt.PointConstraintSettings(),
+    weld: () => Object.assign(new Jolt.FixedConstraintSettings(), { mAutoDetectPoint: false }),
+    slider: () => {
+      const made = new Jolt.SliderConstraintSettings();
+      made.SetSliderAxis(vec(joint.axis));
+      return made;
+    },
+    rod: () => Object.assign(new Jolt.DistanceConstraintSettings(), { mMinDistance: joint.length, mMaxDistance: joint.length }),
+    rope: () => Object.assign(new Jolt.DistanceConstraintSettings(), { mMinDistance: 0, mMaxDistance: joint.length }),
+  }[joint.kind]?.();
+  if (!settings) throw new Refused(`Jolt has no ${joint.kind} of this kind`);
+  settings.mPoint1 = at(joint.at);
+  settings.mPoint2 = at(joint.to);
+  system.AddConstraint(settings.Create(bodies[joint.first], bodies[joint.second]));
+}
+
+function listen(system, q, touching) {
+  const listener = new Jolt.ContactListenerJS();
+  const number = (body, shape) => body.GetShape().GetSubShapeUserData(shape);
+  listener.OnContactValidate = (body1, body2, _offset, result) => {
+    const [a, b] = [body1, body2].map((p) => Jolt.wrapPointer(p, Jolt.Body));
+    const found = Jolt.wrapPointer(result, Jolt.CollideShapeResult);
+    const i = number(a, found.mSubShapeID1), same = i !== none && i === number(b, found.mSubShapeID2);
+    return same ? Jolt.ValidateResult_AcceptContact : Jolt.ValidateResult_RejectContact;
+  };
+  listener.OnContactAdded = (body1, _body2, manifold, settings) => {
+    const given = Jolt.wrapPointer(settings, Jolt.ContactSettings);
+    const i = number(Jolt.wrapPointer(body1, Jolt.Body), Jolt.wrapPointer(manifold, Jolt.ContactManifold).mSubShapeID1);
+    given.mCombinedFriction = q.contacts[i].friction;
+    given.mCombinedRestitution = 0;
+    touching.add(i);
+  };
+  listener.OnContactPersisted = listener.OnContactAdded;
+  listener.OnContactRemoved = () => {};
+  system.SetContactListener(listener);
+}
+
+function ask(q) {
+  if (q.friction.length > 0) throw new Refused("brakes and clutches");
+  const { world, system, steps } = makeWorld(q), touching = new Set();
+  listen(system, q, touching);
+  const bodies = q.bodies.map((body, i) => addBody(system, q, body, i));
+  q.joints.forEach((joint) => addJoint(system, bodies, joint));
+  world.Step(q.step, 1);
+  if (touching.size !== q.contacts.length) throw new Error(`${touching.size} contacts, expected ${q.contacts.length}`);
+  const velocities = bodies.map((b) => [b.GetLinearVelocity().GetX(), b.GetLinearVelocity().GetY(), b.GetAngularVelocity().GetZ()]);
+  Jolt.destroy(world);
+  return { velocities, contacts: null, settings: { mNumVelocitySteps: steps } };
+}
+
+await run({ name: "jolt-physics", version, ask, law: "cone, by sweeps; the first step from rest" });
