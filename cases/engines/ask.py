@@ -17,8 +17,9 @@ from asking.world import Refused
 class Interview:
     """One engine and all scenes."""
 
-    def __init__(self, engine, limit, date):
-        self.engine, self.limit, self.date = engine, limit, date
+    def __init__(self, engine, arguments, date):
+        self.engine, self.limit, self.date = engine, arguments.limit, date
+        self.bisects = not arguments.no_thresholds
 
     def lines(self, scenes):
         with Asked(self.engine, self.limit) as asked:
@@ -35,7 +36,7 @@ class Interview:
     def about(self, scene):
         for name, iterations in self.settings():
             yield self.kept(scene, name or "default", lambda: self.one(scene, iterations)[1])
-        if not scene.expected or not scene.expected["threshold"]:
+        if not self.bisects or not scene.expected or not scene.expected["threshold"]:
             return
         for name, iterations in self.settings():
             asked = "threshold" + (f", {name}" if name else "")
@@ -83,7 +84,7 @@ def interview(engine, arguments, scenes, date):
         engine.prepare(arguments.folder)
     except NotAsked as reason:
         return f"{engine.name:12} not asked: {reason}"
-    lines = list(Interview(engine, arguments.limit, date).lines(scenes))
+    lines = list(Interview(engine, arguments, date).lines(scenes))
     lines.sort(key=lambda line: (line["scene"], line["asked"]))
     file = arguments.answers / f"{engine.name}.jsonl"
     new = file.with_suffix(".new")
@@ -107,6 +108,7 @@ def arguments_of(words):
     parser.add_argument("--folder", type=Path, default=Path("build/engines"), help="where adapters are built and packages of npm are")
     parser.add_argument("--scenes", type=Path, default=HERE, help="a folder with scenes/ and expected/")
     parser.add_argument("--only", default="", metavar="TEXT", help="only scenes whose CLASS/NAME contains this")
+    parser.add_argument("--no-thresholds", action="store_true", help="a quick look: no bisection")
     parser.add_argument("--answers", type=Path, default=HERE / "answers", help="where ENGINE.jsonl are written")
     parser.add_argument("--limit", type=float, default=20, help="seconds for one answer")
     parser.add_argument("--jobs", type=int, default=2, help="engines that are asked at the same time")

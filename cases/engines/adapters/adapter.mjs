@@ -10,13 +10,12 @@ export class Refused extends Error {}
 
 const require = createRequire(pathToFileURL(`${process.cwd()}/`)); // packages are where the driver starts adapters
 
-/** A package of npm: its module and its version. */
-export async function engine(name) {
-  const path = require.resolve(name);
-  const root = path.slice(0, path.lastIndexOf(`/node_modules/${name}/`)) + `/node_modules/${name}`;
+/** A package of npm: its module, or a file of it, and its version. */
+export async function engine(name, file) {
+  const root = `${process.cwd()}/node_modules/${name}`;
   const { version } = JSON.parse(readFileSync(`${root}/package.json`, "utf8"));
-  const module = await import(pathToFileURL(path));
-  return { version, root, module: module.default ?? module };
+  const module = await import(pathToFileURL(file ? `${root}/${file}` : require.resolve(name)));
+  return { version, module: module.default ?? module };
 }
 
 export const dot = (a, b) => a[0] * b[0] + a[1] * b[1];

@@ -24,7 +24,7 @@ class Scene:
         """Its contact problem, for solvers that have no bodies."""
         return self.exported("", *settings)
 
-    @functools.lru_cache(maxsize=4096)
+    @functools.lru_cache(maxsize=65536)
     def exported(self, form, *settings):
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "scene.json"

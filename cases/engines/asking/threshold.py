@@ -9,7 +9,7 @@ from fractions import Fraction
 
 from .world import Refused
 
-HALVINGS = 32
+NARROW = Fraction(1, 2**24)  # of the whole interval, where bisection ends, and a grid for its points
 
 
 def state(column):
@@ -97,14 +97,48 @@ class Bisection:
                       for i, (_, _, sign) in enumerate(self.deciding)]
         if self.above(shown[0]) or not self.above(shown[1]):
             raise Refused("the engine sees no difference between both ends of the interval")
-        low, high = self.ends
-        for _ in range(HALVINGS):
-            middle = (low + high) / 2
-            if self.above(self.seen(middle)):
-                high = middle
+        self.low, self.high = self.ends
+        self.moving = []
+        for end, at in zip(self.ends, shown):
+            self.remember(end, at)
+        self.narrow()
+        return float((self.low + self.high) / 2), float((self.high - self.low) / 2)
+
+    def narrow(self):
+        """Halves the interval, and later looks beside the place where a line through the last two motions is 0."""
+        span, halvings = self.high - self.low, 0
+        while self.high - self.low > span * NARROW:
+            guess = self.guess(span * NARROW / 2) if halvings >= 5 else None
+            width = max((self.high - self.low) / 4096, span * NARROW / 2)
+            if guess and self.low < guess - width and guess + width < self.high:
+                self.split(guess + width)
+                if guess - width > self.low:
+                    self.split(guess - width)
+                halvings = 3
             else:
-                low = middle
-        return float((low + high) / 2), float((high - low) / 2)
+                self.split((self.low + self.high) / 2)
+                halvings += 1
+
+    def split(self, value):
+        shown = self.seen(value)
+        self.remember(value, shown)
+        if self.above(shown):
+            self.high = value
+        else:
+            self.low = value
+
+    def remember(self, value, shown):
+        """Keeps the last two places where the first deciding element moves, and how."""
+        if abs(shown[0]) > self.noise[0]:
+            self.moving = self.moving[-1:] + [(value, shown[0])]
+
+    def guess(self, grid):
+        """On a grid, so that what slipproof exported for another engine is found again."""
+        if len(self.moving) < 2 or self.moving[0][1] == self.moving[1][1]:
+            return None
+        (a, p), (b, q) = self.moving
+        root = a - Fraction(p) * (b - a) / Fraction(q - p)
+        return self.ends[0] + round((root - self.ends[0]) / grid) * grid
 
     def above(self, shown):
         """Whether any deciding element is as it should be above the threshold."""
