@@ -152,11 +152,11 @@ class EnginePages {
 
   /// How far off the thresholds of each engine are.
   void add_thresholds(const Element& main) const {
-    std::map<std::string, std::vector<double>> off;
+    std::map<std::pair<std::string, std::string>, std::vector<double>> off;
     std::string page;
     for (const EngineThresholdRow& row : engine_thresholds(results_)) {
       if (page.empty()) page = row.scene.substr(0, row.scene.find('/')) + ".html";
-      auto& engine = off[row.engine];
+      auto& engine = off[{row.engine, row.asked}];
       if (row.exact) engine.push_back(row.off());
     }
     if (off.empty()) return;
@@ -165,13 +165,14 @@ class EnginePages {
         section.add("p", "how"),
         {"A parameter is varied until the engine's answer changes its mode; how far is that from the exact value? ",
          link_to("Scene by scene", page + "#changes"), "."});
-    ReportTable table{{"engine", {"thresholds", true}, {"to 1e-6", true}, {"to 1e-3", true}, {"worst", true}}};
+    ReportTable table{{"engine", "asked", {"thresholds", true}, {"to 1e-6", true}, {"to 1e-3", true}, {"worst", true}}};
     table.label = "Thresholds by engine";
-    for (const auto& [engine, errors] : off) {
+    for (const auto& [who, of_engine] : off) {
+      const std::vector<double>& errors = of_engine;
       const auto within = [&](double bound) {
         return std::to_string(std::ranges::count_if(errors, [&](double error) { return error <= bound; }));
       };
-      table.row({engine, std::to_string(errors.size()), within(1e-6), within(1e-3),
+      table.row({who.first, who.second, std::to_string(errors.size()), within(1e-6), within(1e-3),
                  errors.empty() ? "–" : error_text(*std::ranges::max_element(errors))});
     }
     add_table(section, table);
@@ -179,11 +180,12 @@ class EnginePages {
 
   /// Each threshold that an engine was asked for in a class.
   void add_changes(const Element& main, const std::string& name) const {
-    ReportTable table{{"engine", "scene", "parameter", {"changes at", true}, {"exact", true}, {"off by", true}}};
+    ReportTable table{
+        {"engine", "asked", "scene", "parameter", {"changes at", true}, {"exact", true}, {"off by", true}}};
     table.label = "Thresholds by engine and scene";
     for (const EngineThresholdRow& row : engine_thresholds(results_)) {
       if (!row.scene.starts_with(name + "/")) continue;
-      table.row({row.engine, ReportLine(link_to(row.scene.substr(name.size() + 1), row.scene + ".html")),
+      table.row({row.engine, row.asked, ReportLine(link_to(row.scene.substr(name.size() + 1), row.scene + ".html")),
                  row.found.parameter, fmt::format("{:.8g}", row.found.changes_at),
                  row.exact ? fmt::format("{:.8g}", *row.exact) : "none", row.exact ? error_text(row.off()) : "–"});
     }

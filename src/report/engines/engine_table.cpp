@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
 
 #include "base/output/json.hpp"
 #include "base/parallel/in_parallel.hpp"
@@ -11,6 +12,19 @@
 namespace slipproof {
 
 namespace {
+
+constexpr std::string_view threshold_asked = "threshold";  // or `threshold, many iterations`
+
+bool is_about_threshold(const EngineAnswer& answer) {
+  return answer.threshold || answer.asked.starts_with(threshold_asked);
+}
+
+/// How the engine was asked for a threshold: `default`, `many iterations`.
+std::string way_of(const EngineAnswer& answer) {
+  constexpr std::string_view comma = ", ";
+  const std::string way = answer.asked.substr(std::min(answer.asked.size(), threshold_asked.size() + comma.size()));
+  return way.empty() ? "default" : way;
+}
 
 /// The value nearest to `found` at which the motions of a scene change.
 std::optional<double> nearest_change(const ExpectedAnswer& expected, double found) {
@@ -55,10 +69,13 @@ std::vector<EngineThresholdRow> engine_thresholds(const EngineResults& results) 
     for (const JudgedEngineAnswer& one : scene.answers) {
       if (!one.answer.threshold) continue;
       const EngineThreshold& found = *one.answer.threshold;
-      rows.push_back({one.answer.engine, scene.name, found, nearest_change(results.expected[i], found.changes_at)});
+      rows.push_back({one.answer.engine, way_of(one.answer), scene.name, found,
+                      nearest_change(results.expected[i], found.changes_at)});
     }
   }
-  std::stable_sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.engine < b.engine; });
+  std::stable_sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.engine, a.asked) < std::tie(b.engine, b.asked);
+  });
   return rows;
 }
 
@@ -79,6 +96,7 @@ std::string engine_table_json(const EngineResults& results) {
   document["thresholds"] = Json::array();
   for (const EngineThresholdRow& row : engine_thresholds(results)) {
     Json one{{"engine", row.engine},
+             {"asked", row.asked},
              {"scene", row.scene},
              {"parameter", row.found.parameter},
              {"changes_at", row.found.changes_at},
@@ -93,7 +111,7 @@ std::vector<EngineRow> engine_rows(const JudgedEngines& judged) {
   std::map<std::pair<std::string, std::string>, EngineRow> rows;
   for (const EngineScene& scene : judged.scenes) {
     for (const JudgedEngineAnswer& one : scene.answers) {
-      if (one.answer.threshold || one.answer.asked == "threshold") continue;
+      if (is_about_threshold(one.answer)) continue;
       EngineRow& row = rows[{one.answer.engine, one.answer.asked}];
       if (row.engine.empty()) {
         row.engine = one.answer.engine, row.asked = one.answer.asked;

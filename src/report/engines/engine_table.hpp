@@ -34,7 +34,7 @@ std::vector<EngineRow> engine_rows(const JudgedEngines& judged);
 
 /// A threshold that an engine was asked for.
 struct EngineThresholdRow {
-  std::string engine, scene;
+  std::string engine, asked, scene;
   EngineThreshold found;
   std::optional<double> exact;  ///< the nearest at which the scene's motions change; nothing where none does
   /// |found - exact| / |exact|.
