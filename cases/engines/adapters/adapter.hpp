@@ -120,7 +120,6 @@ inline Joint read_joint(const Json& given) {
   joint.forces = given["forces"];
   if (joint.kind == "gear") {
     joint.ratio = given["ratio"], joint.carrier = given["carrier"], joint.one_sided = given["one_sided"];
-    return joint;
   }
   joint.at = vector(given["at"]), joint.to = vector(given["to"]);
   if (given.contains("axis")) joint.axis = vector(given["axis"]);

@@ -106,7 +106,8 @@ class Scene {
     } else {
       throw Refused("Chipmunk has no " + joint.kind + " of this kind");
     }
-    if (joint.kind == "weld" || joint.kind == "slider") cpSpaceAddConstraint(space_, cpGearJointNew(a, b, 0, 1));
+    const bool turns = q_.bodies[joint.first].turns || q_.bodies[joint.second].turns;
+    if (turns && (joint.kind == "weld" || joint.kind == "slider")) cpSpaceAddConstraint(space_, cpGearJointNew(a, b, 0, 1));
   }
 
   void tell(cpBody* body, cpArbiter* arbiter) {

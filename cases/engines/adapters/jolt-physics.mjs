@@ -1,6 +1,7 @@
-// Jolt in binary32: one step, 10 velocity steps by default, bodies in the plane. Contacts are found by the engine, between
-// a sphere on one body and a box on the other that meet in the contact's point; pairs that belong to no contact are
-// refused by a listener. Jolt tells no forces.
+// Jolt in binary32: one step, 10 velocity steps by default. Nothing pushes bodies out of their plane, and they are not
+// locked to it: joints that hold an angle would have no inertia to act on. Contacts are found by the engine, between a
+// sphere on one body and a box on the other that meet in the contact's point; pairs that belong to no contact are refused
+// by a listener. Jolt tells no forces.
 import { Refused, engine, run } from "./adapter.mjs";
 
 const { module, version } = await engine("jolt-physics");
@@ -53,7 +54,6 @@ function addBody(system, q, body, index) {
   settings.mAllowSleeping = settings.mUseManifoldReduction = false;
   settings.mLinearDamping = settings.mAngularDamping = 0;
   settings.mMaxLinearVelocity = settings.mMaxAngularVelocity = 1e9;
-  if (!body.prescribed) settings.mAllowedDOFs = Jolt.EAllowedDOFs_Plane2D;
   const made = system.GetBodyInterface().CreateBody(settings);
   system.GetBodyInterface().AddBody(made.GetID(), Jolt.EActivation_Activate);
   made.SetLinearVelocity(vec(body.velocityAfter));
@@ -61,7 +61,8 @@ function addBody(system, q, body, index) {
   if (body.prescribed) return made;
   if (!body.free && body.acceleration.some((a) => a !== 0)) throw new Refused("an axle that accelerates as prescribed");
   made.GetMotionProperties().SetInverseMass(body.free ? 1 / body.mass : 0);
-  made.GetMotionProperties().SetInverseInertia(new Jolt.Vec3(0, 0, body.turns ? 1 / body.inertia : 0), upright);
+  const inverse = body.turns ? 1 / body.inertia : 0;
+  made.GetMotionProperties().SetInverseInertia(new Jolt.Vec3(inverse, inverse, inverse), upright);
   made.AddForce(vec(body.force));
   made.AddTorque(new Jolt.Vec3(0, 0, body.torque));
   return made;
@@ -73,7 +74,8 @@ function addJoint(system, bodies, joint) {
     weld: () => Object.assign(new Jolt.FixedConstraintSettings(), { mAutoDetectPoint: false }),
     slider: () => {
       const made = new Jolt.SliderConstraintSettings();
-      made.SetSliderAxis(vec(joint.axis));
+      made.mSliderAxis1 = made.mSliderAxis2 = vec(joint.axis);
+      made.mNormalAxis1 = made.mNormalAxis2 = new Jolt.Vec3(0, 0, 1);
       return made;
     },
     rod: () => Object.assign(new Jolt.DistanceConstraintSettings(), { mMinDistance: joint.length, mMaxDistance: joint.length }),

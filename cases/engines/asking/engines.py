@@ -1,5 +1,6 @@
 """Engines: their table, how their adapters are built and started, and how one is asked under a time limit."""
 
+import contextlib
 import json
 import os
 import select
@@ -93,8 +94,9 @@ class Asked:
         if self.process:
             self.process.kill()
             self.process.wait()
-            self.process.stdin.close()
-            self.process.stdout.close()
+            for stream in (self.process.stdin, self.process.stdout, self.said):
+                with contextlib.suppress(OSError):  # what could not be written any more
+                    stream.close()
         self.process = None
 
     def start(self):
@@ -104,7 +106,17 @@ class Asked:
         self.rest = b""
 
     def answer(self, question):
-        """The answer to a question, both as objects. Raises Failed."""
+        """The answer to a question, both as objects; from a fresh adapter where one that has worked before gives none.
+        Raises Failed."""
+        fresh = not self.process
+        try:
+            return self.try_once(question)
+        except Failed:
+            if fresh:
+                raise
+            return self.try_once(question)
+
+    def try_once(self, question):
         if not self.process:
             self.start()
         try:
@@ -117,7 +129,7 @@ class Asked:
             raise Failed(reason) from None
         except TimeoutError:
             self.stop()
-            raise Failed(f"no answer in {self.limit} s") from None
+            raise Failed(f"no answer in {self.limit:g} s") from None
 
     def line(self):
         while b"\n" not in self.rest:
@@ -135,9 +147,9 @@ class Asked:
             code = self.process.wait(1)
         except subprocess.TimeoutExpired:
             return "an answer that is no JSON"
-        self.said.seek(0)
+        self.said.seek(0)  # what it wrote to standard error
         words = [line.strip() for line in self.said if line.strip()]
-        told = next((line for line in words if "rror" in line or "ssert" in line), words[-1] if words else "")
+        told = next((line for line in reversed(words) if "rror" in line or "ssert" in line), words[-1] if words else "")
         return (f"crashed by signal {-code}" if code < 0 else f"ended with {code}") + (f": {told[:160]}" if told else "")
 
 

@@ -88,7 +88,7 @@ class World:
         joint = {"name": given["name"], "kind": given["kind"], "first": self.number[first["name"]],
                  "second": self.number[second["name"]], "forces": given["forces"]}
         if given["kind"] == "gear":
-            return joint | {"ratio": given["ratio"], "carrier": self.number[given["carrier"]],
+            return joint | {"at": first["at"], "to": second["at"], "ratio": given["ratio"], "carrier": self.number[given["carrier"]],
                             "one_sided": given.get("one_sided", False)}
         joint |= {"at": place(first, given["at"]), "to": place(second, given["to"])}
         if "axis" in given:
@@ -131,6 +131,8 @@ class World:
                                                "turning") if key in body}
             if body.get("mass") and body.get("turning"):
                 raise Refused(f"{body['name']}: a free body that turns as prescribed")
+            if body.get("mass") == 0 or body.get("inertia") == 0:
+                raise Refused(f"{body['name']}: a body without mass or inertia")
             bodies.append(kept | {"force": push[:2], "torque": push[2], "names": names_of(body)})
         arms = [math.dist(c["at"], bodies[c[side]]["at"]) for c in contacts for side in ("of", "on") if c[side]]
         friction = [{"name": f["name"], "first": self.number[f["between"][0]], "second": self.number[f["between"][1]],
