@@ -85,4 +85,4 @@ function ask(q) {
 }
 
 await run({ name: "cannon-es", version, ask,
-            law: "friction bounded by mu times gravity times the reduced mass; soft contacts (SPOOK); the first step from rest" });
+            law: "impulses of friction, not forces, bounded by mu times gravity times the reduced mass; soft contacts (SPOOK); the first step from rest" });

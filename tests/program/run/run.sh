@@ -105,6 +105,20 @@ call "${as_user[@]}" "$project/run" verify
 call "${as_user[@]}" "$project/run" test
 expect 0 '*install --no-install-recommends pybind11-dev?cmake --preset*' '*installing pybind11-dev*'
 
+# Engines: those of Debian are installed, those of npm where there is an npm; without it the others are asked.
+mkdir -p "$project/cases/engines"
+echo '{}' | tee "$project/cases/engines/package.json" >"$project/cases/engines/package-lock.json"
+echo 'import sys; print("asked", *sys.argv[1:])' >"$project/cases/engines/ask.py"
+echo "$note"'exit 1' >"$scratch/bin/npm"
+chmod a+rwx "$scratch/bin/npm"
+LACKING=libdart-dev
+call "${as_user[@]}" "$project/run" engines planck
+expect 0 '*install --no-install-recommends libdart-dev?cmake --preset ci*npm ci *' '*could not install its engines*asked --slipproof build/slipproof *planck'
+echo "$note" >"$scratch/bin/npm"
+LACKING=
+call "$project/run" engines
+expect 0 'cmake --preset ci*npm ci *' 'asked --slipproof build/slipproof *'
+
 LACKING=coq
 call "${as_user[@]}" "$project/run" test
 expect 0 'cmake --preset*' ''

@@ -1,0 +1,119 @@
+"""ask_test.py SLIPPROOF CASES: asks a small engine whole scenes and a threshold, and what happens to one that crashes,
+hangs or is not there. Where ODE is installed, its adapter is asked, too."""
+
+import json
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+SLIPPROOF, CASES = sys.argv[1], Path(sys.argv[2]).resolve()
+sys.path.insert(0, str(CASES))
+from asking.scenes import scenes_of  # noqa: E402
+from asking.threshold import Bisection, quantity  # noqa: E402
+from asking.world import Refused, step_of, world  # noqa: E402
+
+
+def ask(*engines, table=HERE / "engines.toml", only="", limit=20):
+    """What ask.py prints, and the lines that it writes for each engine."""
+    with tempfile.TemporaryDirectory() as folder:
+        told = subprocess.run([sys.executable, str(CASES / "ask.py"), *engines, "--slipproof", SLIPPROOF, "--folder", folder,
+                               "--answers", folder, "--table", str(table), "--only", only, "--limit", str(limit)],
+                              capture_output=True, text=True, check=False)
+        lines = {file.stem: [json.loads(line) for line in file.read_text().splitlines()]
+                 for file in Path(folder).glob("*.jsonl")}
+        return told, lines
+
+
+def line_of(lines, asked):
+    return next(line for line in lines if line["asked"] == asked)
+
+
+class Asking(unittest.TestCase):
+    def expected(self, scene):
+        return json.loads((CASES / "expected" / f"{scene}.json").read_text())
+
+    def test_motion_and_threshold(self):
+        scene = "thresholds/ball-rolls-on-slope"
+        told, lines = ask("sweeps", only=scene)
+        self.assertIn("threshold 1/1", told.stdout)
+        exact = self.expected(scene)
+        answer = line_of(lines["sweeps"], "default")
+        for name, value in answer["motion"].items():
+            self.assertAlmostEqual(value, exact["motions"][0]["accelerations"][name]["double"], 9, name)
+        for name, value in answer["forces"].items():
+            self.assertAlmostEqual(value, exact["motions"][0]["forces"][name]["double"], 9, name)
+        found, at = line_of(lines["sweeps"], "threshold"), exact["threshold"]["changes"][0]["at"]["double"]
+        self.assertLess(abs(found["changes_at"] - at), 2 * found["within"] + 1e-7)
+        self.assertGreater(found["within"], 0)
+
+    def test_what_gives_no_answer(self):
+        scene = "one-motion/ball-at-rest"
+        told, lines = ask(only=scene, limit=2)
+        self.assertEqual(told.returncode, 0)
+        self.assertIn("not asked: the library no-such-library is not installed", told.stdout)
+        self.assertNotIn("not-there", lines)
+        self.assertIn("ended with 1: assertion: no scene at all", lines["crashes"][0]["failed"])
+        self.assertEqual(lines["hangs"][0]["failed"], "no answer in 2 s")
+        self.assertIn("motion", lines["sweeps"][0])
+        self.assertEqual(ask("nobody")[0].returncode, 2)
+        self.assertEqual(ask("sweeps", only="no such scene")[0].returncode, 3)
+
+    @unittest.skipUnless(shutil.which("pkg-config") and shutil.which("c++") and
+                         subprocess.run(["pkg-config", "--exists", "ode"], check=False).returncode == 0, "no ODE")
+    def test_ode(self):
+        scene = "one-motion/ball-at-rest"
+        _, lines = ask("ode", table=CASES / "engines.toml", only=scene)
+        exact = self.expected(scene)["motions"][0]
+        for name, value in lines["ode"][0]["motion"].items():
+            self.assertAlmostEqual(value, exact["accelerations"][name]["double"], 5, name)
+
+
+class Scenes(unittest.TestCase):
+    """Without any engine: what it is told, and how it is bisected."""
+
+    scenes = {scene.name: scene for scene in scenes_of(CASES, SLIPPROOF)}
+
+    def test_exact_motions_have_no_gap_and_slip_where_they_stick(self):
+        for name in ("one-motion/crate-rides-on-sledge", "thresholds/ankle-torque-heel"):
+            scene = self.scenes[name]
+            built = world(scene.bodies())
+            motion = scene.expected["motions"][0]
+            values = {key: value["double"] for key, value in motion["accelerations"].items()}
+            for i, contact in enumerate(built["contacts"]):
+                for kind, word in (("gap", "gap"), (1, "slip")):
+                    self.assertAlmostEqual(quantity(built, values, i, kind), values[f"{word}_{contact['name']}"], 9)
+
+    def test_bisection_finds_where_an_exact_engine_changes(self):
+        """An engine that knows the threshold, above which the ball rolls, and creeps a little there."""
+        scene = self.scenes["thresholds/ball-rolls-on-slope"]
+        at = scene.expected["threshold"]["changes"][0]["at"]["double"]
+        bisection = Bisection(scene, None)
+        bisection.deciding = [(0, 1, -1)]
+        bisection.seen = lambda value: [1e-5 + max(at - float(value), 0)]
+        found, within = bisection.run()
+        self.assertLess(abs(found - at), 1e-4)
+        self.assertLess(within, 1e-6)
+        bisection.seen = lambda value: [1]
+        with self.assertRaises(Refused):
+            bisection.run()
+
+    def test_step_is_shorter_where_bodies_are_fast(self):
+        built = world(self.scenes["one-motion/ball-at-rest"].bodies())
+        slow = step_of(built)
+        built["gravity"] = [0, -1e6]
+        self.assertLess(step_of(built), slow / 50)
+
+    def test_what_no_first_step_can_say_is_refused(self):
+        scene = self.scenes["one-motion/ball-at-rest"].bodies()
+        for change in ({"bilateral": True}, {"static_friction": 1}, {"rolling_force": "S"}):
+            contact = scene["contacts"][0] | change
+            with self.assertRaises(Refused):
+                world(scene | {"contacts": [contact]})
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

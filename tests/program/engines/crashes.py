@@ -1,0 +1,5 @@
+"""Dies at the first line, with words."""
+import sys
+
+sys.stdin.readline()
+sys.exit("assertion: no scene at all")

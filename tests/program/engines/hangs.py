@@ -1,0 +1,4 @@
+"""Never answers."""
+import time
+
+time.sleep(600)
