@@ -3,7 +3,6 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "base/number/binary64.hpp"
 #include "contact/enclosure/enclosure.hpp"
@@ -60,14 +59,17 @@ void put_equation(FlintRationalMatrix& to, std::size_t column, const MixedProble
   to.set(problem.size(), column, to_rational(problem.c[row]));
 }
 
-/// Writes each dropped equation as a combination of kept linear ones; false if this is impossible for one.
-bool combine(const MixedProblem& problem, const ModeSystem& system, std::vector<DroppedEquation>& dropped) {
+/// Writes each dropped equation as a combination of the linear ones among `equations` that are kept; false if this is
+/// impossible for one.
+bool combine(const MixedProblem& problem, const ModeSystem& system, std::span<const std::size_t> equations,
+             std::vector<DroppedEquation>& dropped) {
   std::vector<bool> kept(system.size(), true);
   for (const DroppedEquation& d : dropped) kept[d.equation] = false;
   std::vector<std::size_t> linear;
-  for (std::size_t e = 0; e < system.size(); ++e) {
+  for (const std::size_t e : equations) {
     if (kept[e] && system.equations()[e].kind == ModeSystem::Kind::linear) linear.push_back(e);
   }
+  if (dropped.empty()) return true;
   FlintRationalMatrix A(problem.size() + 1, linear.size()), B(problem.size() + 1, dropped.size());
   FlintRationalMatrix X(linear.size(), dropped.size());
   for (std::size_t j = 0; j < linear.size(); ++j) put_equation(A, j, problem, system.equations()[linear[j]].row);
@@ -101,20 +103,20 @@ DependentPart dependent_part(const ModeSystem& system, std::span<const double> z
   return {others(rows, equations), others(columns, unknowns), rows.size() == columns.size()};
 }
 
-DependenceResult exact_dependence(const MixedProblem& problem, const ModeSystem& system, std::span<const double> z) {
+DependenceResult exact_dependence(const MixedProblem& problem, const ModeSystem& system, std::span<const double> z,
+                                  std::span<const std::size_t> equations, std::span<const std::size_t> unknowns) {
   DependenceResult result;
-  if (system.size() > largest_dependent) {
+  if (std::max(equations.size(), unknowns.size()) > largest_dependent) {
     result.reason = "equations depend on each other, and there are too many of them to find out which exactly";
+    result.unknowns.assign(unknowns.begin(), unknowns.end());
     return result;
   }
-  std::vector<std::size_t> all(system.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  DependentPart part = dependent_part(system, z, all, all);
+  DependentPart part = dependent_part(system, z, equations, unknowns);
   result.unknowns = std::move(part.unknowns);
   for (const std::size_t i : part.equations) result.dropped.push_back({i, {}});
-  if (result.dropped.empty() || !part.regular) {
+  if (!part.regular || (result.dropped.empty() && result.unknowns.empty())) {
     result.reason = "the equations of these contacts are too close to dependent for binary64";
-  } else if (!combine(problem, system, result.dropped)) {
+  } else if (!combine(problem, system, equations, result.dropped)) {
     result.reason = "the forces of these contacts depend on each other, not exactly, but up to rounding";
   }
   return result;

@@ -90,15 +90,16 @@ class EnclosureSearch {
       return std::nullopt;
     }
     blocks_ = blocks_of(*system_, z_, pinned_, dropped_);
+    std::vector<const SystemBlock*> dependent;
     for (SystemBlock& block : blocks_) {
       stop_if_asked();
       if (block.unknowns.size() == block.equations.size()) {
         if (invert(block)) continue;
         if (block.unknowns.size() > options_.largest_block) return too_large(block);
       }
-      return make_regular();
+      dependent.push_back(&block);
     }
-    return std::nullopt;
+    return dependent.empty() ? std::nullopt : make_regular(dependent);
   }
 
   NoEnclosure too_large(const SystemBlock& block) const {
@@ -134,12 +135,16 @@ class EnclosureSearch {
     return std::all_of(diagonal.begin(), diagonal.end(), [](double x) { return x < 0.05 / unit_roundoff; });
   }
 
-  std::optional<NoEnclosure> make_regular() {
-    const DependenceResult found = exact_dependence(problem_, *system_, z_);
-    if (!found.reason.empty()) return NoEnclosure{found.reason, contacts_of(problem_, *system_, found.unknowns)};
-    for (const std::size_t j : found.unknowns) pinned_[j] = true;
-    for (const DroppedEquation& d : found.dropped) dropped_[d.equation] = true;
-    combinations_ = found.dropped;
+  std::optional<NoEnclosure> make_regular(const std::vector<const SystemBlock*>& dependent) {
+    for (const SystemBlock* block : dependent) {
+      DependenceResult found = exact_dependence(problem_, *system_, z_, block->equations, block->unknowns);
+      if (!found.reason.empty()) return NoEnclosure{found.reason, contacts_of(problem_, *system_, found.unknowns)};
+      for (const std::size_t j : found.unknowns) pinned_[j] = true;
+      for (DroppedEquation& d : found.dropped) {
+        dropped_[d.equation] = true;
+        combinations_.push_back(std::move(d));
+      }
+    }
     blocks_ = blocks_of(*system_, z_, pinned_, dropped_);
     for (SystemBlock& block : blocks_) {
       if (block.unknowns.size() == block.equations.size() && invert(block)) continue;
