@@ -59,8 +59,22 @@ void put_equation(FlintRationalMatrix& to, std::size_t column, const MixedProble
   to.set(problem.size(), column, to_rational(problem.c[row]));
 }
 
-/// Writes each dropped equation as a combination of the linear ones among `equations` that are kept; false if this is
-/// impossible for one.
+}  // namespace
+
+DependentPart dependent_part(const ModeSystem& system, std::span<const double> z,
+                             std::span<const std::size_t> equations, std::span<const std::size_t> unknowns) {
+  const MatrixXd J = derivative_of(system, z, equations, unknowns);
+  std::vector<double> weights;
+  for (const std::size_t e : equations) {
+    weights.push_back(system.equations()[e].kind == ModeSystem::Kind::linear ? 1 : 64);
+  }
+  const std::vector<Index> rows = independent_columns(J.transpose(), weights);
+  MatrixXd kept(static_cast<Index>(rows.size()), J.cols());
+  for (std::size_t i = 0; i < rows.size(); ++i) kept.row(static_cast<Index>(i)) = J.row(rows[i]);
+  const std::vector<Index> columns = independent_columns(kept, std::vector<double>(unknowns.size(), 1));
+  return {others(rows, equations), others(columns, unknowns), rows.size() == columns.size()};
+}
+
 bool combine(const MixedProblem& problem, const ModeSystem& system, std::span<const std::size_t> equations,
              std::vector<DroppedEquation>& dropped) {
   std::vector<bool> kept(system.size(), true);
@@ -85,22 +99,6 @@ bool combine(const MixedProblem& problem, const ModeSystem& system, std::span<co
     }
   }
   return true;
-}
-
-}  // namespace
-
-DependentPart dependent_part(const ModeSystem& system, std::span<const double> z,
-                             std::span<const std::size_t> equations, std::span<const std::size_t> unknowns) {
-  const MatrixXd J = derivative_of(system, z, equations, unknowns);
-  std::vector<double> weights;
-  for (const std::size_t e : equations) {
-    weights.push_back(system.equations()[e].kind == ModeSystem::Kind::linear ? 1 : 64);
-  }
-  const std::vector<Index> rows = independent_columns(J.transpose(), weights);
-  MatrixXd kept(static_cast<Index>(rows.size()), J.cols());
-  for (std::size_t i = 0; i < rows.size(); ++i) kept.row(static_cast<Index>(i)) = J.row(rows[i]);
-  const std::vector<Index> columns = independent_columns(kept, std::vector<double>(unknowns.size(), 1));
-  return {others(rows, equations), others(columns, unknowns), rows.size() == columns.size()};
 }
 
 DependenceResult exact_dependence(const MixedProblem& problem, const ModeSystem& system, std::span<const double> z,

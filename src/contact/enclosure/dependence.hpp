@@ -22,6 +22,11 @@ struct DependentPart {
 DependentPart dependent_part(const ModeSystem& system, std::span<const double> z,
                              std::span<const std::size_t> equations, std::span<const std::size_t> unknowns);
 
+/// Writes each dropped equation as a combination of the linear ones among `equations` that are kept, coefficient by
+/// coefficient and constants included; false if this is impossible for one.
+bool combine(const MixedProblem& problem, const ModeSystem& system, std::span<const std::size_t> equations,
+             std::vector<DroppedEquation>& dropped);
+
 /// What to pin and to drop for a regular system; if this cannot be done exactly, `reason` with the unknowns in
 /// question.
 struct DependenceResult {

@@ -1,6 +1,7 @@
 // From an answer to an exact solution near it: a mode, an improved point, a box, and the conditions that hold in it.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,6 +18,17 @@ struct DroppedEquation {
   std::vector<std::pair<std::size_t, Rational>> combination;
 };
 
+/// What proves an enclosure in numbers that are longer than binary64.
+struct LongProof {
+  struct Entry {
+    std::size_t unknown, equation;  ///< counted without the pinned and the dropped ones
+    Rational value;
+  };
+  std::vector<Rational> center;  ///< of all unknowns
+  std::vector<double> radius;    ///< around it; of a pinned one 1
+  std::vector<Entry> inverse;
+};
+
 /// There is an exact solution of the problem in the mode's unknowns within `radius` of `center`.
 struct Enclosure {
   ModeSystem system;
@@ -26,6 +38,7 @@ struct Enclosure {
   std::vector<SystemBlock> blocks;
   /// All conditions hold strictly, nothing is pinned: there is a neighbourhood with no other solution.
   bool locally_unique = false;
+  std::shared_ptr<const LongProof> proof = {};  ///< in place of the blocks
 };
 
 /// Why there is no enclosure.

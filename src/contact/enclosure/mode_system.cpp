@@ -238,6 +238,32 @@ std::vector<ModeSystem::Entry> ModeSystem::leaning_row(const Equation& e) const 
   return result;
 }
 
+std::vector<std::pair<std::size_t, Rational>> ModeSystem::exact_derivative(std::size_t equation,
+                                                                           std::span<const Rational> z) const {
+  const Equation& e = equations_[equation];
+  const Rational mu = to_rational(e.mu);
+  if (e.kind == Kind::edge) return {{e.normal, mu}, {e.force, 1}};
+  if (e.kind == Kind::cone) {
+    return {{e.force, -2 * mu * mu * z[e.force]}, {e.force + 1, 2 * z[e.force + 1]}, {e.force + 2, 2 * z[e.force + 2]}};
+  }
+  std::map<std::size_t, Rational> entries;
+  const auto add_row = [&](std::size_t row, const Rational& factor) {
+    const auto columns = problem_->A.columns_of(row);
+    for (std::size_t n = 0; n < columns.size(); ++n) {
+      const std::size_t j = unknown_of_[columns[n]];
+      if (j != none) entries[j] += factor * to_rational(problem_->A.values_of(row)[n]);
+    }
+  };
+  add_row(e.row, 1);
+  if (e.kind == Kind::leaning) add_row(e.row + 1, -mu);
+  if (e.slip != none) {
+    const Rational k = e.kind == Kind::opening ? Rational(-mu * mu) : Rational(1);
+    entries[e.force] += k * z[e.slip];
+    entries[e.slip] += k * z[e.force];
+  }
+  return {entries.begin(), entries.end()};
+}
+
 double ModeSystem::second_order(std::size_t equation, std::span<const double> radius) const {
   const Equation& e = equations_[equation];
   if (e.kind == Kind::tangential) return radius[e.slip] * radius[e.force];

@@ -93,6 +93,9 @@ class ModeSystem {
   Rational value(std::size_t equation, std::span<const Rational> z) const;
   /// Row i of the derivative of F, in no order, each unknown once.
   std::vector<Entry> derivative(std::size_t equation, std::span<const double> z) const;
+  /// The same without rounding.
+  std::vector<std::pair<std::size_t, Rational>> exact_derivative(std::size_t equation,
+                                                                 std::span<const Rational> z) const;
   /// Upper bound on the terms of second order in F_i for steps up to `radius`, apart from rounding (a few ulps).
   double second_order(std::size_t equation, std::span<const double> radius) const;
 

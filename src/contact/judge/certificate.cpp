@@ -9,6 +9,7 @@
 #include "base/number/binary64.hpp"
 #include "contact/enclosure/ball.hpp"
 #include "contact/judge/problem_name.hpp"
+#include "contact/path/solve.hpp"
 
 namespace slipproof {
 
@@ -30,6 +31,9 @@ class CertificateWriter {
  private:
   bool write_claims(const ContactJudgement& judgement) {
     switch (judgement.verdict) {
+      case ContactVerdict::velocities_of_a_solution:
+        write_eps(judgement);
+        return write_solutions(judgement);
       case ContactVerdict::inaccurate:
       case ContactVerdict::not_converged:
       case ContactVerdict::solution_within_rho:
@@ -185,6 +189,7 @@ class CertificateWriter {
   bool write_enclosure(const Enclosure& box, std::span<const double> answer) {
     const auto is_sparse = [](const SystemBlock& block) { return block.sparse != nullptr; };
     if (std::any_of(box.blocks.begin(), box.blocks.end(), is_sparse)) return write_ball(box, answer);
+    if (box.proof) return write_long_enclosure(box, answer);
     line("enclosure {:a}", distance_from(box, answer));
     std::vector<double> radius = box.radius;
     for (const std::size_t j : box.pinned) radius[j] = 1;  // any positive number: it is not used
@@ -193,6 +198,19 @@ class CertificateWriter {
     vector("radius", radius);
     write_dependent(box);
     write_inverse(box);
+    return true;
+  }
+
+  /// With what its velocities are.
+  bool write_long_enclosure(const Enclosure& box, std::span<const double> answer) {
+    line("enclosure {:a}", distance_from(box, answer));
+    line("velocities {:a}", velocity_distance(problem_, box, answer));
+    write_modes(box);
+    vector("center", box.proof->center);
+    vector("radius", box.proof->radius);
+    write_dependent(box);
+    line("inverse {}", box.proof->inverse.size());
+    for (const LongProof::Entry& e : box.proof->inverse) line("{} {} {}", e.unknown, e.equation, e.value.str());
     return true;
   }
 

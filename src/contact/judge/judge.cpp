@@ -12,12 +12,13 @@
 #include "contact/exact/no_solution.hpp"
 #include "contact/judge/find.hpp"
 #include "contact/judge/small.hpp"
+#include "contact/path/solve.hpp"
 
 namespace slipproof {
 
 namespace {
 
-constexpr std::array<std::string_view, 12> verdict_names{"invalid",
+constexpr std::array<std::string_view, 13> verdict_names{"invalid",
                                                          "wrong",
                                                          "not converged",
                                                          "inaccurate",
@@ -25,6 +26,7 @@ constexpr std::array<std::string_view, 12> verdict_names{"invalid",
                                                          "solution within rho",
                                                          "unique",
                                                          "velocities within rho",
+                                                         "velocities of a solution within rho",
                                                          "no solution within rho",
                                                          "no solution",
                                                          "ambiguous",
@@ -172,7 +174,10 @@ class ContactCase {
       j_.enclosure = std::move(*box);
       return;
     }
-    if (problem_.is_coulomb() && solve_exactly()) return;
+    if (problem_.is_coulomb() && solve_exactly() && error_from(j_.exact) <= options_.tolerance) return;
+    const bool right = j_.residual->backward_error() <= options_.tolerance;
+    if (problem_.is_coulomb() && (right || options_.refine)) extra("a solution along a path", [&] { follow(); });
+    if (j_.has_solution()) return;
     auto& failure = std::get<NoEnclosure>(found);
     j_.reason = std::move(failure.reason);
     j_.contacts = std::move(failure.contacts);
@@ -196,10 +201,21 @@ class ContactCase {
     return true;
   }
 
+  /// Where equations depend on each other up to rounding.
+  void follow() {
+    Effort effort(options_.effort);  // other searches may have left none
+    j_.enclosure = solve_along_path(problem_, j_.x, effort);
+    if (!j_.enclosure) return;
+    j_.exact.clear();
+    j_.rho = distance_from(*j_.enclosure, j_.x);
+    j_.eta = velocity_distance(problem_, *j_.enclosure, j_.x);
+    j_.undetermined = j_.enclosure->pinned.size();
+  }
+
   void exclude_others() {
     extra("whether it is the only solution", [&] { j_.unique_by = prove_unique(problem_, effort_); });
     if (j_.unique_by || !j_.enclosure || !j_.enclosure->pinned.empty()) return;
-    if (j_.enclosure->system.size() > options_.others_up_to) return;
+    if (j_.enclosure->proof || j_.enclosure->system.size() > options_.others_up_to) return;
     extra("another solution", [&] { j_.other = another_solution(problem_, *j_.enclosure); });
   }
 
@@ -220,6 +236,36 @@ bool may_be_near(const ContactJudgement& j, const ContactJudgeOptions& options) 
   return j.exclusion && j.exclusion->radius <= 2 * contact_near * largest;
 }
 
+/// How far each contact's force is from that of the enclosed solution, in its largest component.
+std::vector<double> force_distances(const MixedProblem& problem, const ContactJudgement& j) {
+  const std::vector<double> r = center_of(*j.enclosure);
+  std::vector<double> distances;
+  for (std::size_t k = 0; k < problem.contacts(); ++k) {
+    distances.push_back(0);
+    for (std::size_t i = problem.normal(k); i < problem.normal(k) + problem.dimension; ++i) {
+      distances.back() = std::max(distances.back(), std::abs(r[i] - j.x[i]));
+    }
+  }
+  return distances;
+}
+
+/// Of a solution along a path: it has the answer's velocities, and such a change of forces would usually move contacts
+/// far more. `reason` and `contacts` say so then.
+bool has_right_velocities(const MixedProblem& problem, ContactJudgement& j, const ContactJudgeOptions& options) {
+  if (!j.enclosure || !j.enclosure->proof || j.eta > options.tolerance * j.residual->scale) return false;
+  const std::vector<double> scales = contact_scales(problem), distances = force_distances(problem, j);
+  double usual = 0;
+  for (std::size_t k = 0; k < scales.size(); ++k) usual = std::max(usual, scales[k] * distances[k]);
+  if (usual == 0 || j.eta > options.tolerance * usual) return false;
+  const double farthest = *std::max_element(distances.begin(), distances.end());
+  j.reason = "forces that hardly move any contact are determined by rounding alone";
+  j.contacts.clear();
+  for (std::size_t k = 0; k < distances.size(); ++k) {
+    if (distances[k] > options.tolerance * farthest) j.contacts.push_back(k);
+  }
+  return true;
+}
+
 }  // namespace
 
 std::string_view name(ContactVerdict verdict) {
@@ -228,7 +274,8 @@ std::string_view name(ContactVerdict verdict) {
 
 bool is_certified(ContactVerdict verdict) {
   using enum ContactVerdict;
-  return verdict == solution_within_rho || verdict == unique || verdict == velocities_within_rho;
+  return verdict == solution_within_rho || verdict == unique || verdict == velocities_within_rho ||
+         verdict == velocities_of_a_solution;
 }
 
 ContactJudgement judge_contacts(const MixedProblem& problem, std::vector<double> x, std::span<const double> u,
@@ -264,6 +311,8 @@ ContactJudgement judge_contacts(const MixedProblem& problem, std::vector<double>
     judgement.verdict = found.certainly_several() ? ContactVerdict::ambiguous
                         : found.certainly_one()   ? ContactVerdict::unique
                                                   : ContactVerdict::solution_within_rho;
+  } else if (known && right && has_right_velocities(problem, judgement, options)) {
+    judgement.verdict = ContactVerdict::velocities_of_a_solution;
   } else if (near) {
     judgement.verdict = right ? ContactVerdict::inaccurate : ContactVerdict::not_converged;
   } else if (right && !known && only_forces_open &&

@@ -23,16 +23,19 @@ enum class ContactVerdict : std::uint8_t {
   not_converged,  ///< the backward error is above the tolerance, and a solution is near it
   inaccurate,     ///< it solves a problem within the tolerance, but the solution near it is farther away than that
   eps_solution,   ///< it solves a problem within the tolerance; nothing stronger is proved
-  solution_within_rho,    ///< an exact solution is within rho of it, and within the tolerance
-  unique,                 ///< and it is the only one there is
-  velocities_within_rho,  ///< nothing determines some forces; the velocities of every solution are within eta
-  none_within_rho,        ///< no exact solution is within the radius that was asked for
-  no_solution,            ///< the problem has none at all
-  ambiguous,              ///< it is one of several
-  undecided               ///< no answer was given, and none was found
+  solution_within_rho,       ///< an exact solution is within rho of it, and within the tolerance
+  unique,                    ///< and it is the only one there is
+  velocities_within_rho,     ///< nothing determines some forces; the velocities of every solution are within eta
+  velocities_of_a_solution,  ///< an exact solution's velocities are within eta of it; forces that rounding decides
+                             ///< differ
+  none_within_rho,           ///< no exact solution is within the radius that was asked for
+  no_solution,               ///< the problem has none at all
+  ambiguous,                 ///< it is one of several
+  undecided                  ///< no answer was given, and none was found
 };
 std::string_view name(ContactVerdict verdict);
-/// `solution_within_rho`, `unique` and `velocities_within_rho`: all that one could ask of an answer.
+/// `solution_within_rho`, `unique`, `velocities_within_rho` and `velocities_of_a_solution`: all that one could ask of
+/// an answer.
 bool is_certified(ContactVerdict verdict);
 
 struct ContactJudgeOptions {
@@ -59,6 +62,7 @@ struct ContactJudgement {
   std::optional<FrictionLaw> right_for;  ///< wrong for the cone, and within the tolerance for this pyramid
   std::optional<Enclosure> enclosure;
   double rho = 0;                      ///< of the enclosure, from the answer
+  double eta = 0;                      ///< of its velocities, from the answer's, where it was found along a path
   std::size_t undetermined = 0;        ///< forces that nothing determines: they are held at the answer's values
   double error = 0;                    ///< where a solution is known: upper bound, each kind by its own size
   std::optional<EverySolution> every;  ///< of convex laws

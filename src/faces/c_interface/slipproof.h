@@ -160,7 +160,7 @@ typedef struct slipproof_verdict slipproof_verdict;
 typedef struct slipproof_judgement {
   const char* verdict; /* "certified", "wrong", "solution within rho", ...: the words of `slipproof certify` */
   int certified;       /* the verdict is one of the best: "certified", "solution within rho", "unique",
-                        * "velocities within rho" */
+                        * "velocities within rho", "velocities of a solution within rho" */
   double error; /* upper bound on the largest relative error; rho for "solution within rho" and "unique"; NaN if no
                  * solution near the answer is known */
   double backward_error; /* upper bound; NaN if the answer was compared with solutions */

@@ -26,6 +26,7 @@ using Dropped = std::map<std::size_t, Row>;
 class Neighbourhood {
  public:
   Neighbourhood(const Problem& problem, Reader& reader) : problem_(problem), rho_(reader.number()) {
+    if (reader.accept("velocities")) eta_ = reader.number();
     reader.expect("modes");
     signs_.resize(problem.contacts());
     for (std::size_t k = 0; k < problem.contacts(); ++k) modes_.push_back(mode(reader, k));
@@ -52,7 +53,10 @@ class Neighbourhood {
     check_zero();
     for (std::size_t k = 0; k < problem_.contacts(); ++k) check_contact(k);
     check_distance();
-    return "a solution within " + decimal(rho_) + " of the answer";
+    const std::string found = "a solution within " + decimal(rho_) + " of the answer";
+    if (!eta_) return found;
+    check_velocities();
+    return found + ", its velocities within " + decimal(*eta_);
   }
 
  protected:
@@ -277,7 +281,17 @@ class Neighbourhood {
     }
   }
 
+  void check_velocities() const {
+    for (std::size_t i = problem_.free; i < problem_.size(); ++i) {
+      Equation moved = motion(i);
+      moved.value += -problem_.motion(i, problem_.the_answer());
+      const Number spread = moved.value - least(moved);
+      require(abs(moved.value) + spread <= *eta_, "row", i, "the velocity may be farther than ETA from the answer's");
+    }
+  }
+
   Number rho_;
+  std::optional<Number> eta_;
   bool opens_ = false;  ///< by the associated law, what slides
   std::vector<Mode> modes_;
   std::vector<Signs> signs_;

@@ -179,6 +179,7 @@ std::string contact_members(const JudgedProblem& problem, std::size_t answer) {
     if (is_certified(j.verdict) || j.verdict == ContactVerdict::ambiguous) line["unique"] = uniqueness(j);
   }
   if (j.every && std::isfinite(j.every->eta)) line["velocities_within"] = at_most(j.every->eta);
+  if (j.enclosure && j.enclosure->proof) line["velocities_within"] = at_most(j.eta);
   if (j.excluded() > 0) line["no_solution_within"] = at_least(j.excluded());
   if (j.residual) {
     line["residual"] = at_most(j.residual->change);

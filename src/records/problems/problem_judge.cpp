@@ -130,6 +130,7 @@ RecordVerdict record_verdict(ContactVerdict verdict) {
     case ContactVerdict::unique:
     case ContactVerdict::solution_within_rho:
     case ContactVerdict::velocities_within_rho:
+    case ContactVerdict::velocities_of_a_solution:
       return RecordVerdict::certified;
     case ContactVerdict::ambiguous:
       return RecordVerdict::ambiguous;

@@ -30,6 +30,7 @@ VerdictLook look(ContactVerdict verdict) {
       return {"proved", "✓✓ "};
     case ContactVerdict::solution_within_rho:
     case ContactVerdict::velocities_within_rho:
+    case ContactVerdict::velocities_of_a_solution:
       return {"proved", "✓ "};
     case ContactVerdict::inaccurate:
     case ContactVerdict::eps_solution:

@@ -63,6 +63,10 @@ std::string verdict_words(const ContactJudgement& j, const ContactUnits& units) 
     case ContactVerdict::velocities_within_rho:
       return fmt::format("Every solution has velocities within {} of those of the answer.",
                          in(j.every->eta, units.velocity));
+    case ContactVerdict::velocities_of_a_solution:
+      return fmt::format(
+          "An exact solution has velocities within {} of those of the answer. Forces differ by up to {}.",
+          in(j.eta, units.velocity), in(j.rho, units.force));
     case ContactVerdict::none_within_rho:
     case ContactVerdict::wrong:
       if (!j.reason.empty()) return "The answer is wrong: " + j.reason + ".";
@@ -79,6 +83,9 @@ std::vector<std::string> further_words(const ContactJudgement& j) {
   if (j.verdict == ContactVerdict::eps_solution && !j.reason.empty()) {
     sentences.push_back(fmt::format("Nothing stronger: {}{}.", j.reason,
                                     j.contacts.empty() ? "" : " (" + contact_list(j.contacts) + ")"));
+  }
+  if (j.verdict == ContactVerdict::velocities_of_a_solution) {
+    sentences.push_back(fmt::format("Forces are open: {} ({}).", j.reason, contact_list(j.contacts)));
   }
   if (j.right_for) {
     sentences.push_back(

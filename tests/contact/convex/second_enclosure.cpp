@@ -16,6 +16,8 @@ struct Form {
 
 void enclosure(const Certificate& p, Words& words, bool ball) {
   const Q rho = words.number();
+  const bool of_velocities = words.take("velocities");
+  const Q eta = of_velocities ? words.number() : Q(0);
   words.expect("modes");
   std::vector<std::string> mode;
   std::vector<std::size_t> at(p.n, none), unknowns_of(p.K), slip(p.K);
@@ -189,6 +191,11 @@ void enclosure(const Certificate& p, Words& words, bool ball) {
     for (std::size_t j = 0; j < N; ++j) sum += absolute(f.slope[j]) * radius[j];
     return sum;
   };
+  const Vec own = p.motion(p.x);
+  for (std::size_t i = p.F; of_velocities && i < p.n; ++i) {
+    const Form f = row(i);
+    need(absolute(f.value - own[i]) + reach(f) <= eta, "eta");
+  }
   for (std::size_t k = 0; k < p.K; ++k) {
     const std::size_t first = p.F + p.D * k;
     const Q m = p.mu[k];

@@ -17,7 +17,13 @@ from ._progress import Progress, reporter
 #: Sizes up to which every solution of a problem is looked for in exact arithmetic, unless the caller wants otherwise.
 EXACT_UP_TO = 64
 _EFFORT = 1_500_000_000
-_CERTIFIED = ("certified", "solution within rho", "unique", "velocities within rho")
+_CERTIFIED = (
+    "certified",
+    "solution within rho",
+    "unique",
+    "velocities within rho",
+    "velocities of a solution within rho",
+)
 _LAWS = tuple(_core.law_words())
 
 

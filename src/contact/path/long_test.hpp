@@ -1,0 +1,53 @@
+// One block's equations in long numbers: what is dependent, and Krawczyk's test without rounding.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "contact/enclosure/dependence.hpp"
+#include "contact/enclosure/krawczyk.hpp"
+
+namespace slipproof {
+
+/// Equations and unknowns that are left out so that the others are independent as far as 106 bits tell; those that are
+/// not linear are kept first.
+DependentPart dependent_in_long_numbers(const ModeSystem& system, const SystemBlock& block,
+                                        std::span<const Rational> z);
+
+/// The test of enclosure/MATHEMATICS.md, (1). All that depends on A and the point is computed exactly and rounded up
+/// once; the inverse has 106 bits.
+class LongTest {
+ public:
+  /// `z` has all unknowns of the system, and is improved by run(). Both must outlive it.
+  LongTest(const ModeSystem& system, const SystemBlock& block, std::vector<Rational>& z);
+
+  /// Newton's method, then the test; nothing where one of them fails.
+  std::optional<KrawczykBox> run();
+  /// An entry of the inverse: rows for the unknowns, columns for the equations.
+  Rational inverse(std::size_t unknown, std::size_t equation) const;
+
+ private:
+  bool invert();
+  bool improve();
+  struct Derivative;
+  Derivative derivative() const;
+  std::vector<Integer> defect_row(std::size_t j, const Derivative& J) const;
+  void refine_inverse(const Derivative& J);
+  void measure();
+  std::vector<double> bound_with(double order) const;
+  bool inside(const std::vector<double>& bound) const;
+  Rational scaled_value(std::size_t equation) const;
+
+  const ModeSystem& system_;
+  const SystemBlock& block_;
+  std::vector<Rational>& z_;
+  const std::size_t n_;
+  std::vector<int> rows_, columns_;            ///< exponents that bring the derivative's rows and columns near 1
+  std::vector<std::vector<Integer>> inverse_;  ///< of the scaled derivative, times 2^digits_
+  int digits_ = 0;
+  std::vector<double> step_, radius_;  ///< upper bounds on |R F|, in scaled unknowns as all that follows
+  DenseMatrix defect_, size_;          ///< of |I - R J| and |R|
+};
+
+}  // namespace slipproof

@@ -1,0 +1,144 @@
+// Solutions that only rounding determines: found along paths, enclosed in long numbers, checked by others.
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "base/number/dice.hpp"
+#include "contact/convex/second_reading.hpp"
+#include "contact/formats/read_files.hpp"
+#include "contact/judge/certificate.hpp"
+#include "contact/judge/find.hpp"
+#include "contact/judge/judge.hpp"
+#include "contact/path/solve.hpp"
+#include "proofs/check_contact/check_contact.hpp"
+
+using namespace slipproof;
+using namespace slipproof::test;
+
+namespace {
+
+bool accepted(const std::string& certificate) {
+  using Kind = check_contact::ContactVerdict::Kind;
+  return check_contact::check_contact_certificate(certificate).kind == Kind::accepted;
+}
+
+/// Contacts of one point mass, all at the same place: u_k = r_1 + r_2 + ... + q. The last row of blocks is larger by
+/// 2^-50, as if rounding had done it.
+MixedProblem one_place(std::size_t contacts, std::vector<double> q) {
+  MixedProblem p;
+  const std::size_t n = 3 * contacts;
+  std::vector<double> W(n * n, 0);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = i % 3; j < n; j += 3) W[i * n + j] = 1;
+  }
+  for (std::size_t i = n - 3; i < n; ++i) W[i * n + i] += 0x1p-50;
+  p.A = from_dense(n, n, W);
+  p.c = std::move(q);
+  p.mu.assign(contacts, 0.5);
+  return p;
+}
+
+/// A rigid body of mass 1 and inertia 1 on points of a floor, pressed and pushed: W = H^T H in binary64, of rank 6.
+MixedProblem body_on_floor(Dice& dice, std::size_t contacts) {
+  const auto number = [&](int most) { return dice.number(-most, most) / 7.0; };
+  const std::size_t n = 3 * contacts;
+  std::vector<std::array<double, 6>> H;  // of each component: what it moves
+  for (std::size_t k = 0; k < contacts; ++k) {
+    const double x = number(9), y = number(9), z = -0.7;
+    H.push_back({0, 0, 1, y, -x, 0});
+    H.push_back({1, 0, 0, 0, z, -y});
+    H.push_back({0, 1, 0, -z, 0, x});
+  }
+  const std::array<double, 6> free{number(2), number(2), -1, number(1) / 4, number(1) / 4, number(1) / 4};
+  MixedProblem p;
+  std::vector<double> W(n * n, 0);
+  p.c.assign(n, 0);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t a = 0; a < 6; ++a) {
+      for (std::size_t j = 0; j < n; ++j) W[i * n + j] += H[i][a] * H[j][a];
+      p.c[i] += H[i][a] * free[a];
+    }
+  }
+  p.A = from_dense(n, n, W);
+  p.mu.assign(contacts, 0.4);
+  return p;
+}
+
+}  // namespace
+
+TEST_CASE("forces that only rounding determines are open, and the velocities are certified") {
+  // By subtraction of their rows, r_2 = 2^50 (q_1 - q_2) = quarters / 4, whatever the answer says.
+  for (const int quarters : {1, 2, 3}) {
+    const MixedProblem p = one_place(2, {-1, 0, 0, -1 - quarters * 0x1p-52, 0, 0});
+    for (const double r1 : {1.0, 0.625, 0.125}) {
+      CAPTURE(quarters);
+      CAPTURE(r1);
+      const ContactJudgement j = judge_contacts(p, {r1, 0, 0, 1 - r1, 0, 0}, {}, {});
+      REQUIRE(j.verdict == ContactVerdict::velocities_of_a_solution);
+      REQUIRE(j.enclosure->proof);
+      const Rational& r2 = j.enclosure->proof->center[j.enclosure->system.unknown(3)];
+      CHECK(abs(r2 - Rational(quarters, 4)) <= to_rational(j.enclosure->proof->radius[3]));
+      CHECK(j.eta <= 0x1p-50);
+      CHECK(j.rho >= std::abs(1 - r1 - quarters / 4.0));
+    }
+    // The exact solution itself is as right as any.
+    const ContactJudgement right = judge_contacts(p, {1 - quarters / 4.0, 0, 0, quarters / 4.0, 0, 0}, {}, {});
+    CHECK(right.verdict == ContactVerdict::solution_within_rho);
+  }
+}
+
+TEST_CASE("bodies on too many points: solutions are enclosed, and two checkers accept their certificates") {
+  int far = 0, found = 0;
+  for (std::uint64_t i = 0; i < 12; ++i) {
+    Dice dice(77, i);
+    const MixedProblem p = body_on_floor(dice, static_cast<std::size_t>(dice.number(4, 6)));
+    const std::vector<double> x = approximate_solution(p, {.sweeps = 4000});
+    const ContactJudgement j = judge_contacts(p, x, {}, {});
+    CAPTURE(i);
+    CAPTURE(j.reason);
+    if (!j.enclosure || !j.enclosure->proof) continue;
+    ++found;
+    far += j.verdict == ContactVerdict::velocities_of_a_solution;
+    const std::string certificate = contact_certificate(p, j);
+    CHECK(accepted(certificate));
+    const std::size_t named = certificate.find("problem ");
+    std::string text = certificate;
+    text.erase(named, text.find('\n', named) - named);
+    CHECK(second_reading(text) == "accepted");
+  }
+  MESSAGE("found " << found << ", far " << far);
+  CHECK(found >= 6);
+  CHECK(far >= 3);
+}
+
+TEST_CASE("a certificate whose velocities are claimed too near is refused, by both") {
+  const MixedProblem p = one_place(2, {-1, 0, 0, -1 - 0x1p-52, 0, 0});
+  const ContactJudgement j = judge_contacts(p, {0.5, 0, 0, 0.5, 0, 0}, {}, {});
+  REQUIRE(j.verdict == ContactVerdict::velocities_of_a_solution);
+  std::string text = contact_certificate(p, j);
+  const std::size_t named = text.find("problem ");
+  text.erase(named, text.find('\n', named) - named);
+  REQUIRE(accepted(text));
+  REQUIRE(second_reading(text) == "accepted");
+  const std::size_t at = text.find("velocities ") + 11, end = text.find('\n', at);
+  for (const char* eta : {"0", "-1", "0x1p-60"}) {
+    const std::string other = std::string(text).replace(at, end - at, eta);
+    CHECK(!accepted(other));
+    CHECK(second_reading(other) != "accepted");
+  }
+}
+
+TEST_CASE("a real problem: OneObject of Siconos, whose solution is elsewhere") {
+  const char* given = std::getenv("SLIPPROOF_SHARED");
+  const std::filesystem::path shared = given != nullptr ? given : SLIPPROOF_SOURCE_DIR "/../shared/data";
+  const auto file = shared / "siconos/OneObject-i1028-138.hdf5.dat";
+  if (!std::filesystem::exists(file)) return;
+  const MixedProblem p = coulomb_problem(read_problem_file(file.string()).problem);
+  const std::vector<double> x = approximate_solution(p, {.sweeps = 20000});
+  const ContactJudgement j = judge_contacts(p, x, {}, {});
+  CHECK(j.verdict == ContactVerdict::velocities_of_a_solution);
+  CHECK(j.eta < 1e-13);
+  CHECK(j.rho > 0.01);
+  CHECK(accepted(contact_certificate(p, j)));
+}
