@@ -158,8 +158,9 @@ class PathWalk {
 }  // namespace
 
 std::optional<PathEnd> follow_path(const MixedProblem& problem, std::span<const double> x, Effort& effort) {
-  for (const double regularisation : {0x1p-40, 0x1.8p-39, 0x1.3p-41, 0x1.5p-38, 0x1.1p-42}) {
-    PathWalk walk(PathPoint(problem, x, regularisation), effort);
+  constexpr unsigned attempts = 8;
+  for (unsigned attempt = 0; attempt < attempts; ++attempt) {
+    PathWalk walk(PathPoint(problem, x, attempt), effort);
     if (!walk.run()) continue;
     PathEnd end{walk.point().mode(), {}, {}};
     for (const DoubleDouble& value : walk.point().x()) end.x.push_back(exact_number(value));

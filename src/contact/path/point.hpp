@@ -37,8 +37,8 @@ struct Margin {
 class PathPoint {
  public:
   /// At t = 1, in what `x` is nearest to that satisfies the law (residual.hpp), in the interior of its mode.
-  /// `regularisation` is a over the scale of a contact: rounding changes a Delassus matrix by a few times 2^-52.
-  PathPoint(const MixedProblem& problem, std::span<const double> x, double regularisation);
+  /// Each `attempt` has other a.
+  PathPoint(const MixedProblem& problem, std::span<const double> x, unsigned attempt);
 
   /// The number of unknowns apart from t, and of equations.
   Eigen::Index unknowns() const { return unknowns_; }
