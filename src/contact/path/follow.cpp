@@ -31,11 +31,19 @@ class PathWalk {
       if (!prepare(border)) return false;
       const std::optional<Margin> met = step(length);
       if (!moved_) return false;
-      if (point_.t().high < least_t) return true;
+      if (point_.t().high < least_t) return ends_well();
       if (met && !land(*met)) return false;
       border = met ? point_.gradient(point_.pass(*met)) : tangent_;
       if (!(point_.t().high < 4)) return false;
     }
+  }
+
+  /// At t = 0 no margin is negative. Where equations are exactly dependent there, that is left to the enclosure.
+  bool ends_well() {
+    const PathPoint before = point_;
+    if (land({}) && point_.t().high < least_t) return within(point_.margins(), nullptr);
+    point_ = before;
+    return true;
   }
 
   const PathPoint& point() const { return point_; }
