@@ -129,6 +129,14 @@ TEST_CASE("a certificate whose velocities are claimed too near is refused, by bo
   }
 }
 
+TEST_CASE("the shipped file has the verdict that its page says") {
+  const ReadProblem read = read_problem_file(SLIPPROOF_SOURCE_DIR "/cases/contact-problems/open-forces.json");
+  const ContactJudgement j = judge_contacts(mixed_problem(read.problem), read.answers.front().r, {}, {});
+  REQUIRE(j.verdict == ContactVerdict::velocities_of_a_solution);
+  CHECK(j.rho == doctest::Approx(0.125));
+  CHECK(j.contacts == std::vector<std::size_t>{0, 1});
+}
+
 TEST_CASE("a real problem: OneObject of Siconos, whose solution is elsewhere") {
   const char* given = std::getenv("SLIPPROOF_SHARED");
   const std::filesystem::path shared = given != nullptr ? given : SLIPPROOF_SOURCE_DIR "/../shared/data";
