@@ -61,3 +61,20 @@ TEST_CASE("what a line lacks is told with its place") {
   CHECK(mistake_of(head + R"("one-motion/pulled","motion":{"az":1}})").find("az") != std::string::npos);
   CHECK(mistake_of(head + R"("one-motion/pulled","motion":{"ax":"1"}})").starts_with("motion: found"));
 }
+
+TEST_CASE("the shipped answers can be read, and are about shipped scenes") {
+  const std::filesystem::path engines = SLIPPROOF_SOURCE_DIR "/cases/engines";
+  std::size_t files = 0, motions = 0;
+  for (const auto& file : std::filesystem::directory_iterator(engines / "answers")) {
+    ++files;
+    for (const EngineAnswer& answer : read_engine_answers(file.path())) {
+      CAPTURE(answer.scene);
+      CHECK(answer.engine == file.path().stem());
+      CHECK(answer.date.size() == 10);
+      REQUIRE(std::filesystem::exists(engines / "scenes" / (answer.scene + ".toml")));
+      motions += answer.motion.empty() ? 0 : 1;
+    }
+  }
+  CHECK(files >= 10);
+  CHECK(motions > 3000);
+}
