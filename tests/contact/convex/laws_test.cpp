@@ -8,7 +8,6 @@
 #include "contact/enclosure/sizes.hpp"
 #include "contact/judge/certificate.hpp"
 #include "contact/judge/judge.hpp"
-#include "proofs/check_contact/check_contact.hpp"
 #include "support/how_many.hpp"
 
 using namespace slipproof;
@@ -32,11 +31,6 @@ LawfulProblem some_problem(std::uint64_t seed, int i, const ContactLaw& law, int
   Dice dice(seed, static_cast<std::uint64_t>(i));
   const auto contacts = static_cast<std::size_t>(dice.number(1, most));
   return Lawful(dice, law).make(contacts);
-}
-
-bool accepted(const std::string& certificate) {
-  using Kind = check_contact::ContactVerdict::Kind;
-  return check_contact::check_contact_certificate(certificate).kind == Kind::accepted;
 }
 
 double farthest(const std::vector<double>& a, const std::vector<double>& b) {

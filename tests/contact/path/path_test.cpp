@@ -11,17 +11,11 @@
 #include "contact/judge/find.hpp"
 #include "contact/judge/judge.hpp"
 #include "contact/path/solve.hpp"
-#include "proofs/check_contact/check_contact.hpp"
 
 using namespace slipproof;
 using namespace slipproof::test;
 
 namespace {
-
-bool accepted(const std::string& certificate) {
-  using Kind = check_contact::ContactVerdict::Kind;
-  return check_contact::check_contact_certificate(certificate).kind == Kind::accepted;
-}
 
 /// Contacts of one point mass, all at the same place: u_k = r_1 + r_2 + ... + q. The last row of blocks is larger by
 /// 2^-50, as if rounding had done it.
