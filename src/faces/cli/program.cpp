@@ -21,6 +21,7 @@
 #include "base/output/output_error.hpp"
 #include "base/parallel/failure.hpp"
 #include "faces/cli/command.hpp"
+#include "faces/cli/interrupt.hpp"
 
 namespace slipproof::cli {
 
@@ -56,7 +57,7 @@ std::string exit_codes_text() {
   return text;
 }
 
-int run(int argc, char** argv, Transport& transport) {
+int run_command(int argc, char** argv, Transport& transport) {
   CLI::App app("Exact, provable answers about dry friction", "slipproof");
   app.set_version_flag("--version", "slipproof " SLIPPROOF_VERSION);
   app.require_subcommand(1);
@@ -88,6 +89,24 @@ int run(int argc, char** argv, Transport& transport) {
     print(out.str());
   }
   return exit_code;
+}
+
+/// The same, until Ctrl-C. Many ranks are stopped by who started them.
+int run(int argc, char** argv, Transport& transport) {
+  if (transport.ranks() > 1) return run_command(argc, argv, transport);
+  Continuation continuation;
+  try {
+    const CtrlC ctrl_c;
+    const StopScope scope(ctrl_c.token());
+    return run_command(argc, argv, transport);
+  } catch (const Interrupted& interrupted) {
+    continuation = interrupted.continuation();
+  } catch (const Stopped&) {
+    continuation.kept = "nothing is kept of it";
+  }
+  std::cerr << "slipproof: stopped by Ctrl-C; " << continuation.kept << "\nTo go on:\n  "
+            << command_line({argv, argv + argc}, continuation) << '\n';
+  CtrlC::end_program();
 }
 
 }  // namespace

@@ -72,6 +72,16 @@ void GateRun::add(std::uint64_t record, const RecordJudgement& judgement, const 
   listed.push_back({record, judgement.verdict, std::move(line)});
 }
 
+std::string gate_text(const GateRun& run) {
+  constexpr std::size_t most = 10;
+  std::string text = fmt::format("{} of {} fail\n", run.failed, counted(run.records, "record"));
+  for (std::size_t i = 0; i < std::min(most, run.listed.size()); ++i) {
+    text += fmt::format("  {}: {}: {}\n", run.file, case_name(run.listed[i]), message_of(run.listed[i]));
+  }
+  if (run.failed > most) text += fmt::format("  and {} more\n", run.failed - most);
+  return text;
+}
+
 std::string junit(const GateRun& run) {
   const ElementTree tree("testsuites");
   const Element suite = tree.root().add("testsuite").set("name", run.file);

@@ -43,6 +43,8 @@ struct GateRun {
   void add(std::uint64_t record, const RecordJudgement& judgement, const FailingVerdicts& fails);
 };
 
+/// For a log: how many fail, and of the first ten which and why, a line each. `2 of 10 records fail` and its lines.
+std::string gate_text(const GateRun& run);
 /// A suite with a case for each failure, and one for all others together.
 std::string junit(const GateRun& run);
 /// A result for each failure, with the file as its place and the record's number among its properties.

@@ -46,6 +46,27 @@ TEST_CASE("--fail-on says which verdicts fail, and without it exit codes are as 
   CHECK(run({"certify", block, "--tolerance", "1e-12", "--fail-on", "inaccurate"}).exit_code == 1);
 }
 
+TEST_CASE("a log has what fails, the first ten with their reasons, and then the verdict") {
+  const auto quiet = run({"certify", examples, "--fail-on", "wrong,inaccurate", "--quiet"});
+  CHECK(quiet.out.starts_with("4 of 10 records fail\n  " + examples + ": record "));
+  CHECK(quiet.out.find(": record 3: wrong: violates w2 >= 0, margin -7/2\n") != std::string::npos);
+  CHECK(quiet.out.find("\ns NOT CERTIFIED") != std::string::npos);
+  CHECK(quiet.err.empty());
+  const auto json = run({"certify", examples, "--fail-on", "wrong,inaccurate", "--json"});
+  CHECK(json.err.starts_with("4 of 10 records fail\n"));
+  CHECK(run({"certify", examples, "--quiet"}).out.find("fail") == std::string::npos);
+  const TemporaryFolder folder;
+  std::string many;
+  for (int i = 0; i < 25; ++i)
+    many += R"({"M":[[1]],"q":[-1],"z":[2]})"
+            "\n";
+  const auto log = run({"certify", folder.write("many.jsonl", many), "--fail-on", "wrong", "--quiet"}).out;
+  CHECK(log.starts_with("25 of 25 records fail\n"));
+  CHECK(log.find(": record 10: wrong") != std::string::npos);
+  CHECK(log.find(": record 11: wrong") == std::string::npos);
+  CHECK(log.find("  and 15 more\n") != std::string::npos);
+}
+
 TEST_CASE("JUnit's XML and SARIF have what fails, and how much does not") {
   const TemporaryFolder folder;
   const std::string junit = folder.path() / "j.xml", sarif = folder.path() / "s.sarif";

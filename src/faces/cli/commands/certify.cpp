@@ -1,9 +1,9 @@
 #include "records/certify/certify.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <chrono>
+#include <algorithm>
+#include <atomic>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -16,6 +16,8 @@
 #include "faces/cli/commands/certify_problem.hpp"
 #include "faces/cli/commands/gate.hpp"
 #include "faces/cli/crew_run.hpp"
+#include "faces/cli/interrupt.hpp"
+#include "faces/cli/progress.hpp"
 #include "faces/cli/warnings.hpp"
 #include "mechanics/reading/shipped.hpp"
 #include "records/certify/pieces.hpp"
@@ -37,6 +39,7 @@ struct CertifyArguments {
   GateArguments gate;
   std::optional<double> tolerance;
   std::optional<Work> effort;
+  std::uint64_t written = 0;  ///< records whose lines are on standard output
 };
 
 RecordFormat format_of(const CertifyArguments& options) {
@@ -67,17 +70,21 @@ std::string summary_text(const CertifySummary& s) {
                             s.count(RecordVerdict::certified), s.records);
 }
 
-/// Shows the count on standard error if that is a terminal, at most twice a second.
-Progress record_counter(bool wanted) {
-  if (!wanted || isatty(STDERR_FILENO) == 0) return {};
-  auto last = std::make_shared<std::chrono::steady_clock::time_point>();
-  return [last](std::uint64_t records) {
-    const auto now = std::chrono::steady_clock::now();
-    if (now - *last < std::chrono::milliseconds(500)) return;
-    *last = now;
-    std::cerr << '\r' << records << " records" << std::flush;
-  };
-}
+/// The bytes of the input, counted: how many there will be is known of a file.
+struct CountedBytes {
+  std::atomic<std::uint64_t> read = 0;
+  std::uint64_t all = 0;
+
+  ByteSource open(const std::string& file) {
+    std::error_code error;
+    if (std::filesystem::is_regular_file(file, error)) all = std::filesystem::file_size(file, error);
+    return [this, source = open_bytes(file)](char* buffer, std::size_t size) {
+      const std::size_t some = source(buffer, size);
+      read += some;
+      return some;
+    };
+  }
+};
 
 /// Reads the values that are the same for all records: a scene of a bicycle or of a mechanism, or a mechanism alone.
 void read_setting(CertifyArguments& options) {
@@ -103,13 +110,13 @@ bool is_one_problem(const CertifyArguments& options) {
 
 /// Certifies a table, or lines of text.
 CertifySummary certify_records(const CertifyArguments& options, bool table, const LineSink& sink,
-                               const Progress& progress) {
+                               const Progress& progress, CountedBytes& bytes) {
   if (table) return certify(open_table(options.file, options.table), sink, options.certify, progress);
   if (!options.table.names.empty() || !options.table.place.empty()) {
     throw InputError(
         {{options.file, 0, 0, "found no table, expected one with --columns and --table: .npy, .npz or HDF5"}});
   }
-  return certify(open_bytes(options.file), sink, options.certify, progress);
+  return certify(bytes.open(options.file), sink, options.certify, progress);
 }
 
 /// Everything that a line of the output may depend on.
@@ -210,28 +217,47 @@ int run_certify(CertifyArguments& options) {
   const bool quiet = options.common.quiet;
   refuse_one_file_twice({options.summary, options.gate.junit, options.gate.sarif});
   Gate gate(options.gate, options.file, Inputs{options.file == "-" ? "/dev/stdin" : options.file, options.scene});
-  if (options.gate.writes()) {
+  if (options.gate.wanted() && !options.crew.wanted()) {
     options.certify.judged = [&](std::uint64_t record, const RecordJudgement& judgement) {
       gate.add(record, judgement);
     };
   }
-  const Progress progress = record_counter(!quiet);
+  ProgressLine line(!quiet);
+  CountedBytes bytes;
+  const Progress progress = [&](std::uint64_t records) {
+    options.written = records;
+    if (!line.is_shown()) return;
+    const std::uint64_t read = bytes.read;  // ahead of what is judged
+    line.at(read, bytes.all == 0 ? 0 : std::max(bytes.all, read + 1), fmt::format("{} records", records));
+  };
   const LineSink sink = [&](std::string_view lines) {
+    line.make_way();
     if (!quiet) print(lines);
   };
-  const std::optional<CertifySummary> found =
-      options.crew.wanted() ? certify_shared(options, sink, progress) : certify_records(options, table, sink, progress);
+  const std::optional<CertifySummary> found = options.crew.wanted()
+                                                  ? certify_shared(options, sink, progress)
+                                                  : certify_records(options, table, sink, progress, bytes);
   if (!found) return as_it_should_be;
   const CertifySummary& summary = *found;
-  if (progress) std::cerr << "\r\033[K";
+  line.clear();
   if (summary_file) summary_file->write(R"({"schema":"slipproof/certify/1",)" + to_json(summary).substr(1) + '\n');
+  const std::string text = (options.crew.wanted() ? "" : gate.text()) + summary_text(summary);
   if (!options.common.json) {
-    print(summary_text(summary));
+    print(text);
   } else if (!quiet) {
-    std::cerr << summary_text(summary);  // standard output has only a line for each record
+    std::cerr << text;  // standard output has only a line for each record
   }
   gate.write();
   return gate.exit_code(summary, certified_exit(summary));
+}
+
+/// The records whose lines are written need no second look.
+Continuation by_records(const CertifyArguments& options) {
+  if (options.crew.wanted() || options.common.quiet || options.written == 0) return by_checkpoint(options.crew);
+  const std::uint64_t next = options.certify.first_record + options.written;
+  return {fmt::format("the lines of {} are on standard output, and the rest begins with record {}",
+                      counted(options.written, "record"), next),
+          {"--from", std::to_string(next)}};
 }
 
 }  // namespace
@@ -295,7 +321,7 @@ void add_certify(CLI::App& app, int& exit_code, Transport& transport) {
   add_common_options(command, options->common);
   command.callback([options, &exit_code, &command] {
     options->problem.refine = command.count("--refine") > 0;
-    exit_code = run_certify(*options);
+    exit_code = stoppable([&] { return run_certify(*options); }, [&] { return by_records(*options); });
   });
 }
 

@@ -16,6 +16,8 @@ struct GateArguments {
   std::vector<std::string> fail_on;
   std::string junit, sarif;
   bool writes() const { return !junit.empty() || !sarif.empty(); }
+  /// Whether records have to be looked at one by one.
+  bool wanted() const { return writes() || !fail_on.empty(); }
 };
 
 void add_gate_options(CLI::App& command, GateArguments& options);
@@ -32,6 +34,8 @@ class Gate {
   void add(std::uint64_t record, const RecordJudgement& judgement) { run_.add(record, judgement, fails_); }
   /// Writes the files.
   void write();
+  /// What fails, for a log; empty without --fail-on.
+  std::string text() const { return asked_ ? gate_text(run_) : ""; }
   /// With --fail-on whether anything of it occurred; otherwise what would be without a gate.
   int exit_code(const CertifySummary& summary, int without) const;
   int exit_code(int without) const;

@@ -6,8 +6,9 @@
 #include <string>
 
 #include "faces/cli/command.hpp"
-#include "faces/cli/commands/papers/verify_run.hpp"
 #include "faces/cli/crew_run.hpp"
+#include "faces/cli/interrupt.hpp"
+#include "faces/cli/progress.hpp"
 #include "faces/cli/warnings.hpp"
 #include "mechanics/reading/shipped.hpp"
 #include "mechanics/scene/narrow.hpp"
@@ -37,7 +38,7 @@ Exit run_search(SearchArguments& arguments) {
   SearchOptions& options = arguments.search;
   options.seed = arguments.common.seed;
   options.threads = arguments.common.threads;
-  if (!arguments.common.quiet) options.progress = progress_bar();
+  options.progress = progress_bar(!arguments.common.quiet);
   if (arguments.wanted == "none") options.wanted = MotionCount::none;
   if (arguments.wanted == "several") options.wanted = MotionCount::several;
   if (arguments.wanted == "continuum") options.wanted = MotionCount::continuum;
@@ -87,7 +88,7 @@ void add_search(CLI::App& app, int& exit_code, Transport& transport) {
   add_report_options(command, options->common);
   command.callback([options, within, &exit_code] {
     options->narrows = within->count() > 0;
-    exit_code = run_search(*options);
+    exit_code = stoppable([&] { return run_search(*options); }, [&] { return by_checkpoint(options->crew); });
   });
 }
 

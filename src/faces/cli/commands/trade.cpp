@@ -1,13 +1,13 @@
 #include "floating/trade/trade.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <iostream>
 #include <memory>
 
 #include "faces/cli/command.hpp"
 #include "faces/cli/crew_run.hpp"
+#include "faces/cli/interrupt.hpp"
+#include "faces/cli/progress.hpp"
 #include "report/scenes/trade_report.hpp"
 
 namespace slipproof::cli {
@@ -22,7 +22,6 @@ struct TradeArguments {
 };
 
 int run_trade(TradeArguments& options) {
-  const bool quiet = options.common.quiet;
   options.trade.seed = options.common.seed;
   options.trade.threads = options.common.threads;
   if (options.quick) {
@@ -34,10 +33,8 @@ int run_trade(TradeArguments& options) {
       [&] { return fmt::format("trade scenes {} seed {}\n", options.trade.scenes, options.trade.seed); }, {},
       [&](std::string_view request) { return trade_answer(options.trade, request); });
   if (run.served()) return as_it_should_be;
-  const bool bar = !quiet && isatty(STDERR_FILENO) != 0;
-  const auto progress = [bar](std::size_t done, std::size_t all) {
-    if (bar) std::cerr << fmt::format("\r{}/{}{}", done, all, done == all ? "\r\033[K" : "") << std::flush;
-  };
+  ProgressLine line(!options.common.quiet);
+  const auto progress = [&](std::size_t done, std::size_t all) { line.at(done, all); };
   const Trade trade = measure_trade(options.trade, progress, run.crew());
   print_report(
       options.common, [&] { return trade_json(trade); }, [&] { return trade_document(trade); });
@@ -61,7 +58,9 @@ void add_trade(CLI::App& app, int& exit_code, Transport& transport) {
       ->capture_default_str();
   add_crew_options(command, options->crew);
   add_report_options(command, options->common);
-  command.callback([options, &exit_code] { exit_code = run_trade(*options); });
+  command.callback([options, &exit_code] {
+    exit_code = stoppable([&] { return run_trade(*options); }, [&] { return by_checkpoint(options->crew); });
+  });
 }
 
 }  // namespace slipproof::cli

@@ -14,6 +14,7 @@
 #include "faces/cli/command.hpp"
 #include "faces/cli/commands/papers/prove_run.hpp"
 #include "faces/cli/crew_run.hpp"
+#include "faces/cli/interrupt.hpp"
 #include "faces/cli/warnings.hpp"
 #include "proofs/other_provers/coq.hpp"
 #include "proofs/other_provers/smtlib.hpp"
@@ -200,6 +201,16 @@ Exit run_prove(ProveArguments& options) {
   return run.conclude();
 }
 
+Continuation by_certificates(const ProveArguments& options) {
+  Continuation left{"each certificate so far is in its file, and is not searched for again"};
+  if (!options.crew.checkpoint.empty()) {
+    left = by_checkpoint(options.crew);
+  } else if (options.prove.again) {
+    left.left_out = "--again";
+  }
+  return left;
+}
+
 }  // namespace
 
 void add_prove(CLI::App& app, int& exit_code, Transport& transport) {
@@ -228,7 +239,9 @@ void add_prove(CLI::App& app, int& exit_code, Transport& transport) {
   command.add_flag("--again", options->prove.again, "Search again for theorems that have an accepted certificate");
   add_crew_options(command, options->crew);
   add_common_options(command, options->common);
-  command.callback([options, &exit_code] { exit_code = run_prove(*options); });
+  command.callback([options, &exit_code] {
+    exit_code = stoppable([&] { return run_prove(*options); }, [&] { return by_certificates(*options); });
+  });
 }
 
 }  // namespace slipproof::cli

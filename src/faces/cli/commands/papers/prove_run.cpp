@@ -1,6 +1,6 @@
 #include "faces/cli/commands/papers/prove_run.hpp"
 
-#include <unistd.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <iostream>
@@ -75,26 +75,23 @@ struct ProveRun::Stated {
 };
 
 ProveRun::ProveRun(const ProveOptions& options, const CommonOptions& common, Inputs inputs)
-    : options_(options),
-      common_(common),
-      inputs_(std::move(inputs)),
-      shows_progress_(!common.quiet && isatty(STDERR_FILENO) != 0) {
+    : options_(options), common_(common), inputs_(std::move(inputs)), line_(!common.quiet) {
   options_.threads = common.threads;
-  if (shows_progress_) options_.progress = [this](const ProveProgress& progress) { tell(progress); };
+  if (line_.is_shown()) options_.progress = [this](const ProveProgress& progress) { tell(progress); };
 }
 
-void ProveRun::tell(const ProveProgress& progress) const {
-  std::cerr << "\r[" << progress.done << "/" << progress.all << "] ";
-  if (progress.done < progress.all && progress.steps > 0) {
-    std::cerr << progress.theorem << ": " << progress.steps / 1'000'000 << " million steps of "
-              << options_.limits.steps / 1'000'000;
+void ProveRun::tell(const ProveProgress& progress) {
+  std::string note;
+  if (progress.steps > 0) {
+    note = fmt::format("{}: {} million steps of {}", progress.theorem, progress.steps / 1'000'000,
+                       options_.limits.steps / 1'000'000);
   }
-  std::cerr << (progress.done == progress.all ? "\r\033[K" : "\033[K") << std::flush;
+  line_.at(progress.done, progress.all, note);
 }
 
 void ProveRun::note(const std::string& line) {
   if (common_.json || common_.quiet) return;
-  if (shows_progress_) std::cerr << "\r\033[K" << std::flush;
+  line_.make_way();
   print(line + '\n');
 }
 

@@ -11,6 +11,7 @@
 #include "claims/reading/paper_folder.hpp"
 #include "claims/statements/unstated.hpp"
 #include "faces/cli/command.hpp"
+#include "faces/cli/progress.hpp"
 #include "proofs/search/prove_files.hpp"
 #include "report/values/exact_json.hpp"
 
@@ -39,13 +40,13 @@ class ProveRun {
   const ProofOutcome* outcome(const std::string& theorem) const;
   void write(const FileOutcome& outcome) const;
   void say(const FileOutcome& outcome);
-  void tell(const ProveProgress& progress) const;
+  void tell(const ProveProgress& progress);
   void note(const std::string& line);
 
   ProveOptions options_;
   const CommonOptions& common_;
   Inputs inputs_;
-  bool shows_progress_;
+  ProgressLine line_;
   std::vector<FileOutcome> outcomes_;
   std::map<std::string, std::string> settled_;  ///< undecided statements, and why they do not matter
   std::vector<std::string> outdated_;

@@ -8,6 +8,8 @@
 #include "claims/reading/read_claims_file.hpp"
 #include "faces/cli/command.hpp"
 #include "faces/cli/commands/papers/verify_run.hpp"
+#include "faces/cli/interrupt.hpp"
+#include "faces/cli/progress.hpp"
 #include "faces/cli/warnings.hpp"
 #include "report/papers/errata.hpp"
 #include "report/papers/mutation_report.hpp"
@@ -56,7 +58,7 @@ void refuse_crew_without_verdicts(const VerifyArguments& options) {
 int judge_mutants(const std::filesystem::path& claims, const ClaimsFile& file, VerifyArguments& options) {
   options.mutation.seed = options.common.seed;
   options.mutation.threads = options.common.threads;
-  if (!options.common.quiet) options.mutation.progress = progress_bar();
+  options.mutation.progress = progress_bar(!options.common.quiet);
   std::optional<OutputFolder> lemmas;
   if (!options.lemmas.empty()) lemmas.emplace(options.lemmas, Inputs{claims});
   const MutationResult result = judge_mutants(file, options.mutation);
@@ -84,6 +86,50 @@ int verify_papers(const std::vector<std::filesystem::path>& papers, const Verify
   print_report(
       options.common, [&] { return papers_json(judged); }, [&] { return papers_document(judged); });
   return exit_of(summary(judged));
+}
+
+int run_verify(VerifyArguments& options, const CLI::Option& samples) {
+  refuse_report_without_verdicts(options);
+  const std::filesystem::path path = claims_path(options.claims);
+  refuse_crew_without_verdicts(options);
+  if (const auto papers = papers_in(path); !papers.empty()) {
+    if (samples.empty()) options.verify.samples = samples_of_many;
+    return verify_papers(papers, options);
+  }
+  const ClaimsFile file = read_claims(path);
+  print_warnings(file, options.common);
+  if (options.coverage) {
+    print(markdown_of(coverage_document(file)));
+    return uncovered_equations(file).empty() ? as_it_should_be : refuted_or_not_certified;
+  }
+  if (options.mutants) {
+    if (!samples.empty()) options.mutation.more_samples = options.verify.samples;
+    if (options.verify.lines) options.mutation.lines = *options.verify.lines;
+    return judge_mutants(path, file, options);
+  }
+  options.verify.certificates = options.certificates_of(path);
+  VerifyRun run({{path, &file, options.verify}}, options);
+  if (run.served()) return as_it_should_be;
+  std::optional<OutputFile> report;
+  PageInput input;
+  if (!options.report.empty()) {
+    report.emplace(options.report, files_of(page_folders(path, options.trade), file));
+    input = report_input(path, file, options, *options.verify.certificates);
+  }
+  const VerifyResult result = run.result(0);
+  input.result = &result;
+  if (report) report->write(page_html(input));
+  if (options.sarif) {
+    print(errata_sarif(file, errata(file, result)));
+  } else if (options.errata) {
+    const Errata findings = errata(file, result);
+    print_report(
+        options.common, [&] { return errata_json(file, findings); }, [&] { return errata_document(file, findings); });
+  } else {
+    print_report(
+        options.common, [&] { return verify_json(file, result); }, [&] { return verify_document(file, result); });
+  }
+  return exit_of(summary(file, result));
 }
 
 }  // namespace
@@ -120,51 +166,12 @@ void add_verify(CLI::App& app, int& exit_code, Transport& transport) {
   add_report_options(command, options->common);
   sarif->excludes("--markdown");
   command.callback([options, samples, &exit_code] {
-    refuse_report_without_verdicts(*options);
-    const std::filesystem::path path = claims_path(options->claims);
-    refuse_crew_without_verdicts(*options);
-    if (const auto papers = papers_in(path); !papers.empty()) {
-      if (samples->empty()) options->verify.samples = samples_of_many;
-      exit_code = verify_papers(papers, *options);
-      return;
-    }
-    const ClaimsFile file = read_claims(path);
-    print_warnings(file, options->common);
-    if (options->coverage) {
-      print(markdown_of(coverage_document(file)));
-      exit_code = uncovered_equations(file).empty() ? as_it_should_be : refuted_or_not_certified;
-      return;
-    }
-    if (options->mutants) {
-      if (!samples->empty()) options->mutation.more_samples = options->verify.samples;
-      if (options->verify.lines) options->mutation.lines = *options->verify.lines;
-      exit_code = judge_mutants(path, file, *options);
-      return;
-    }
-    options->verify.certificates = options->certificates_of(path);
-    VerifyRun run({{path, &file, options->verify}}, *options);
-    if (run.served()) return;
-    std::optional<OutputFile> report;
-    PageInput input;
-    if (!options->report.empty()) {
-      report.emplace(options->report, files_of(page_folders(path, options->trade), file));
-      input = report_input(path, file, *options, *options->verify.certificates);
-    }
-    const VerifyResult result = run.result(0);
-    input.result = &result;
-    if (report) report->write(page_html(input));
-    if (options->sarif) {
-      print(errata_sarif(file, errata(file, result)));
-    } else if (options->errata) {
-      const Errata findings = errata(file, result);
-      print_report(
-          options->common, [&] { return errata_json(file, findings); },
-          [&] { return errata_document(file, findings); });
-    } else {
-      print_report(
-          options->common, [&] { return verify_json(file, result); }, [&] { return verify_document(file, result); });
-    }
-    exit_code = exit_of(summary(file, result));
+    exit_code = stoppable([&] { return run_verify(*options, *samples); },
+                          [&] {
+                            // A crew can only judge papers.
+                            return options->mutants ? Continuation{"nothing is kept of --mutants"}
+                                                    : by_checkpoint(options->crew);
+                          });
   });
 }
 

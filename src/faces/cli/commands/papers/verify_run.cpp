@@ -1,7 +1,6 @@
 #include "faces/cli/commands/papers/verify_run.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <iostream>
@@ -9,21 +8,11 @@
 
 #include "base/input/diagnostic.hpp"
 #include "claims/reading/read_claims_file.hpp"
+#include "faces/cli/progress.hpp"
 #include "faces/cli/warnings.hpp"
 #include "report/html/gallery.hpp"
 
 namespace slipproof::cli {
-
-std::function<void(std::uint64_t, std::uint64_t)> progress_bar() {
-  if (isatty(STDERR_FILENO) == 0) return {};
-  return [shown = std::uint64_t{101}](std::uint64_t done, std::uint64_t all) mutable {
-    const std::uint64_t percent = all == 0 ? 100 : done * 100 / all;
-    if (percent == shown) return;
-    shown = percent;
-    std::cerr << "\r[" << std::string(percent / 2, '#') << std::string(50 - percent / 2, ' ') << "] " << percent << " %"
-              << (done == all ? "\r\033[K" : "") << std::flush;
-  };
-}
 
 namespace {
 
@@ -45,7 +34,7 @@ VerifyRun::VerifyRun(std::vector<Paper> papers, const JudgeArguments& arguments)
   for (Paper& paper : papers_) {
     paper.options.seed = arguments.common.seed;
     paper.options.threads = arguments.common.threads;
-    if (!arguments.common.quiet) paper.options.progress = progress_bar();
+    paper.options.progress = progress_bar(!arguments.common.quiet);
     inputs.add(paper.path);
   }
   crew_.emplace(

@@ -31,9 +31,6 @@ struct JudgeArguments {
   }
 };
 
-/// A bar if standard error is a terminal; otherwise nothing.
-std::function<void(std::uint64_t, std::uint64_t)> progress_bar();
-
 /// Verifies papers with the common options on all ranks, with a progress bar on a terminal. Reports rejected
 /// certificates on standard error.
 class VerifyRun {
