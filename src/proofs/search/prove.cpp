@@ -162,6 +162,19 @@ ProofOutcome prove_statement(const std::string& file, const std::string& text, c
   return Prover(file, text, limits).run();
 }
 
+ProofOutcome prove_formula(const std::string& formula, const prove::Limits& limits) {
+  try {
+    return prove_statement("formula", formula_statement(formula), limits);
+  } catch (const InputError& error) {
+    std::vector<Diagnostic> mistakes = error.diagnostics();
+    for (Diagnostic& mistake : mistakes) {
+      mistake.line = 1;
+      mistake.column -= std::min(mistake.column, formula_prefix.size());
+    }
+    throw InputError(std::move(mistakes));
+  }
+}
+
 bool uses_assumptions_only(std::string_view certificate) {
   std::istringstream lines{std::string(certificate)};
   for (std::string line; std::getline(lines, line);) {

@@ -37,6 +37,10 @@ std::string_view name(ProofOutcome::Verdict verdict);
 /// Deterministic. Throws InputError.
 ProofOutcome prove_statement(const std::string& file, const std::string& text, const prove::Limits& limits = {});
 
+/// The same for the statement that a formula such as `x^2 + y^2 >= 2*x*y` holds for all real values of its variables
+/// (see formula_statement()). Mistakes have their columns in the formula.
+ProofOutcome prove_formula(const std::string& formula, const prove::Limits& limits = {});
+
 /// Whether a certificate never uses the conclusion of its statement, and so shows that the assumptions contradict each
 /// other.
 bool uses_assumptions_only(std::string_view certificate);

@@ -213,6 +213,20 @@ StatementText read_statement(const std::string& file, std::string_view text) {
   return TextReader(file).read(text);
 }
 
+std::string formula_statement(std::string_view formula) {
+  const GivenNames none;
+  std::vector<std::string> names;
+  for (StatementLine words(formula, none); !words.at_end();) {
+    std::string word = words.take();
+    const bool is_letter = (word[0] >= 'a' && word[0] <= 'z') || (word[0] >= 'A' && word[0] <= 'Z');
+    if (!is_letter || word == "and" || word == "or" || word == "false") continue;
+    if (std::find(names.begin(), names.end(), word) == names.end()) names.push_back(std::move(word));
+  }
+  if (names.empty()) names.emplace_back("x");  // a statement has a variable
+  return fmt::format("slipproof-statement 1\ntheorem formula\nreal {}\n{}{}\n", fmt::join(names, " "), formula_prefix,
+                     formula);
+}
+
 Expression parse_witness_value(const StatementText& statement, std::string_view value) {
   GivenNames given;
   for (const Directive& directive : statement.directives) {

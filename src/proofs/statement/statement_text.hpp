@@ -45,6 +45,11 @@ constexpr std::size_t max_statement_variables = 64;
 /// Reads the content of a file. Throws InputError with the first mistake of every line.
 StatementText read_statement(const std::string& file, std::string_view text);
 
+/// The statement that a formula of one line holds for all real values of its variables; they are declared in the order
+/// of the formula, which is the last line, after `formula_prefix`.
+std::string formula_statement(std::string_view formula);
+inline constexpr std::string_view formula_prefix = "show ";
+
 /// A value of an unknown, an expression in the names from before `exists`. Throws ExpressionError.
 Expression parse_witness_value(const StatementText& statement, std::string_view value);
 
