@@ -2,6 +2,8 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -9,12 +11,14 @@
 #include <vector>
 
 #include "base/number/binary64.hpp"
+#include "base/number/parse.hpp"
 #include "base/parallel/in_parallel.hpp"
 #include "contact/formats/problem_check.hpp"
 #include "contact/formats/read_files.hpp"
 #include "contact/judge/certificate.hpp"
 #include "faces/python/bind.hpp"
 #include "faces/python/interruptible.hpp"
+#include "faces/python/numbers.hpp"
 #include "records/certify/certify.hpp"
 #include "records/problems/contact_file.hpp"
 #include "records/problems/problem_judge.hpp"
@@ -33,61 +37,80 @@ std::vector<double> copied(const Doubles& values) {
   return {values.data(), values.data() + values.size()};
 }
 
-std::vector<Rational> rationals(std::span<const double> values) {
-  std::vector<Rational> result;
-  result.reserve(values.size());
-  for (const double x : values) result.push_back(to_rational(x));
-  return result;
-}
-
 // Small problems, in exact numbers: finds every solution.
 
-/// Problems of the same size with their numbers in common arrays: W (count, size, size), q, z and optionally w (count,
-/// size), mu (count, contacts); no mu for an LCP.
+/// Numbers from Python: an array of binary64, or exact ones as a list of texts.
+class Numbers {
+ public:
+  Numbers() = default;
+  explicit Numbers(const py::object& given) {
+    if (given.is_none()) return;
+    if (py::isinstance<py::array>(given)) {
+      doubles_ = copied(given.cast<Doubles>());
+    } else {
+      for (const py::handle text : given) exact_.push_back(parse_rational(text.cast<std::string>()));
+    }
+  }
+
+  bool empty() const { return doubles_.empty() && exact_.empty(); }
+  /// The `size` numbers of one problem, which may be common to all problems.
+  std::vector<Rational> part(std::size_t problem, std::size_t size) const {
+    const std::size_t begin = first(problem, size);
+    std::vector<Rational> result;
+    result.reserve(size);
+    for (std::size_t i = begin; i < begin + size; ++i) {
+      result.push_back(exact_.empty() ? to_rational(doubles_[i]) : exact_[i]);
+    }
+    return result;
+  }
+  /// What is wrong with these numbers of an answer before it is judged; empty if nothing is.
+  std::string not_finite(std::size_t problem, std::size_t size, const char* name) const {
+    for (std::size_t i = 0; i < size && !doubles_.empty(); ++i) {
+      const double x = doubles_[first(problem, size) + i];
+      if (!std::isfinite(x)) return fmt::format("{}[{}]: found {}, expected a finite number", name, i, x);
+    }
+    return {};
+  }
+
+ private:
+  std::size_t first(std::size_t problem, std::size_t size) const {
+    return std::max(doubles_.size(), exact_.size()) == size ? 0 : problem * size;
+  }
+
+  std::vector<double> doubles_;
+  std::vector<Rational> exact_;
+};
+
+/// Problems of the same size with their numbers in common lists: W (count, size, size), q, z and optionally w (count,
+/// size), mu (count, contacts). W and mu may be given once for all problems. Without contacts each is an LCP.
 struct ExactBatch {
-  std::size_t count = 0, size = 0;
-  std::vector<double> W, q, z, w, mu;
+  std::size_t count = 0, size = 0, contacts = 0;
+  Numbers W, q, z, w, mu;
   JudgeOptions options;
   unsigned threads = 0;
 };
 
-/// The part of an array that belongs to one problem.
-std::span<const double> part(const std::vector<double>& all, std::size_t problem, std::size_t count) {
-  const std::size_t size = all.size() / count;
-  return {all.data() + problem * size, size};
-}
-
 ContactProblem problem_of(const ExactBatch& batch, std::size_t k) {
   ContactProblem problem;
-  const auto W = part(batch.W, k, batch.count);
+  const std::vector<Rational> W = batch.W.part(k, batch.size * batch.size);
   for (std::size_t i = 0; i < batch.size; ++i) {
-    problem.W.push_back(rationals(W.subspan(i * batch.size, batch.size)));
+    const auto row = W.begin() + static_cast<std::ptrdiff_t>(i * batch.size);
+    problem.W.emplace_back(row, row + static_cast<std::ptrdiff_t>(batch.size));
   }
-  problem.q = rationals(part(batch.q, k, batch.count));
-  problem.mu = rationals(part(batch.mu, k, batch.count));
+  problem.q = batch.q.part(k, batch.size);
+  problem.mu = batch.mu.part(k, batch.contacts);
   return problem;
 }
 
-/// What is wrong with an answer before it is judged; empty if nothing is.
-std::string not_finite(std::span<const double> values, const char* name) {
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!std::isfinite(values[i])) {
-      return fmt::format("{}[{}]: found {}, expected a finite number", name, i, values[i]);
-    }
-  }
-  return {};
-}
-
 std::string exact_verdict(const ExactBatch& batch, std::size_t k) {
-  const auto z = part(batch.z, k, batch.count), w = part(batch.w, k, batch.count);
-  std::string reason = not_finite(z, "z");
-  if (reason.empty()) reason = not_finite(w, "w");
+  std::string reason = batch.z.not_finite(k, batch.size, "z");
+  if (reason.empty() && !batch.w.empty()) reason = batch.w.not_finite(k, batch.size, "w");
   RecordJudgement judgement;
   if (!reason.empty()) {
     judgement = invalid_judgement(reason);
   } else {
-    ProblemAnswer answer{rationals(z), std::nullopt, std::nullopt};
-    if (!w.empty()) answer.w = rationals(w);
+    ProblemAnswer answer{batch.z.part(k, batch.size), std::nullopt, std::nullopt};
+    if (!batch.w.empty()) answer.w = batch.w.part(k, batch.size);
     judgement = judge_problem(problem_of(batch, k), answer, batch.options);
   }
   std::string line;
@@ -95,13 +118,13 @@ std::string exact_verdict(const ExactBatch& batch, std::size_t k) {
   return line;
 }
 
-/// A line of JSON for each problem, as `slipproof certify` writes it.
-std::vector<std::string> certify_exact(const Doubles& W, const Doubles& q, const Doubles& z,
-                                       const std::optional<Doubles>& w, const std::optional<Doubles>& mu,
-                                       double tolerance, Work effort, unsigned threads, const py::object& progress) {
-  ExactBatch batch{
-      static_cast<std::size_t>(q.shape(0)),   static_cast<std::size_t>(q.shape(1)),     copied(W), copied(q), copied(z),
-      w ? copied(*w) : std::vector<double>(), mu ? copied(*mu) : std::vector<double>(), {},        threads};
+/// A line of JSON for each problem, as `slipproof certify` writes it. `shape`: (problems, components, contacts).
+std::vector<std::string> certify_exact(const std::array<std::size_t, 3>& shape, const py::object& W,
+                                       const py::object& q, const py::object& z, const py::object& w,
+                                       const py::object& mu, double tolerance, Work effort, unsigned threads,
+                                       const py::object& progress) {
+  ExactBatch batch{shape[0],   shape[1],   shape[2],    Numbers(W), Numbers(q),
+                   Numbers(z), Numbers(w), Numbers(mu), {},         threads};
   batch.options.tolerance = tolerance;
   batch.options.effort = effort;
   const auto work = [batch = std::move(batch)](Call& call) {
@@ -245,6 +268,7 @@ void bind_problems(py::module_& module) {
         const SolverLaw law{bounds, compliance, bias, slip_speed, function};
         return judged({"arguments", problem_of(std::move(W), q, mu, dimension, z, w, law), std::nullopt}, options);
       });
+  module.def("exact", [](const std::string& text) { return to_python(parse_rational(text)); });
   module.def("law_words", &law_words);
   module.def("certify_problem_file",
              [](const std::string& path, const std::optional<std::string>& answer, const ContactFileOptions& options) {

@@ -12,6 +12,7 @@
 #include "proofs/check/files.hpp"
 #include "proofs/check_contact/files.hpp"
 #include "proofs/search/prove.hpp"
+#include "proofs/statement/statement_text.hpp"
 #include "report/papers/verify_report.hpp"
 #include "report/uniqueness/search_report.hpp"
 
@@ -25,40 +26,45 @@ struct Report {
   std::string json, text, summary;
 };
 
-Report verified(const std::string& path, VerifyOptions options, Call& call) {
+/// A text has no folder with certificates.
+Report verified(const std::string& path, const std::optional<std::string>& text, VerifyOptions options, Call& call) {
   const std::filesystem::path claims(path);
-  const ClaimsFile file = read_claims(claims);
-  options.certificates = std::make_shared<Certificates>(paper_folder(claims));
+  const ClaimsFile file = text ? parse_claims(*text, path) : read_claims(claims);
+  if (!text) options.certificates = std::make_shared<Certificates>(paper_folder(claims));
   options.progress = [&call](std::uint64_t done, std::uint64_t all) { call.at(done, all); };
   const VerifyResult result = verify(file, options);
   return {verify_json(file, result), text_of(verify_document(file, result)),
           std::string(summary_word(summary(file, result)))};
 }
 
-py::tuple verify_claims(const std::string& path, std::uint64_t samples, std::optional<std::uint64_t> lines,
-                        std::uint64_t seed, const std::string& only, unsigned threads, const py::object& progress) {
+py::tuple verify_claims(const std::string& path, const std::optional<std::string>& text, std::uint64_t samples,
+                        std::optional<std::uint64_t> lines, std::uint64_t seed, const std::string& only,
+                        unsigned threads, const py::object& progress) {
   VerifyOptions options;
   options.samples = samples;
   options.lines = lines;
   options.seed = seed;
   options.only = only;
   options.threads = threads;
-  const Report report = interruptible([=](Call& call) { return verified(path, options, call); }, progress);
+  const Report report = interruptible([=](Call& call) { return verified(path, text, options, call); }, progress);
   return py::make_tuple(report.json, report.text, report.summary);
 }
 
-py::dict prove_text(const std::string& file, const std::string& text, std::uint64_t steps, const py::object& progress) {
+/// `file`: none for a formula.
+py::dict prove_text(const std::optional<std::string>& file, const std::string& text, std::uint64_t steps,
+                    const py::object& progress) {
   const ProofOutcome outcome = interruptible(
       [=](Call& call) {
         prove::Limits limits;
         limits.steps = steps;
         limits.tick = [&call, steps](std::uint64_t done) { call.at(done, steps); };
-        return prove_statement(file, text, limits);
+        return file ? prove_statement(*file, text, limits) : prove_formula(text, limits);
       },
       progress);
   py::dict counterexample, result;
   for (const auto& [name, value] : outcome.counterexample) counterexample[py::str(name)] = value.str();
   result["theorem"] = outcome.theorem;
+  result["statement"] = file ? text : formula_statement(text);
   result["verdict"] = std::string(name(outcome.verdict));
   result["certificate"] = outcome.certificate;
   result["vacuous"] = outcome.vacuous;

@@ -1,7 +1,7 @@
 """Builds the package slipproof with CMake: pip install --no-build-isolation ./src/faces/python
 
-The environment variable SLIPPROOF_BUILD names a build folder of the project to use, perhaps one that is built already;
-without it a folder of its own is made, which compiles the library.
+The environment variable SLIPPROOF_BUILD names a build folder of the project to use, relative to the present folder,
+perhaps one that is built already; without it a folder of its own is made, which compiles the library.
 """
 
 import os
@@ -27,11 +27,17 @@ def version() -> str:
     return found[1]
 
 
+def build_folder() -> Path:
+    """What SLIPPROOF_BUILD names, relative to where the caller stands: pip changes the folder, but not PWD."""
+    named = os.environ.get("SLIPPROOF_BUILD")
+    return Path(os.environ.get("PWD", os.getcwd()), named).resolve() if named else BUILT / "cmake"
+
+
 class CMakeBuild(build_ext):
     """Hands the extension module to the project's own build."""
 
     def build_extension(self, ext: Extension) -> None:
-        tree = Path(os.environ.get("SLIPPROOF_BUILD", BUILT / "cmake"))
+        tree = build_folder()
         if not (tree / "CMakeCache.txt").exists():
             off = [f"-DSLIPPROOF_{part}=OFF" for part in ("TESTS", "BENCHMARKS", "INSTALL")]
             subprocess.run(["cmake", "-S", PROJECT, "-B", tree, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",

@@ -5,12 +5,12 @@ set -eu
 python=$1 project=$2 build=$3 scratch=$4
 rm -rf "$scratch/environment"
 "$python" -m venv --system-site-packages --without-pip "$scratch/environment"
+cd "$(dirname "$build")"  # the build folder is named relative to where one stands
 pip() {
-  SLIPPROOF_BUILD=$build "$python" -m pip --disable-pip-version-check -q --python "$scratch/environment/bin/python" "$@"
+  SLIPPROOF_BUILD=$(basename "$build") "$python" -m pip --disable-pip-version-check -q --python "$scratch/environment/bin/python" "$@"
 }
 pip install --no-index --no-build-isolation --no-deps "$project/src/faces/python"
-cd "$scratch"
-found=$(environment/bin/python -I -c '
+found=$("$scratch/environment/bin/python" -I -c '
 import slipproof, pathlib
 folder = pathlib.Path(slipproof.__file__).parent
 assert (folder / "py.typed").exists() and (folder / "_core.pyi").exists()
@@ -19,4 +19,4 @@ print(slipproof.__version__, slipproof.certify([[2, 1], [1, 2]], [-5, -6], [4/3,
 wanted=$(sed -n 's/^project(slipproof VERSION \([0-9.]*\).*/\1/p' "$project/CMakeLists.txt")
 [ "$found" = "$wanted certified" ] || { echo "the installed package prints: $found"; exit 1; }
 pip uninstall -y slipproof
-! environment/bin/python -I -c 'import slipproof' 2>/dev/null || { echo "it is still there"; exit 1; }
+! "$scratch/environment/bin/python" -I -c 'import slipproof' 2>/dev/null || { echo "it is still there"; exit 1; }

@@ -70,7 +70,9 @@ def test_bodies_a_dict_and_a_text_are_one_mechanism(program, tmp_path):
 
 
 def test_it_is_searched_and_followed_as_one_from_a_file():
-    assert crate().search(samples=5).verdict in ("none found", "found", "unique")
+    found = crate().search(samples=5)
+    assert found.verdict in ("none found", "found", "unique")
+    assert slipproof.search(TEXT, samples=5).verdict == slipproof.search(crate().to_dict(), samples=5).verdict == found.verdict
     assert slipproof.critical(crate().scene({"mu": "1/2", "g": 10}, load=3)).to_dict()["parameter"] == "mu"
 
 

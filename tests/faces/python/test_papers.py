@@ -1,10 +1,12 @@
 """Claims, proofs, certificates, searches, pictures: the program's, byte for byte."""
 
+import tomllib
 from fractions import Fraction
 
 import pytest
 
 import slipproof
+from slipproof._html import COLOURS
 
 MEANS = """slipproof-statement 1
 theorem means
@@ -106,3 +108,67 @@ def test_progress_is_told_and_may_end_the_call():
 
     with pytest.raises(Enough):
         slipproof.verify("proofs/rozenblat-yashin/claims.toml", samples=3000, progress=enough)
+
+
+def test_a_formula_is_proved_or_refuted_for_all_numbers():
+    proof = slipproof.prove("x^2 + y^2 >= 2*x*y")
+    assert proof.proved and proof.statement.endswith("real x y\nshow x^2 + y^2 >= 2*x*y\n")
+    false = slipproof.prove("x^2 + y^2 >= 3*x*y")
+    x, y = false.counterexample["x"], false.counterexample["y"]
+    assert false.verdict == "refuted" and x**2 + y**2 < 3 * x * y
+    assert slipproof.prove("2 + 2 = 4").proved and slipproof.prove("x^2 >= 0 and x^2 + 1 > 0 or false").proved
+
+
+def test_the_certificate_of_a_formula_is_one(tmp_path):
+    proof = slipproof.prove("x^2 + y^2 + z^2 >= x*y + y*z + z*x")
+    (tmp_path / "formula.statement").write_text(proof.statement)
+    (tmp_path / "formula.cert").write_text(proof.certificate)
+    assert slipproof.check(tmp_path).accepted
+    (tmp_path / "formula.statement").write_text(proof.statement.replace("x*y", "2*x*y"))
+    assert not slipproof.check(tmp_path).accepted
+
+
+def test_claims_from_a_text_and_a_dict_get_the_files_verdicts(source, monkeypatch):
+    folder = source / "proofs/block-on-incline"
+    by_file = slipproof.verify(folder / "claims.toml", samples=30)
+    text = (folder / "claims.toml").read_text()
+    monkeypatch.chdir(folder)  # from which a text counts its paths
+    by_text, by_dict = slipproof.verify(text, samples=30), slipproof.verify(tomllib.loads(text), samples=30)
+    assert [(c.id, c.reading) for c in by_text] == [(c.id, c.reading) for c in by_file]
+    assert [c.verdict for c in by_text] == [c.verdict for c in by_dict]
+    # Without certificates a claim that is proved is one that was not refuted.
+    assert all(a.verdict == b.verdict or (b.verdict == "proved") for a, b in zip(by_text, by_file))
+    table = tomllib.loads(text)
+    table["setting"][0]["colour"] = "red"
+    with pytest.raises(slipproof.InputError, match="setting.*colour"):
+        slipproof.verify(table)
+
+
+def luminances(colour, kind):
+    """A colour as seen by an eye without one kind of cones, in linear RGB; matrices of Machado et al. (2009)."""
+    matrices = {"usual": ((1, 0, 0), (0, 1, 0), (0, 0, 1)),
+                "protan": ((0.152286, 1.052583, -0.204868), (0.114503, 0.786281, 0.099216), (-0.003882, -0.048116, 1.051998)),
+                "deutan": ((0.367322, 0.860646, -0.227968), (0.280085, 0.672501, 0.047413), (-0.011820, 0.042940, 0.968881)),
+                "tritan": ((1.255528, -0.076749, -0.178779), (-0.078411, 0.930809, 0.147602), (0.004733, 0.691367, 0.303900))}
+    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in colour[:3]]
+    seen = [sum(m * x for m, x in zip(row, linear)) for row in matrices[kind]]
+    clipped = [min(max(x, 0), 1) for x in seen]
+    return [12.92 * x if x <= 0.0031308 else 1.055 * x ** (1 / 2.4) - 0.055 for x in clipped]
+
+
+def test_regions_differ_also_for_colour_blind_readers():
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    from matplotlib.figure import Figure
+
+    diagram = slipproof.phase_diagram("cases/ambiguous.toml", x="f", columns=60)
+    ax = Figure().subplots()
+    diagram.draw(ax)
+    looks = [(c.patches[0].get_facecolor(), c.patches[0].get_hatch()) for c in ax.containers]
+    assert len(looks) == len(diagram.bands()) >= 3 and len(set(looks)) == len(looks)
+    colours = {matplotlib.colors.to_rgba(c) for c in COLOURS}
+    assert {c for c, _ in looks} <= colours and len(colours) == 7
+    for kind in ("usual", "protan", "deutan", "tritan"):
+        seen = [luminances(c, kind) for c in colours]
+        nearest = min(sum((a - b) ** 2 for a, b in zip(x, y)) ** 0.5 for i, x in enumerate(seen) for y in seen[:i])
+        assert nearest > 0.1, (kind, nearest)

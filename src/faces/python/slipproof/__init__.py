@@ -14,7 +14,7 @@ Functions may be called from any thread and let other threads run. Ctrl-C ends t
 
 from ._bicycles import VERDICTS, BicycleVerdicts, certify_bicycles
 from ._bodies import Body, Contact, Force, Friction, Joint, Torque
-from ._certify import Verdict, Verdicts, certify, certify_file
+from ._certify import certify, certify_file
 from ._core import version as __version__
 from ._errors import Diagnostic, InputError, TooMuchWork
 from ._filter import MODES, ConsistentModes, consistent_modes
@@ -26,6 +26,7 @@ from ._progress import ProgressBar
 from ._scene import Scene, solve
 from ._solution import Cell, Continuum, Motion, Range, Rejected, Solution
 from ._uniqueness import Critical, critical
+from ._verdicts import Verdict, Verdicts
 
 __all__ = [
     "MODES", "VERDICTS", "Affine", "BicycleVerdicts", "Body", "Cell", "Check", "CheckedCertificate", "ClaimVerdict", "ConsistentModes", "Contact", "Continuum", "Critical",

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import Any, Optional, Tuple
 
 import numpy as np
 import numpy.typing as npt
 
+from . import _core
 from ._errors import wrong_type, wrong_value
+from ._numbers import ratio, text_of
 
 Doubles = npt.NDArray[np.float64]
+Array = npt.NDArray[Any]  # of float64, or of Fractions
+_TOO_LARGE = 2**1023
 _LARGEST = 2**53  # all integers up to it are binary64 numbers
 
 
@@ -38,9 +43,57 @@ def doubles(name: str, value: Any, dimensions: Tuple[int, ...]) -> Doubles:
     return np.ascontiguousarray(array, dtype=np.float64).reshape(array.shape)
 
 
-def shaped(name: str, value: Any, shape: Tuple[int, ...], why: str) -> Doubles:
-    """An array of one shape."""
-    array = doubles(name, value, (len(shape),))
+def _is_exact(array: Array) -> bool:
+    """Whether there are numbers in it that may not be float64."""
+    if array.dtype.kind in "iu":
+        return array.size > 0 and (int(array.max()) > _LARGEST or int(array.min()) < -_LARGEST)
+    return array.dtype.kind in "OU"
+
+
+def numbers(name: str, value: Any, dimensions: Tuple[int, ...]) -> Array:
+    """doubles(), or, if there are Fractions, Decimals, texts or large integers, an array of Fractions."""
+    if isinstance(value, np.ma.MaskedArray):
+        return doubles(name, value, dimensions)
+    try:
+        array = np.asarray(value)
+    except ValueError:
+        return doubles(name, value, dimensions)
+    if not _is_exact(array):
+        return doubles(name, value, dimensions)
+    array = np.asarray(value, dtype=object)  # texts leave floats beside them as they are
+    if array.ndim not in dimensions:
+        return doubles(name, np.zeros(array.shape), dimensions)
+    found = np.empty(array.shape, dtype=object)
+    for place in np.ndindex(array.shape):
+        where = f"{name}{list(place)}" if place else name
+        try:
+            found[place] = ratio(_core.exact(text_of(array[place], where)))
+        except ValueError as error:
+            message = str(error)
+            raise ValueError(message if message.startswith(where) else f"{where}: {message}") from None
+    return found
+
+
+def rounded_nowhere(name: str, array: Array) -> Doubles:
+    """The same numbers as float64. Raises ValueError if one is none."""
+    if array.dtype != object:
+        return array
+    for place in np.ndindex(array.shape):
+        x = array[place]
+        if abs(x) > _TOO_LARGE or Fraction(float(x)) != x:
+            raise wrong_value(f"{name}{list(place)}", x, "a float64 without rounding, where not every solution is looked for "
+                              "in exact arithmetic")
+    return array.astype(np.float64)
+
+
+def texts(array: Array) -> Any:
+    """What the library takes: the array of float64 itself, or a list of texts."""
+    return array if array.dtype != object else [text_of(x, "") for x in array.reshape(-1)]
+
+
+def shaped(name: str, value: Any, shape: Tuple[int, ...], why: str) -> Array:
+    """numbers() in one shape."""
+    array = numbers(name, value, (len(shape),))
     if array.shape != shape:
         raise wrong_value(name, f"shape {array.shape}", f"{shape} {why}")
     return array

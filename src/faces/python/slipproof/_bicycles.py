@@ -10,12 +10,13 @@ import numpy.typing as npt
 
 from . import _core
 from ._arrays import real, refuse_rounding, whole
-from ._certify import Verdict
 from ._errors import wrong_type, wrong_value
 from ._filter import MODES
 from ._html import table
 from ._progress import Progress, reporter
+from ._result import Result
 from ._scene import as_scene
+from ._verdicts import Verdict
 
 #: The names of verdicts by their codes in an array.
 VERDICTS: Tuple[str, ...] = _core.record_verdicts
@@ -24,13 +25,13 @@ _NO_MODE = 65535
 _KINDS = ("internal", "external")
 
 
-class BicycleVerdicts:
+class BicycleVerdicts(Result):
     """Verdicts on all records, as arrays; ``verdicts[i]`` has all that is known about record i."""
 
-    __slots__ = ("codes", "modes", "errors", "tiers", "summary", "_records")
+    __slots__ = ("codes", "modes", "errors", "tiers", "summary", "_given", "_found", "_made")
 
-    def __init__(self, records: "_core.RecordsInMemory", found: Tuple[Any, ...]):
-        self._records = records
+    def __init__(self, given: Tuple[Any, ...], found: Tuple[Any, ...], made: "Optional[_core.RecordsInMemory]" = None):
+        self._given, self._found, self._made = given, found, made
         self.codes: "npt.NDArray[np.uint8]" = found[0]
         """of each record the index of its verdict in VERDICTS"""
         self.modes: "npt.NDArray[np.uint16]" = found[1].astype(np.uint16)
@@ -41,6 +42,22 @@ class BicycleVerdicts:
         """0 binary64 with error bounds, 1 exact arithmetic"""
         self.summary: Dict[str, Any] = json.loads(found[4])
         """counts, as ``slipproof certify --summary`` writes them"""
+
+    def _parts(self) -> Tuple[Any, ...]:
+        return self._given, self._found
+
+    def __eq__(self, other: object) -> bool:
+        return (isinstance(other, BicycleVerdicts) and self.summary == other.summary
+                and all(np.array_equal(a, b, equal_nan=True) for a, b in zip(self._found[:4], other._found[:4])))
+
+    def __hash__(self) -> int:
+        return hash(self._found[4])
+
+    @property
+    def _records(self) -> "_core.RecordsInMemory":
+        if self._made is None:
+            self._made = _core.RecordsInMemory(*self._given)
+        return self._made
 
     @property
     def verdicts(self) -> "npt.NDArray[np.str_]":
@@ -138,7 +155,10 @@ def certify_bicycles(records: Any, *, scene: Any = None, ignore_unknown: bool = 
     ``records``: a structured array, a dict of columns, or a frame of pandas. Its names are those of ``slipproof
     certify``: the scene's numbers, and for the answer ``a``, ``S2``, ``S3``, ``N2``, ``N3``, optionally ``mode`` and
     others. A value that is the same for all records may be one number, or come from ``scene``. Columns of float64 are
-    not copied, whatever their strides. A NaN makes an answer ``invalid``. Raises TypeError, ValueError.
+    not copied, whatever their strides. A NaN makes an answer ``invalid``. ``tolerance``: the largest relative error of a
+    component that is certified. ``ignore_unknown`` skips columns with other names. ``effort`` limits the work on one
+    answer, in operations on words. ``threads``: 0 for all cores. ``progress``: a function of (done, all), or True. Raises
+    TypeError and ValueError for columns that cannot be used, FileNotFoundError, InputError.
 
     >>> import slipproof
     >>> found = slipproof.certify_bicycles(dict(F=[3.27, 3.2], mode=["stick/stick", "stick/slip+"],
@@ -162,9 +182,10 @@ def certify_bicycles(records: Any, *, scene: Any = None, ignore_unknown: bool = 
             raise wrong_value("records", f"the column {name!r}", f"one of {', '.join(sorted(_FIELDS))}, mode, kind")
     size = _size(given)
     scene_text = None if scene is None else as_scene(scene, {})._source()[0]
-    judged = _core.RecordsInMemory(given, size, scene_text, real("tolerance", tolerance, 0, 1),
-                                   None if effort is None else whole("effort", effort, 1, 2**63))
-    return BicycleVerdicts(judged, judged.certify(whole("threads", threads, 0, 4096), reporter(progress)))
+    made_of = (given, size, scene_text, real("tolerance", tolerance, 0, 1),
+               None if effort is None else whole("effort", effort, 1, 2**63))
+    judged = _core.RecordsInMemory(*made_of)
+    return BicycleVerdicts(made_of, judged.certify(whole("threads", threads, 0, 4096), reporter(progress)), judged)
 
 
 def _size(columns: Mapping[str, "npt.NDArray[Any]"]) -> int:

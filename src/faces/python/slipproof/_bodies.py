@@ -18,7 +18,7 @@ Vector = Sequence[Expression]
 class _Part:
     def to_dict(self) -> Dict[str, Any]:
         """The table of a mechanism's file."""
-        found = ((field.name.rstrip("_"), getattr(self, field.name)) for field in fields(self))  # type: ignore[arg-type]
+        found = ((field.name.rstrip("_"), getattr(self, field.name)) for field in fields(self))
         return {name: value for name, value in found if value is not None}
 
 

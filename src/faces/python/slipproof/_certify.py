@@ -2,136 +2,28 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
-from typing import Any, Callable, Dict, Iterator, List, Optional, Sequence, Tuple, Union, overload
+from pathlib import Path
+from typing import Any, Callable, Optional, Sequence, Tuple, Union, overload
 
 import numpy as np
+import numpy.typing as npt
 
 from . import _core
-from ._arrays import Doubles, doubles, one_of, real, shaped, whole
+from ._arrays import Array, Doubles, doubles, numbers, one_of, real, rounded_nowhere, shaped, texts, whole
 from ._errors import wrong_type, wrong_value
-from ._html import table
+from ._numbers import Number
 from ._progress import Progress, reporter
+from ._verdicts import JudgedVerdicts, Verdict, Verdicts
 
 #: Sizes up to which every solution of a problem is looked for in exact arithmetic, unless the caller wants otherwise.
 EXACT_UP_TO = 64
 _EFFORT = 1_500_000_000
-_CERTIFIED = (
-    "certified",
-    "solution within rho",
-    "unique",
-    "velocities within rho",
-    "velocities of a solution within rho",
-)
+#: bounds, compliance, bias, slip speed, function
+_Solver = Tuple[Optional[Doubles], Optional[Doubles], Optional[Doubles], Optional[float], str]
 _LAWS = tuple(_core.law_words())
-
-
-class Verdict:
-    """What is proved about one answer: ``verdict`` is a word, ``details`` has everything that the program reports.
-
-    The members of ``details`` are also attributes: ``verdict.rho``, ``verdict.modes``, ...
-    """
-
-    __slots__ = ("verdict", "details", "_judged", "_index")
-
-    def __init__(self, line: str, judged: "Optional[_core.Judged]" = None, index: int = 0):
-        self.details: Dict[str, Any] = json.loads(line)
-        self.verdict: str = self.details["verdict"]
-        self._judged, self._index = judged, index
-
-    @property
-    def certified(self) -> bool:
-        """Whether the verdict is one of the best that an answer can get."""
-        return self.verdict in _CERTIFIED
-
-    def to_dict(self) -> Dict[str, Any]:
-        """The output line of ``slipproof certify``, as a dict."""
-        return dict(self.details)
-
-    def words(self) -> str:
-        """The verdict in words if the problem was judged at real size; otherwise as JSON."""
-        return self._judged.words(self._index) if self._judged else json.dumps(self.details, ensure_ascii=False)
-
-    def refined(self) -> Optional[Dict[str, Any]]:
-        """The improved answer, with a radius for each number; None if no solution is enclosed."""
-        text = self._judged.refined(self._index) if self._judged else ""
-        return json.loads(text) if text else None
-
-    def certificate(self) -> Optional[str]:
-        """The certificate that ``slipproof-check-contact`` checks; None if nothing is proved that has one."""
-        return (self._judged.certificate(self._index) if self._judged else "") or None
-
-    def report(self) -> Optional[str]:
-        """An HTML page with the contacts in their cones; None for a problem that was judged in exact numbers."""
-        return self._judged.report("slipproof.certify(...).report()") if self._judged else None
-
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("_"):
-            raise AttributeError(name)
-        try:
-            return self.details[name]
-        except KeyError:
-            raise AttributeError(f"this verdict has no {name}; it has {', '.join(self.details)}") from None
-
-    def __bool__(self) -> bool:
-        return self.certified
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Verdict) and self.details == other.details
-
-    def __hash__(self) -> int:
-        return hash(self.verdict)
-
-    def __repr__(self) -> str:
-        return f"<slipproof.Verdict {self.verdict}>"
-
-    def _repr_html_(self) -> str:
-        return table(["", ""], [[key, str(value)] for key, value in self.details.items()])
-
-
-class Verdicts(Sequence[Verdict]):
-    """Verdicts on many answers, each made when it is accessed. If a file was read, ``summary`` has counts."""
-
-    def __init__(self, lines: List[str], summary: Optional[Dict[str, Any]] = None):
-        self._lines = lines
-        self.summary = summary
-
-    @overload
-    def __getitem__(self, index: int) -> Verdict: ...
-
-    @overload
-    def __getitem__(self, index: slice) -> "Verdicts": ...
-
-    def __getitem__(self, index: Union[int, slice]) -> Union[Verdict, "Verdicts"]:
-        if isinstance(index, slice):
-            return Verdicts(self._lines[index])
-        return Verdict(self._lines[index])
-
-    def __len__(self) -> int:
-        return len(self._lines)
-
-    def __iter__(self) -> Iterator[Verdict]:
-        return map(Verdict, self._lines)
-
-    def counts(self) -> Dict[str, int]:
-        """How many answers have each verdict."""
-        found: Dict[str, int] = {}
-        for verdict in self:
-            found[verdict.verdict] = found.get(verdict.verdict, 0) + 1
-        return found
-
-    @property
-    def certified(self) -> bool:
-        """Whether there are answers and all of them are certified."""
-        return len(self) > 0 and all(v.certified for v in self)
-
-    def __repr__(self) -> str:
-        counts = ", ".join(f"{count} {verdict}" for verdict, count in self.counts().items())
-        return f"<slipproof.Verdicts {counts or 'none'}>"
-
-    def _repr_html_(self) -> str:
-        return table(["verdict", "answers"], [[verdict, str(count)] for verdict, count in self.counts().items()])
 
 
 def _is_sparse(W: Any) -> bool:
@@ -154,7 +46,7 @@ def _sparse(W: Any, size: int) -> Tuple[Any, ...]:
     return starts, columns, data
 
 
-def _contacts(mu: Any, shape: Tuple[int, ...], dimension: Optional[int]) -> Tuple[int, Optional[Doubles]]:
+def _contacts(mu: Any, shape: Tuple[int, ...], dimension: Optional[int]) -> Tuple[int, Optional[Array]]:
     """The dimension of the contacts, and a coefficient for each; a single number is for all contacts."""
     if mu is None:
         if dimension in (2, 3):
@@ -162,7 +54,7 @@ def _contacts(mu: Any, shape: Tuple[int, ...], dimension: Optional[int]) -> Tupl
         return 1, None
     if dimension == 1:
         raise wrong_value("mu", "coefficients of friction", "none in dimension 1, a complementarity problem")
-    array = doubles("mu", mu, (0, 1) if len(shape) == 1 else (0, 1, 2))
+    array = numbers("mu", mu, (0, 1) if len(shape) == 1 else (0, 1, 2))
     size = shape[-1]
     contacts = None if array.ndim == 0 else array.shape[-1]
     each = dimension or _core.dimension_by_sizes(size, contacts)
@@ -170,10 +62,35 @@ def _contacts(mu: Any, shape: Tuple[int, ...], dimension: Optional[int]) -> Tupl
         raise wrong_value("mu", "one number" if contacts is None else f"{contacts} coefficients",
                           f"{each} components of q for each contact, which has {size}")
     if array.ndim == 0:
-        return each, np.full((*shape[:-1], size // each), float(array))
-    if array.ndim == 1 and len(shape) == 2:
-        return each, np.ascontiguousarray(np.broadcast_to(array, (shape[0], array.size)))
+        return each, np.full(size // each, array[()], dtype=array.dtype)
     return each, array
+
+
+@overload
+def certify(W: Any, q: Sequence[Number], z: Any = None, mu: Any = None, *, w: Any = None,  # type: ignore[misc]
+            dimension: Optional[int] = None,
+            tolerance: Optional[float] = None, law: str = "cone", bounds: Any = None, compliance: Any = None,
+            bias: Any = None, slip_speed: Optional[float] = None, function: str = "linear", refine: bool = False,
+            within: Optional[float] = None, method: str = "auto", effort: Optional[int] = None, threads: int = 0,
+            progress: Progress = None) -> Verdict: ...
+
+
+@overload
+def certify(W: Any, q: Sequence[Sequence[Number]], z: Any = None, mu: Any = None, *, w: Any = None,
+            dimension: Optional[int] = None,
+            tolerance: Optional[float] = None, law: str = "cone", bounds: Any = None, compliance: Any = None,
+            bias: Any = None, slip_speed: Optional[float] = None, function: str = "linear", refine: bool = False,
+            within: Optional[float] = None, method: str = "auto", effort: Optional[int] = None, threads: int = 0,
+            progress: Progress = None) -> Verdicts: ...
+
+
+@overload
+def certify(W: Any, q: "npt.NDArray[Any]", z: Any = None, mu: Any = None, *, w: Any = None,
+            dimension: Optional[int] = None,
+            tolerance: Optional[float] = None, law: str = "cone", bounds: Any = None, compliance: Any = None,
+            bias: Any = None, slip_speed: Optional[float] = None, function: str = "linear", refine: bool = False,
+            within: Optional[float] = None, method: str = "auto", effort: Optional[int] = None, threads: int = 0,
+            progress: Progress = None) -> Any: ...
 
 
 def certify(W: Any, q: Any, z: Any = None, mu: Any = None, *, w: Any = None, dimension: Optional[int] = None,
@@ -187,8 +104,10 @@ def certify(W: Any, q: Any, z: Any = None, mu: Any = None, *, w: Any = None, dim
     friction: ``mu`` is one number, or one for each contact; z has the forces of each contact, (N, T) in the plane or
     (N, T1, T2) in space. ``dimension`` is 2 or 3; it is required if the sizes do not determine it (one ``mu``, and a
     multiple of 6 components). ``W`` is an array of shape (n, n), or a sparse matrix of SciPy; ``q``, ``z`` and the
-    optional ``w`` have n components. Arrays of shapes (k, n, n) and (k, n) are k problems and give k verdicts. A NaN or
-    an infinity in z makes the answer ``invalid``.
+    optional ``w``, the solver's velocities, have n components. Arrays of shapes (k, n, n) and (k, n) are k problems and
+    give k :class:`Verdicts`; ``W`` of shape (n, n) is the same for all of them. Numbers may be float, int, Fraction,
+    Decimal or texts (``"1/3"``), and are taken exactly; any consistent units do. A NaN or an infinity in z makes the
+    answer ``invalid``.
 
     ``method``: ``exact`` finds every solution of an LCP or a planar problem with up to 64 components, in exact
     arithmetic (``certified``, ``ambiguous``, ``inaccurate``, ``wrong``); ``enclosure`` proves what it can at any size
@@ -197,14 +116,15 @@ def certify(W: Any, q: Any, z: Any = None, mu: Any = None, *, w: Any = None, dim
     velocities by the largest velocity. If ``enclosure`` finds no solution, it limits the backward error. ``refine``:
     search for a solution, also without z. ``within``: the radius in which a solution is near: with one there an answer
     whose backward error is above the tolerance is ``not converged``, without one it is wrong. ``effort`` limits the work
-    on one answer, in operations on words.
+    on one answer, in operations on words. ``threads``: 0 for all cores. ``progress``: a function of (done, all), or True.
 
     ``law`` is what the solver solves: ``cone`` (or ``coulomb``), the pyramids ``box`` and ``diamond``, ``fixed`` with
     ``bounds`` of the tangential components, ``associated``, ``regularised`` with ``slip_speed`` and ``function``
     (``linear`` or ``soft``). ``compliance`` and ``bias``, numbers or arrays like q, are what it adds to w: R z and b.
     Where anything differs from Coulomb's law, ``details["coulomb"]`` judges the same forces by that.
 
-    Raises TypeError and ValueError for arrays that do not fit, InputError for numbers that no problem can have.
+    Raises TypeError and ValueError for arrays that do not fit, or that hold numbers which are no float64 where not every
+    solution is looked for in exact arithmetic; InputError for numbers that no problem can have.
 
     >>> import slipproof
     >>> slipproof.certify([[2, 1], [1, 2]], [-5, -6], [4/3, 7/3]).verdict
@@ -212,7 +132,7 @@ def certify(W: Any, q: Any, z: Any = None, mu: Any = None, *, w: Any = None, dim
     >>> slipproof.certify([[1, 2], [2, 1]], [-1, -1], [1, 0]).solutions
     3
     """
-    q_array = doubles("q", q, (1, 2))
+    q_array = numbers("q", q, (1, 2))
     if q_array.shape[-1] == 0:
         raise wrong_value("q", "no components", "at least one")
     chosen = None if dimension is None else whole("dimension", dimension, 1, 3)
@@ -236,9 +156,11 @@ def certify(W: Any, q: Any, z: Any = None, mu: Any = None, *, w: Any = None, dim
                                        None if within is None else real("within", within, 0, 1e300), bool(refine), law,
                                        None if effort is None else whole("effort", effort, 1, 2**63))
         tangential = 0 if mu_array is None else size - size // dims
-        solver = (_each("bounds", bounds, tangential), _each("compliance", compliance, size), _each("bias", bias, size),
-                  None if slip_speed is None else real("slip_speed", slip_speed, 0, 1e300), function)
-        return _certify_any(W, q_array, z, w, mu_array, dims, solver, options)
+        solver: _Solver = (
+            _each("bounds", bounds, tangential), _each("compliance", compliance, size), _each("bias", bias, size),
+            None if slip_speed is None else real("slip_speed", slip_speed, 0, 1e300), function)
+        return _certify_any(W, rounded_nowhere("q", q_array), z, w,
+                            None if mu_array is None else rounded_nowhere("mu", mu_array), dims, solver, options)
     return _certify_exact(W, q_array, z, w, mu_array, real("tolerance", 1e-6 if tolerance is None else tolerance, 0, 1),
                           whole("effort", _EFFORT if effort is None else effort, 1, 2**63),
                           whole("threads", threads, 0, 4096), reporter(progress))
@@ -248,48 +170,49 @@ def _each(name: str, value: Any, size: int) -> Optional[Doubles]:
     """An array of this size, or one number for all of it."""
     if value is None:
         return None
-    array = doubles(name, value, (0, 1))
+    array = rounded_nowhere(name, numbers(name, value, (0, 1)))
     if array.ndim == 0:
         return np.full(size, float(array))
     return shaped(name, array, (size,), f"as that many components have {'one' if name == 'bounds' else 'it'}")
 
 
-def _certify_any(W: Any, q: Doubles, z: Any, w: Any, mu: Optional[Doubles], dimension: int, solver: Tuple[Any, ...],
+def _certify_any(W: Any, q: Doubles, z: Any, w: Any, mu: Optional[Doubles], dimension: int, solver: _Solver,
                  options: "_core.ContactOptions") -> Verdict:
     n = q.shape[0]
     why = f"as q has {n} components"
-    matrix = _sparse(W, n) if _is_sparse(W) else (shaped("W", W, (n, n), why),)
-    z_array = None if z is None else shaped("z", z, (n,), why)
-    w_array = None if w is None else shaped("w", w, (n,), why)
+    matrix = _sparse(W, n) if _is_sparse(W) else (rounded_nowhere("W", shaped("W", W, (n, n), why)),)
+    z_array = None if z is None else rounded_nowhere("z", shaped("z", z, (n,), why))
+    w_array = None if w is None else rounded_nowhere("w", shaped("w", w, (n,), why))
     judged = _core.certify_problem(matrix, q, mu, dimension, z_array, w_array, *solver, options)
     return Verdict(judged.line(0), judged, 0)
 
 
-def _finite(name: str, array: Optional[Doubles]) -> None:
-    if array is None or np.isfinite(array).all():
+def _finite(name: str, array: Optional[Array]) -> None:
+    if array is None or array.dtype == object or np.isfinite(array).all():
         return
     place = tuple(int(i) for i in np.argwhere(~np.isfinite(array))[0])
     raise wrong_value(f"{name}{list(place)}", array[place], "a finite number")
 
 
-def _certify_exact(W: Any, q: Doubles, z: Any, w: Any, mu: Optional[Doubles], tolerance: float, effort: int,
+def _certify_exact(W: Any, q: Array, z: Any, w: Any, mu: Optional[Array], tolerance: float, effort: int,
                    threads: int, progress: Optional[Callable[[int, int], object]]) -> Union[Verdict, Verdicts]:
     shape, n = q.shape, q.shape[-1]
     why = f"as q has shape {shape}"
-    W_array = shaped("W", W, (*shape, n), why)
+    W_array = numbers("W", W, (2, 3) if len(shape) == 2 else (2,))
+    if W_array.shape not in ((*shape, n), (n, n)):  # one for all problems
+        raise wrong_value("W", f"shape {W_array.shape}", f"{(*shape, n)} {why}")
     z_array = shaped("z", z, shape, why)
     w_array = None if w is None else shaped("w", w, shape, why)
-    if mu is not None and mu.shape[:-1] != shape[:-1]:
+    if mu is not None and mu.shape[:-1] not in ((), shape[:-1]):
         raise wrong_value("mu", f"shape {mu.shape}", f"({shape[0]}, {mu.shape[-1]}) {why}")
     for name, array in (("W", W_array), ("q", q), ("mu", mu)):
         _finite(name, array)
     if mu is not None and (mu < 0).any():
         raise wrong_value("mu", float(mu.min()), "coefficients >= 0")
-    if len(shape) == 1:
-        return Verdict(_core.certify_exact(
-            W_array[np.newaxis], q[np.newaxis], z_array[np.newaxis], None if w_array is None else w_array[np.newaxis],
-            None if mu is None else mu[np.newaxis], tolerance, effort, threads, progress)[0])
-    return Verdicts(_core.certify_exact(W_array, q, z_array, w_array, mu, tolerance, effort, threads, progress))
+    lines = _core.certify_exact((shape[0] if len(shape) == 2 else 1, n, 0 if mu is None else mu.shape[-1]),
+                                texts(W_array), texts(q), texts(z_array), None if w_array is None else texts(w_array),
+                                None if mu is None else texts(mu), tolerance, effort, threads, progress)
+    return Verdicts(lines) if len(shape) == 2 else Verdict(lines[0])
 
 
 def certify_file(path: Union[str, "os.PathLike[str]"], *, scene: Union[None, str, "os.PathLike[str]"] = None,
@@ -301,9 +224,11 @@ def certify_file(path: Union[str, "os.PathLike[str]"], *, scene: Union[None, str
 
     Records are CSV or JSON Lines; ``scene`` has the values that are the same for all of them, or ``mechanism`` is their
     mechanism. Problems are FCLIB's HDF5, text of Siconos, MatrixMarket or JSON; ``answer`` is a file with the solver's
-    answer, ``law`` is in place of the one that the problem names. Raises InputError.
+    answer, ``law`` is in place of the one that the problem names. ``tolerance``, ``refine``, ``within``, ``effort``,
+    ``threads`` and ``progress`` are those of :func:`certify`; ``ignore_unknown`` skips unknown columns. ``path`` and the
+    others are files. Raises FileNotFoundError if one is not there, InputError for mistakes in them.
     """
-    name = _path("path", path)
+    name = _file("path", path)
     if law is not None:
         one_of("law", law, _LAWS)
     work = None if effort is None else whole("effort", effort, 1, 2**63)
@@ -311,34 +236,35 @@ def certify_file(path: Union[str, "os.PathLike[str]"], *, scene: Union[None, str
         options = _core.ContactOptions(real("tolerance", 1e-6 if tolerance is None else tolerance, 0, 1),
                                        None if within is None else real("within", within, 0, 1e300), bool(refine), law,
                                        work)
-        judged = _core.certify_problem_file(name, None if answer is None else _path("answer", answer), options)
-        return _JudgedVerdicts(judged)
+        judged = _core.certify_problem_file(name, None if answer is None else _file("answer", answer), options)
+        return JudgedVerdicts(judged)
     lines, summary = _core.certify_records(
-        name, None if scene is None else _path("scene", scene),
-        None if mechanism is None else _path("mechanism", mechanism),
+        name, None if scene is None else _file("scene", scene),
+        None if mechanism is None else _mechanism("mechanism", mechanism),
         None if tolerance is None else real("tolerance", tolerance, 0, 1), work, bool(ignore_unknown),
         whole("threads", threads, 0, 4096), reporter(progress))
     return Verdicts(lines.decode("utf-8", "replace").splitlines(), json.loads(summary))
-
-
-class _JudgedVerdicts(Verdicts):
-    """Verdicts on one problem at real size; they have more details than their lines of output."""
-
-    def __init__(self, judged: "_core.Judged"):
-        super().__init__([judged.line(i) for i in range(len(judged))])
-        self._judged = judged
-
-    def __getitem__(self, index: Any) -> Any:
-        if isinstance(index, slice):
-            return super().__getitem__(index)
-        place = range(len(self))[index]
-        return Verdict(self._lines[place], self._judged, place)
-
-    def __iter__(self) -> Iterator[Verdict]:
-        return (self[i] for i in range(len(self)))
 
 
 def _path(name: str, value: Any) -> bytes:
     if not isinstance(value, (str, os.PathLike)):
         raise wrong_type(name, value, "a path")
     return os.fsencode(value)
+
+
+def _file(name: str, value: Any) -> bytes:
+    """The path of a file or folder that is there. Raises OSError."""
+    path = _path(name, value)
+    if path != b"-":
+        os.stat(value)
+    return path
+
+
+def _mechanism(name: str, value: Any) -> bytes:
+    """The path of a mechanism's file, or the name of a shipped one."""
+    path = _path(name, value)
+    shipped = _core.shipped_mechanisms()
+    if os.fsdecode(path) not in shipped and not Path(os.fsdecode(path)).exists():
+        raise FileNotFoundError(errno.ENOENT, f"No such file, and no shipped mechanism of this name ({', '.join(shipped)})",
+                                os.fsdecode(path))
+    return path

@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 import json
-from typing import Any, Dict
+from typing import Any, Dict, Tuple
+
+from ._result import Result
 
 
-class Document:
+class Document(Result):
     """The output of a command of the program with ``--json``."""
 
     def __init__(self, document: str):
         self._json = document
+
+    def _parts(self) -> Tuple[Any, ...]:
+        return (self._json,)
 
     def to_json(self) -> str:
         """The document, byte for byte."""
@@ -27,6 +32,9 @@ class Report(Document):
     def __init__(self, document: str, text: str):
         super().__init__(document)
         self._text = text
+
+    def _parts(self) -> Tuple[Any, ...]:
+        return self._json, self._text
 
     def text(self) -> str:
         """The text that the command prints."""

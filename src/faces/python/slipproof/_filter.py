@@ -29,8 +29,19 @@ class ConsistentModes(NamedTuple):
     tiers: Dict[str, int]
     """how many scenes each tier decided"""
 
+    def __eq__(self, other: object) -> bool:
+        return (isinstance(other, ConsistentModes) and self.tiers == other.tiers
+                and np.array_equal(self.consistent, other.consistent) and np.array_equal(self.strict, other.strict)
+                and np.array_equal(self.tier, other.tier))
+
+    def __ne__(self, other: object) -> bool:
+        return not self == other
+
+    def __hash__(self) -> int:
+        return hash(self.consistent.tobytes())
+
     def names(self, scene: int) -> List[str]:
-        """The consistent modes of one scene."""
+        """The consistent modes of one scene; ``scene`` counts from 0. Raises IndexError."""
         mask = int(self.consistent[scene])
         return [name for i, name in enumerate(MODES) if mask >> i & 1]
 
@@ -44,7 +55,9 @@ def consistent_modes(*, M: Any, R: Any, h: Any, b2: Any, b3: Any, I1: Any, I2: A
     """The consistent modes of every scene, exactly, at nearly the speed of binary64.
 
     Each argument is one number for all scenes, or an array with one for each, in SI units, with the names of a scene
-    file. Contiguous arrays of float64 are not copied. Without ``J`` only modes with both wheels on the road are
+    file: the masses ``M`` (kg); the lengths ``R``, ``h``, ``b2``, ``b3``, ``r1``, ``r2``, ``L`` (m); the moments of inertia
+    ``I1``, ``I2``, ``I3``, ``J`` (kg m^2); the friction ``f``; gravity ``g`` (m/s^2); the force ``F`` (N), of the ``kind``
+    "internal" or "external". Contiguous arrays of float64 are not copied. Without ``J`` only modes with both wheels on the road are
     modelled. ``threads``: 0 for all cores. Raises TypeError, ValueError (also for a NaN).
 
     >>> import numpy as np, slipproof

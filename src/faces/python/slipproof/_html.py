@@ -8,7 +8,8 @@ from typing import List, Optional, Sequence, Tuple
 
 from ._numbers import Interval
 
-_COLOURS = ("#4477aa", "#ee6677", "#228833", "#ccbb44", "#66ccee", "#aa3377", "#999933", "#882255")
+#: Colours that readers with any kind of colour blindness can tell apart: those of Okabe and Ito, without black.
+COLOURS = ("#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00", "#f0e442")
 _WIDTH, _LEFT, _ROW = 640, 130, 20
 
 
@@ -48,7 +49,7 @@ def phase_line(ranges: Sequence[Tuple[str, Interval]], load: Optional[Fraction],
         left, right = at(interval.lower, low), at(interval.upper, high)
         parts.append(f'<text x="{_LEFT - 8}" y="{y + 12}" text-anchor="end">{escape(mode)}</text>')
         parts.append(f'<rect x="{left:.1f}" y="{y}" width="{max(right - left, 2):.1f}" height="14" '
-                     f'fill="{_COLOURS[row % len(_COLOURS)]}"><title>{escape(str(interval))}</title></rect>')
+                     f'fill="{COLOURS[row % len(COLOURS)]}"><title>{escape(str(interval))}</title></rect>')
     bottom = _ROW * len(ranges) + 18
     parts.append(f'<text x="{_LEFT}" y="{bottom}">{low:.6g}</text>')
     parts.append(f'<text x="{_WIDTH - 10}" y="{bottom}" text-anchor="end">{escape(symbol)} = {high:.6g}</text>')

@@ -9,12 +9,13 @@ from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 from . import _core
 from ._arrays import one_of, whole
 from ._bodies import Body, Contact, Force, Friction, Joint, Torque
-from ._certify import _path
+from ._certify import _mechanism
 from ._document import Report
 from ._errors import InputError, wrong_type, wrong_value
 from ._html import table
 from ._numbers import Number
 from ._progress import Progress, reporter
+from ._result import Result
 from ._scene import Scene, as_toml
 from ._solution import Solution
 
@@ -29,11 +30,14 @@ class Search(Report):
         super().__init__(document, text)
         self.verdict = verdict
 
+    def _parts(self) -> Tuple[Any, ...]:
+        return self._json, self._text, self.verdict
+
     def __repr__(self) -> str:
         return f"<slipproof.Search {self.verdict}>"
 
 
-class Mechanism:
+class Mechanism(Result):
     """A mechanism: from a file, or a shipped one, with :meth:`load`; from a text or a dict with :meth:`parse`; from
     bodies with :meth:`of`.
 
@@ -51,16 +55,20 @@ class Mechanism:
     def __init__(self, path: str, about: Dict[str, Any], document: Optional[Dict[str, Any]] = None):
         self._path, self._about, self._document = path, about, document
 
+    def _parts(self) -> Tuple[Any, ...]:
+        return self._path, self._about, self._document
+
     @classmethod
     def load(cls, path: Union[str, "os.PathLike[str]"]) -> "Mechanism":
-        """Reads a mechanism from a file, or the shipped one with this name. Raises InputError."""
-        name = _path("path", path)
+        """Reads a mechanism from the file ``path``, or the shipped one with this name. Raises FileNotFoundError if there
+        is neither, InputError for mistakes in it."""
+        name = _mechanism("path", path)
         return cls(os.fsdecode(name), _core.describe_mechanism(name))
 
     @classmethod
     def parse(cls, mechanism: Union[str, Mapping[str, Any]], file: str = "mechanism") -> "Mechanism":
-        """Reads the text of a mechanism's file, or a dict with its tables (``schema`` may be left out, numbers may be
-        numbers). ``file`` is its name in messages. Raises InputError."""
+        """Reads ``mechanism``: the text of a mechanism's file, or a dict with its tables (``schema`` may be left out,
+        numbers may be numbers). ``file`` is its name in messages. Raises InputError."""
         if isinstance(mechanism, Mapping):
             return cls._of({"schema": _SCHEMA, **mechanism}, file)
         if not isinstance(mechanism, str):
@@ -74,7 +82,12 @@ class Mechanism:
            joints: Sequence[Joint] = (), friction: Sequence[Friction] = (), forces: Sequence[Force] = (),
            torques: Sequence[Torque] = (), load: Optional[Mapping[str, str]] = None,
            **tables: Any) -> "Mechanism":
-        """A mechanism of bodies. ``tables`` are others of its file: ``angles``, ``definitions``, ``assume``, ...
+        """A mechanism of bodies, called ``name``. Raises InputError with all mistakes.
+
+        ``bodies``, ``contacts``, ``joints``, ``friction``, ``forces`` and ``torques`` are its parts. ``gravity``: an
+        acceleration (m/s^2), or "none". ``parameters``: by symbol a domain such as ``"mu >= 0"``, or a dict with domain,
+        unit and meaning. ``load``: a dict with the symbol of the force that is varied. ``tables`` are others of its file:
+        ``angles``, ``definitions``, ``assume``, ...
 
         >>> import slipproof
         >>> from slipproof import Body, Contact, Force
@@ -145,7 +158,9 @@ class Mechanism:
 
     def scene(self, values: Mapping[str, Any], *, load: Optional[Number] = None, along: Optional[str] = None,
               state: Optional[Mapping[str, str]] = None, name: Optional[str] = None) -> Scene:
-        """A scene of it, with ``values`` for its parameters and angles, and optionally a load."""
+        """A scene of it, called ``name``, with ``values`` for its parameters and angles, in the units of its file, and
+        optionally a ``load``. ``along``: the parameter that is the load in place of its own. ``state``: the states of
+        motion of elements that move already. Raises ValueError for a load without a symbol, InputError."""
         if not isinstance(values, Mapping):
             raise wrong_type("values", values, "a dict")
         own = self._path if self._document is None else self._document
@@ -163,7 +178,8 @@ class Mechanism:
 
     def solve(self, values: Mapping[str, Any], *, load: Optional[Number] = None, along: Optional[str] = None,
               state: Optional[Mapping[str, str]] = None) -> Solution:
-        """Every motion at these values; without a load, at every load."""
+        """Every motion at these ``values``; without a ``load``, at every load. ``along`` and ``state`` are those of
+        :meth:`scene`. Raises what that raises."""
         return self.scene(values, load=load, along=along, state=state).solve()
 
     def search(self, *, within: str = "", wanted: Optional[str] = None, samples: Optional[int] = None, seed: int = 1,
@@ -171,7 +187,9 @@ class Mechanism:
         """Searches samples of the domain, for every load, for points with no motion, several, or a continuum.
 
         ``within`` narrows the domain, ``"mu < 1"``; with ``wanted`` (none, several, continuum) the search ends at the
-        first such place.
+        first such place. ``samples``: points of the domain, by default 30 to 2000; ``seed`` of them. ``hysteresis``:
+        report several motions that become one if static coefficients equal the kinetic ones, too. ``threads``: 0 for all
+        cores. ``progress``: a function of (done, all), or True. Raises ValueError, InputError.
         """
         if not isinstance(within, str):
             raise wrong_type("within", within, "str")
@@ -194,7 +212,15 @@ def shipped_mechanisms() -> List[str]:
     return _core.shipped_mechanisms()
 
 
-def search(mechanism: Union[str, "os.PathLike[str]", Mechanism], **options: Any) -> Search:
-    """Does :meth:`Mechanism.search` for a file or a shipped mechanism."""
-    found = mechanism if isinstance(mechanism, Mechanism) else Mechanism.load(mechanism)
-    return found.search(**options)
+def as_mechanism(mechanism: Union[str, "os.PathLike[str]", Mapping[str, Any], Mechanism]) -> Mechanism:
+    """Converts a file, a shipped one's name, a text or a dict to a Mechanism."""
+    if isinstance(mechanism, Mechanism):
+        return mechanism
+    is_text = isinstance(mechanism, Mapping) or (isinstance(mechanism, str) and "\n" in mechanism)
+    return Mechanism.parse(mechanism) if is_text else Mechanism.load(mechanism)  # type: ignore[arg-type]
+
+
+def search(mechanism: Union[str, "os.PathLike[str]", Mapping[str, Any], Mechanism], **options: Any) -> Search:
+    """Does :meth:`Mechanism.search` with its ``options``. ``mechanism`` is a file, a shipped one's name, a text, a dict or
+    a Mechanism. Raises FileNotFoundError, InputError, and what the method raises."""
+    return as_mechanism(mechanism).search(**options)

@@ -5,9 +5,10 @@ from __future__ import annotations
 from decimal import Decimal
 from fractions import Fraction
 from numbers import Integral
-from typing import Any, Dict, Iterator, Mapping, Optional, Tuple, Union
+from typing import Any, Dict, Generic, Iterator, Mapping, Optional, Tuple, TypeVar, Union
 
 from ._errors import wrong_type, wrong_value
+from ._result import Result
 
 #: What counts as a number: a float is taken exactly as it is, a text as it is written (``"3/4"``, ``"0.1"``).
 Number = Union[int, float, Fraction, Decimal, str]
@@ -97,20 +98,33 @@ def value(text: Any) -> Any:
     return Affine(fraction(text[0]), fraction(text[1]))
 
 
-class Values(Mapping[str, Any]):
+N = TypeVar("N")
+
+
+class Values(Mapping[str, N], Generic[N]):
     """Numbers by name, each made when it is accessed."""
 
     __slots__ = ("_texts", "_made")
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return Values.of, (dict(self),)
+
+    @classmethod
+    def of(cls, numbers: Mapping[str, Any]) -> "Values[Any]":
+        """Numbers that are there already."""
+        made: "Values[Any]" = Values(dict.fromkeys(numbers))
+        made._made.update(numbers)
+        return made
 
     def __init__(self, texts: Mapping[str, Any]):
         self._texts = texts
         self._made: Dict[str, Any] = {}
 
-    def __getitem__(self, name: str) -> Any:
+    def __getitem__(self, name: str) -> N:
         made = self._made.get(name)
         if made is None:
             made = self._made[name] = self._make(self._texts[name])
-        return made
+        return made  # type: ignore[no-any-return]
 
     def _make(self, text: Any) -> Any:
         return value(text)
@@ -125,7 +139,7 @@ class Values(Mapping[str, Any]):
         return "{" + ", ".join(f"{name}: {self[name]}" for name in self) + "}"
 
 
-class Interval:
+class Interval(Result):
     """A set of loads from ``lower`` to ``upper``; None stands for an infinite end.
 
     >>> i = Interval(Fraction(1), None, True, False)
@@ -139,9 +153,12 @@ class Interval:
         self.lower, self.upper = lower, upper
         self.lower_closed, self.upper_closed = lower_closed, upper_closed
 
+    def _parts(self) -> Tuple[Any, ...]:
+        return self.lower, self.upper, self.lower_closed, self.upper_closed
+
     @classmethod
     def read(cls, ends: Any, closed: Any) -> "Interval":
-        """Makes an interval from the two ends in a document and which of them belong to it."""
+        """Makes an interval from the two ``ends`` in a document and which of them belong to it, ``closed``."""
         return cls(value(ends[0]), value(ends[1]), closed[0], closed[1])
 
     @property
@@ -153,12 +170,6 @@ class Interval:
         x = Fraction(text_of(load, "load"))
         above = self.lower is None or x > self.lower or (self.lower_closed and x == self.lower)
         return above and (self.upper is None or x < self.upper or (self.upper_closed and x == self.upper))
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Interval) and all(getattr(self, s) == getattr(other, s) for s in self.__slots__)
-
-    def __hash__(self) -> int:
-        return hash(tuple(getattr(self, s) for s in self.__slots__))
 
     def __str__(self) -> str:
         if self.is_point:

@@ -10,6 +10,7 @@ from . import _core
 from ._arrays import whole
 from ._document import Document
 from ._errors import wrong_type, wrong_value
+from ._html import COLOURS
 from ._numbers import Number, fraction, text_of
 from ._scene import as_scene
 
@@ -23,8 +24,11 @@ class PhaseDiagram(Document):
         super().__init__(document)
         self.svg = svg
 
+    def _parts(self) -> Tuple[Any, ...]:
+        return self.svg, self._json
+
     def save(self, path: "str | os.PathLike[str]") -> None:
-        """Writes the SVG file: first under another name, so that the file is never incomplete."""
+        """Writes the SVG file ``path``: first under another name, so that the file is never incomplete."""
         _core.write_file(os.fspath(path), self.svg)
 
     def bands(self) -> Dict[str, List[Tuple[float, float, float]]]:
@@ -43,17 +47,18 @@ class PhaseDiagram(Document):
         return result
 
     def draw(self, ax: Any = None) -> Any:
-        """Draws the regions into axes of matplotlib, by default the current ones, and returns the axes."""
+        """Draws the regions into the axes ``ax`` of matplotlib, by default the current ones, and returns the axes. Regions
+        differ in colours that colour-blind readers can tell apart, and where these do not suffice in hatches."""
         if ax is None:
             import matplotlib.pyplot  # type: ignore[import]  # noqa: PLC0415 - not needed for anything else
 
             ax = matplotlib.pyplot.gca()
         document = self.to_dict()
         columns = sorted({x for bands in self.bands().values() for x, _, _ in bands})
-        for name, bands in self.bands().items():
+        for i, (name, bands) in enumerate(self.bands().items()):
             left, width = _sides(columns, [x for x, _, _ in bands])
             ax.bar(left, [top - bottom for _, bottom, top in bands], width, [bottom for _, bottom, _ in bands],
-                   align="edge", linewidth=0, label=name)
+                   align="edge", linewidth=0, label=name, **_look(i))
         ax.set_xlabel(document["x"]["symbol"])
         ax.set_ylabel(document["load"]["symbol"])
         ax.set_title(document["scene"])
@@ -65,6 +70,15 @@ class PhaseDiagram(Document):
 
     def __repr__(self) -> str:
         return f"<slipproof.PhaseDiagram, {len(self.to_dict()['columns'])} columns>"
+
+
+_HATCHES = ("", "//", "..", "xx", "--")
+
+
+def _look(region: int) -> Dict[str, Any]:
+    """The colour of a region, and a hatch where colours occur again."""
+    colour = COLOURS[region % len(COLOURS)]
+    return {"facecolor": colour, "edgecolor": "white", "hatch": _HATCHES[region // len(COLOURS) % len(_HATCHES)]}
 
 
 def _across(x: Any) -> float:
@@ -105,7 +119,9 @@ def phase_diagram(scene: Any, *, x: str = "", y: str = "", x_range: _Ends = None
     """The phase diagram of a scene: a parameter on the horizontal axis, the load on the vertical axis.
 
     ``scene`` is as in :func:`solve`. ``x``: a parameter, or an angle of a mechanism in degrees; by default the
-    coefficient of friction. ``y``: another load. With ``ax`` the diagram is also drawn into these axes of matplotlib.
+    coefficient of friction. ``y``: another load. ``x_range`` and ``y_range``: pairs of numbers; by default they are chosen
+    from the scene. ``columns``: in how many values of x the motions are computed. With ``ax`` the diagram is also drawn
+    into these axes of matplotlib. Raises ValueError for ranges and parameters that cannot be used, InputError.
     """
     for name, symbol in (("x", x), ("y", y)):
         if not isinstance(symbol, str):

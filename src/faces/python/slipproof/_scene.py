@@ -9,7 +9,8 @@ from typing import Any, Dict, List, Mapping, Tuple, Union
 
 from . import _core
 from ._errors import Diagnostic, InputError, wrong_type
-from ._numbers import text_of
+from ._result import Result
+from ._numbers import Number, text_of
 from ._solution import Solution
 
 _TABLE_OF = {"f": "road", "g": "road", "kind": "force", "F": "force", "P": "force", "name": ""}
@@ -24,8 +25,9 @@ def _quoted(text: str) -> str:
 class _Toml:
     """Writes a dict as a scene file with one key on each line, and records the line of each key."""
 
-    def __init__(self, document: Mapping[str, Any], is_mechanism: bool = False):
-        self.is_mechanism = is_mechanism
+    def __init__(self, document: Mapping[str, Any], is_mechanism: bool = False, has_lines: bool = False):
+        self.is_mechanism = is_mechanism or has_lines
+        self._has_lines = has_lines
         self.lines: List[str] = []
         self.keys: List[str] = []
         for key, value in document.items():
@@ -55,6 +57,8 @@ class _Toml:
     def _value(self, value: Any, path: str) -> str:
         if isinstance(value, bool):
             return "true" if value else "false"
+        if self._has_lines and isinstance(value, int):
+            return str(value)
         if isinstance(value, Mapping):
             inner = (f"{_quoted(self._name(k, path))} = {self._value(v, f'{path}.{k}')}" for k, v in value.items())
             return "{ " + ", ".join(inner) + " }"
@@ -71,6 +75,11 @@ class _Toml:
 def as_toml(document: Mapping[str, Any]) -> _Toml:
     """A mechanism as its file."""
     return _Toml(document, is_mechanism=True)
+
+
+def as_claims(document: Mapping[str, Any]) -> _Toml:
+    """Claims as their file, in which whole numbers are lines of the paper."""
+    return _Toml(document, has_lines=True)
 
 
 def _bytes(text: str, file: str) -> Tuple[bytes, bytes]:
@@ -91,7 +100,7 @@ def _tables(arguments: Mapping[str, Any]) -> Dict[str, Any]:
     return document
 
 
-class Scene:
+class Scene(Result):
     """A bicycle or a mechanism with its numbers, read once and solved as often as needed. Immutable.
 
     From keyword arguments, ``Scene(R="0.34", h=..., f="0.8", g="9.81", F=300)``; from a dict with the tables of a scene
@@ -114,12 +123,12 @@ class Scene:
 
     @classmethod
     def load(cls, path: Union[str, "os.PathLike[str]"]) -> "Scene":
-        """Reads a scene file (TOML). Raises OSError if there is no file, InputError for mistakes in it."""
+        """Reads the scene file ``path`` (TOML). Raises FileNotFoundError, InputError for mistakes in it."""
         return cls._of(_read(path), os.fspath(path))
 
     @classmethod
     def parse(cls, text: str, file: str = _FILE) -> "Scene":
-        """Reads the text of a scene file; ``file`` is its name in messages."""
+        """Reads the ``text`` of a scene file; ``file`` is its name in messages. Raises InputError."""
         if not isinstance(text, str):
             raise wrong_type("text", text, "str")
         return cls._of(text, file)
@@ -157,7 +166,8 @@ class Scene:
         return tomllib.loads(self._text, parse_float=lambda text: text.replace("_", ""))
 
     def replace(self, **changes: Any) -> "Scene":
-        """The same scene with other numbers: ``scene.replace(F=300)``; None removes one."""
+        """The same scene with other numbers, ``changes`` by name: ``scene.replace(F=300)``; None removes one. Raises
+        InputError."""
         document = self.to_dict()
         if self.is_mechanism:
             tables = {k: v for k, v in changes.items() if k in ("name", "mechanism", "along", "values", "state")}
@@ -170,15 +180,25 @@ class Scene:
             tables = _tables(changes)
         return Scene(_merged(document, tables))
 
+    def _with_load(self, symbol: str, load: Number) -> "Scene":
+        """The scene with this load, in whatever form it had another one."""
+        other: Dict[str, Any] = {} if self.is_mechanism else {"P": None}
+        return self.replace(**other, **{symbol: load})
+
     def solve(self) -> Solution:
         """Every motion at its load; without a load, the motions at every load."""
-        return Solution(self._scene.solve())
+        solution = Solution(self)
+        solution._solution  # noqa: B018 - solved here, not at the first look
+        return solution
 
     def __repr__(self) -> str:
         return f"<slipproof.Scene {self.name!r}>"
 
+    def _parts(self) -> Tuple[Any, ...]:
+        return self._text, self._file
+
     def __reduce__(self) -> Tuple[Any, ...]:
-        return Scene.parse, (self._text, self._file)
+        return Scene.parse, self._parts()
 
 
 def _in_dict(diagnostic: Diagnostic, toml: _Toml) -> Tuple[str, int, int, str]:
@@ -226,8 +246,9 @@ def as_scene(scene: Any, changes: Mapping[str, Any]) -> Scene:
 def solve(scene: Union[None, str, "os.PathLike[str]", Mapping[str, Any], Scene] = None, /, **numbers: Any) -> Solution:
     """Every motion of a scene, exactly.
 
-    ``scene`` is a file, a dict with the file's tables, or a :class:`Scene`. Keyword arguments are its numbers, or
-    replace some of them. Without a load, finds the loads of every mode. Raises InputError.
+    ``scene`` is a file, a dict with the file's tables, or a :class:`Scene`. ``numbers``, in SI units, are its numbers by
+    name, or replace some of them; None removes one. Without a load, finds the loads of every mode. Raises
+    FileNotFoundError, InputError with all mistakes, TypeError for what is no number.
 
     >>> import slipproof
     >>> s = slipproof.solve(R="1/4", h=1, b="0.4", M2="1/20", M3="1/20", J="0.4", f=1, g="9.81",

@@ -21,11 +21,12 @@ from __future__ import annotations
 import os
 from fractions import Fraction
 from functools import partial
-from typing import Any, Iterator, List, Mapping, Optional, Tuple, Union, cast
+from typing import Any, Iterator, List, Mapping, Optional, Tuple, Union
 
-from ._certify import Verdict, Verdicts, certify
+from ._certify import certify
 from ._scene import Scene, solve
 from ._solution import Motion, Solution
+from ._verdicts import Verdict, Verdicts
 
 __all__ = ["assert_certified", "assert_motion"]
 
@@ -53,13 +54,13 @@ def _solutions(verdict: Verdict, *looked: Any) -> Iterator[str]:
 
 def assert_certified(W: Any, q: Any, z: Any, mu: Any = None, *, tolerance: float = 1e-6, only: bool = False,
                      **options: Any) -> Verdict:
-    """Fails unless z is right for the contact problem w = W z + q: :func:`slipproof.certify`, with its options.
+    """Fails unless ``z`` is right for the contact problem w = ``W`` z + ``q`` with the friction ``mu``.
 
-    ``only``: an answer that is one of several is not enough. The message says which contact breaks which law, by how
+    These, ``tolerance`` and ``options`` are those of :func:`slipproof.certify`. ``only``: an answer that is one of several is not enough. The message says which contact breaks which law, by how
     much, and has a solution if one is found. Returns the verdict. Raises AssertionError, and what ``certify`` raises.
     """
     __tracebackhide__ = True
-    verdict = certify(W, q, z, mu, tolerance=tolerance, **options)
+    verdict: Union[Verdict, Verdicts] = certify(W, q, z, mu, tolerance=tolerance, **options)
     if isinstance(verdict, Verdicts):
         raise TypeError("found several problems, expected one")
     if verdict.certified or (verdict.verdict == "ambiguous" and not only):
@@ -68,7 +69,7 @@ def assert_certified(W: Any, q: Any, z: Any, mu: Any = None, *, tolerance: float
     if verdict.verdict == "invalid":
         raise AssertionError("\n  ".join([*lines, verdict.details["reason"]]))
     look = partial(certify, tolerance=tolerance, **{**options, "method": "enclosure", "refine": True, "mu": mu})
-    near = cast(Verdict, look(W, q, z))
+    near: Verdict = look(W, q, z)
     lines.extend(_violations(near.details))
     if verdict.details.get("reason"):
         lines.append(verdict.details["reason"])
@@ -82,7 +83,7 @@ def _kinds(solution: Solution, index: int) -> Tuple[List[str], List[str]]:
     return list(motion["accelerations"]), list(motion["forces"])
 
 
-def _error(motion: Motion, kinds: Tuple[List[str], List[str]], answer: Mapping[str, Any]) -> Tuple[float, str]:
+def _error(motion: Motion[Fraction], kinds: Tuple[List[str], List[str]], answer: Mapping[str, Any]) -> Tuple[float, str]:
     """The largest error of a component, over the largest number of its kind, and what it is."""
     worst, told = 0.0, ""
     for names in kinds:
@@ -106,11 +107,12 @@ def _error(motion: Motion, kinds: Tuple[List[str], List[str]], answer: Mapping[s
 
 
 def assert_motion(scene: Union[str, "os.PathLike[str]", Mapping[str, Any], Scene, Solution], answer: Mapping[str, Any],
-                  *, tolerance: float = 1e-9, only: bool = False) -> Motion:
+                  *, tolerance: float = 1e-9, only: bool = False) -> Motion[Fraction]:
     """Fails unless an answer is a motion of a scene at its load: accelerations, gaps, slips and forces by their names.
 
-    ``scene`` is a file, a dict or a Solution. Each number counts over the largest of its kind. ``only``: a motion that
-    is one of several is not enough. Returns the motion. The message has all motions.
+    ``scene`` is a file, a dict or a Solution; ``answer`` a dict, in SI units. Each error is divided by the largest number
+    of its kind, and may be ``tolerance``. ``only``: a motion that is one of several is not enough. Returns the motion.
+    Raises AssertionError with all motions, ValueError for names that no motion has, and what ``solve`` raises.
     """
     __tracebackhide__ = True
     solution = scene if isinstance(scene, Solution) else solve(scene)
@@ -122,7 +124,7 @@ def assert_motion(scene: Union[str, "os.PathLike[str]", Mapping[str, Any], Scene
             raise ValueError(f"answer: found {name}, expected one of {', '.join(sorted(known))}")
         if x != x or x in (float("inf"), float("-inf")):
             raise AssertionError(f"the answer has {name} = {x}")
-    best: Optional[Tuple[float, str, Motion]] = None
+    best: Optional[Tuple[float, str, Motion[Fraction]]] = None
     for i, motion in enumerate(solution.motions):
         error, told = _error(motion, _kinds(solution, i), answer)
         if best is None or error < best[0]:
