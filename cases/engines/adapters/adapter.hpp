@@ -96,8 +96,12 @@ struct Engine {
   std::function<Answer(const Question&)> ask;
 };
 
-inline Vector vector(const Json& given) { return {given[0], given[1]}; }
-inline double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1]; }
+inline Vector vector(const Json& given) {
+  return {given[0], given[1]};
+}
+inline double dot(const Vector& a, const Vector& b) {
+  return a[0] * b[0] + a[1] * b[1];
+}
 
 inline Body read_body(const Json& given) {
   Body body{given["name"], vector(given["at"]), vector(given["velocity"])};
@@ -111,8 +115,15 @@ inline Body read_body(const Json& given) {
 }
 
 inline Contact read_contact(const Json& given) {
-  return {given["name"],           given["of"],     given["on"],       vector(given["at"]), vector(given["normal"]),
-          vector(given["tangent"]), given["radius"], given["friction"], given["forces"]};
+  return {given["name"],
+          given["of"],
+          given["on"],
+          vector(given["at"]),
+          vector(given["normal"]),
+          vector(given["tangent"]),
+          given["radius"],
+          given["friction"],
+          given["forces"]};
 }
 
 inline Joint read_joint(const Json& given) {

@@ -8,7 +8,9 @@ using namespace engines;
 
 namespace {
 
-b2Vec2 vec(const Vector& v) { return {static_cast<float>(v[0]), static_cast<float>(v[1])}; }
+b2Vec2 vec(const Vector& v) {
+  return {static_cast<float>(v[0]), static_cast<float>(v[1])};
+}
 
 class Scene {
  public:

@@ -1,7 +1,7 @@
 // Bullet in binary64: one step of btDiscreteDynamicsWorld, sequential impulses, 10 iterations by default. Contacts are
-// handed over as points of manifolds, so that they are those of the scene. Bodies move in the plane only. What pushes is
-// added to the velocities before the step: Bullet's friction does not see a couple that is applied in the same step. With
-// the argument `applied` it is applied as force and couple, as programs do.
+// handed over as points of manifolds, so that they are those of the scene. Bodies move in the plane only. What pushes
+// is added to the velocities before the step: Bullet's friction does not see a couple that is applied in the same step.
+// With the argument `applied` it is applied as force and couple, as programs do.
 #include <btBulletDynamicsCommon.h>
 
 #include <memory>
@@ -12,7 +12,9 @@ using namespace engines;
 
 namespace {
 
-btVector3 vec(const Vector& v) { return {v[0], v[1], 0}; }
+btVector3 vec(const Vector& v) {
+  return {v[0], v[1], 0};
+}
 
 /// A world whose contacts are given.
 class GivenContacts : public btDiscreteDynamicsWorld {
@@ -59,7 +61,10 @@ class Scene {
 
  private:
   void add(const Body& body) {
-    const double mass = body.is_prescribed() ? 0 : body.is_free ? body.mass : 1, inertia = body.turns ? body.inertia : 1;
+    const double mass = body.is_prescribed() ? 0
+                        : body.is_free       ? body.mass
+                                             : 1,
+                 inertia = body.turns ? body.inertia : 1;
     btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, &shape_, btVector3(inertia, inertia, inertia));
     info.m_startWorldTransform.setIdentity();
     info.m_startWorldTransform.setOrigin(vec(body.at));
@@ -86,7 +91,8 @@ class Scene {
       made.applyCentralForce(vec(body.force));
       made.applyTorque({0, 0, body.torque});
     } else {
-      if (body.is_free) made.setLinearVelocity(made.getLinearVelocity() + q_.step * (vec(q_.gravity) + vec(body.force) / mass));
+      if (body.is_free)
+        made.setLinearVelocity(made.getLinearVelocity() + q_.step * (vec(q_.gravity) + vec(body.force) / mass));
       if (body.turns) made.setAngularVelocity({0, 0, body.spin + q_.step * body.torque / inertia});
     }
   }
@@ -118,14 +124,16 @@ class Scene {
   void add(const Friction& brake) {
     Joint joint;
     joint.first = brake.first, joint.second = brake.second;
-    auto& made = create<btHingeConstraint>(joint, btVector3(0, 0, 0), vec(q_.arm(brake.second, q_.bodies[brake.first].at)),
-                                           btVector3(0, 0, 1), btVector3(0, 0, 1));
+    auto& made =
+        create<btHingeConstraint>(joint, btVector3(0, 0, 0), vec(q_.arm(brake.second, q_.bodies[brake.first].at)),
+                                  btVector3(0, 0, 1), btVector3(0, 0, 1));
     made.setAngularOnly(true);
     made.enableAngularMotor(true, 0, brake.limit * q_.step);
   }
 
   void add(const Contact& contact) {
-    btManifoldPoint point(vec(q_.arm(contact.of, contact.at)), vec(q_.arm(contact.on, contact.at)), vec(contact.normal), 0);
+    btManifoldPoint point(vec(q_.arm(contact.of, contact.at)), vec(q_.arm(contact.on, contact.at)), vec(contact.normal),
+                          0);
     point.m_positionWorldOnA = point.m_positionWorldOnB = vec(contact.at);
     point.m_combinedFriction = contact.friction;
     btPersistentManifold* manifold = dispatcher_.getNewManifold(bodies_[contact.of].get(), bodies_[contact.on].get());
@@ -151,7 +159,8 @@ class Scene {
 int main(int argc, char** argv) {
   const bool applied = argc > 1 && std::string(argv[1]) == "applied";
   const int version = btGetVersion();
-  return run({applied ? "bullet-applied" : "bullet", std::to_string(version / 100) + "." + std::to_string(version % 100),
+  return run({applied ? "bullet-applied" : "bullet",
+              std::to_string(version / 100) + "." + std::to_string(version % 100),
               applied ? "cone in the plane, by sweeps, where friction does not see couples; the first step from rest"
                       : "cone in the plane, by sweeps; the first step from rest",
               [=](const Question& q) { return Scene(q, applied).step(); }});

@@ -1,5 +1,5 @@
-// Chipmunk in binary64: one step, 10 iterations by default. Contacts are found by the engine, between a disc on one body
-// and a segment on the other that meet in the contact's point and nothing else.
+// Chipmunk in binary64: one step, 10 iterations by default. Contacts are found by the engine, between a disc on one
+// body and a segment on the other that meet in the contact's point and nothing else.
 #include <chipmunk/chipmunk.h>
 #include <unistd.h>
 
@@ -11,9 +11,13 @@ using namespace engines;
 
 namespace {
 
-cpVect vec(const Vector& v) { return cpv(v[0], v[1]); }
+cpVect vec(const Vector& v) {
+  return cpv(v[0], v[1]);
+}
 
-cpDataPointer number(std::size_t contact) { return reinterpret_cast<cpDataPointer>(contact + 1); }
+cpDataPointer number(std::size_t contact) {
+  return reinterpret_cast<cpDataPointer>(contact + 1);
+}
 
 /// Only the two shapes of the same contact meet.
 cpBool begin(cpArbiter* arbiter, cpSpace*, cpDataPointer) {
@@ -51,9 +55,9 @@ class Scene {
       const cpVect v = cpBodyGetVelocity(bodies_[i]);
       answer.velocity.push_back({v.x, v.y, cpBodyGetAngularVelocity(bodies_[i])});
       told_ = &answer;
-      cpBodyEachArbiter(bodies_[i], [](cpBody* body, cpArbiter* arbiter, void* scene) {
-        static_cast<Scene*>(scene)->tell(body, arbiter);
-      }, this);
+      cpBodyEachArbiter(
+          bodies_[i],
+          [](cpBody* body, cpArbiter* arbiter, void* scene) { static_cast<Scene*>(scene)->tell(body, arbiter); }, this);
     }
     return answer;
   }
@@ -78,7 +82,8 @@ class Scene {
     const std::size_t index = static_cast<std::size_t>(&contact - q_.contacts.data());
     const double r = contact.radius > 0 ? contact.radius : 0.05 * q_.size;
     const Vector up = q_.arm(contact.of, contact.at), face = q_.arm(contact.on, contact.at), n = contact.normal;
-    cpShape* disc = cpCircleShapeNew(bodies_[contact.of], r + 1e-9 * q_.size, vec({up[0] + r * n[0], up[1] + r * n[1]}));
+    cpShape* disc =
+        cpCircleShapeNew(bodies_[contact.of], r + 1e-9 * q_.size, vec({up[0] + r * n[0], up[1] + r * n[1]}));
     cpShape* line = cpSegmentShapeNew(bodies_[contact.on], vec({face[0] - r * n[1], face[1] + r * n[0]}),
                                       vec({face[0] + r * n[1], face[1] - r * n[0]}), 0);
     for (cpShape* shape : {disc, line}) {
@@ -107,7 +112,8 @@ class Scene {
       throw Refused("Chipmunk has no " + joint.kind + " of this kind");
     }
     const bool turns = q_.bodies[joint.first].turns || q_.bodies[joint.second].turns;
-    if (turns && (joint.kind == "weld" || joint.kind == "slider")) cpSpaceAddConstraint(space_, cpGearJointNew(a, b, 0, 1));
+    if (turns && (joint.kind == "weld" || joint.kind == "slider"))
+      cpSpaceAddConstraint(space_, cpGearJointNew(a, b, 0, 1));
   }
 
   void tell(cpBody* body, cpArbiter* arbiter) {

@@ -11,12 +11,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-Vector3d vec(const Vector& v) { return {v[0], v[1], 0}; }
+Vector3d vec(const Vector& v) {
+  return {v[0], v[1], 0};
+}
 
 /// Lets the two shapes of the same contact meet: those of the same name.
 class OwnContacts : public dart::collision::CollisionFilter {
  public:
-  bool ignoresCollision(const dart::collision::CollisionObject* a, const dart::collision::CollisionObject* b) const override {
+  bool ignoresCollision(const dart::collision::CollisionObject* a,
+                        const dart::collision::CollisionObject* b) const override {
     return name(a).substr(1) != name(b).substr(1);
   }
   static std::string name(const dart::collision::CollisionObject* object) { return object->getShapeFrame()->getName(); }
@@ -89,7 +92,8 @@ class Scene {
     skeletons_.push_back(skeleton);
     const Eigen::Isometry3d at(Eigen::Translation3d(vec(body.at)));
     const bool moves = body.acceleration[0] != 0 || body.acceleration[1] != 0 || body.turning != 0 ||
-                       (!body.is_free && (body.velocity[0] != 0 || body.velocity[1] != 0)) || (!body.turns && body.spin != 0);
+                       (!body.is_free && (body.velocity[0] != 0 || body.velocity[1] != 0)) ||
+                       (!body.turns && body.spin != 0);
     if (moves) throw Refused("a body that moves as prescribed");
     const auto hang = [&](auto hung) {
       hung.properties.mT_ParentBodyToJoint = at;

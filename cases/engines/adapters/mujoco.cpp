@@ -1,6 +1,7 @@
-// MuJoCo: the accelerations of mj_forward. By default its own: pyramidal cones, impedance 0.9 at gap 0, so that a body at
-// rest sinks by a tenth of what it would fall. With many iterations it is as hard and exact as it can be: elliptic cones,
-// impedance 0.9999, tolerance 0. In both, friction belongs to an associated law, by which what slides also opens.
+// MuJoCo: the accelerations of mj_forward. By default its own: pyramidal cones, impedance 0.9 at gap 0, so that a body
+// at rest sinks by a tenth of what it would fall. With many iterations it is as hard and exact as it can be: elliptic
+// cones, impedance 0.9999, tolerance 0. In both, friction belongs to an associated law, by which what slides also
+// opens.
 #include <mujoco/mujoco.h>
 
 #include <cstring>
@@ -37,7 +38,8 @@ class Model {
     text_ << "</worldbody><contact>";
     for (std::size_t i = 0; i < q.contacts.size(); ++i) {
       const double mu = q.contacts[i].friction;
-      text_ << "<pair geom1='box" << i << "' geom2='disc" << i << "' friction='" << mu << ' ' << mu << " 0 0 0'" << hard() << "/>";
+      text_ << "<pair geom1='box" << i << "' geom2='disc" << i << "' friction='" << mu << ' ' << mu << " 0 0 0'"
+            << hard() << "/>";
     }
     text_ << "</contact><equality>";
     for (const Joint& joint : q.joints) add(joint);
@@ -60,8 +62,8 @@ class Model {
       if (body.turns) text_ << "<joint name='z" << index << "' type='hinge' axis='0 0 1'/>";
       if (!body.is_prescribed()) {
         const double i = body.turns ? body.inertia : 1;
-        text_ << "<inertial pos='0 0 0' mass='" << (body.is_free ? body.mass : 1) << "' diaginertia='" << i << ' ' << i << ' '
-              << i << "'/>";
+        text_ << "<inertial pos='0 0 0' mass='" << (body.is_free ? body.mass : 1) << "' diaginertia='" << i << ' ' << i
+              << ' ' << i << "'/>";
       }
     }
     for (std::size_t i = 0; i < q_.contacts.size(); ++i) add_geoms(index, i);
@@ -74,8 +76,8 @@ class Model {
     const double r = c.radius > 0 ? c.radius : 0.05 * q_.size;
     const Vector up = q_.arm(c.of, c.at), face = q_.arm(c.on, c.at), n = c.normal;
     if (c.of == body) {
-      text_ << "<geom name='disc" << index << "' type='sphere' size='" << r + 1e-9 * q_.size << "' contype='0' conaffinity='0' pos='"
-            << pair({up[0] + r * n[0], up[1] + r * n[1]}) << " 0'/>";
+      text_ << "<geom name='disc" << index << "' type='sphere' size='" << r + 1e-9 * q_.size
+            << "' contype='0' conaffinity='0' pos='" << pair({up[0] + r * n[0], up[1] + r * n[1]}) << " 0'/>";
     }
     if (c.on == body) {
       text_ << "<geom name='box" << index << "' type='box' size='" << r << ' ' << r << ' ' << r
@@ -124,7 +126,7 @@ void tell(const Question& q, const mjModel& m, const mjData& d, Answer& answer) 
     const Contact& contact = q.contacts.at(std::stoul(name.substr(name.find_first_of("0123456789"))));
     mjtNum force[6];
     mj_contactForce(&m, &d, i, force);
-    const mjtNum* f = found.frame;  // rows: from the first geom to the second, and two tangents
+    const mjtNum* f = found.frame;                // rows: from the first geom to the second, and two tangents
     const double turn = name[0] == 'd' ? 1 : -1;  // the force is on the second
     const Vector total{turn * (f[0] * force[0] + f[3] * force[1] + f[6] * force[2]),
                        turn * (f[1] * force[0] + f[4] * force[1] + f[7] * force[2])};
@@ -152,7 +154,8 @@ Answer ask(const Question& q) {
   }
   mj_forward(&m, &d);
   Answer answer;
-  answer.settings = {{"cone", m.opt.cone == mjCONE_ELLIPTIC ? "elliptic" : "pyramidal"}, {"iterations", m.opt.iterations},
+  answer.settings = {{"cone", m.opt.cone == mjCONE_ELLIPTIC ? "elliptic" : "pyramidal"},
+                     {"iterations", m.opt.iterations},
                      {"impedance", q.iterations > 0 ? 0.9999 : 0.9}};
   for (std::size_t i = 0; i < q.bodies.size(); ++i) {
     std::array<double, 3> v{q.bodies[i].velocity[0], q.bodies[i].velocity[1], q.bodies[i].spin};
@@ -169,5 +172,6 @@ Answer ask(const Question& q) {
 
 int main() {
   return run({"mujoco", mj_versionString(),
-              "associated, soft: by the impedance in the settings a contact gives way; the accelerations from rest", ask});
+              "associated, soft: by the impedance in the settings a contact gives way; the accelerations from rest",
+              ask});
 }

@@ -144,8 +144,9 @@ int main(int argc, char** argv) {
   const bool quick = argc > 1 && std::string(argv[1]) == "quick";
   dInitODE();
   return run({quick ? "ode-quick" : "ode", ENGINE_VERSION,
-              quick ? "cone, by sweeps; the first step from rest"
-                    : "friction bounded by mu times the normal force that the contacts would have without friction; the "
-                      "first step from rest",
+              quick
+                  ? "cone, by sweeps; the first step from rest"
+                  : "friction bounded by mu times the normal force that the contacts would have without friction; the "
+                    "first step from rest",
               [&](const Question& q) { return Scene(q).step(quick); }});
 }

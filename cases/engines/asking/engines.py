@@ -36,7 +36,7 @@ class Engine:
         missing = [p for p in self.given.get("npm", []) if not (folder / "node_modules" / p).is_dir()]
         if missing:
             raise NotAsked(f"{missing[0]} of npm is not installed")
-        start = {".mjs": lambda: [self.tool("node"), str(source)], ".py": lambda: [self.python(), str(source)],
+        start = {".mjs": lambda: [self.tool("node"), str(source)], ".py": lambda: [self.python(), "-B", str(source)],
                  ".cpp": lambda: [str(self.compiled(source, folder))]}[source.suffix]()
         self.command = start + self.arguments
         self.folder = folder

@@ -20,7 +20,7 @@ from asking.world import Refused, step_of, world  # noqa: E402
 def ask(*engines, table=HERE / "engines.toml", only="", limit=20):
     """What ask.py prints, and the lines that it writes for each engine."""
     with tempfile.TemporaryDirectory() as folder:
-        told = subprocess.run([sys.executable, str(CASES / "ask.py"), *engines, "--slipproof", SLIPPROOF, "--folder", folder,
+        told = subprocess.run([sys.executable, "-B", str(CASES / "ask.py"), *engines, "--slipproof", SLIPPROOF, "--folder", folder,
                                "--answers", folder, "--table", str(table), "--only", only, "--limit", str(limit)],
                               capture_output=True, text=True, check=False)
         lines = {file.stem: [json.loads(line) for line in file.read_text().splitlines()]
