@@ -109,7 +109,9 @@ Result run(const BulletProblem& p, const std::string& solver, const ProblemFile&
 test::ContactOutcome record(const ProblemFile& problem, const std::string& solver) {
   const test::BoundedProblem bounded(problem);
   const Result result = run(BulletProblem(bounded), solver, problem);
-  return {result.success ? 0 : 1, result.error, {.r = bounded.forces(result.x)}};
+  SolverAnswer answer;
+  answer.r = bounded.forces(result.x);
+  return {result.success ? 0 : 1, result.error, std::move(answer)};
 }
 
 std::vector<test::ContactRun> runs_for(const ProblemFile& problem) {
