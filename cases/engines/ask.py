@@ -85,12 +85,24 @@ def interview(engine, arguments, scenes, date):
     except NotAsked as reason:
         return f"{engine.name:12} not asked: {reason}"
     lines = list(Interview(engine, arguments, date).lines(scenes))
-    lines.sort(key=lambda line: (line["scene"], line["asked"]))
     file = arguments.answers / f"{engine.name}.jsonl"
+    write(file, lines + kept_of(file, lines, arguments.scenes))
+    return f"{engine.name:12} {counted(lines)}"
+
+
+def kept_of(file, lines, folder):
+    """What is recorded already and was not asked again, of scenes that are still there."""
+    new = {(line["scene"], line["asked"]) for line in lines}
+    old = [json.loads(line) for line in file.read_text().splitlines()] if file.exists() else []
+    return [line for line in old
+            if (line["scene"], line["asked"]) not in new and (folder / "scenes" / f"{line['scene']}.toml").exists()]
+
+
+def write(file, lines):
+    lines.sort(key=lambda line: (line["scene"], line["asked"]))
     new = file.with_suffix(".new")
     new.write_text("".join(json.dumps(line) + "\n" for line in lines))
     new.replace(file)
-    return f"{engine.name:12} {counted(lines)}"
 
 
 def counted(lines):

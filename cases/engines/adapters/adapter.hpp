@@ -2,6 +2,7 @@
 // driver's `world` (asking/world.py): everything in the axes of the scene; body 0 is the ground.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -67,6 +68,11 @@ struct Question {
   std::vector<Contact> contacts{};
   std::vector<Joint> joints{};
   std::vector<Friction> friction{};
+
+  /// For engines that find contacts themselves: a disc of the contact's own radius, or a small one, touches a square of
+  /// half the width `half` in the middle of its upper side.
+  double disc(const Contact& c) const { return c.radius > 0 ? c.radius : std::max(0.05 * size, 0.001); }
+  double half(const Contact& c) const { return std::max(disc(c), 0.01); }
 
   Vector arm(std::size_t body, const Vector& point) const {
     return {point[0] - bodies[body].at[0], point[1] - bodies[body].at[1]};

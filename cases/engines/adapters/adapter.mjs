@@ -32,11 +32,11 @@ function question(line) {
   const { step, iterations, world } = line.ask;
   const bodies = world.bodies.map((body) => withKind(body, step));
   const arm = (body, point) => point.map((p, i) => p - bodies[body].at[i]);
-  // For engines that find contacts themselves: a disc of the contact's own radius, or a small one, touches a square with
-  // sides of two radii in the middle of its upper side. `overlap` is there so that binary32 sees no gap.
+  // For engines that find contacts themselves: a disc of the contact's own radius, or a small one, touches a square of
+  // `half` its width in the middle of its upper side. `overlap` is there so that binary32 sees no gap.
   const contacts = world.contacts.map((c) => {
-    const radius = c.radius > 0 ? c.radius : 0.05 * world.size;
-    return { ...c, disc: radius, overlap: 1e-5 * world.size, face: arm(c.on, c.at),
+    const radius = c.radius > 0 ? c.radius : Math.max(0.05 * world.size, 0.001);
+    return { ...c, disc: radius, half: Math.max(radius, 0.01), overlap: 1e-5 * world.size, face: arm(c.on, c.at),
              centre: arm(c.of, c.at.map((p, i) => p + radius * c.normal[i])) };
   });
   return { ...world, step, iterations, bodies, contacts, arm };

@@ -65,7 +65,7 @@ class Scene {
   /// Box2D rounds polygons by a skin; the disc touches the skin, and overlaps it by a little to be found.
   void add(const Contact& contact) {
     const std::size_t number = static_cast<std::size_t>(&contact - q_.contacts.data());
-    const double r = contact.radius > 0 ? contact.radius : 0.05 * q_.size, down = r + b2_polygonRadius;
+    const double r = q_.disc(contact), down = q_.half(contact) + b2_polygonRadius;
     const Vector up = q_.arm(contact.of, contact.at), face = q_.arm(contact.on, contact.at), n = contact.normal;
     b2FixtureDef def;
     def.friction = static_cast<float>(contact.friction);
@@ -78,7 +78,7 @@ class Scene {
     def.shape = &disc;
     bodies_[contact.of]->CreateFixture(&def);
     b2PolygonShape box;
-    const float half = static_cast<float>(r);
+    const float half = static_cast<float>(q_.half(contact));
     box.SetAsBox(half, half, vec({face[0] - down * n[0], face[1] - down * n[1]}),
                  static_cast<float>(std::atan2(-n[0], n[1])));
     def.shape = &box;

@@ -39,13 +39,13 @@ function load(world, body, made) {
 }
 
 function addContact(bodies, contact, index) {
-  const def = b2.b2DefaultShapeDef(), r = contact.disc, [nx, ny] = contact.normal;
+  const def = b2.b2DefaultShapeDef(), r = contact.half, [nx, ny] = contact.normal;
   def.density = 0;
   set(def, "material", (material) => { material.friction = contact.friction; material.restitution = 0; });
   set(def, "filter", (filter) => { filter.groupIndex = index + 1; filter.setMaskBits64("0"); });
   const disc = new b2.b2Circle();
   disc.center = vec(contact.centre);
-  disc.radius = r + contact.overlap;
+  disc.radius = contact.disc + contact.overlap;
   const middle = contact.face.map((p, i) => p - r * contact.normal[i]);
   const box = b2.b2MakeOffsetBox(r, r, vec(middle), b2.b2MakeRot(Math.atan2(-nx, ny)));
   b2.b2CreatePolygonShape(bodies[contact.on], def, box);

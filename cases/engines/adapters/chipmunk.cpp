@@ -80,12 +80,12 @@ class Scene {
   /// Chipmunk moves bodies before it looks for contacts: the disc stays in touch by a small overlap.
   void add(const Contact& contact) {
     const std::size_t index = static_cast<std::size_t>(&contact - q_.contacts.data());
-    const double r = contact.radius > 0 ? contact.radius : 0.05 * q_.size;
+    const double r = q_.disc(contact), half = q_.half(contact);
     const Vector up = q_.arm(contact.of, contact.at), face = q_.arm(contact.on, contact.at), n = contact.normal;
     cpShape* disc =
         cpCircleShapeNew(bodies_[contact.of], r + 1e-9 * q_.size, vec({up[0] + r * n[0], up[1] + r * n[1]}));
-    cpShape* line = cpSegmentShapeNew(bodies_[contact.on], vec({face[0] - r * n[1], face[1] + r * n[0]}),
-                                      vec({face[0] + r * n[1], face[1] - r * n[0]}), 0);
+    cpShape* line = cpSegmentShapeNew(bodies_[contact.on], vec({face[0] - half * n[1], face[1] + half * n[0]}),
+                                      vec({face[0] + half * n[1], face[1] - half * n[0]}), 0);
     for (cpShape* shape : {disc, line}) {
       cpShapeSetFriction(shape, shape == disc ? contact.friction : 1);  // they are multiplied
       cpShapeSetUserData(shape, number(index));

@@ -123,12 +123,12 @@ class Scene {
   void add(const Contact& contact) {
     using namespace dart::dynamics;
     const std::string number = std::to_string(&contact - q_.contacts.data());
-    const double r = contact.radius > 0 ? contact.radius : 0.05 * q_.size;
+    const double r = q_.disc(contact), half = q_.half(contact);
     const Vector up = q_.arm(contact.of, contact.at), face = q_.arm(contact.on, contact.at), n = contact.normal;
     add_shape(std::make_shared<SphereShape>(r + 1e-9 * q_.size), contact.of, "o" + number,
               {up[0] + r * n[0], up[1] + r * n[1]}, 0, contact.friction);
-    add_shape(std::make_shared<BoxShape>(Vector3d(2 * r, 2 * r, 2 * r)), contact.on, "b" + number,
-              {face[0] - r * n[0], face[1] - r * n[1]}, std::atan2(-n[0], n[1]), contact.friction);
+    add_shape(std::make_shared<BoxShape>(Vector3d(2 * half, 2 * half, 2 * half)), contact.on, "b" + number,
+              {face[0] - half * n[0], face[1] - half * n[1]}, std::atan2(-n[0], n[1]), contact.friction);
   }
 
   void add(dart::constraint::ConstraintSolver& solver, const Joint& joint) {

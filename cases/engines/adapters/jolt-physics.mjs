@@ -37,8 +37,8 @@ function shapeOf(q, index) {
   };
   add(new Jolt.SphereShapeSettings(0.05 * q.size), zero, upright, none);
   q.contacts.forEach((contact, i) => {
-    const r = contact.disc, [nx, ny] = contact.normal, half = Math.atan2(-nx, ny) / 2;
-    if (contact.of === index) add(new Jolt.SphereShapeSettings(r + contact.overlap), vec(contact.centre), upright, i);
+    const r = contact.half, [nx, ny] = contact.normal, half = Math.atan2(-nx, ny) / 2;
+    if (contact.of === index) add(new Jolt.SphereShapeSettings(contact.disc + contact.overlap), vec(contact.centre), upright, i);
     if (contact.on === index) {
       add(new Jolt.BoxShapeSettings(new Jolt.Vec3(r, r, r), 0), vec(contact.face.map((p, k) => p - r * contact.normal[k])),
           new Jolt.Quat(0, 0, Math.sin(half), Math.cos(half)), i);

@@ -73,16 +73,16 @@ class Model {
   /// The disc overlaps the box by a little to be found.
   void add_geoms(std::size_t body, std::size_t index) {
     const Contact& c = q_.contacts[index];
-    const double r = c.radius > 0 ? c.radius : 0.05 * q_.size;
+    const double r = q_.disc(c), half = q_.half(c);
     const Vector up = q_.arm(c.of, c.at), face = q_.arm(c.on, c.at), n = c.normal;
     if (c.of == body) {
       text_ << "<geom name='disc" << index << "' type='sphere' size='" << r + 1e-9 * q_.size
             << "' contype='0' conaffinity='0' pos='" << pair({up[0] + r * n[0], up[1] + r * n[1]}) << " 0'/>";
     }
     if (c.on == body) {
-      text_ << "<geom name='box" << index << "' type='box' size='" << r << ' ' << r << ' ' << r
-            << "' contype='0' conaffinity='0' pos='" << pair({face[0] - r * n[0], face[1] - r * n[1]}) << " 0' xyaxes='"
-            << pair({n[1], -n[0]}) << " 0 " << pair(n) << " 0'/>";
+      text_ << "<geom name='box" << index << "' type='box' size='" << half << ' ' << half << ' ' << half
+            << "' contype='0' conaffinity='0' pos='" << pair({face[0] - half * n[0], face[1] - half * n[1]})
+            << " 0' xyaxes='" << pair({n[1], -n[0]}) << " 0 " << pair(n) << " 0'/>";
     }
   }
 

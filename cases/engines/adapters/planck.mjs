@@ -29,11 +29,11 @@ function load(world, bodies, body, made) {
 function addContact(world, bodies, contact, index, size) {
   const filter = { friction: contact.friction, density: 0, filterGroupIndex: index + 1, filterMaskBits: 0,
                    userData: index };
-  const [nx, ny] = contact.normal, r = contact.disc, skin = Settings.polygonRadius;
+  const [nx, ny] = contact.normal, { disc, half: r } = contact, skin = Settings.polygonRadius;
   const middle = contact.face.map((p, i) => p - (r + skin) * contact.normal[i]);
   const corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([a, b]) =>
     ({ x: middle[0] + r * (a * ny + b * nx), y: middle[1] + r * (b * ny - a * nx) }));
-  bodies[contact.of].createFixture({ ...filter, shape: new Circle(vec(contact.centre), r + 1e-9 * size) });
+  bodies[contact.of].createFixture({ ...filter, shape: new Circle(vec(contact.centre), disc + 1e-9 * size) });
   bodies[contact.on].createFixture({ ...filter, shape: new Polygon(corners) });
 }
 

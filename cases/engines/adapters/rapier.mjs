@@ -33,14 +33,14 @@ function addBody(world, body, step) {
 
 /** Pairs of colliders are let through by hooks, which know of which contact each is. */
 function addContact(world, bodies, contact) {
-  const r = contact.disc, [nx, ny] = contact.normal, angle = Math.atan2(-nx, ny);
+  const r = contact.half, [nx, ny] = contact.normal, angle = Math.atan2(-nx, ny);
   const turned = space ? { x: 0, y: 0, z: Math.sin(angle / 2), w: Math.cos(angle / 2) } : angle;
   const add = (desc, at, body) => world.createCollider(
     desc.setTranslation(...at, ...(space ? [0] : [])).setDensity(0).setFriction(contact.friction)
       .setActiveHooks(rapier.ActiveHooks.FILTER_CONTACT_PAIRS)
       .setActiveCollisionTypes(rapier.ActiveCollisionTypes.ALL), bodies[body]).handle;
   const box = rapier.ColliderDesc.cuboid(r, r, r).setRotation(turned);
-  return [add(rapier.ColliderDesc.ball(r + contact.overlap), contact.centre, contact.of),
+  return [add(rapier.ColliderDesc.ball(contact.disc + contact.overlap), contact.centre, contact.of),
           add(box, contact.face.map((p, i) => p - r * contact.normal[i]), contact.on)];
 }
 
