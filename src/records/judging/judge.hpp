@@ -49,8 +49,8 @@ struct RecordJudgement {
   bool continuum = false;       ///< there are also infinitely many others
   /// Upper bound on the largest relative error of a component, if certified, ambiguous or inaccurate.
   double max_error = 0;
-  /// Upper bound on Distance::scaled to the nearest motion, of a wrong answer, too; nothing where none is known, or where
-  /// binary64 was sure of the record.
+  /// Upper bound on Distance::scaled to the nearest motion, of a wrong answer, too; nothing where none is known, or
+  /// where binary64 was sure of the record.
   std::optional<double> distance = std::nullopt;
   bool contact_problem = false;
   std::string details = {};  ///< further JSON members, `,"violated":...`; empty for a certified record
