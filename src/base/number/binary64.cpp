@@ -57,7 +57,7 @@ Truncated truncate(const Rational& x) {
 /// (quotient + up) * 2^exponent; exact up to overflow to infinity.
 double assemble(const Truncated& truncated, bool up) {
   if (truncated.exponent > highest_exponent) return std::numeric_limits<double>::infinity();
-  const double significand = static_cast<double>(truncated.quotient.to_long() + (up ? 1 : 0));
+  const double significand = truncated.quotient.to_double() + (up ? 1 : 0);
   return std::ldexp(significand, static_cast<int>(truncated.exponent));
 }
 

@@ -11,6 +11,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
@@ -25,12 +26,22 @@ class Integer {
  public:
   Integer() = default;
   template <std::signed_integral T>
-  Integer(T x) {  // NOLINT: integers are integers
-    fmpz_init_set_si(&value_, x);
+  Integer(T x) {                                // NOLINT: integers are integers
+    if constexpr (sizeof(T) > sizeof(slong)) {  // of 64 bits where FLINT's words have 32
+      const auto bits = static_cast<std::make_unsigned_t<T>>(x);
+      *this = Integer(x < 0 ? -bits : bits);
+      if (x < 0) negate();
+    } else {
+      fmpz_init_set_si(&value_, x);
+    }
   }
   template <std::unsigned_integral T>
   Integer(T x) {  // NOLINT: so are these
-    fmpz_init_set_ui(&value_, x);
+    if constexpr (sizeof(T) > sizeof(ulong)) {
+      fmpz_set_uiui(&value_, static_cast<ulong>(x >> FLINT_BITS), static_cast<ulong>(x));
+    } else {
+      fmpz_init_set_ui(&value_, x);
+    }
   }
   /// From the digits of base 10 or 16, with - before those of a negative one. Throws std::invalid_argument for another
   /// text.

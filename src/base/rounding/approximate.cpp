@@ -1,5 +1,7 @@
 #include "base/rounding/approximate.hpp"
 
+#include <cstdint>
+
 #include "base/number/binary64.hpp"
 
 namespace slipproof {
@@ -7,12 +9,12 @@ namespace slipproof {
 namespace {
 
 /// Beyond it the conversion of an integer to binary64 rounds.
-constexpr long exact_integers = 1L << 53;
+constexpr std::int64_t exact_integers = std::int64_t{1} << 53;
 
 /// Of shorter integers no quotient overflows or underflows.
 constexpr std::size_t longest_quotient = 1000;
 
-bool is_exact(long x) {
+bool is_exact(std::int64_t x) {
   return -exact_integers <= x && x <= exact_integers;
 }
 
