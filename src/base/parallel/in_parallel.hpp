@@ -1,10 +1,13 @@
-// Work on many threads, with the caller's number of them, and ended when the caller's call is.
+// Work on many threads, with the caller's number of them, and ended when the caller's call is. With SLIPPROOF_SERIAL,
+// for machines without threads, all of it runs on the caller's.
 #pragma once
 
+#ifndef SLIPPROOF_SERIAL
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
+#endif
 
 #include <cstddef>
 
@@ -12,6 +15,21 @@
 #include "base/parallel/thread_count.hpp"
 
 namespace slipproof {
+
+#ifdef SLIPPROOF_SERIAL
+
+template <class Work>
+auto on_threads(unsigned, const Work& work) {
+  return work();
+}
+
+template <class Work>
+void pieces_in_parallel(std::size_t first, std::size_t last, std::size_t, const Work& work) {
+  stop_if_asked();
+  if (first < last) work(first, last);
+}
+
+#else
 
 /// work(), in which in_parallel() uses so many threads (see thread_count()). Returns what it does.
 template <class Work>
@@ -34,6 +52,8 @@ void pieces_in_parallel(std::size_t first, std::size_t last, std::size_t grain, 
                     });
 }
 
+#endif
+
 /// work(i) for each index of first..last, in any order.
 template <class Work>
 void in_parallel(std::size_t first, std::size_t last, const Work& work) {
@@ -48,6 +68,9 @@ void in_parallel(std::size_t first, std::size_t last, const Work& work) {
 /// The same with each index as a task of its own: for work that differs by orders of magnitude.
 template <class Work>
 void each_in_parallel(std::size_t first, std::size_t last, const Work& work) {
+#ifdef SLIPPROOF_SERIAL
+  in_parallel(first, last, work);
+#else
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(first, last, 1),
       [&, token = StopScope::token()](const auto& r) {
@@ -58,6 +81,7 @@ void each_in_parallel(std::size_t first, std::size_t last, const Work& work) {
         }
       },
       tbb::simple_partitioner());
+#endif
 }
 
 }  // namespace slipproof
