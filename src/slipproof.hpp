@@ -48,6 +48,8 @@
 #include "records/tables/table.hpp"
 #include "report/engines/engine_pages.hpp"
 #include "report/expected/expected.hpp"
+#include "report/explorer/explorer.hpp"
+#include "report/explorer/explorer_page.hpp"
 #include "report/html/contact_report.hpp"
 #include "report/html/page.hpp"
 #include "report/papers/errata.hpp"

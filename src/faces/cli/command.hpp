@@ -99,6 +99,7 @@ void add_verify(CLI::App& app, int& exit_code, Transport& transport);
 void add_report(CLI::App& app, int& exit_code);
 void add_map(CLI::App& app, int& exit_code);
 void add_draw(CLI::App& app, int& exit_code);
+void add_explore(CLI::App& app, int& exit_code);
 void add_documentation(CLI::App& app, int& exit_code);
 
 }  // namespace slipproof::cli

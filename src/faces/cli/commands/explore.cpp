@@ -1,0 +1,55 @@
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "base/input/diagnostic.hpp"
+#include "base/input/text_file.hpp"
+#include "base/output/output_file.hpp"
+#include "faces/cli/command.hpp"
+#include "faces/cli/warnings.hpp"
+#include "mechanics/scene/scene.hpp"
+#include "report/explorer/explorer_page.hpp"
+
+namespace slipproof::cli {
+
+namespace {
+
+struct ExploreArguments {
+  CommonOptions common;
+  std::string scene, out;
+};
+
+constexpr std::size_t largest_page = 64U << 20U;
+
+std::string built_page(const std::filesystem::path& file) {
+  std::error_code error;
+  if (std::filesystem::exists(file, error)) return read_text_file(file, largest_page);
+  throw InputError({{file.string(), 0, 0, "found no such file, expected the explorer: ./run explorer builds it"}});
+}
+
+void write_explorer(const ExploreArguments& arguments) {
+  const MechanismScene scene = read_scene(arguments.scene);
+  print_warnings(scene.mechanism, arguments.common);
+  const std::filesystem::path file = shipped("build-explorer/explorer.html");
+  write_file(arguments.out, explorer_page(built_page(file), file.string(), scene),
+             Inputs{arguments.scene, scene.mechanism.file, file});
+  if (!arguments.common.quiet) print("s EXPLORER " + arguments.out + "\n");
+}
+
+}  // namespace
+
+void add_explore(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<ExploreArguments>();
+  CLI::App& command = *app.add_subcommand(
+      "explore",
+      "Write a page on which a scene's values are dragged and its motions follow, exactly; it needs no network");
+  command.add_option("SCENE", options->scene, "Scene file (TOML), of a bicycle or of a mechanism")->required();
+  command.add_option("-o,--out", options->out, "The HTML file to write")->required();
+  add_common_options(command, options->common);
+  command.callback([options, &exit_code] {
+    write_explorer(*options);
+    exit_code = as_it_should_be;
+  });
+}
+
+}  // namespace slipproof::cli

@@ -1,0 +1,44 @@
+// What the explorer's page asks of the library: requests and answers in JSON.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "mechanics/scene/scene.hpp"
+
+namespace slipproof {
+
+/// A scene in a form that does not depend on where its files are.
+struct PortableScene {
+  std::string scene;      ///< the text of a scene file that names `mechanism`
+  std::string mechanism;  ///< a shipped mechanism's name, or `mechanism.toml`
+  std::string along;      ///< as in the scene
+  std::string file;       ///< the text of `mechanism.toml`; empty for a shipped mechanism
+};
+PortableScene portable(const MechanismScene& scene);
+
+/// One scene whose values are changed.
+class Explorer {
+ public:
+  /// A relative path of the mechanism counts from the working directory. Throws InputError.
+  explicit Explorer(PortableScene given);
+
+  /// The answer to a request, a JSON object:
+  ///
+  /// - `set`: optional. Values that replace the scene's, as texts of numbers, by symbol: of a parameter, of an angle
+  ///   (its tan(angle/2)), of the load; null removes the load's value.
+  /// - `map`: optional. The parameter or angle of a phase diagram, or "" for the usual one; `columns`: its evenly
+  ///   spaced values, 48 without it.
+  /// - `ranges`: optional, true: also the range of each value in the explorer.
+  ///
+  /// Without `map` the answer has `scene`, the text of a scene file with the values, `values`, `solve`, the document
+  /// slipproof/solve/2, and `pictures`, an SVG file of each motion; with `map`, the picture and its axes. For bad input
+  /// it has only `mistakes`, one text each. Any bytes are safe.
+  std::string answer(std::string_view request) const;
+
+ private:
+  PortableScene given_;
+  MechanismScene scene_;
+};
+
+}  // namespace slipproof

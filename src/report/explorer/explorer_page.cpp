@@ -1,0 +1,40 @@
+#include "report/explorer/explorer_page.hpp"
+
+#include <string_view>
+
+#include "base/input/diagnostic.hpp"
+#include "base/output/json.hpp"
+#include "report/explorer/explorer.hpp"
+
+namespace slipproof {
+
+namespace {
+
+constexpr std::string_view place = "<script type=\"application/json\" id=\"given\">null</script>";
+
+/// JSON that cannot end the element that it stands in.
+std::string inside_script(const Json& json) {
+  std::string text;
+  for (const char c : json_text(json)) {
+    if (c == '<') {
+      text += "\\u003c";
+    } else {
+      text += c;
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string explorer_page(const std::string& built, const std::string& file, const MechanismScene& scene) {
+  const std::size_t at = built.find(place);
+  if (at == std::string::npos) throw InputError({{file, 0, 0, "found another file, expected the explorer's page"}});
+  const PortableScene given = portable(scene);
+  const Json json{{"scene", given.scene}, {"mechanism", given.mechanism}, {"along", given.along}, {"file", given.file}};
+  std::string page = built;
+  page.replace(at + place.find("null"), 4, inside_script(json));
+  return page;
+}
+
+}  // namespace slipproof

@@ -1,0 +1,144 @@
+// What a reader of the explorer meets in a browser: nothing is fetched, values are dragged, and the numbers are the
+// program's.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { after, before, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { chromium } from 'playwright-core';
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+const explorer = pathToFileURL('explorer.html').href;
+let browser;
+
+before(async () => {
+  browser = await chromium.launch({ executablePath: '/usr/bin/chromium', args: ['--no-sandbox', '--disable-gpu'] });
+});
+after(async () => browser?.close());
+
+async function open({ width = 1280, colorScheme = 'light', hash = '' } = {}) {
+  const context = await browser.newContext({ viewport: { width, height: 900 }, colorScheme });
+  const page = await context.newPage();
+  page.said = [];
+  page.asked = [];
+  page.on('console', message => page.said.push(message.text()));
+  page.on('pageerror', error => page.said.push(String(error)));
+  page.on('request', request => page.asked.push(request.url()));
+  await page.goto(explorer + hash);
+  await page.waitForSelector('body[data-ready]');
+  return page;
+}
+
+const drawn = page => page.waitForFunction(() => document.querySelector('#map .drawing') &&
+                                                 !document.querySelector('#map').classList.contains('stale'));
+
+// What the program answers to the scene that the page shows.
+function solved(text) {
+  writeFileSync('copied.toml', text);
+  return JSON.parse(execFileSync(process.env.SLIPPROOF, ['solve', '--json', 'copied.toml'], { encoding: 'utf8' }));
+}
+
+const shown = page => page.evaluate(() => {
+  const rows = [...document.querySelectorAll('#numbers tbody tr')];
+  return rows.map(row => [...row.children].map(cell => cell.firstChild.textContent));
+});
+
+async function sameAsProgram(page) {
+  const { motions } = solved(await page.locator('#scene-text').inputValue());
+  const numbers = await shown(page);
+  const expected = motions.length === 0 ? [] : ['accelerations', 'forces'].flatMap(kind =>
+      Object.keys(motions[0][kind]).map(name => [name, ...motions.map(motion => motion[kind][name])]));
+  assert.deepEqual(numbers, expected);
+  assert.equal(await page.locator('#pictures figure').count(), Math.max(1, motions.length));
+  return motions.length;
+}
+
+test('loads from a file without a complaint and without asking for anything', async () => {
+  const page = await open();
+  await drawn(page);
+  assert.deepEqual(page.said, []);
+  assert.deepEqual(page.asked.filter(url => url !== explorer && !/^(data|blob):/.test(url)), []);
+  assert.ok(readFileSync('explorer.html').length < 4e6);
+});
+
+test('the numbers are those of the program, while a value is dragged', async () => {
+  const page = await open();
+  assert.equal(await sameAsProgram(page), 3);
+  const slider = page.getByRole('slider', { name: 'F', exact: true });
+  await slider.focus();
+  for (const key of ['ArrowRight', 'ArrowLeft', 'Home', 'PageUp']) {
+    const before = await page.locator('#scene-text').inputValue();
+    await slider.press(key);
+    await page.waitForFunction(text => document.querySelector('#scene-text').value !== text, before);
+    await sameAsProgram(page);
+  }
+});
+
+test('a value outside its domain is refused in words, and the page goes on', async () => {
+  const page = await open();
+  const f = page.getByRole('textbox', { name: 'f', exact: true });
+  await f.fill('-1');
+  await f.press('Enter');
+  await page.waitForFunction(() => document.querySelector('#mistakes').textContent !== '');
+  assert.match(await page.locator('#mistakes').textContent(), /f: found '-1', expected f >/);
+  assert.equal(await f.getAttribute('aria-invalid'), 'true');
+  await f.fill('1/3');
+  await f.press('Enter');
+  await page.waitForFunction(() => document.querySelector('#mistakes').textContent === '');
+  assert.match(await page.locator('#scene-text').inputValue(), /^f = "1\/3"$/m);
+  await sameAsProgram(page);
+});
+
+test('a link keeps the state', async () => {
+  const page = await open();
+  const f = page.getByRole('textbox', { name: 'f', exact: true });
+  await f.fill('5/4');
+  await f.press('Enter');
+  await page.waitForFunction(() => location.hash.includes('f=5%2F4'));
+  const again = await open({ hash: new URL(page.url()).hash });
+  assert.match(await again.locator('#scene-text').inputValue(), /^f = "5\/4"$/m);
+  assert.equal(await again.locator('#scene-text').inputValue(), await page.locator('#scene-text').inputValue());
+});
+
+test('a click into the diagram takes its point', async () => {
+  const page = await open();
+  await drawn(page);
+  const before = await page.locator('#scene-text').inputValue();
+  const box = await page.locator('#map [data-plot]').first().boundingBox();
+  await page.mouse.click(box.x + box.width / 3, box.y + box.height / 2);
+  await page.waitForFunction(text => document.querySelector('#scene-text').value !== text, before);
+  await sameAsProgram(page);
+});
+
+test('everything can be read and reached: no violation of axe-core, no scrolling sideways', async () => {
+  for (const colorScheme of ['light', 'dark']) {
+    for (const width of [1400, 800, 400]) {
+      const page = await open({ width, colorScheme });
+      await drawn(page);
+      assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= width);
+      await page.addScriptTag({ content: axe }).catch(() => page.evaluate(axe));
+      const { violations } = await page.evaluate(() => axe.run());
+      assert.deepEqual(violations.map(({ id, nodes }) => [id, nodes.map(node => node.target)]), []);
+      await page.context().close();
+    }
+  }
+});
+
+test('how long an answer takes', async () => {
+  const page = await open();
+  await drawn(page);
+  const times = await page.evaluate(async () => {
+    const slider = document.querySelector('#rows input[type=range]');
+    const all = [];
+    for (let i = 0; i < 60; ++i) {
+      slider.value = Number(slider.value) + 1;
+      slider.dispatchEvent(new Event('input'));
+      await new Promise(resolve => requestAnimationFrame(() => setTimeout(resolve)));
+      all.push(window.slipproofTimes);
+    }
+    return all;
+  });
+  const middle = k => times.map(time => time[k]).sort((x, y) => x - y)[times.length / 2].toFixed(1);
+  console.log(`an answer takes ${middle(0)} ms, with its pictures ${middle(1)} ms (medians of ${times.length})`);
+});

@@ -1,0 +1,108 @@
+// The explorer's answers are those of the program for the scene that it shows; its page holds that scene and nothing
+// else can come out of it.
+#include "report/explorer/explorer.hpp"
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "base/input/diagnostic.hpp"
+#include "mechanics/reading/read_mechanism.hpp"
+#include "report/explorer/explorer_page.hpp"
+#include "report/scenes/mechanism_report.hpp"
+
+using namespace slipproof;
+using Document = nlohmann::json;
+
+namespace {
+
+const std::string cases = SLIPPROOF_SOURCE_DIR "/cases/";
+
+Document answer(const Explorer& explorer, const Document& request) {
+  return Document::parse(explorer.answer(request.dump()));
+}
+
+Document solved(const std::string& scene) {
+  return Document::parse(solve_json(SolvedMechanism(parse_scene(scene, "scene.toml"))));
+}
+
+}  // namespace
+
+TEST_CASE("the explorer answers for every shipped scene as solve does, at its own values and at others") {
+  for (const char* folder : {"", "mechanisms/scenes"}) {
+    for (const auto& entry : std::filesystem::directory_iterator(cases + folder)) {
+      if (entry.path().extension() != ".toml") continue;
+      CAPTURE(entry.path().string());
+      const MechanismScene scene = read_scene(entry.path());
+      const Explorer explorer(portable(scene));
+      const Document own = answer(explorer, Document::object());
+      REQUIRE(own.contains("solve"));
+      CHECK(own["solve"] == solved(own["scene"]));
+      Document expected = Document::parse(solve_json(SolvedMechanism(scene)));
+      Document found = own["solve"];
+      expected.erase("notes"), found.erase("notes");  // they say how the file was understood
+      CHECK(found == expected);
+      if (!scene.mechanism.load) continue;
+      const Document other = answer(explorer, {{"set", {{scene.mechanism.load->symbol, "1/7"}}}});
+      if (other.contains("mistakes")) continue;  // outside the load's domain
+      CHECK(other["solve"]["load"]["value"] == "1/7");
+      CHECK(other["solve"] == solved(other["scene"]));
+      CHECK(other["pictures"].size() == std::max<std::size_t>(1, other["solve"]["motions"].size()));
+    }
+  }
+}
+
+TEST_CASE("a mechanism that is not shipped goes with its scene") {
+  MechanismScene scene = read_scene(cases + "mechanisms/scenes/ladder.toml");
+  scene.mechanism.shipped = false;
+  const PortableScene given = portable(scene);
+  CHECK(given.mechanism == "mechanism.toml");
+  const Mechanism again = parse_mechanism(given.file, "mechanism.toml");
+  CHECK(again.contacts.size() == scene.mechanism.contacts.size());
+}
+
+TEST_CASE("the explorer draws the diagram of any parameter, and gives ranges with rational ends") {
+  const Explorer explorer(portable(read_scene(cases + "ambiguous.toml")));
+  const Document map = answer(explorer, {{"map", "h"}, {"columns", 5}});
+  CHECK(map["x"]["symbol"] == "h");
+  CHECK(map["y"]["symbol"] == "F");
+  CHECK(std::string(map["map"]).find("data-plot") != std::string::npos);
+  const Document values = answer(explorer, {{"ranges", true}})["values"];
+  CHECK(values[0]["kind"] == "load");
+  for (const Document& value : values) {
+    if (value["symbol"] == "f") CHECK(value["range"]["to"] == "2");
+  }
+}
+
+TEST_CASE("what the explorer cannot answer, it says") {
+  const Explorer explorer(portable(read_scene(cases + "ambiguous.toml")));
+  const auto mistake = [&](const std::string& request) {
+    const Document document = Document::parse(explorer.answer(request));
+    REQUIRE(document.contains("mistakes"));
+    return std::string(document["mistakes"][0]);
+  };
+  CHECK(mistake(R"({"set": {"f": "-1"}})") == "f: found '-1', expected f >= 0");
+  CHECK(mistake(R"({"set": {"f": "x"}})").starts_with("f: found"));
+  CHECK(mistake(R"({"set": {"f": null}})") == "f: found nothing, expected a number");
+  CHECK(mistake(R"({"set": {"z": "1"}})") == "found the symbol 'z', which the scene does not have");
+  CHECK(mistake(R"({"map": "z"})").find("'z'") != std::string::npos);
+  for (const char* bad : {"", "[", "[]", "7", R"({"set": 7})", R"({"set": [1]})", R"({"map": 7})",
+                          R"({"map": "f", "columns": "x"})", "\xff"}) {
+    CAPTURE(bad);
+    CHECK_FALSE(mistake(bad).empty());
+  }
+}
+
+TEST_CASE("the page holds the scene, and no name can end its element") {
+  MechanismScene scene = read_scene(cases + "ambiguous.toml");
+  scene.name = "</script><b>";
+  const std::string built = "<p></p><script type=\"application/json\" id=\"given\">null</script><p></p>";
+  const std::string page = explorer_page(built, "explorer.html", scene);
+  CHECK(page.find("<b>") == std::string::npos);
+  const std::size_t from = page.find('{'), to = page.find("</script>");
+  const Document given = Document::parse(page.substr(from, to - from));
+  CHECK(parse_scene(std::string(given["scene"]), "scene.toml").name == scene.name);
+  CHECK_THROWS_AS(explorer_page("<p>", "x.html", scene), InputError);
+}
