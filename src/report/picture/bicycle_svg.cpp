@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/number/binary64.hpp"
 #include "mechanics/scene/bicycle_scene.hpp"
@@ -38,8 +41,12 @@ Raised raised_by(const MotionAtLoad& motion) {
 
 class MotionDrawing {
  public:
-  MotionDrawing(const Element& svg, const MechanismScene& scene, Raised raised)
-      : svg_(svg), scene_(scene), raised_(raised), sketch_(svg, scene, {width, 55, 46, road}, raised) {
+  MotionDrawing(const Element& svg, const MechanismScene& scene, Raised raised, NumberWords numbers)
+      : svg_(svg),
+        scene_(scene),
+        raised_(raised),
+        numbers_(std::move(numbers)),
+        sketch_(svg, scene, {width, 55, 46, road}, raised) {
     sketch_.draw();
   }
 
@@ -73,14 +80,14 @@ class MotionDrawing {
   /// Adds a label next to a point; a long value is moved into the picture.
   void label(double at_x, double at_y, std::string_view symbol, const Range& value, std::string_view anchor,
              std::string_view css_class) const {
-    const std::string number = " " + (value.is_point() ? "= " + label_value(*value.lower) : range_text(value));
+    const std::string number = numbers_.range(value);
     const double length = 7.0 * static_cast<double>(number.size() + symbol.size()), edge = 4;
     if (anchor == "start" && at_x + length > width - edge) at_x = width - edge, anchor = "end";
     if (anchor == "end" && at_x - length < edge && at_x < width / 2) at_x = edge, anchor = "start";
     const Element text = svg_.add("text", std::string(css_class) + " halo").set("x", at_x).set("y", at_y);
     text.set("text-anchor", anchor).set("font-size", 13);
     svg_symbol(text, symbol);
-    text.add("tspan").text(number);
+    text.add("tspan").set("dx", 4).text(number);
   }
 
   /// Draws the reaction, which pushes up from below the road. Its label is next to it, away from the other wheel.
@@ -111,8 +118,8 @@ class MotionDrawing {
     const Element text = svg_.add("text", "ink halo").set("x", width - 12).set("y", 20).set("font-size", 13);
     text.set("text-anchor", "end");
     svg_symbol(text, "F");
-    text.add("tspan").text(" = " + label_value(*F.lower) +
-                           (value("external").is_zero() ? " (internal)" : " (external)"));
+    text.add("tspan").set("dx", 4).text(numbers_.value(*F.lower) +
+                                        (value("external").is_zero() ? " (internal)" : " (external)"));
   }
 
   void acceleration(const Rational& a) const {
@@ -125,14 +132,26 @@ class MotionDrawing {
   const Element svg_;
   const MechanismScene& scene_;
   const Raised raised_;
+  const NumberWords numbers_;
   const BicycleSketch sketch_;
   double unit_ = 1;
 };
 
 }  // namespace
 
+std::vector<Range> bicycle_numbers(const MechanismScene& scene, const MotionAtLoad* motion) {
+  if (motion == nullptr) return {};
+  const auto& values = scene.values.parameters;
+  std::vector<Range> shown{exactly(scene.load.value_or(Rational(0))),
+                           exactly(values[bicycle_parameter("M")] * values[bicycle_parameter("g")]),
+                           exactly(acceleration(*motion, "a"))};
+  for (const char* symbol : {"N2", "N3", "S2", "S3"}) shown.push_back(force(*motion, symbol));
+  for (const char* symbol : {"gap2", "gap3"}) shown.push_back(exactly(acceleration(*motion, symbol)));
+  return shown;
+}
+
 Element add_bicycle(const Element& parent, const MechanismScene& scene, const MotionAtLoad* motion,
-                    std::string_view title) {
+                    std::string_view title, const std::optional<NumberWords>& numbers) {
   const Element svg = parent.add("svg", "bicycle").set("xmlns", "http://www.w3.org/2000/svg").set("role", "img");
   svg.set("viewBox", fmt::format("0 0 {} {}", width, height));
   const Raised raised = motion == nullptr ? Raised{} : raised_by(*motion);
@@ -141,7 +160,7 @@ Element add_bicycle(const Element& parent, const MechanismScene& scene, const Mo
                                : raised.front              ? "; the front wheel is raised"
                                                            : "";
   svg.set("aria-label", std::string(title) + std::string(off));
-  MotionDrawing drawing(svg, scene, raised);
+  MotionDrawing drawing(svg, scene, raised, numbers ? *numbers : NumberWords(bicycle_numbers(scene, motion)));
   if (motion != nullptr) drawing.forces(*motion);
   return svg;
 }

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/number/format.hpp"
-
 namespace slipproof {
 
 void add_arrow(const Element& svg, Point from, double dx, double dy, std::string_view css_class, ArrowLine line) {
@@ -24,11 +22,14 @@ void add_arrow(const Element& svg, Point from, double dx, double dy, std::string
                             bx + w * uy, by - w * ux));
 }
 
-std::string label_value(const Rational& x) {
-  std::string text = exact_text(x);
-  if (text.size() > 9) text = "≈ " + decimal_text(x, 4);
-  if (const std::size_t minus = text.find('-'); minus != text.npos) text.replace(minus, 1, "−");
-  return text;
+bool cover(Point from, Point to, Point other_from, Point other_to) {
+  constexpr double beside = 3, shared = 2;
+  const double dx = to[0] - from[0], dy = to[1] - from[1], length = std::hypot(dx, dy);
+  const auto along = [&](Point p) { return (dx * (p[0] - from[0]) + dy * (p[1] - from[1])) / length; };
+  const auto away = [&](Point p) { return std::abs(dx * (p[1] - from[1]) - dy * (p[0] - from[0])) / length; };
+  if (away(other_from) > beside || away(other_to) > beside) return false;
+  const auto [nearest, farthest] = std::minmax(along(other_from), along(other_to));
+  return nearest < length - shared && farthest > shared;
 }
 
 }  // namespace slipproof

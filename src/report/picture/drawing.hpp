@@ -1,11 +1,10 @@
-// The common parts of pictures of mechanisms: arrows, and values next to them.
+// The common parts of pictures of mechanisms: arrows.
 #pragma once
 
 #include <array>
-#include <string>
+#include <cstdint>
 #include <string_view>
 
-#include "base/number/rational.hpp"
 #include "report/markup/element.hpp"
 
 namespace slipproof {
@@ -20,7 +19,7 @@ enum class ArrowLine : std::uint8_t { solid, dashed };
 void add_arrow(const Element& svg, Point from, double dx, double dy, std::string_view css_class,
                ArrowLine line = ArrowLine::solid);
 
-/// The exact value if it fits next to an arrow; otherwise a decimal.
-std::string label_value(const Rational& x);
+/// Whether two lines are on top of each other for more than some pixels.
+bool cover(Point from, Point to, Point other_from, Point other_to);
 
 }  // namespace slipproof

@@ -38,7 +38,7 @@ class GeometryReader {
  private:
   void add_pushes(const Bodies& bodies, MechanismGeometry& geometry) {
     using namespace bodies_in_motion;
-    const std::vector<Frame> at = frames(bodies);
+    const std::vector<bodies_in_motion::Frame> at = frames(bodies);
     const auto point = [&](const PlanarVector& v) { return Point{number(v.x), number(v.y)}; };
     for (const BodyForce& force : bodies.forces) {
       const PlanarVector is = unplaced(force.is);
@@ -53,12 +53,17 @@ class GeometryReader {
     }
   }
 
-  /// Without the sign, which the arrow shows.
-  static std::string text_of(const PlacedExpression& placed) {
+  /// Without the sign, which the arrow shows. A product that has the size of the load has its name.
+  std::string text_of(const PlacedExpression& placed) {
     const Expression& e = placed.expression;
-    return to_string(e->operation == Operation::negate ? e->operands[0] : e);
+    std::string text = to_string(e->operation == Operation::negate ? e->operands[0] : e);
+    const auto& load = scene_.mechanism.load;
+    const bool compound = text.find_first_of("*+/( ") != text.npos;
+    if (!compound || !load || !scene_.load) return text;
+    const auto size = at_.number(maker_.compiled().compile(e));
+    return size.number && (*size.number == *scene_.load || -*size.number == *scene_.load) ? load->symbol : text;
   }
-  static std::string name_of(const PlacedPair& pair) {
+  std::string name_of(const PlacedPair& pair) {
     if (is_literal_zero(pair.x.expression)) return text_of(pair.y);
     if (is_literal_zero(pair.y.expression)) return text_of(pair.x);
     return "(" + to_string(pair.x.expression) + ", " + to_string(pair.y.expression) + ")";

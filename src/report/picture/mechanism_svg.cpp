@@ -14,9 +14,8 @@
 #include "base/input/utf8.hpp"
 #include "base/number/binary64.hpp"
 #include "report/markup/number.hpp"
-#include "report/markup/symbol.hpp"
 #include "report/picture/drawing.hpp"
-#include "report/picture/label_placer.hpp"
+#include "report/picture/labels/picture_labels.hpp"
 #include "report/picture/mechanism_geometry.hpp"
 #include "report/picture/motion_words.hpp"
 #include "report/picture/palette.hpp"
@@ -28,29 +27,35 @@ namespace {
 
 using ShapeKind = MechanismShape::Kind;
 
-constexpr double drawn_width = 270, drawn_height = 220, least_width = 360, longest_force = 72, shortest_force = 12,
-                 plain_force = 34, letter_width = 0.62, text_line = 17, value_gap = 4, free_margin = 10;
+constexpr double drawn_width = 270, drawn_height = 220, least_width = 360, widest = 436, longest_force = 72,
+                 shortest_force = 12, plain_force = 34, letter_width = 0.62, text_line = 17, free_margin = 10;
 
 class MechanismDrawing {
  public:
-  MechanismDrawing(const Element& svg, const MechanismScene& scene, const MotionAtLoad* motion)
-      : svg_(svg), scene_(scene), motion_(motion), geometry_(geometry_of(scene)) {
+  MechanismDrawing(const Element& svg, const MechanismScene& scene, const MotionAtLoad* motion, const CommonLook& look)
+      : svg_(svg),
+        scene_(scene),
+        motion_(motion),
+        look_(look),
+        numbers_(look.numbers ? *look.numbers : NumberWords(shown_numbers(scene, motion))),
+        geometry_(geometry_of(scene)) {
     fit();
   }
 
   void draw() {
     for (const MechanismGeometry::Contact& contact : geometry_.contacts) surface(contact);
     for (const MechanismGeometry::Outline& outline : geometry_.outlines) this->outline(outline);
-    set_force_scale();
+    if (motion_ != nullptr) set_force_scale();
     for (const MechanismGeometry::Contact& contact : geometry_.contacts) forces(contact);
     for (const MechanismGeometry::Push& push : geometry_.pushes) pushed(push);
     for (const MechanismGeometry::Outline& outline : geometry_.outlines) {
-      if (outline.kind == ShapeKind::label) text_label({pixel(outline.points[0])}, outline.text);
+      if (outline.kind == ShapeKind::arrow) load_arrow(pixel(outline.points[0]), pixel(outline.points[1]));
+      if (outline.kind == ShapeKind::label) labels_.words({pixel(outline.points[0])}, outline.text);
     }
-    for (const auto& name : names_) place_force_name(name);
     for (const MechanismGeometry::Contact& contact : geometry_.contacts) {
-      text_label({pixel(contact.at)}, contact_text(scene_, motion_, contact.index));
+      labels_.words({pixel(contact.at)}, contact_text(scene_, motion_, contact.index));
     }
+    for (const LabelBox& box : labels_.draw(svg_)) see(box);
   }
 
   /// Adds lines of text above or below the drawing.
@@ -67,7 +72,9 @@ class MechanismDrawing {
   void caption() {
     const double left = box_.left;
     double y = box_.bottom + text_line + 2;
-    for (const std::string& line : caption_lines(told(), 54)) {
+    std::vector<std::string> pieces = told();
+    if (look_.brief) pieces.clear();
+    for (const std::string& line : caption_lines(pieces, 54)) {
       svg_.add("text", "soft halo").set("x", left).set("y", y).set("font-size", 12).text(line);
       see({left, y - 12, left + letter_width * 12 * static_cast<double>(utf8_count(line)), y + 3});
       y += text_line;
@@ -86,11 +93,6 @@ class MechanismDrawing {
   }
 
  private:
-  struct ForceName {
-    std::vector<Point> near;
-    std::string symbol, value;
-  };
-
   /// Chooses the scale so that the drawing fits.
   void fit() {
     std::optional<LabelBox> all;
@@ -111,7 +113,7 @@ class MechanismDrawing {
     }
     const Point corner = pixel({all->left, all->bottom}), other = pixel({all->right, all->top});
     box_ = {corner[0], corner[1], other[0], other[1]};
-    labels_.keep_between(-least_width / 2, least_width / 2);
+    labels_.keep_between(-widest / 2, widest / 2);
   }
 
   Point pixel(Point p) const { return {scale_ * (p[0] - middle_[0]), -scale_ * (p[1] - middle_[1])}; }
@@ -134,7 +136,7 @@ class MechanismDrawing {
   /// Draws the surface that the body touches, as a line perpendicular to N, and the contact itself.
   void surface(const MechanismGeometry::Contact& contact) {
     const Point at = pixel(contact.at), across{contact.normal[1], -contact.normal[0]};
-    if (across[0] != 0 || across[1] != 0) line(moved(at, across, -30), moved(at, across, 30), "frame", 0.5);
+    if (across[0] != 0 || across[1] != 0) line(moved(at, across, -30), moved(at, across, 30), "frame", 1.5);
     svg_.add("circle", "ink").set("cx", at[0]).set("cy", at[1]).set("r", 3);
     labels_.avoid(LabelBox{at[0] - 4, at[1] - 4, at[0] + 4, at[1] + 4});
   }
@@ -158,13 +160,11 @@ class MechanismDrawing {
         svg_.add("circle", "ink").set("cx", pixels[0].x).set("cy", pixels[0].y).set("r", 2.5);
         break;
       case ShapeKind::arrow:
-        add_arrow(svg_, {pixels[0].x, pixels[0].y}, pixels[1].x - pixels[0].x, pixels[1].y - pixels[0].y, "load");
-        break;
       case ShapeKind::label:
-        break;
+        return;  // drawn later
     }
     for (std::size_t i = 1; i < pixels.size(); ++i) {
-      labels_.avoid({pixels[i - 1].x, pixels[i - 1].y}, {pixels[i].x, pixels[i].y}, 1.2);
+      labels_.avoid({pixels[i - 1].x, pixels[i - 1].y}, {pixels[i].x, pixels[i].y}, 2.5);
     }
   }
   static std::vector<Pixel> round(Pixel centre, double radius) {
@@ -181,7 +181,7 @@ class MechanismDrawing {
   std::vector<std::string> told() const {
     std::vector<bool> drawn(scene_.mechanism.contacts.size());
     for (const MechanismGeometry::Contact& c : geometry_.contacts) drawn[c.index] = drawn[c.index] || has_direction(c);
-    return told_of(scene_, motion_, drawn);
+    return told_of(scene_, motion_, drawn, numbers_);
   }
   const std::string& symbol_of(std::size_t unknown) const { return scene_.mechanism.unknowns[unknown].symbol; }
   static bool has_direction(const MechanismGeometry::Contact& contact) {
@@ -189,19 +189,7 @@ class MechanismDrawing {
   }
 
   void set_force_scale() {
-    if (motion_ == nullptr) return;
-    double largest = 0;
-    for (const MechanismGeometry::Contact& contact : geometry_.contacts) {
-      const MechanismContact& given = scene_.mechanism.contacts[contact.index];
-      for (const auto& force : {std::optional(given.normal), given.tangent}) {
-        if (!force) continue;
-        const auto value = shown_value(range_of(*force));
-        if (value) largest = std::max(largest, std::abs(nearest_binary64(*value)));
-      }
-    }
-    for (const MechanismGeometry::Push& push : geometry_.pushes) {
-      if (push.along != Point{0, 0}) largest = std::max(largest, push.size);
-    }
+    const double largest = look_.largest_force > 0 ? look_.largest_force : largest_force(scene_, *motion_);
     if (largest > 0) unit_ = longest_force / largest;
   }
 
@@ -209,7 +197,7 @@ class MechanismDrawing {
     const MechanismContact& given = scene_.mechanism.contacts[contact.index];
     std::string description = contact_text(scene_, motion_, contact.index);
     const auto draw = [&](std::size_t force, Point direction, bool pushes, std::string_view css) {
-      if (motion_ != nullptr) description += ", " + symbol_of(force) + " " + range_text(range_of(force));
+      if (motion_ != nullptr) description += ", " + symbol_of(force) + " " + numbers_.range(range_of(force));
       if (has_direction(contact)) this->force(pixel(contact.at), force, direction, pushes, css);
     };
     draw(given.normal, contact.normal, true, "normal");
@@ -226,7 +214,7 @@ class MechanismDrawing {
       const Range& range = range_of(unknown);
       const double number = nearest_binary64(shown_value(range).value_or(Rational(0)));
       determined = range.is_point();
-      value = range_text(range);
+      value = numbers_.range(range);
       if (determined && number == 0) return;
       length = number == 0 ? 0 : std::copysign(std::max(std::abs(number) * unit_, shortest_force), number);
     }
@@ -238,55 +226,47 @@ class MechanismDrawing {
     add_arrow(svg_, start, end[0] - start[0], end[1] - start[1], css,
               determined ? ArrowLine::solid : ArrowLine::dashed);
     labels_.avoid(start, end, 4);
+    arrows_.emplace_back(start, end);
     see(start), see(end);
     const Point half{(start[0] + end[0]) / 2, (start[1] + end[1]) / 2};
-    names_.push_back({{pushes ? start : end, half}, symbol_of(unknown), std::move(value)});
+    labels_.symbol({pushes ? start : end, half}, symbol_of(unknown), std::move(value));
+  }
+
+  /// Draws it beside an arrow of a force on the same line, where one would hide the other. Returns where it begins.
+  Point load_arrow(Point from, Point to) {
+    const auto hides = [&](const std::pair<Point, Point>& other) { return cover(from, to, other.first, other.second); };
+    const double dx = to[0] - from[0], dy = to[1] - from[1], length = std::hypot(dx, dy);
+    if (length > 0 && std::any_of(arrows_.begin(), arrows_.end(), hides)) {
+      const Point aside{9 * dy / length, -9 * dx / length};
+      from = {from[0] + aside[0], from[1] + aside[1]};
+    }
+    add_arrow(svg_, from, dx, dy, "load");
+    labels_.avoid(from, {from[0] + dx, from[1] + dy}, 4);
+    return from;
   }
 
   /// An arrow that ends where the force acts, to scale beside the forces of a motion; of a couple its name and sense.
   void pushed(const MechanismGeometry::Push& push) {
     const Point at = pixel(push.at);
-    if (push.along == Point{0, 0}) return text_label({at}, push.name + (push.size > 0 ? " \u21ba" : " \u21bb"));
-    const Point start =
-        moved(at, push.along, motion_ == nullptr ? -plain_force : -std::max(push.size * unit_, shortest_force));
-    add_arrow(svg_, start, at[0] - start[0], at[1] - start[1], "load");
-    labels_.avoid(start, at, 4);
+    if (push.along == Point{0, 0}) return labels_.words({at}, push.name + (push.size > 0 ? " \u21ba" : " \u21bb"));
+    const double length = motion_ == nullptr ? plain_force : std::max(push.size * unit_, shortest_force);
+    const Point start = load_arrow(moved(at, push.along, -length), at);
     see(start);
-    names_.push_back({{start, {(start[0] + at[0]) / 2, (start[1] + at[1]) / 2}}, {}, push.name});
+    labels_.symbol({start, {(start[0] + at[0]) / 2, (start[1] + at[1]) / 2}}, {}, push.name);
     described_.push_back("pushed by " + push.name);
-  }
-
-  void place_force_name(const ForceName& name) {
-    const double width =
-        letter_width * 13 *
-            static_cast<double>(utf8_count((name.symbol.empty() ? "" : plain_symbol(name.symbol)) + name.value)) +
-        value_gap;
-    const LabelBox box = labels_.place(name.near, width, 16);
-    const Element text = svg_.add("text", "ink halo").set("x", box.left).set("y", box.bottom - 4).set("font-size", 13);
-    if (name.symbol.empty()) text.text(name.value);  // what a file says pushes
-    if (!name.symbol.empty()) svg_symbol(text, name.symbol);
-    if (!name.symbol.empty() && !name.value.empty()) text.add("tspan").set("dx", value_gap).text(name.value);
-    see(box);
-  }
-
-  void text_label(const std::vector<Point>& near, const std::string& words) {
-    if (words.empty()) return;
-    const double width = letter_width * 12 * static_cast<double>(utf8_count(words));
-    const LabelBox box = labels_.place(near, width, 15);
-    const Element text = svg_.add("text", "soft halo").set("x", box.left).set("y", box.bottom - 3).set("font-size", 12);
-    text.text(words);
-    see(box);
   }
 
   const Element svg_;
   const MechanismScene& scene_;
   const MotionAtLoad* motion_;
+  const CommonLook& look_;
+  const NumberWords numbers_;
   const MechanismGeometry geometry_;
   Point middle_{0, 0};
   double scale_ = 1, unit_ = 1;
   LabelBox box_;
-  LabelPlacer labels_;
-  std::vector<ForceName> names_;
+  PictureLabels labels_;
+  std::vector<std::pair<Point, Point>> arrows_;  ///< of forces at contacts
   std::vector<std::string> described_;
 };
 
@@ -309,13 +289,30 @@ bool has_picture(const Mechanism& mechanism) {
                                                   [](const MechanismContact& contact) { return !contact.at.empty(); });
 }
 
+double largest_force(const MechanismScene& scene, const MotionAtLoad& motion) {
+  const MechanismGeometry geometry = geometry_of(scene);
+  double largest = 0;
+  for (const MechanismGeometry::Contact& contact : geometry.contacts) {
+    const MechanismContact& given = scene.mechanism.contacts[contact.index];
+    for (const auto& force : {std::optional(given.normal), given.tangent}) {
+      if (!force) continue;
+      const auto value = shown_value(range_of_force(scene, motion, *force));
+      if (value) largest = std::max(largest, std::abs(nearest_binary64(*value)));
+    }
+  }
+  for (const MechanismGeometry::Push& push : geometry.pushes) {
+    if (push.along != Point{0, 0}) largest = std::max(largest, push.size);
+  }
+  return largest;
+}
+
 Element add_mechanism(const Element& parent, const MechanismScene& scene, const MotionAtLoad* motion,
-                      std::string_view title) {
+                      std::string_view title, const CommonLook& look) {
   expect_picture(scene);
   const Element svg = parent.add("svg", "mechanism").set("xmlns", "http://www.w3.org/2000/svg").set("role", "img");
   svg.add("title").text(title);
   const Element description = svg.add("desc");
-  MechanismDrawing drawing(svg, scene, motion);
+  MechanismDrawing drawing(svg, scene, motion, look);
   drawing.draw();
   drawing.caption();
   description.text(drawing.description());
@@ -333,7 +330,8 @@ std::string mechanism_svg_file(const MechanismScene& scene, const MotionAtLoad* 
   svg.add("style").code(picture_style());
   const Element ground = svg.add("rect", "paper");
   svg.set("font-family", "system-ui, 'DejaVu Sans', sans-serif");
-  MechanismDrawing drawing(svg, scene, motion);
+  const CommonLook alone;
+  MechanismDrawing drawing(svg, scene, motion, alone);
   drawing.draw();
   drawing.caption();
   drawing.heading(scene.name, modes);

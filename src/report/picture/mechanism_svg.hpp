@@ -1,17 +1,29 @@
 // A mechanism drawn from the shapes in its file, with the forces of a motion as arrows.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "mechanics/kernel/motions.hpp"
 #include "mechanics/scene/scene.hpp"
 #include "report/markup/element.hpp"
+#include "report/picture/motion_words.hpp"
 
 namespace slipproof {
 
 /// Whether a mechanism's file gives a place for any part: a shape, or a contact with `at`.
 bool has_picture(const Mechanism& mechanism);
+
+/// What pictures of several motions share.
+struct CommonLook {
+  std::optional<NumberWords> numbers;  ///< nothing: those of the picture's own motion
+  double largest_force = 0;            ///< the one with the longest arrow; 0: the largest of the picture
+  bool brief = false;                  ///< leaves out what is listed below the drawing
+};
+
+/// The largest force of a motion that has an arrow.
+double largest_force(const MechanismScene& scene, const MotionAtLoad& motion);
 
 /// Adds the mechanism of a scene, to scale, y up, with a mark at each contact. The forces of `motion`, which must be
 /// one of motions_of() its problem, act at the contacts. Their arrows are in proportion to each other, with a visible
@@ -21,7 +33,7 @@ bool has_picture(const Mechanism& mechanism);
 /// Needs picture_style() in the document. Throws InputError if the mechanism has no picture, or if a coordinate has no
 /// value.
 Element add_mechanism(const Element& parent, const MechanismScene& scene, const MotionAtLoad* motion,
-                      std::string_view title);
+                      std::string_view title, const CommonLook& look = {});
 
 /// The same as an SVG file of its own, with a title, and with a background for light and dark displays.
 std::string mechanism_svg_file(const MechanismScene& scene, const MotionAtLoad* motion);

@@ -9,8 +9,8 @@
 
 #include "base/input/utf8.hpp"
 #include "base/number/format.hpp"
+#include "base/number/parse.hpp"
 #include "report/markup/symbol.hpp"
-#include "report/picture/drawing.hpp"
 
 namespace slipproof {
 
@@ -19,23 +19,57 @@ std::optional<Rational> shown_value(const Range& range) {
   return range.lower ? range.lower : range.upper;
 }
 
-std::string value_text(const Rational& x) {
-  const std::string value = label_value(x);
-  return value.starts_with("≈") ? value : "= " + value;
+namespace {
+
+constexpr std::size_t longest_fraction = 9, longest_end = 6;
+constexpr int digits = 4, digits_of_ends = 3;
+
+std::string with_minus(std::string text) {
+  if (text[0] == '-') text.replace(0, 1, "−");
+  return text;
 }
 
-std::string range_text(const Range& range) {
-  if (range.is_point()) return value_text(*range.lower);
+}  // namespace
+
+NumberWords::NumberWords(const std::vector<Range>& shown) {
+  for (const Range& range : shown) {
+    const std::size_t longest = range.is_point() ? longest_fraction : longest_end;
+    for (const auto& end : {range.lower, range.upper}) {
+      fractions_ = fractions_ && (!end || exact_text(*end).size() <= longest);
+    }
+  }
+}
+
+std::string NumberWords::label(const Rational& x) const {
+  if (fractions_) return with_minus(exact_text(x));
+  const std::string decimal = decimal_text(x, digits);
+  return (parse_rational(decimal) == x ? "" : "≈ ") + with_minus(decimal);
+}
+
+std::string NumberWords::value(const Rational& x) const {
+  const std::string text = label(x);
+  return text.starts_with("≈") ? text : "= " + text;
+}
+
+std::string NumberWords::range(const Range& range) const {
+  if (range.is_point()) return value(*range.lower);
   bool exact = true;
   const auto end = [&](const Rational& x) {
-    std::string text = exact_text(x);
-    if (text.size() > 6) text = decimal_text(x, 3), exact = false;
-    if (text[0] == '-') text.replace(0, 1, "−");
-    return text;
+    if (fractions_) return with_minus(exact_text(x));
+    const std::string text = decimal_text(x, digits_of_ends);
+    exact = exact && parse_rational(text) == x;
+    return with_minus(text);
   };
   const std::string ends =
       (range.lower ? "[" + end(*range.lower) : "(−∞") + ", " + (range.upper ? end(*range.upper) + "]" : "∞)");
   return (exact ? "in " : "in ≈ ") + ends;
+}
+
+std::vector<Range> shown_numbers(const MechanismScene& scene, const MotionAtLoad* motion) {
+  std::vector<Range> shown;
+  if (motion != nullptr) shown = motion->forces;
+  if (scene.mechanism.load && scene.load) shown.push_back({scene.load, scene.load});
+  return shown;
 }
 
 std::string common_state(const MotionAtLoad& motion, std::size_t element) {
@@ -70,12 +104,12 @@ std::string contact_text(const MechanismScene& scene, const MotionAtLoad* motion
 }
 
 std::vector<std::string> told_of(const MechanismScene& scene, const MotionAtLoad* motion,
-                                 const std::vector<bool>& drawn) {
+                                 const std::vector<bool>& drawn, const NumberWords& numbers) {
   const Mechanism& mechanism = scene.mechanism;
   std::vector<std::string> parts;
   if (mechanism.load && scene.load) {
     const std::string& unit = mechanism.load->unit;
-    parts.push_back(plain_symbol(mechanism.load->symbol) + " " + value_text(*scene.load) +
+    parts.push_back(plain_symbol(mechanism.load->symbol) + " " + numbers.value(*scene.load) +
                     (unit.empty() || unit == "1" ? "" : " " + unit));
   }
   for (std::size_t i = 0; i < mechanism.contacts.size(); ++i) {
@@ -91,7 +125,7 @@ std::vector<std::string> told_of(const MechanismScene& scene, const MotionAtLoad
     const MechanismUnknown& unknown = mechanism.unknowns[i];
     const bool of_contact = unknown.role == Role::normal || unknown.role == Role::tangent;
     if (!of_contact || !drawn[unknown.owner])
-      parts.push_back(plain_symbol(unknown.symbol) + " " + range_text(range_of_force(scene, *motion, i)));
+      parts.push_back(plain_symbol(unknown.symbol) + " " + numbers.range(range_of_force(scene, *motion, i)));
   }
   return parts;
 }

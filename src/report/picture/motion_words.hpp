@@ -13,10 +13,25 @@ namespace slipproof {
 /// The value of a force in a picture: its own, or one in its range; nothing if all numbers are possible.
 std::optional<Rational> shown_value(const Range& range);
 
-/// `= 3`, `≈ 3.142`.
-std::string value_text(const Rational& x);
-/// The same for a range that is a point; otherwise `in [0, 5/2]`.
-std::string range_text(const Range& range);
+/// How the numbers of one picture are written: all exactly where all are short, otherwise all as decimals.
+class NumberWords {
+ public:
+  /// For all numbers that the picture shows.
+  explicit NumberWords(const std::vector<Range>& shown);
+
+  /// `3/4`, `−5`; as a decimal `0.75`, or `≈ 0.3333` where that is rounded.
+  std::string label(const Rational& x) const;
+  /// `= 3/4`, `≈ 0.3333`.
+  std::string value(const Rational& x) const;
+  /// The same for a range that is a point; otherwise `in [0, 5/2]`.
+  std::string range(const Range& range) const;
+
+ private:
+  bool fractions_ = true;
+};
+
+/// The load, and the forces of a motion: what its picture shows.
+std::vector<Range> shown_numbers(const MechanismScene& scene, const MotionAtLoad* motion);
 
 /// The state of an element if it is the same in all modes of a motion; otherwise empty.
 std::string common_state(const MotionAtLoad& motion, std::size_t element);
@@ -32,7 +47,7 @@ std::string contact_text(const MechanismScene& scene, const MotionAtLoad* motion
 /// The load, friction elements, contacts without a place, and forces that are not drawn; `drawn` says of each contact
 /// whether its forces are.
 std::vector<std::string> told_of(const MechanismScene& scene, const MotionAtLoad* motion,
-                                 const std::vector<bool>& drawn);
+                                 const std::vector<bool>& drawn, const NumberWords& numbers);
 
 /// The pieces, with commas, in lines of at most so many characters where a piece is not longer.
 std::vector<std::string> caption_lines(const std::vector<std::string>& pieces, std::size_t length);

@@ -9,7 +9,7 @@
 #include "base/number/format.hpp"
 #include "report/markup/number.hpp"
 #include "report/markup/symbol.hpp"
-#include "report/picture/label_placer.hpp"
+#include "report/picture/labels/label_placer.hpp"
 
 namespace slipproof {
 

@@ -270,6 +270,19 @@ TEST_CASE("what pushes a body is drawn where it acts, to scale beside the contac
   CHECK(load[0].length() == doctest::Approx(std::max(weight / 4, 12.0)).epsilon(0.2));
 }
 
+TEST_CASE("numbers of one picture are all fractions or all decimals") {
+  const auto point = [](const Rational& x) { return Range{x, x}; };
+  const NumberWords fractions({point(Rational(1, 3)), point(Rational(-5))});
+  CHECK(fractions.value(Rational(1, 3)) == "= 1/3");
+  CHECK(fractions.range({Rational(0), Rational(5, 2)}) == "in [0, 5/2]");
+  const NumberWords decimals({point(Rational(1, 3)), point(Rational(12345, 67890123))});  // the second is long
+  CHECK(decimals.value(Rational(1, 3)) == "≈ 0.3333");
+  CHECK(decimals.value(Rational(3, 4)) == "= 0.75");
+  CHECK(decimals.value(Rational(-5)) == "= −5");
+  CHECK(decimals.range({Rational(0), Rational(5, 2)}) == "in [0, 2.5]");
+  CHECK(decimals.range({Rational(-1, 3), {}}) == "in ≈ [−0.333, ∞)");
+}
+
 TEST_CASE("what has no place is told, and a mechanism without any place has no picture") {
   const MechanismScene nowhere = scene_of(runner, 1);
   CHECK_FALSE(has_picture(nowhere.mechanism));

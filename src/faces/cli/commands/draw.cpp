@@ -1,9 +1,15 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/input/diagnostic.hpp"
+#include "base/number/format.hpp"
+#include "base/number/parse.hpp"
 #include "base/output/output_file.hpp"
 #include "faces/cli/command.hpp"
 #include "faces/cli/png.hpp"
@@ -11,40 +17,88 @@
 #include "mechanics/scene/bicycle_scene.hpp"
 #include "report/picture/bicycle_figure.hpp"
 #include "report/picture/mechanism_svg.hpp"
+#include "report/picture/motions_svg.hpp"
 #include "report/scenes/mechanism_report.hpp"
 
 namespace slipproof::cli {
 
 namespace {
 
+constexpr std::string_view every_motion = "all";
+
 struct DrawArguments {
   CommonOptions common;
-  std::string scene, out;
-  std::size_t motion = 0;  ///< 0: none
+  std::string scene, out, load;
+  std::string motion;  ///< a number from 1, or every_motion; empty: none
 };
 
-/// The requested motion, counted from 1.
-MotionAtLoad motion_of(const MechanismScene& scene, const DrawArguments& arguments) {
-  const auto refuse = [&](const std::string& message) { throw InputError({{arguments.scene, 0, 0, message}}); };
-  if (scene.mechanism.load && !scene.load) {
-    refuse("the scene has no value of the load " + scene.mechanism.load->symbol + ", expected one for --motion");
+[[noreturn]] void refuse(const DrawArguments& arguments, const std::string& message) {
+  throw InputError({{arguments.scene, 0, 0, message}});
+}
+
+/// The mode that is asked for by its place in the list of `solve` for all loads; sets the simplest load at which it has
+/// a motion.
+MechanismMode choose_load(MechanismScene& scene, const DrawArguments& arguments) {
+  const std::string& symbol = scene.mechanism.load->symbol;
+  if (arguments.motion == every_motion) {
+    refuse(arguments, "the scene has no value of the load " + symbol + ", expected --load for --motion all");
   }
+  const std::vector<ConsistentMode> modes = SolvedMechanism(scene).modes;
+  const std::size_t number = std::stoul(arguments.motion);
+  if (number > modes.size()) {
+    refuse(arguments, fmt::format("found --motion {}, expected at most {}: so many modes have a motion at some {}",
+                                  number, modes.size(), symbol));
+  }
+  const ConsistentMode& mode = modes[number - 1];
+  const ForceInterval within = mode.solutions.loads.interior();
+  scene.load = (within.empty() ? mode.solutions.loads : within).sample();
+  return mode.mode;
+}
+
+std::string figure_of_motions(MechanismScene scene, const DrawArguments& arguments) {
+  std::optional<MechanismMode> mode;
+  if (scene.mechanism.load && !scene.load) mode = choose_load(scene, arguments);
   const MotionsAtLoad found = *SolvedMechanism(scene).at_load;
-  if (arguments.motion <= found.motions.size()) return found.motions[arguments.motion - 1];
-  refuse(fmt::format("found --motion {}, expected at most {}: so many motions it has there{}", arguments.motion,
-                     found.motions.size(), found.continua.empty() ? "" : ", and a continuum"));
-  return {};
+  if (arguments.motion == every_motion) return motions_svg_file(scene, found);
+  const std::vector<MotionAtLoad> motions = drawn_motions(found);
+  if (motions.empty()) refuse(arguments, "there is no motion at this load, and none to draw");
+  const auto has_mode = [&](const MotionAtLoad& motion) {
+    const auto modes = motion.all_modes();
+    return std::find(modes.begin(), modes.end(), *mode) != modes.end();
+  };
+  if (mode) {
+    const auto motion = std::find_if(motions.begin(), motions.end(), has_mode);
+    if (motion != motions.end()) return mechanism_svg_file(scene, &*motion);
+    refuse(arguments, "the motion of " + name(*mode) + " at " + scene.mechanism.load->symbol + " = " +
+                          exact_text(*scene.load) + " is one of a continuum, which --load with --motion all draws");
+  }
+  const std::size_t number = std::stoul(arguments.motion);
+  if (number <= motions.size()) return mechanism_svg_file(scene, &motions[number - 1]);
+  refuse(arguments, fmt::format("found --motion {}, expected at most {}: so many motions it has there{}", number,
+                                motions.size(), found.continua.empty() ? "" : ", continua counted"));
 }
 
 std::string figure_of(const DrawArguments& arguments, Inputs& inputs) {
-  const MechanismScene scene = read_scene(arguments.scene);
+  MechanismScene scene = read_scene(arguments.scene);
   inputs.add(scene.mechanism.file);
   print_warnings(scene.mechanism, arguments.common);
-  if (arguments.motion == 0) {
-    return is_bicycle(scene.mechanism) ? bicycle_figure_file(scene) : mechanism_svg_file(scene, nullptr);
+  if (!arguments.load.empty()) {
+    if (!scene.mechanism.load) refuse(arguments, "found --load, but the mechanism has no load");
+    try {
+      scene.load = parse_rational(arguments.load);
+    } catch (const NumberError& error) {
+      throw CLI::ValidationError("--load", error.what());
+    }
   }
-  const MotionAtLoad motion = motion_of(scene, arguments);
-  return mechanism_svg_file(scene, &motion);
+  if (!arguments.motion.empty()) return figure_of_motions(std::move(scene), arguments);
+  return is_bicycle(scene.mechanism) ? bicycle_figure_file(scene) : mechanism_svg_file(scene, nullptr);
+}
+
+/// `all`, or a number from 1.
+CLI::Validator motion_choice() {
+  return CLI::Validator(
+      [](std::string& text) { return text == every_motion ? std::string() : whole_number(1, 1'000'000)(text); },
+      "NUMBER|all");
 }
 
 }  // namespace
@@ -57,9 +111,11 @@ void add_draw(CLI::App& app, int& exit_code) {
   command.add_option("SCENE", options->scene, "Scene file (TOML), of a bicycle or of a mechanism")->required();
   command
       .add_option("--motion", options->motion,
-                  "Draw the forces of this motion, as `solve` numbers them, from 1; default: forces in their positive "
+                  "Draw the forces of this motion, as `solve` numbers them, from 1; of a scene without a load, of the "
+                  "mode that `solve` lists there; `all`: all motions side by side; default: forces in their positive "
                   "directions")
-      ->check(whole_number(1, 1'000'000));
+      ->check(motion_choice());
+  command.add_option("--load", options->load, "The value of the load, in place of the scene's, such as 7/4");
   command.add_option("-o,--out", options->out,
                      "The file to write, a PNG if its name ends in .png; default: standard output");
   add_common_options(command, options->common);

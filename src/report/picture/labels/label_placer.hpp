@@ -25,7 +25,15 @@ class LabelPlacer {
   /// Labels should stay between these limits on the left and the right.
   void keep_between(double left, double right) { left_ = left, right_ = right; }
 
-  /// The best place for a label near one of the points; later labels avoid it. Compares a few hundred places.
+  /// A label that stands near one of the points.
+  struct Label {
+    std::vector<Point> near;
+    double width = 0, height = 0;
+  };
+  /// The best places for labels: one after the other, then each again among the others until none moves. Compares some
+  /// hundred places for each. A place nearer to what another label names costs more.
+  std::vector<LabelBox> place(const std::vector<Label>& labels);
+  /// The same for one label; later ones avoid it.
   LabelBox place(const std::vector<Point>& near, double width, double height);
 
  private:
@@ -34,6 +42,7 @@ class LabelPlacer {
     double weight;
   };
   double cost(const LabelBox& box) const;
+  LabelBox best(const Label& label, const std::vector<Label>& all) const;
 
   double left_ = std::numeric_limits<double>::lowest(), right_ = std::numeric_limits<double>::max();
   std::vector<Line> lines_;

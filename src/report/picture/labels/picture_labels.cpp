@@ -1,0 +1,46 @@
+#include "report/picture/labels/picture_labels.hpp"
+
+#include "base/input/utf8.hpp"
+#include "report/markup/symbol.hpp"
+
+namespace slipproof {
+
+namespace {
+
+constexpr double letter_share = 0.62, value_gap = 4, symbol_size = 13, word_size = 12;
+
+double width_of(const std::string& text, double size) {
+  return letter_share * size * static_cast<double>(utf8_count(text));
+}
+
+}  // namespace
+
+void PictureLabels::symbol(const std::vector<Point>& near, const std::string& symbol, const std::string& value) {
+  const double width = width_of((symbol.empty() ? "" : plain_symbol(symbol)) + value, symbol_size) + value_gap;
+  labels_.push_back({near, width, symbol_size + 3});
+  texts_.push_back({symbol_size, "ink halo", symbol, value});
+}
+
+void PictureLabels::words(const std::vector<Point>& near, const std::string& words) {
+  if (words.empty()) return;
+  labels_.push_back({near, width_of(words, word_size), word_size + 3});
+  texts_.push_back({word_size, "soft halo", {}, words});
+}
+
+std::vector<LabelBox> PictureLabels::draw(const Element& svg) {
+  std::vector<LabelBox> boxes = placer_.place(labels_);
+  for (std::size_t i = 0; i < texts_.size(); ++i) {
+    const Text& label = texts_[i];
+    const Element text = svg.add("text", label.css);
+    text.set("x", boxes[i].left).set("y", boxes[i].bottom - label.size / 4).set("font-size", label.size);
+    if (label.symbol.empty()) {
+      text.text(label.words);
+      continue;
+    }
+    svg_symbol(text, label.symbol);
+    if (!label.words.empty()) text.add("tspan").set("dx", value_gap).text(label.words);
+  }
+  return boxes;
+}
+
+}  // namespace slipproof

@@ -1,0 +1,140 @@
+#include "report/picture/motions_svg.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/number/format.hpp"
+#include "mechanics/scene/bicycle_scene.hpp"
+#include "report/markup/number.hpp"
+#include "report/markup/symbol.hpp"
+#include "report/picture/bicycle_svg.hpp"
+#include "report/picture/drawing.hpp"
+#include "report/picture/mechanism_svg.hpp"
+#include "report/picture/palette.hpp"
+
+namespace slipproof {
+
+namespace {
+
+class MotionsPicture {
+ public:
+  MotionsPicture(const Element& svg, const MechanismScene& scene, const MotionsAtLoad& found)
+      : svg_(svg), scene_(scene), motions_(drawn_motions(found)), strict_(found.motions.size()) {
+    std::vector<Range> numbers;
+    for (const MotionAtLoad& motion : motions_) {
+      const std::vector<Range> shown = bicycle() ? bicycle_numbers(scene, &motion) : shown_numbers(scene, &motion);
+      numbers.insert(numbers.end(), shown.begin(), shown.end());
+      if (!bicycle()) look_.largest_force = std::max(look_.largest_force, largest_force(scene, motion));
+    }
+    look_.numbers.emplace(numbers);
+    look_.brief = true;
+  }
+
+  void draw() {
+    text({edge, edge + 18}, 18, "ink", scene_.name);
+    text({edge, edge + 38}, 14, "soft", below_title());
+    for (std::size_t i = 0; i < panels(); ++i) panel(i);
+  }
+
+  double whole_width() const {
+    const auto across = static_cast<double>(std::min(columns, panels()));
+    return 2 * edge + across * width + (across - 1) * between;
+  }
+  double whole_height() const {
+    const auto rows = static_cast<double>((panels() + columns - 1) / columns);
+    return edge + title_height + rows * (heading_height + height);
+  }
+
+ private:
+  static constexpr std::size_t columns = 3;
+  static constexpr double width = 380, height = 330, between = 16, edge = 14, title_height = 60, heading_height = 46;
+
+  bool bicycle() const { return is_bicycle(scene_.mechanism); }
+  std::size_t panels() const { return std::max<std::size_t>(motions_.size(), 1); }
+
+  std::string below_title() const {
+    const std::size_t continua = motions_.size() - strict_;
+    std::vector<std::string> parts;
+    if (scene_.mechanism.load && scene_.load) {
+      const std::string& unit = scene_.mechanism.load->unit;
+      parts.push_back(plain_symbol(scene_.mechanism.load->symbol) + " " + look_.numbers->value(*scene_.load) +
+                      (unit.empty() || unit == "1" ? "" : " " + unit));
+    }
+    if (strict_ > 0 || continua == 0) parts.push_back(strict_ == 0 ? "no motion" : counted(strict_, "motion"));
+    if (continua > 0)
+      parts.push_back(continua == 1 ? "a continuum of motions" : fmt::format("{} continua of motions", continua));
+    return fmt::format("{}", fmt::join(parts, ", "));
+  }
+
+  /// Where every contact is in one state, that state; a bicycle's picture does not name its contacts.
+  std::string in_words(const MotionAtLoad& motion) const {
+    std::vector<std::string> words;
+    for (std::size_t i = 0; i < scene_.mechanism.contacts.size(); ++i) {
+      words.push_back(contact_text(scene_, &motion, i));
+    }
+    return fmt::format("{}", fmt::join(words, ", "));
+  }
+
+  void panel(std::size_t i) {
+    const Point at{edge + static_cast<double>(i % columns) * (width + between),
+                   edge + title_height + static_cast<double>(i / columns) * (heading_height + height)};
+    const MotionAtLoad* motion = i < motions_.size() ? &motions_[i] : nullptr;
+    std::string title = "no motion";
+    if (motion != nullptr) {
+      title = fmt::format("{}: {}{}", i + 1, modes_text(*motion), i < strict_ ? "" : " (continuum)");
+      text({at[0], at[1] + 16}, 16, "ink", title);
+      if (bicycle()) text({at[0], at[1] + 36}, 13, "soft", in_words(*motion));
+    }
+    const Element picture = bicycle() ? add_bicycle(svg_, scene_, motion, title, look_.numbers)
+                                      : add_mechanism(svg_, scene_, motion, title, look_);
+    picture.set("x", at[0]).set("y", at[1] + heading_height).set("width", width).set("height", height - between);
+    picture.set("preserveAspectRatio", "xMidYMin meet");
+  }
+
+  void text(Point at, double size, std::string_view css, const std::string& words) const {
+    svg_.add("text", css).set("x", at[0]).set("y", at[1]).set("font-size", size).text(words);
+  }
+
+  const Element svg_;
+  const MechanismScene& scene_;
+  const std::vector<MotionAtLoad> motions_;
+  const std::size_t strict_;
+  CommonLook look_;
+};
+
+}  // namespace
+
+std::vector<MotionAtLoad> drawn_motions(const MotionsAtLoad& found) {
+  std::vector<MotionAtLoad> all = found.motions;
+  for (const ContinuumAtLoad& continuum : found.continua) {
+    MotionAtLoad motion;
+    (continuum.strict ? motion.modes : motion.boundary_modes).push_back(continuum.mode);
+    for (const Range& range : continuum.accelerations) {
+      motion.accelerations.push_back(shown_value(range).value_or(Rational(0)));
+    }
+    motion.forces = continuum.forces;
+    all.push_back(std::move(motion));
+  }
+  return all;
+}
+
+std::string motions_svg_file(const MechanismScene& scene, const MotionsAtLoad& found) {
+  const ElementTree document("svg");
+  const Element svg = document.root().set("xmlns", "http://www.w3.org/2000/svg").set("role", "img");
+  svg.add("title").text(scene.name);
+  svg.add("style").code(picture_style());
+  svg.set("font-family", "system-ui, 'DejaVu Sans', sans-serif");
+  const Element ground = svg.add("rect", "paper");
+  MotionsPicture picture(svg, scene, found);
+  picture.draw();
+  const double across = picture.whole_width(), down = picture.whole_height();
+  ground.set("width", across).set("height", down);
+  svg.set("viewBox", fmt::format("0 0 {} {}", short_number(across), short_number(down)));
+  svg.set("width", across).set("height", down);
+  return document.xml();
+}
+
+}  // namespace slipproof
