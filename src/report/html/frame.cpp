@@ -16,6 +16,12 @@ void add_head(const Element& html, const PageFrame& frame) {
   // Prevents browsers from fetching an icon.
   head.add("link").set("rel", "icon").set("href", "data:,");
   head.add("title").text(frame.title);
+  if (!frame.description.empty()) {
+    head.add("meta").set("name", "description").set("content", frame.description);
+    head.add("meta").set("property", "og:title").set("content", frame.title);
+    head.add("meta").set("property", "og:description").set("content", frame.description);
+    head.add("meta").set("property", "og:type").set("content", "article");
+  }
   head.add("style").code(std::string(assets::style_css) + picture_style());
 }
 

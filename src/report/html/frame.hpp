@@ -18,6 +18,7 @@ struct PageFrame {
   std::string brand = "#overview";  ///< target of the program's name
   std::string skip = "#overview", skip_words = "Skip to the results";
   std::string_view script = {};  ///< empty: none
+  std::string description = {};  ///< for search engines and for those who share the page; empty: none
 };
 
 /// The page, HTML 5. `fill` adds its content.

@@ -1,6 +1,10 @@
 #include "report/html/gallery.hpp"
 
+#include <algorithm>
+
 #include "base/number/format.hpp"
+#include "base/output/listed.hpp"
+#include "report/html/headline.hpp"
 #include "report/html/sections.hpp"
 #include "report/html/verdict_bar.hpp"
 #include "report/papers/errata.hpp"
@@ -26,6 +30,14 @@ VerdictTotals total(const std::vector<JudgedPaper>& papers) {
 void add_paper(const Element& list, const JudgedPaper& paper) {
   const Element item = list.add("li", "paper");
   item.add("h2").add("a").set("href", page_name(paper)).text(paper.file.paper.title);
+  if (!paper.file.paper.reference.empty()) {
+    const Element p = item.add("p", "authors");
+    p.text(listed(paper.file.paper.authors) + ", ");
+    add_reference(p, paper.file.paper.reference);
+  }
+  if (const ClaimResult* worst = worst_refuted(paper.file, paper.result)) {
+    add_worst_motions(item.add("div", "thumbnail"), *worst);
+  }
   if (!paper.file.paper.found.empty()) item.add("p", "found").text(paper.file.paper.found);
   const VerdictTotals counts = count_verdicts(paper.result);
   const std::size_t findings = errata(paper.file, paper.result).findings.size();
@@ -44,11 +56,18 @@ std::string page_name(const JudgedPaper& paper) {
 }
 
 std::string gallery_html(const std::vector<JudgedPaper>& papers, const std::string& version) {
-  PageFrame frame{"slipproof: " + counted(papers.size(), "paper"),
+  PageFrame frame{"slipproof: " + counted(papers.size(), "source") + " about dry friction, judged",
                   version,
                   {},
-                  "Made by slipproof " + version + ". Each paper's page tells how to make it again."};
-  frame.skip = "#papers", frame.skip_words = "Skip to the papers";
+                  "Made by slipproof " + version + ". Each page tells how to make it again."};
+  frame.skip = "#papers", frame.skip_words = "Skip to the sources";
+  frame.description =
+      "Published formulas about dry friction, each proved for all parameters or refuted by numbers to check by hand.";
+  // Papers that were published come first; other sources are what textbooks share.
+  std::vector<const JudgedPaper*> order;
+  for (const JudgedPaper& paper : papers) order.push_back(&paper);
+  std::stable_partition(order.begin(), order.end(),
+                        [](const JudgedPaper* paper) { return !paper->file.paper.reference.empty(); });
   return framed(frame, [&](const Element& main) {
     const Element overview = main.add("section").set("id", "overview").set("aria-labelledby", "title");
     overview.add("h1").set("id", "title").text("What is printed about dry friction, judged");
@@ -59,9 +78,10 @@ std::string gallery_html(const std::vector<JudgedPaper>& papers, const std::stri
     if (const auto second = second_checker(papers)) overview.add("p").text(in_words(*second) + ".");
     const VerdictTotals all = total(papers);
     add_verdict_bar(overview.add("div", "bars"),
-                    counted(papers.size(), "paper") + ", " + counted(all.claims, "claim") + " as printed", all.printed);
+                    counted(papers.size(), "source") + ", " + counted(all.claims, "claim") + " as printed",
+                    all.printed);
     const Element list = main.add("ul", "papers").set("id", "papers");
-    for (const JudgedPaper& paper : papers) add_paper(list, paper);
+    for (const JudgedPaper* paper : order) add_paper(list, *paper);
   });
 }
 

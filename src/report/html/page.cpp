@@ -88,7 +88,7 @@ class Gathering {
 
 PageFrame frame_of(const PageInput& input) {
   PageFrame frame{"slipproof: " + input.claims->paper.title, input.version, {}, {}};
-  if (!input.gallery.empty()) frame.links.emplace_back(frame.brand = input.gallery, "All papers");
+  if (!input.gallery.empty()) frame.links.emplace_back(frame.brand = input.gallery, "All sources");
   const auto link = [&](bool there, const char* target, const char* words) {
     if (there) frame.links.emplace_back(target, words);
   };
@@ -104,6 +104,7 @@ PageFrame frame_of(const PageInput& input) {
   link(true, "#notation", "Notation");
   link(true, "#reproduce", "Reproduce");
   frame.footer = "Made by slipproof " + input.version + ". Every number that is not marked as rounded is exact.";
+  frame.description = input.claims->paper.found;
   frame.script = assets::script_js;
   return frame;
 }

@@ -121,9 +121,11 @@
   window.addEventListener("hashchange", reveal);
   if (location.hash) reveal();
 
-  // Paper does not unfold: all is printed open.
+  // Paper does not unfold: on demand all is printed open.
   const opened = [];
   window.addEventListener("beforeprint", function () {
+    const all = document.getElementById("print-all");
+    if (all === null || !all.checked) return;
     document.querySelectorAll("details:not([open])").forEach(function (details) {
       details.open = true;
       opened.push(details);

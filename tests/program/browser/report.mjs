@@ -187,8 +187,9 @@ for (const width of [400, 1400]) {
 
 // What fits between the margins of A4 and of Letter, in CSS pixels.
 for (const [paper, width] of [['A4', 688], ['Letter', 710]]) {
-  test(`on ${paper} nothing is folded, dark, or cut off`, async () => {
+  test(`on ${paper} nothing is dark or cut off, and on demand nothing is folded`, async () => {
     const page = await open({ width, media: 'print', colorScheme: 'dark', javaScriptEnabled: false });
+    await page.evaluate(() => { document.getElementById('print-all').checked = true; });
     const hanging = 5;  // a blank at the end of a full line
     const found = await page.evaluate(hanging => ({
       beyond: [...document.querySelectorAll('main *')]
@@ -206,10 +207,13 @@ for (const [paper, width] of [['A4', 688], ['Letter', 710]]) {
   });
 }
 
-test('a script unfolds what browsers without the style for it would leave folded, and folds it again', async () => {
+test("a script unfolds on demand what browsers without the style for it would leave folded, and folds it again", async () => {
   const page = await open();
   const folded = () => page.locator('details:not([open])').count();
   const before = await folded();
+  await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+  assert.equal(await folded(), before);
+  await page.locator('#print-all').check();
   await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
   assert.equal(await folded(), 0);
   await page.evaluate(() => dispatchEvent(new Event('afterprint')));
@@ -255,7 +259,7 @@ test('the page of all papers leads to each of them, and they lead back', async (
   assert.deepEqual([...links, 'index.html'].sort(), [...papers].sort());
   for (const link of links) {
     await page.goto(pathToFileURL(`papers/${link}`).href);
-    await page.getByRole('link', { name: 'All papers' }).click();
+    await page.getByRole('link', { name: 'All sources' }).click();
     assert.ok(page.url().endsWith('/papers/index.html'));
   }
 });

@@ -1,7 +1,14 @@
 // The report: well-formed, the same bytes each time, everything in it escaped, every link leading somewhere.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <iterator>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "claims/reading/read_claims_file.hpp"
 #include "report/html/small_page.hpp"
@@ -35,6 +42,8 @@ void check_links(const std::string& html) {
       CHECK(href.starts_with("data:text/plain"));
       continue;
     }
+    if (href.starts_with("https://arxiv.org/abs/") || href.starts_with("https://doi.org/"))
+      continue;  // to be read there
     REQUIRE(href.starts_with("#"));
     CHECK(ids.contains(href.substr(1)));
   }
@@ -54,6 +63,51 @@ TEST_CASE("the page is well-formed, small, and the same bytes each time") {
   read(small_page());
   CHECK(small_page().size() < 3'000'000);
   CHECK(page_html(small_input()) == small_page());
+}
+
+TEST_CASE("first there is a sentence of what was found and the picture of the worst finding, then the counts") {
+  const auto tree = read(small_page());
+  const auto overview = tree.select_node("//section[@id='overview']").node();
+  std::vector<std::string> order;
+  for (const auto& child : overview.children()) order.emplace_back(child.attribute("class").value());
+  const auto place = [&](const std::string& css) { return std::find(order.begin(), order.end(), css) - order.begin(); };
+  CHECK(place("headline") < place("worst-finding"));
+  CHECK(place("worst-finding") < place("halves"));
+  CHECK(place("halves") < place("cards"));
+  // Of the false statements Assertion 5 has the most motions: three.
+  CHECK(overview.select_nodes("figure[@class='worst-finding']//svg[@class='bicycle']").size() == 3);
+  CHECK(overview.select_node("figure[@class='worst-finding']/figcaption//a[@href='#claim-A5.1']"));
+  CHECK(overview.select_node("p[@class='authors']/a[@href='https://arxiv.org/abs/2105.00851']"));
+  CHECK(overview.select_node("p[@class='authors']/a[@href='https://doi.org/10.48550/arXiv.2105.00851']"));
+  const std::string found = small_input().claims->paper.found;
+  CHECK(tree.select_node("//meta[@name='description']").node().attribute("content").value() == found);
+}
+
+TEST_CASE("the colours of verdicts are apart for readers who do not see green") {
+  std::ifstream file(SLIPPROOF_SOURCE_DIR "/src/report/html/style.css");
+  const std::string style{std::istreambuf_iterator<char>(file), {}};
+  std::vector<std::array<double, 3>> seen;
+  for (const char* verdict : {"proved", "holds", "refuted", "undecided", "vacuous"}) {
+    const std::string rule = ".fill-" + std::string(verdict) + " { fill: #";
+    const std::size_t at = style.find(rule);
+    REQUIRE(at != style.npos);
+    std::array<double, 3> rgb{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double value = std::stoi(style.substr(at + rule.size() + 2 * i, 2), nullptr, 16) / 255.0;
+      rgb.at(i) = std::pow(value, 2.2);
+    }
+    const auto [r, g, b] = rgb;  // Machado, Oliveira and Fernandes (2009), deuteranopia, in linear light
+    const std::array<double, 3> linear{0.367322 * r + 0.860646 * g - 0.227968 * b,
+                                       0.280085 * r + 0.672501 * g + 0.047413 * b,
+                                       -0.011820 * r + 0.042940 * g + 0.968881 * b};
+    std::array<double, 3> shown{};
+    for (std::size_t i = 0; i < 3; ++i) shown.at(i) = 255 * std::pow(std::clamp(linear.at(i), 0.0, 1.0), 1 / 2.2);
+    for (const auto& other : seen) {
+      CAPTURE(verdict);
+      CHECK(std::hypot(shown[0] - other[0], shown[1] - other[1], shown[2] - other[2]) > 55);
+    }
+    seen.push_back(shown);
+  }
 }
 
 TEST_CASE("hostile names are text") {

@@ -5,6 +5,7 @@
 
 #include "base/number/format.hpp"
 #include "base/output/listed.hpp"
+#include "report/html/headline.hpp"
 #include "report/html/sections.hpp"
 #include "report/html/verdict_bar.hpp"
 #include "report/markup/latex.hpp"
@@ -62,10 +63,6 @@ void add_problem(const Element& section, const PageInput& input) {
   const Element asked = text.add("p");
   if (!question.empty()) {
     add_prose(asked, *input.claims, question);
-    if (!input.claims->paper.found.empty()) {
-      text.add("h2", "sub").text("The answer in short");
-      add_prose(text.add("p"), *input.claims, input.claims->paper.found);
-    }
   } else {
     asked.text(bicycles ? "A vehicle with two wheels, seen from the side, stands on a road with dry friction, and "
                           "a force acts on its pedal. What does each wheel do: roll, slip, or leave the road? The "
@@ -188,6 +185,35 @@ void add_cards(const Element& section, const PageInput& input, const Errata& err
   if (input.opinions) add_opinions_card(cards, *input.opinions);
 }
 
+void add_authors(const Element& section, const ClaimsFile& file) {
+  const std::string authors = listed(file.paper.authors);
+  if (authors.empty() && file.paper.reference.empty()) return;
+  const Element p = section.add("p", "authors");
+  p.text(authors + (authors.empty() || file.paper.reference.empty() ? "" : ", "));
+  add_reference(p, file.paper.reference);
+}
+
+/// One sentence of what was found, and the picture of the worst finding.
+void add_headline(const Element& section, const PageInput& input, const Errata& errata) {
+  const ClaimsFile& file = *input.claims;
+  if (!file.paper.found.empty()) add_prose(section.add("p", "headline"), file, file.paper.found);
+  const ClaimResult* worst = worst_refuted(file, *input.result);
+  if (worst == nullptr) return;
+  const Claim& claim = file.claims[worst->claim];
+  const Element figure = section.add("figure", "worst-finding");
+  add_worst_motions(figure, *worst);
+  const Element caption = figure.add("figcaption");
+  add_claim_id(caption, input, claim.id);
+  caption.text(", " + file.paper.where(claim.line) + ": ");
+  add_sentence(caption.add("q"), claim.statement);
+  caption.text(" ");
+  // What the finding concedes belongs to it.
+  const auto& findings = errata.findings;
+  const auto finding =
+      std::find_if(findings.begin(), findings.end(), [&](const Finding& f) { return f.id == claim.id; });
+  add_prose(caption, file, sentence(finding == findings.end() ? explain(file, *worst) : finding->wrong));
+}
+
 void add_how(const Element& section, const PageInput& input) {
   const Summary worst = summary(*input.claims, *input.result);
   const Element how = section.add("p", "how");
@@ -201,6 +227,9 @@ void add_how(const Element& section, const PageInput& input) {
   how.add("code").text(input.command);
   how.text(". ").add("a").set("href", "#reproduce").text("The inputs and their SHA-256");
   how.text(".");
+  const Element print = section.add("label", "print-all switch");
+  print.add("input").set("type", "checkbox").set("id", "print-all");
+  print.text(" Print everything: each claim, proof and table, which takes hundreds of pages");
 }
 
 }  // namespace
@@ -208,14 +237,13 @@ void add_how(const Element& section, const PageInput& input) {
 void add_overview(const Element& main, const PageInput& input) {
   const Element section = main.add("section", "overview").set("id", "overview").set("aria-labelledby", "title");
   const ClaimsFile& file = *input.claims;
-  section.add("p", "kicker").text("Every claim of one paper, compared with exact mechanics");
+  section.add("p", "kicker")
+      .text("Every claim of one " + std::string(kind_of_source(file)) + ", compared with exact mechanics");
   section.add("h1").set("id", "title").text(file.paper.title);
-  std::string authors = listed(file.paper.authors);
-  if (!file.paper.reference.empty()) authors += (authors.empty() ? "" : ", ") + file.paper.reference;
-  if (!authors.empty()) section.add("p", "authors").text(authors);
-
-  add_problem(section, input);
+  add_authors(section, file);
   const Errata errata = slipproof::errata(file, *input.result);
+  add_headline(section, input, errata);
+  add_problem(section, input);
   add_findings(section, input, errata);
   const VerdictTotals counts = count_verdicts(*input.result);
   add_cards(section, input, errata, counts);

@@ -1,0 +1,25 @@
+// What a reader sees first of a paper: the worst finding with its picture, and where the paper can be read.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "claims/verify/verify.hpp"
+#include "report/markup/element.hpp"
+
+namespace slipproof {
+
+/// The claim that shows the worst finding: of the claims that are refuted as printed, with motions that can be drawn,
+/// the one with the worst grade, then with the most motions, then the first. Null if there is none.
+const ClaimResult* worst_refuted(const ClaimsFile& file, const VerifyResult& result);
+
+/// Draws the motions of its counterexample side by side. Needs picture_style() in the page.
+void add_worst_motions(const Element& parent, const ClaimResult& worst);
+
+/// Adds a reference; `arXiv:2105.00851` and `doi:10.1000/182` in it are links, the first with its DOI.
+void add_reference(const Element& parent, std::string_view reference);
+
+/// `paper` where the file names where it was published, otherwise `source`: what textbooks share.
+std::string_view kind_of_source(const ClaimsFile& file);
+
+}  // namespace slipproof
