@@ -12,12 +12,15 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/crew/crew.hpp"
 #include "base/input/diagnostic.hpp"
+#include "base/input/near_match.hpp"
 #include "base/number/effort.hpp"
 #include "base/os/registers.hpp"
+#include "base/output/listed.hpp"
 #include "base/output/output_error.hpp"
 #include "base/parallel/failure.hpp"
 #include "faces/cli/command.hpp"
@@ -49,6 +52,21 @@ void refuse_alone(CLI::App& app, const std::vector<std::string>& shared) {
                                  "found more than one rank, expected one: this command runs on one rank only");
     });
   }
+}
+
+/// Proposes the command that somebody may have meant. CLI11 only says that the word was not expected.
+void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  const std::string word = argv[1];
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (command->get_name() == word) return;
+    if (!command->get_group().empty()) names.push_back(command->get_name());
+  }
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  const auto meant = near_match(word, known);
+  throw CLI::ValidationError("unknown command '" + word + "'", meant ? "did you mean '" + std::string(*meant) + "'?"
+                                                                     : "expected one of " + listed(names, ", "));
 }
 
 std::string exit_codes_text() {
@@ -83,6 +101,7 @@ int run_command(int argc, char** argv, Transport& transport) {
   add_documentation(app, exit_code);
   if (transport.ranks() > 1) refuse_alone(app, {"certify", "prove", "search", "trade", "verify"});
   try {
+    refuse_unknown_command(app, argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     std::ostringstream out;

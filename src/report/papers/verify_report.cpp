@@ -83,8 +83,23 @@ void write_counterexample(Document& document, const ClaimsFile& file, const Clai
   document.line(place_text(file, result, *result.simplest));
 }
 
-void write_certificates(Document& document, const ClaimResult& claim) {
-  for (const std::string& certificate : claim.certificates) document.line("by " + certificate);
+constexpr std::size_t few_names = 12;
+
+/// Of many names how many they are, with the first and the last.
+std::string number_and_ends(const std::string& word, const std::vector<std::string>& found) {
+  return fmt::format("{} {}, {} to {}; --names lists them", word, counted(found.size(), "certificate"), found.front(),
+                     found.back());
+}
+
+void write_certificates(Document& document, const ClaimResult& claim, Names names) {
+  const auto are_many = [&](const std::vector<std::string>& found) {
+    return names == Names::few && found.size() > few_names;
+  };
+  if (are_many(claim.certificates)) {
+    document.line(number_and_ends("by", claim.certificates));
+  } else {
+    for (const std::string& certificate : claim.certificates) document.line("by " + certificate);
+  }
   for (const std::string& objection : claim.rejections) document.line("REJECTED " + objection);
   if (claim.verdict == Verdict::holds && !claim.proved && !claim.unless_zero.empty()) {
     document.line("an identity, wherever these are not 0: " + listed(claim.unless_zero));
@@ -99,7 +114,8 @@ void write_certificates(Document& document, const ClaimResult& claim) {
                     (statement.message.empty() ? "" : ": ") + statement.message);
     }
   }
-  if (!missing.empty()) document.line("missing " + listed(missing));
+  if (missing.empty()) return;
+  document.line(are_many(missing) ? number_and_ends("missing", missing) : "missing " + listed(missing));
 }
 
 }  // namespace
@@ -123,14 +139,14 @@ std::string_view summary_word(Summary summary) {
   return words[static_cast<std::size_t>(summary)];
 }
 
-Document verify_document(const ClaimsFile& file, const VerifyResult& result) {
+Document verify_document(const ClaimsFile& file, const VerifyResult& result, Names names) {
   Document document;
   document.title(file.paper.title);
   document.line(fmt::format("{} for each setting and {} of them for each claim, seed {}",
                             counted(result.samples, noun(file)), counted(result.lines, "line"), result.seed));
   document.line(fmt::format(
-      "says: at how many {}s the claim says something; tried: of how many (equations and identities are tried at one "
-      "in {})",
+      "tried: how many {0}s; says: at how many of them the claim says something; refuted: at how many it is false. An "
+      "equation is tried at every {1}th {0} only: if it is not an identity, nearly every one shows that.",
       noun(file), thinned_to));
   ReportTable& table = document.table({{{"claim", false, 10},
                                         {"reading", false, 8},
@@ -156,7 +172,7 @@ Document verify_document(const ClaimsFile& file, const VerifyResult& result) {
                                   std::to_string(stated.line)};
     if (!expected) cells.emplace_back("unexpected");
     Document& below = table.row(std::move(cells));
-    write_certificates(below, claim);
+    write_certificates(below, claim, names);
     if (!claim.counterexample && claim.verdict != Verdict::holds) below.line(explain(file, claim));
     if (claim.counterexample) write_counterexample(below, file, claim);
   }

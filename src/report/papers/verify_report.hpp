@@ -13,9 +13,12 @@ namespace slipproof {
 /// One JSON document, schema slipproof/verify/1, ending in a newline.
 std::string verify_json(const ClaimsFile& file, const VerifyResult& result);
 
+/// Whether a claim with many certificates, as one of kind `unique` has, names all of them.
+enum class Names : std::uint8_t { few, all };
+
 /// For people. The status begins with `s VERIFIED`, `s REFUTED`, `s UNDECIDED` or `s REJECTED`, with counts; the claims
 /// that hold include the proved ones.
-Document verify_document(const ClaimsFile& file, const VerifyResult& result);
+Document verify_document(const ClaimsFile& file, const VerifyResult& result, Names names = Names::few);
 
 /// As expected if all verdicts are. Otherwise the first that applies: a certificate is rejected; an unexpected verdict
 /// is refuted; an unexpected verdict is undecided, or no claim was judged.

@@ -113,7 +113,9 @@ class UniquenessText {
     Document& below = document.item(text, {0, 4});
     write(below, range.motions);
     if (range.unseen.empty()) return;
-    below.line("not looked at: " + counted(range.unseen.size(), "irrational value") + " where something may change");
+    const bool one = range.unseen.size() == 1;
+    below.line("except perhaps at " + counted(range.unseen.size(), "single irrational value") +
+               (one ? ", which was not tried" : ", which were not tried"));
   }
 
   /// Writes the exact values of ends that were rounded.

@@ -61,6 +61,17 @@ TEST_CASE("numeric options take numbers in their range, and nothing that merely 
   CHECK(run({"solve", city_bicycle, "--digits", "010"}).exit_code == 2);  // eight or ten?
 }
 
+TEST_CASE("for an unknown command the nearest one is proposed") {
+  const auto near = run({"slove", city_bicycle});
+  CHECK(near.exit_code == 2);
+  CHECK(near.out.empty());
+  CHECK(near.err.find("unknown command 'slove': did you mean 'solve'?") != std::string::npos);
+  CHECK(run({"frobnicate"}).err.find("unknown command 'frobnicate': expected one of solve, show, ") !=
+        std::string::npos);
+  CHECK(run({}).exit_code == 2);
+  CHECK(run({"--version"}).exit_code == 0);
+}
+
 TEST_CASE("ranges of a map take exact numbers, and nothing that merely begins like one") {
   for (const std::string value : {"nan", "1e99999", "", " 5", "5x", "inf", "1/0"}) {
     CAPTURE(value);

@@ -148,8 +148,9 @@ TEST_CASE("draw draws a mechanism, and the forces of the motion that is asked fo
   const auto second = run({"draw", scenes + "gripper.toml", "--motion", "2"});
   CHECK(second.exit_code == 3);
   CHECK(second.err.find("found --motion 2, expected at most 1: so many motions it has there") != std::string::npos);
-  const auto every = run({"draw", scenes + "bicycle-on-slope.toml", "--motion", "1"});
-  CHECK(every.err.find("the scene has no value of the load F, expected one for --motion") != std::string::npos);
+  CHECK(run({"draw", scenes + "painleve-rod.toml", "--motion", "1"}).err.find("there is no motion at this load") !=
+        std::string::npos);
+  CHECK(run({"draw", scenes + "painleve-rod.toml", "--motion", "all"}).out.find(">no motion<") != std::string::npos);
   CHECK(run({"draw", city_bicycle, "--motion", "1"}).out.find("rear: stick") != std::string::npos);
   CHECK(run({"draw", scenes + "gripper.toml", "--motion", "0"}).exit_code == 2);
   const TemporaryFolder folder;
@@ -161,6 +162,48 @@ TEST_CASE("draw draws a mechanism, and the forces of the motion that is asked fo
   CHECK(bare.exit_code == 3);
   CHECK(bare.err.find("the mechanism bare has no picture, expected a [[shape]]") != std::string::npos);
   CHECK(run({"draw", scene.string(), "-o", (folder.path() / "bare.toml").string()}).exit_code == 3);
+}
+
+TEST_CASE("of a scene without a load draw takes the modes that solve lists, or a load") {
+  const std::string scene = SLIPPROOF_SOURCE_DIR "/cases/mechanisms/asked/scenes/block-pushed.toml";
+  const auto listed = run({"solve", scene}).out;
+  CHECK(listed.find("    lift/slip+   [0.293333, 0.411946]         [22/75, 400/971]\n") !=
+        std::string::npos);  // the 10th
+  const auto tenth = run({"draw", scene, "--motion", "10"});
+  CHECK(tenth.exit_code == 0);
+  CHECK(tenth.out.find(">lift/slip+<") != std::string::npos);
+  CHECK(tenth.out.find("F = 1/3 ") != std::string::npos);  // the simplest number between 22/75 and 400/971
+  CHECK(run({"draw", scene, "--motion", "12"}).err.find("found --motion 12, expected at most 11: so many modes") !=
+        std::string::npos);
+  CHECK(run({"draw", scene, "--motion", "all"}).err.find("expected --load for --motion all") != std::string::npos);
+  CHECK(run({"draw", scene, "--motion", "1", "--load", "0.4"}).out.find(">lift/slip+<") != std::string::npos);
+  CHECK(run({"draw", scene, "--load", "1/0"}).exit_code == 2);
+  CHECK(run({"draw", scene, "--motion", "every"}).exit_code == 2);
+  const std::string truck = SLIPPROOF_SOURCE_DIR "/cases/mechanisms/scenes/three-axles.toml";
+  CHECK(run({"draw", truck, "--motion", "2"}).out.find(">slip+/stick/stick<") != std::string::npos);
+  CHECK(run({"draw", truck, "--motion", "3"}).err.find("expected at most 2: so many motions") != std::string::npos);
+}
+
+TEST_CASE("the picture of the README is what draw makes of its scene, with the three motions of solve") {
+  const std::string folder = SLIPPROOF_SOURCE_DIR "/cases/three-motions/three-motions";
+  const auto picture = run({"draw", folder + ".toml", "--motion", "all"});
+  CHECK(picture.exit_code == 0);
+  CHECK(picture.out == read_file(folder + ".svg"));
+  for (const char* mode : {">1: stick/stick<", ">2: stick/slip+<", ">3: stick/lift<", "F = 7/4 N, 3 motions"}) {
+    CAPTURE(mode);
+    CHECK(picture.out.find(mode) != std::string::npos);
+  }
+}
+
+TEST_CASE("a report of a folder with one paper is a page, and of several a folder") {
+  const TemporaryFolder folder;
+  const std::string paper = SLIPPROOF_SOURCE_DIR "/proofs/rear-drive", page = (folder.path() / "x.html").string();
+  CHECK(run({"report", paper, "--samples", "20", "--out", page}).out.starts_with("s REPORTED " + page + " "));
+  CHECK(read_file(page).starts_with("<!DOCTYPE html>"));
+  const auto several = run({"report", SLIPPROOF_SOURCE_DIR "/proofs", "--out", page + ".html"});
+  CHECK(several.exit_code == 2);
+  CHECK(several.err.find("expected a folder to write: 15 papers have a page each") != std::string::npos);
+  CHECK_FALSE(std::filesystem::exists(page + ".html"));
 }
 
 TEST_CASE("draw writes the labelled figure of a scene, the shipped one of the city bicycle") {

@@ -105,6 +105,32 @@ TEST_CASE("proved claims name their certificates, and a tampered one exits with 
   CHECK(run({"verify", "--samples", "100", "--only", "A1.2", claims}).exit_code == 0);  // no claim that it is about
 }
 
+TEST_CASE("--only of a folder judges the papers that have such a claim") {
+  const std::string folder = std::filesystem::path(shipped).parent_path().parent_path().string();
+  const auto some = run({"verify", folder, "--only", "E4.7", "--samples", "40", "--lines", "0"});
+  CHECK(some.exit_code == 0);
+  CHECK(some.out.find("rozenblat-yashin") != std::string::npos);
+  CHECK(some.out.find("ladder") == std::string::npos);
+  CHECK(last_line(some.out).starts_with("s VERIFIED "));
+  const auto none = run({"verify", folder, "--only", "Zz"});
+  CHECK(none.exit_code == 3);
+  CHECK(none.err.find("found no claim whose id begins with 'Zz' in its papers") != std::string::npos);
+  const auto one = run({"verify", folder + "/rozenblat-yashin", "--only", "E4.7", "--samples", "40", "--lines", "0"});
+  CHECK(one.out.find("by E4.7.1.refuted.cert\n") != std::string::npos);
+}
+
+TEST_CASE("many certificates of a claim are counted, and named when asked for; words are explained") {
+  const auto brief = run({"verify", "--only", "A5.2", "--samples", "40", "--lines", "0"}).out;
+  const auto whole = run({"verify", "--only", "A5.2", "--samples", "40", "--lines", "0", "--names"}).out;
+  const auto lines = [](const std::string& text) { return std::count(text.begin(), text.end(), '\n'); };
+  CHECK(lines(brief) < 20);
+  CHECK(lines(whole) > lines(brief) + 45);  // the repaired claim has 51
+  CHECK(brief.find(" certificates, A5.2.") != std::string::npos);
+  CHECK(brief.find("; --names lists them\n") != std::string::npos);
+  CHECK(whole.find("--names") == std::string::npos);
+  CHECK(brief.find("An equation is tried at every 17th") != std::string::npos);
+}
+
 TEST_CASE("certificates that a claims file asks for and that are not there are missing, in every form of output") {
   const TemporaryFolder folder;
   const std::filesystem::path proofs = std::filesystem::path(shipped).parent_path();

@@ -57,8 +57,8 @@ std::string summary_text(const CertifySummary& s) {
     if (verdict == RecordVerdict::undecided && s.count(verdict) == 0) continue;
     text += fmt::format("{} {} {}", i == 0 ? ":" : ",", s.verdicts[i], name(verdict));
   }
-  text += fmt::format("\ndecided by binary64 {}, exact arithmetic {}; {} could not be read\n", s.tiers[0], s.tiers[1],
-                      s.broken);
+  text += fmt::format("\n{} decided in exact arithmetic, {} by floating point with proved error bounds{}\n", s.tiers[1],
+                      s.tiers[0], s.broken == 0 ? "" : fmt::format("; {} could not be read", s.broken));
   if (s.with_rho == 0 || s.with_rho < s.count(RecordVerdict::certified)) {
     text += fmt::format("largest relative error of a certified record {:.3g}, of any right motion {:.3g}\n",
                         s.worst_certified_error, s.worst_error);

@@ -37,9 +37,12 @@ int report_engines(const std::filesystem::path& folder, const ReportArguments& o
 
 /// Reports on all papers in a folder: a page for each, and one for all.
 int report_papers(const std::vector<std::filesystem::path>& papers, const ReportArguments& options) {
-  if (options.out == "-" || !options.verify.only.empty()) {
-    throw CLI::ValidationError(options.out == "-" ? "--out" : "--only",
-                               "a folder of papers has a page for each, expected one claims.toml");
+  if (options.out == "-" || options.out.ends_with(".html")) {
+    throw CLI::ValidationError("--out", "found " + options.out + ", expected a folder to write: " +
+                                            std::to_string(papers.size()) + " papers have a page each");
+  }
+  if (!options.verify.only.empty()) {
+    throw CLI::ValidationError("--only", "a folder of papers has a page for each, expected one claims.toml");
   }
   const auto judged = judge_papers(papers, options, options.out);
   if (options.common.json) {
@@ -69,13 +72,18 @@ void add_report(CLI::App& app, int& exit_code) {
                      "Output of slipproof trade --json, for the section on speed and accuracy");
   add_common_options(command, options->common);
   command.callback([options, samples, &exit_code] {
-    const std::filesystem::path path = claims_path(options->claims);
+    std::filesystem::path path = claims_path(options->claims);
     if (is_engines_folder(path)) {
       if (options->out.empty()) options->out = "report";
       exit_code = report_engines(path, *options);
       return;
     }
-    const auto papers = papers_in(path);
+    auto papers = papers_in(path);
+    const bool one_page = options->out == "-" || options->out.ends_with(".html") || !options->verify.only.empty();
+    if (papers.size() == 1 && one_page) {
+      path = papers.front();
+      papers.clear();
+    }
     if (options->out.empty()) options->out = papers.empty() ? "report.html" : "report";
     if (!papers.empty()) {
       if (samples->empty()) options->verify.samples = samples_of_many;

@@ -1,9 +1,12 @@
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "base/input/diagnostic.hpp"
 #include "base/output/output_file.hpp"
 #include "claims/reading/read_claims_file.hpp"
 #include "faces/cli/command.hpp"
@@ -24,6 +27,7 @@ struct VerifyArguments : JudgeArguments {
   std::string lemmas, report;
   bool mutants = false;
   bool errata = false, sarif = false, coverage = false;
+  bool names = false;
 
   bool lists_findings() const { return errata || sarif; }
 };
@@ -72,8 +76,19 @@ int judge_mutants(const std::filesystem::path& claims, const ClaimsFile& file, V
 std::string flag_about_one_paper(const VerifyArguments& options) {
   if (options.mutants) return "--mutants";
   if (options.coverage) return "--coverage";
-  if (options.lists_findings()) return "--errata";
-  return options.verify.only.empty() ? "" : "--only";
+  return options.lists_findings() ? "--errata" : "";
+}
+
+/// The papers with a claim that --only asks for.
+std::vector<std::filesystem::path> with_claims(std::vector<std::filesystem::path> papers, const std::string& only,
+                                               const std::filesystem::path& folder) {
+  if (only.empty()) return papers;
+  std::erase_if(papers, [&](const std::filesystem::path& path) {
+    const ClaimsFile file = read_claims(path);
+    return std::none_of(file.claims.begin(), file.claims.end(), [&](const Claim& c) { return c.id.starts_with(only); });
+  });
+  if (!papers.empty()) return papers;
+  throw InputError({{folder.string(), 0, 0, "found no claim whose id begins with '" + only + "' in its papers"}});
 }
 
 /// Verifies all papers in a folder.
@@ -162,16 +177,60 @@ void add_verify(CLI::App& app, int& exit_code, Transport& transport) {
       "--report", options->report,
       "Also write the HTML report of the verdicts to this file; for a folder of papers: to this folder");
   command.add_option("--trade", options->trade, "Output of slipproof trade --json, for the report")->needs(report);
+  command.add_flag("--names", options->names, "Name all certificates of each claim, also where there are many");
   add_crew_options(command, options->crew);
   add_report_options(command, options->common);
   sarif->excludes("--markdown");
   command.callback([options, samples, &exit_code] {
-    exit_code = stoppable([&] { return run_verify(*options, *samples); },
-                          [&] {
-                            // A crew can only judge papers.
-                            return options->mutants ? Continuation{"nothing is kept of --mutants"}
-                                                    : by_checkpoint(options->crew);
-                          });
+    refuse_report_without_verdicts(*options);
+    std::filesystem::path path = claims_path(options->claims);
+    refuse_crew_without_verdicts(*options);
+    const auto papers = papers_in(path);
+    const bool as_one = !options->verify.only.empty() || !flag_about_one_paper(*options).empty();
+    if (papers.size() > 1 || (papers.size() == 1 && !as_one)) {
+      if (samples->empty()) options->verify.samples = samples_of_many;
+      exit_code = verify_papers(with_claims(papers, options->verify.only, path), *options);
+      return;
+    }
+    if (papers.size() == 1) path = papers.front();
+    const ClaimsFile file = read_claims(path);
+    print_warnings(file, options->common);
+    if (options->coverage) {
+      print(markdown_of(coverage_document(file)));
+      exit_code = uncovered_equations(file).empty() ? as_it_should_be : refuted_or_not_certified;
+      return;
+    }
+    if (options->mutants) {
+      if (!samples->empty()) options->mutation.more_samples = options->verify.samples;
+      if (options->verify.lines) options->mutation.lines = *options->verify.lines;
+      exit_code = judge_mutants(path, file, *options);
+      return;
+    }
+    options->verify.certificates = options->certificates_of(path);
+    VerifyRun run({{path, &file, options->verify}}, *options);
+    if (run.served()) return;
+    std::optional<OutputFile> report;
+    PageInput input;
+    if (!options->report.empty()) {
+      report.emplace(options->report, files_of(page_folders(path, options->trade), file));
+      input = report_input(path, file, *options, *options->verify.certificates);
+    }
+    const VerifyResult result = run.result(0);
+    input.result = &result;
+    if (report) report->write(page_html(input));
+    if (options->sarif) {
+      print(errata_sarif(file, errata(file, result)));
+    } else if (options->errata) {
+      const Errata findings = errata(file, result);
+      print_report(
+          options->common, [&] { return errata_json(file, findings); },
+          [&] { return errata_document(file, findings); });
+    } else {
+      print_report(
+          options->common, [&] { return verify_json(file, result); },
+          [&] { return verify_document(file, result, options->names ? Names::all : Names::few); });
+    }
+    exit_code = exit_of(summary(file, result));
   });
 }
 
