@@ -105,12 +105,15 @@ int verify_papers(const std::vector<std::filesystem::path>& papers, const Verify
 
 int run_verify(VerifyArguments& options, const CLI::Option& samples) {
   refuse_report_without_verdicts(options);
-  const std::filesystem::path path = claims_path(options.claims);
+  std::filesystem::path path = claims_path(options.claims);
   refuse_crew_without_verdicts(options);
-  if (const auto papers = papers_in(path); !papers.empty()) {
+  const auto papers = papers_in(path);
+  const bool as_one = !options.verify.only.empty() || !flag_about_one_paper(options).empty();
+  if (papers.size() > 1 || (papers.size() == 1 && !as_one)) {
     if (samples.empty()) options.verify.samples = samples_of_many;
-    return verify_papers(papers, options);
+    return verify_papers(with_claims(papers, options.verify.only, path), options);
   }
+  if (papers.size() == 1) path = papers.front();
   const ClaimsFile file = read_claims(path);
   print_warnings(file, options.common);
   if (options.coverage) {
@@ -142,7 +145,8 @@ int run_verify(VerifyArguments& options, const CLI::Option& samples) {
         options.common, [&] { return errata_json(file, findings); }, [&] { return errata_document(file, findings); });
   } else {
     print_report(
-        options.common, [&] { return verify_json(file, result); }, [&] { return verify_document(file, result); });
+        options.common, [&] { return verify_json(file, result); },
+        [&] { return verify_document(file, result, options.names ? Names::all : Names::few); });
   }
   return exit_of(summary(file, result));
 }
@@ -182,55 +186,12 @@ void add_verify(CLI::App& app, int& exit_code, Transport& transport) {
   add_report_options(command, options->common);
   sarif->excludes("--markdown");
   command.callback([options, samples, &exit_code] {
-    refuse_report_without_verdicts(*options);
-    std::filesystem::path path = claims_path(options->claims);
-    refuse_crew_without_verdicts(*options);
-    const auto papers = papers_in(path);
-    const bool as_one = !options->verify.only.empty() || !flag_about_one_paper(*options).empty();
-    if (papers.size() > 1 || (papers.size() == 1 && !as_one)) {
-      if (samples->empty()) options->verify.samples = samples_of_many;
-      exit_code = verify_papers(with_claims(papers, options->verify.only, path), *options);
-      return;
-    }
-    if (papers.size() == 1) path = papers.front();
-    const ClaimsFile file = read_claims(path);
-    print_warnings(file, options->common);
-    if (options->coverage) {
-      print(markdown_of(coverage_document(file)));
-      exit_code = uncovered_equations(file).empty() ? as_it_should_be : refuted_or_not_certified;
-      return;
-    }
-    if (options->mutants) {
-      if (!samples->empty()) options->mutation.more_samples = options->verify.samples;
-      if (options->verify.lines) options->mutation.lines = *options->verify.lines;
-      exit_code = judge_mutants(path, file, *options);
-      return;
-    }
-    options->verify.certificates = options->certificates_of(path);
-    VerifyRun run({{path, &file, options->verify}}, *options);
-    if (run.served()) return;
-    std::optional<OutputFile> report;
-    PageInput input;
-    if (!options->report.empty()) {
-      report.emplace(options->report, files_of(page_folders(path, options->trade), file));
-      input = report_input(path, file, *options, *options->verify.certificates);
-    }
-    const VerifyResult result = run.result(0);
-    input.result = &result;
-    if (report) report->write(page_html(input));
-    if (options->sarif) {
-      print(errata_sarif(file, errata(file, result)));
-    } else if (options->errata) {
-      const Errata findings = errata(file, result);
-      print_report(
-          options->common, [&] { return errata_json(file, findings); },
-          [&] { return errata_document(file, findings); });
-    } else {
-      print_report(
-          options->common, [&] { return verify_json(file, result); },
-          [&] { return verify_document(file, result, options->names ? Names::all : Names::few); });
-    }
-    exit_code = exit_of(summary(file, result));
+    exit_code = stoppable([&] { return run_verify(*options, *samples); },
+                          [&] {
+                            // A crew can only judge papers.
+                            return options->mutants ? Continuation{"nothing is kept of --mutants"}
+                                                    : by_checkpoint(options->crew);
+                          });
   });
 }
 
