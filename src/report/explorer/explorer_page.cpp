@@ -10,7 +10,7 @@ namespace slipproof {
 
 namespace {
 
-constexpr std::string_view place = "<script type=\"application/json\" id=\"given\">null</script>";
+constexpr std::string_view given_element = "<script type=\"application/json\" id=\"given\">null</script>";
 
 /// JSON that cannot end the element that it stands in.
 std::string inside_script(const Json& json) {
@@ -28,12 +28,12 @@ std::string inside_script(const Json& json) {
 }  // namespace
 
 std::string explorer_page(const std::string& built, const std::string& file, const MechanismScene& scene) {
-  const std::size_t at = built.find(place);
+  const std::size_t at = built.find(given_element);
   if (at == std::string::npos) throw InputError({{file, 0, 0, "found another file, expected the explorer's page"}});
   const PortableScene given = portable(scene);
   const Json json{{"scene", given.scene}, {"mechanism", given.mechanism}, {"along", given.along}, {"file", given.file}};
   std::string page = built;
-  page.replace(at + place.find("null"), 4, inside_script(json));
+  page.replace(at + given_element.find("null"), 4, inside_script(json));
   return page;
 }
 

@@ -14,38 +14,38 @@
 #include "report/scenes/mechanism_report.hpp"
 
 using namespace slipproof;
-using Document = nlohmann::json;
+using Reply = nlohmann::json;
 
 namespace {
 
-const std::string cases = SLIPPROOF_SOURCE_DIR "/cases/";
+const std::string shipped_cases = SLIPPROOF_SOURCE_DIR "/cases/";
 
-Document answer(const Explorer& explorer, const Document& request) {
-  return Document::parse(explorer.answer(request.dump()));
+Reply answer(const Explorer& explorer, const Reply& request) {
+  return Reply::parse(explorer.answer(request.dump()));
 }
 
-Document solved(const std::string& scene) {
-  return Document::parse(solve_json(SolvedMechanism(parse_scene(scene, "scene.toml"))));
+Reply solved(const std::string& scene) {
+  return Reply::parse(solve_json(SolvedMechanism(parse_scene(scene, "scene.toml"))));
 }
 
 }  // namespace
 
 TEST_CASE("the explorer answers for every shipped scene as solve does, at its own values and at others") {
   for (const char* folder : {"", "mechanisms/scenes"}) {
-    for (const auto& entry : std::filesystem::directory_iterator(cases + folder)) {
+    for (const auto& entry : std::filesystem::directory_iterator(shipped_cases + folder)) {
       if (entry.path().extension() != ".toml") continue;
       CAPTURE(entry.path().string());
       const MechanismScene scene = read_scene(entry.path());
       const Explorer explorer(portable(scene));
-      const Document own = answer(explorer, Document::object());
+      const Reply own = answer(explorer, Reply::object());
       REQUIRE(own.contains("solve"));
       CHECK(own["solve"] == solved(own["scene"]));
-      Document expected = Document::parse(solve_json(SolvedMechanism(scene)));
-      Document found = own["solve"];
+      Reply expected = Reply::parse(solve_json(SolvedMechanism(scene)));
+      Reply found = own["solve"];
       expected.erase("notes"), found.erase("notes");  // they say how the file was understood
       CHECK(found == expected);
       if (!scene.mechanism.load) continue;
-      const Document other = answer(explorer, {{"set", {{scene.mechanism.load->symbol, "1/7"}}}});
+      const Reply other = answer(explorer, {{"set", {{scene.mechanism.load->symbol, "1/7"}}}});
       if (other.contains("mistakes")) continue;  // outside the load's domain
       CHECK(other["solve"]["load"]["value"] == "1/7");
       CHECK(other["solve"] == solved(other["scene"]));
@@ -55,7 +55,7 @@ TEST_CASE("the explorer answers for every shipped scene as solve does, at its ow
 }
 
 TEST_CASE("a mechanism that is not shipped goes with its scene") {
-  MechanismScene scene = read_scene(cases + "mechanisms/scenes/ladder.toml");
+  MechanismScene scene = read_scene(shipped_cases + "mechanisms/scenes/ladder.toml");
   scene.mechanism.shipped = false;
   const PortableScene given = portable(scene);
   CHECK(given.mechanism == "mechanism.toml");
@@ -64,22 +64,22 @@ TEST_CASE("a mechanism that is not shipped goes with its scene") {
 }
 
 TEST_CASE("the explorer draws the diagram of any parameter, and gives ranges with rational ends") {
-  const Explorer explorer(portable(read_scene(cases + "ambiguous.toml")));
-  const Document map = answer(explorer, {{"map", "h"}, {"columns", 5}});
+  const Explorer explorer(portable(read_scene(shipped_cases + "ambiguous.toml")));
+  const Reply map = answer(explorer, {{"map", "h"}, {"columns", 5}});
   CHECK(map["x"]["symbol"] == "h");
   CHECK(map["y"]["symbol"] == "F");
   CHECK(std::string(map["map"]).find("data-plot") != std::string::npos);
-  const Document values = answer(explorer, {{"ranges", true}})["values"];
+  const Reply values = answer(explorer, {{"ranges", true}})["values"];
   CHECK(values[0]["kind"] == "load");
-  for (const Document& value : values) {
+  for (const Reply& value : values) {
     if (value["symbol"] == "f") CHECK(value["range"]["to"] == "2");
   }
 }
 
 TEST_CASE("what the explorer cannot answer, it says") {
-  const Explorer explorer(portable(read_scene(cases + "ambiguous.toml")));
+  const Explorer explorer(portable(read_scene(shipped_cases + "ambiguous.toml")));
   const auto mistake = [&](const std::string& request) {
-    const Document document = Document::parse(explorer.answer(request));
+    const Reply document = Reply::parse(explorer.answer(request));
     REQUIRE(document.contains("mistakes"));
     return std::string(document["mistakes"][0]);
   };
@@ -96,13 +96,13 @@ TEST_CASE("what the explorer cannot answer, it says") {
 }
 
 TEST_CASE("the page holds the scene, and no name can end its element") {
-  MechanismScene scene = read_scene(cases + "ambiguous.toml");
+  MechanismScene scene = read_scene(shipped_cases + "ambiguous.toml");
   scene.name = "</script><b>";
   const std::string built = "<p></p><script type=\"application/json\" id=\"given\">null</script><p></p>";
   const std::string page = explorer_page(built, "explorer.html", scene);
   CHECK(page.find("<b>") == std::string::npos);
   const std::size_t from = page.find('{'), to = page.find("</script>");
-  const Document given = Document::parse(page.substr(from, to - from));
+  const Reply given = Reply::parse(page.substr(from, to - from));
   CHECK(parse_scene(std::string(given["scene"]), "scene.toml").name == scene.name);
   CHECK_THROWS_AS(explorer_page("<p>", "x.html", scene), InputError);
 }
