@@ -14,18 +14,18 @@
 #include "report/scenes/mechanism_report.hpp"
 
 using namespace slipproof;
-using Reply = nlohmann::json;
+using AnswerJson = nlohmann::json;
 
 namespace {
 
 const std::string shipped_cases = SLIPPROOF_SOURCE_DIR "/cases/";
 
-Reply answer(const Explorer& explorer, const Reply& request) {
-  return Reply::parse(explorer.answer(request.dump()));
+AnswerJson answer(const Explorer& explorer, const AnswerJson& request) {
+  return AnswerJson::parse(explorer.answer(request.dump()));
 }
 
-Reply solved(const std::string& scene) {
-  return Reply::parse(solve_json(SolvedMechanism(parse_scene(scene, "scene.toml"))));
+AnswerJson solved(const std::string& scene) {
+  return AnswerJson::parse(solve_json(SolvedMechanism(parse_scene(scene, "scene.toml"))));
 }
 
 }  // namespace
@@ -37,15 +37,15 @@ TEST_CASE("the explorer answers for every shipped scene as solve does, at its ow
       CAPTURE(entry.path().string());
       const MechanismScene scene = read_scene(entry.path());
       const Explorer explorer(portable(scene));
-      const Reply own = answer(explorer, Reply::object());
+      const AnswerJson own = answer(explorer, AnswerJson::object());
       REQUIRE(own.contains("solve"));
       CHECK(own["solve"] == solved(own["scene"]));
-      Reply expected = Reply::parse(solve_json(SolvedMechanism(scene)));
-      Reply found = own["solve"];
+      AnswerJson expected = AnswerJson::parse(solve_json(SolvedMechanism(scene)));
+      AnswerJson found = own["solve"];
       expected.erase("notes"), found.erase("notes");  // they say how the file was understood
       CHECK(found == expected);
       if (!scene.mechanism.load) continue;
-      const Reply other = answer(explorer, {{"set", {{scene.mechanism.load->symbol, "1/7"}}}});
+      const AnswerJson other = answer(explorer, {{"set", {{scene.mechanism.load->symbol, "1/7"}}}});
       if (other.contains("mistakes")) continue;  // outside the load's domain
       CHECK(other["solve"]["load"]["value"] == "1/7");
       CHECK(other["solve"] == solved(other["scene"]));
@@ -65,13 +65,13 @@ TEST_CASE("a mechanism that is not shipped goes with its scene") {
 
 TEST_CASE("the explorer draws the diagram of any parameter, and gives ranges with rational ends") {
   const Explorer explorer(portable(read_scene(shipped_cases + "ambiguous.toml")));
-  const Reply map = answer(explorer, {{"map", "h"}, {"columns", 5}});
+  const AnswerJson map = answer(explorer, {{"map", "h"}, {"columns", 5}});
   CHECK(map["x"]["symbol"] == "h");
   CHECK(map["y"]["symbol"] == "F");
   CHECK(std::string(map["map"]).find("data-plot") != std::string::npos);
-  const Reply values = answer(explorer, {{"ranges", true}})["values"];
+  const AnswerJson values = answer(explorer, {{"ranges", true}})["values"];
   CHECK(values[0]["kind"] == "load");
-  for (const Reply& value : values) {
+  for (const AnswerJson& value : values) {
     if (value["symbol"] == "f") CHECK(value["range"]["to"] == "2");
   }
 }
@@ -79,7 +79,7 @@ TEST_CASE("the explorer draws the diagram of any parameter, and gives ranges wit
 TEST_CASE("what the explorer cannot answer, it says") {
   const Explorer explorer(portable(read_scene(shipped_cases + "ambiguous.toml")));
   const auto mistake = [&](const std::string& request) {
-    const Reply document = Reply::parse(explorer.answer(request));
+    const AnswerJson document = AnswerJson::parse(explorer.answer(request));
     REQUIRE(document.contains("mistakes"));
     return std::string(document["mistakes"][0]);
   };
@@ -102,7 +102,7 @@ TEST_CASE("the page holds the scene, and no name can end its element") {
   const std::string page = explorer_page(built, "explorer.html", scene);
   CHECK(page.find("<b>") == std::string::npos);
   const std::size_t from = page.find('{'), to = page.find("</script>");
-  const Reply given = Reply::parse(page.substr(from, to - from));
+  const AnswerJson given = AnswerJson::parse(page.substr(from, to - from));
   CHECK(parse_scene(std::string(given["scene"]), "scene.toml").name == scene.name);
   CHECK_THROWS_AS(explorer_page("<p>", "x.html", scene), InputError);
 }
