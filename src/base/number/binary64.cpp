@@ -72,6 +72,13 @@ Rational to_rational(double x) {
   return times_power_of_two(significand, exponent - digits);
 }
 
+std::vector<Rational> to_rationals(std::span<const double> values) {
+  std::vector<Rational> result;
+  result.reserve(values.size());
+  for (const double x : values) result.push_back(to_rational(x));
+  return result;
+}
+
 double nearest_binary64(const Rational& x) {
   if (x.is_zero()) return 0.0;
   const Truncated truncated = truncate(x);

@@ -15,7 +15,7 @@ namespace {
 
 /// The power of 2 that brings a size near 1.
 double to_one(double size) {
-  return size > 0 && std::isfinite(size) ? std::ldexp(1.0, -std::ilogb(size)) : 1;
+  return std::ldexp(1.0, exponent_to_one(size));
 }
 
 /// An upper bound on the Euclidean norm, also where squares underflow.
@@ -38,8 +38,7 @@ std::vector<double> correction_at(const ModeSystem& system, const SystemBlock& b
 
 std::vector<Rational> corrected(const SystemBlock& block, std::span<const double> z,
                                 std::span<const double> correction) {
-  std::vector<Rational> exact;
-  for (const double x : z) exact.push_back(to_rational(x));
+  std::vector<Rational> exact = to_rationals(z);
   for (std::size_t j = 0; j < correction.size(); ++j) exact[block.unknowns[j]] += to_rational(correction[j]);
   return exact;
 }

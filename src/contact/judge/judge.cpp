@@ -60,12 +60,6 @@ bool have_modes(const MixedProblem& problem) {
   return problem.is_coulomb() || problem.law.kind == associated || problem.law.kind == box;
 }
 
-std::vector<Rational> rationals(std::span<const double> values) {
-  std::vector<Rational> result;
-  for (const double x : values) result.push_back(to_rational(x));
-  return result;
-}
-
 /// An answer that is to be judged, and what is known of it so far.
 class ContactCase {
  public:
@@ -137,15 +131,15 @@ class ContactCase {
   /// settles it.
   bool judge_among_all() {
     const std::size_t n = problem_.size(), free = problem_.free, most_free = 200;
-    if (problem_.dimension == 3 || free > most_free || n - free > 12 || (n == free && n > 0)) return false;
+    if (problem_.dimension == 3 || free > most_free || n - free > few_components || (n == free && n > 0)) return false;
     try {
       effort_.spend(times(times(free, free), times(free, 8)));
       const auto small = eliminated(problem_);
       if (!small) return false;
-      ProblemAnswer answer{rationals(std::span(j_.x).subspan(free)), std::nullopt, std::nullopt};
-      if (!u_.empty()) answer.w = rationals(u_);
+      ProblemAnswer answer{to_rationals(std::span(j_.x).subspan(free)), std::nullopt, std::nullopt};
+      if (!u_.empty()) answer.w = to_rationals(u_);
       SmallJudgement found = judge_small(small->problem, answer, options_.tolerance, effort_);
-      if (found.meant) take(*small, found);
+      if (found.all && found.meant) take(*small, found);
       all_ = std::move(found.all);
     } catch (const TooMuchWork&) {
     }
@@ -153,7 +147,6 @@ class ContactCase {
   }
 
   void take(const EliminatedProblem& small, const SmallJudgement& found) {
-    if (!found.all) return;
     j_.exact = small.with_free(found.meant->z);
     j_.rho = distance_from(j_.exact, j_.x);
     if (found.all->one()) j_.unique_by = prove_unique(problem_, effort_);
@@ -236,34 +229,21 @@ bool may_be_near(const ContactJudgement& j, const ContactJudgeOptions& options) 
   return j.exclusion && j.exclusion->radius <= 2 * contact_near * largest;
 }
 
-/// How far each contact's force is from that of the enclosed solution, in its largest component.
-std::vector<double> force_distances(const MixedProblem& problem, const ContactJudgement& j) {
-  const std::vector<double> r = center_of(*j.enclosure);
-  std::vector<double> distances;
-  for (std::size_t k = 0; k < problem.contacts(); ++k) {
-    distances.push_back(0);
-    for (std::size_t i = problem.normal(k); i < problem.normal(k) + problem.dimension; ++i) {
-      distances.back() = std::max(distances.back(), std::abs(r[i] - j.x[i]));
-    }
-  }
-  return distances;
-}
-
-/// Of a solution along a path: it has the answer's velocities, and such a change of forces would usually move contacts
-/// far more. `reason` and `contacts` say so then.
-bool has_right_velocities(const MixedProblem& problem, ContactJudgement& j, const ContactJudgeOptions& options) {
-  if (!j.enclosure || !j.enclosure->proof || j.eta > options.tolerance * j.residual->scale) return false;
-  const std::vector<double> scales = contact_scales(problem), distances = force_distances(problem, j);
+/// The contacts whose forces are open: an enclosed solution along a path has the answer's velocities, and such a change
+/// of forces would usually move contacts far more. Empty where that is not so.
+std::vector<std::size_t> open_contacts(const MixedProblem& problem, const ContactJudgement& j,
+                                       const ContactJudgeOptions& options) {
+  if (!j.enclosure || !j.enclosure->proof || j.eta > options.tolerance * j.residual->scale) return {};
+  const std::vector<double> scales = contact_scales(problem), distances = force_distances(problem, *j.enclosure, j.x);
   double usual = 0;
   for (std::size_t k = 0; k < scales.size(); ++k) usual = std::max(usual, scales[k] * distances[k]);
-  if (usual == 0 || j.eta > options.tolerance * usual) return false;
+  if (usual == 0 || j.eta > options.tolerance * usual) return {};
   const double farthest = *std::max_element(distances.begin(), distances.end());
-  j.reason = "forces that hardly move any contact are determined by rounding alone";
-  j.contacts.clear();
+  std::vector<std::size_t> open;
   for (std::size_t k = 0; k < distances.size(); ++k) {
-    if (distances[k] > options.tolerance * farthest) j.contacts.push_back(k);
+    if (distances[k] > options.tolerance * farthest) open.push_back(k);
   }
-  return true;
+  return open;
 }
 
 }  // namespace
@@ -311,8 +291,11 @@ ContactJudgement judge_contacts(const MixedProblem& problem, std::vector<double>
     judgement.verdict = found.certainly_several() ? ContactVerdict::ambiguous
                         : found.certainly_one()   ? ContactVerdict::unique
                                                   : ContactVerdict::solution_within_rho;
-  } else if (known && right && has_right_velocities(problem, judgement, options)) {
+  } else if (auto open = known && right ? open_contacts(problem, judgement, options) : std::vector<std::size_t>();
+             !open.empty()) {
     judgement.verdict = ContactVerdict::velocities_of_a_solution;
+    judgement.reason = "forces that hardly move any contact are determined by rounding alone";
+    judgement.contacts = std::move(open);
   } else if (near) {
     judgement.verdict = right ? ContactVerdict::inaccurate : ContactVerdict::not_converged;
   } else if (right && !known && only_forces_open &&

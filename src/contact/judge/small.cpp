@@ -91,11 +91,10 @@ class SmallJudge {
     return d;
   }
 
-  /// Trying a few modes is faster than deciding whether the matrix is definite.
   std::optional<ContactSolutions> solutions() {
-    constexpr Work few_modes = 4096;
+    const bool few = problem_.size() <= few_components;
     std::optional<ContactSolutions> all;
-    if (solver_.modes() <= few_modes) all = solver_.all(effort_);
+    if (few) all = solver_.all(effort_);
     if (all) return all;
     if (auto only = solver_.only(result_.looks_like, effort_)) {
       result_.unique_by = EveryLoad::Reason::definite;
@@ -103,7 +102,7 @@ class SmallJudge {
       all->solutions.push_back(std::move(*only));
       return all;
     }
-    return solver_.modes() > few_modes ? solver_.all(effort_) : std::nullopt;
+    return few ? std::nullopt : solver_.all(effort_);
   }
 
   /// The solution of a continuum that is nearest to the answer, measured by the largest error of a component.

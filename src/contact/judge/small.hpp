@@ -12,6 +12,10 @@
 
 namespace slipproof {
 
+/// Components up to which all modes, 2^12, are tried first: that is faster than deciding whether the matrix is
+/// definite.
+inline constexpr std::size_t few_components = 12;
+
 struct ProblemAnswer {
   std::vector<Rational> z;
   std::optional<std::vector<Rational>> w;  ///< if the solver gives it

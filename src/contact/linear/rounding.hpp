@@ -1,6 +1,7 @@
 // Bounds on what rounding to nearest can do to sums, in any order, with fused products or without.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -20,6 +21,11 @@ constexpr double gamma_of(std::size_t n) {
 /// underflow.
 constexpr double rounded_up(double x, std::size_t n) {
   return x * (1 + gamma_of(n));
+}
+
+/// The exponent of the power of 2 that brings a size near 1; 0 for 0 and what is not finite.
+inline int exponent_to_one(double size) {
+  return size > 0 && std::isfinite(size) ? -std::ilogb(size) : 0;
 }
 
 /// Above what underflow can add to a sum of n products, with room for as many again.

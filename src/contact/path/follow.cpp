@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/parallel/stop.hpp"
+#include "contact/linear/rounding.hpp"
 #include "contact/path/long_number.hpp"
 #include "contact/path/point.hpp"
 
@@ -61,7 +62,7 @@ class PathWalk {
       double largest = 0;
       for (Eigen::Index j = 0; j < n; ++j) largest = std::max(largest, std::abs(J(i, j).high));
       if (!(largest > 0) || !std::isfinite(largest)) return false;
-      const double s = std::ldexp(1.0, -std::ilogb(largest));
+      const double s = std::ldexp(1.0, exponent_to_one(largest));
       scale_[static_cast<std::size_t>(i)] = s;
       for (Eigen::Index j = 0; j < n; ++j) J(i, j) = {J(i, j).high * s, J(i, j).low * s};
     }

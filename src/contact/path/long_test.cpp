@@ -22,11 +22,6 @@ using Eigen::Index;
 constexpr double least_radius = 0x1p-300;
 constexpr int largest_exponent = 100;
 
-/// The exponent of the power of 2 that brings a size near 1.
-int exponent_to_one(double size) {
-  return size > 0 && std::isfinite(size) ? -std::ilogb(size) : 0;
-}
-
 /// A block's derivative with rows and columns scaled, exactly.
 struct ScaledDerivative {
   std::vector<std::vector<std::pair<std::size_t, Rational>>> entries;  ///< of each equation, unknowns of the block
@@ -138,8 +133,7 @@ bool LongTest::invert() {
   inverse_.assign(n_, std::vector<Integer>(n_));
   for (std::size_t j = 0; j < n_; ++j) {
     for (std::size_t i = 0; i < n_; ++i) {
-      const DoubleDouble& r = R(static_cast<Index>(j), static_cast<Index>(i));
-      inverse_[j][i] = whole(to_rational(r.high) + to_rational(r.low), digits_);
+      inverse_[j][i] = whole(exact_number(R(static_cast<Index>(j), static_cast<Index>(i))), digits_);
     }
   }
   return true;
@@ -160,7 +154,7 @@ bool LongTest::improve() {
       }
       if (!std::isfinite(d.high)) return false;
       Rational& z = z_[block_.unknowns[j]];
-      z -= (to_rational(d.high) + to_rational(d.low)) * power_of_two(columns_[j]);
+      z -= exact_number(d) * power_of_two(columns_[j]);
       const double size = std::abs(nearest_binary64(z));
       const int digits = 190 + exponent_to_one(size);
       z = Rational(whole(z, digits)) * power_of_two(-digits);

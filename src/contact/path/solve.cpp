@@ -1,6 +1,7 @@
 #include "contact/path/solve.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/algebra/union_find.hpp"
 #include "base/number/binary64.hpp"
@@ -61,8 +62,7 @@ MixedProblem problem_of(const MixedProblem& problem, const Part& part, const std
 }
 
 PathEnd end_at(const MixedProblem& part, const Enclosure& box) {
-  PathEnd end{box.system.mode(), {}, std::vector<Rational>(part.contacts())};
-  for (const double x : center_of(box)) end.x.push_back(to_rational(x));
+  PathEnd end{box.system.mode(), to_rationals(center_of(box)), std::vector<Rational>(part.contacts())};
   for (std::size_t k = 0; k < part.contacts(); ++k) {
     const std::size_t s = box.system.slip(k);
     if (s != ModeSystem::none) end.slip[k] = to_rational(box.center[s]);
@@ -121,6 +121,17 @@ double velocity_distance(const MixedProblem& problem, const Enclosure& box, std:
     largest = std::max(largest, Rational(abs(center) + around));
   }
   return enclose(largest).upper;
+}
+
+std::vector<double> force_distances(const MixedProblem& problem, const Enclosure& box, std::span<const double> x) {
+  const std::vector<double> r = center_of(box);
+  std::vector<double> distances(problem.contacts(), 0);
+  for (std::size_t k = 0; k < problem.contacts(); ++k) {
+    for (std::size_t i = problem.normal(k); i < problem.normal(k) + problem.dimension; ++i) {
+      distances[k] = std::max(distances[k], std::abs(r[i] - x[i]));
+    }
+  }
+  return distances;
 }
 
 }  // namespace slipproof

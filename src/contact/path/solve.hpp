@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "base/number/effort.hpp"
 #include "contact/enclosure/enclosure.hpp"
@@ -18,5 +19,7 @@ inline constexpr std::size_t largest_on_path = 800;
 
 /// Upper bound on the distance of the velocities of such a solution from those of an answer's forces, A x + c.
 double velocity_distance(const MixedProblem& problem, const Enclosure& solution, std::span<const double> x);
+/// How far each contact's force is from that of the enclosed solution, in its largest component.
+std::vector<double> force_distances(const MixedProblem& problem, const Enclosure& solution, std::span<const double> x);
 
 }  // namespace slipproof

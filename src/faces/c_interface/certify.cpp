@@ -80,12 +80,6 @@ ReadProblem read(const slipproof_problem& p) {
   return read;
 }
 
-std::vector<Rational> exactly(const std::vector<double>& values) {
-  std::vector<Rational> result;
-  for (const double x : values) result.push_back(to_rational(x));
-  return result;
-}
-
 /// The first number of an answer that is not finite, worded as `certify` does for records.
 std::string not_finite_in(const SolverAnswer& answer) {
   for (const auto& [values, symbol] : {std::pair(&answer.r, "z"), std::pair(&answer.u, "w")}) {
@@ -109,10 +103,10 @@ RecordJudgement judge_exactly(const ReadProblem& read, const JudgeOptions& optio
       problem.W[i][columns[k]] = to_rational(read.problem.W.values_of(i)[k]);
     }
   }
-  problem.q = exactly(read.problem.q);
-  problem.mu = exactly(read.problem.mu);
-  ProblemAnswer answer{exactly(given.r), {}, {}};
-  if (!given.u.empty()) answer.w = exactly(given.u);
+  problem.q = to_rationals(read.problem.q);
+  problem.mu = to_rationals(read.problem.mu);
+  ProblemAnswer answer{to_rationals(given.r), {}, {}};
+  if (!given.u.empty()) answer.w = to_rationals(given.u);
   return judge_problem(problem, answer, options);
 }
 
