@@ -6,10 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "mechanics/scene/bicycle_scene.hpp"
 #include "report/papers/explain.hpp"
-#include "report/picture/bicycle_svg.hpp"
-#include "report/picture/mechanism_svg.hpp"
+#include "report/picture/motions_svg.hpp"
 
 namespace slipproof {
 
@@ -54,23 +52,13 @@ const ClaimResult* worst_refuted(const ClaimsFile& file, const VerifyResult& res
 
 void add_worst_motions(const Element& parent, const ClaimResult& worst) {
   const Counterexample& e = *worst.counterexample;
-  const bool bicycle = is_bicycle(e.scene.mechanism);
-  std::vector<Range> numbers;
-  CommonLook look;
-  for (const MotionAtLoad& motion : e.motions->motions) {
-    const std::vector<Range> shown = bicycle ? bicycle_numbers(e.scene, &motion) : shown_numbers(e.scene, &motion);
-    numbers.insert(numbers.end(), shown.begin(), shown.end());
-    if (!bicycle) look.largest_force = std::max(look.largest_force, largest_force(e.scene, motion));
-  }
-  look.numbers.emplace(numbers);
-  look.brief = true;
+  const CommonLook look = common_look(e.scene, e.motions->motions);
   const Element row = parent.add("div", "motions");
   for (const MotionAtLoad& motion : e.motions->motions) {
     const Element box = row.add("div", "motion");
-    const std::string modes = modes_text(motion), title = "The motion " + modes + ", with its forces";
+    const std::string modes = modes_text(motion);
     box.add("p", "motion-name").add("b").text(modes);
-    if (bicycle) add_bicycle(box, e.scene, &motion, title, look.numbers);
-    if (!bicycle) add_mechanism(box, e.scene, &motion, title, look);
+    add_motion(box, e.scene, &motion, "The motion " + modes + ", with its forces", look);
   }
 }
 

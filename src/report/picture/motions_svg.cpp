@@ -22,16 +22,11 @@ namespace {
 class MotionsPicture {
  public:
   MotionsPicture(const Element& svg, const MechanismScene& scene, const MotionsAtLoad& found)
-      : svg_(svg), scene_(scene), motions_(drawn_motions(found)), strict_(found.motions.size()) {
-    std::vector<Range> numbers;
-    for (const MotionAtLoad& motion : motions_) {
-      const std::vector<Range> shown = bicycle() ? bicycle_numbers(scene, &motion) : shown_numbers(scene, &motion);
-      numbers.insert(numbers.end(), shown.begin(), shown.end());
-      if (!bicycle()) look_.largest_force = std::max(look_.largest_force, largest_force(scene, motion));
-    }
-    look_.numbers.emplace(numbers);
-    look_.brief = true;
-  }
+      : svg_(svg),
+        scene_(scene),
+        motions_(drawn_motions(found)),
+        strict_(found.motions.size()),
+        look_(common_look(scene, motions_)) {}
 
   void draw() {
     text({edge, edge + 18}, 18, "ink", scene_.name);
@@ -88,8 +83,7 @@ class MotionsPicture {
       text({at[0], at[1] + 16}, 16, "ink", title);
       if (bicycle()) text({at[0], at[1] + 36}, 13, "soft", in_words(*motion));
     }
-    const Element picture = bicycle() ? add_bicycle(svg_, scene_, motion, title, look_.numbers)
-                                      : add_mechanism(svg_, scene_, motion, title, look_);
+    const Element picture = add_motion(svg_, scene_, motion, title, look_);
     picture.set("x", at[0]).set("y", at[1] + heading_height).set("width", width).set("height", height - between);
     picture.set("preserveAspectRatio", "xMidYMin meet");
   }
@@ -102,7 +96,7 @@ class MotionsPicture {
   const MechanismScene& scene_;
   const std::vector<MotionAtLoad> motions_;
   const std::size_t strict_;
-  CommonLook look_;
+  const CommonLook look_;
 };
 
 }  // namespace
@@ -119,6 +113,26 @@ std::vector<MotionAtLoad> drawn_motions(const MotionsAtLoad& found) {
     all.push_back(std::move(motion));
   }
   return all;
+}
+
+CommonLook common_look(const MechanismScene& scene, const std::vector<MotionAtLoad>& motions) {
+  const bool bicycle = is_bicycle(scene.mechanism);
+  std::vector<Range> numbers;
+  CommonLook look;
+  for (const MotionAtLoad& motion : motions) {
+    const std::vector<Range> shown = bicycle ? bicycle_numbers(scene, &motion) : shown_numbers(scene, &motion);
+    numbers.insert(numbers.end(), shown.begin(), shown.end());
+    if (!bicycle) look.largest_force = std::max(look.largest_force, largest_force(scene, motion));
+  }
+  look.numbers.emplace(numbers);
+  look.brief = true;
+  return look;
+}
+
+Element add_motion(const Element& parent, const MechanismScene& scene, const MotionAtLoad* motion,
+                   std::string_view title, const CommonLook& look) {
+  return is_bicycle(scene.mechanism) ? add_bicycle(parent, scene, motion, title, look.numbers)
+                                     : add_mechanism(parent, scene, motion, title, look);
 }
 
 std::string motions_svg_file(const MechanismScene& scene, const MotionsAtLoad& found) {
