@@ -34,41 +34,43 @@ MechanismScene with_load(const MechanismScene& scene, std::string_view parameter
   return changed;
 }
 
-namespace {
-
-void set_value(MechanismScene& scene, const std::string& name, const Rational& value) {
+bool set_value(MechanismScene& scene, std::string_view name, const Rational& value) {
   const Mechanism& m = scene.mechanism;
-  std::vector<std::string_view> names;
   for (std::size_t i = 0; i < m.parameters.size(); ++i) {
-    if (m.parameters[i].symbol == name) {
-      scene.values.parameters[i] = value;
-      scene.values.given[i] = true;
-      return;
-    }
-    names.push_back(m.parameters[i].symbol);
+    if (m.parameters[i].symbol != name) continue;
+    scene.values.parameters[i] = value;
+    scene.values.given[i] = true;
+    return true;
   }
   for (std::size_t i = 0; i < m.angles.size(); ++i) {
-    if (m.angles[i].name == name) {
-      scene.values.angles[i] = point_of_tan_half(value);
-      return;
-    }
-    names.push_back(m.angles[i].name);
+    if (m.angles[i].name != name) continue;
+    scene.values.angles[i] = point_of_tan_half(value);
+    return true;
   }
-  if (m.load) {
-    if (m.load->symbol == name) {
-      scene.load = value;
-      return;
-    }
-    names.push_back(m.load->symbol);
-  }
-  throw std::invalid_argument(unknown_name("parameter", name, names));
+  if (!m.load || m.load->symbol != name) return false;
+  scene.load = value;
+  return true;
+}
+
+namespace {
+
+/// What set_value() knows.
+std::vector<std::string_view> value_names(const Mechanism& m) {
+  std::vector<std::string_view> names;
+  for (const MechanismParameter& parameter : m.parameters) names.push_back(parameter.symbol);
+  for (const auto& angle : m.angles) names.push_back(angle.name);
+  if (m.load) names.push_back(m.load->symbol);
+  return names;
 }
 
 }  // namespace
 
 MechanismScene with_values(const MechanismScene& scene, const std::vector<std::pair<std::string, Rational>>& values) {
   MechanismScene changed = scene;
-  for (const auto& [name, value] : values) set_value(changed, name, value);
+  for (const auto& [name, value] : values) {
+    if (set_value(changed, name, value)) continue;
+    throw std::invalid_argument(unknown_name("parameter", name, value_names(changed.mechanism)));
+  }
   const ProblemMaker maker(changed.mechanism);
   const auto broken = maker.broken(changed.values);
   if (!broken.empty()) {

@@ -53,6 +53,9 @@ MechanismScene parse_scene(std::string_view text, const std::string& file);
 /// std::invalid_argument where the scene has no value of the load that becomes a parameter.
 MechanismScene with_load(const MechanismScene& scene, std::string_view parameter);
 
+/// Sets a parameter, an angle by the tangent of its half, or the load, whose symbols differ; false for another name.
+/// The domain is not looked at.
+bool set_value(MechanismScene& scene, std::string_view name, const Rational& value);
 /// The same scene with other values: of parameters, of the load, or of angles, which are given by the tangents of their
 /// halves. Throws std::invalid_argument, with a message for people, for a name that it has not and for values that are
 /// not in the domain.

@@ -9,7 +9,6 @@
 
 #include "base/input/diagnostic.hpp"
 #include "base/number/parse.hpp"
-#include "mechanics/points/degrees.hpp"
 #include "mechanics/reading/shipped.hpp"
 #include "mechanics/reading/write_mechanism.hpp"
 #include "report/phase/phase_svg.hpp"
@@ -25,24 +24,15 @@ namespace {
 
 constexpr std::size_t usual_columns = 48, most_columns = 1000;
 
-void set(MechanismScene& scene, const std::string& symbol, const std::optional<Rational>& value) {
-  const Mechanism& mechanism = scene.mechanism;
-  if (mechanism.load && mechanism.load->symbol == symbol) {
-    scene.load = value;
+/// Without a value, of the load only, its value goes.
+void change(MechanismScene& scene, const std::string& symbol, const std::optional<Rational>& value) {
+  const auto& load = scene.mechanism.load;
+  if (!value && load && load->symbol == symbol) {
+    scene.load.reset();
     return;
   }
   if (!value) throw std::invalid_argument(symbol + ": found nothing, expected a number");
-  for (std::size_t i = 0; i < mechanism.parameters.size(); ++i) {
-    if (mechanism.parameters[i].symbol != symbol) continue;
-    scene.values.parameters[i] = *value;
-    scene.values.given[i] = true;
-    return;
-  }
-  for (std::size_t i = 0; i < mechanism.angles.size(); ++i) {
-    if (mechanism.angles[i].name != symbol) continue;
-    scene.values.angles[i] = point_of_tan_half(*value);
-    return;
-  }
+  if (set_value(scene, symbol, *value)) return;
   throw std::invalid_argument("found the symbol " + in_quotes(symbol) + ", which the scene does not have");
 }
 
@@ -193,7 +183,7 @@ std::string Explorer::answer(std::string_view text) const {
     MechanismScene scene = scene_;
     const Json changes = request.value("set", Json::object());
     for (const auto& [symbol, value] : changes.items()) {
-      set(scene, symbol, number_of(symbol, value));
+      change(scene, symbol, number_of(symbol, value));
     }
     // Written and read again: what the page shows and copies is what the program reads, with all that it refuses.
     const std::string written = to_toml(scene, given_.mechanism, given_.along);

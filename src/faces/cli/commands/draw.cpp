@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -85,8 +86,10 @@ std::string figure_of(const DrawArguments& arguments, Inputs& inputs) {
   if (!arguments.load.empty()) {
     if (!scene.mechanism.load) refuse(arguments, "found --load, but the mechanism has no load");
     try {
-      scene.load = parse_rational(arguments.load);
+      scene = with_values(scene, {{scene.mechanism.load->symbol, parse_rational(arguments.load)}});
     } catch (const NumberError& error) {
+      throw CLI::ValidationError("--load", error.what());
+    } catch (const std::invalid_argument& error) {
       throw CLI::ValidationError("--load", error.what());
     }
   }
