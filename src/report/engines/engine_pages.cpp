@@ -64,11 +64,18 @@ class EnginePages {
  public:
   EnginePages(const EngineResults& results, const std::string& folder, const std::string& version,
               const PageSink& write)
-      : results_(results), judged_(results.judged), folder_(folder), version_(version), write_(write) {}
+      : results_(results),
+        judged_(results.judged),
+        classes_(engine_classes(judged_)),
+        rows_(engine_rows(judged_)),
+        thresholds_(engine_thresholds(results)),
+        folder_(folder),
+        version_(version),
+        write_(write) {}
 
   void write() {
     write_("index.html", page("Engines, tested against the truth", "", [&](const Element& main) { add_index(main); }));
-    for (const std::string& name : engine_classes(judged_)) {
+    for (const std::string& name : classes_) {
       write_(name + ".html", page(class_title(name), "", [&](const Element& main) { add_class(main, name); }));
     }
     for (std::size_t i = 0; i < judged_.scenes.size(); ++i) {
@@ -82,7 +89,7 @@ class EnginePages {
  private:
   std::string page(const std::string& title, const std::string& up, const std::function<void(const Element&)>& fill) {
     std::vector<std::pair<std::string, std::string>> links{{up + "index.html", "Engines"}};
-    for (const std::string& name : engine_classes(judged_)) links.emplace_back(up + name + ".html", class_title(name));
+    for (const std::string& name : classes_) links.emplace_back(up + name + ".html", class_title(name));
     PageFrame frame{"slipproof: " + title, version_, std::move(links),
                     "Made by slipproof " + version_ + " from recorded answers. Each page says how to ask again."};
     frame.brand = up + "index.html";
@@ -126,20 +133,18 @@ class EnginePages {
     section.add("p", "how")
         .text(
             "Of the scenes that the engine can have. A class opens its scenes, and a scene its picture, its exact "
-            "motions "
-            "and what each engine says.");
+            "motions and what each engine says.");
     ReportTable table{{"engine", "asked"}};
     table.label = "Right answers by engine and class";
     table.css_class = "solvers";
-    const std::vector<std::string> classes = engine_classes(judged_);
-    for (const std::string& name : classes) {
+    for (const std::string& name : classes_) {
       table.columns.emplace_back(ReportLine(link_to(class_title(name), name + ".html")), true);
     }
     table.columns.emplace_back("all", true);
     table.columns.emplace_back("share");
-    for (const EngineRow& row : engine_rows(judged_)) {
+    for (const EngineRow& row : rows_) {
       std::vector<ReportCell> cells{row.engine + " " + row.version, row.asked};
-      for (const std::string& name : classes) {
+      for (const std::string& name : classes_) {
         const auto found = row.classes.find(name);
         cells.emplace_back(found == row.classes.end() ? "–" : share_text(found->second));
       }
@@ -154,7 +159,7 @@ class EnginePages {
   void add_thresholds(const Element& main) const {
     std::map<std::pair<std::string, std::string>, std::vector<double>> off;
     std::string page;
-    for (const EngineThresholdRow& row : engine_thresholds(results_)) {
+    for (const EngineThresholdRow& row : thresholds_) {
       if (page.empty()) page = row.scene.substr(0, row.scene.find('/')) + ".html";
       auto& engine = off[{row.engine, row.asked}];
       if (row.exact) engine.push_back(row.off());
@@ -163,8 +168,7 @@ class EnginePages {
     const Element section = add_section(main, "changes", "Where engines change their minds");
     add_line(section.add("p", "how"),
              {"A parameter is varied until the engine's answer changes its mode; how far is that from the exact value? "
-              "One at the end of the interval where the scene rests is the engine's "
-              "noise. ",
+              "One at the end of the interval where the scene rests is the engine's noise. ",
               link_to("Scene by scene", page + "#changes"), "."});
     ReportTable table{
         {"engine", "asked", {"thresholds", true}, {"to 1e-6", true}, {"to 1e-3", true}, {"median", true}}};
@@ -186,7 +190,7 @@ class EnginePages {
     ReportTable table{
         {"engine", "asked", "scene", "parameter", {"changes at", true}, {"exact", true}, {"off by", true}}};
     table.label = "Thresholds by engine and scene";
-    for (const EngineThresholdRow& row : engine_thresholds(results_)) {
+    for (const EngineThresholdRow& row : thresholds_) {
       if (!row.scene.starts_with(name + "/")) continue;
       table.row({row.engine, row.asked, ReportLine(link_to(row.scene.substr(name.size() + 1), row.scene + ".html")),
                  row.found.parameter, fmt::format("{:.8g}", row.found.changes_at),
@@ -205,7 +209,7 @@ class EnginePages {
     ReportTable table{{"engine", "law", "asked on"}};
     table.label = "Laws of engines";
     std::string last;
-    for (const EngineRow& row : engine_rows(judged_)) {
+    for (const EngineRow& row : rows_) {
       if (row.engine != last) table.row({row.engine + " " + row.version, row.law, row.date});
       last = row.engine;
     }
@@ -310,6 +314,9 @@ class EnginePages {
 
   const EngineResults& results_;
   const JudgedEngines& judged_;
+  const std::vector<std::string> classes_;
+  const std::vector<EngineRow> rows_;
+  const std::vector<EngineThresholdRow> thresholds_;
   const std::string& folder_;
   const std::string& version_;
   const PageSink& write_;

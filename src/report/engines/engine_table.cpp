@@ -5,9 +5,9 @@
 #include <set>
 #include <tuple>
 
+#include "base/algebra/real_roots.hpp"
 #include "base/output/json.hpp"
 #include "base/parallel/in_parallel.hpp"
-#include "report/expected/numbers.hpp"
 
 namespace slipproof {
 
@@ -26,14 +26,19 @@ std::string way_of(const EngineAnswer& answer) {
   return way.empty() ? "default" : way;
 }
 
-/// The value nearest to `found` at which the motions of a scene change.
-std::optional<double> nearest_change(const ExpectedAnswer& expected, double found) {
-  std::optional<double> nearest;
+/// Where the motions of a scene change.
+std::vector<double> changes_of(const ExpectedAnswer& expected) {
+  std::vector<double> changes;
   for (const MotionChange& change : expected.changes) {
-    const double at = expected::told_root(change.at, "x").nearest;
-    if (!nearest || std::abs(at - found) < std::abs(*nearest - found)) nearest = at;
+    RealRoot at = change.at;
+    changes.push_back(nearest_binary64(at));
   }
-  return nearest;
+  return changes;
+}
+
+std::optional<double> nearest(const std::vector<double>& values, double to) {
+  const auto found = std::ranges::min_element(values, {}, [&](double value) { return std::abs(value - to); });
+  return found == values.end() ? std::nullopt : std::optional(*found);
 }
 
 Json counts_json(const EngineCounts& counts) {
@@ -66,11 +71,11 @@ std::vector<EngineThresholdRow> engine_thresholds(const EngineResults& results) 
   std::vector<EngineThresholdRow> rows;
   for (std::size_t i = 0; i < results.expected.size(); ++i) {
     const EngineScene& scene = results.judged.scenes[i];
+    const std::vector<double> changes = changes_of(results.expected[i]);
     for (const JudgedEngineAnswer& one : scene.answers) {
       if (!one.answer.threshold) continue;
       const EngineThreshold& found = *one.answer.threshold;
-      rows.push_back({one.answer.engine, way_of(one.answer), scene.name, found,
-                      nearest_change(results.expected[i], found.changes_at)});
+      rows.push_back({one.answer.engine, way_of(one.answer), scene.name, found, nearest(changes, found.changes_at)});
     }
   }
   std::stable_sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) {
