@@ -10,6 +10,7 @@
 #include "contact/judge/certificate.hpp"
 #include "contact/judge/find.hpp"
 #include "contact/judge/judge.hpp"
+#include "contact/path/long_box.hpp"
 #include "contact/path/solve.hpp"
 
 using namespace slipproof;
@@ -143,4 +144,23 @@ TEST_CASE("a real problem: OneObject of Siconos, whose solution is elsewhere") {
   CHECK(j.eta < 1e-13);
   CHECK(j.rho > 0.01);
   CHECK(accepted(contact_certificate(p, j)));
+}
+
+TEST_CASE("an end of a path is a solution only if the conditions of its mode hold") {
+  const auto encloses = [](std::vector<double> q, ConeState state, std::vector<Rational> r, Rational slip = 0) {
+    MixedProblem p;  // a point of mass 1, mu = 1/2
+    p.A = from_dense(3, 3, std::vector<double>{1, 0, 0, 0, 1, 0, 0, 0, 1});
+    p.c = std::move(q);
+    p.mu = {0.5};
+    Effort effort(1'000'000'000);
+    return enclose_in_long_numbers(p, {ConeMode{state}, std::move(r), {std::move(slip)}}, effort).has_value();
+  };
+  using enum ConeState;
+  CHECK(encloses({-10, 4, 0}, stick, {10, -4, 0}));
+  CHECK_FALSE(encloses({-10, 6, 0}, stick, {10, -6, 0}));                   // outside the cone
+  CHECK_FALSE(encloses({10, 0, 0}, stick, {-10, 0, 0}));                    // it pulls
+  CHECK(encloses({-10, 6, 0}, slide, {10, -5, 0}, Rational(1, 5)));         // |u_T| = 1 over mu r_N = 5
+  CHECK_FALSE(encloses({-10, 4, 0}, slide, {10, -5, 0}, Rational(-1, 5)));  // it would slide along its friction
+  CHECK(encloses({1, 0, 0}, open, {0, 0, 0}));
+  CHECK_FALSE(encloses({-1, 0, 0}, open, {0, 0, 0}));  // it goes into the floor
 }

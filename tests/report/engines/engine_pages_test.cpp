@@ -47,10 +47,10 @@ TEST_CASE("the table counts what each engine answers, class by class") {
 TEST_CASE("a threshold that an engine has stands beside the exact one") {
   const test::EngineFiles files;
   std::filesystem::path scene = files.folder() / "scenes/one-motion/pulled.toml";
-  std::ofstream(scene, std::ios::app) << "[threshold]\nparameter = \"F\"\nfrom = \"1\"\nto = \"9\"\n";
+  std::ofstream(scene, std::ios::app) << "[threshold]\nparameter = \"F\"\nfrom = \"-9\"\nto = \"9\"\n";
   const auto rows = engine_thresholds(results_of(files));
   REQUIRE(rows.size() == 1);
-  CHECK(rows[0].exact == 5);  // mu times the weight
+  CHECK(rows[0].exact == 5);  // mu times the weight; -5 is farther
   CHECK(rows[0].off() == doctest::Approx(0.01));
 }
 
