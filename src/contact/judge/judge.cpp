@@ -96,6 +96,17 @@ class ContactCase {
     return found.has_value();
   }
 
+  /// Forces along which nothing moves, where there may be such.
+  void look_for_open_forces() {
+    using enum ContactVerdict;
+    const bool long_numbers = j_.enclosure && j_.enclosure->proof;
+    const bool maybe = j_.undetermined > 0 || long_numbers || j_.verdict == ambiguous ||
+                       j_.verdict == velocities_within_rho || (j_.verdict == eps_solution && !j_.contacts.empty());
+    if (!maybe) return;
+    Effort effort(options_.effort);  // other searches may have left none
+    extra("ranges of open forces", [&] { j_.open = open_forces(problem_, j_.x, options_.tolerance, effort); });
+  }
+
   bool certainly_several() const { return j_.other || !j_.other_exact.empty(); }
   bool certainly_one() const { return j_.unique_by || (j_.every && j_.every->unique()) || (all_ && all_->one()); }
   /// Whether the known solution is the nearest there is.
@@ -321,6 +332,7 @@ ContactJudgement judge_contacts(const MixedProblem& problem, std::vector<double>
       judgement.reason = "the nearest solution is farther from it than a hundredth of the largest force";
     }
   }
+  if (right) found.look_for_open_forces();
   return judgement;
 }
 

@@ -14,6 +14,7 @@
 #include "contact/exact/exclusion.hpp"
 #include "contact/exact/unique_class.hpp"
 #include "contact/problem/tolerance.hpp"
+#include "contact/ranges/open_forces.hpp"
 
 namespace slipproof {
 
@@ -64,6 +65,7 @@ struct ContactJudgement {
   double rho = 0;                      ///< of the enclosure, from the answer
   double eta = 0;                      ///< of its velocities, from the answer's, where it was found along a path
   std::size_t undetermined = 0;        ///< forces that nothing determines: they are held at the answer's values
+  std::optional<OpenForces> open;      ///< of an answer that is right: what its velocities leave open
   double error = 0;                    ///< where a solution is known: upper bound, each kind by its own size
   std::optional<EverySolution> every;  ///< of convex laws
   std::vector<Rational> exact;         ///< a solution of the problem, rho from the answer, where one was computed

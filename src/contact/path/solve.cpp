@@ -3,63 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/algebra/union_find.hpp"
 #include "base/number/binary64.hpp"
 #include "contact/path/follow.hpp"
 #include "contact/path/long_box.hpp"
+#include "contact/path/parts.hpp"
 
 namespace slipproof {
 
 namespace {
-
-/// Free unknowns and contacts that share rows with each other only.
-struct Part {
-  std::vector<std::size_t> free, contacts;
-};
-
-std::vector<Part> parts_of(const MixedProblem& problem) {
-  const auto item = [&](std::size_t i) {  // free unknowns, then contacts
-    return i < problem.free ? i : problem.free + (i - problem.free) / problem.dimension;
-  };
-  UnionFind joined(problem.free + problem.contacts());
-  for (std::size_t i = 0; i < problem.size(); ++i) {
-    for (const std::uint32_t j : problem.A.columns_of(i)) joined.join(item(i), item(j));
-  }
-  std::vector<Part> by_root(problem.free + problem.contacts());
-  for (std::size_t i = 0; i < problem.free; ++i) by_root[joined.find(i)].free.push_back(i);
-  for (std::size_t k = 0; k < problem.contacts(); ++k) by_root[joined.find(problem.free + k)].contacts.push_back(k);
-  std::erase_if(by_root, [](const Part& p) { return p.free.empty() && p.contacts.empty(); });
-  return by_root;
-}
-
-/// The rows of a part in the whole problem, in order.
-std::vector<std::size_t> rows_of(const MixedProblem& problem, const Part& part) {
-  std::vector<std::size_t> rows = part.free;
-  for (const std::size_t k : part.contacts) {
-    for (std::size_t i = 0; i < problem.dimension; ++i) rows.push_back(problem.normal(k) + i);
-  }
-  return rows;
-}
-
-MixedProblem problem_of(const MixedProblem& problem, const Part& part, const std::vector<std::size_t>& rows) {
-  std::vector<std::uint32_t> place(problem.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) place[rows[i]] = static_cast<std::uint32_t>(i);
-  MixedProblem result;
-  result.free = part.free.size();
-  result.dimension = problem.dimension;
-  result.law.kind = problem.law.kind;
-  result.A.rows = result.A.columns = rows.size();
-  for (const std::size_t i : rows) {
-    for (std::size_t e = problem.A.starts[i]; e < problem.A.starts[i + 1]; ++e) {
-      result.A.column.push_back(place[problem.A.column[e]]);
-      result.A.value.push_back(problem.A.value[e]);
-    }
-    result.A.starts.push_back(result.A.value.size());
-    result.c.push_back(problem.c[i]);
-  }
-  for (const std::size_t k : part.contacts) result.mu.push_back(problem.mu[k]);
-  return result;
-}
 
 PathEnd end_at(const MixedProblem& part, const Enclosure& box) {
   PathEnd end{box.system.mode(), to_rationals(center_of(box)), std::vector<Rational>(part.contacts())};
@@ -83,9 +34,9 @@ std::optional<PathEnd> solve_part(const MixedProblem& part, std::span<const doub
 std::optional<Enclosure> solve_along_path(const MixedProblem& problem, std::span<const double> x, Effort& effort) {
   PathEnd whole{ConeMode(problem.contacts()), std::vector<Rational>(problem.size()),
                 std::vector<Rational>(problem.contacts())};
-  for (const Part& part : parts_of(problem)) {
+  for (const ContactPart& part : parts_of(problem)) {
     const std::vector<std::size_t> rows = rows_of(problem, part);
-    const MixedProblem small = problem_of(problem, part, rows);
+    const MixedProblem small = part_of(problem, part);
     std::vector<double> start;
     for (const std::size_t i : rows) start.push_back(x[i]);
     auto end = solve_part(small, start, effort);

@@ -134,6 +134,19 @@ Json uniqueness(const ContactJudgement& j) {
   return j.enclosure && j.enclosure->locally_unique ? Json("locally") : Json();
 }
 
+Json open_forces_json(const OpenForces& open) {
+  Json normal = Json::array();
+  for (const NormalRange& range : open.ranges) {
+    normal.push_back({{"contact", range.contact + 1},
+                      {"least", at_least(range.least)},
+                      {"most", range.most ? Json(at_most(*range.most)) : Json()}});
+  }
+  return {{"velocities_within", at_most(open.change)},
+          {"directions", open.directions},
+          {"normal", std::move(normal)},
+          {"all", open.all}};
+}
+
 }  // namespace
 
 JudgedProblem::JudgedProblem(std::string name, ReadProblem read, const ContactFileOptions& options)
@@ -195,6 +208,7 @@ std::string contact_members(const JudgedProblem& problem, std::size_t answer) {
   if (problem.answers[answer].coulomb) line["coulomb"] = coulomb_json(*problem.answers[answer].coulomb);
   if (j.right_for) line["right_for"] = name(*j.right_for);
   if (j.has_solution() || j.every) line["undetermined_forces"] = j.undetermined;
+  if (j.open) line["open_forces"] = open_forces_json(*j.open);
   if (!j.reason.empty()) line["reason"] = j.reason;
   if (!j.contacts.empty()) line["about"] = counted_from_one(j.contacts);
   if (j.other) {

@@ -27,6 +27,24 @@ std::string place_of(const Violation& v) {
   return v.contact ? fmt::format("contact {}", *v.contact + 1) : fmt::format("row {}", v.row + 1);
 }
 
+std::string range_words(const NormalRange& range) {
+  if (!range.most) return fmt::format("contact {} presses with {} or more", range.contact + 1, at_least(range.least));
+  return fmt::format("contact {} presses with {} to {}", range.contact + 1, at_least(range.least),
+                     at_most(*range.most));
+}
+
+/// What nothing determines, with the widest ranges.
+std::string open_words(const OpenForces& open, const ContactUnits& units) {
+  std::string text =
+      fmt::format("Forces with these velocities, up to {}{}, are open along {}", at_most(open.change),
+                  units.velocity.empty() ? "" : " " + units.velocity, counted(open.directions, "direction"));
+  const std::size_t shown = std::min<std::size_t>(open.ranges.size(), 3);
+  for (std::size_t i = 0; i < shown; ++i) text += (i == 0 ? ": " : ", ") + range_words(open.ranges[i]);
+  if (shown > 0 && !units.force.empty()) text += " " + units.force;
+  if (open.ranges.size() > shown) text += fmt::format("; and {} more", open.ranges.size() - shown);
+  return text + (open.all ? "." : "; others were not looked at.");
+}
+
 std::string violation_words(const Violation& v) {
   return fmt::format("{}, {}, by {}", place_of(v), v.condition, at_most(v.amount));
 }
@@ -78,7 +96,7 @@ std::string verdict_words(const ContactJudgement& j, const ContactUnits& units) 
   }
 }
 
-std::vector<std::string> further_words(const ContactJudgement& j) {
+std::vector<std::string> further_words(const ContactJudgement& j, const ContactUnits& units) {
   std::vector<std::string> sentences;
   if (j.verdict == ContactVerdict::eps_solution && !j.reason.empty()) {
     sentences.push_back(fmt::format("Nothing stronger: {}{}.", j.reason,
@@ -105,6 +123,7 @@ std::vector<std::string> further_words(const ContactJudgement& j) {
     sentences.push_back(counted(j.undetermined, "component") +
                         " of the forces are determined by nothing; they are held as they are.");
   }
+  if (j.open) sentences.push_back(open_words(*j.open, units));
   return sentences;
 }
 
@@ -140,7 +159,7 @@ std::string contact_words(const JudgedProblem& problem, std::size_t answer) {
     }
     text += ".\n";
   }
-  for (const std::string& sentence : further_words(j)) text += "  " + sentence + '\n';
+  for (const std::string& sentence : further_words(j, units_of(problem))) text += "  " + sentence + '\n';
   if (const std::string words = coulomb_words(problem, answer); !words.empty()) text += "  " + words + '\n';
   for (const std::string& remark : problem.problem.remarks) text += "  Note: " + remark + ".\n";
   return text;

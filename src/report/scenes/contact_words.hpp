@@ -24,7 +24,7 @@ ContactUnits units_of(const JudgedProblem& problem);
 /// The sentence for the verdict.
 std::string verdict_words(const ContactJudgement& judgement, const ContactUnits& units = {});
 /// Further sentences, beyond verdict and backward error: why nothing stronger is proved, a pyramid for which the answer
-/// is right, velocities that do not belong to the forces, undetermined forces.
-std::vector<std::string> further_words(const ContactJudgement& judgement);
+/// is right, velocities that do not belong to the forces, undetermined forces and their ranges.
+std::vector<std::string> further_words(const ContactJudgement& judgement, const ContactUnits& units = {});
 
 }  // namespace slipproof

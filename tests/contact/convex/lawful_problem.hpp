@@ -108,4 +108,20 @@ class Lawful {
   std::vector<double> r_, u_;
 };
 
+/// Contacts of one point mass, all at the same place: u_k = r_1 + r_2 + ... + q. The last row of blocks is larger by
+/// 2^-50, as if rounding had done it.
+inline MixedProblem one_place(std::size_t contacts, std::vector<double> q) {
+  MixedProblem p;
+  const std::size_t n = 3 * contacts;
+  std::vector<double> W(n * n, 0);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = i % 3; j < n; j += 3) W[i * n + j] = 1;
+  }
+  for (std::size_t i = n - 3; i < n; ++i) W[i * n + i] += 0x1p-50;
+  p.A = from_dense(n, n, W);
+  p.c = std::move(q);
+  p.mu.assign(contacts, 0.5);
+  return p;
+}
+
 }  // namespace slipproof::test

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "base/number/dice.hpp"
+#include "contact/convex/lawful_problem.hpp"
 #include "contact/convex/second_reading.hpp"
 #include "contact/formats/read_files.hpp"
 #include "contact/judge/certificate.hpp"
@@ -17,22 +18,6 @@ using namespace slipproof;
 using namespace slipproof::test;
 
 namespace {
-
-/// Contacts of one point mass, all at the same place: u_k = r_1 + r_2 + ... + q. The last row of blocks is larger by
-/// 2^-50, as if rounding had done it.
-MixedProblem one_place(std::size_t contacts, std::vector<double> q) {
-  MixedProblem p;
-  const std::size_t n = 3 * contacts;
-  std::vector<double> W(n * n, 0);
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = i % 3; j < n; j += 3) W[i * n + j] = 1;
-  }
-  for (std::size_t i = n - 3; i < n; ++i) W[i * n + i] += 0x1p-50;
-  p.A = from_dense(n, n, W);
-  p.c = std::move(q);
-  p.mu.assign(contacts, 0.5);
-  return p;
-}
 
 /// A rigid body of mass 1 and inertia 1 on points of a floor, pressed and pushed: W = H^T H in binary64, of rank 6.
 MixedProblem body_on_floor(Dice& dice, std::size_t contacts) {

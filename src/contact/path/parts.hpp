@@ -1,0 +1,22 @@
+// The parts of a problem that say nothing of each other.
+#pragma once
+
+#include <vector>
+
+#include "contact/enclosure/mixed_problem.hpp"
+
+namespace slipproof {
+
+/// Free unknowns and contacts that share rows with each other only.
+struct ContactPart {
+  std::vector<std::size_t> free, contacts;
+};
+
+/// All parts, each once. About linear in the nonzeros.
+std::vector<ContactPart> parts_of(const MixedProblem& problem);
+/// The rows of a part in the whole problem: free ones, then those of its contacts.
+std::vector<std::size_t> rows_of(const MixedProblem& problem, const ContactPart& part);
+/// The part as a problem of its own, with the rows in that order; of its law the kind is kept.
+MixedProblem part_of(const MixedProblem& problem, const ContactPart& part);
+
+}  // namespace slipproof

@@ -1,0 +1,38 @@
+// Linear programs over cones in floating point: what nothing but the cones bounds.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "base/number/effort.hpp"
+
+namespace slipproof {
+
+/// The greatest g . x over x = start + N t, t free, with x in a product of cones: half lines, second-order cones
+/// |x_T| <= mu x_N, and components of any sign.
+class ConeProgram {
+ public:
+  struct Cone {
+    Eigen::Index first = 0, size = 1;  ///< components of x
+    double mu = 0;                     ///< of more than one component
+  };
+
+  /// The columns of N are orthonormal.
+  ConeProgram(Eigen::MatrixXd N, Eigen::VectorXd start, std::vector<Cone> cones);
+
+  /// Multipliers z in the dual cone, so that N^T (g + z) is about 0: then g . x <= g . x0 + z . x0 for every x and x0
+  /// of the program. Nothing if there are none that are good enough to be of use, as where it is unbounded. By the
+  /// alternating direction method of multipliers; nothing is proved. Throws TooMuchWork.
+  std::optional<Eigen::VectorXd> multipliers(const Eigen::VectorXd& g, Effort& effort) const;
+
+ private:
+  void project(Eigen::VectorXd& x) const;
+
+  Eigen::MatrixXd N_;
+  Eigen::VectorXd start_;
+  std::vector<Cone> cones_;
+};
+
+}  // namespace slipproof
