@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/enclosure/mixed_problem.hpp"
+#include "contact/problem/mixed_problem.hpp"
 
 namespace slipproof {
 

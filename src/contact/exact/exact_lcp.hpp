@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/number/effort.hpp"
-#include "contact/enclosure/mixed_problem.hpp"
 #include "contact/linear/exact_system.hpp"
+#include "contact/problem/mixed_problem.hpp"
 
 namespace slipproof {
 

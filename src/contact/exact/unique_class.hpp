@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/number/effort.hpp"
-#include "contact/enclosure/mixed_problem.hpp"
+#include "contact/problem/mixed_problem.hpp"
 
 namespace slipproof {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "contact/enclosure/mixed_problem.hpp"
+#include "contact/problem/mixed_problem.hpp"
 
 namespace slipproof {
 

@@ -6,7 +6,7 @@
 #include "base/number/binary64.hpp"
 #include "contact/path/follow.hpp"
 #include "contact/path/long_box.hpp"
-#include "contact/path/parts.hpp"
+#include "contact/problem/parts.hpp"
 
 namespace slipproof {
 

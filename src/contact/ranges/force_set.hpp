@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "contact/enclosure/mixed_problem.hpp"
+#include "contact/problem/mixed_problem.hpp"
 
 namespace slipproof {
 

@@ -6,7 +6,7 @@
 
 #include "base/number/binary64.hpp"
 #include "contact/enclosure/sizes.hpp"
-#include "contact/path/parts.hpp"
+#include "contact/problem/parts.hpp"
 #include "contact/ranges/cone_program.hpp"
 #include "contact/ranges/force_set.hpp"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/number/binary64.hpp"
-#include "contact/enclosure/mixed_problem.hpp"
+#include "contact/problem/mixed_problem.hpp"
 #include "contact/problem/solutions.hpp"
 
 namespace lcp {

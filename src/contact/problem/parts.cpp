@@ -1,4 +1,4 @@
-#include "contact/path/parts.hpp"
+#include "contact/problem/parts.hpp"
 
 #include "base/algebra/union_find.hpp"
 

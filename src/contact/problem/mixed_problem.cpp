@@ -1,4 +1,4 @@
-#include "contact/enclosure/mixed_problem.hpp"
+#include "contact/problem/mixed_problem.hpp"
 
 #include <iterator>
 #include <utility>
