@@ -52,10 +52,13 @@ std::vector<std::size_t> others(const std::vector<Index>& chosen, std::span<cons
   return result;
 }
 
-/// Puts a linear equation, as a row of A with its constant below, into a column.
-void put_equation(FlintRationalMatrix& to, std::size_t column, const MixedProblem& problem, std::size_t row) {
+/// Puts a linear equation, as a row of A with its constant below, into a column; without what is 0 in the mode.
+void put_equation(FlintRationalMatrix& to, std::size_t column, const MixedProblem& problem, const ModeSystem& system,
+                  std::size_t row) {
   const auto columns = problem.A.columns_of(row);
-  for (std::size_t e = 0; e < columns.size(); ++e) to.set(columns[e], column, to_rational(problem.A.values_of(row)[e]));
+  for (std::size_t e = 0; e < columns.size(); ++e) {
+    if (!system.is_zero(columns[e])) to.set(columns[e], column, to_rational(problem.A.values_of(row)[e]));
+  }
   to.set(problem.size(), column, to_rational(problem.c[row]));
 }
 
@@ -86,11 +89,12 @@ bool combine(const MixedProblem& problem, const ModeSystem& system, std::span<co
   if (dropped.empty()) return true;
   FlintRationalMatrix A(problem.size() + 1, linear.size()), B(problem.size() + 1, dropped.size());
   FlintRationalMatrix X(linear.size(), dropped.size());
-  for (std::size_t j = 0; j < linear.size(); ++j) put_equation(A, j, problem, system.equations()[linear[j]].row);
+  for (std::size_t j = 0; j < linear.size(); ++j)
+    put_equation(A, j, problem, system, system.equations()[linear[j]].row);
   for (std::size_t j = 0; j < dropped.size(); ++j) {
     const auto& equation = system.equations()[dropped[j].equation];
     if (equation.kind != ModeSystem::Kind::linear) return false;
-    put_equation(B, j, problem, equation.row);
+    put_equation(B, j, problem, system, equation.row);
   }
   if (fmpq_mat_can_solve(X.get(), A.get(), B.get()) == 0) return false;
   for (std::size_t j = 0; j < dropped.size(); ++j) {

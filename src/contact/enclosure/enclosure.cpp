@@ -7,6 +7,7 @@
 #include "base/number/binary64.hpp"
 #include "base/parallel/stop.hpp"
 #include "contact/enclosure/ball.hpp"
+#include "contact/enclosure/conditions.hpp"
 #include "contact/enclosure/dependence.hpp"
 #include "contact/enclosure/residual.hpp"
 #include "contact/linear/rounding.hpp"
@@ -55,6 +56,18 @@ class EnclosureSearch {
     return NoEnclosure{"Newton's method finds no mode that fits its own point", {}};
   }
 
+  /// In the mode in which these contacts touch.
+  std::optional<Enclosure> run_touching(std::span<const double> answer, std::span<const std::size_t> contacts) {
+    std::vector<double> x(answer.begin(), answer.end());
+    ConeMode mode = looks_like(problem_, x, scales_);
+    for (const std::size_t k : contacts) mode[k] = ConeState::touch;
+    enter(std::move(mode), std::move(x));
+    if (prepare() || !improve() || !all_finite(z_)) return std::nullopt;
+    auto result = test();
+    auto* box = std::get_if<Enclosure>(&result);
+    return box != nullptr ? std::optional(std::move(*box)) : std::nullopt;
+  }
+
  private:
   /// Starts with the equations of a mode, with unknowns near x.
   void enter(ConeMode mode, std::vector<double> x) {
@@ -62,6 +75,10 @@ class EnclosureSearch {
     system_.emplace(problem_, std::move(mode));
     z_ = system_->unknowns_at(x);
     pinned_.assign(system_->size(), false);
+    for (std::size_t j = 0; j < system_->size(); ++j) {
+      const std::size_t place = system_->place(j);
+      pinned_[j] = place != ModeSystem::none && system_->is_zero(place);
+    }
     dropped_.assign(system_->size(), false);
     combinations_.clear();
   }
@@ -205,82 +222,10 @@ class EnclosureSearch {
     }
     result.blocks = std::move(blocks_);
     result.locally_unique = result.locally_unique && result.pinned.empty();
-    if (auto failure = check_conditions(result)) return std::move(*failure);
-    return result;
-  }
-
-  /// Whether a number within `radius` of `center` is certain to be >= 0, and > 0.
-  struct Sign {
-    bool not_negative = true, positive = true;
-  };
-  static Sign sign_of(const Rational& center, double radius) {
-    const double lower = enclose(center).lower;
-    return {lower >= radius, lower > radius};
-  }
-
-  static Sign both(Sign a, Sign b) { return {a.not_negative && b.not_negative, a.positive && b.positive}; }
-
-  /// The conditions of a closed contact: r_N >= 0, and r in the cone if it sticks.
-  Sign force_conditions(const Enclosure& box, std::size_t k, std::span<const double> x) const {
-    const std::size_t first = problem_.normal(k), n = box.system.unknown(first);
-    Sign sign = sign_of(to_rational(box.center[n]), box.radius[n]);
-    if (box.system.mode()[k] == ConeState::slide) {
-      const std::size_t s = box.system.slip(k);
-      return both(sign, sign_of(to_rational(box.center[s]), box.radius[s]));
-    }
-    if (problem_.mu[k] == 0 || problem_.dimension == 1) return sign;
-    const std::array<int, 2> signs = slip_signs(box.system.mode()[k]);
-    const Rational least = to_rational(problem_.mu[k]) * (to_rational(box.center[n]) - to_rational(box.radius[n]));
-    const bool cone = box.system.mode()[k] == ConeState::stick && problem_.law.kind != FrictionLaw::box;
-    Rational square = 0;
-    for (std::size_t i = 1; i < problem_.dimension; ++i) {
-      const std::size_t t = box.system.unknown(first + i);
-      const Rational T = abs(to_rational(box.center[t])) + to_rational(box.radius[t]);
-      if (cone) {
-        square += T * T;
-      } else if (signs[i - 1] == 0) {  // of the box: |r_i| <= mu r_N
-        sign = both(sign, sign_of(least - T, 0));
-      } else {
-        const Rational u = exact_row(problem_, first + i, x);
-        sign = both(sign, sign_of(signs[i - 1] * u, row_radius(problem_, box, first + i)));
-      }
-    }
-    if (!cone) return sign;
-    const int inside = least.sign() < 0 ? -1 : Rational(least * least - square).sign();
-    return {sign.not_negative && inside >= 0, sign.positive && inside > 0};
-  }
-
-  /// An open contact: u_N >= 0, or for the associated law u_N >= mu |u_T|.
-  Sign open_conditions(const Enclosure& box, std::size_t k, std::span<const double> x) const {
-    const std::size_t first = problem_.normal(k);
-    const Rational u = exact_row(problem_, first, x);
-    const double radius = row_radius(problem_, box, first);
-    if (problem_.law.kind != FrictionLaw::associated || problem_.dimension == 1) return sign_of(u, radius);
-    const Rational least = u - to_rational(radius), mu = to_rational(problem_.mu[k]);
-    Rational square = 0;
-    for (std::size_t i = 1; i < problem_.dimension; ++i) {
-      const Rational T = abs(exact_row(problem_, first + i, x)) + to_rational(row_radius(problem_, box, first + i));
-      square += mu * mu * T * T;
-    }
-    const int inside = least.sign() < 0 ? -1 : Rational(least * least - square).sign();
-    return {inside >= 0, inside > 0};
-  }
-
-  std::optional<NoEnclosure> check_conditions(Enclosure& box) const {
-    const std::vector<double> x = box.system.x_at(box.center);
-    std::vector<std::size_t> failing;
-    for (std::size_t k = 0; k < problem_.contacts(); ++k) {
-      Sign sign;
-      if (box.system.mode()[k] == ConeState::open) {
-        sign = open_conditions(box, k, x);
-      } else {
-        sign = force_conditions(box, k, x);
-      }
-      if (!sign.not_negative) failing.push_back(k);
-      box.locally_unique = box.locally_unique && sign.positive;
-    }
-    if (failing.empty()) return std::nullopt;
-    return NoEnclosure{"these contacts are at a border between modes, closer than rounding can tell", failing};
+    std::vector<std::size_t> border = check_conditions(problem_, result);
+    if (border.empty()) return result;
+    return NoEnclosure{"these contacts are at a border between modes, closer than rounding can tell", std::move(border),
+                       true};
   }
 
   const MixedProblem& problem_;
@@ -298,6 +243,23 @@ class EnclosureSearch {
 std::variant<Enclosure, NoEnclosure> enclose_solution(const MixedProblem& problem, std::span<const double> x,
                                                       const EnclosureOptions& options) {
   return EnclosureSearch(problem, options).run(x);
+}
+
+std::optional<Enclosure> enclose_touching(const MixedProblem& problem, std::span<const double> x,
+                                          std::span<const std::size_t> contacts, const EnclosureOptions& options) {
+  double largest = 0;
+  for (std::size_t i = problem.free; i < x.size(); ++i) largest = std::max(largest, std::abs(x[i]));
+  const auto pressed = [&](std::size_t k) { return std::abs(x[problem.normal(k)]) > 1e-6 * largest; };
+  const bool leans = problem.law.kind == FrictionLaw::associated && problem.dimension > 1;
+  if (contacts.empty() || leans || std::ranges::any_of(contacts, pressed)) return std::nullopt;
+  return EnclosureSearch(problem, options).run_touching(x, contacts);
+}
+
+std::size_t Enclosure::undetermined() const {
+  return static_cast<std::size_t>(std::ranges::count_if(pinned, [this](std::size_t j) {
+    const std::size_t place = system.place(j);
+    return place == ModeSystem::none || !system.is_zero(place);
+  }));
 }
 
 std::vector<double> center_of(const Enclosure& enclosure) {

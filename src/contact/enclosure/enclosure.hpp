@@ -39,12 +39,16 @@ struct Enclosure {
   /// All conditions hold strictly, nothing is pinned: there is a neighbourhood with no other solution.
   bool locally_unique = false;
   std::shared_ptr<const LongProof> proof = {};  ///< in place of the blocks
+
+  /// How many unknowns nothing determines: those pinned, but for forces that are 0 where contacts touch.
+  std::size_t undetermined() const;
 };
 
 /// Why there is no enclosure.
 struct NoEnclosure {
   std::string reason;
   std::vector<std::size_t> contacts;  ///< that it is about, from 0
+  bool at_border = false;             ///< between modes, closer than the box can tell
 };
 
 struct EnclosureOptions {
@@ -58,6 +62,12 @@ struct EnclosureOptions {
 /// mode's conditions in the box. `x` is finite.
 std::variant<Enclosure, NoEnclosure> enclose_solution(const MixedProblem& problem, std::span<const double> x,
                                                       const EnclosureOptions& options = {});
+
+/// Where these contacts are at a border between open and closed: the mode in which they touch without load. That u_N =
+/// 0 has to follow exactly from equations of other contacts. Nothing if it does not, where one of them is pressed in
+/// `x`, and for the associated law.
+std::optional<Enclosure> enclose_touching(const MixedProblem& problem, std::span<const double> x,
+                                          std::span<const std::size_t> contacts, const EnclosureOptions& options = {});
 
 /// The improved answer: the box's center, forces of open contacts 0.
 std::vector<double> center_of(const Enclosure& enclosure);

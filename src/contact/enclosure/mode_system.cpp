@@ -31,9 +31,9 @@ ConeState with_signs(std::array<int, 2> signs, std::size_t dimension) {
 }  // namespace
 
 std::string_view name(ConeState state) {
-  constexpr std::array<std::string_view, 13> names{"open",    "stick",   "slide",   "slide+",  "slide-",
-                                                   "slide+0", "slide-0", "slide0+", "slide0-", "slide++",
-                                                   "slide+-", "slide-+", "slide--"};
+  constexpr std::array<std::string_view, 14> names{"open",    "touch",   "stick",   "slide",   "slide+",
+                                                   "slide-",  "slide+0", "slide-0", "slide0+", "slide0-",
+                                                   "slide++", "slide+-", "slide-+", "slide--"};
   return names[static_cast<std::size_t>(state)];
 }
 
@@ -94,7 +94,7 @@ ModeSystem::ModeSystem(const MixedProblem& problem, ConeMode mode)
 
 void ModeSystem::add_contact(std::size_t k) {
   const std::size_t first = problem_->normal(k), force = unknowns_.size();
-  const std::size_t d = problem_->mu[k] == 0 ? 1 : problem_->dimension;
+  const std::size_t d = problem_->mu[k] == 0 || touches(k) ? 1 : problem_->dimension;
   for (std::size_t i = 0; i < d; ++i) {
     unknown_of_[first + i] = unknowns_.size();
     unknowns_.push_back(first + i);
@@ -124,7 +124,7 @@ void ModeSystem::add_contact(std::size_t k) {
 std::vector<double> ModeSystem::unknowns_at(std::span<const double> x) const {
   std::vector<double> z(size());
   for (std::size_t j = 0; j < size(); ++j) {
-    if (unknowns_[j] != none) z[j] = x[unknowns_[j]];
+    if (unknowns_[j] != none && !is_zero(unknowns_[j])) z[j] = x[unknowns_[j]];
   }
   for (std::size_t k = 0; k < mode_.size(); ++k) {
     if (slip_of_[k] == none) continue;

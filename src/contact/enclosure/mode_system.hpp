@@ -12,9 +12,10 @@ namespace slipproof {
 
 /// `slide_plus` (u_T >= 0) and `slide_minus` are the two ways of sliding in the plane, `slide` is that of space. In the
 /// box pyramid each direction of space sticks or slides for itself: the states from `slide_plus_0` on. Where mu = 0,
-/// and in dimension 1, what is closed sticks.
+/// and in dimension 1, what is closed sticks. `touch` is the border of open and closed: r = 0 and u_N = 0.
 enum class ConeState : std::uint8_t {
   open,
+  touch,
   stick,
   slide,
   slide_plus,
@@ -30,7 +31,8 @@ enum class ConeState : std::uint8_t {
 };
 std::string_view name(ConeState state);
 
-/// The signs of u in the tangential directions of a state, 0 where it sticks; all 0 for `open`, `stick` and `slide`.
+/// The signs of u in the tangential directions of a state, 0 where it sticks; all 0 for `open`, `touch`, `stick` and
+/// `slide`.
 std::array<int, 2> slip_signs(ConeState state);
 
 using ConeMode = std::vector<ConeState>;  ///< of each contact
@@ -79,6 +81,11 @@ class ModeSystem {
   std::size_t place(std::size_t unknown) const { return unknowns_[unknown]; }
   /// Which unknown a component of x is; `none` where it is 0 in this mode.
   std::size_t unknown(std::size_t place) const { return unknown_of_[place]; }
+  /// Whether a component of x is 0 in this mode, though it may be an unknown: the force of a contact that touches.
+  bool is_zero(std::size_t place) const {
+    return unknown_of_[place] == none || (place >= problem_->free && touches(contact_of(place)));
+  }
+  bool touches(std::size_t contact) const { return mode_[contact] == ConeState::touch; }
   /// The slip of a contact that slides in space.
   std::size_t slip(std::size_t contact) const { return slip_of_[contact]; }
   const std::vector<Equation>& equations() const { return equations_; }
@@ -100,6 +107,7 @@ class ModeSystem {
   double second_order(std::size_t equation, std::span<const double> radius) const;
 
  private:
+  std::size_t contact_of(std::size_t place) const { return (place - problem_->free) / problem_->dimension; }
   void add_contact(std::size_t k);
   template <class Row, class At>
   Rational value_of(const Equation& e, const Row& row, const At& at) const;

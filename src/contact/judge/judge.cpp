@@ -170,15 +170,21 @@ class ContactCase {
     if (other != others.end()) j_.other_exact = small.with_free(*other);
   }
 
+  void take(Enclosure box) {
+    j_.exact.clear();
+    j_.rho = distance_from(box, j_.x);
+    j_.undetermined = box.undetermined();
+    j_.enclosure = std::move(box);
+  }
+
   void enclose() {
     auto found = enclose_solution(problem_, j_.x, options_.enclosure);
-    if (auto* box = std::get_if<Enclosure>(&found)) {
-      j_.rho = distance_from(*box, j_.x);
-      j_.undetermined = box->pinned.size();
-      j_.enclosure = std::move(*box);
-      return;
-    }
+    if (auto* box = std::get_if<Enclosure>(&found)) return take(std::move(*box));
     if (problem_.is_coulomb() && solve_exactly() && error_from(j_.exact) <= options_.tolerance) return;
+    if (const auto& failure = std::get<NoEnclosure>(found); failure.at_border) {
+      auto box = enclose_touching(problem_, j_.x, failure.contacts, options_.enclosure);
+      if (box) return take(std::move(*box));
+    }
     const bool right = j_.residual->backward_error() <= options_.tolerance;
     if (problem_.is_coulomb() && (right || options_.refine)) extra("a solution along a path", [&] { follow(); });
     if (j_.has_solution()) return;
@@ -208,12 +214,10 @@ class ContactCase {
   /// Where equations depend on each other up to rounding.
   void follow() {
     Effort effort(options_.effort);  // other searches may have left none
-    j_.enclosure = solve_along_path(problem_, j_.x, effort);
-    if (!j_.enclosure) return;
-    j_.exact.clear();
-    j_.rho = distance_from(*j_.enclosure, j_.x);
-    j_.eta = velocity_distance(problem_, *j_.enclosure, j_.x);
-    j_.undetermined = j_.enclosure->pinned.size();
+    auto box = solve_along_path(problem_, j_.x, effort);
+    if (!box) return;
+    j_.eta = velocity_distance(problem_, *box, j_.x);
+    take(std::move(*box));
   }
 
   void exclude_others() {

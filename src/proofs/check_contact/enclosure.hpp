@@ -5,7 +5,7 @@
 
 namespace slipproof::check_contact {
 
-enum class Mode { open, stick, slide, faces };
+enum class Mode { open, touch, stick, slide, faces };
 
 /// The signs of u where each tangential direction sticks, 0, or slides for itself: on faces of a pyramid.
 using Signs = std::array<int, 2>;
@@ -81,6 +81,7 @@ class Neighbourhood {
   Mode mode(Reader& reader, std::size_t k) {
     const bool friction = has_friction(k);
     if (reader.accept("open")) return Mode::open;
+    if (reader.accept("touch")) return Mode::touch;
     if (reader.accept("stick")) return Mode::stick;
     if (friction && problem_.dimension == 3 && !problem_.law.is(Law::Kind::box) && reader.accept("slide")) {
       return Mode::slide;
@@ -108,7 +109,8 @@ class Neighbourhood {
 
   /// How many rows of A are equations, and components of x unknowns, of contact k.
   std::size_t forces(std::size_t k) const {
-    return modes_[k] == Mode::open ? 0 : has_friction(k) ? problem_.dimension : 1;
+    if (modes_[k] == Mode::open) return 0;
+    return has_friction(k) && modes_[k] != Mode::touch ? problem_.dimension : 1;
   }
 
   void count_unknowns() {
@@ -166,7 +168,7 @@ class Neighbourhood {
       result.slope[normal] += -(m2 * center_[slip]);
       result.rest = m2 * radius_[slip] * radius_[normal];
       result.linear = false;
-    } else if (modes_[k] != Mode::stick) {
+    } else if (modes_[k] == Mode::faces) {
       const Number slope = -(signs_[k][0] * m);
       const Equation tangential = motion(row + 1);
       result.value += slope * tangential.value;
@@ -245,11 +247,18 @@ class Neighbourhood {
     require(square(problem_.mu[k]) * tangential <= square(normal), "contact", k, "u_N may be less than m |u_T|");
   }
 
+  /// No force, where u_N = 0. By the associated law u_T would have to be 0, too.
+  void check_touch(std::size_t k, std::size_t normal) const {
+    require(pinned_.count(normal) > 0 && center_[normal].sign() == 0, "contact", k, "it touches with a force");
+    require(!opens_ || !has_friction(k), "contact", k, "by the associated law it cannot touch in motion");
+  }
+
   /// The conditions of the law that the equations do not imply, everywhere in the box.
   void check_contact(std::size_t k) const {
     const std::size_t row = problem_.normal(k);
     if (modes_[k] == Mode::open) return check_open(k);
     const std::size_t normal = unknown_.at(row), slip = normal + 3;
+    if (modes_[k] == Mode::touch) return check_touch(k, normal);
     const Number r = center_[normal] - radius_[normal];
     require(r.sign() >= 0, "contact", k, "r_N may be negative");
     if (modes_[k] == Mode::slide) return require(center_[slip] >= radius_[slip], "contact", k, "s may be negative");

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "contact/enclosure/known_problem.hpp"
@@ -107,6 +108,29 @@ class Lawful {
   ContactLaw law_;
   std::vector<double> r_, u_;
 };
+
+/// The same with one more contact, which touches without load and moves along: its normal row is half of that of the
+/// first contact that is pressed. Nothing if none is.
+inline std::optional<LawfulProblem> with_touching(const LawfulProblem& known, Dice& dice) {
+  const MixedProblem& p = known.problem;
+  const std::size_t n = p.size(), all = n + 3;
+  std::size_t pressed = 0;
+  while (pressed < n && known.x[pressed] == 0) pressed += 3;
+  if (pressed >= n) return std::nullopt;
+  LawfulProblem result = known;
+  std::vector<double> W(all * all, 0);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t e = p.A.starts[i]; e < p.A.starts[i + 1]; ++e) W[i * all + p.A.column[e]] = p.A.value[e];
+  }
+  for (std::size_t j = 0; j < n; ++j) W[n * all + j] = W[pressed * all + j] / 2;
+  for (std::size_t i = n; i < all; ++i) W[i * all + i] = dice.number(1, 9);
+  result.problem.A = from_dense(all, all, W);
+  result.problem.c.insert(result.problem.c.end(),
+                          {p.c[pressed] / 2, 1.0 * dice.number(-9, 9), 1.0 * dice.number(-9, 9)});
+  result.problem.mu.push_back(0.5);
+  result.x.insert(result.x.end(), 3, 0.0);
+  return result;
+}
 
 /// Contacts of one point mass, all at the same place: u_k = r_1 + r_2 + ... + q. The last row of blocks is larger by
 /// 2^-50, as if rounding had done it.

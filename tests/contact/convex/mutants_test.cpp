@@ -46,6 +46,12 @@ std::string certificate_of(const LawfulProblem& known, const std::vector<double>
 
 /// A problem with its solution; for `velocities` with forces elsewhere that move nothing else.
 LawfulProblem problem_for(const std::string& claim, Dice& dice, const ContactLaw& law) {
+  if (claim == " touch") {
+    for (;;) {
+      const LawfulProblem known = Lawful(dice, law).make(static_cast<std::size_t>(dice.number(1, 3)));
+      if (auto touching = with_touching(known, dice)) return *touching;
+    }
+  }
   if (claim != "velocities") return Lawful(dice, law).make(static_cast<std::size_t>(dice.number(1, 3)));
   const double weight = 1 << dice.number(0, 6), share = weight * dice.number(1, 15) / 16;
   const double other = -weight * (1 + dice.number(1, 3) * 0x1p-52);
@@ -104,6 +110,8 @@ TEST_CASE("mutants of certificates of every law are judged alike by two checkers
                                 {FrictionLaw::box, Regularisation::linear, "ball"},
                                 {FrictionLaw::cone, Regularisation::linear, "ball"},
                                 {FrictionLaw::cone, Regularisation::linear, "velocities"},
+                                {FrictionLaw::cone, Regularisation::linear, " touch"},
+                                {FrictionLaw::box, Regularisation::linear, " touch"},
                                 {FrictionLaw::associated, Regularisation::linear, "every-solution"},
                                 {FrictionLaw::fixed, Regularisation::linear, "every-solution"}};
   const int mutants = how_many("SLIPPROOF_LAW_MUTANTS", 150);

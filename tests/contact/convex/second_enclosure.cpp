@@ -29,8 +29,8 @@ void enclosure(const Certificate& p, Words& words, bool ball) {
     const bool rubs = p.D > 1 && p.mu[k] != 0, plus = s == "slide+" || s == "slide-";
     const bool face = s.size() == 7 && s.rfind("slide", 0) == 0 && only(s.substr(5), "+-0") && s != "slide00";
     const bool space = p.D == 3 && (p.law == "box" ? face : s == "slide");
-    if (s != "open" && s != "stick" && !(rubs && (space || (p.D == 2 && plus)))) throw Garbled();
-    unknowns_of[k] = s == "open" ? 0 : rubs ? p.D : 1;
+    if (s != "open" && s != "touch" && s != "stick" && !(rubs && (space || (p.D == 2 && plus)))) throw Garbled();
+    unknowns_of[k] = s == "open" ? 0 : rubs && s != "touch" ? p.D : 1;
     for (std::size_t t = 0; t < unknowns_of[k]; ++t) at[p.F + p.D * k + t] = N++;
     if (s == "slide") slip[k] = N++;
   }
@@ -108,6 +108,7 @@ void enclosure(const Certificate& p, Words& words, bool ball) {
       for (std::size_t j = 0; j < N; ++j) normal.slope[j] += sign * m * along.slope[j];
     }
     F.push_back(normal);
+    if (mode[k] == "touch") continue;
     if (mode[k] == "stick") {
       for (std::size_t t = 1; t < unknowns_of[k]; ++t) F.push_back(row(first + t));
     } else if (mode[k] == "slide") {
@@ -209,6 +210,11 @@ void enclosure(const Certificate& p, Words& words, bool ball) {
         square += (absolute(u.value) + reach(u)) * (absolute(u.value) + reach(u));
       }
       need(m * m * square <= least * least, "opens");
+      continue;
+    }
+    if (mode[k] == "touch") {
+      need(pinned.count(at[first]) > 0 && z[at[first]] == 0, "touches");
+      need(p.law != "associated" || unknowns_of[k] == p.D || m == 0, "touches by the associated law");
       continue;
     }
     const Q least = z[at[first]] - radius[at[first]];

@@ -71,6 +71,30 @@ TEST_CASE("three contacts stick and 41 touch without load") {
   for (std::size_t i = 0; i < r.size(); ++i) CHECK(found.exact[i] == to_rational(r[i]));
 }
 
+TEST_CASE("beside a contact that slides in space another one may touch without load") {
+  // As above, but pushed: the first contact slides along (3, 4) / 5, the second one, just at the floor, along with it.
+  std::vector<double> W(36);
+  for (std::size_t i = 0; i < 6; ++i) {
+    W[i * 6 + i] = 2;
+    W[i * 6 + (i + 3) % 6] = 1;
+  }
+  const MixedProblem p = problem_of(3, W, {-2, 3, 4, -1, 3, 4}, 0.25);
+  const auto found = judged(p, {1, -0.15, -0.2, 0, 0, 0});
+  REQUIRE(found.verdict == ContactVerdict::solution_within_rho);
+  CHECK(found.rho < 1e-14);
+  CHECK(found.undetermined == 0);
+  REQUIRE(found.enclosure.has_value());
+  CHECK(found.enclosure->system.mode() == ConeMode{ConeState::slide, ConeState::touch});
+  CHECK(!found.enclosure->locally_unique);
+  // With another last bit in its constant it leaves the floor, or presses: it does not touch without load.
+  for (const double c : {-1 - 0x1p-52, -1 + 0x1p-53}) {
+    MixedProblem q = p;
+    q.c[3] = c;
+    const auto other = judged(q, {1, -0.15, -0.2, 0, 0, 0});
+    CHECK((!other.enclosure || other.enclosure->system.mode()[1] != ConeState::touch));
+  }
+}
+
 TEST_CASE("at the edge of its cone a contact may stick or be about to slide") {
   Dice dice(16, 1);
   // In the plane every mode is linear, in space the modes without sliding: (3, 4) is at the edge for N = 10, mu = 1/2.
