@@ -18,6 +18,9 @@ using Dense = Eigen::MatrixXd;
 using DenseVector = Eigen::VectorXd;
 using Index = Eigen::Index;
 
+/// Of their sizes, around the answer: where free unknowns may be.
+constexpr double free_box = 1e6;
+
 /// What components of x and of A x + c are compared with.
 struct Scales {
   double force = 0;             ///< the largest of the answer
@@ -108,6 +111,7 @@ class OpenPart {
          Dense(decomposition_.matrixZ().adjoint()).rightCols(reduced_.size() - decomposition_.rank());
     transposed_.A = transposed(problem.A);
     transposed_.c.assign(problem.size(), 0);
+    program_.emplace(N_, reduced_.of(x_), reduced_.cones());
   }
 
   std::size_t directions() const { return static_cast<std::size_t>(N_.cols()); }
@@ -120,23 +124,21 @@ class OpenPart {
 
   /// Bounds the sum of all normal forces first: it pays for what multipliers lack.
   void bound_sum() {
-    const ConeProgram program(N_, reduced_.of(x_), reduced_.cones());
     DenseVector all = DenseVector::Zero(reduced_.size());
     for (std::size_t k = 0; k < sets_.size(); ++k) {
       if (reduced_.normal(k) >= 0) all[reduced_.normal(k)] = 1;
     }
-    const auto bound = bound_of(program, all);
+    const auto bound = bound_of(all);
     if (bound && bound->lack < 1) sum_ = bound->value / (1 - bound->lack);
   }
 
   /// The normal force of one contact.
   NormalRange range(std::size_t contact) {
-    const ConeProgram program(N_, reduced_.of(x_), reduced_.cones());
     DenseVector g = DenseVector::Zero(reduced_.size());
     g[reduced_.normal(contact)] = 1;
     NormalRange result{contact, 0, std::nullopt};
-    if (const auto most = upper(program, g)) result.most = enclose(std::max(*most, Rational(0))).upper;
-    if (const auto least = upper(program, -g)) result.least = std::max(0.0, -enclose(*least).upper);
+    if (const auto most = upper(g)) result.most = enclose(std::max(*most, Rational(0))).upper;
+    if (const auto least = upper(-g)) result.least = std::max(0.0, -enclose(*least).upper);
     return result;
   }
 
@@ -146,16 +148,16 @@ class OpenPart {
     Rational value, lack;
   };
 
-  std::optional<Rational> upper(const ConeProgram& program, const DenseVector& g) {
-    const auto bound = bound_of(program, g);
+  std::optional<Rational> upper(const DenseVector& g) {
+    const auto bound = bound_of(g);
     if (!bound) return std::nullopt;
     if (bound->lack.is_zero()) return bound->value;
     if (!sum_) return std::nullopt;
     return bound->value + bound->lack * *sum_;
   }
 
-  std::optional<Bound> bound_of(const ConeProgram& program, const DenseVector& g) {
-    const auto multipliers = program.multipliers(g, effort_);
+  std::optional<Bound> bound_of(const DenseVector& g) {
+    const auto multipliers = program_->multipliers(g, effort_);
     if (!multipliers) return std::nullopt;
     const DenseVector y = decomposition_.transpose().solve(g + *multipliers);
     if (!y.allFinite()) return std::nullopt;
@@ -179,7 +181,8 @@ class OpenPart {
       bound.value += own * to_rational(x_[problem_.normal(k)]);
     }
     for (std::size_t j = 0; j < z.size(); ++j) bound.value += z[j] * to_rational(x_[j]);
-    for (std::size_t j = 0; j < problem_.free; ++j) bound.value += abs(z[j]) * to_rational(1e6 * scales_.unknown[j]);
+    for (std::size_t j = 0; j < problem_.free; ++j)
+      bound.value += abs(z[j]) * to_rational(free_box * scales_.unknown[j]);
     for (std::size_t k = 0; k < sets_.size(); ++k) {
       bound.lack = std::max(bound.lack, sets_[k].lack(std::span(z).subspan(problem_.normal(k), problem_.dimension)));
     }
@@ -195,6 +198,7 @@ class OpenPart {
   Eigen::CompleteOrthogonalDecomposition<Dense> decomposition_;
   Dense N_;
   MixedProblem transposed_;
+  std::optional<ConeProgram> program_;
   std::optional<Rational> sum_;
 };
 

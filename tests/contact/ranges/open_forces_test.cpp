@@ -3,14 +3,10 @@
 
 #include <doctest/doctest.h>
 
-#include <array>
-#include <limits>
-
 #include "base/algebra/linear_program.hpp"
 #include "base/number/binary64.hpp"
 #include "base/number/dice.hpp"
 #include "contact/judge/judge.hpp"
-#include "contact/ranges/cone_program.hpp"
 
 using namespace slipproof;
 
@@ -121,12 +117,19 @@ TEST_CASE("a box on four corners: six directions at rest, one while it slides") 
   SUBCASE("sliding along x, pairs of corners share what the motion gives them") {
     const std::vector<double> x{1, -0.5, 0, 1, -0.5, 0, 2, -1, 0, 2, -1, 0};
     std::vector<double> u(12, 0.0);
-    for (const std::size_t i : {1U, 4U, 7U, 10U}) u[i] = 1;
-    const auto open = ranges(with_solution(problem_of(H, 3, 0.5), x, u), x);
-    REQUIRE(open.has_value());
-    CHECK(open->directions == 1);
-    for (const std::size_t k : {0U, 1U}) check_range(*open, k, 0, 2);
-    for (const std::size_t k : {2U, 3U}) check_range(*open, k, 1, 3);
+    for (const FrictionLaw law : {FrictionLaw::cone, FrictionLaw::associated}) {
+      for (const std::size_t i : {1U, 4U, 7U, 10U}) {
+        u[i] = 1;
+        u[i - 1] = law == FrictionLaw::associated ? 0.5 : 0;  // there it opens with mu times its slip
+      }
+      MixedProblem p = problem_of(H, 3, 0.5);
+      p.law.kind = law;
+      const auto open = ranges(with_solution(std::move(p), x, u), x);
+      REQUIRE(open.has_value());
+      CHECK(open->directions == 1);
+      for (const std::size_t k : {0U, 1U}) check_range(*open, k, 0, 2);
+      for (const std::size_t k : {2U, 3U}) check_range(*open, k, 1, 3);
+    }
   }
 }
 
