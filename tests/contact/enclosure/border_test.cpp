@@ -22,6 +22,16 @@ MixedProblem problem_of(std::size_t dimension, const std::vector<double>& W, std
   return p;
 }
 
+/// Two contacts with W = [[2, 1], [1, 2]] in each direction.
+MixedProblem two_coupled(std::vector<double> q, double mu) {
+  std::vector<double> W(36);
+  for (std::size_t i = 0; i < 6; ++i) {
+    W[i * 6 + i] = 2;
+    W[i * 6 + (i + 3) % 6] = 1;
+  }
+  return problem_of(3, W, std::move(q), mu);
+}
+
 ContactJudgement judged(const MixedProblem& p, std::vector<double> x) {
   return judge_contacts(p, std::move(x), {}, {});
 }
@@ -43,13 +53,8 @@ MixedProblem at_rest(Dice& dice, std::size_t dimension, const std::vector<double
 }  // namespace
 
 TEST_CASE("a contact that touches without load is no obstacle") {
-  // W = [[2, 1], [1, 2]] for each direction; the first contact sticks with 1, which just keeps the second from closing.
-  std::vector<double> W(36);
-  for (std::size_t i = 0; i < 6; ++i) {
-    W[i * 6 + i] = 2;
-    W[i * 6 + (i + 3) % 6] = 1;
-  }
-  const MixedProblem p = problem_of(3, W, {-2, 0, 0, -1, 0, 0}, 0.5);
+  // The first contact sticks with 1, which just keeps the second from closing.
+  const MixedProblem p = two_coupled({-2, 0, 0, -1, 0, 0}, 0.5);
   const auto found = judged(p, {1, 0, 0, 0, 0, 0});
   CHECK(found.verdict == ContactVerdict::solution_within_rho);
   CHECK(found.rho == 0);
@@ -73,12 +78,7 @@ TEST_CASE("three contacts stick and 41 touch without load") {
 
 TEST_CASE("beside a contact that slides in space another one may touch without load") {
   // As above, but pushed: the first contact slides along (3, 4) / 5, the second one, just at the floor, along with it.
-  std::vector<double> W(36);
-  for (std::size_t i = 0; i < 6; ++i) {
-    W[i * 6 + i] = 2;
-    W[i * 6 + (i + 3) % 6] = 1;
-  }
-  const MixedProblem p = problem_of(3, W, {-2, 3, 4, -1, 3, 4}, 0.25);
+  const MixedProblem p = two_coupled({-2, 3, 4, -1, 3, 4}, 0.25);
   const auto found = judged(p, {1, -0.15, -0.2, 0, 0, 0});
   REQUIRE(found.verdict == ContactVerdict::solution_within_rho);
   CHECK(found.rho < 1e-14);
