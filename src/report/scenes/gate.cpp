@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <cctype>
 #include <stdexcept>
 
 #include "base/number/format.hpp"
 #include "base/output/json.hpp"
+#include "base/output/percent.hpp"
 #include "records/certify/certify.hpp"
 #include "report/markup/element.hpp"
 #include "report/values/exact_json.hpp"
@@ -35,17 +35,6 @@ std::string message_of(const GateFailure& failure) {
         ": " + place + " violates " + worst["violates"].get<std::string>() + " by " + worst["by"].get<std::string>();
   }
   return text;
-}
-
-/// A file's name as a URI, RFC 3986.
-std::string uri_of(const std::string& file) {
-  std::string uri;
-  for (const char c : file) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool plain = std::isalnum(byte) != 0 || std::string_view("-._~/").find(c) != std::string_view::npos;
-    uri += plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
-  }
-  return uri;
 }
 
 }  // namespace
@@ -111,7 +100,7 @@ std::string sarif(const GateRun& run) {
     result["ruleId"] = name(failure.verdict);
     result["level"] = failure.verdict == RecordVerdict::undecided ? "warning" : "error";
     result["message"]["text"] = case_name(failure) + ": " + message_of(failure);
-    location["physicalLocation"]["artifactLocation"]["uri"] = uri_of(run.file);
+    location["physicalLocation"]["artifactLocation"]["uri"] = percent_encoded(run.file, "/");
     result["locations"] = Json::array({std::move(location)});
     result["properties"]["record"] = failure.record;
     results.push_back(std::move(result));
