@@ -15,19 +15,21 @@
   };
 
   const describe = function (tip, data, point) {
-    tip.replaceChildren(element("p", data.x + " = " + point[2] + ",  " + data.y + " = " + point[3]));
-    point[4].forEach(function (motion) {
-      tip.append(element("p", motion[0].join(" = ") + (motion[1] ? "" : " (boundary)"), "motion"));
+    tip.replaceChildren(element("p", data.x + " = " + data.xs[point[0]][1] + ",  " + data.y + " = " + data.ys[point[1]][1]));
+    point[2].forEach(function (motion) {
+      const modes = data.modes[motion[0]];
+      tip.append(element("p", modes[0].join(" = ") + (modes[1] ? "" : " (boundary)"), "motion"));
       const values = element("dl");
-      Object.keys(motion[2]).forEach(function (name) {
-        values.append(element("dt", name), element("dd", motion[2][name]));
+      data.names.forEach(function (name, i) {
+        const value = motion[1][i];
+        if (value !== 0) values.append(element("dt", name), element("dd", value === null ? "undetermined" : value));
       });
       tip.append(values);
     });
-    point[5].forEach(function (mode) {
+    point[3].forEach(function (mode) {
       tip.append(element("p", mode + " (continuum)", "motion"));
     });
-    if (point[4].length + point[5].length === 0) tip.append(element("p", "no motion", "motion"));
+    if (point[2].length + point[3].length === 0) tip.append(element("p", "no motion", "motion"));
   };
 
   document.querySelectorAll("script.points").forEach(function (points) {
@@ -47,16 +49,17 @@
     plot.setAttribute("role", "application");
     plot.setAttribute("aria-label", "Motions at points of the diagram: arrow keys go from point to point");
     figure.querySelector(".legend").after(element("p", "Point at the diagram, or focus it and use the arrow keys: exact values at " + data.points.length + " points.", "hint"));
-    const columns = Array.from(new Set(data.points.map(function (p) { return p[0]; })));
-    const rows = Array.from(new Set(data.points.map(function (p) { return p[1]; })));
+    const shareOf = function (entry) { return entry[0]; };
+    const columns = data.xs.map(shareOf), rows = data.ys.map(shareOf);
     const at = new Map(data.points.map(function (p) { return [p[0] + " " + p[1], p]; }));
     let column = Math.floor(columns.length / 2), row = Math.floor(rows.length / 2);
 
     const show = function () {
-      const point = at.get(columns[column] + " " + rows[row]);
+      const point = at.get(column + " " + row);
+      if (point === undefined) return;
       const frame = plotOf(svg);
-      const x = frame.left + point[0] * frame.width;
-      const y = frame.top + (1 - point[1]) * frame.height;
+      const x = frame.left + columns[column] * frame.width;
+      const y = frame.top + (1 - rows[row]) * frame.height;
       dot.setAttribute("cx", x);
       dot.setAttribute("cy", y);
       svg.append(dot);

@@ -1,6 +1,7 @@
 #include "report/phase/phase_points.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "base/number/binary64.hpp"
 #include "report/values/mode_json.hpp"
@@ -19,6 +20,21 @@ PhasePoint::Motion motion_at(const MotionOverLoads& motion, const std::vector<Mo
   }
   return found;
 }
+
+/// Values that occur often, each written once.
+class Listed {
+ public:
+  std::size_t index(Json value) {
+    const auto [found, is_new] = indices_.emplace(json_text(value), all_.size());
+    if (is_new) all_.push_back(std::move(value));
+    return found->second;
+  }
+  const Json& all() const { return all_; }
+
+ private:
+  Json all_ = Json::array();
+  std::map<std::string, std::size_t> indices_;
+};
 
 }  // namespace
 
@@ -52,25 +68,23 @@ std::string points_json(const PhaseDiagram& diagram, const std::vector<PhasePoin
   const auto share = [](const Rational& value, const Axis& axis) {
     return nearest_binary64((value - axis.from) / (axis.to - axis.from));
   };
-  Json document, list = Json::array();
-  document["x"] = x.symbol;
-  document["y"] = y.symbol;
+  Listed xs, ys, modes;
+  Json names = Json::array(), list = Json::array();
+  for (const MotionQuantity& quantity : diagram.plane.quantities) names.push_back(quantity.name);
   for (const PhasePoint& point : points) {
     Json motions = Json::array();
     for (const PhasePoint::Motion& found : point.motions) {
-      Json values = Json::object();
-      for (std::size_t q = 0; q < found.values.size(); ++q) {
-        const auto& value = found.values[q];
-        if (!value || !value->is_zero()) {
-          values[diagram.plane.quantities[q].name] = value ? to_json(*value) : Json("undetermined");
-        }
+      Json values = Json::array();
+      for (const auto& value : found.values) {
+        values.push_back(!value ? Json(nullptr) : value->is_zero() ? Json(0) : to_json(*value));
       }
-      motions.push_back({names_json(found.modes), found.strict, std::move(values)});
+      motions.push_back({modes.index({names_json(found.modes), found.strict}), std::move(values)});
     }
-    list.push_back({share(point.x, x), share(point.y, y), to_json(point.x), to_json(point.y), std::move(motions),
-                    names_json(point.continua)});
+    list.push_back({xs.index({share(point.x, x), to_json(point.x)}), ys.index({share(point.y, y), to_json(point.y)}),
+                    std::move(motions), names_json(point.continua)});
   }
-  document["points"] = std::move(list);
+  const Json document{{"x", x.symbol},  {"y", y.symbol},        {"names", std::move(names)}, {"xs", xs.all()},
+                      {"ys", ys.all()}, {"modes", modes.all()}, {"points", std::move(list)}};
   std::string text;
   for (const char c : document.dump(-1, ' ', true, nlohmann::detail::error_handler_t::replace)) {
     text += c == '<' ? "\\u003c" : c == '&' ? "\\u0026" : c == '>' ? "\\u003e" : std::string(1, c);
