@@ -25,6 +25,9 @@ std::string note_of(const PlaneColumns& columns, const MechanismScene& scene, co
     note = fmt::format("With {}, {} changes as the domain asks.", across.symbol, fmt::join(followers, ", "));
   }
   const auto add = [&](const std::string& sentence) { note += (note.empty() ? "" : " ") + sentence; };
+  if (across.is_angle) {
+    add(fmt::format("The axis is even in tan({0}/2), so the degrees of {0} are not evenly spaced.", across.symbol));
+  }
   const auto differ = [](const PlacedExpression& x, const PlacedExpression& y) { return x.expression != y.expression; };
   const bool two = std::any_of(scene.mechanism.contacts.begin(), scene.mechanism.contacts.end(),
                                [&](const auto& c) { return differ(c.static_friction, c.kinetic_friction); }) ||
