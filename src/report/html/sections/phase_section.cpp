@@ -1,4 +1,7 @@
+#include <algorithm>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "base/number/format.hpp"
 #include "report/html/sections.hpp"
@@ -21,6 +24,24 @@ std::string fixed_values(const ClaimsFile& claims, const Figure& figure) {
     text += (text.empty() ? "" : ", ") + plain_symbol(parameters[k].symbol) + " = " + exact_text(figure.values[k]);
   }
   return text;
+}
+
+/// An id by the scene's name, so that links to it stay right when scenes are added: `scene-city-bicycle`.
+std::string scene_id(std::string_view scene, std::vector<std::string>& taken) {
+  std::string id = "scene";
+  bool gap = true;
+  for (const char c : scene) {
+    const bool plain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+    if (plain && gap) id += '-';
+    if (plain) id += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    gap = !plain;
+  }
+  const std::string first = id;
+  for (int number = 2; std::find(taken.begin(), taken.end(), id) != taken.end(); ++number) {
+    id = first + "-" + std::to_string(number);
+  }
+  taken.push_back(id);
+  return id;
 }
 
 }  // namespace
@@ -48,10 +69,9 @@ void add_phase_section(const Element& main, const PageInput& input) {
   if (input.scenes.empty()) return;
   section.add("h3").text("The scenes of cases/, in the plane of friction and force");
   const Element grid = section.add("div", "grid");
-  for (std::size_t i = 0; i < input.scenes.size(); ++i) {
-    const MechanismScene& scene = input.scenes[i];
-    const PhaseDiagram diagram =
-        phase_diagram(mechanism_plane(scene, {}, "scene-" + std::to_string(i + 1)), scene_columns);
+  std::vector<std::string> ids;
+  for (const MechanismScene& scene : input.scenes) {
+    const PhaseDiagram diagram = phase_diagram(mechanism_plane(scene, {}, scene_id(scene.name, ids)), scene_columns);
     std::string caption = diagram.plane.note;
     if (scene.load) caption += std::string(caption.empty() ? "" : " ") + "The dot is the scene itself.";
     add_phase_figure(grid, {diagram, caption, true});
