@@ -8,6 +8,7 @@
 
 #include "base/number/format.hpp"
 #include "report/document/document.hpp"
+#include "report/explorer/explorer_page.hpp"
 #include "report/html/sections.hpp"
 #include "report/html/verdict_bar.hpp"
 #include "report/picture/mechanism_svg.hpp"
@@ -63,7 +64,7 @@ ReportCell verdict_cell(const JudgedEngineAnswer& one, const std::string& href) 
 class EnginePages {
  public:
   EnginePages(const EngineResults& results, const std::string& folder, const std::string& version,
-              const PageSink& write)
+              const std::string& explorer, const PageSink& write)
       : results_(results),
         judged_(results.judged),
         classes_(engine_classes(judged_)),
@@ -71,28 +72,34 @@ class EnginePages {
         thresholds_(engine_thresholds(results)),
         folder_(folder),
         version_(version),
+        explorer_(explorer),
         write_(write) {}
 
   void write() {
-    write_("index.html", page("Engines, tested against the truth", "", [&](const Element& main) { add_index(main); }));
+    const std::string all = fmt::format("What {} physics engines answer to {} scenes whose motions are known exactly.",
+                                        judged_.engines.size(), judged_.scenes.size());
+    write_("index.html",
+           page("Engines, tested against the truth", all, "", [&](const Element& main) { add_index(main); }));
     for (const std::string& name : classes_) {
-      write_(name + ".html", page(class_title(name), "", [&](const Element& main) { add_class(main, name); }));
+      write_(name + ".html", page(class_title(name), all, "", [&](const Element& main) { add_class(main, name); }));
     }
     for (std::size_t i = 0; i < judged_.scenes.size(); ++i) {
       const EngineScene& scene = judged_.scenes[i];
-      write_(scene.name + ".html", page(scene.scene.name, "../", [&](const Element& main) {
+      write_(scene.name + ".html", page(scene.scene.name, scene.scene.question, "../", [&](const Element& main) {
                add_scene(main, scene, results_.expected[i].solved);
              }));
     }
   }
 
  private:
-  std::string page(const std::string& title, const std::string& up, const std::function<void(const Element&)>& fill) {
+  std::string page(const std::string& title, const std::string& description, const std::string& up,
+                   const std::function<void(const Element&)>& fill) {
     std::vector<std::pair<std::string, std::string>> links{{up + "index.html", "Engines"}};
     for (const std::string& name : classes_) links.emplace_back(up + name + ".html", class_title(name));
     PageFrame frame{"slipproof: " + title, version_, std::move(links),
                     "Made by slipproof " + version_ + " from recorded answers. Each page says how to ask again."};
     frame.brand = up + "index.html";
+    frame.description = description;
     return framed(frame, fill);
   }
 
@@ -274,6 +281,10 @@ class EnginePages {
       add_mechanism(figure, scene.scene, first, scene.scene.name);
       figure.add("figcaption").text(first ? "With the forces of its first motion." : "It has no motion.");
     }
+    if (!explorer_.empty()) {
+      const std::string link = explorer_link("../" + explorer_, scene.scene);
+      top.add("p", "explore").add("a").set("href", link).text(explorer_words);
+    }
     const Element exact = add_section(main, "exact", "Every motion, exactly");
     add_document(exact, solve_document(solved, 6).as_part());
     add_answers(main, scene);
@@ -319,14 +330,15 @@ class EnginePages {
   const std::vector<EngineThresholdRow> thresholds_;
   const std::string& folder_;
   const std::string& version_;
+  const std::string& explorer_;
   const PageSink& write_;
 };
 
 }  // namespace
 
 void write_engine_pages(const EngineResults& results, const std::string& folder, const std::string& version,
-                        const PageSink& write) {
-  EnginePages(results, folder, version, write).write();
+                        const std::string& explorer, const PageSink& write) {
+  EnginePages(results, folder, version, explorer, write).write();
 }
 
 }  // namespace slipproof

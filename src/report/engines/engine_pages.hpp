@@ -13,9 +13,10 @@ namespace slipproof {
 using PageSink = std::function<void(const std::string& name, const std::string& html)>;
 
 /// `index.html`, a page `CLASS.html` for each class of scenes, and `CLASS/NAME.html` for each scene, without scripts.
-/// `folder` is what the user calls the folder of the engines, for the commands on the pages. The same input gives the
+/// `folder` is what the user calls the folder of the engines, for the commands on the pages. `explorer` is the name of
+/// the explorer's page (src/faces/explorer) in the folder of the pages; empty: there is none. The same input gives the
 /// same bytes.
 void write_engine_pages(const EngineResults& results, const std::string& folder, const std::string& version,
-                        const PageSink& write);
+                        const std::string& explorer, const PageSink& write);
 
 }  // namespace slipproof

@@ -10,6 +10,7 @@
 #include "claims/reading/paper_folder.hpp"
 #include "claims/statements/claim_statements.hpp"
 #include "proofs/check/files.hpp"
+#include "report/explorer/explorer_page.hpp"
 #include "report/html/assets.hpp"
 #include "report/html/sections.hpp"
 #include "report/html/trade_data.hpp"
@@ -188,6 +189,10 @@ void add_claim_id(const Element& parent, const PageInput& input, std::string_vie
     return;
   }
   parent.add("a").set("href", "#claim-" + std::string(id)).text(id);
+}
+
+std::string link_to_explorer(const PageInput& input, const MechanismScene& scene) {
+  return input.explorer.empty() ? "" : explorer_link(input.explorer, scene);
 }
 
 std::string page_html(const PageInput& input) {

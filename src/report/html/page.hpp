@@ -35,7 +35,8 @@ struct PageInput {
   const VerifyResult* result = nullptr;  ///< the verification that the page is about
   std::string command;                   ///< the command that makes the page again
   std::string version;
-  std::string gallery;  ///< a link to the page of all papers; empty: there is none
+  std::string gallery;   ///< a link to the page of all papers; empty: there is none
+  std::string explorer;  ///< a link to the explorer's page (src/faces/explorer); empty: there is none
   std::vector<Figure> figures;
   std::vector<PageCertificate> certificates;
   std::optional<SecondOpinions> opinions;  ///< by theorem of `certificates`

@@ -42,6 +42,10 @@ std::size_t agreeing(const SecondOpinions& opinions, std::size_t program);
 /// `z3, Coq`: the programs that agree with a statement.
 std::string agreeing_programs(const SecondOpinions& opinions, std::string_view theorem);
 
+/// A link that opens a scene in the explorer; empty if the page has no explorer.
+std::string link_to_explorer(const PageInput& input, const MechanismScene& scene);
+constexpr std::string_view explorer_words = "Drag its values in the explorer";
+
 /// The id of a claim, as a link if the claim was judged and is on the page.
 void add_claim_id(const Element& parent, const PageInput& input, std::string_view id);
 /// One claim in all of its readings.
@@ -56,6 +60,7 @@ struct PhaseFigure {
   const PhaseDiagram& diagram;
   std::string caption;
   bool small = false;
+  std::string explorer = {};  ///< a link to the explorer with a scene of the diagram; empty: none
 };
 void add_phase_figure(const Element& parent, const PhaseFigure& figure);
 

@@ -184,4 +184,18 @@ Plane claims_plane(const ClaimsFile& claims, const Figure& figure, Reading readi
   return plane;
 }
 
+MechanismScene figure_scene(const ClaimsFile& claims, const Figure& figure) {
+  const Setting& setting = claims.settings[figure.setting];
+  const CompiledSetting compiled(setting);
+  std::vector<Rational> values = figure.values;
+  values[figure.x] = (figure.x_from + figure.x_to) / 2;
+  const auto sample = SolvedSample::make(compiled, std::move(values));
+  MechanismScene scene;
+  scene.name = figure.title;
+  scene.mechanism = *setting.mechanism;
+  scene.values = sample->point();
+  if (scene.mechanism.load) scene.load = sample->load((figure.y_from + figure.y_to) / 2);
+  return scene;
+}
+
 }  // namespace slipproof

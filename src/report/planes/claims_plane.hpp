@@ -1,6 +1,7 @@
 // The plane of a paper: the exact motions, with the paper's thresholds and claims.
 #pragma once
 
+#include "mechanics/scene/scene.hpp"
 #include "report/phase/phase_diagram.hpp"
 #include "report/planes/figures.hpp"
 
@@ -11,5 +12,8 @@ namespace slipproof {
 /// there are, in one reading. The functions in the plane refer to `claims`, which must outlive it. Throws InputError if
 /// the figure's values are not a bicycle.
 Plane claims_plane(const ClaimsFile& claims, const Figure& figure, Reading reading);
+
+/// The scene in the middle of a figure whose plane there is.
+MechanismScene figure_scene(const ClaimsFile& claims, const Figure& figure);
 
 }  // namespace slipproof

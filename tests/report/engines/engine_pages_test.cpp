@@ -25,9 +25,10 @@ EngineResults results_of(const test::EngineFiles& files) {
   return engine_results(judge_engines(files.folder()));
 }
 
-std::map<std::string, std::string> pages_of(const EngineResults& results) {
+std::map<std::string, std::string> pages_of(const EngineResults& results, const std::string& explorer = "") {
   std::map<std::string, std::string> pages;
-  write_engine_pages(results, "engines", "0", [&](const auto& name, const auto& html) { pages[name] = html; });
+  write_engine_pages(results, "engines", "0", explorer,
+                     [&](const auto& name, const auto& html) { pages[name] = html; });
   return pages;
 }
 
@@ -52,6 +53,17 @@ TEST_CASE("a threshold that an engine has stands beside the exact one") {
   REQUIRE(rows.size() == 1);
   CHECK(rows[0].exact == 5);  // mu times the weight; -5 is farther
   CHECK(rows[0].off() == doctest::Approx(0.01));
+}
+
+TEST_CASE("the page of a scene leads to the explorer, where there is one") {
+  const test::EngineFiles files;
+  const EngineResults results = results_of(files);
+  auto pages = pages_of(results, "explorer.html");
+  const std::string link = "href=\"../explorer.html#scene:=%7B%22scene%22";
+  CHECK(pages.at("one-motion/pulled.html").find(link) != std::string::npos);
+  CHECK(pages.at("none/rod.html").find(link) != std::string::npos);
+  CHECK(pages.at("index.html").find("explorer") == std::string::npos);
+  for (const auto& [name, html] : pages_of(results)) CHECK(html.find("explorer") == std::string::npos);
 }
 
 TEST_CASE("each link of the pages leads to a page, and what engines call themselves stays text") {

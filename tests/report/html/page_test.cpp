@@ -181,6 +181,24 @@ TEST_CASE("a row that a formula heads has a name that can be read out") {
   CHECK(tree.select_nodes("//th/math[@aria-label='b2']").size() >= 1);
 }
 
+TEST_CASE("figures, machines and counterexamples lead to the explorer, where there is one, and nothing else changes") {
+  PageInput input = small_input();
+  input.model = read_scene(SLIPPROOF_SOURCE_DIR "/cases/city-bicycle.toml");
+  input.machines.push_back(read_scene_along(SLIPPROOF_SOURCE_DIR "/cases/city-bicycle.toml"));
+  const std::string without = page_html(input);
+  CHECK(without.find("explorer") == without.npos);
+  input.explorer = "explorer.html";
+  const std::string with = page_html(input);
+  const auto tree = read(with);
+  const auto count = [&](const std::string& where) {
+    return tree.select_nodes((where + "//a[starts-with(@href,'explorer.html#scene:=')]").c_str()).size();
+  };
+  CHECK(count("//figure[@class='model']") == 1);
+  CHECK(count("//figure[starts-with(@class,'phase')]") == input.figures.size() + input.scenes.size() + 1);
+  CHECK(count("//section[@id='machines']//td") + count("//section[@id='machines']//th") == 1);
+  CHECK(count("//p[@class='download']") == tree.select_nodes("//p[@class='download']").size());
+}
+
 TEST_CASE("the first page has the problem, the figure, the findings in words and the counts, in this order") {
   const std::string& html = small_page();
   std::size_t last = 0;

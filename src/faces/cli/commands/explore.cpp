@@ -1,4 +1,5 @@
-#include <filesystem>
+#include "faces/cli/commands/explore.hpp"
+
 #include <memory>
 #include <string>
 
@@ -21,22 +22,38 @@ struct ExploreArguments {
 
 constexpr std::size_t largest_page = 64U << 20U;
 
-std::string built_page(const std::filesystem::path& file) {
+bool is_built(const std::filesystem::path& file) {
   std::error_code error;
-  if (std::filesystem::exists(file, error)) return read_text_file(file, largest_page);
+  return std::filesystem::exists(file, error);
+}
+
+std::string built_page(const std::filesystem::path& file) {
+  if (is_built(file)) return read_text_file(file, largest_page);
   throw InputError({{file.string(), 0, 0, "found no such file, expected the explorer: ./run explorer builds it"}});
 }
 
 void write_explorer(const ExploreArguments& arguments) {
   const MechanismScene scene = read_scene(arguments.scene);
   print_warnings(scene.mechanism, arguments.common);
-  const std::filesystem::path file = shipped("build-explorer/explorer.html");
+  const std::filesystem::path file = explorer_file();
   write_file(arguments.out, explorer_page(built_page(file), file.string(), scene),
              Inputs{arguments.scene, scene.mechanism.file, file});
   if (!arguments.common.quiet) print("s EXPLORER " + arguments.out + "\n");
 }
 
 }  // namespace
+
+std::filesystem::path explorer_file() {
+  return shipped("build-explorer/explorer.html");
+}
+
+std::string copy_explorer(const OutputFolder& pages) {
+  const std::filesystem::path file = explorer_file();
+  if (!is_built(file)) return "";
+  std::string name = file.filename().string();
+  pages.write(name, built_page(file));
+  return name;
+}
 
 void add_explore(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ExploreArguments>();

@@ -1,11 +1,9 @@
-#include <fmt/format.h>
-
-#include <cctype>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/output/percent.hpp"
 #include "claims/paper/compiled.hpp"
 #include "claims/paper/setting_names.hpp"
 #include "mechanics/mechanism/words.hpp"
@@ -186,20 +184,18 @@ void add_motion(const Element& parent, const Counterexample& e, const MotionAtLo
 }
 
 /// The scene as a file to save and as text to read.
-void add_scene(const Element& parent, const std::string& text, const std::string& file_name) {
-  std::string encoded;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool plain = std::isalnum(byte) != 0 || std::string_view("-_.~").find(c) != std::string_view::npos;
-    encoded += plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
-  }
+void add_scene(const Element& parent, const PageInput& input, const MechanismScene& scene, const std::string& text,
+               const std::string& file_name) {
   const Element p = parent.add("p", "download");
   p.add("a")
       .set("download", file_name)
-      .set("href", "data:text/plain;charset=utf-8," + encoded)
+      .set("href", "data:text/plain;charset=utf-8," + percent_encoded(text))
       .text("Download the scene");
   p.text(" for ");
   p.add("code").text("slipproof solve " + file_name);
+  if (const std::string link = link_to_explorer(input, scene); !link.empty()) {
+    p.text(", or ").add("a").set("href", link).text("drag its values in the explorer");
+  }
   const Element details = parent.add("details", "data");
   details.add("summary").text("Read the scene");
   details.add("pre").set("tabindex", 0).add("code").text(text);
@@ -259,7 +255,7 @@ void add_counterexample(const Element& parent, const PageInput& input, const Cla
   if (!sure.empty()) add_prose(box.add("p", "built"), *input.claims, sure);
   add_symbols(box, file, claim, result.reading, e);
   if (is_about_motions(claim)) add_motions(box, e);
-  add_scene(box, scene_text(setting, e), file_name + ".toml");
+  add_scene(box, input, e.scene, scene_text(setting, e), file_name + ".toml");
   if (!result.simplest) return;
   const Element simplest = box.add("details", "data");
   simplest.add("summary").text("A simpler one, which cannot be built");
@@ -270,7 +266,8 @@ void add_counterexample(const Element& parent, const PageInput& input, const Cla
             ". This " + std::string(noun(setting, "mechanism")) + " cannot be built: it breaks " +
                 broken_conditions(setting, *result.simplest) + ".");
   if (is_about_motions(claim)) add_motions(simplest, *result.simplest);
-  add_scene(simplest, scene_text(setting, *result.simplest), file_name + "-simplest.toml");
+  add_scene(simplest, input, result.simplest->scene, scene_text(setting, *result.simplest),
+            file_name + "-simplest.toml");
 }
 
 }  // namespace slipproof

@@ -32,15 +32,20 @@ void add_machines_section(const Element& main, const PageInput& input) {
                      {"in the scene", true}}};
   table.label = "Critical friction of machines";
   for (const SceneAlong& machine : input.machines) {
-    table.row({machine.scene.name, critical_text(machine.along.first_apart_for_some_q()),
-               critical_text(machine.along.first_apart()), exact_text(machine.along.own)});
+    const std::string& name = machine.scene.name;
+    const std::string link = link_to_explorer(input, machine.scene);
+    table.row({link.empty() ? ReportLine(name) : ReportLine(link_to(name, link)),
+               critical_text(machine.along.first_apart_for_some_q()), critical_text(machine.along.first_apart()),
+               exact_text(machine.along.own)});
   }
   add_table(section, table);
   const SceneAlong& first = input.machines.front();
   if (!first.scene.mechanism.load) return;
   const PhaseDiagram diagram = uniqueness_diagram(first.scene, first.along);
-  add_phase_figure(section, {diagram, "Which motions there are around the critical value. " +
-                                          std::to_string(diagram.columns.size()) + " columns, exact in each."});
+  add_phase_figure(section, {diagram,
+                             "Which motions there are around the critical value. " +
+                                 std::to_string(diagram.columns.size()) + " columns, exact in each.",
+                             false, link_to_explorer(input, first.scene)});
 }
 
 void add_open_section(const Element& main, const PageInput& input) {

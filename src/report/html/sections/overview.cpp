@@ -79,6 +79,9 @@ void add_problem(const Element& section, const PageInput& input) {
   add_bicycle_figure(figure, *input.model);
   figure.add("figcaption")
       .text("Arrows point where a quantity counts as positive: the pedal force F pulls the lower pedal backwards.");
+  if (const std::string link = link_to_explorer(input, *input.model); !link.empty()) {
+    figure.add("p", "explore").add("a").set("href", link).text(explorer_words);
+  }
 }
 
 /// The grades, the most serious first, and the words for their findings.

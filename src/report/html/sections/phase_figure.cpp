@@ -160,6 +160,7 @@ void add_phase_figure(const Element& parent, const PhaseFigure& figure) {
   add_legend(box, picture, !figure.small);
   add_line_legend(box, diagram, regions);
   if (!figure.caption.empty()) add_sentence(box.add("figcaption"), figure.caption);
+  if (!figure.explorer.empty()) box.add("p", "explore").add("a").set("href", figure.explorer).text(explorer_words);
   add_columns(box, diagram);
 }
 

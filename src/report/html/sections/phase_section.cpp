@@ -64,7 +64,8 @@ void add_phase_section(const Element& main, const PageInput& input) {
     std::string caption = figure.note.empty() ? "" : figure.note + " ";
     caption += "For " + fixed_values(*input.claims, figure) + ". " + std::to_string(diagram.columns.size()) +
                " columns, exact in each.";
-    add_phase_figure(section, {diagram, caption});
+    const std::string link = input.explorer.empty() ? "" : link_to_explorer(input, figure_scene(*input.claims, figure));
+    add_phase_figure(section, {diagram, caption, false, link});
   }
   if (input.scenes.empty()) return;
   section.add("h3").text("The scenes of cases/, in the plane of friction and force");
@@ -74,7 +75,7 @@ void add_phase_section(const Element& main, const PageInput& input) {
     const PhaseDiagram diagram = phase_diagram(mechanism_plane(scene, {}, scene_id(scene.name, ids)), scene_columns);
     std::string caption = diagram.plane.note;
     if (scene.load) caption += std::string(caption.empty() ? "" : " ") + "The dot is the scene itself.";
-    add_phase_figure(grid, {diagram, caption, true});
+    add_phase_figure(grid, {diagram, caption, true, link_to_explorer(input, scene)});
   }
 }
 

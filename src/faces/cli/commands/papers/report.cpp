@@ -8,6 +8,7 @@
 #include "base/output/output_file.hpp"
 #include "claims/reading/read_claims_file.hpp"
 #include "faces/cli/command.hpp"
+#include "faces/cli/commands/explore.hpp"
 #include "faces/cli/commands/papers/verify_run.hpp"
 #include "faces/cli/warnings.hpp"
 #include "report/engines/engine_pages.hpp"
@@ -24,13 +25,15 @@ struct ReportArguments : JudgeArguments {
 /// Reports on what engines answered: a page for all, one for each class of scenes and one for each scene.
 int report_engines(const std::filesystem::path& folder, const ReportArguments& options) {
   if (options.out == "-") throw CLI::ValidationError("--out", "found -, expected a folder: engines have many pages");
-  const OutputFolder pages(options.out);
+  const OutputFolder pages(options.out, {explorer_file()});
+  const std::string explorer = copy_explorer(pages);
   const EngineResults results = engine_results(judge_engines(folder));
   std::size_t count = 0;
-  write_engine_pages(results, folder.generic_string(), SLIPPROOF_VERSION, [&](const auto& name, const auto& html) {
-    pages.write(name, html);
-    ++count;
-  });
+  write_engine_pages(results, folder.generic_string(), SLIPPROOF_VERSION, explorer,
+                     [&](const auto& name, const auto& html) {
+                       pages.write(name, html);
+                       ++count;
+                     });
   print(options.common.json ? engine_table_json(results) : fmt::format("s REPORTED {} {} pages\n", options.out, count));
   return as_it_should_be;
 }

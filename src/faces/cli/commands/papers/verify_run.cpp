@@ -8,6 +8,7 @@
 
 #include "base/input/diagnostic.hpp"
 #include "claims/reading/read_claims_file.hpp"
+#include "faces/cli/commands/explore.hpp"
 #include "faces/cli/progress.hpp"
 #include "faces/cli/warnings.hpp"
 #include "report/html/gallery.hpp"
@@ -162,11 +163,16 @@ std::vector<JudgedPaper> judge_papers(const std::vector<std::filesystem::path>& 
   VerifyRun run(std::move(work), arguments);
   if (run.served()) return {};
   std::optional<OutputFolder> pages;
-  if (!report.empty()) pages.emplace(report, inputs);
+  if (!report.empty()) {
+    inputs.add(explorer_file());
+    pages.emplace(report, inputs);
+  }
+  const std::string explorer = pages ? copy_explorer(*pages) : "";
   std::vector<PageInput> pages_of(papers.size());  // read before the work, so that bad input does not lose results
   for (std::size_t i = 0; pages && i < papers.size(); ++i) {
     pages_of[i] = report_input(papers[i], judged[i].file, own[i], *own[i].verify.certificates);
     pages_of[i].gallery = "index.html";
+    pages_of[i].explorer = explorer;
   }
   for (std::size_t i = 0; i < papers.size(); ++i) {
     judged[i].result = run.result(i);
