@@ -152,11 +152,11 @@ library() {
 
 page() {
   local part
-  sed -E "s/@(style|library|asking|script)@/\n@\1@\n/" "$here/page.html.in" | while IFS= read -r line; do
+  sed -E "s/@(style|library|asking|words|script)@/\n@\1@\n/" "$here/page.html.in" | while IFS= read -r line; do
     case $line in
       @style@) cat "$here/style.css" ;;
       @library@) cat "$folder/library.js" ;;
-      @asking@ | @script@) part=${line//@/}; cat "$here/$part.js" ;;
+      @asking@ | @words@ | @script@) part=${line//@/}; cat "$here/$part.js" ;;
       *) printf '%s\n' "$line" ;;
     esac
   done >"$folder/explorer.part"

@@ -2,13 +2,9 @@
 // The page: values that are dragged, and what the library answers. Every number is the library's; the page only counts
 // the steps of a slider.
 (() => {
-const given = JSON.parse(document.getElementById('given').textContent);
 const by = id => document.getElementById(id);
-const make = (name, properties = {}, ...children) => {
-  const element = Object.assign(document.createElement(name), properties);
-  element.append(...children);
-  return element;
-};
+const linked = scenePart(location.hash);
+let given = JSON.parse(by('given').textContent);
 const svgNamespace = 'http://www.w3.org/2000/svg';
 
 let library, mapper, original, current;
@@ -17,42 +13,6 @@ let changed = {};       // texts of numbers by symbol; null: no value
 let across = '';        // the horizontal axis of the diagram
 let mapped = null;      // the diagram that is shown
 let pending = false;
-
-// ---- rational steps
-
-// About 200 steps of 1, 2 or 5 times a power of ten; the value of a step is a fraction of whole numbers.
-function stepsOf([from, to]) {
-  const wanted = (to - from) / 200;
-  let power = Math.floor(Math.log10(wanted)), digit = 1;
-  for (const d of [1, 2, 5, 10]) {
-    digit = d;
-    if (d * 10 ** power >= wanted) break;
-  }
-  const size = digit * 10 ** power;
-  const text = k => power < 0 ? `${BigInt(k) * BigInt(digit)}/${10n ** BigInt(-power)}`
-                              : `${BigInt(k) * BigInt(digit) * 10n ** BigInt(power)}`;
-  const ten = 10 ** Math.abs(power);
-  const near = k => power < 0 ? k * digit / ten : k * digit * ten;
-  return { first: Math.ceil(from / size - 1e-9), last: Math.floor(to / size + 1e-9), text, near, nearest: x => Math.round(x / size) };
-}
-
-const decimal = x => x === null ? '' : String(Number(x.toPrecision(4)));
-const degrees = half => decimal(2 * Math.atan(half) * 180 / Math.PI) + '°';
-const isPlain = text => !text.includes('/');
-
-function spokenValue(value) {
-  if (value.value === null) return 'no value';
-  if (value.kind === 'angle') return `${degrees(value.near)}, tan of the half ${value.value}`;
-  return value.value + (value.unit && value.unit !== '1' ? ' ' + value.unit : '');
-}
-
-function nearText(value) {
-  const parts = [];
-  if (value.value !== null && value.kind === 'angle') parts.push(`tan(${value.symbol}/2); ${degrees(value.near)}`);
-  else if (value.value !== null && !isPlain(value.value)) parts.push('≈ ' + decimal(value.near));
-  if (value.unit && value.unit !== '1') parts.push(value.unit);
-  return parts.join(' ');
-}
 
 // ---- the values
 
@@ -144,26 +104,6 @@ function later(name, milliseconds, work) {
 
 // ---- the motions
 
-// An SVG file, with its style and its ids to itself.
-function showDrawing(host, svg) {
-  const root = host.shadowRoot ?? host.attachShadow({ mode: 'open' });
-  const drawing = document.importNode(new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement, true);
-  drawing.style.display = 'block';
-  drawing.style.width = '100%';
-  drawing.style.height = 'auto';
-  root.replaceChildren(drawing);
-  return drawing;
-}
-
-function countText(solve) {
-  if (!solve.motions) return 'Motions by load';
-  const n = solve.motions.length, continua = solve.continua?.length ?? 0;
-  const motions = n === 0 ? (continua ? 'No single motion' : 'No motion') : n === 1 ? 'One motion' : `${n} motions`;
-  const load = solve.load ? ` at ${solve.load.symbol} = ${solve.load.value}` : '';
-  const names = solve.motions.map(motion => motion.modes[0] ?? motion.boundary_modes[0]).join(', ');
-  return motions + (continua ? `, and ${continua === 1 ? 'a continuum' : continua + ' continua'}` : '') + load + (names ? `: ${names}` : '');
-}
-
 function showMotions({ solve, pictures }) {
   by('count').textContent = countText(solve);
   const figures = [...by('pictures').children];
@@ -177,54 +117,7 @@ function showMotions({ solve, pictures }) {
     showDrawing(figure.children[1], picture.svg);
   });
   figures.slice(pictures.length).forEach(figure => figure.remove());
-  by('numbers').replaceChildren(solve.motions ? motionTable(solve.motions) : loadTable(solve));
-}
-
-const endText = (lower, upper, closed = [true, true]) =>
-  `${lower === null || !closed[0] ? '(' : '['}${lower ?? '−∞'}, ${upper ?? '+∞'}${upper === null || !closed[1] ? ')' : ']'}`;
-
-function fraction(text) {
-  const cell = make('td', {}, text);
-  const [p, q] = text.split('/');
-  if (q) cell.append(make('small', { textContent: '≈ ' + decimal(Number(p) / Number(q)) }));
-  return cell;
-}
-
-function motionTable(motions) {
-  const table = make('table', {}, make('caption', { textContent: 'Exact values; accelerations first, then forces' }));
-  const head = make('tr', {}, make('th', { scope: 'col', textContent: 'quantity' }));
-  for (const motion of motions) {
-    const name = motion.modes.concat(motion.boundary_modes)[0] ?? 'motion';
-    head.append(make('th', { scope: 'col', textContent: name + (motion.status === 'strict' ? '' : ` (${motion.status})`) }));
-  }
-  const body = make('tbody');
-  for (const kind of ['accelerations', 'forces']) {
-    for (const symbol of Object.keys(motions[0]?.[kind] ?? {})) {
-      const line = make('tr', {}, make('th', { scope: 'row', textContent: symbol }));
-      for (const motion of motions) {
-        const value = motion[kind][symbol];
-        const range = motion.force_ranges?.[symbol];
-        line.append(value !== null ? fraction(value)
-                    : make('td', { textContent: Array.isArray(range) ? 'in ' + endText(...range) : 'undetermined' }));
-      }
-      body.append(line);
-    }
-  }
-  table.append(make('thead', {}, head), body);
-  return motions.length ? table : make('p', { textContent: 'No mode of the contacts satisfies all equations and conditions.' });
-}
-
-function loadTable(solve) {
-  const table = make('table', {}, make('caption', { textContent: 'Every load, with its motions. Give the load a value to see them drawn.' }));
-  const body = make('tbody');
-  for (const cell of solve.cells ?? []) {
-    const motions = cell.motions.map(motion => motion.modes.concat(motion.boundary_modes ?? [])[0]).join(', ');
-    const loads = cell.load[0] !== null && cell.load[0] === cell.load[1] ? cell.load[0] : endText(...cell.load, cell.closed);
-    body.append(make('tr', {}, make('td', { textContent: loads }), make('td', { textContent: motions || 'no motion' })));
-  }
-  table.append(make('thead', {}, make('tr', {}, make('th', { scope: 'col', textContent: solve.load?.symbol ?? 'load' }),
-                                     make('th', { scope: 'col', textContent: 'motions' }))), body);
-  return table;
+  by('numbers').replaceChildren(...tablesOf(solve));
 }
 
 // ---- the diagram
@@ -262,7 +155,7 @@ function askForMap() {
   const others = { ...changed };
   delete others[across];
   const row = rows.get(across), load = current.values.find(value => value.kind === 'load');
-  const inside = !mapped || (within(row?.value?.near, mapped.x) && within(load.near, mapped.y));
+  const inside = !mapped || (within(row?.value?.near, mapped.frames[0].x) && within(load.near, mapped.frames[0].y));
   if (inside) delete others[load.symbol];
   else Object.assign(others, changed);
   const key = JSON.stringify([across, others]);
@@ -301,8 +194,11 @@ function showMap({ answer }) {
   by('map-note').textContent = answer.note;
   if (!by('map').firstChild) by('map').append(make('div', { className: 'drawing' }));
   mapped.drawing = showDrawing(by('map').firstChild, answer.map);
-  mapped.plot = mapped.drawing.querySelector('[data-plot]');
-  mapped.place = mapped.plot.dataset.plot.split(' ').map(Number);
+  // The diagram itself, and what is enlarged of it, each with its axes.
+  [...mapped.drawing.querySelectorAll('[data-plot]')].forEach((plot, i) => {
+    plot.style.touchAction = 'none';  // a finger drags the point
+    Object.assign(mapped.frames[i], { plot, place: plot.dataset.plot.split(' ').map(Number) });
+  });
   mapped.drawing.style.cursor = 'crosshair';
   mapped.drawing.addEventListener('pointerdown', dragInMap);
   mapped.drawing.addEventListener('pointermove', event => { if (event.buttons === 1) dragInMap(event); });
@@ -310,41 +206,43 @@ function showMap({ answer }) {
 }
 
 function moveMark() {
-  if (!mapped?.plot) return;
-  const x = rows.get(mapped.x.symbol)?.value?.near, y = rows.get(mapped.y.symbol)?.value?.near;
-  mapped.mark?.remove();
-  mapped.mark = null;
-  if (x == null || y == null || !within(x, mapped.x) || !within(y, mapped.y)) return;
-  const [left, top, width, height] = mapped.place;
-  const at = (value, [from, to]) => (value - from) / (to - from);
-  const mark = document.createElementNS(svgNamespace, 'g');
-  const cx = left + width * at(x, mapped.x.near), cy = top + height * (1 - at(y, mapped.y.near));
-  for (const [radius, fill] of [[7, 'paper'], [5, 'ink']]) {
-    const circle = document.createElementNS(svgNamespace, 'circle');
-    for (const [name, text] of Object.entries({ cx, cy, r: radius, class: fill })) circle.setAttribute(name, text);
-    mark.append(circle);
+  for (const frame of mapped?.frames ?? []) {
+    frame.mark?.remove();
+    frame.mark = null;
+    const x = rows.get(frame.x.symbol)?.value?.near, y = rows.get(frame.y.symbol)?.value?.near;
+    if (x == null || y == null || !within(x, frame.x) || !within(y, frame.y)) continue;
+    const [left, top, width, height] = frame.place;
+    const at = (value, [from, to]) => (value - from) / (to - from);
+    const mark = document.createElementNS(svgNamespace, 'g');
+    const cx = left + width * at(x, frame.x.near), cy = top + height * (1 - at(y, frame.y.near));
+    for (const [radius, fill] of [[7, 'paper'], [5, 'ink']]) {
+      const circle = document.createElementNS(svgNamespace, 'circle');
+      for (const [name, text] of Object.entries({ cx, cy, r: radius, class: fill })) circle.setAttribute(name, text);
+      mark.append(circle);
+    }
+    frame.plot.append(frame.mark = mark);
   }
-  mapped.plot.append(mapped.mark = mark);
 }
 
 function dragInMap(event) {
-  const point = new DOMPoint(event.clientX, event.clientY).matrixTransform(mapped.plot.getScreenCTM().inverse());
-  const [left, top, width, height] = mapped.place;
-  const parts = [[mapped.x, (point.x - left) / width], [mapped.y, 1 - (point.y - top) / height]];
-  if (parts.some(([, part]) => part < 0 || part > 1)) return;
-  for (const [axis, part] of parts) {
-    const row = rows.get(axis.symbol), { near: [from, to] } = axis;
-    const steps = row?.steps ?? stepsOf(axis.near);
-    changed[axis.symbol] = steps.text(steps.nearest(from + part * (to - from)));
+  for (const { x, y, plot, place: [left, top, width, height] } of mapped.frames) {
+    const point = new DOMPoint(event.clientX, event.clientY).matrixTransform(plot.getScreenCTM().inverse());
+    const parts = [[x, (point.x - left) / width], [y, 1 - (point.y - top) / height]];
+    if (parts.some(([, part]) => part < 0 || part > 1)) continue;
+    for (const [axis, part] of parts) {
+      const steps = stepsOf(axis.near);
+      changed[axis.symbol] = steps.text(steps.nearest(axis.near[0] + part * (axis.near[1] - axis.near[0])));
+    }
+    event.preventDefault();
+    return ask();
   }
-  event.preventDefault();
-  ask();
 }
 
 // ---- a link that keeps the state
 
 function keepState() {
   const parts = Object.entries(changed).map(([symbol, text]) => `${encodeURIComponent(symbol)}=${encodeURIComponent(text ?? '')}`);
+  if (linked) parts.unshift(linked);
   if (across !== original.across) parts.push('across:=' + encodeURIComponent(across));
   const hash = parts.length ? '#' + parts.join('&') : '#';
   if (hash === (location.hash || '#')) return;
@@ -365,6 +263,7 @@ function readState() {
     } catch {
       continue;
     }
+    if (symbol === 'scene:') continue;
     if (symbol === 'across:') across = [...by('across').options].some(option => option.value === text) ? text : across;
     else if (rows.has(symbol)) changed[symbol] = text === '' ? null : text;
     else by('copied').textContent = `The link has a value of ${symbol}, which this scene does not have.`;
@@ -372,7 +271,7 @@ function readState() {
   by('across').value = across;
 }
 
-async function copy(text, what) {
+async function copy(text, what, said = by('copied')) {
   try {
     await navigator.clipboard.writeText(text);
   } catch {
@@ -382,11 +281,11 @@ async function copy(text, what) {
     const done = document.execCommand('copy');
     area.remove();
     if (!done) {
-      by('copied').textContent = 'The browser does not let this page copy.';
+      said.textContent = 'The browser does not let this page copy.';
       return;
     }
   }
-  by('copied').textContent = `${what} copied.`;
+  said.textContent = `${what} copied.`;
 }
 
 function wire() {
@@ -399,6 +298,7 @@ function wire() {
     copy(location.href, 'Link');
   });
   by('copy-scene').addEventListener('click', () => copy(by('scene-text').value, 'Scene'));
+  by('copy-mechanism').addEventListener('click', () => copy(given.file, 'Mechanism', by('copied-mechanism')));
   by('across').addEventListener('change', () => {
     across = by('across').value;
     mapped = null;
@@ -406,6 +306,7 @@ function wire() {
     askForMap();
   });
   window.addEventListener('hashchange', () => {
+    if (scenePart(location.hash) !== linked) return location.reload();
     readState();
     ask();
   });
@@ -414,7 +315,7 @@ function wire() {
 // ---- the start
 
 async function start() {
-  if (given === null) throw new Error('This is the explorer without a scene. `slipproof explore SCENE -o explorer.html` puts one into it.');
+  if (given === null) given = sceneOf(linked);
   library = await openLibrary(given);
   original = library.answer({ ranges: true });
   if (original.mistakes) throw new Error(original.mistakes.join('\n'));
@@ -424,7 +325,8 @@ async function start() {
   // What the diagram shows comes first: the load, and the parameter across.
   const rank = value => value.kind === 'load' ? 0 : value.symbol === original.usual ? 1 : 2;
   const ranked = [...original.values].sort((x, y) => rank(x) - rank(y));
-  const few = ranked.length <= 6 ? ranked.length : ranked.filter(value => rank(value) < 2).length;
+  const first = ranked.filter(value => rank(value) < 2).length;
+  const few = ranked.length <= 6 || first === 0 ? ranked.length : first;
   ranked.forEach((value, i) => addRow(value, i < few ? 'rows' : 'other-rows'));
   by('others').hidden = few === ranked.length;
   by('others').open = matchMedia('(min-width: 60rem)').matches;

@@ -12,8 +12,9 @@
 #include "mechanics/reading/shipped.hpp"
 #include "mechanics/reading/write_mechanism.hpp"
 #include "report/phase/phase_svg.hpp"
-#include "report/picture/mechanism_svg.hpp"
 #include "report/picture/motion_words.hpp"
+#include "report/picture/motions_svg.hpp"
+#include "report/picture/palette.hpp"
 #include "report/planes/axis_choice.hpp"
 #include "report/scenes/mechanism_report.hpp"
 #include "report/values/exact_json.hpp"
@@ -116,14 +117,20 @@ Json values_of(const MechanismScene& scene, bool ranges) {
 Json pictures_of(const SolvedMechanism& solved) {
   Json pictures = Json::array();
   if (!has_picture(solved.scene.mechanism)) return pictures;
-  if (!solved.at_load || solved.at_load->motions.empty()) {
-    pictures.push_back(
-        {{"title", solved.at_load ? "no motion" : "every load"}, {"svg", mechanism_svg_file(solved.scene, nullptr)}});
-    return pictures;
+  const std::size_t single = solved.at_load ? solved.at_load->motions.size() : 0;
+  const std::vector<MotionAtLoad> motions =
+      solved.at_load ? drawn_motions(*solved.at_load) : std::vector<MotionAtLoad>{};
+  const CommonLook look = common_look(solved.scene, motions);
+  const auto add = [&](const std::string& title, const MotionAtLoad* motion) {
+    const ElementTree document("div");
+    const Element svg = add_motion(document.root(), solved.scene, motion, title, look);
+    svg.add("style").code(picture_style());
+    pictures.push_back({{"title", title}, {"svg", svg.xml()}});
+  };
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    add(modes_text(motions[i]) + (i < single ? "" : ", a continuum"), &motions[i]);
   }
-  for (const MotionAtLoad& motion : solved.at_load->motions) {
-    pictures.push_back({{"title", modes_text(motion)}, {"svg", mechanism_svg_file(solved.scene, &motion)}});
-  }
+  if (motions.empty()) add(solved.at_load ? "no motion" : "every load", nullptr);
   return pictures;
 }
 
@@ -146,10 +153,12 @@ Json map_answer(const MechanismScene& scene, const std::string& x, std::size_t c
   Plane plane = mechanism_plane(scene, axes, "map");
   plane.mark.reset();  // the page moves a mark of its own
   const PhaseDiagram diagram = phase_diagram(std::move(plane), columns);
-  return {{"map", phase_svg_file(diagram)},
-          {"x", axis_json(diagram.plane.x)},
-          {"y", axis_json(diagram.plane.y)},
-          {"note", diagram.plane.note}};
+  const PhasePicture picture = phase_picture(diagram);
+  Json frames = Json::array({{{"x", axis_json(diagram.plane.x)}, {"y", axis_json(diagram.plane.y)}}});
+  for (const Enlargement& part : picture.thin.enlargements) {
+    frames.push_back({{"x", axis_json(part.diagram.plane.x)}, {"y", axis_json(part.diagram.plane.y)}});
+  }
+  return {{"map", phase_svg_file(picture)}, {"frames", std::move(frames)}, {"note", diagram.plane.note}};
 }
 
 Json mistakes_json(const std::vector<std::string>& mistakes) {

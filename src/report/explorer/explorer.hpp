@@ -32,8 +32,9 @@ class Explorer {
   /// - `ranges`: optional, true: also the range of each value in the explorer.
   ///
   /// Without `map` the answer has `scene`, the text of a scene file with the values, `values`, `solve`, the document
-  /// slipproof/solve/2, and `pictures`, an SVG file of each motion; with `map`, the picture and its axes. For bad input
-  /// it has only `mistakes`, one text each. Any bytes are safe.
+  /// slipproof/solve/2, and `pictures`, one of each motion and continuum as SVG; with `map`, the picture, and the axes
+  /// of its `frames`: the diagram, then what is enlarged. For bad input it has only `mistakes`, one text each. Any
+  /// bytes are safe.
   std::string answer(std::string_view request) const;
 
  private:

@@ -131,6 +131,12 @@ Element Element::add_children_of(const Element& other) const {
   return *this;
 }
 
+std::string Element::xml() const {
+  pugi::xml_document own;
+  own.append_copy(pugi::xml_node(node_));
+  return written(own, false);
+}
+
 ElementTree::ElementTree(const char* root) : tree_(std::make_unique<pugi::xml_document>()) {
   tree_->append_child(root);
 }

@@ -33,6 +33,8 @@ class Element {
   Element add(const Element& other) const;
   /// Adds copies of the element's children.
   Element add_children_of(const Element& other) const;
+  /// The element as XML, without a declaration.
+  std::string xml() const;
 
  private:
   friend class ElementTree;

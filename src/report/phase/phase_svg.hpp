@@ -43,7 +43,8 @@ void paint_swatch(const Element& rect, const PhasePicture& picture, std::size_t 
 /// The note in a legend for a set that is too thin to see, `(1, drawn wider than it is)`; empty for other sets.
 std::string thin_note(const PhasePicture& picture, std::size_t set);
 
-/// An SVG file: the picture with title, enlargements, legend and style.
+/// An SVG file: the picture with title, enlargements, legend and style. The plots have their data-plot in this order.
+std::string phase_svg_file(const PhasePicture& picture);
 std::string phase_svg_file(const PhaseDiagram& diagram, const PhaseSvgOptions& options = {});
 
 }  // namespace slipproof

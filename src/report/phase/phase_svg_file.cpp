@@ -78,7 +78,12 @@ std::string thin_note(const PhasePicture& picture, std::size_t set) {
 }
 
 std::string phase_svg_file(const PhaseDiagram& diagram, const PhaseSvgOptions& options) {
-  const PhasePicture picture = phase_picture(diagram, options);
+  return phase_svg_file(phase_picture(diagram, options));
+}
+
+std::string phase_svg_file(const PhasePicture& picture) {
+  const PhaseDiagram& diagram = picture.diagram;
+  const PhaseSvgOptions& options = picture.options;
   const std::size_t enlarged = picture.thin.enlargements.size();
   const double row = heading_height + enlargement_options(options).height;
   const double plots = title_height + options.height + row * static_cast<double>((enlarged + 1) / 2);

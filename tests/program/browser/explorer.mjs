@@ -17,7 +17,7 @@ before(async () => {
 });
 after(async () => browser?.close());
 
-async function open({ width = 1280, colorScheme = 'light', hash = '' } = {}) {
+async function open({ width = 1280, colorScheme = 'light', hash = '', file = 'explorer.html', ready = true } = {}) {
   const context = await browser.newContext({ viewport: { width, height: 900 }, colorScheme });
   const page = await context.newPage();
   page.said = [];
@@ -25,32 +25,34 @@ async function open({ width = 1280, colorScheme = 'light', hash = '' } = {}) {
   page.on('console', message => page.said.push(message.text()));
   page.on('pageerror', error => page.said.push(String(error)));
   page.on('request', request => page.asked.push(request.url()));
-  await page.goto(explorer + hash);
-  await page.waitForSelector('body[data-ready]');
+  await page.goto(pathToFileURL(file).href + hash);
+  if (ready) await page.waitForSelector('body[data-ready]');
   return page;
 }
 
 const drawn = page => page.waitForFunction(() => document.querySelector('#map .drawing') &&
                                                  !document.querySelector('#map').classList.contains('stale'));
 
-// What the program answers to the scene that the page shows.
-function solved(text) {
-  writeFileSync('copied.toml', text);
+// What the program answers to the scene that the page shows, and its mechanism.
+async function solved(page) {
+  writeFileSync('copied.toml', await page.locator('#scene-text').inputValue());
+  writeFileSync('mechanism.toml', await page.locator('#mechanism-text').inputValue());
   return JSON.parse(execFileSync(process.env.SLIPPROOF, ['solve', '--json', 'copied.toml'], { encoding: 'utf8' }));
 }
 
 const shown = page => page.evaluate(() => {
-  const rows = [...document.querySelectorAll('#numbers tbody tr')];
+  const rows = [...document.querySelectorAll('#numbers table:first-child tbody tr')];
   return rows.map(row => [...row.children].map(cell => cell.firstChild.textContent));
 });
 
 async function sameAsProgram(page) {
-  const { motions } = solved(await page.locator('#scene-text').inputValue());
-  const numbers = await shown(page);
-  const expected = motions.length === 0 ? [] : ['accelerations', 'forces'].flatMap(kind =>
-      Object.keys(motions[0][kind]).map(name => [name, ...motions.map(motion => motion[kind][name])]));
+  const { motions, continua = [] } = await solved(page);
+  const numbers = motions.length === 0 ? [] : await shown(page);
+  const all = motions.map(({ accelerations, forces, force_ranges }) => ({ ...accelerations, ...forces, ...force_ranges }));
+  const text = value => Array.isArray(value) ? `in [${value[0]}, ${value[1]}]` : value;
+  const expected = [...new Set(all.flatMap(Object.keys))].map(name => [name, ...all.map(values => text(values[name]))]);
   assert.deepEqual(numbers, expected);
-  assert.equal(await page.locator('#pictures figure').count(), Math.max(1, motions.length));
+  assert.equal(await page.locator('#pictures figure').count(), Math.max(1, motions.length + continua.length));
   return motions.length;
 }
 
@@ -105,10 +107,64 @@ test('a click into the diagram takes its point', async () => {
   const page = await open();
   await drawn(page);
   const before = await page.locator('#scene-text').inputValue();
-  const box = await page.locator('#map [data-plot]').first().boundingBox();
-  await page.mouse.click(box.x + box.width / 3, box.y + box.height / 2);
-  await page.waitForFunction(text => document.querySelector('#scene-text').value !== text, before);
-  await sameAsProgram(page);
+  const plots = page.locator('#map [data-plot]');
+  for (let i = 0; i < await plots.count(); ++i) {
+    await plots.nth(i).scrollIntoViewIfNeeded();
+    const [x, y] = await plots.nth(i).evaluate(plot => {
+      const [left, top, width, height] = plot.dataset.plot.split(' ').map(Number);
+      const point = new DOMPoint(left + 0.3 * width, top + 0.4 * height).matrixTransform(plot.getScreenCTM());
+      return [point.x, point.y];
+    });
+    await page.mouse.click(x, y);
+    await page.waitForFunction(text => document.querySelector('#scene-text').value !== text, before);
+    await sameAsProgram(page);
+    const marks = await plots.nth(i).locator(':scope > g > circle').evaluateAll(all => all.map(one => {
+      const box = one.getBoundingClientRect();
+      return [box.x + box.width / 2, box.y + box.height / 2];
+    }));
+    assert.ok(marks.some(mark => Math.hypot(mark[0] - x, mark[1] - y) < 5), `the mark of plot ${i} is at ${marks}, not ${x}, ${y}`);
+  }
+});
+
+test('no motion, a continuum, every load and values of a thousand digits are shown as the program has them', async () => {
+  const rod = await open({ file: 'rod.html' });
+  assert.equal(await rod.locator('#count').textContent(), 'No motion');
+  assert.equal(await rod.locator('#pictures figure').count(), 1);
+  assert.match(await rod.locator('#numbers').textContent(), /No mode/);
+  const truck = await open({ file: 'truck.html' });
+  assert.match(await truck.locator('#count').textContent(), /^No single motion, and 2 continua at T = 9000: /);
+  assert.equal(await truck.locator('#pictures figure').count(), 2);
+  const { continua } = await solved(truck);
+  const line = await truck.locator('#numbers tr', { has: truck.getByRole('rowheader', { name: 'ax', exact: true }) })
+    .locator('td').allTextContents();
+  assert.deepEqual(line, continua.map(({ ranges: { ax: [from, to] } }) => `[${from}, ${to}]`));
+  const page = await open();
+  const load = page.getByRole('textbox', { name: 'F', exact: true });
+  for (const value of ['', '1' + '0'.repeat(1000), '1/' + '7'.repeat(1000)]) {
+    await load.fill(value);
+    await load.press('Enter');
+    await page.waitForFunction(text => document.querySelector('#count').textContent.includes(text.slice(0, 20)), value || 'Motions by load');
+    if (value) await sameAsProgram(page);
+    assert.doesNotMatch(await page.locator('main').innerText(), /NaN|Infinity|undefined/);
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= 1280);
+  }
+});
+
+test('a page of the report leads to its scene', async () => {
+  for (const { file, link, at } of [{ file: 'engines/one-motion/cube-tips.html', link: '.explore a', at: 'engines/explorer.html' },
+                                    { file: 'papers/ladder.html', link: '.phase .explore a', at: 'papers/explorer.html' }]) {
+    const page = await open({ file, ready: false });
+    const href = await page.locator(link).first().getAttribute('href');
+    const there = await open({ file: at, hash: href.slice(href.indexOf('#')) });
+    assert.ok(await sameAsProgram(there) >= 1);
+    const state = there.url();
+    await there.getByRole('slider').first().press('ArrowRight');
+    await there.waitForFunction(url => location.href !== url, state);
+    const again = await open({ file: at, hash: new URL(there.url()).hash });
+    assert.equal(await again.locator('#scene-text').inputValue(), await there.locator('#scene-text').inputValue());
+  }
+  const broken = await open({ file: 'engines/explorer.html', hash: '#scene:=%7B%22scene', ready: false });
+  await broken.waitForFunction(() => document.querySelector('#mistakes').textContent.includes('cannot be read'));
 });
 
 test('everything can be read and reached: no violation of axe-core, no scrolling sideways', async () => {

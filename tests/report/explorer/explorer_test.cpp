@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -49,7 +50,8 @@ TEST_CASE("the explorer answers for every shipped scene as solve does, at its ow
       if (other.contains("mistakes")) continue;  // outside the load's domain
       CHECK(other["solve"]["load"]["value"] == "1/7");
       CHECK(other["solve"] == solved(other["scene"]));
-      CHECK(other["pictures"].size() == std::max<std::size_t>(1, other["solve"]["motions"].size()));
+      const std::size_t motions = other["solve"]["motions"].size() + other["solve"]["continua"].size();
+      CHECK(other["pictures"].size() == std::max<std::size_t>(1, motions));
     }
   }
 }
@@ -66,8 +68,11 @@ TEST_CASE("a mechanism that is not shipped goes with its scene") {
 TEST_CASE("the explorer draws the diagram of any parameter, and gives ranges with rational ends") {
   const Explorer explorer(portable(read_scene(shipped_cases + "ambiguous.toml")));
   const AnswerJson map = answer(explorer, {{"map", "h"}, {"columns", 5}});
-  CHECK(map["x"]["symbol"] == "h");
-  CHECK(map["y"]["symbol"] == "F");
+  REQUIRE(!map["frames"].empty());
+  for (const AnswerJson& frame : map["frames"]) {
+    CHECK(frame["x"]["symbol"] == "h");
+    CHECK(frame["y"]["symbol"] == "F");
+  }
   CHECK(std::string(map["map"]).find("data-plot") != std::string::npos);
   const AnswerJson values = answer(explorer, {{"ranges", true}})["values"];
   CHECK(values[0]["kind"] == "load");
@@ -105,4 +110,25 @@ TEST_CASE("the page holds the scene, and no name can end its element") {
   const AnswerJson given = AnswerJson::parse(page.substr(from, to - from));
   CHECK(parse_scene(std::string(given["scene"]), "scene.toml").name == scene.name);
   CHECK_THROWS_AS(explorer_page("<p>", "x.html", scene), InputError);
+}
+
+TEST_CASE("a link to the page holds the scene in characters that an address may have") {
+  MechanismScene scene = read_scene(shipped_cases + "mechanisms/scenes/ladder.toml");
+  scene.name = "50 % \"<a>\" & \xC3\xA4 #";
+  const std::string start = "explorer.html#scene:=";
+  const std::string link = explorer_link("explorer.html", scene);
+  REQUIRE(link.starts_with(start));
+  std::string text;
+  for (std::size_t i = start.size(); i < link.size(); ++i) {
+    if (link[i] != '%') {
+      CHECK((std::isalnum(link[i]) != 0 || std::string("-_.~").find(link[i]) != std::string::npos));
+      text += link[i];
+      continue;
+    }
+    text += static_cast<char>(std::stoi(link.substr(i + 1, 2), nullptr, 16));
+    i += 2;
+  }
+  const AnswerJson given = AnswerJson::parse(text);
+  const Explorer explorer({given["scene"], given["mechanism"], given["along"], given["file"]});
+  CHECK(answer(explorer, AnswerJson::object())["name"] == scene.name);
 }
