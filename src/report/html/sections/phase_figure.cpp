@@ -154,7 +154,7 @@ void add_phase_figure(const Element& parent, const PhaseFigure& figure) {
   const Element plot = box.add("div", "plot");
   const Element svg = add_phase_svg(plot, picture);
   svg.set("role", "img").set("aria-labelledby", diagram.plane.id + "-title");
-  const auto points = figure.small ? sample_points(diagram, 12, 9) : sample_points(diagram, 30, 20);
+  const auto points = figure.small ? sample_points(diagram, 10, 8) : sample_points(diagram, 30, 20);
   box.add("script").set("type", "application/json").set("class", "points").text(points_json(diagram, points));
   add_enlargements(box, picture);
   add_legend(box, picture, !figure.small);
