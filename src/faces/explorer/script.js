@@ -71,7 +71,7 @@ function ask() {
 
 function refresh() {
   const start = performance.now();
-  const answer = library.answer({ set: changed });
+  const answer = library.answer({ set: changed, every_q: false });
   const took = performance.now() - start;
   for (const id of ['pictures', 'numbers']) by(id).classList.toggle('stale', 'mistakes' in answer);
   by('mistakes').textContent = (answer.mistakes ?? []).join('\n');
@@ -317,7 +317,7 @@ function wire() {
 async function start() {
   if (given === null) given = sceneOf(linked);
   library = await openLibrary(given);
-  original = library.answer({ ranges: true });
+  original = library.answer({ ranges: true, every_q: false });
   if (original.mistakes) throw new Error(original.mistakes.join('\n'));
   document.title = `${original.name} – explorer`;
   by('name').textContent = original.name;

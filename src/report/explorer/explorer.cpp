@@ -134,8 +134,8 @@ Json pictures_of(const SolvedMechanism& solved) {
   return pictures;
 }
 
-Json motions_answer(const MechanismScene& scene, const std::string& text, bool ranges) {
-  const SolvedMechanism solved(scene);
+Json motions_answer(const MechanismScene& scene, const std::string& text, bool ranges, bool with_every_q) {
+  const SolvedMechanism solved(scene, with_every_q);
   Json answer;
   answer["scene"] = text;
   answer["name"] = scene.name;
@@ -143,6 +143,7 @@ Json motions_answer(const MechanismScene& scene, const std::string& text, bool r
   answer["values"] = values_of(scene, ranges);
   if (ranges && scene.mechanism.load) answer["usual"] = usual_parameter(scene);
   answer["solve"] = Json::parse(solve_json(solved));
+  if (!with_every_q) answer["solve"].erase("every_q");
   answer["pictures"] = pictures_of(solved);
   return answer;
 }
@@ -201,7 +202,7 @@ std::string Explorer::answer(std::string_view text) const {
       const std::size_t columns = request.value("columns", usual_columns);
       return json_text(map_answer(scene, request["map"], std::clamp<std::size_t>(columns, 2, most_columns)));
     }
-    return json_text(motions_answer(scene, written, request.value("ranges", false)));
+    return json_text(motions_answer(scene, written, request.value("ranges", false), request.value("every_q", true)));
   } catch (const InputError& error) {
     std::vector<std::string> mistakes;
     for (const Diagnostic& mistake : error.diagnostics()) mistakes.push_back(mistake.message);

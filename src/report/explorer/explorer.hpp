@@ -29,6 +29,7 @@ class Explorer {
   ///   (its tan(angle/2)), of the load; null removes the load's value.
   /// - `map`: optional. The parameter or angle of a phase diagram, or "" for the usual one; `columns`: its evenly
   ///   spaced values, 48 without it.
+  /// - `every_q`: optional, false: `solve` has no `every_q`, which may take most of the time.
   /// - `ranges`: optional, true: also the range of each value in the explorer.
   ///
   /// Without `map` the answer has `scene`, the text of a scene file with the values, `values`, `solve`, the document

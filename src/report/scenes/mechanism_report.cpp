@@ -30,14 +30,14 @@ FrictionProblem checked_problem(const MechanismScene& scene) {
 
 }  // namespace
 
-SolvedMechanism::SolvedMechanism(MechanismScene given)
+SolvedMechanism::SolvedMechanism(MechanismScene given, bool with_every_q)
     : scene(std::move(given)), problem(checked_problem(scene)), by_kinematics(has_too_many_to_try(problem)) {
   try {
     find_motions();
   } catch (const TooMuchWork&) {
     throw InputError({{scene.mechanism.file, 0, 0, too_many_modes(mode_count(kinds_of(problem)))}});
   }
-  if (by_kinematics) return;
+  if (by_kinematics || !with_every_q) return;
   if (const auto contacts = contact_problem(problem)) for_every_q = for_every_push(*contacts);
 }
 

@@ -15,8 +15,9 @@ namespace slipproof {
 /// A scene of a mechanism with all results about its motions.
 struct SolvedMechanism {
   /// Where there are too many modes to try, motions are found by kinematics (kinematic_modes.hpp). Throws InputError if
-  /// that takes more than some seconds, or if a coefficient has no value.
-  explicit SolvedMechanism(MechanismScene given);
+  /// that takes more than some seconds, or if a coefficient has no value. Without `with_every_q`, for_every_q stays
+  /// empty: it may take most of the time.
+  explicit SolvedMechanism(MechanismScene given, bool with_every_q = true);
 
   MechanismScene scene;
   FrictionProblem problem;               ///< with its equations solved

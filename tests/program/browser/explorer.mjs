@@ -106,9 +106,9 @@ test('a link keeps the state', async () => {
 test('a click into the diagram takes its point', async () => {
   const page = await open();
   await drawn(page);
-  const before = await page.locator('#scene-text').inputValue();
   const plots = page.locator('#map [data-plot]');
   for (let i = 0; i < await plots.count(); ++i) {
+    const before = await page.locator('#scene-text').inputValue();
     await plots.nth(i).scrollIntoViewIfNeeded();
     const [x, y] = await plots.nth(i).evaluate(plot => {
       const [left, top, width, height] = plot.dataset.plot.split(' ').map(Number);
