@@ -48,8 +48,8 @@ function showValues(values) {
       if (value.near !== null && document.activeElement !== row.slider) row.slider.value = row.steps.nearest(value.near);
       row.slider.setAttribute('aria-valuetext', spokenValue(value));
     }
-    row.note.textContent = [nearText(value), row.meaning].filter(Boolean).join(' · ') ||
-                           (value.value === null ? (value.kind === 'load' ? 'no value: every load' : 'no value') : '');
+    const none = value.value !== null ? '' : value.kind === 'load' ? 'every load' : 'no value';
+    row.note.textContent = [none, nearText(value), row.meaning].filter(Boolean).join(' · ');
   }
 }
 
@@ -69,6 +69,14 @@ function ask() {
   });
 }
 
+function show(answer) {
+  current = answer;
+  showValues(answer.values);
+  showMotions(answer);
+  by('scene-text').value = answer.scene;
+  moveMark();
+}
+
 function refresh() {
   const start = performance.now();
   const answer = library.answer({ set: changed, every_q: false });
@@ -76,18 +84,15 @@ function refresh() {
   for (const id of ['pictures', 'numbers']) by(id).classList.toggle('stale', 'mistakes' in answer);
   by('mistakes').textContent = (answer.mistakes ?? []).join('\n');
   if (answer.mistakes) {
-    for (const [symbol, text] of Object.entries(changed)) {
-      const row = rows.get(symbol);
-      if (row && text !== row.value?.value) row.number.setAttribute('aria-invalid', 'true');
+    for (const [symbol, { number }] of rows) {
+      if (!answer.mistakes.some(text => text.startsWith(symbol + ':'))) continue;
+      number.setAttribute('aria-invalid', 'true');
+      number.value = changed[symbol] ?? '';
     }
     by('count').textContent = 'No answer';
     return;
   }
-  current = answer;
-  showValues(answer.values);
-  showMotions(answer);
-  by('scene-text').value = answer.scene;
-  moveMark();
+  show(answer);
   later('state', 250, keepState);
   later('map', 250, askForMap);
   later('spoken', 700, () => { by('spoken').textContent = by('count').textContent; });
@@ -271,23 +276,6 @@ function readState() {
   by('across').value = across;
 }
 
-async function copy(text, what, said = by('copied')) {
-  try {
-    await navigator.clipboard.writeText(text);
-  } catch {
-    const area = make('textarea', { value: text });
-    document.body.append(area);
-    area.select();
-    const done = document.execCommand('copy');
-    area.remove();
-    if (!done) {
-      said.textContent = 'The browser does not let this page copy.';
-      return;
-    }
-  }
-  said.textContent = `${what} copied.`;
-}
-
 function wire() {
   by('reset').addEventListener('click', () => {
     changed = {};
@@ -295,9 +283,9 @@ function wire() {
   });
   by('copy-link').addEventListener('click', () => {
     keepState();
-    copy(location.href, 'Link');
+    copy(location.href, 'Link', by('copied'));
   });
-  by('copy-scene').addEventListener('click', () => copy(by('scene-text').value, 'Scene'));
+  by('copy-scene').addEventListener('click', () => copy(by('scene-text').value, 'Scene', by('copied')));
   by('copy-mechanism').addEventListener('click', () => copy(given.file, 'Mechanism', by('copied-mechanism')));
   by('across').addEventListener('change', () => {
     across = by('across').value;
@@ -342,6 +330,7 @@ async function start() {
   wire();
   mapper = startMapper();
   mapper.listen(showMap);
+  if (Object.keys(changed).length) show(original);  // it stays if the link's values are refused
   refresh();
   document.body.dataset.ready = 'true';
 }

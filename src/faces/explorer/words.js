@@ -142,3 +142,21 @@ function showDrawing(host, svg) {
   root.replaceChildren(drawing);
   return drawing;
 }
+
+// Copies, and says so, or why not.
+async function copy(text, what, said) {
+  try {
+    await navigator.clipboard.writeText(text);
+  } catch {
+    const area = make('textarea', { value: text });
+    document.body.append(area);
+    area.select();
+    const done = document.execCommand('copy');
+    area.remove();
+    if (!done) {
+      said.textContent = 'The browser does not let this page copy.';
+      return;
+    }
+  }
+  said.textContent = `${what} copied.`;
+}

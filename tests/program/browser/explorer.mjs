@@ -103,6 +103,30 @@ test('a link keeps the state', async () => {
   assert.equal(await again.locator('#scene-text').inputValue(), await page.locator('#scene-text').inputValue());
 });
 
+test('a link with a refused value shows the scene and the refusal', async () => {
+  const page = await open({ hash: '#f=-1&R=0.5' });
+  const value = name => page.getByRole('textbox', { name, exact: true });
+  assert.match(await page.locator('#mistakes').textContent(), /f: found '-1'/);
+  assert.deepEqual(await Promise.all(['f', 'R', 'F'].map(name => value(name).inputValue())), ['-1', '1/4', '327/100']);
+  assert.equal(await value('f').getAttribute('aria-invalid'), 'true');
+  assert.equal(await value('R').getAttribute('aria-invalid'), null);
+  await value('f').fill('1');
+  await value('f').press('Enter');
+  await page.waitForFunction(() => document.querySelector('#mistakes').textContent === '');
+  assert.equal(await value('R').inputValue(), '1/2');
+});
+
+test('Copy as scene and Copy link put them on the clipboard', async () => {
+  const page = await open();
+  await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+  for (const [button, said, expected] of [['Copy as scene', 'Scene copied.', () => page.locator('#scene-text').inputValue()],
+                                          ['Copy link', 'Link copied.', () => page.url()]]) {
+    await page.getByRole('button', { name: button }).click();
+    await page.waitForFunction(text => document.querySelector('#copied').textContent === text, said);
+    assert.equal(await page.evaluate(() => navigator.clipboard.readText()), await expected());
+  }
+});
+
 test('a click into the diagram takes its point', async () => {
   const page = await open();
   await drawn(page);
