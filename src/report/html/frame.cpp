@@ -22,6 +22,10 @@ void add_head(const Element& html, const PageFrame& frame) {
     head.add("meta").set("property", "og:description").set("content", frame.description);
     head.add("meta").set("property", "og:type").set("content", "article");
   }
+  if (!frame.image.empty()) {
+    head.add("meta").set("property", "og:image").set("content", frame.image);
+    head.add("meta").set("name", "twitter:card").set("content", "summary_large_image");
+  }
   head.add("style").code(std::string(assets::style_css) + picture_style());
 }
 

@@ -19,6 +19,7 @@ struct PageFrame {
   std::string skip = "#overview", skip_words = "Skip to the results";
   std::string_view script = {};  ///< empty: none
   std::string description = {};  ///< for search engines and for those who share the page; empty: none
+  std::string image = {};        ///< the address of a picture for those who share the page; empty: none
 };
 
 /// The page, HTML 5. `fill` adds its content.

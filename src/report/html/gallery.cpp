@@ -55,7 +55,7 @@ std::string page_name(const JudgedPaper& paper) {
   return paper.name + ".html";
 }
 
-std::string gallery_html(const std::vector<JudgedPaper>& papers, const std::string& version) {
+std::string gallery_html(const std::vector<JudgedPaper>& papers, const std::string& version, const std::string& image) {
   PageFrame frame{"slipproof: " + counted(papers.size(), "source") + " about dry friction, judged",
                   version,
                   {},
@@ -63,6 +63,7 @@ std::string gallery_html(const std::vector<JudgedPaper>& papers, const std::stri
   frame.skip = "#papers", frame.skip_words = "Skip to the sources";
   frame.description =
       "Published formulas about dry friction, each proved for all parameters or refuted by numbers to check by hand.";
+  frame.image = image;
   // Papers that were published come first; other sources are what textbooks share.
   std::vector<const JudgedPaper*> order;
   for (const JudgedPaper& paper : papers) order.push_back(&paper);

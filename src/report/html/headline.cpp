@@ -62,6 +62,10 @@ void add_worst_motions(const Element& parent, const ClaimResult& worst) {
   }
 }
 
+std::string worst_motions_svg(const ClaimResult& worst) {
+  return motions_svg_file(worst.counterexample->scene, *worst.counterexample->motions);
+}
+
 void add_reference(const Element& parent, std::string_view reference) {
   struct Place {
     std::string_view before, address;

@@ -16,6 +16,9 @@ const ClaimResult* worst_refuted(const ClaimsFile& file, const VerifyResult& res
 /// Draws the motions of its counterexample side by side. Needs picture_style() in the page.
 void add_worst_motions(const Element& parent, const ClaimResult& worst);
 
+/// The same as an SVG file of its own.
+std::string worst_motions_svg(const ClaimResult& worst);
+
 /// Adds a reference; `arXiv:2105.00851` and `doi:10.1000/182` in it are links, the first with its DOI.
 void add_reference(const Element& parent, std::string_view reference);
 

@@ -106,6 +106,7 @@ PageFrame frame_of(const PageInput& input) {
   link(true, "#reproduce", "Reproduce");
   frame.footer = "Made by slipproof " + input.version + ". Every number that is not marked as rounded is exact.";
   frame.description = input.claims->paper.found;
+  frame.image = input.image;
   frame.script = assets::script_js;
   return frame;
 }

@@ -37,6 +37,7 @@ struct PageInput {
   std::string version;
   std::string gallery;   ///< a link to the page of all papers; empty: there is none
   std::string explorer;  ///< a link to the explorer's page (src/faces/explorer); empty: there is none
+  std::string image;     ///< as in PageFrame
   std::vector<Figure> figures;
   std::vector<PageCertificate> certificates;
   std::optional<SecondOpinions> opinions;  ///< by theorem of `certificates`

@@ -199,6 +199,15 @@ TEST_CASE("figures, machines and counterexamples lead to the explorer, where the
   CHECK(count("//p[@class='download']") == tree.select_nodes("//p[@class='download']").size());
 }
 
+TEST_CASE("a page that is published names a picture for those who share it") {
+  PageInput input = small_input();
+  CHECK(page_html(input).find("og:image") == std::string::npos);
+  input.image = "https://example.org/\"a\".png";
+  const auto tree = read(page_html(input));
+  const auto image = tree.select_node("//meta[@property='og:image']").node();
+  CHECK(image.attribute("content").value() == input.image);
+}
+
 TEST_CASE("the first page has the problem, the figure, the findings in words and the counts, in this order") {
   const std::string& html = small_page();
   std::size_t last = 0;

@@ -25,6 +25,7 @@ struct ReportArguments : JudgeArguments {
 /// Reports on what engines answered: a page for all, one for each class of scenes and one for each scene.
 int report_engines(const std::filesystem::path& folder, const ReportArguments& options) {
   if (options.out == "-") throw CLI::ValidationError("--out", "found -, expected a folder: engines have many pages");
+  if (!options.address.empty()) throw CLI::ValidationError("--address", "engines have no picture to share");
   const OutputFolder pages(options.out, {explorer_file()});
   const std::string explorer = copy_explorer(pages);
   const EngineResults results = engine_results(judge_engines(folder));
@@ -73,6 +74,14 @@ void add_report(CLI::App& app, int& exit_code) {
                      "Judge only the claims whose id begins with this, such as A or E4.7");
   command.add_option("--trade", options->trade,
                      "Output of slipproof trade --json, for the section on speed and accuracy");
+  command
+      .add_option("--address", options->address,
+                  "Where a folder of pages will be published, https://...: each page then names a picture of its worst "
+                  "finding for those who share it")
+      ->check([](const std::string& text) {
+        const bool web = text.starts_with("https://") || text.starts_with("http://");
+        return web ? std::string() : "found " + text + ", expected an address, https://...";
+      });
   add_common_options(command, options->common);
   command.callback([options, samples, &exit_code] {
     std::filesystem::path path = claims_path(options->claims);
@@ -83,6 +92,10 @@ void add_report(CLI::App& app, int& exit_code) {
     }
     auto papers = papers_in(path);
     const bool one_page = options->out == "-" || options->out.ends_with(".html") || !options->verify.only.empty();
+    if (!options->address.empty() && (papers.empty() || one_page)) {
+      throw CLI::ValidationError("--address",
+                                 "a page in one file has no picture beside it, expected a folder of papers");
+    }
     if (papers.size() == 1 && one_page) {
       path = papers.front();
       papers.clear();

@@ -7,11 +7,14 @@
 #include <optional>
 
 #include "base/input/diagnostic.hpp"
+#include "base/output/percent.hpp"
 #include "claims/reading/read_claims_file.hpp"
 #include "faces/cli/commands/explore.hpp"
+#include "faces/cli/png.hpp"
 #include "faces/cli/progress.hpp"
 #include "faces/cli/warnings.hpp"
 #include "report/html/gallery.hpp"
+#include "report/html/headline.hpp"
 
 namespace slipproof::cli {
 
@@ -144,6 +147,21 @@ std::vector<std::filesystem::path> papers_in(const std::filesystem::path& path) 
       {{path.string(), 0, 0, "found no claims.toml in the folder or in the folders in it, and no other claims file"}});
 }
 
+namespace {
+
+/// Draws the worst finding of a paper for those who share its page. Returns the picture's address; empty if there is no
+/// such finding, or if the pages are not published.
+std::string shared_picture(const OutputFolder& pages, const JudgedPaper& paper, std::string address) {
+  const ClaimResult* worst = address.empty() ? nullptr : worst_refuted(paper.file, paper.result);
+  if (worst == nullptr) return "";
+  const std::string name = paper.name + ".png";
+  pages.write(name, png_of(worst_motions_svg(*worst)));
+  if (!address.ends_with('/')) address += '/';
+  return address + percent_encoded(name);
+}
+
+}  // namespace
+
 std::vector<JudgedPaper> judge_papers(const std::vector<std::filesystem::path>& papers, const JudgeArguments& arguments,
                                       const std::filesystem::path& report) {
   std::vector<JudgedPaper> judged;
@@ -178,9 +196,12 @@ std::vector<JudgedPaper> judge_papers(const std::vector<std::filesystem::path>& 
     judged[i].result = run.result(i);
     if (!pages) continue;
     pages_of[i].result = &judged[i].result;
+    pages_of[i].image = shared_picture(*pages, judged[i], arguments.address);
     pages->write(page_name(judged[i]), page_html(pages_of[i]));
   }
-  if (pages) pages->write("index.html", gallery_html(judged, SLIPPROOF_VERSION));
+  const auto image = std::ranges::find_if(pages_of, [](const PageInput& page) { return !page.image.empty(); });
+  if (pages)
+    pages->write("index.html", gallery_html(judged, SLIPPROOF_VERSION, image == pages_of.end() ? "" : image->image));
   return judged;
 }
 

@@ -25,6 +25,7 @@ struct JudgeArguments {
   CrewArguments crew;
   std::string claims, trade;
   std::string second_checker;  ///< a program; empty: there is none
+  std::string address;         ///< where a folder of pages will be published; empty: nowhere
 
   std::shared_ptr<Certificates> certificates_of(const std::filesystem::path& file) const {
     return std::make_shared<Certificates>(paper_folder(file), second_checker);
