@@ -61,10 +61,10 @@ class Interview:
             answers.append(answer)
             return question, answer
 
-        bisection = Bisection(scene, ask)
-        at, within = bisection.run()
+        bisection = Bisection(scene, ask, self.engine.floor)
+        at, within, floor = bisection.run()
         kept = {key: answers[-1][key] for key in ("version", "settings", "law")}
-        return kept | {"parameter": bisection.parameter, "changes_at": at, "within": within}
+        return kept | {"parameter": bisection.parameter, "changes_at": at, "within": within, "floor": floor}
 
     def kept(self, scene, asked, answer):
         """A line of the record, whatever happens."""

@@ -42,8 +42,12 @@ class Scene {
       auto sweeps = std::make_shared<dart::constraint::PgsBoxedLcpSolver>();
       dart::constraint::PgsBoxedLcpSolver::Option option;
       option.mMaxIteration = q.iterations, option.mDeltaXThreshold = 0, option.mRelativeDeltaXTolerance = 0;
+      // Sweeps end where all impulses are smaller, which by default are 1e-9; rows that are 0 are left out by it.
+      option.mEpsilonForDivision = 1e-15;
       sweeps->setOption(option);
       solver->setBoxedLcpSolver(sweeps);
+      // Sweeps that reach no tolerance of 0 count as failed, and a second solver with its 30 sweeps would take over.
+      solver->setSecondaryBoxedLcpSolver(nullptr);
     }
   }
 

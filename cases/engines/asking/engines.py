@@ -26,6 +26,7 @@ class Engine:
     def __init__(self, name, given):
         self.name = name
         self.many = given.get("many")
+        self.floor = 1e-5 if given.get("binary32") else 1e-6  # what counts as motion at a threshold
         self.program, *self.arguments = given["program"]
         self.given = given
         self.command = None

@@ -2,6 +2,8 @@
 
 import functools
 import json
+import os
+import shutil
 import subprocess
 import tempfile
 from fractions import Fraction
@@ -29,8 +31,8 @@ class Scene:
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "scene.json"
             words = [form] * bool(form) + [word for setting in settings for word in ("--set", setting)]
-            told = subprocess.run([self.program, "export", str(self.file), *words, "-o", str(file)],
-                                  capture_output=True, text=True)
+            told = subprocess.run([self.program, "export", self.file.name, *words, "-o", str(file)],
+                                  cwd=self.file.parent, capture_output=True, text=True)
             if told.returncode:
                 raise Refused(f"slipproof export: {told.stderr.strip()}")
             return json.loads(file.read_text())
@@ -44,7 +46,7 @@ class Scene:
 
 def scenes_of(folder, program):
     """All scenes below a folder, sorted by class and name, with what is expected of them where that is recorded."""
-    result = []
+    result, program = [], os.path.abspath(shutil.which(program) or program)
     for file in sorted((folder / "scenes").glob("*/*.toml")):
         expected = folder / "expected" / file.parent.name / f"{file.stem}.json"
         result.append(Scene(file, program, json.loads(expected.read_text()) if expected.exists() else None))

@@ -145,6 +145,18 @@ def world(scene):
     return World(scene).built()
 
 
+def natural(built):
+    """The largest acceleration that gravity, forces and couples give to bodies that nothing holds; a couple at the
+    scene's size."""
+    result = math.hypot(*built["gravity"])
+    for body in built["bodies"]:
+        if body.get("mass"):
+            result = max(result, math.hypot(*body["force"]) / body["mass"])
+        if body.get("inertia"):
+            result = max(result, abs(body["torque"]) / body["inertia"] * built["size"])
+    return result
+
+
 def step_of(built):
     """A step of games, 1/60 s, or a shorter one in which no body moves by more than about a hundredth of the size, and
     no velocity that is there at the start changes by more than that part of it."""

@@ -87,19 +87,32 @@ class Scenes(unittest.TestCase):
                 for kind, word in (("gap", "gap"), (1, "slip")):
                     self.assertAlmostEqual(quantity(built, values, i, kind), values[f"{word}_{contact['name']}"], 9)
 
-    def test_bisection_finds_where_an_exact_engine_changes(self):
-        """An engine that knows the threshold, above which the ball rolls, and creeps a little there."""
+    def bisection(self, motion):
+        """Of an engine in which a ball moves by this part of its natural acceleration, by how far mu is below the
+        threshold. It rolls above."""
         scene = self.scenes["thresholds/ball-rolls-on-slope"]
         at = scene.expected["threshold"]["changes"][0]["at"]["double"]
         bisection = Bisection(scene, None)
-        bisection.deciding = [(0, 1, -1)]
-        bisection.seen = lambda value: [1e-5 + max(at - float(value), 0)]
-        found, within = bisection.run()
-        self.assertLess(abs(found - at), 1e-4)
-        self.assertLess(within, 1e-6)
-        bisection.seen = lambda value: [1]
-        with self.assertRaises(Refused):
-            bisection.run()
+        bisection.seen = lambda value: ([10 * motion(at - float(value))], 10)
+        return bisection, at
+
+    def test_bisection_finds_where_an_engine_changes(self):
+        for motion, floor, off in ((lambda x: max(x, 0), 1e-6, 1e-9),  # exact
+                                   (lambda x: max(x, 0) + x * x / 900, 1e-3, 1e-4),  # creeps, the more the farther it is
+                                   (lambda x: max(x, 0) + x * x / 9 * (x > 0), 1e-6, 1e-9),  # curved
+                                   (lambda x: max(x, 0) + 2e-3, 1e-2, 1e-9),  # a soft contact
+                                   (lambda x: 1 if x > 0 else 0, 1e-6, 1e-7)):  # it jumps
+            bisection, at = self.bisection(motion)
+            found, within, used = bisection.run()
+            self.assertLess(abs(found - at), off)
+            self.assertLess(within, 1e-3)
+            self.assertAlmostEqual(used, floor)
+
+    def test_bisection_gives_no_threshold_where_there_is_no_kink(self):
+        for motion in (lambda x: 1, lambda x: 0, lambda x: 0.5 + x / 2, lambda x: 0.2 + x / 4,
+                       lambda x: (x + 0.8) ** 2 / 4):
+            with self.assertRaises(Refused):
+                self.bisection(motion)[0].run()
 
     def test_step_is_shorter_where_bodies_are_fast(self):
         built = world(self.scenes["one-motion/ball-at-rest"].bodies())
