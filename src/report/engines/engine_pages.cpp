@@ -174,8 +174,8 @@ class EnginePages {
     if (off.empty()) return;
     const Element section = add_section(main, "changes", "Where engines change their minds");
     add_line(section.add("p", "how"),
-             {"A parameter is varied until the engine's answer changes its mode; how far is that from the exact value? "
-              "One at the end of the interval where the scene rests is the engine's noise. ",
+             {"A parameter is varied until a body begins to move in the engine; how far is that from the exact value? "
+              "An engine that creeps at rest by more than a hundredth of the scene's natural acceleration has none. ",
               link_to("Scene by scene", page + "#changes"), "."});
     ReportTable table{
         {"engine", "asked", {"thresholds", true}, {"to 1e-6", true}, {"to 1e-3", true}, {"median", true}}};
@@ -300,14 +300,15 @@ class EnginePages {
                  ReportLine(code(answer.settings))});
     }
     add_table(section, table);
-    section.add("p", "how")
-        .text("Judge one again: its line in answers/ENGINE.jsonl, its motion as a record of this scene.");
+    section.add("p", "how").text("Ask an engine again, and judge what it has answered:");
     section.add("pre")
         .set("tabindex", 0)
         .add("code")
-        .text(fmt::format("slipproof export {0}/scenes/{1}.toml --bodies -o scene.json\nslipproof certify --scene "
-                          "{0}/scenes/{1}.toml answer.jsonl",
-                          folder_, scene.name));
+        .text(fmt::format(
+            "./run engines ENGINE --only {1} --no-thresholds\n"
+            "grep '\"{1}\"' {0}/answers/ENGINE.jsonl | sed -n 's/.*\"motion\": \\({{[^}}]*}}\\).*/\\1/p' |\n"
+            "  slipproof certify --scene {0}/scenes/{1}.toml -",
+            folder_, scene.name));
   }
 
   static std::string answer_text(const EngineAnswer& answer) {

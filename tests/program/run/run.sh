@@ -24,7 +24,7 @@ case " $LACKING " in
 esac' >"$scratch/bin/dpkg-query"
 echo '#!/bin/sh
 echo "slipproof$(printf " <%s>" "$@")" >>"$CALLS"
-[ "$1" = trade ] && exit 0
+[ "$1" = trade ] || [ "$1" = report ] && exit 0
 echo "s REFUTED"
 exit 1' >"$project/build/slipproof"
 chmod -R a+rwX "$scratch"
@@ -117,7 +117,7 @@ expect 0 '*install --no-install-recommends libdart-dev?cmake --preset ci*npm ci 
 echo "$note" >"$scratch/bin/npm"
 LACKING=
 call "$project/run" engines
-expect 0 'cmake --preset ci*npm ci *' 'asked --slipproof build/slipproof *'
+expect 0 'cmake --preset ci*npm ci *<report> <cases/engines>*' 'asked --slipproof build/slipproof *the table is */build/report/engines/index.html'
 
 LACKING=coq
 call "${as_user[@]}" "$project/run" test
