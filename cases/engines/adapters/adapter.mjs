@@ -36,7 +36,7 @@ function question(line) {
   // `half` its width in the middle of its upper side. `overlap` is there so that binary32 sees no gap.
   const contacts = world.contacts.map((c) => {
     const radius = c.radius > 0 ? c.radius : Math.max(0.05 * world.size, 0.001);
-    return { ...c, disc: radius, half: Math.max(radius, 0.01), overlap: 1e-5 * world.size, face: arm(c.on, c.at),
+    return { ...c, disc: radius, half: Math.max(radius, 0.01), overlap: 1e-6 * world.size, face: arm(c.on, c.at),
              centre: arm(c.of, c.at.map((p, i) => p + radius * c.normal[i])) };
   });
   return { ...world, step, iterations, bodies, contacts, arm };
