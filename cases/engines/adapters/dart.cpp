@@ -153,6 +153,9 @@ class Scene {
 }  // namespace
 
 int main() {
-  return run({"dart", DART_VERSION, "box of two directions; the first step from rest",
-              [](const Question& q) { return Scene(q).step(); }});
+  return run(
+      {"dart", DART_VERSION,
+       "box of two directions, bounded by mu times the normal force, and by Dantzig's method times the normal force "
+       "that the contacts would have without friction; the first step from rest",
+       [](const Question& q) { return Scene(q).step(); }});
 }
