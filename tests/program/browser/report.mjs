@@ -208,6 +208,14 @@ for (const [paper, width] of [['A4', 688], ['Letter', 710]]) {
   });
 }
 
+test('the shipped paper prints on 25 pages of A4 at most', async () => {
+  const page = await open({ url: pathToFileURL('papers/rozenblat-yashin.html').href });
+  const printed = (await page.pdf({ format: 'A4' })).toString('latin1');
+  const pages = Math.max(...[...printed.matchAll(/\/Count (\d+)/g)].map(([, count]) => Number(count)));
+  console.log(`${pages} pages`);
+  assert.ok(5 < pages && pages <= 25, `${pages} pages`);
+});
+
 test("a script unfolds on demand what browsers without the style for it would leave folded, and folds it again", async () => {
   const page = await open();
   const folded = () => page.locator('details:not([open])').count();

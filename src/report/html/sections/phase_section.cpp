@@ -68,8 +68,8 @@ void add_phase_section(const Element& main, const PageInput& input) {
     add_phase_figure(section, {diagram, caption, false, link});
   }
   if (input.scenes.empty()) return;
-  section.add("h3").text("The scenes of cases/, in the plane of friction and force");
-  const Element grid = section.add("div", "grid");
+  section.add("h3", "on-demand").text("The scenes of cases/, in the plane of friction and force");
+  const Element grid = section.add("div", "grid on-demand");
   std::vector<std::string> ids;
   for (const MechanismScene& scene : input.scenes) {
     const PhaseDiagram diagram = phase_diagram(mechanism_plane(scene, {}, scene_id(scene.name, ids)), scene_columns);
