@@ -209,7 +209,7 @@ for (const [paper, width] of [['A4', 688], ['Letter', 710]]) {
 }
 
 test('the shipped paper prints on 25 pages of A4 at most', async () => {
-  const page = await open({ url: pathToFileURL('papers/rozenblat-yashin.html').href });
+  const page = await open({ media: 'print', url: pathToFileURL('papers/rozenblat-yashin.html').href });
   const printed = (await page.pdf({ format: 'A4' })).toString('latin1');
   const pages = Math.max(...[...printed.matchAll(/\/Count (\d+)/g)].map(([, count]) => Number(count)));
   console.log(`${pages} pages`);
