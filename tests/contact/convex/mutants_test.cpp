@@ -148,3 +148,21 @@ TEST_CASE("mutants of certificates of every law are judged alike by two checkers
   CHECK(count["rejected"] > mutants);
   CHECK(count["unreadable"] > mutants);
 }
+
+TEST_CASE("a contact that touches has no force, by both readings") {
+  // Two contacts of one point of mass 1 and weight 2: the first one sticks, the second one's floor moves along with 5.
+  const auto certificate = [](const std::string& first, const std::string& second) {
+    std::string text = "slipproof-contact 1 dimension 3 free 0 contacts 2 mu 1/2 1/2 matrix 12\n";
+    for (int i = 0; i < 6; ++i) {
+      for (const int j : {i % 3, i % 3 + 3}) text += std::to_string(i) + ' ' + std::to_string(j) + " 1\n";
+    }
+    text += "constant -2 0 0 -2 5 0 answer " + first + " 0 0 " + second + " 0 0\n";
+    text +=
+        "enclosure 1/1000 modes stick touch center " + first + " 0 0 " + second + " radius 1/1000 1/1000 1/1000 1\n";
+    return text + "pinned 1 3 dropped 1 3 1 0 1 inverse 3 0 0 1 1 1 1 2 2 1 end\n";
+  };
+  CHECK(first_reading(certificate("2", "0")) == "accepted");
+  CHECK(second_reading(certificate("2", "0")) == "accepted");
+  CHECK(first_reading(certificate("1", "1")) == "rejected");  // it would rub
+  CHECK(second_reading(certificate("1", "1")).substr(0, 8) == "rejected");
+}
