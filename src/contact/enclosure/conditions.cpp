@@ -1,5 +1,7 @@
 #include "contact/enclosure/conditions.hpp"
 
+#include <array>
+
 #include "base/number/binary64.hpp"
 
 namespace slipproof {

@@ -3,6 +3,8 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 
 #include "base/number/binary64.hpp"
 #include "contact/enclosure/sizes.hpp"
