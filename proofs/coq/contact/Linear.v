@@ -1,7 +1,7 @@
 (** Sparse linear functions with numbers that compute, and what of linear algebra is needed: m equations in m + 1 unknowns
     have a solution that is not 0. *)
 From Coq Require Import Reals NArith List Bool Lra Lia FMapPositive.
-From Slipproof.Contact Require Import Coulomb Number Fixed.
+From Slipproof.contact Require Import Coulomb Number Fixed.
 Import ListNotations.
 Local Open Scope R_scope.
 
@@ -118,8 +118,10 @@ Qed.
 (** Vectors that compute *)
 
 Definition key (i : N) : positive := N.succ_pos i.
+Definition look {A} (otherwise : A) (m : PositiveMap.t A) (i : N) : A :=
+  match PositiveMap.find (key i) m with Some x => x | None => otherwise end.
 Definition table := PositiveMap.t number.
-Definition get (m : table) (i : N) : number := match PositiveMap.find (key i) m with Some x => x | None => zero end.
+Definition get (m : table) (i : N) : number := look zero m i.
 Definition put (m : table) (i : N) (x : number) : table := PositiveMap.add (key i) x m.
 Definition empty : table := PositiveMap.empty number.
 
@@ -128,13 +130,73 @@ Proof. unfold key. intros E. apply (f_equal Npos) in E. rewrite !N.succ_pos_spec
 
 Lemma get_put m i x j : get (put m i x) j = if N.eq_dec j i then x else get m j.
 Proof.
-  unfold get, put. destruct (N.eq_dec j i) as [->|D].
+  unfold get, look, put. destruct (N.eq_dec j i) as [->|D].
   - rewrite PositiveMap.gss. reflexivity.
   - rewrite PositiveMap.gso; [reflexivity|]. intros E. apply D, key_inj, E.
 Qed.
 
 Lemma get_empty i : get empty i = zero.
-Proof. unfold get, empty. rewrite PositiveMap.gempty. reflexivity. Qed.
+Proof. unfold get, look, empty. rewrite PositiveMap.gempty. reflexivity. Qed.
+
+Lemma look_add {A} (o : A) m i x j : look o (PositiveMap.add (key i) x m) j = if N.eq_dec j i then x else look o m j.
+Proof.
+  unfold look. destruct (N.eq_dec j i) as [->|D].
+  - rewrite PositiveMap.gss. reflexivity.
+  - rewrite PositiveMap.gso; [reflexivity|]. intros E. apply D, key_inj, E.
+Qed.
+
+Lemma look_empty {A} (o : A) i : look o (PositiveMap.empty A) i = o.
+Proof. unfold look. rewrite PositiveMap.gempty. reflexivity. Qed.
+
+(** A list as a table, from an index on. *)
+Fixpoint tabulate {A} (i : N) (l : list A) (m : PositiveMap.t A) : PositiveMap.t A :=
+  match l with [] => m | x :: r => tabulate (N.succ i) r (PositiveMap.add (key i) x m) end.
+
+Lemma look_tabulate {A} (o : A) i l m j :
+  look o (tabulate i l m) j = if N.ltb j i then look o m j else
+    match nth_error l (N.to_nat (j - i)) with Some x => x | None => look o m j end.
+Proof.
+  revert i m. induction l as [|x l IH]; intros i m; cbn.
+  - destruct (N.ltb j i); [reflexivity|]. destruct (N.to_nat (j - i)); reflexivity.
+  - rewrite IH. unfold look.
+    destruct (N.ltb_spec j i), (N.ltb_spec j (N.succ i)); try lia.
+    + rewrite PositiveMap.gso; [reflexivity|]. intros E. apply key_inj in E. lia.
+    + assert (j = i) by lia. subst. rewrite PositiveMap.gss, N.sub_diag. reflexivity.
+    + replace (N.to_nat (j - i)) with (S (N.to_nat (j - N.succ i))) by lia. cbn.
+      rewrite PositiveMap.gso; [reflexivity|]. intros E. apply key_inj in E. lia.
+Qed.
+
+Lemma look_list {A} (o : A) l j : look o (tabulate 0 l (PositiveMap.empty A)) j = nth (N.to_nat j) l o.
+Proof.
+  rewrite look_tabulate. destruct (N.ltb_spec j 0); [lia|]. rewrite N.sub_0_r.
+  destruct (nth_error l (N.to_nat j)) as [x|] eqn:E.
+  - symmetry. apply nth_error_nth, E.
+  - apply nth_error_None in E. rewrite nth_overflow by assumption. unfold look. rewrite PositiveMap.gempty. reflexivity.
+Qed.
+
+(** That no index occurs twice. *)
+Fixpoint distinct (l : list N) (seen : PositiveMap.t unit) : bool :=
+  match l with
+  | [] => true
+  | i :: r => negb (PositiveMap.mem (key i) seen) && distinct r (PositiveMap.add (key i) tt seen)
+  end.
+
+Lemma distinct_from l seen : distinct l seen = true ->
+  NoDup l /\ forall i, In i l -> PositiveMap.mem (key i) seen = false.
+Proof.
+  revert seen. induction l as [|i l IH]; intros seen D; cbn in D.
+  - split; [constructor | intros i []].
+  - apply andb_prop in D. destruct D as [A D]. apply negb_true_iff in A. destruct (IH _ D) as [N M]. split.
+    + constructor; [|exact N]. intros I. specialize (M i I).
+      rewrite PositiveMap.mem_find, PositiveMap.gss in M. discriminate.
+    + intros j [<-|J]; [exact A|]. specialize (M j J). rewrite PositiveMap.mem_find in *.
+      destruct (Pos.eq_dec (key j) (key i)) as [E|E].
+      * rewrite E, PositiveMap.gss in M. discriminate.
+      * rewrite PositiveMap.gso in M by exact E. exact M.
+Qed.
+
+Lemma distinct_NoDup l : distinct l (PositiveMap.empty unit) = true -> NoDup l.
+Proof. intros D. apply (distinct_from l _ D). Qed.
 
 (** The vector of a table. *)
 Definition values (m : table) : vector := fun i => value (get m i).

@@ -1,6 +1,6 @@
 (** A zero of quadratic equations in a box, by an approximate inverse (FORMAT.md, `enclosure`). *)
 From Coq Require Import Reals NArith List Bool Lra Lia FMapPositive.
-From Slipproof.Contact Require Import Coulomb Number Fixed Linear.
+From Slipproof.contact Require Import Coulomb Number Fixed Linear.
 Import ListNotations.
 Local Open Scope R_scope.
 
@@ -101,7 +101,8 @@ Definition mapped (t : number) (shift spread bend radius : number) : bool :=
 
 Section Zero.
   Variables (equations : N -> equation) (z p : table) (left : list N) (rows : list (N * linear)) (t : number).
-  Let known (b : N) := expand z p (equations b).
+  Variable known : N -> expansion.
+  Hypothesis knows : forall b, known b = expand z p (equations b).
   Hypothesis names : map fst rows = left.
   Hypothesis distinct : NoDup left.
   Hypothesis no_more : forall b, (length left <= N.to_nat b)%nat -> equations b = nothing.
@@ -121,7 +122,7 @@ Section Zero.
         (fun m e => accumulate m (snd e) (slope_of (known (fst e)))) row m) k) * c k)
       = sum_over left (fun k => value (get m k) * c k) + apply row (fun b => apply (slope (equations b) z) c)).
     { induction row as [|[b r] l IH]; intros m; cbn [List.fold_left apply fst snd]; [lra|].
-      rewrite IH, accumulate_value by assumption. unfold known; cbn. lra. }
+      rewrite IH, accumulate_value by assumption. rewrite knows; cbn. lra. }
     rewrite G, sum_over_zero; [lra|]. intros k _. rewrite get_empty, value_zero; lra.
   Qed.
 
@@ -159,7 +160,7 @@ Section Zero.
     unfold shift_row. rewrite value_abs. f_equal.
     assert (G : forall s, value (List.fold_left (fun s e => add s (mul (snd e) (f_of (known (fst e))))) row s)
       = value s + apply row (fun b => value (at_center (equations b) z))).
-    { induction row as [|[b r] l IH]; intros s; cbn [List.fold_left apply apply_abs fst snd]; [lra|]. rewrite IH, value_add, value_mul. unfold known; cbn; lra. }
+    { induction row as [|[b r] l IH]; intros s; cbn [List.fold_left apply apply_abs fst snd]; [lra|]. rewrite IH, value_add, value_mul. rewrite knows; cbn; lra. }
     rewrite G, value_zero; lra.
   Qed.
 
@@ -170,7 +171,7 @@ Section Zero.
     assert (G : forall s, value (List.fold_left (fun s e => add s (mul (abs (snd e)) (bend_of (known (fst e))))) row s)
       = value s + apply_abs row (fun b => products_abs (quadratic_part (equations b)) (absolute p))).
     { induction row as [|[b r] l IH]; intros s; cbn [List.fold_left apply apply_abs fst snd]; [lra|].
-      rewrite IH, value_add, value_mul, value_abs. unfold known; cbn. rewrite size_of_products_value. lra. }
+      rewrite IH, value_add, value_mul, value_abs. rewrite knows; cbn. rewrite size_of_products_value. lra. }
     rewrite G, value_zero; lra.
   Qed.
 
