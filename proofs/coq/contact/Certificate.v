@@ -177,6 +177,12 @@ Definition problem_of (i : instance) : problem :=
   Problem (N.to_nat (dim i)) (N.to_nat (frees i)) (length (frictions i)) (numbers (frictions i))
     (entry (entries i)) (numbers (constants i)).
 
+(** As many numbers as it has components, and no entry of the matrix twice. *)
+Definition complete (i : instance) : Prop :=
+  let n := size (problem_of i) in
+  length (constants i) = n /\ (forall x, answer i = Some x -> length x = n) /\
+  (forall k m a, In (k, m, a) (entries i) -> (N.to_nat k < n)%nat /\ (N.to_nat m < n)%nat) /\ NoDup (map fst (entries i)).
+
 Definition of_answer (i : instance) (says : (nat -> R) -> Prop) : Prop :=
   match answer i with Some x => says (numbers x) | None => False end.
 

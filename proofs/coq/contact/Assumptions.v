@@ -1,0 +1,4 @@
+(** What the theorems rest on: the axioms of Coq's real numbers, and nothing else. *)
+From Slipproof.contact Require Import Sound.
+Print Assumptions check_sound.
+Print Assumptions accepts_sound.

@@ -1,0 +1,247 @@
+(** Reads certificates. Nothing rests on it: what was read is written and compared with the text. *)
+From Coq Require Import Ascii String NArith ZArith List Bool FMapPositive.
+From Slipproof Require Import Text.
+From Slipproof.contact Require Import Coulomb Number Linear Zero Certificate Checker.
+Import ListNotations.
+Local Open Scope string_scope.
+Local Open Scope N_scope.
+
+(** What was read, and the tokens that follow. *)
+Definition reader (A : Type) := list string -> option (A * list string).
+
+Definition word (s : string) : reader unit := fun ts =>
+  match ts with t :: r => if (t =? s)%string then Some (tt, r) else None | [] => None end.
+
+Definition at_word (s : string) (ts : list string) : bool := match ts with t :: _ => (t =? s)%string | [] => false end.
+
+Definition index : reader N := fun ts =>
+  match ts with t :: r => require at_most 19 t in let* n := natural t in Some (n, r) | [] => None end.
+
+Definition index_below (n : N) : reader N := fun ts =>
+  let* x := index ts in require N.ltb (fst x) n in Some x.
+
+(** How many of something follow, at most half the size of the file. *)
+Definition counted (most : N) : reader N := index_below (N.succ most).
+
+Definition one_number : reader number := fun ts =>
+  match ts with t :: r => let* x := number_of t in Some (x, r) | [] => None end.
+
+Fixpoint some_numbers (n : N) (done : list number) (ts : list string) : option (list number * list string) :=
+  if n =? 0 then Some (rev' done, ts) else
+  match ts with t :: r => let* x := number_of t in some_numbers (N.pred n) (x :: done) r | [] => None end.
+
+Definition numbers_after (s : string) (n : N) : reader (list number) := fun ts =>
+  let* x := word s ts in some_numbers n [] (snd x).
+
+Fixpoint some_entries (n rows columns : N) (seen : PositiveMap.t unit) (done : list (N * N * number)) (ts : list string) :
+    option (list (N * N * number) * list string) :=
+  if n =? 0 then Some (rev' done, ts) else
+  match ts with
+  | a :: b :: c :: r =>
+      let* i := index_below rows [a] in let* j := index_below columns [b] in let* x := number_of c in
+      let k := key (fst i * columns + fst j) in
+      require negb (PositiveMap.mem k seen) in
+      some_entries (N.pred n) rows columns (PositiveMap.add k tt seen) ((fst i, fst j, x) :: done) r
+  | _ => None
+  end.
+
+Definition matrix_after (s : string) (most rows columns : N) : reader (list (N * N * number)) := fun ts =>
+  let* x := word s ts in let* n := counted most (snd x) in
+  some_entries (fst n) rows columns (PositiveMap.empty unit) [] (snd n).
+
+Fixpoint some_indices (n below : N) (seen : PositiveMap.t unit) (done : list N) (ts : list string) : option (list N * list string) :=
+  if n =? 0 then Some (rev' done, ts) else
+  match ts with
+  | a :: r =>
+      let* i := index_below below [a] in
+      require negb (PositiveMap.mem (key (fst i)) seen) in
+      some_indices (N.pred n) below (PositiveMap.add (key (fst i)) tt seen) (fst i :: done) r
+  | [] => None
+  end.
+
+(** Columns and numbers. *)
+Fixpoint some_columns (n below : N) (seen : PositiveMap.t unit) (done : list (N * number)) (ts : list string) :
+    option (list (N * number) * list string) :=
+  if n =? 0 then Some (rev' done, ts) else
+  match ts with
+  | a :: b :: r =>
+      let* i := index_below below [a] in let* x := number_of b in
+      require negb (PositiveMap.mem (key (fst i)) seen) in
+      some_columns (N.pred n) below (PositiveMap.add (key (fst i)) tt seen) ((fst i, x) :: done) r
+  | _ => None
+  end.
+
+Definition row_of_columns (most below : N) : reader (list (N * number)) := fun ts =>
+  let* n := counted most ts in some_columns (fst n) below (PositiveMap.empty unit) [] (snd n).
+
+(** The fuel is a list that is longer than what can be read. *)
+Fixpoint some_dropped (fuel : list string) (most n below : N) (seen : PositiveMap.t unit) (done : list (N * list (N * number)))
+    (ts : list string) : option (list (N * list (N * number)) * list string) :=
+  if n =? 0 then Some (rev' done, ts) else
+  match fuel with
+  | [] => None
+  | _ :: fuel =>
+      let* i := index_below below ts in
+      require negb (PositiveMap.mem (key (fst i)) seen) in
+      let* c := row_of_columns most below (snd i) in
+      some_dropped fuel most (N.pred n) below (PositiveMap.add (key (fst i)) tt seen) ((fst i, fst c) :: done) (snd c)
+  end.
+
+Definition one_mode (d : N) (m : number) (t : string) : option mode :=
+  let friction := N.ltb 1 d && negb (is_zero m) in
+  if (t =? "open")%string then Some Open else
+  if (t =? "touch")%string then Some Touch else
+  if (t =? "stick")%string then Some Stick else
+  if ((t =? "slide")%string && friction && (d =? 3)) then Some Slide else
+  if ((t =? "slide+")%string && friction && (d =? 2)) then Some SlidePlus else
+  if ((t =? "slide-")%string && friction && (d =? 2)) then Some SlideMinus else None.
+
+Fixpoint some_modes (d : N) (mus : list number) (done : list mode) (ts : list string) : option (list mode * list string) :=
+  match mus, ts with
+  | [], _ => Some (rev' done, ts)
+  | m :: mus, t :: r => let* s := one_mode d m t in some_modes d mus (s :: done) r
+  | _, [] => None
+  end.
+
+Section Claims.
+  Variables (i : instance) (most : N).
+  Let n := size_of_instance i.
+
+  Definition read_eps : reader body := fun ts =>
+    let* b := one_number ts in let* m := one_number (snd b) in
+    let* x := numbers_after "point" n (snd m) in let* w := numbers_after "motion" n (snd x) in
+    Some (Eps (fst b) (fst m) (fst x) (fst w), snd w).
+
+  Definition read_enclosure : reader body := fun ts =>
+    let* rho := one_number ts in
+    let* eta := (if at_word "velocities" (snd rho)
+                 then let* e := one_number (tl (snd rho)) in Some (Some (fst e), snd e) else Some (None, snd rho)) in
+    let* _m := word "modes" (snd eta) in
+    let* modes := some_modes (dim i) (frictions i) [] (snd _m) in
+    let count := N.of_nat (List.length (unknowns (tables_of i) (fst modes))) in
+    let* z := numbers_after "center" count (snd modes) in
+    let* p := numbers_after "radius" count (snd z) in
+    let* _p := word "pinned" (snd p) in
+    let* np := counted most (snd _p) in
+    let* pinned := some_indices (fst np) count (PositiveMap.empty unit) [] (snd np) in
+    let* _d := word "dropped" (snd pinned) in
+    let* nd := counted most (snd _d) in
+    let* dropped := some_dropped (snd nd) most (fst nd) count (PositiveMap.empty unit) [] (snd nd) in
+    let* r := matrix_after "inverse" most (count - fst np) (count - fst nd) (snd dropped) in
+    Some (Enclosure (fst rho) (fst eta) (fst modes) (fst z) (fst p) (fst pinned) (fst dropped) (fst r), snd r).
+
+  Definition read_claim : reader body := fun ts =>
+    if at_word "eps" ts then read_eps (tl ts) else
+    if at_word "enclosure" ts then read_enclosure (tl ts) else
+    if at_word "none-within" ts then let* rho := one_number (tl ts) in Some (NoneWithin (fst rho), snd rho) else
+    if at_word "no-solution" ts then let* y := numbers_after "multipliers" n (tl ts) in Some (NoSolution (fst y), snd y) else
+    if at_word "unique" ts then let* d := numbers_after "dominant" n (tl ts) in Some (Dominant (fst d), snd d) else
+    None.
+End Claims.
+
+(** Claims that this checker does not know. *)
+Definition unknown_claim (ts : list string) : bool :=
+  at_word "ball" ts || at_word "every-solution" ts
+  || (at_word "unique" ts && existsb (fun w => at_word w (tl ts)) ["definite"; "bound"; "determinants"]).
+
+Inductive outcome := Unreadable | NotCovered | Claims (l : list body).
+
+Fixpoint some_claims (fuel : list string) (i : instance) (most : N) (done : list body) (ts : list string) : outcome :=
+  match fuel with
+  | [] => Unreadable
+  | _ :: fuel =>
+      if unknown_claim ts then NotCovered else
+      match read_claim i most ts with
+      | None => Unreadable
+      | Some (b, r) =>
+          if at_word "end" r then match r with [_] => Claims (rev' (b :: done)) | _ => Unreadable end
+          else some_claims fuel i most (b :: done) r
+      end
+  end.
+
+Definition is_problem_name (s : string) : bool :=
+  (length_onto s 0 =? 64) && all_in (fun c => match digit_in 16 c with Some _ => true | None => false end) s.
+
+Definition read_header (most : N) : reader (option string * (list number * (N * N)) * (list (N * N * number) * list number)) :=
+  fun ts =>
+    let* _a := word "slipproof-contact" ts in let* _b := word "1" (snd _a) in
+    let* name := (if at_word "problem" (snd _b)
+                  then match tl (snd _b) with
+                       | s :: r => require is_problem_name s in Some (Some s, r)
+                       | [] => None
+                       end
+                  else Some (None, snd _b)) in
+    let* _c := word "dimension" (snd name) in let* d := index_below 4 (snd _c) in
+    require existsb (fun w => at_word w (snd _c)) ["1"; "2"; "3"] in
+    let* _d := word "free" (snd d) in let* f := counted most (snd _d) in
+    let* _e := word "contacts" (snd f) in let* k := counted most (snd _e) in
+    let* mus := numbers_after "mu" (fst k) (snd k) in
+    let n := fst f + fst d * fst k in
+    require N.leb n most in
+    let* a := matrix_after "matrix" most n n (snd mus) in
+    let* c := numbers_after "constant" n (snd a) in
+    Some ((fst name, (fst mus, (fst d, fst f)), (fst a, fst c)), snd c).
+
+Inductive file := UnreadableFile | NotCoveredFile | File (c : certificate) (ts : list string).
+
+Definition read (text : string) : file :=
+  match tokens text with
+  | None => UnreadableFile
+  | Some ts =>
+      let most := N.div (length_onto text 0) 2 in
+      match read_header most ts with
+      | None => UnreadableFile
+      | Some ((name, (mus, (d, f)), (a, c)), r) =>
+          if at_word "law" r then NotCoveredFile else
+          let i := Instance d f mus a c None in
+          match (if at_word "no-answer" r then Some (None, tl r)
+                 else let* x := numbers_after "answer" (size_of_instance i) r in Some (Some (fst x), snd x)) with
+          | None => UnreadableFile
+          | Some (x, r) =>
+              let i := Instance d f mus a c x in
+              match some_claims r i most [] r with
+              | Unreadable => UnreadableFile
+              | NotCovered => NotCoveredFile
+              | Claims l => File (Certificate name i l) ts
+              end
+          end
+      end
+  end.
+
+(** The tokens of the file are those of the certificate. *)
+Definition spells_piece (token : string) (p : piece) : bool :=
+  match p with
+  | Word s => (token =? s)%string
+  | Count n => match natural token with Some m => N.eqb m n | None => false end
+  | Numeral x => match number_of token with Some y => same y x | None => false end
+  end.
+
+Fixpoint spells_all (ts : list string) (ps : list piece) : bool :=
+  match ts, ps with
+  | [], [] => true
+  | t :: ts, p :: ps => spells_piece t p && spells_all ts ps
+  | _, _ => false
+  end.
+
+Definition check_body (i : instance) (p : tables) (b : body) : bool :=
+  match b, answer i with
+  | Eps bound moved point motions, Some x => check_eps p x bound moved point motions
+  | Enclosure rho eta modes center radius pinned dropped inverse, Some x =>
+      check_enclosure p x rho eta modes center radius pinned dropped inverse
+  | _, _ => false
+  end.
+
+Definition check (c : certificate) : bool :=
+  let i := about c in let p := tables_of i in
+  is_whole i && is_proper i && negb (match claims c with [] => true | _ => false end) && forallb (check_body i p) (claims c).
+
+Inductive verdict := Accepted | Rejected | Refused (* unreadable *) | Unknown (* not covered *).
+
+Definition judge (f : file) : verdict :=
+  match f with
+  | UnreadableFile => Refused
+  | NotCoveredFile => Unknown
+  | File c ts => if spells_all ts (pieces c) && check c then Accepted else Rejected
+  end.
+
+Definition accepts (text : string) : bool := match judge (read text) with Accepted => true | _ => false end.
