@@ -215,3 +215,72 @@ Definition check_eps (p : tables) (x : list number) (bound moved : number) (poin
   && forallb (fun i =>
        le (abs (sub (get w i) (middle (Box x_ empty) (row p i)))) bound
        && le (abs (sub (get x_ i) (get answers i))) moved) (range 0 (N.to_nat (t_size p))).
+
+(** The numbers from low to high. *)
+Record interval := Interval { from : number; upto : number }.
+
+Definition smaller (x y : number) : number := if le x y then x else y.
+Definition larger (x y : number) : number := if le x y then y else x.
+Definition misses_zero (x : interval) : bool := positive_number (from x) || positive_number (opp (upto x)).
+Definition add_intervals (x y : interval) : interval := Interval (add (from x) (from y)) (add (upto x) (upto y)).
+Definition sub_intervals (x y : interval) : interval := Interval (sub (from x) (upto y)) (sub (upto x) (from y)).
+Definition mul_intervals (x y : interval) : interval :=
+  let a := mul (from x) (from y) in let b := mul (from x) (upto y) in
+  let c := mul (upto x) (from y) in let d := mul (upto x) (upto y) in
+  Interval (smaller (smaller a b) (smaller c d)) (larger (larger a b) (larger c d)).
+Definition square_interval (x : interval) : interval :=
+  let a := square (from x) in let b := square (upto x) in
+  Interval (if misses_zero x then smaller a b else zero) (larger a b).
+Definition around (x r : number) : interval := Interval (sub x r) (add x r).
+Definition nought : interval := Interval zero zero.
+Definition total_interval (l : list interval) : interval := fold_right add_intervals nought l.
+
+(** That contact c fails its law for all forces and velocities in these ranges, by components. *)
+Definition fails (d : N) (m : number) (r u : N -> interval) : bool :=
+  let tangents := range 1 (N.to_nat (d - 1)) in
+  let force := total_interval (map (fun t => square_interval (r t)) tangents) in
+  let product := total_interval (map (fun t => mul_intervals (r t) (u t)) tangents) in
+  let limit x := square (mul m (larger x zero)) in
+  let pushes := nonnegative (upto (r 0)) in
+  let in_cone := le (from force) (limit (upto (r 0))) in
+  let parallel := N.ltb d 3 || negb (misses_zero (sub_intervals (mul_intervals (r 1) (u 2)) (mul_intervals (r 2) (u 1)))) in
+  negb (nonnegative (upto (u 0)) && negb (misses_zero (r 0)) && forallb (fun t => negb (misses_zero (r t))) tangents)
+  && negb (pushes && negb (misses_zero (u 0)) && forallb (fun t => negb (misses_zero (u t))) tangents && in_cone)
+  && negb (pushes && negb (misses_zero (u 0)) && in_cone && le (limit (from (r 0))) (upto force) && parallel
+           && nonnegative (opp (from product))).
+
+Definition check_none_within (p : tables) (x : list number) (rho : number) : bool :=
+  let answers := table_of x in
+  let motion_of i := around (middle (Box answers empty) (row p i))
+      (total (map (fun e => mul (abs (snd e)) rho) (linear_part (row p i)))) in
+  let force_of i := around (get answers i) rho in
+  nonnegative rho
+  && (existsb (fun i => misses_zero (motion_of i)) (range 0 (N.to_nat (t_frees p)))
+      || existsb (fun c => fails (t_dim p) (mu c) (fun t => force_of (first c + t)) (fun t => motion_of (first c + t)))
+           (contacts_of p (map (fun _ => Open) (t_mus p)))).
+
+(** y^T w has no negative terms where there is a solution, and is (A^T y) . x + c . y < 0. *)
+Definition check_no_solution (p : tables) (multipliers : list number) : bool :=
+  let y := table_of multipliers in
+  let rows := range 0 (N.to_nat (t_size p)) in
+  let g := List.fold_left (fun m i => accumulate m (get y i) (linear_part (row p i))) rows empty in
+  let tangents c := range (first c + 1) (N.to_nat (t_dim p - 1)) in
+  let dot a b := total (map (fun i => mul (get a i) (get b i)) rows) in
+  forallb (fun j => is_zero (get g j)) (range 0 (N.to_nat (t_frees p)))
+  && forallb (fun c =>
+       nonnegative (get y (first c)) && forallb (fun i => is_zero (get y i)) (tangents c)
+       && nonnegative (opp (get g (first c)))
+       && le (mul (square (mu c)) (total (map (fun j => square (get g j)) (tangents c)))) (square (get g (first c))))
+     (contacts_of p (map (fun _ => Open) (t_mus p)))
+  && positive_number (opp (dot y (t_constants p))).
+
+(** d > 0 and a_ii d_i > the sum of the other |a_ij| d_j, with a_ii > 0. *)
+Definition check_dominant (p : tables) (weights : list number) : bool :=
+  let d := table_of weights in
+  N.eqb (t_frees p) 0 && N.eqb (t_dim p) 1
+  && forallb (fun i =>
+       let a := accumulate empty one (linear_part (row p i)) in
+       positive_number (get d i) && positive_number (get a i)
+       && lt (total (map (fun j => if N.eqb j i then zero else mul (abs (get a j)) (get d j)) (range 0 (N.to_nat (t_size p)))))
+             (mul (get a i) (get d i)))
+     (range 0 (N.to_nat (t_size p))).

@@ -21,12 +21,26 @@ Proof. induction n as [|n IH]; cbn; [lra|]. rewrite IH; lra. Qed.
 Lemma sum_scale n c f : sum n (fun i => c * f i) = c * sum n f.
 Proof. induction n as [|n IH]; cbn; [lra|]. rewrite IH; lra. Qed.
 
+Lemma sum_first n f : sum (S n) f = f 0%nat + sum n (fun i => f (S i)).
+Proof. induction n as [|n IH]; cbn [sum] in *; [lra|]. rewrite IH. lra. Qed.
+
 Lemma sum_single n i f : (i < n)%nat -> (forall j, (j < n)%nat -> j <> i -> f j = 0) -> sum n f = f i.
 Proof.
   induction n as [|n IH]; intros L E; [lia|]. cbn.
   destruct (Nat.eq_dec i n) as [->|D].
   - rewrite sum_zero; [lra|]. intros j J. apply E; lia.
   - rewrite IH by (auto; lia). rewrite (E n); lia || lra.
+Qed.
+
+Lemma sum_split a b f : sum (a + b) f = sum a f + sum b (fun i => f (a + i)%nat).
+Proof.
+  induction b as [|b IH]; [rewrite Nat.add_0_r; cbn; lra|]. rewrite Nat.add_succ_r. cbn [sum]. rewrite IH. lra.
+Qed.
+
+Lemma sum_blocks d k f : sum (d * k) f = sum k (fun i => sum d (fun t => f (d * i + t)%nat)).
+Proof.
+  induction k as [|k IH]; [rewrite Nat.mul_0_r; reflexivity|].
+  rewrite Nat.mul_succ_r, sum_split, IH. reflexivity.
 Qed.
 
 Fixpoint sum_over (l : list N) (f : N -> R) : R := match l with [] => 0 | i :: r => f i + sum_over r f end.

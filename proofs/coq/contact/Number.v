@@ -189,4 +189,8 @@ Qed.
 Lemma le_false x y : le x y = false -> value y < value x.
 Proof. unfold le; intros H; apply negative_sign in H; rewrite value_sub in H; lra. Qed.
 
-Global Hint Rewrite value_add value_sub value_opp value_mul value_abs value_zero value_one : value.
+Lemma nonnegative_of x : 0 <= value x -> nonnegative x = true.
+Proof. intros H. destruct (nonnegative x) eqn:E; [reflexivity|]. apply negative_sign in E. lra. Qed.
+
+Lemma le_of x y : value x <= value y -> le x y = true.
+Proof. intros H. apply nonnegative_of. rewrite value_sub. lra. Qed.

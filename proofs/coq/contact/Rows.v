@@ -96,6 +96,18 @@ Proof.
   - rewrite IH. split; [intros [<-|H]; lia|]. intros H. destruct (N.eq_dec i j); [left; assumption | right; lia].
 Qed.
 
+Lemma range_NoDup i n : NoDup (range i n).
+Proof.
+  revert i. induction n as [|n IH]; intros i; cbn; constructor; [|apply IH]. rewrite range_In. lia.
+Qed.
+
+Lemma sum_over_range i n f : sum_over (range i n) f = sum n (fun t => f (i + N.of_nat t)%N).
+Proof.
+  revert i. induction n as [|n IH]; intros i; [reflexivity|]. rewrite sum_first. cbn [range sum_over]. rewrite IH. f_equal.
+  - rewrite N.add_0_r. reflexivity.
+  - apply sum_ext. intros t _. f_equal. lia.
+Qed.
+
 (** Linear functions in a box. *)
 Definition within (b : box) (d : vector) : Prop := forall k, Rabs (d k) <= absolute (radius_of b) k.
 
@@ -146,10 +158,8 @@ Lemma total_range n (f : N -> number) (i : N) :
   value (total (map f (range i n))) = sum n (fun t => value (f (i + N.of_nat t)%N)).
 Proof.
   rewrite total_value. revert i.
-  assert (S : forall m (g : nat -> R), sum (S m) g = g 0%nat + sum m (fun t => g (S t))).
-  { induction m as [|m IH]; intros g; cbn [sum] in *; [lra|]. rewrite IH. lra. }
   induction n as [|n IH]; intros i; [reflexivity|].
-  rewrite S. cbn [range map fold_right]. rewrite IH. f_equal.
+  rewrite sum_first. cbn [range map fold_right]. rewrite IH. f_equal.
   - rewrite N.add_0_r. reflexivity.
   - apply sum_ext. intros t _. do 2 f_equal. lia.
 Qed.

@@ -154,7 +154,11 @@ let most_of_file = 1 lsl 28 (* bytes, as in slipproof-check-contact *)
 
 let judge_channel asked channel =
   let text = Buffer.create 65536 in
-  (try Buffer.add_channel text channel (most_of_file + 1) with End_of_file -> ());
+  (try
+     while Buffer.length text <= most_of_file do
+       Buffer.add_channel text channel 65536
+     done
+   with End_of_file -> ());
   if Buffer.length text > most_of_file then ("unreadable", "it has more than 268435456 bytes")
   else judge_text asked (Buffer.contents text)
 
@@ -196,8 +200,9 @@ let check asked paths =
   let found = List.map show paths in
   let count verdict = List.length (List.filter (String.equal verdict) found) in
   let _, word, code = List.find (fun (verdict, _, _) -> count verdict > 0) worst in
-  Printf.printf "s %s %d accepted, %d rejected, %d missing, 0 undecided, %d unreadable, %d not covered\n" word
-    (count "accepted") (count "rejected") (count "missing") (count "unreadable") (count "not covered");
+  Printf.printf "s %s %d accepted, %d rejected, %d missing, 0 undecided, %d unreadable%s\n" word (count "accepted")
+    (count "rejected") (count "missing") (count "unreadable")
+    (match count "not covered" with 0 -> "" | beyond -> Printf.sprintf ", %d not covered" beyond);
   code
 
 let compare_with record =

@@ -8,7 +8,7 @@
 #include "contact/convex/second_reading.hpp"
 #include "contact/judge/certificate.hpp"
 #include "contact/judge/judge.hpp"
-#include "proofs/check_contact/check_contact.hpp"
+#include "proofs/check_contact/record.hpp"
 #include "support/how_many.hpp"
 
 using namespace slipproof;
@@ -18,7 +18,7 @@ namespace {
 
 std::string first_reading(const std::string& text) {
   using Kind = check_contact::ContactVerdict::Kind;
-  const Kind kind = check_contact::check_contact_certificate(text).kind;
+  const Kind kind = check_contact::checked_on_record(text).kind;
   return kind == Kind::accepted ? "accepted" : kind == Kind::rejected ? "rejected" : "unreadable";
 }
 

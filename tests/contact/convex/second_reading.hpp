@@ -5,14 +5,14 @@
 
 #include <string>
 
-#include "proofs/check_contact/check_contact.hpp"
+#include "proofs/check_contact/record.hpp"
 
 namespace slipproof::test {
 
 /// Whether the checker accepts a certificate.
 inline bool accepted(const std::string& certificate) {
   using Kind = check_contact::ContactVerdict::Kind;
-  return check_contact::check_contact_certificate(certificate).kind == Kind::accepted;
+  return check_contact::checked_on_record(certificate).kind == Kind::accepted;
 }
 
 /// `accepted`, or why not. What it does not know, and what is no certificate, is `unreadable`.

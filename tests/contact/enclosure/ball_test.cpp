@@ -9,7 +9,7 @@
 #include "contact/linear/double_double.hpp"
 #include "contact/linear/singular_value.hpp"
 #include "known_problem.hpp"
-#include "proofs/check_contact/check_contact.hpp"
+#include "proofs/check_contact/record.hpp"
 #include "support/how_many.hpp"
 
 using namespace slipproof;
@@ -107,7 +107,7 @@ TEST_CASE("balls around solutions of long rows contain them, and their certifica
     using Kind = check_contact::ContactVerdict::Kind;
     const std::string certificate = contact_certificate(known.problem, found);
     CHECK(certificate.find("\nball ") != std::string::npos);
-    CHECK(check_contact::check_contact_certificate(certificate).kind == Kind::accepted);
+    CHECK(check_contact::checked_on_record(certificate).kind == Kind::accepted);
   }
 }
 

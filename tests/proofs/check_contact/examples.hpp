@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "proofs/check_contact/check_contact.hpp"
+#include "proofs/check_contact/record.hpp"
 
 namespace slipproof::check_contact {
 
 /// `accepted: ...`, `rejected: ...` or `unreadable: ...`. Which problem it is about is left out where it names none.
 inline std::string verdict(const std::string& text) {
   using Kind = ContactVerdict::Kind;
-  ContactVerdict found = check_contact_certificate(text);
+  ContactVerdict found = checked_on_record(text);
   found.message.resize(std::min(found.message.find(", names no problem"), found.message.size()));
   return (found.kind == Kind::accepted   ? "accepted: "
           : found.kind == Kind::rejected ? "rejected: "

@@ -1,8 +1,18 @@
-// Hostile folders (support/files/hostile_files.hpp), of which slipproof-check-contact gets the certificates.
+// Hostile folders (support/files/hostile_files.hpp), of which slipproof-check-contact gets the certificates, or another
+// program for the same format, which SLIPPROOF_CHECKER names.
 #include "proofs/check_contact/examples.hpp"
 #include "support/files/hostile_files.hpp"
 
 using namespace slipproof::test;
+
+namespace {
+
+std::string checker() {
+  const char* other = std::getenv("SLIPPROOF_CHECKER");
+  return other != nullptr ? other : SLIPPROOF_BINARY_DIR "/slipproof-check-contact";
+}
+
+}  // namespace
 
 TEST_CASE("hostile files: one verdict for each certificate, their counts, and an end") {
   for (const HostileCase& hostile : hostile_cases()) {
@@ -14,7 +24,7 @@ TEST_CASE("hostile files: one verdict for each certificate, their counts, and an
       paths.push_back((folder.path() / one.certificate).string());
       expected.push_back(one.alone);
     }
-    const ProgramEnd outcome = run_checker(SLIPPROOF_BINARY_DIR "/slipproof-check-contact", paths);
+    const ProgramEnd outcome = run_checker(checker(), paths);
     CAPTURE(outcome.out);
     const ProgramEnd end = expected_end(expected);
     CHECK(outcome.exit_code == end.exit_code);
