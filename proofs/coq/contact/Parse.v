@@ -228,7 +228,10 @@ Definition check_body (i : instance) (p : tables) (b : body) : bool :=
   | Eps bound moved point motions, Some x => check_eps p x bound moved point motions
   | Enclosure rho eta modes center radius pinned dropped inverse, Some x =>
       check_enclosure p x rho eta modes center radius pinned dropped inverse
-  | _, _ => false
+  | NoneWithin rho, Some x => check_none_within p x rho
+  | NoSolution y, _ => check_no_solution p y
+  | Dominant d, _ => check_dominant p d
+  | _, None => false
   end.
 
 Definition check (c : certificate) : bool :=
