@@ -1,13 +1,24 @@
 #!/bin/sh
 # build.sh FOLDER: lets Coq check the proofs, writes what they rest on to FOLDER/assumptions.txt, and makes
-# FOLDER/slipproof-check-verified of the extracted checker. Needs Coq 8.16, OCaml, findlib and zarith.
+# FOLDER/slipproof-check-verified of the extracted checker; then the same of contact/, in FOLDER/contact, with the program
+# FOLDER/slipproof-check-contact-verified. Needs Coq 8.16, OCaml, findlib and zarith.
 set -e
 here=$(cd "$(dirname "$0")" && pwd)
-mkdir -p "$1"
+mkdir -p "$1/contact"
 cd "$1"
 cp "$here"/*.v "$here/main.ml" .
+cp "$here"/contact/*.v "$here/contact/main.ml" contact
 for part in Text Syntax Meaning Print Parse Poly Normal Checker NormalSound Sound Lossless Literal Extract; do
   coqc -q -Q . Slipproof $part.v
 done
 coqc -q -Q . Slipproof Assumptions.v >assumptions.txt
 ocamlfind ocamlopt -O3 -w -a -package unix,zarith -linkpkg checker.mli checker.ml main.ml -o slipproof-check-verified
+
+for part in Coulomb Number Certificate Fixed Linear Zero Checker Parse Rows Law Enclose Refute Unique Sound Extract; do
+  coqc -q -Q . Slipproof contact/$part.v
+done
+coqc -q -Q . Slipproof contact/Assumptions.v >contact/assumptions.txt
+mv contact_checker.ml contact_checker.mli contact
+cd contact
+ocamlfind ocamlopt -O3 -w -a -package unix,zarith -linkpkg contact_checker.mli contact_checker.ml main.ml \
+  -o ../slipproof-check-contact-verified
