@@ -159,15 +159,24 @@ Fixpoint name_rows (i : N) (left : list N) (inverse : PositiveMap.t linear) : li
 Definition fractions : list number :=
   [one; Number 1 1 1; Number 1 3 1; Number 1 6 1; Number 1 10 1].
 
+(** FORMAT.md has a closer bound for each equation: the greater one of what the positive and the negative products add. *)
+Definition close_bend (p : table) (e : equation) : number :=
+  let part positive := size_of_products
+    (filter (fun t => match t with (a, _, _) => Bool.eqb (nonnegative a) positive end) (quadratic_part e)) p in
+  let a := part true in let b := part false in if le a b then b else a.
+
 Definition has_zero (z p : table) (left : list N) (kept : list equation) (inverse : PositiveMap.t linear) : bool :=
   let known_of := tabulate 0 (map (expand z p) kept) (PositiveMap.empty expansion) in
   let known := look flat known_of in
+  let close_of := tabulate 0 (map (close_bend p) kept) empty in
+  let closely b := Expansion zero [] (get close_of b) in
   let found := map (fun e => match e with (j, r) =>
-      (shift_row known r, spread_row known left p j r, bend_row known r, abs (get p j)) end) (name_rows 0 left inverse) in
+      (shift_row known r, spread_row known left p j r, bend_row known r, abs (get p j), bend_row closely r) end)
+      (name_rows 0 left inverse) in
   Nat.eqb (List.length left) (List.length kept)
   && distinct left (PositiveMap.empty unit)
-  && forallb (fun e => match e with (_, s, _, r) => lt s r end) found
-  && existsb (fun t => forallb (fun e => match e with (f, s, q, r) => mapped t f s q r end) found) fractions.
+  && forallb (fun e => match e with (f, s, _, r, q) => lt s r && le (add (add f s) q) r end) found
+  && existsb (fun t => forallb (fun e => match e with (f, s, q, r, _) => mapped t f s q r end) found) fractions.
 
 Definition check_enclosure (p : tables) (x : list number) (rho : number) (eta : option number) (modes : list mode)
     (center radius : list number) (pinned : list N) (dropped : list (N * list (N * number)))

@@ -57,17 +57,16 @@ Proof.
   apply existsb_exists in H0. destruct H0 as [t [T H0]]. rewrite forallb_forall in H0, H1.
   set (known := look flat (tabulate 0 (map (expand z p) kept) (PositiveMap.empty expansion))) in *.
   set (rows := name_rows 0 left inverse) in *.
+  set (found := fun e : N * linear => _) in *.
   destruct (zero_in_box (fun b => nth (N.to_nat b) kept nothing) z p left rows t known) as [d [D [O Z]]].
   - intros b. apply map_tabulate.
   - apply name_rows_names.
   - exact H2.
   - intros b B. apply nth_overflow. lia.
   - apply fractions_size, T.
-  - intros j row I. assert (A := H1 _ (in_map (fun e => match e with (j, r) =>
-      (shift_row known r, spread_row known left p j r, bend_row known r, abs (get p j)) end) _ _ I)).
-    cbv beta iota in A. apply lt_value in A. rewrite value_abs in A. exact A.
-  - intros j row I. exact (H0 _ (in_map (fun e => match e with (j, r) =>
-      (shift_row known r, spread_row known left p j r, bend_row known r, abs (get p j)) end) _ _ I)).
+  - intros j row I. apply (in_map found) in I. apply H1 in I. unfold found in I.
+    apply andb_prop in I. destruct I as [A _]. apply lt_value in A. rewrite value_abs in A. exact A.
+  - intros j row I. apply (in_map found) in I. apply H0 in I. exact I.
   - exists d. split; [exact D|]. split; [exact O|]. split; [exact H2|]. intros e E.
     apply (In_nth _ _ nothing) in E. destruct E as [n [L <-]]. specialize (Z (N.of_nat n)). cbv beta in Z.
     rewrite Nat2N.id in Z. exact Z.
