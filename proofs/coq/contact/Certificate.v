@@ -110,7 +110,8 @@ Inductive body :=
   | NoSolution (multipliers : list number)
   | Enclosure (rho : number) (eta : option number) (modes : list mode) (center radius : list number) (pinned : list N)
       (dropped : list (N * list (N * number))) (inverse : list (N * N * number))
-  | Dominant (weights : list number).
+  | Dominant (weights : list number)
+  | Definite (factor : list (N * N * number)).
 
 Record certificate := Certificate { problem_name : option string; about : instance; claims : list body }.
 
@@ -144,6 +145,7 @@ Definition written (b : body) : list piece :=
       ++ [Word "dropped"; count dropped] ++ flat_map (fun d => Count (fst d) :: in_row (snd d)) dropped
       ++ [Word "inverse"] ++ in_matrix inverse
   | Dominant d => [Word "unique"; Word "dominant"] ++ numerals d
+  | Definite l => [Word "unique"; Word "definite"] ++ in_matrix l
   end.
 
 Definition pieces (c : certificate) : list piece :=
@@ -195,5 +197,5 @@ Definition meaning (i : instance) (b : body) : Prop :=
   | Enclosure rho None modes _ _ _ _ _ => of_answer i (fun x => enclosure p x (value rho) (fun k => nth k modes Open))
   | Enclosure rho (Some eta) modes _ _ _ _ _ =>
       of_answer i (fun x => enclosure_with_velocities p x (value rho) (value eta) (fun k => nth k modes Open))
-  | Dominant _ => unique p
+  | Dominant _ | Definite _ => unique p
   end.

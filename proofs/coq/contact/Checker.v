@@ -293,3 +293,22 @@ Definition check_dominant (p : tables) (weights : list number) : bool :=
        && lt (total (map (fun j => if N.eqb j i then zero else mul (abs (get a j)) (get d j)) (range 0 (N.to_nat (t_size p)))))
              (mul (get a i) (get d i)))
      (range 0 (N.to_nat (t_size p))).
+
+(** Row i of A + A^T - L L^T, where all that is given are rows and columns. *)
+Definition remainder_row (p : tables) (columns lower lower_columns : PositiveMap.t linear) (i : N) : table :=
+  List.fold_left (fun m e => accumulate m (opp (snd e)) (look [] lower_columns (fst e))) (look [] lower i)
+    (accumulate (accumulate empty one (linear_part (row p i))) one (look [] columns i)).
+
+Definition transposed (l : list (N * N * number)) : list (N * N * number) :=
+  map (fun e => match e with (i, j, a) => (j, i, a) end) l.
+
+(** In each row of A + A^T - L L^T the diagonal entry is greater than the sum of the absolute values of the others. *)
+Definition check_definite (p : tables) (matrix factor : list (N * N * number)) : bool :=
+  let columns := by_rows (transposed matrix) in
+  let lower := by_rows factor in let lower_columns := by_rows (transposed factor) in
+  N.eqb (t_frees p) 0 && N.eqb (t_dim p) 1
+  && forallb (fun e => match e with (i, j, _) => N.ltb i (t_size p) && N.leb j i end) factor
+  && forallb (fun i =>
+       let m := remainder_row p columns lower lower_columns i in
+       lt (total (map (fun j => if N.eqb j i then zero else abs (get m j)) (range 0 (N.to_nat (t_size p))))) (get m i))
+     (range 0 (N.to_nat (t_size p))).

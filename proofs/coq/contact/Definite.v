@@ -1,7 +1,8 @@
 (** A complementarity problem with a positive definite matrix has one solution: a projection is a contraction in the
     Euclidean norm. *)
-From Coq Require Import Reals Lra Lia Psatz.
-From Slipproof.contact Require Import Coulomb Number Fixed Linear Law Unique.
+From Coq Require Import NArith Reals List Bool Lra Lia Psatz.
+From Slipproof.contact Require Import Coulomb Number Fixed Linear Zero Certificate Checker Rows Law Enclose Unique.
+Import ListNotations.
 Local Open Scope R_scope.
 
 Lemma sum_le n f g : (forall i, (i < n)%nat -> f i <= g i) -> sum n f <= sum n g.
@@ -147,7 +148,7 @@ Section Definite.
       assert (P : 0 <= q ^ k) by (apply pow_le; lra).
       apply Rsqr_incr_0_var; [|nra]. unfold Rsqr. rewrite square_abs.
       apply Rle_trans with (D k).
-      - apply (sum_member n (fun i => (steps (S k) i - steps k i) * (steps (S k) i - steps k i))); [intros; nra | exact I].
+      - apply (sum_member n (fun i => (steps (S k) i - steps k i) * (steps (S k) i - steps k i))); [intros j _; exact (Rle_0_sqr _) | exact I].
       - eapply Rle_trans; [apply B|]. assert (PP : 0 <= q ^ k * q ^ k) by nra.
         replace ((1 + D 0%nat) * q ^ k * ((1 + D 0%nat) * q ^ k)) with (q ^ k * q ^ k * ((1 + D 0%nat) * (1 + D 0%nat))) by ring.
         apply Rmult_le_compat_l; [exact PP | nra].
@@ -159,7 +160,7 @@ Section Definite.
       assert (Q : 0 <= q < 1) by (assert (R := rate_size); unfold q; lra).
       assert (Ch : forall i, (i < n)%nat -> Cauchy_crit (fun k => steps k i)).
       { intros i I. apply geometric_cauchy with C q; [exact C0 | exact Q | intros k; apply B, I]. }
-      pose (z := fun i => match Compare_dec.lt_dec i n with left I => proj1_sig (R_complete _ (Ch i I)) | right _ => 0 end).
+      pose (z := fun i => match Compare_dec.lt_dec i n with left L => proj1_sig (R_complete _ (Ch i L)) | right _ => 0 end).
       assert (Z : forall i, (i < n)%nat -> Un_cv (fun k => steps k i) (z i)).
       { intros i I. unfold z. destruct (Compare_dec.lt_dec i n) as [J|J]; [|contradiction].
         apply (proj2_sig (R_complete _ (Ch i J))). }
@@ -214,7 +215,7 @@ Proof.
   intros Sym Dom z.
   set (o := fun i j => if Nat.eq_dec j i then 0 else Rabs (M i j)).
   assert (Sym' : forall i j, o i j = o j i).
-  { intros i j. unfold o. destruct (Nat.eq_dec j i), (Nat.eq_dec i j); try congruence. rewrite Sym. reflexivity. }
+  { intros i j. unfold o. destruct (Nat.eq_dec j i), (Nat.eq_dec i j); congruence. }
   (* z_i M_ij z_j >= - o_ij (z_i^2 + z_j^2) / 2, off the diagonal *)
   apply Rle_trans with (sum n (fun i => sum n (fun j => (if Nat.eq_dec j i then M i i * (z i * z i) else 0)
     + ((- / 2) * (o i j * (z i * z i)) + (- / 2) * (o i j * (z j * z j)))))).
@@ -246,3 +247,181 @@ Proof.
       unfold Rabs. destruct Rcase_abs; nra. }
     lra.
 Qed.
+
+Lemma positive_bound n (f : nat -> R) : (forall i, (i < n)%nat -> 0 < f i) ->
+  exists a, 0 < a /\ forall i, (i < n)%nat -> a <= f i.
+Proof.
+  induction n as [|n IH]; intros P; [exists 1; split; [lra | intros; lia]|].
+  destruct IH as [a [A B]]; [intros; apply P; lia|]. assert (Q := P n ltac:(lia)).
+  exists (Rmin a (f n)). split; [unfold Rmin; destruct Rle_dec; assumption|].
+  intros i I. destruct (Nat.eq_dec i n) as [->|D]; [apply Rmin_r|].
+  eapply Rle_trans; [apply Rmin_l | apply B; lia].
+Qed.
+
+Lemma entry_transposed l i j : entry (transposed l) i j = entry l j i.
+Proof.
+  unfold entry, transposed. induction l as [|[[k m] a] l IH]; cbn [map fold_right]; [reflexivity|].
+  rewrite IH, andb_comm. reflexivity.
+Qed.
+
+Section Instance.
+  Variable i : instance.
+  Hypothesis whole : is_whole i = true.
+  Hypothesis fine : is_proper i = true.
+  Let p := tables_of i.
+  Let P := problem_of i.
+  Variable factor : list (N * N * number).
+  Hypothesis checked : check_definite p (entries i) factor = true.
+  Let n := size P.
+  Let A := matrix P.
+  Let l := entry factor.
+
+  Lemma one_dimension : free P = 0%nat /\ dimension P = 1%nat /\ n = contacts P /\ N.to_nat (t_size p) = n.
+  Proof.
+    assert (C := checked). unfold check_definite in C. split_and C. apply N.eqb_eq in C. apply N.eqb_eq in H1.
+    assert (F : free P = 0%nat) by (unfold P, problem_of; cbn; change (frees i) with (t_frees p); lia).
+    assert (D : dimension P = 1%nat) by (unfold P, problem_of; cbn; change (dim i) with (t_dim p); lia).
+    split; [exact F|]. split; [exact D|]. split; [unfold n, size; rewrite F, D; lia | apply size_is].
+  Qed.
+
+  Lemma factor_columns : Forall (fun e => match e with (_, m, _) => (N.to_nat m < n)%nat end) factor /\
+    Forall (fun e => match e with (_, m, _) => (N.to_nat m < n)%nat end) (transposed factor).
+  Proof.
+    destruct one_dimension as [_ [_ [_ S]]]. assert (C := checked). unfold check_definite in C. split_and C.
+    rewrite forallb_forall in H0. split; apply Forall_forall.
+    - intros [[k m] a] I. specialize (H0 _ I). cbv beta iota in H0. apply andb_prop in H0. destruct H0 as [B D].
+      apply N.ltb_lt in B. apply N.leb_le in D. lia.
+    - intros [[k m] a] I. unfold transposed in I. apply in_map_iff in I. destruct I as [[[k' m'] a'] [E I]].
+      inversion E; subst. specialize (H0 _ I). cbv beta iota in H0. apply andb_prop in H0. destruct H0 as [B _].
+      apply N.ltb_lt in B. lia.
+  Qed.
+
+  Definition rest (j k : nat) : R := A j k + A k j - sum n (fun m => l j m * l k m).
+
+  Lemma columns_value j v : apply (look [] (by_rows (transposed (entries i))) (N.of_nat j)) v
+    = sum n (fun k => A k j * v (N.of_nat k)).
+  Proof.
+    rewrite by_rows_value, (row_sum_entries n).
+    - apply sum_ext. intros k _. rewrite entry_transposed. reflexivity.
+    - assert (W := whole). unfold is_whole in W. split_and W. rewrite forallb_forall in H0.
+      apply Forall_forall. intros [[k m] a] I. unfold transposed in I. apply in_map_iff in I.
+      destruct I as [[[k' m'] a'] [E I]]. inversion E; subst. specialize (H0 _ I). cbv beta iota in H0.
+      apply andb_prop in H0. destruct H0 as [B _]. apply N.ltb_lt in B. unfold n, P.
+      assert (S := size_is i). change (size_of_instance i) with (t_size (tables_of i)) in B. lia.
+  Qed.
+
+  Lemma rest_value j k : (k < n)%nat ->
+    value (get (remainder_row p (by_rows (transposed (entries i))) (by_rows factor) (by_rows (transposed factor)) (N.of_nat j))
+      (N.of_nat k)) = rest j k.
+  Proof.
+    intros K. destruct one_dimension as [_ [_ [_ S]]]. set (left := range 0 n).
+    assert (J : In (N.of_nat k) left) by (apply range_In; lia).
+    pose (unit := fun m : N => if N.eq_dec m (N.of_nat k) then 1 else 0).
+    assert (U : forall m, ~ In m left -> unit m = 0).
+    { intros m M. unfold unit. destruct (N.eq_dec m (N.of_nat k)) as [->|]; [contradiction | reflexivity]. }
+    assert (U' : forall m, unit (N.of_nat m) = if Nat.eq_dec m k then 1 else 0).
+    { intros m. unfold unit. destruct (N.eq_dec (N.of_nat m) (N.of_nat k)), (Nat.eq_dec m k); try reflexivity; lia. }
+    assert (One : forall f, sum n (fun m => f m * unit (N.of_nat m)) = f k).
+    { intros f. rewrite (sum_single _ k); [|exact K|].
+      - rewrite U'. destruct (Nat.eq_dec k k); [lra | contradiction].
+      - intros m _ M. rewrite U'. destruct (Nat.eq_dec m k); [contradiction | lra]. }
+    set (m := remainder_row _ _ _ _ _).
+    assert (Q : sum_over left (fun c => value (get m c) * unit c) = value (get m (N.of_nat k))).
+    { rewrite (sum_over_changed left (N.of_nat k) (value (get m (N.of_nat k))) _ (fun _ => 0) (range_NoDup _ _) J).
+      - rewrite (sum_over_zero left (fun _ => 0)) by reflexivity. lra.
+      - intros c C. unfold unit. destruct (N.eq_dec c (N.of_nat k)); [contradiction | lra].
+      - unfold unit. destruct (N.eq_dec (N.of_nat k) (N.of_nat k)); [lra | contradiction]. }
+    rewrite <- Q. unfold m, remainder_row.
+    assert (G : forall r t, sum_over left (fun c => value (get (List.fold_left (fun m e =>
+        accumulate m (opp (snd e)) (look [] (by_rows (transposed factor)) (fst e))) r t) c) * unit c)
+      = sum_over left (fun c => value (get t c) * unit c)
+        - apply r (fun c => apply (look [] (by_rows (transposed factor)) c) unit)).
+    { induction r as [|[c a] r IH]; intros t; cbn [List.fold_left apply fst snd]; [lra|].
+      rewrite IH, accumulate_value, value_opp by (apply range_NoDup || exact U). lra. }
+    rewrite G, !accumulate_value by (apply range_NoDup || exact U).
+    rewrite (sum_over_zero left (fun c => value (get empty c) * unit c)) by (intros; rewrite get_empty, value_zero; lra).
+    cbn [linear_part row]. unfold p. rewrite (row_linear i whole), columns_value. fold P n A. rewrite !One, value_one.
+    destruct factor_columns as [F1 F2].
+    rewrite by_rows_value, (row_sum_entries n _ _ _ F1).
+    unfold rest. fold l. rewrite Rplus_0_l, !Rmult_1_l. f_equal. apply sum_ext. intros c _. f_equal.
+    rewrite by_rows_value, (row_sum_entries n _ _ _ F2), One. apply entry_transposed.
+  Qed.
+
+  Lemma definite_matrix : exists alpha, 0 < alpha /\
+    forall z, alpha * sum n (fun j => z j * z j) <= sum n (fun j => z j * sum n (fun k => A j k * z k)).
+  Proof.
+    destruct one_dimension as [_ [_ [_ S]]].
+    set (others := fun j => sum n (fun k => if Nat.eq_dec k j then 0 else Rabs (rest j k))).
+    destruct (positive_bound n (fun j => rest j j - others j)) as [a [A0 B]].
+    - intros j J. assert (C := checked). unfold check_definite in C. split_and C. rewrite forallb_forall in H.
+      assert (I : In (N.of_nat j) (range 0 (N.to_nat (t_size p)))) by (apply range_In; lia).
+      specialize (H _ I). cbv zeta in H. apply lt_value in H. rewrite (rest_value j j J), total_range, S in H.
+      enough (E : others j = sum n (fun t => value (if N.eqb (0 + N.of_nat t) (N.of_nat j) then zero else
+        abs (get (remainder_row p (by_rows (transposed (entries i))) (by_rows factor) (by_rows (transposed factor)) (N.of_nat j))
+          (0 + N.of_nat t))))) by lra.
+      apply sum_ext. intros t T. cbn [N.add]. destruct (N.eqb_spec (N.of_nat t) (N.of_nat j)) as [E|E], (Nat.eq_dec t j); try lia.
+      + rewrite value_zero. reflexivity.
+      + rewrite value_abs, rest_value by exact T. reflexivity.
+    - exists (a / 2). split; [lra|]. intros z.
+      assert (D := dominant_form n rest a).
+      assert (E : a * sum n (fun j => z j * z j) <= sum n (fun j => z j * sum n (fun k => rest j k * z k))).
+      { apply D.
+        - intros j k. unfold rest. rewrite (sum_ext _ (fun m => l j m * l k m) (fun m => l k m * l j m)) by (intros; ring). ring.
+        - intros j J. specialize (B j J). cbv beta in B. fold (others j). lra. }
+      assert (T : sum n (fun j => z j * sum n (fun k => A k j * z k)) = sum n (fun j => z j * sum n (fun k => A j k * z k))).
+      { rewrite (sum_ext _ _ (fun j => sum n (fun k => A k j * z k * z j))).
+        - rewrite sum_exchange. apply sum_ext. intros k _. rewrite <- sum_scale. apply sum_ext. intros j _. ring.
+        - intros j _. rewrite <- sum_scale. apply sum_ext. intros k _. ring. }
+      assert (V : sum n (fun j => z j * sum n (fun k => rest j k * z k))
+        = 2 * sum n (fun j => z j * sum n (fun k => A j k * z k))
+          - sum n (fun m => sum n (fun j => l j m * z j) * sum n (fun j => l j m * z j))).
+      { replace (2 * sum n (fun j => z j * sum n (fun k => A j k * z k))) with
+          (sum n (fun j => z j * sum n (fun k => A j k * z k)) + sum n (fun j => z j * sum n (fun k => A k j * z k)))
+          by (rewrite T; ring).
+        assert (X : sum n (fun m => sum n (fun j => l j m * z j) * sum n (fun j => l j m * z j))
+          = sum n (fun j => z j * sum n (fun k => sum n (fun m => l j m * l k m) * z k))).
+        { rewrite (sum_ext n (fun m => sum n (fun j => l j m * z j) * sum n (fun j => l j m * z j))
+            (fun m => sum n (fun j => z j * (l j m * sum n (fun k => l k m * z k))))).
+          - rewrite sum_exchange. apply sum_ext. intros j _. rewrite sum_scale. f_equal.
+            rewrite (sum_ext n (fun k => sum n (fun m => l j m * l k m) * z k) (fun k => sum n (fun m => l j m * l k m * z k))).
+            + rewrite sum_exchange. apply sum_ext. intros m _. rewrite <- sum_scale. apply sum_ext. intros k _. ring.
+            + intros k _. rewrite Rmult_comm, <- sum_scale. apply sum_ext. intros m _. ring.
+          - intros m _. set (s := sum n (fun k => l k m * z k)). transitivity (s * sum n (fun j => l j m * z j)); [reflexivity|].
+            rewrite <- sum_scale. apply sum_ext. intros j _. ring. }
+        rewrite X, <- sum_plus. unfold Rminus. rewrite <- (Rmult_1_l (sum n (fun j => z j * sum n (fun k => sum n _ * z k)))).
+        rewrite Ropp_mult_distr_l, <- sum_scale, <- sum_plus. apply sum_ext. intros j _.
+        rewrite (sum_ext _ (fun k => rest j k * z k) (fun k => A j k * z k + (A k j * z k + (-1) * (sum n (fun m => l j m * l k m) * z k))))
+          by (intros; unfold rest; ring).
+        rewrite !sum_plus, sum_scale. ring. }
+      assert (Q := sum_nonnegative n (fun m => sum n (fun j => l j m * z j) * sum n (fun j => l j m * z j))
+        (fun m _ => Rle_0_sqr _)).
+      rewrite V in E. lra.
+  Qed.
+
+  Lemma solution_complementary c x : solution (with_constant P c) x <->
+    forall k, (k < n)%nat -> 0 <= x k /\ 0 <= sum n (fun j => A k j * x j) + c k /\ x k * (sum n (fun j => A k j * x j) + c k) = 0.
+  Proof.
+    destruct one_dimension as [F [D [S _]]].
+    assert (X : forall k, (k < n)%nat ->
+      (coulomb (dimension P) (friction P k) (of_contact (with_constant P c) k x)
+         (of_contact (with_constant P c) k (motion (with_constant P c) x))
+       <-> 0 <= x k /\ 0 <= sum n (fun j => A k j * x j) + c k /\ x k * (sum n (fun j => A k j * x j) + c k) = 0)).
+    { intros k K. rewrite D, law_in_one_dimension.
+      - unfold of_contact. change (free (with_constant P c)) with (free P).
+        change (dimension (with_constant P c)) with (dimension P). rewrite F, D.
+        replace (0 + 1 * k + 0)%nat with k by lia. reflexivity.
+      - apply (friction_is i fine); [rewrite S in K; exact K|]. unfold P, problem_of in D; cbn in D. lia. }
+    split.
+    - intros [_ L] k K. apply (X k K), L. change (contacts (with_constant P c)) with (contacts P). rewrite <- S. exact K.
+    - intros E. split.
+      + intros j J. change (free (with_constant P c)) with (free P) in J. lia.
+      + intros k K. change (contacts (with_constant P c)) with (contacts P) in K. rewrite <- S in K. apply (X k K), E, K.
+  Qed.
+
+  Theorem check_definite_sound : unique P.
+  Proof.
+    intros c. destruct definite_matrix as [alpha [A0 B]].
+    destruct (complementary_exists n A alpha A0 B c) as [x X]. exists x. split; [apply solution_complementary, X|].
+    intros y Y. assert (Z := proj1 (solution_complementary c y) Y). exact (complementary_unique n A alpha A0 B c x y X Z).
+  Qed.
+End Instance.

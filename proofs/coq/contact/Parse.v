@@ -135,6 +135,8 @@ Section Claims.
     if at_word "enclosure" ts then read_enclosure (tl ts) else
     if at_word "none-within" ts then let* rho := one_number (tl ts) in Some (NoneWithin (fst rho), snd rho) else
     if at_word "no-solution" ts then let* y := numbers_after "multipliers" n (tl ts) in Some (NoSolution (fst y), snd y) else
+    if at_word "unique" ts && at_word "definite" (tl ts)
+    then let* l := matrix_after "definite" most n n (tl ts) in Some (Definite (fst l), snd l) else
     if at_word "unique" ts then let* d := numbers_after "dominant" n (tl ts) in Some (Dominant (fst d), snd d) else
     None.
 End Claims.
@@ -142,7 +144,7 @@ End Claims.
 (** Claims that this checker does not know. *)
 Definition unknown_claim (ts : list string) : bool :=
   at_word "ball" ts || at_word "every-solution" ts
-  || (at_word "unique" ts && existsb (fun w => at_word w (tl ts)) ["definite"; "bound"; "determinants"]).
+  || (at_word "unique" ts && existsb (fun w => at_word w (tl ts)) ["bound"; "determinants"]).
 
 Inductive outcome := Unreadable | NotCovered | Claims (l : list body).
 
@@ -231,6 +233,7 @@ Definition check_body (i : instance) (p : tables) (b : body) : bool :=
   | NoneWithin rho, Some x => check_none_within p x rho
   | NoSolution y, _ => check_no_solution p y
   | Dominant d, _ => check_dominant p d
+  | Definite l, _ => check_definite p (entries i) l
   | _, None => false
   end.
 

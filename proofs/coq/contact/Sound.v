@@ -1,6 +1,6 @@
 (** What the checker accepts is true. *)
 From Coq Require Import NArith Reals List Bool String Lia Lra FMapPositive.
-From Slipproof.contact Require Import Coulomb Number Fixed Linear Zero Certificate Checker Rows Law Enclose Refute Unique Parse.
+From Slipproof.contact Require Import Coulomb Number Fixed Linear Zero Certificate Checker Rows Law Enclose Refute Unique Definite Parse.
 Import ListNotations.
 
 Lemma whole_complete i : is_whole i = true -> complete i.
@@ -30,6 +30,8 @@ Proof.
     + exists X. split; [exact S|]. split; [exact N | exact M].
   - apply (check_dominant_sound i W F) in H. exact H.
   - apply (check_dominant_sound i W F) in H. exact H.
+  - apply (check_definite_sound i W F) in H. exact H.
+  - apply (check_definite_sound i W F) in H. exact H.
 Qed.
 
 (** The theorem for data instead of a text. *)

@@ -121,6 +121,7 @@ let claim_in_words = function
       "a solution within " ^ decimal rho ^ " of the answer"
       ^ match eta with None -> "" | Some eta -> ", its velocities within " ^ decimal eta)
   | Dominant _ -> "one solution, whatever the constant, by a dominant matrix"
+  | Definite _ -> "one solution, whatever the constant, by a definite matrix"
 
 let problem_in_words (i : instance) =
   Printf.sprintf "%d contacts in dimension %s%s" (List.length i.frictions) (Integer.to_string i.dim)
