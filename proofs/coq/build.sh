@@ -14,7 +14,7 @@ done
 coqc -q -Q . Slipproof Assumptions.v >assumptions.txt
 ocamlfind ocamlopt -O3 -w -a -package unix,zarith -linkpkg checker.mli checker.ml main.ml -o slipproof-check-verified
 
-for part in Coulomb Number Certificate Fixed Linear Zero Checker Parse Rows Law Enclose Refute Unique Definite Sound Extract; do
+for part in Coulomb Number Certificate Fixed Linear Zero Checker Parse Rows Law Enclose Refute Unique Definite Ball Sound Extract; do
   coqc -q -Q . Slipproof contact/$part.v
 done
 coqc -q -Q . Slipproof contact/Assumptions.v >contact/assumptions.txt

@@ -110,6 +110,9 @@ Inductive body :=
   | NoSolution (multipliers : list number)
   | Enclosure (rho : number) (eta : option number) (modes : list mode) (center radius : list number) (pinned : list N)
       (dropped : list (N * list (N * number))) (inverse : list (N * N * number))
+  | Ball (rho : number) (eta : option number) (modes : list mode) (center radius : list number) (pinned : list N)
+      (dropped : list (N * list (N * number))) (rows : list number) (least defect bend : number)
+      (factor : list (N * N * number))
   | Dominant (weights : list number)
   | Definite (factor : list (N * N * number)).
 
@@ -131,6 +134,15 @@ Definition mode_word (m : mode) : string :=
   | Slide => "slide" | SlidePlus => "slide+" | SlideMinus => "slide-"
   end.
 
+(** What enclosures and balls have in common. *)
+Definition written_near (word : string) (rho : number) (eta : option number) (modes : list mode) (center radius : list number)
+    (pinned : list N) (dropped : list (N * list (N * number))) : list piece :=
+  [Word word; Numeral rho] ++ match eta with Some x => [Word "velocities"; Numeral x] | None => [] end
+  ++ [Word "modes"] ++ map (fun m => Word (mode_word m)) modes
+  ++ [Word "center"] ++ numerals center ++ [Word "radius"] ++ numerals radius
+  ++ [Word "pinned"; count pinned] ++ map Count pinned
+  ++ [Word "dropped"; count dropped] ++ flat_map (fun d => Count (fst d) :: in_row (snd d)) dropped.
+
 Definition written (b : body) : list piece :=
   match b with
   | Eps bound moved point motions =>
@@ -138,12 +150,11 @@ Definition written (b : body) : list piece :=
   | NoneWithin rho => [Word "none-within"; Numeral rho]
   | NoSolution y => [Word "no-solution"; Word "multipliers"] ++ numerals y
   | Enclosure rho eta modes center radius pinned dropped inverse =>
-      [Word "enclosure"; Numeral rho] ++ match eta with Some x => [Word "velocities"; Numeral x] | None => [] end
-      ++ [Word "modes"] ++ map (fun m => Word (mode_word m)) modes
-      ++ [Word "center"] ++ numerals center ++ [Word "radius"] ++ numerals radius
-      ++ [Word "pinned"; count pinned] ++ map Count pinned
-      ++ [Word "dropped"; count dropped] ++ flat_map (fun d => Count (fst d) :: in_row (snd d)) dropped
-      ++ [Word "inverse"] ++ in_matrix inverse
+      written_near "enclosure" rho eta modes center radius pinned dropped ++ [Word "inverse"] ++ in_matrix inverse
+  | Ball rho eta modes center radius pinned dropped rows least defect bend factor =>
+      written_near "ball" rho eta modes center radius pinned dropped
+      ++ [Word "rows"] ++ numerals rows ++ [Word "least"; Numeral least; Word "defect"; Numeral defect; Word "bend"; Numeral bend]
+      ++ [Word "factor"] ++ in_matrix factor
   | Dominant d => [Word "unique"; Word "dominant"] ++ numerals d
   | Definite l => [Word "unique"; Word "definite"] ++ in_matrix l
   end.
@@ -194,8 +205,9 @@ Definition meaning (i : instance) (b : body) : Prop :=
   | Eps bound moved _ _ => of_answer i (fun x => eps p x (value bound) (value moved))
   | NoneWithin rho => of_answer i (fun x => none_within p x (value rho))
   | NoSolution _ => no_solution p
-  | Enclosure rho None modes _ _ _ _ _ => of_answer i (fun x => enclosure p x (value rho) (fun k => nth k modes Open))
-  | Enclosure rho (Some eta) modes _ _ _ _ _ =>
+  | Enclosure rho None modes _ _ _ _ _ | Ball rho None modes _ _ _ _ _ _ _ _ _ =>
+      of_answer i (fun x => enclosure p x (value rho) (fun k => nth k modes Open))
+  | Enclosure rho (Some eta) modes _ _ _ _ _ | Ball rho (Some eta) modes _ _ _ _ _ _ _ _ _ =>
       of_answer i (fun x => enclosure_with_velocities p x (value rho) (value eta) (fun k => nth k modes Open))
   | Dominant _ | Definite _ => unique p
   end.

@@ -178,9 +178,10 @@ Definition has_zero (z p : table) (left : list N) (kept : list equation) (invers
   && forallb (fun e => match e with (f, s, _, r, q) => lt s r && le (add (add f s) q) r end) found
   && existsb (fun t => forallb (fun e => match e with (f, s, q, r, _) => mapped t f s q r end) found) fractions.
 
-Definition check_enclosure (p : tables) (x : list number) (rho : number) (eta : option number) (modes : list mode)
+(** There is a zero of the equations that are left, by what a claim gives for it; and everywhere around it the conditions hold. *)
+Definition check_near (p : tables) (x : list number) (rho : number) (eta : option number) (modes : list mode)
     (center radius : list number) (pinned : list N) (dropped : list (N * list (N * number)))
-    (inverse : list (N * N * number)) : bool :=
+    (zero_near : table -> table -> list N -> list equation -> bool) : bool :=
   let variables := unknowns p modes in
   let all := equations p modes in
   let left := others 0 (indices pinned) variables in
@@ -194,7 +195,7 @@ Definition check_enclosure (p : tables) (x : list number) (rho : number) (eta : 
   && Nat.eqb (List.length modes) (List.length (t_mus p))
   && forallb positive_number radius
   && forallb (combined z left taken index_all) dropped
-  && has_zero z r left (others 0 taken all) (by_rows inverse)
+  && zero_near z r left (others 0 taken all)
   && forallb (conditions p b) (contacts_of p modes)
   && forallb (fun i => le (add (abs (sub (get z i) (get answers i))) (abs (get r i))) rho) (range 0 (N.to_nat (t_size p)))
   && match eta with
@@ -204,6 +205,62 @@ Definition check_enclosure (p : tables) (x : list number) (rho : number) (eta : 
              le (add (abs (sub (middle b w) (middle (Box answers empty) w))) (spread b w)) eta)
            (range (t_frees p) (N.to_nat (t_size p - t_frees p)))
      end.
+
+Definition check_enclosure (p : tables) (x : list number) (rho : number) (eta : option number) (modes : list mode)
+    (center radius : list number) (pinned : list N) (dropped : list (N * list (N * number)))
+    (inverse : list (N * N * number)) : bool :=
+  check_near p x rho eta modes center radius pinned dropped (fun z r left kept => has_zero z r left kept (by_rows inverse)).
+
+(** Places of unknowns in a list. *)
+Fixpoint positions (i : N) (l : list N) (m : PositiveMap.t N) : PositiveMap.t N :=
+  match l with [] => m | k :: r => positions (N.succ i) r (PositiveMap.add (key k) i m) end.
+
+(** The slopes of equations, times a factor each, with the radii for units, by places: a matrix from row i on. *)
+Fixpoint scaled_slopes (z p : table) (places : PositiveMap.t N) (i : N) (l : list (equation * number)) : list (N * N * number) :=
+  match l with
+  | [] => []
+  | (e, r) :: rest =>
+      flat_map (fun t => match PositiveMap.find (key (fst t)) places with
+        | Some b => [(i, b, mul r (mul (snd t) (get p (fst t))))]
+        | None => []
+        end) (slope e z)
+      ++ scaled_slopes z p places (N.succ i) rest
+  end.
+
+Definition transposed (l : list (N * N * number)) : list (N * N * number) :=
+  map (fun e => match e with (i, j, a) => (j, i, a) end) l.
+
+(** Row a of M^T M - L L^T. *)
+Definition gram_row (m_rows m_columns lower lower_columns : PositiveMap.t linear) (a : N) : table :=
+  List.fold_left (fun m e => accumulate m (opp (snd e)) (look [] lower_columns (fst e))) (look [] lower a)
+    (List.fold_left (fun m e => accumulate m (snd e) (look [] m_rows (fst e))) (look [] m_columns a) empty).
+
+Definition squares (f : equation -> number) (l : list (equation * number)) : number :=
+  total (map (fun e => square (mul (snd e) (f (fst e)))) l).
+
+Definition ball_has_zero (rows : list number) (s f q : number) (factor : list (N * N * number))
+    (z p : table) (left : list N) (kept : list equation) : bool :=
+  let n := List.length left in
+  let l := combine kept rows in
+  let slopes := scaled_slopes z p (positions 0 left (PositiveMap.empty N)) 0 l in
+  let m_rows := by_rows slopes in let m_columns := by_rows (transposed slopes) in
+  let lower := by_rows factor in let lower_columns := by_rows (transposed factor) in
+  let bends := squares (fun e => size_of_products (quadratic_part e) p) l in
+  Nat.eqb (List.length kept) n && Nat.eqb (List.length rows) n && distinct left (PositiveMap.empty unit)
+  && forallb (fun r => negb (is_zero r)) rows
+  && positive_number s && nonnegative f && nonnegative q && le (add f q) s
+  && le (squares (fun e => at_center e z) l) (square f) && le (squares (close_bend p) l) (square q)
+  && le bends (square (sub s f)) && lt (mul (Number 4 0 1) bends) (square s)
+  && forallb (fun e => match e with (i, j, _) => N.ltb i (N.of_nat n) && N.ltb j (N.of_nat n) end) factor
+  && forallb (fun a =>
+       let m := gram_row m_rows m_columns lower lower_columns a in
+       le (total (map (fun j => if N.eqb j a then zero else abs (get m j)) (range 0 n))) (sub (get m a) (square s)))
+     (range 0 n).
+
+Definition check_ball (p : tables) (x : list number) (rho : number) (eta : option number) (modes : list mode)
+    (center radius : list number) (pinned : list N) (dropped : list (N * list (N * number)))
+    (rows : list number) (s f q : number) (factor : list (N * N * number)) : bool :=
+  check_near p x rho eta modes center radius pinned dropped (ball_has_zero rows s f q factor).
 
 (** Coulomb's law of exact numbers, without roots. *)
 Definition obeys (d : N) (m : number) (r u : N -> number) : bool :=
@@ -298,9 +355,6 @@ Definition check_dominant (p : tables) (weights : list number) : bool :=
 Definition remainder_row (p : tables) (columns lower lower_columns : PositiveMap.t linear) (i : N) : table :=
   List.fold_left (fun m e => accumulate m (opp (snd e)) (look [] lower_columns (fst e))) (look [] lower i)
     (accumulate (accumulate empty one (linear_part (row p i))) one (look [] columns i)).
-
-Definition transposed (l : list (N * N * number)) : list (N * N * number) :=
-  map (fun e => match e with (i, j, a) => (j, i, a) end) l.
 
 (** In each row of A + A^T - L L^T the diagonal entry is greater than the sum of the absolute values of the others. *)
 Definition check_definite (p : tables) (matrix factor : list (N * N * number)) : bool :=

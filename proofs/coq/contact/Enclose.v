@@ -300,8 +300,11 @@ Section Instance.
     unfold contact_at; cbn [first]. do 2 f_equal. unfold P, problem_of; cbn [free dimension]. lia.
   Qed.
 
-  Theorem check_enclosure_sound x rho eta modes center radius pinned dropped inverse :
-    check_enclosure p x rho eta modes center radius pinned dropped inverse = true ->
+  Theorem check_near_sound x rho eta modes center radius pinned dropped zero_near :
+    (forall z r left kept, zero_near z r left kept = true ->
+      exists d, (forall k, Rabs (d k) <= absolute r k) /\ (forall k, ~ In k left -> d k = 0) /\ NoDup left /\
+        forall e, In e kept -> eval e (fun k => values z k + d k) = 0) ->
+    check_near p x rho eta modes center radius pinned dropped zero_near = true ->
     exists X, solution P X /\ near (size P) (value rho) X (numbers x) /\
       (forall k, (k < contacts P)%nat -> in_mode (dimension P) (friction P k) (nth k modes Open)
         (of_contact P k X) (of_contact P k (motion P X))) /\
@@ -310,12 +313,12 @@ Section Instance.
       | Some eta => forall j, (free P <= j < size P)%nat -> Rabs (motion P X j - motion P (numbers x) j) <= value eta
       end.
   Proof.
-    intros H. unfold check_enclosure in H.
+    intros ZN H. unfold check_near in H.
     set (left := others 0 (indices pinned) (unknowns p modes)) in *.
     set (z := assign (unknowns p modes) center empty) in *.
     set (r := assign left (others 0 (indices pinned) radius) empty) in *.
     split_and H. apply Nat.eqb_eq in H6. change (t_mus p) with (frictions i) in H6.
-    destruct (has_zero_sound _ _ _ _ _ H3) as [d [D [O [ND Z]]]].
+    destruct (ZN _ _ _ _ H3) as [d [D [O [ND Z]]]].
     set (b := Box z r) in *. assert (W : within b d) by exact D.
     set (v := fun k => values z k + d k) in *.
     set (all := tabulate 0 (equations p modes) (PositiveMap.empty equation)) in *.
@@ -375,6 +378,17 @@ Section Instance.
         with ((value (middle b (row p (N.of_nat j))) - motion P (numbers x) j) + (e - value (middle b (row p (N.of_nat j))))) by ring.
       eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat_l. exact M.
   Qed.
+
+  Theorem check_enclosure_sound x rho eta modes center radius pinned dropped inverse :
+    check_enclosure p x rho eta modes center radius pinned dropped inverse = true ->
+    exists X, solution P X /\ near (size P) (value rho) X (numbers x) /\
+      (forall k, (k < contacts P)%nat -> in_mode (dimension P) (friction P k) (nth k modes Open)
+        (of_contact P k X) (of_contact P k (motion P X))) /\
+      match eta with
+      | None => True
+      | Some eta => forall j, (free P <= j < size P)%nat -> Rabs (motion P X j - motion P (numbers x) j) <= value eta
+      end.
+  Proof. apply check_near_sound. intros z r left kept. apply has_zero_sound. Qed.
 
   Theorem check_eps_sound x bound moved point motions :
     check_eps p x bound moved point motions = true -> eps P (numbers x) (value bound) (value moved).

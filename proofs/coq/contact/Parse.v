@@ -112,7 +112,9 @@ Section Claims.
     let* x := numbers_after "point" n (snd m) in let* w := numbers_after "motion" n (snd x) in
     Some (Eps (fst b) (fst m) (fst x) (fst w), snd w).
 
-  Definition read_enclosure : reader body := fun ts =>
+  (** What enclosures and balls have in common, and how many unknowns and equations are left. *)
+  Definition read_near : reader ((number * option number * list mode * list number * list number * list N
+      * list (N * list (N * number))) * (N * N)) := fun ts =>
     let* rho := one_number ts in
     let* eta := (if at_word "velocities" (snd rho)
                  then let* e := one_number (tl (snd rho)) in Some (Some (fst e), snd e) else Some (None, snd rho)) in
@@ -127,12 +129,32 @@ Section Claims.
     let* _d := word "dropped" (snd pinned) in
     let* nd := counted most (snd _d) in
     let* dropped := some_dropped (snd nd) most (fst nd) count (PositiveMap.empty unit) [] (snd nd) in
-    let* r := matrix_after "inverse" most (count - fst np) (count - fst nd) (snd dropped) in
-    Some (Enclosure (fst rho) (fst eta) (fst modes) (fst z) (fst p) (fst pinned) (fst dropped) (fst r), snd r).
+    Some ((fst rho, fst eta, fst modes, fst z, fst p, fst pinned, fst dropped, (count - fst np, count - fst nd)), snd dropped).
+
+  Definition read_enclosure : reader body := fun ts =>
+    match read_near ts with
+    | Some ((rho, eta, modes, z, p, pinned, dropped, (free_, kept)), r) =>
+        let* a := matrix_after "inverse" most free_ kept r in
+        Some (Enclosure rho eta modes z p pinned dropped (fst a), snd a)
+    | None => None
+    end.
+
+  Definition read_ball : reader body := fun ts =>
+    match read_near ts with
+    | Some ((rho, eta, modes, z, p, pinned, dropped, (free_, kept)), r) =>
+        let* rows := numbers_after "rows" kept r in
+        let* _s := word "least" (snd rows) in let* s := one_number (snd _s) in
+        let* _f := word "defect" (snd s) in let* f := one_number (snd _f) in
+        let* _q := word "bend" (snd f) in let* q := one_number (snd _q) in
+        let* l := matrix_after "factor" most free_ free_ (snd q) in
+        Some (Ball rho eta modes z p pinned dropped (fst rows) (fst s) (fst f) (fst q) (fst l), snd l)
+    | None => None
+    end.
 
   Definition read_claim : reader body := fun ts =>
     if at_word "eps" ts then read_eps (tl ts) else
     if at_word "enclosure" ts then read_enclosure (tl ts) else
+    if at_word "ball" ts then read_ball (tl ts) else
     if at_word "none-within" ts then let* rho := one_number (tl ts) in Some (NoneWithin (fst rho), snd rho) else
     if at_word "no-solution" ts then let* y := numbers_after "multipliers" n (tl ts) in Some (NoSolution (fst y), snd y) else
     if at_word "unique" ts && at_word "definite" (tl ts)
@@ -143,7 +165,7 @@ End Claims.
 
 (** Claims that this checker does not know. *)
 Definition unknown_claim (ts : list string) : bool :=
-  at_word "ball" ts || at_word "every-solution" ts
+  at_word "every-solution" ts
   || (at_word "unique" ts && existsb (fun w => at_word w (tl ts)) ["bound"; "determinants"]).
 
 Inductive outcome := Unreadable | NotCovered | Claims (l : list body).
@@ -230,6 +252,8 @@ Definition check_body (i : instance) (p : tables) (b : body) : bool :=
   | Eps bound moved point motions, Some x => check_eps p x bound moved point motions
   | Enclosure rho eta modes center radius pinned dropped inverse, Some x =>
       check_enclosure p x rho eta modes center radius pinned dropped inverse
+  | Ball rho eta modes center radius pinned dropped rows least defect bend factor, Some x =>
+      check_ball p x rho eta modes center radius pinned dropped rows least defect bend factor
   | NoneWithin rho, Some x => check_none_within p x rho
   | NoSolution y, _ => check_no_solution p y
   | Dominant d, _ => check_dominant p d

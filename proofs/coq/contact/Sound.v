@@ -1,6 +1,7 @@
 (** What the checker accepts is true. *)
 From Coq Require Import NArith Reals List Bool String Lia Lra FMapPositive.
-From Slipproof.contact Require Import Coulomb Number Fixed Linear Zero Certificate Checker Rows Law Enclose Refute Unique Definite Parse.
+From Slipproof.contact Require Import Coulomb Number Fixed Linear Zero Certificate Checker Rows Law Enclose Refute.
+From Slipproof.contact Require Import Unique Definite Ball Parse.
 Import ListNotations.
 
 Lemma whole_complete i : is_whole i = true -> complete i.
@@ -18,7 +19,10 @@ Qed.
 Lemma check_body_sound i b : is_whole i = true -> is_proper i = true -> check_body i (tables_of i) b = true -> meaning i b.
 Proof.
   intros W F H. unfold meaning, of_answer.
-  assert (A : match b, answer i with Eps _ _ _ _, None | NoneWithin _, None | Enclosure _ _ _ _ _ _ _ _, None => False | _, _ => True end)
+  assert (A : match b, answer i with
+    | Eps _ _ _ _, None | NoneWithin _, None | Enclosure _ _ _ _ _ _ _ _, None | Ball _ _ _ _ _ _ _ _ _ _ _ _, None => False
+    | _, _ => True
+    end)
     by (unfold check_body in H; destruct b, (answer i); try exact I; discriminate H).
   unfold check_body in H. destruct b; destruct (answer i) as [x|]; try contradiction.
   - apply (check_eps_sound i W F) in H. exact H.
@@ -26,6 +30,9 @@ Proof.
   - apply (check_no_solution_sound i W F) in H. exact H.
   - apply (check_no_solution_sound i W F) in H. exact H.
   - apply (check_enclosure_sound i W F) in H. destruct H as [X [S [N [M V]]]]. destruct eta as [eta|].
+    + exists X. split; [exact S|]. split; [exact N|]. split; [exact M | exact V].
+    + exists X. split; [exact S|]. split; [exact N | exact M].
+  - apply (check_ball_sound i W F) in H. destruct H as [X [S [N [M V]]]]. destruct eta as [eta|].
     + exists X. split; [exact S|]. split; [exact N|]. split; [exact M | exact V].
     + exists X. split; [exact S|]. split; [exact N | exact M].
   - apply (check_dominant_sound i W F) in H. exact H.

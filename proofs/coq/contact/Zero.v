@@ -160,7 +160,8 @@ Section Zero.
     unfold shift_row. rewrite value_abs. f_equal.
     assert (G : forall s, value (List.fold_left (fun s e => add s (mul (snd e) (f_of (known (fst e))))) row s)
       = value s + apply row (fun b => value (at_center (equations b) z))).
-    { induction row as [|[b r] l IH]; intros s; cbn [List.fold_left apply apply_abs fst snd]; [lra|]. rewrite IH, value_add, value_mul. rewrite knows; cbn; lra. }
+    { induction row as [|[b r] l IH]; intros s; cbn [List.fold_left apply apply_abs fst snd]; [lra|].
+      rewrite IH, value_add, value_mul. rewrite knows; cbn; lra. }
     rewrite G, value_zero; lra.
   Qed.
 

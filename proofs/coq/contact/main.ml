@@ -9,7 +9,8 @@ module Integer = Z
 module Rational = Q
 open Contact_checker
 
-let usage = "usage: slipproof-check-contact-verified [--problem NAME] FILE...\n       slipproof-check-contact-verified --compare RECORD\n"
+let usage =
+  "usage: slipproof-check-contact-verified [--problem NAME] FILE...\n       slipproof-check-contact-verified --compare RECORD\n"
 
 (* A check may allocate 64 GB in all and hold 2 GB; what needs more is not covered. *)
 exception Too_much
@@ -44,7 +45,9 @@ let primes count =
 let low x = x land 0xffffffff
 
 (* Of a prime the first 32 bits behind the point of its root. *)
-let bits_of_root degree prime = low (Integer.to_int (Integer.logand (Integer.root (Integer.shift_left (Integer.of_int prime) (32 * degree)) degree) (Integer.of_int 0xffffffff)))
+let bits_of_root degree prime =
+  low (Integer.to_int (Integer.logand (Integer.root (Integer.shift_left (Integer.of_int prime) (32 * degree)) degree) (Integer.of_int 0xffffffff)))
+
 let constants_of_rounds = Array.of_list (List.map (bits_of_root 3) (primes 64))
 
 let sha256 text =
@@ -117,7 +120,7 @@ let claim_in_words = function
       "a solution of a problem whose constant differs by at most " ^ decimal bound ^ ", within " ^ decimal moved ^ " of the answer"
   | NoneWithin rho -> "no solution within " ^ decimal rho ^ " of the answer"
   | NoSolution _ -> "no solution"
-  | Enclosure (rho, eta, _, _, _, _, _, _) -> (
+  | Enclosure (rho, eta, _, _, _, _, _, _) | Ball (rho, eta, _, _, _, _, _, _, _, _, _, _) -> (
       "a solution within " ^ decimal rho ^ " of the answer"
       ^ match eta with None -> "" | Some eta -> ", its velocities within " ^ decimal eta)
   | Dominant _ -> "one solution, whatever the constant, by a dominant matrix"
