@@ -17,8 +17,10 @@ inline ContactVerdict checked_on_record(const std::string& certificate) {
   if (path == nullptr) return found;
   using Kind = ContactVerdict::Kind;
   static std::ofstream file(path, std::ios::binary);
-  file << (found.kind == Kind::accepted ? "accepted" : found.kind == Kind::rejected ? "rejected" : "unreadable") << ' '
-       << certificate.size() << '\n'
+  file << (found.kind == Kind::accepted   ? "accepted"
+           : found.kind == Kind::rejected ? "rejected"
+                                          : "unreadable")
+       << ' ' << certificate.size() << '\n'
        << certificate;
   return found;
 }
