@@ -28,17 +28,6 @@ bool has_no_constant(const Expression& e, const std::string& symbol) {
   }
 }
 
-/// Replaces characters that are not printable ASCII by ?, since statements are ASCII whatever the paper's file is
-/// called.
-std::string in_ascii(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    const bool continues = (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
-    if (!continues) result += c < ' ' || c > '~' ? '?' : c;
-  }
-  return result;
-}
-
 }  // namespace
 
 std::string SettingWriter::header(const std::string& theorem, const std::string& comment) {

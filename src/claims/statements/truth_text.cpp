@@ -52,4 +52,13 @@ std::optional<std::string> number_text(const Expression& number, const OfExpress
   return has_function(number) ? std::nullopt : std::optional(to_string(written(number, defined)));
 }
 
+std::string in_ascii(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    const bool continues = (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+    if (!continues) result += c < ' ' || c > '~' ? '?' : c;
+  }
+  return result;
+}
+
 }  // namespace slipproof

@@ -16,4 +16,8 @@ std::optional<std::string> truth_text(const Expression& truth, const OfExpressio
 /// A number without functions; nothing if it contains functions.
 std::optional<std::string> number_text(const Expression& number, const OfExpression& defined = has_no_division);
 
+/// Replaces characters that are not printable ASCII by ?, since statements are ASCII whatever the paper's file is
+/// called.
+std::string in_ascii(const std::string& text);
+
 }  // namespace slipproof

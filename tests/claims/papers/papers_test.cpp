@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "claims/reading/read_claims_file.hpp"
+#include "claims/statements/canonical_claims.hpp"
 #include "proofs/check/files.hpp"
 #include "proofs/search/prove_files.hpp"
 #include "support/run_program.hpp"
@@ -58,6 +60,14 @@ TEST_CASE("every claim of every paper has the verdict that its file expects, and
   }
   CHECK(claims > 350 + 134);  // those of the twelve published thresholds, and of the paper
   CHECK(10 * proved >= 9 * held);
+}
+
+TEST_CASE("the claims that the judge in Coq reads are those of the papers") {
+  for (const auto& folder : folders()) {
+    CAPTURE(folder.string());
+    const auto file = slipproof::read_claims(folder / "claims.toml");
+    CHECK(read_file(folder / "certificates" / slipproof::canonical_name) == slipproof::canonical_claims(file));
+  }
 }
 
 TEST_CASE("every statement of every paper has a certificate that is accepted") {

@@ -11,6 +11,7 @@
 #include "base/number/format.hpp"
 #include "base/output/output_file.hpp"
 #include "base/parallel/failure.hpp"
+#include "claims/statements/canonical_claims.hpp"
 #include "claims/statements/claim_statements.hpp"
 #include "proofs/statement/statement.hpp"
 #include "proofs/statement/undecided.hpp"
@@ -199,6 +200,8 @@ void ProveRun::prove_claims(const ClaimsFile& file, const PaperFolder& paper) {
   };
   try {
     const std::vector<Stated> all = stated(file);
+    const std::string canonical = canonical_claims(file);
+    if (!canonical.empty()) write_file(generated / canonical_name, canonical, inputs_);
     for (const Stated& one : all) {
       for (const NamedStatement& statement : one.statements) write_statement(statement, *one.claim);
     }
