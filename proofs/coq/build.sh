@@ -1,18 +1,27 @@
 #!/bin/sh
 # build.sh FOLDER: lets Coq check the proofs, writes what they rest on to FOLDER/assumptions.txt, and makes
-# FOLDER/slipproof-check-verified of the extracted checker; then the same of contact/, in FOLDER/contact, with the program
-# FOLDER/slipproof-check-contact-verified. Needs Coq 8.16, OCaml, findlib and zarith.
+# FOLDER/slipproof-check-verified of the extracted checker; then the same of claim/, with slipproof-judge-verified, and of
+# contact/, with slipproof-check-contact-verified. Needs Coq 8.16, OCaml, findlib and zarith.
 set -e
 here=$(cd "$(dirname "$0")" && pwd)
-mkdir -p "$1/contact"
+mkdir -p "$1/claim" "$1/contact"
 cd "$1"
-cp "$here"/*.v "$here/main.ml" .
+cp "$here"/*.v "$here"/*.ml .
+cp "$here"/claim/*.v "$here"/claim/*.ml claim
 cp "$here"/contact/*.v "$here/contact/main.ml" contact
 for part in Text Syntax Meaning Print Parse Poly Normal Checker NormalSound Sound Lossless Literal Extract; do
   coqc -q -Q . Slipproof $part.v
 done
 coqc -q -Q . Slipproof Assumptions.v >assumptions.txt
-ocamlfind ocamlopt -O3 -w -a -package unix,zarith -linkpkg checker.mli checker.ml main.ml -o slipproof-check-verified
+ocamlfind ocamlopt -O3 -w -a -package unix,zarith -linkpkg checker.mli checker.ml support.ml main.ml -o slipproof-check-verified
+
+for part in Expression Mechanism Claim Forms Entails Covers Scopes Points Obligations Proved Refuted Canonical Judge Extract; do
+  coqc -q -Q . Slipproof claim/$part.v
+done
+coqc -q -Q . Slipproof claim/Assumptions.v >claim/assumptions.txt
+mv judge.ml judge.mli claim
+ocamlfind ocamlopt -O3 -w -a -I claim -package unix,zarith -linkpkg claim/judge.mli claim/judge.ml support.ml claim/canonical.ml \
+  claim/main.ml -o slipproof-judge-verified
 
 for part in Coulomb Number Certificate Fixed Linear Zero Checker Parse Rows Law Enclose Refute Unique Definite Ball Sound Extract; do
   coqc -q -Q . Slipproof contact/$part.v

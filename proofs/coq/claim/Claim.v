@@ -1,0 +1,233 @@
+(** What a paper says of a mechanism, and when a claim is right, wrong, or neither: MEANING.md. *)
+From Coq Require Import String List Bool ZArith Reals.
+From Slipproof Require Import Text Syntax.
+From Slipproof.claim Require Import Expression Mechanism.
+Import ListNotations.
+Local Open Scope R_scope.
+
+(** A setting: the paper's symbols, and the values that they give to those of the mechanism. An angle is two symbols
+    with c^2 + s^2 = 1. [force] is the paper's variable for the mechanism's load; "" if there is none. *)
+Record setting := Setting {
+  of_mechanism : mechanism;
+  paper_parameters : list (string * condition);
+  paper_angles : list (string * string * condition);
+  force : string;
+  force_domain : condition;
+  paper_definitions : list (string * term);
+  scene : list (string * term);
+  strict : bool
+}.
+
+Section Point.
+Variable s : setting.
+Notation m := (of_mechanism s).
+
+Definition symbols : list string :=
+  map fst (paper_parameters s) ++ flat_map (fun '(c, n, _) => [c; n]) (paper_angles s)
+  ++ if String.eqb (force s) "" then [] else [force s].
+
+Definition define (ds : list (string * term)) (names : meanings) : meanings :=
+  fold_left (fun names d => with_name (fst d) (value names (snd d)) names) ds names.
+
+(** The paper's names, where its symbols have the values [x]. *)
+Definition paper (x : string -> R) : meanings :=
+  define (paper_definitions s) (fun name => if existsb (String.eqb name) symbols then Some (x name) else None).
+
+(** The mechanism's names: what the scene does not give counts as 0; [u] are the unknowns. *)
+Definition given (name : string) : option term := option_map snd (find (fun v => String.eqb (fst v) name) (scene s)).
+Definition from_scene (x : string -> R) (name : string) : option R :=
+  match given name with Some e => value (paper x) e | None => Some 0 end.
+Definition scene_symbols : list string :=
+  map fst (parameters m) ++ flat_map (fun '(c, n, _) => [c; n]) (angles m)
+  ++ match load m with Some l => [fst l] | None => [] end.
+Definition in_scene (x u : string -> R) : meanings :=
+  define (definitions m)
+    (fun name => if existsb (String.eqb name) (unknowns m) then Some (u name)
+                 else if existsb (String.eqb name) scene_symbols then from_scene x name else None).
+Definition mechanism_names (x u : string -> R) : meanings :=
+  fold_left (fun names q => with_name (fst q) (value (in_scene x u) (snd q)) names) (quantities m) (in_scene x u).
+
+Definition square_sum (c n : string) : condition :=
+  Compare (Plus (Power (Symbol c) 2) (Power (Symbol n) 2)) [(Eq, Number 1)].
+Definition is_given (name : string) : bool := match given name with Some _ => true | None => false end.
+
+(** All numbers in equations and elements: "every coefficient has a value". *)
+Definition numbers : list term :=
+  flat_map (fun '(_, x, y) => [x; y]) (equations m)
+  ++ flat_map (fun c => [gap c] ++ match slip c with Some e => [e] | None => [] end
+                        ++ match friction c with Some mu => [fst mu; snd mu] | None => [] end) (contacts m)
+  ++ flat_map (fun r => [rub r; static_limit r; kinetic_limit r]) (rubbings m) ++ map zero (links m).
+
+Definition with_force (x : string -> R) (f : R) : string -> R := fun name => if String.eqb name (force s) then f else x name.
+
+(** "The force is the mechanism's load", "of degree 1 in the force variable". *)
+Definition load_has_degree_one (x : string -> R) : Prop :=
+  match load m with
+  | None => True
+  | Some (l, _) =>
+      exists e a b, given l = Some e /\ a <> 0 /\ forall f, value (paper (with_force x f)) e = Some (a * f + b)
+  end.
+
+(** A point of the mechanism, and a force: what MEANING.md calls a bicycle and a force x. *)
+Record point (x : string -> R) : Prop := {
+  domains : forall p c, In (p, c) (paper_parameters s) -> is (paper x) true c;
+  paper_circles : forall c n d, In (c, n, d) (paper_angles s) -> is (paper x) true d /\ is (paper x) true (square_sum c n);
+  scene_values : forall name, In name scene_symbols -> from_scene x name <> None;
+  mechanism_domains : forall u p c, In (p, c) (parameters m) -> is_given p = true -> is (in_scene x u) true c;
+  circles : forall u c n d, In (c, n, d) (angles m) -> is (in_scene x u) true d /\ is (in_scene x u) true (square_sum c n);
+  assumed : forall u c, In c (assumptions m) -> is (in_scene x u) true c;
+  coefficients : forall u e, In e numbers -> value (in_scene x u) e <> None;
+  degree_one : load_has_degree_one x;
+  load_in_domain : forall u l c, load m = Some (l, c) -> is (in_scene x u) true c;
+  force_in_domain : is (paper x) true (force_domain s)
+}.
+
+(** "The domain must be one interval (or empty) and have a truth value at every x." *)
+Definition forces_are_an_interval (x : string -> R) : Prop :=
+  let at_force f := is (paper (with_force x f)) true (force_domain s) in
+  (forall f, has_value (paper (with_force x f)) (force_domain s))
+  /\ forall f g h, f <= g -> g <= h -> at_force f -> at_force h -> at_force g.
+
+(** Motions *)
+
+Definition given_parameters : list string := filter is_given (map fst (parameters m)).
+Definition modelled (md : mode) : Prop := mode_conditions (strict s) given_parameters m md <> None.
+
+Definition all_true (names : meanings) (cs : list condition) : Prop := Forall (is names true) cs.
+
+(** [u] gives the accelerations and forces of a motion in the mode. *)
+Definition motion (x : string -> R) (md : mode) (u : string -> R) : Prop :=
+  exists cs, mode_conditions (strict s) given_parameters m md = Some cs
+             /\ all_true (mechanism_names x u) (dynamics m) /\ all_true (mechanism_names x u) cs.
+
+(** "Two motions are the same if all their accelerations, gaps and slips are the same, whatever their forces are." *)
+Definition same_motion (x u w : string -> R) : Prop :=
+  forall name, In name (accelerations m ++ map fst (quantities m)) -> mechanism_names x u name = mechanism_names x w name.
+Definition motion_in (x : string -> R) (md : mode) (u : string -> R) : Prop :=
+  exists w, motion x md w /\ same_motion x u w.
+
+(** The names that [holds] may use: the paper's, and those of the motion. *)
+Definition names_of_motion (x u : string -> R) : meanings :=
+  fun name => if existsb (String.eqb name) (unknowns m ++ map fst (quantities m)) then mechanism_names x u name
+              else paper x name.
+End Point.
+
+(** Claims *)
+
+(** Region and forces of a claim that another one names. *)
+Definition reference := (condition * condition)%type.
+
+Inductive kind :=
+| Interval (md : mode)
+| Impossible (modes : list mode)
+| Formula (modes : list mode) (holds : condition)
+| Motions (modes : list mode)
+| Exists (modes : list mode)
+| Equivalence (holds : condition)
+| Cover (claims : list reference)
+| ForceCover (claims : list reference).
+
+Record claim := Claim { in_setting : setting; what : kind; region : condition; at_forces : condition }.
+
+Section Judged.
+Variable c : claim.
+Notation s := (in_setting c).
+Variable x : string -> R.
+Let names := paper s x.
+Let true_here (d : condition) : Prop := is names true d.
+Let false_here (d : condition) : Prop := is names false d.
+Let undefined (d : condition) : Prop := ~ has_value names d.
+
+(** The table of MEANING.md, column by column; a region that is true, one force. *)
+Definition right_here : Prop :=
+  match what c with
+  | Interval md => true_here (at_forces c) <-> exists u, motion s x md u
+  | Impossible modes => forall md u, In md modes -> ~ motion s x md u
+  | Formula [] holds => true_here holds
+  | Formula modes holds => forall md u, In md modes -> motion s x md u -> is (names_of_motion s x u) true holds
+  | Motions modes =>
+      (forall md, In md modes ->
+         (exists u, motion s x md u) /\ forall u w, motion s x md u -> motion s x md w -> same_motion s x u w)
+      /\ forall md u, motion s x md u -> exists listed, In listed modes /\ motion_in s x listed u
+  | Exists modes => true_here (at_forces c) /\ forall md, In md modes -> exists u, motion s x md u
+  | Equivalence holds => true_here (at_forces c) <-> true_here holds
+  | Cover claims => exists r f, In (r, f) claims /\ true_here r
+  | ForceCover claims => exists r f, In (r, f) claims /\ true_here r /\ true_here f
+  end.
+
+Definition nothing_here : Prop :=
+  match what c with
+  | Interval _ | Equivalence _ | Cover _ => False
+  | Impossible _ | Motions _ | ForceCover _ | Formula [] _ => false_here (at_forces c)
+  | Formula modes _ =>
+      false_here (at_forces c)
+      \/ (forall md, In md modes -> modelled s md) /\ forall md u, In md modes -> ~ motion s x md u
+  | Exists _ => ~ right_here
+  end.
+
+(** Something shows that the claim is wrong, whatever else has no value. *)
+Definition wrong_anyway : Prop :=
+  match what c with
+  | Impossible modes => true_here (at_forces c) /\ exists md u, In md modes /\ motion s x md u
+  | Formula ((_ :: _) as modes) holds =>
+      true_here (at_forces c) /\ exists md u, In md modes /\ motion s x md u /\ is (names_of_motion s x u) false holds
+  | Motions modes =>
+      true_here (at_forces c)
+      /\ ((exists md u w, In md modes /\ motion s x md u /\ motion s x md w /\ ~ same_motion s x u w)
+          \/ exists md u, motion s x md u /\ (forall listed, In listed modes -> modelled s listed)
+                          /\ forall listed, In listed modes -> ~ motion_in s x listed u)
+  | _ => False
+  end.
+
+(** Every state of every element is modelled. *)
+Definition all_modelled : Prop := forall k, In k (contacts (of_mechanism s)) -> bilateral k = false ->
+  may_lift (given_parameters s) k = true.
+
+Definition no_value_here : Prop :=
+  match what c with
+  | Interval md => undefined (at_forces c) \/ ~ modelled s md
+  | Impossible modes => undefined (at_forces c) \/ ~ wrong_anyway /\ exists md, In md modes /\ ~ modelled s md
+  | Formula [] holds => undefined (at_forces c) \/ true_here (at_forces c) /\ undefined holds
+  | Formula modes holds =>
+      undefined (at_forces c)
+      \/ ~ wrong_anyway /\ true_here (at_forces c)
+         /\ ((exists md, In md modes /\ ~ modelled s md)
+             \/ exists md u, In md modes /\ motion s x md u /\ ~ has_value (names_of_motion s x u) holds)
+  | Motions modes =>
+      undefined (at_forces c) \/ ~ wrong_anyway /\ ((exists md, In md modes /\ ~ modelled s md) \/ ~ all_modelled)
+  | Exists modes => ~ right_here /\ (undefined (at_forces c) \/ exists md, In md modes /\ ~ modelled s md)
+  | Equivalence holds => undefined (at_forces c) \/ undefined holds
+  | Cover claims => ~ right_here /\ exists r f, In (r, f) claims /\ undefined r
+  | ForceCover claims =>
+      undefined (at_forces c)
+      \/ true_here (at_forces c) /\ ~ right_here
+         /\ exists r f, In (r, f) claims /\ (undefined r /\ ~ false_here f \/ true_here r /\ undefined f)
+  end.
+
+Inductive outcome := Right | Wrong | SaysNothing | NoValue.
+
+(** Two columns may be true at once: a formula about motions of which there are none is right, too.
+    "If its region is false, it says nothing; if its region is undefined, it has no value. Otherwise it is judged." *)
+Definition judged (o : outcome) : Prop :=
+  match o with
+  | NoValue => undefined (region c) \/ ~ forces_are_an_interval s x \/ true_here (region c) /\ no_value_here
+  | SaysNothing =>
+      forces_are_an_interval s x
+      /\ (false_here (region c) \/ true_here (region c) /\ ~ no_value_here /\ nothing_here)
+  | Right => forces_are_an_interval s x /\ true_here (region c) /\ ~ no_value_here /\ right_here
+  | Wrong => forces_are_an_interval s x /\ true_here (region c) /\ ~ no_value_here /\ ~ right_here /\ ~ nothing_here
+  end.
+End Judged.
+
+(** The claim is right, or says nothing, at every point and force; it is wrong at one. [Exists] is right at one, or
+    nowhere. *)
+Definition proved (c : claim) : Prop :=
+  match what c with
+  | Exists _ => exists x, point (in_setting c) x /\ judged c x Right
+  | _ => forall x, point (in_setting c) x -> judged c x Right \/ judged c x SaysNothing
+  end.
+Definition refuted (c : claim) : Prop :=
+  match what c with
+  | Exists _ => forall x, point (in_setting c) x -> judged c x SaysNothing
+  | _ => exists x, point (in_setting c) x /\ judged c x Wrong
+  end.

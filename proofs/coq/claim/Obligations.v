@@ -1,0 +1,186 @@
+(** What has to be shown of a claim: goals that are all to hold. Of several ways to show one thing, one is enough. *)
+From Coq Require Import String List Bool NArith ZArith Reals Lra Lia.
+From Slipproof Require Import Text Syntax Meaning Poly Normal NormalSound.
+From Slipproof.claim Require Import Expression Mechanism Claim Forms Entails Covers Scopes Points.
+Import ListNotations.
+
+Fixpoint map_option {A B} (f : A -> option B) (xs : list A) : option (list B) :=
+  match xs with [] => Some [] | x :: xs => let* y := f x in let* ys := map_option f xs in Some (y :: ys) end.
+
+Definition way := list goal.
+
+(** No name twice. *)
+Fixpoint no_name_twice (names : list string) : bool :=
+  match names with [] => true | name :: names => negb (is_in name names) && no_name_twice names end.
+
+Section Setting.
+Variable s : setting.
+Notation m := (of_mechanism s).
+Let names := paper_scope s None.
+
+Definition normal_all (scope : Normal.scope) : list condition -> option (list form) := map_option (normal_condition scope true).
+
+(** Of several motions the second has the suffix _2, and so on. *)
+Definition suffix (i : nat) : string :=
+  match i with O => "" | 1 => "_2" | 2 => "_3" | 3 => "_4" | 4 => "_5" | 5 => "_6" | 6 => "_7" | 7 => "_8" | _ => "_9" end%string.
+Definition suffixed (i : nat) : list string := map (fun name => (name ++ suffix i)%string) (unknowns m).
+Definition names_of_motions (n : nat) : list string := symbols s ++ flat_map suffixed (seq 0 n).
+
+Definition motion_forms (i : nat) (md : mode) : option (list form) :=
+  let* cs := mode_conditions (strict s) (given_parameters s) m md in
+  normal_all (mechanism_scope s (suffix i)) (dynamics m ++ cs).
+
+(** Some state of each element. *)
+Definition any_of_states (scope : Normal.scope) (states : list (list condition)) : option form :=
+  let* parts := map_option (fun cs => let* fs := normal_all scope cs in Some (All fs)) states in Some (Any parts).
+Definition all_rubbing_states (r : rubbing) : list state :=
+  let pushing := touching_states (rub_begins r) in
+  match holder r with
+  | None => pushing
+  | Some i =>
+      match nth_error (contacts m) i with
+      | Some c => pushing ++ (if bilateral c then map pulled pushing else [])
+                  ++ if may_lift (given_parameters s) c || match begins c with Apart => true | _ => false end then [Free] else []
+      | None => []
+      end
+  end.
+Definition any_motion_forms : option (list form) :=
+  let scope := mechanism_scope s (suffix 0) in
+  let* ds := normal_all scope (dynamics m) in
+  let* cs := map_option (fun c => any_of_states scope (map (contact_conditions (strict s) c) (contact_states (given_parameters s) c)))
+                        (contacts m) in
+  let* rs := map_option (fun r => any_of_states scope (map (rubbing_conditions (strict s) r) (all_rubbing_states r)))
+                        (rubbings m) in
+  Some (ds ++ cs ++ rs).
+
+Definition same_accelerations (i j : nat) : form :=
+  All (map (fun a => Atom Zero (add (variable (code (a ++ suffix i)%string)) (neg (variable (code (a ++ suffix j)%string))))) (accelerations m)).
+
+(** Gaps and slips depend on accelerations alone. *)
+Definition fraction_free (vs : list positive) (f : fraction) : bool :=
+  poly_free vs (num f) && poly_free vs (or_one (den f)) && forallb (poly_free vs) (divs f).
+Definition forces_of : list string := filter (fun u => negb (is_in u (accelerations m))) (unknowns m).
+Definition quantities_fit : bool :=
+  forallb (fun q => match snd q with Some f => fraction_free (map code forces_of) f | None => false end) (quantity_forms s ""%string)
+  && forallb (fun a => is_in a (unknowns m) && negb (is_in a (map fst (definitions m)))) (accelerations m)
+  && no_name_twice (map fst (quantities m)).
+
+Definition all_modelled_here : bool :=
+  forallb (fun k => bilateral k || may_lift (given_parameters s) k) (contacts m).
+End Setting.
+
+Section Claim.
+Variable c : claim.
+Notation s := (in_setting c).
+Let names := paper_scope s None.
+
+Definition has_value_goal (facts : list form) (d : condition) : option goal :=
+  let* yes := normal_condition names true d in
+  let* no := normal_condition names false d in
+  let* ds := divisors names d in Some (Goal facts [] (Any [apart_from_zero ds; yes; no])).
+
+(** References of which one holds. *)
+Definition one_region (claims : list reference) : option form :=
+  let* parts := map_option (fun r => normal_condition names true (fst r)) claims in Some (Any parts).
+Definition one_stated (claims : list reference) : option form :=
+  let* parts := map_option (fun r => let* f := normal_condition names true (fst r) in
+                                     let* g := normal_condition names true (snd r) in Some (All [f; g])) claims in
+  Some (Any parts).
+
+Definition each_motion (facts : list form) (modes : list mode) (shown : option form) : option (list way) :=
+  map_option (fun md => let* fs := motion_forms s 0 md in let* g := shown in Some [Goal (fs ++ facts) [] g]) modes.
+
+Definition motions_ways (facts : list form) (modes : list mode) : option (list way) :=
+  let* there := map_option (fun md => let* fs := motion_forms s 0 md in Some [Goal facts (suffixed s 0) (All fs)]) modes in
+  let* one := map_option (fun md => let* fs := motion_forms s 0 md in
+                                    let* gs := motion_forms s 1 md in
+                                    Some [Goal (fs ++ gs ++ facts) [] (same_accelerations s 0 1)]) modes in
+  let* any := any_motion_forms s in
+  let* listed := map_option (fun md => let* fs := motion_forms s 0 md in Some (All fs)) modes in
+  let others := combine (seq 1 (length modes)) modes in
+  let* with_others := map_option (fun im => motion_forms s (fst im) (snd im)) others in
+  Some (there ++ one ++ [[Goal (any ++ facts) [] (Any listed);
+                          Goal (any ++ concat with_others ++ facts) [] (Any (map (fun im => same_accelerations s 0 (fst im)) others))]]).
+
+Definition somewhere (more : list form) (modes : list mode) : option goal :=
+  let* here := point_forms s in
+  let* motions := map_option (fun im => motion_forms s (fst im) (snd im)) (combine (seq 0 (length modes)) modes) in
+  Some (Goal [] (names_of_motions s (length modes)) (All (here ++ more ++ concat motions))).
+
+(** For a claim that is to be right or to say nothing everywhere. *)
+Definition ways_of_kind (facts : list form) (forces : form) : option (list way) :=
+  let there := forces :: facts in
+  match what c with
+  | Interval md =>
+      let* fs := motion_forms s 0 md in
+      Some [[Goal (fs ++ facts) [] forces]; [Goal there (suffixed s 0) (All fs)]]
+  | Impossible modes => each_motion there modes (Some (Any []))
+  | Formula [] holds => let* g := normal_condition names true holds in Some [[Goal there [] g]]
+  | Formula modes holds => each_motion there modes (normal_condition (motion_scope s (suffix 0)) true holds)
+  | Motions modes =>
+      require quantities_fit s && all_modelled_here s && Nat.leb (length modes) 7
+              && no_name_twice (names_of_motions s (S (length modes))) in
+      motions_ways there modes
+  | Exists _ => None
+  | Equivalence holds =>
+      let* g := normal_condition names true holds in
+      let* d := has_value_goal facts holds in Some [[Goal there [] g]; [Goal (g :: facts) [] forces]; [d]]
+  | Cover claims => let* g := one_region claims in Some [[Goal facts [] g]]
+  | ForceCover claims => let* g := one_stated claims in Some [[Goal there [] g]]
+  end.
+
+Definition ways : option (list way) :=
+  require convex s (force_domain s) && no_name_twice (names_of_motions s 2) in
+  match what c with
+  | Exists modes =>
+      let* yes := normal_condition names true (region c) in
+      let* forces := normal_condition names true (at_forces c) in
+      require no_name_twice (names_of_motions s (length modes)) && Nat.leb (length modes) 8 in
+      let* g := somewhere [yes; forces] modes in Some [[g]]
+  | _ =>
+      let facts := point_facts s in
+      let* yes := normal_condition names true (region c) in
+      let* region_goal := has_value_goal facts (region c) in
+      let* forces := normal_condition names true (at_forces c) in
+      let* forces_goal := match what c with Cover _ => Some [] | _ => let* g := has_value_goal (yes :: facts) (at_forces c) in Some [[g]] end in
+      let* rest := ways_of_kind (yes :: facts) forces in Some ([region_goal] :: forces_goal ++ rest)
+  end.
+
+(** For a claim that is to be wrong at one point; for one that something exists, nowhere right. *)
+Definition refuting_ways : option (list way) :=
+  require convex s (force_domain s) && no_name_twice (names_of_motions s 2) in
+  let facts := point_facts s in
+  let* yes := normal_condition names true (region c) in
+  let* forces := normal_condition names true (at_forces c) in
+  let at_one more modes := let* g := somewhere (yes :: more) modes in Some [[g]] in
+  let of_one modes more := map_option (fun md => let* fs := motion_forms s 0 md in Some (All fs)) modes in
+  match what c with
+  | Interval md => let* no := normal_condition names false (at_forces c) in at_one [no] [md]
+  | Impossible modes => let* any := of_one modes tt in
+      let* here := point_forms s in
+      Some [[Goal [] (names_of_motions s 1) (All (here ++ [yes; forces; Any any]))]]
+  | Formula [] holds => let* no := normal_condition names false holds in at_one [forces; no] []
+  | Formula modes holds =>
+      let* any := of_one modes tt in
+      let* here := point_forms s in
+      let* no := normal_condition (motion_scope s (suffix 0)) false holds in
+      Some [[Goal [] (names_of_motions s 1) (All (here ++ [yes; forces; Any any; no]))]]
+  | Equivalence holds =>
+      let* no := normal_condition names false (at_forces c) in
+      let* g := normal_condition names true holds in
+      let* h := normal_condition names false holds in at_one [Any [All [forces; h]; All [g; no]]] []
+  | Cover claims =>
+      let* nos := map_option (fun r => normal_condition names false (fst r)) claims in at_one nos []
+  | ForceCover claims =>
+      let* nos := map_option (fun r => let* f := normal_condition names false (fst r) in
+                                       let* g := normal_condition names false (snd r) in Some (Any [f; g])) claims in
+      at_one (forces :: nos) []
+  | Exists modes =>
+      require Nat.leb (length modes) 8 && no_name_twice (names_of_motions s (length modes)) in
+      let* motions := map_option (fun im => motion_forms s (fst im) (snd im)) (combine (seq 0 (length modes)) modes) in
+      let* region_goal := has_value_goal facts (region c) in
+      let* forces_goal := has_value_goal (yes :: facts) (at_forces c) in
+      Some [[region_goal]; [forces_goal]; [Goal (concat motions ++ forces :: yes :: facts) [] (Any [])]]
+  | Motions _ => None
+  end.
+End Claim.
