@@ -8,6 +8,7 @@
 #include "base/crew/bytes.hpp"
 #include "base/os/sha256.hpp"
 #include "base/parallel/failure.hpp"
+#include "claims/statements/canonical_claims.hpp"
 #include "claims/statements/claim_statements.hpp"
 #include "claims/verify/second_checker.hpp"
 #include "claims/verify/verify.hpp"
@@ -228,6 +229,13 @@ void Certificates::ask_second_checker_about(CheckedCertificate& certificate) {
   certificate.message = certificate.name + ".cert: " + verdict + " by " + second_checker_;
 }
 
+std::string Certificates::judgement(const std::string& claim) {
+  const std::scoped_lock lock(mutex_);
+  if (!second_verdicts_) return "";
+  const auto found = second_verdicts_->find(check::printable((paper_.generated() / claim).lexically_normal()));
+  return found == second_verdicts_->end() ? "" : found->second;
+}
+
 std::optional<std::string> Certificates::certificate(const std::string& name) const {
   return bytes_of(paper_.folder / (name + ".cert"));
 }
@@ -257,6 +265,23 @@ std::vector<NamedValues> failing_numbers(const ClaimsFile& file, std::size_t cla
 
 void find_certificates(const ClaimsFile& file, VerifyResult& result, Certificates& certificates) {
   for (ClaimResult& claim : result.claims) find_certificates(file, claim, certificates);
+}
+
+std::size_t find_judgements(const ClaimsFile& file, VerifyResult& result, Certificates& certificates) {
+  const auto stated = bytes_of(certificates.paper().generated() / canonical_name);
+  if (!stated || *stated != canonical_claims(file)) return 0;
+  std::size_t count = 0;
+  for (ClaimResult& claim : result.claims) {
+    const std::string name = file.claims[claim.claim].id + (claim.reading == Reading::repaired ? ".repaired" : "");
+    const std::string judgement = certificates.judgement(name);
+    const bool refuted = claim.verdict == Verdict::refuted;
+    claim.from_the_claim_on = (claim.proved && judgement == "proved") || (refuted && judgement == "refuted");
+    if (claim.from_the_claim_on) ++count;
+    if ((claim.proved && judgement == "refuted") || (refuted && judgement == "proved")) {
+      claim.rejections.push_back(name + ": " + judgement + " from the claim on by the second checker");
+    }
+  }
+  return count;
 }
 
 bool settled_by_certificates(const ClaimsFile& file, std::size_t claim, Reading reading, Certificates& certificates) {

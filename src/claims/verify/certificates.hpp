@@ -34,6 +34,7 @@ struct CheckedCertificate {
 struct SecondChecker {
   std::string name;  ///< of its file
   std::size_t accepted = 0;
+  std::size_t from_claims = 0;  ///< claims that it judges as we do, from the claim on (see find_judgements())
 };
 
 /// The certificates in the folder of a claims file and below. A certificate is checked at its first request, and only
@@ -64,6 +65,9 @@ class Certificates {
   const PaperFolder& paper() const { return paper_; }
   /// The name for check() of a statement that is made from a claim.
   std::string of_claim(const std::string& statement) const { return paper_.certificates + "/" + statement; }
+  /// What a second checker that judges claims says of one, `proved`, `refuted` or `open`, by the name that the claim's
+  /// statements begin with; empty: nothing.
+  std::string judgement(const std::string& claim);
   /// The counts so far; nothing without a second checker.
   std::optional<SecondChecker> second_checker();
 
@@ -94,6 +98,11 @@ std::vector<NamedValues> failing_numbers(const ClaimsFile& file, std::size_t cla
 /// claims file asks for, in the form that `prove` writes, and that do not exist. A claim that failed, here or before,
 /// becomes undecided unless it is refuted. verify() calls this function.
 void find_certificates(const ClaimsFile& file, VerifyResult& result, Certificates& certificates);
+
+/// Marks the claims in `result` that a second checker judges from the claim on, as slipproof-judge-verified does, with
+/// the verdict that they have, and returns their number. The claims in the folder must be those of the file
+/// (canonical_claims()). A claim with the opposite verdict gets a rejection. verify() calls this function.
+std::size_t find_judgements(const ClaimsFile& file, VerifyResult& result, Certificates& certificates);
 
 /// Whether certificates decide a claim that no sample decides.
 bool settled_by_certificates(const ClaimsFile& file, std::size_t claim, Reading reading, Certificates& certificates);

@@ -83,6 +83,8 @@ struct ClaimResult {
   /// The claim is right, or says nothing, at every bicycle. The proof is an identity of rational functions without
   /// divisors that vanish, a sample for a claim of existence, or `certificates`.
   bool proved = false;
+  /// A second checker gives it this verdict, too, from the claim on: see find_judgements().
+  bool from_the_claim_on = false;
   /// Why it could not be judged completely; empty: nothing went wrong. A claim that no sample refutes is then
   /// undecided.
   std::string failure;

@@ -5,15 +5,22 @@
 namespace slipproof {
 
 std::string in_words(const SecondChecker& checker) {
-  return counted(checker.accepted, "certificate") + (checker.accepted == 1 ? " is" : " are") + " accepted by " +
-         checker.name + ", too, a checker that is proved correct";
+  const auto are = [](std::size_t count) { return count == 1 ? " is" : " are"; };
+  std::string words = counted(checker.accepted, "certificate") + are(checker.accepted) + " accepted by " +
+                      checker.name + ", too, a checker that is proved correct";
+  if (checker.from_claims == 0) return words;
+  return words + "; " + counted(checker.from_claims, "verdict") + are(checker.from_claims) +
+         " proved by it from the claim on";
 }
 
 std::optional<SecondChecker> second_checker(const std::vector<JudgedPaper>& papers) {
   std::optional<SecondChecker> all;
   for (const JudgedPaper& paper : papers) {
     const auto& one = paper.result.second_checker;
-    if (one) all = SecondChecker{one->name, one->accepted + (all ? all->accepted : 0)};
+    if (!one) continue;
+    if (!all) all = SecondChecker{one->name};
+    all->accepted += one->accepted;
+    all->from_claims += one->from_claims;
   }
   return all;
 }

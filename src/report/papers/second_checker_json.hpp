@@ -7,7 +7,9 @@
 namespace slipproof {
 
 inline Json to_json(const SecondChecker& checker) {
-  return {{"name", checker.name}, {"accepted", checker.accepted}};
+  Json entry{{"name", checker.name}, {"accepted", checker.accepted}};
+  if (checker.from_claims > 0) entry["from_the_claim_on"] = checker.from_claims;
+  return entry;
 }
 
 }  // namespace slipproof

@@ -68,6 +68,7 @@ std::string verify_json(const ClaimsFile& file, const VerifyResult& result) {
     entry["id"] = claim.id;
     entry["reading"] = name(r.reading);
     entry["verdict"] = r.proved ? "proved" : name(r.verdict);
+    if (r.from_the_claim_on) entry["from_the_claim_on"] = true;
     const Expectation expect = claim.body(r.reading).expect;
     entry["expected"] = expect == Expectation::none ? "holds" : std::string(name(expect));
     entry["samples"] = r.samples();

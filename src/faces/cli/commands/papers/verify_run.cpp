@@ -73,8 +73,10 @@ CLI::Option* add_judging_options(CLI::App& command, JudgeArguments& arguments) {
       .add_option("--lines", options.lines,
                   "Lines of bicycles for each claim, 0 for none; default: one for 200 samples, and 64 for a mutant")
       ->check(whole_number(0, 1'000'000));
-  command.add_option("--second-checker", arguments.second_checker,
-                     "A program that must also accept each certificate, such as slipproof-check-verified");
+  command.add_option(
+      "--second-checker", arguments.second_checker,
+      "A program that must also accept each certificate, such as slipproof-check-verified; or judge claims, "
+      "too, as slipproof-judge-verified does");
   return samples;
 }
 
