@@ -1,9 +1,11 @@
 // Contact problems with an answer, one JSON object on each line.
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "records/problems/problem_judge.hpp"
+#include "records/record/cells.hpp"
 
 namespace slipproof {
 
