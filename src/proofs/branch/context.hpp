@@ -15,6 +15,7 @@ namespace slipproof::prove {
 struct Reach {
   int split_depth = 0;          ///< nested splits
   unsigned product_degree = 1;  ///< of the products in linear programs; with 1 there are none
+  bool sums_of_squares = false;
 };
 
 /// A polynomial and its negative, the same two whenever they are asked for, by which what is remembered knows them.

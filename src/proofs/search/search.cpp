@@ -13,6 +13,8 @@
 #include "proofs/rules/splits.hpp"
 #include "proofs/rules/squares.hpp"
 #include "proofs/search/existence.hpp"
+#include "proofs/sums/refute.hpp"
+#include "proofs/sums/semidefinite.hpp"
 
 namespace slipproof::prove {
 
@@ -65,6 +67,10 @@ bool Search::close(State& state, int depth) {
   if (refute_single_fact(context_, state, Pass::thorough)) return true;
   const PairsResult pairs = refute_pairs(context_, state, Pass::thorough);
   if (pairs.refuted || refute_products(context_, state)) return true;
+  if (context_.reach.sums_of_squares &&
+      refute_by_sums_of_squares(context_, state, [&](State& branch) { return close(branch, depth); })) {
+    return true;
+  }
   if (leftover_.facts.empty() || depth == context_.reach.split_depth) keep_leftover(state);
   return depth > 0 && close_by_splits(state, depth, pairs.open);
 }
@@ -96,12 +102,12 @@ bool Search::close_by_splits(State& state, int depth, const std::vector<Polynomi
   return close_squares(context_, state, shallower) || close_by_any(plain_candidates(context_, state));
 }
 
-/// Splits once, then as often as the limits allow.
-bool Search::search_deeper(const State& start, State& closed) {
+/// Splits so often, then as often as the limits allow.
+bool Search::search_deeper(const State& start, State& closed, int first_depth) {
   const Statement& statement = context_.statement();
   int& depth = context_.reach.split_depth;
   const auto close_fully = [&](State& state) { return close(state, depth); };
-  for (depth = std::min(context_.limits().split_depth, 1);; ++depth) {
+  for (depth = std::min(context_.limits().split_depth, first_depth);; ++depth) {
     closed = start;
     const bool found = statement.unknowns().empty()
                            ? add_formula(context_, closed, "goal", negation(statement.shown())) || close_fully(closed)
@@ -120,27 +126,52 @@ std::optional<Proof> Search::search() {
   for (degree = 1; !closed; ++degree) {
     if (degree > (context_.limits().products > 0 ? highest_product_degree : 1)) return std::nullopt;
     State state;
-    closed = search_deeper(start, state);
+    closed = search_deeper(start, state, 1);
     if (closed) start = std::move(state);
   }
   prune(start.steps);
   return std::move(start.steps);
 }
 
-std::optional<Proof> Search::prove() {
-  Budget& budget = context_.budget();
-  budget.renew(context_.limits().steps);
-  budget.watch(context_.limits().tick);
-  try {
-    auto proof = search();
-    budget.lift();
-    return proof;
-  } catch (const Budget::Spent&) {
-    budget.lift();
-    leftover_.exhausted = true;
-    leftover_.facts.insert(leftover_.facts.begin(), fmt::format("no step left of {}", context_.limits().steps));
-    return std::nullopt;
+/// Without products of hypotheses, and with sums of squares at the leaves.
+std::optional<Proof> Search::search_with_sums() {
+  context_.reach = {.sums_of_squares = true};
+  State start, closed;
+  for (const auto& [name, formula] : context_.statement().assumptions()) {
+    if (add_formula(context_, start, name, formula)) return std::nullopt;  // and it would have been found before
   }
+  eliminate(context_, start);
+  if (!search_deeper(start, closed, 0)) return std::nullopt;
+  prune(closed.steps);
+  return std::move(closed.steps);
+}
+
+std::optional<Proof> Search::prove() {
+  const Limits& limits = context_.limits();
+  Budget& budget = context_.budget();
+  budget.renew(limits.steps);
+  budget.watch(limits.tick);
+  std::optional<Proof> proof;
+  try {
+    proof = search();
+  } catch (const Budget::Spent&) {
+    leftover_.exhausted = true;
+    leftover_.facts.insert(leftover_.facts.begin(), fmt::format("no step left of {}", limits.steps));
+  }
+  steps_ = budget.spent();
+  if (!proof && limits.products > 0 && sums::has_semidefinite_solver()) {
+    const Leftover leftover = leftover_;
+    budget.renew(limits.steps / 2);
+    try {
+      proof = search_with_sums();
+    } catch (const Budget::Spent&) {
+      // As without it.
+    }
+    leftover_ = leftover;
+    if (proof) steps_ += budget.spent();
+  }
+  budget.lift();
+  return proof;
 }
 
 }  // namespace slipproof::prove

@@ -9,6 +9,7 @@
 //   pairs                   Fourier-Motzkin elimination
 //   products                linear programming over products of hypotheses
 //   cases, splits, squares  case distinctions: those that the hypotheses make, and new ones
+//   sums                    sums of squares, where all else has failed and a solver is installed
 //   existence               witnesses for `exists`: solution of equations, bounds
 #pragma once
 
@@ -37,11 +38,12 @@ class Search {
   /// most the steps of the limits.
   std::optional<Proof> prove();
   const Leftover& leftover() const { return leftover_; }
-  std::uint64_t steps() const { return context_.budget().spent(); }
+  std::uint64_t steps() const { return steps_; }
 
  private:
   std::optional<Proof> search();
-  bool search_deeper(const State& start, State& closed);
+  std::optional<Proof> search_with_sums();
+  bool search_deeper(const State& start, State& closed, int first_depth);
   bool close(State& state, int depth);
   bool close_disjunctions(State& state, int depth);
   bool close_by_splits(State& state, int depth, const std::vector<Polynomial>& open_factors);
@@ -49,6 +51,7 @@ class Search {
 
   Context context_;
   Leftover leftover_;
+  std::uint64_t steps_ = 0;
 };
 
 }  // namespace slipproof::prove

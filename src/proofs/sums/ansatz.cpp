@@ -1,0 +1,236 @@
+#include "proofs/sums/ansatz.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace slipproof::prove::sums {
+
+namespace {
+
+constexpr std::size_t most_facts = 14;  ///< the shortest ones
+constexpr std::size_t largest_basis = 150;
+
+using Exponents = std::vector<unsigned long>;
+
+/// Monomials in some variables, by degree.
+std::vector<Polynomial> monomials_up_to(const Ring& ring, const std::vector<std::size_t>& variables,
+                                        unsigned long degree) {
+  std::vector<Polynomial> result = {Polynomial(ring, 1)};
+  std::vector<std::size_t> last = {0};
+  std::size_t begin = 0;
+  for (unsigned long d = 1; d <= degree; ++d) {
+    const std::size_t end = result.size();
+    for (std::size_t i = begin; i < end; ++i) {
+      for (std::size_t v = last[i]; v < variables.size() && result.size() <= largest_basis; ++v) {
+        result.push_back(result[i] * Polynomial::variable(ring, variables[v]));
+        last.push_back(v);
+      }
+    }
+    begin = end;
+  }
+  return result;
+}
+
+Rational largest_coefficient(const Polynomial& p) {
+  Rational largest = 0;
+  for (const Term& term : p.terms()) largest = std::max(largest, absolute(term.coefficient));
+  return largest;
+}
+
+class Maker {
+ public:
+  Maker(Context& context, const State& state, const Shape& shape) : context_(context), shape_(shape) {
+    for (const std::vector<Fact>* facts : {&state.facts, &state.derived}) {
+      for (const Fact& fact : *facts) {
+        if (fact.p.is_constant() || degree_of(fact.p) > shape.degree) continue;
+        (fact.sign == Sign::zero ? equations_ : inequalities_).push_back(&fact);
+        const auto variables = fact.p.variables();
+        std::set<std::size_t> all(variables_.begin(), variables_.end());
+        all.insert(variables.begin(), variables.end());
+        variables_.assign(all.begin(), all.end());
+      }
+    }
+    std::stable_sort(inequalities_.begin(), inequalities_.end(),
+                     [](const Fact* x, const Fact* y) { return x->p.length() < y->p.length(); });
+    if (inequalities_.size() > most_facts) inequalities_.resize(most_facts);
+  }
+
+  std::optional<Ansatz> make() {
+    add_squares({{}, Polynomial(context_.ring(), 1), 1, true, {}});
+    for (std::size_t i = 0; i < inequalities_.size(); ++i) {
+      const Fact& x = *inequalities_[i];
+      add_squares({{{x.name, 1}}, x.p, 1, x.sign == Sign::positive, {}});
+      if (!shape_.pairs) continue;
+      for (std::size_t k = i; k < inequalities_.size(); ++k) {
+        const Fact& y = *inequalities_[k];
+        if (degree_of(x.p) + degree_of(y.p) > shape_.degree) continue;
+        Product product = {{x.name, 1}};
+        multiply(product, {{y.name, 1}});
+        add_squares({product, x.p * y.p, 1, x.sign == Sign::positive && y.sign == Sign::positive, {}});
+      }
+    }
+    for (const Fact* equation : equations_) {
+      ansatz_.multiples.push_back({equation->name, equation->p, monomials(shape_.degree - degree_of(equation->p))});
+    }
+    if (too_large_) return std::nullopt;
+    return std::move(ansatz_);
+  }
+
+ private:
+  std::vector<Polynomial> monomials(unsigned long degree) {
+    std::vector<Polynomial> result = monomials_up_to(context_.ring(), variables_, degree);
+    too_large_ = too_large_ || result.size() > largest_basis;
+    return result;
+  }
+
+  /// The multiplier alone, with the squares of variables, and with a sum of squares.
+  void add_squares(Block block) {
+    const Rational largest = largest_coefficient(block.multiplier);
+    block.scale = 1 / largest;
+    block.multiplier = block.multiplier.scaled(block.scale);
+    block.basis = {Polynomial(context_.ring(), 1)};
+    ansatz_.blocks.push_back(block);
+    const unsigned long half = (shape_.degree - degree_of(block.multiplier)) / 2;
+    if (half == 0) return;
+    if (shape_.lifted && !block.product.empty()) {
+      for (const std::size_t v : variables_) {
+        block.basis = {Polynomial::variable(context_.ring(), v)};
+        ansatz_.blocks.push_back(block);
+      }
+      return;
+    }
+    block.strict = false;
+    block.basis = monomials(half);
+    ansatz_.blocks.push_back(std::move(block));
+  }
+
+  Context& context_;
+  const Shape& shape_;
+  std::vector<const Fact*> inequalities_, equations_;
+  std::vector<std::size_t> variables_;
+  Ansatz ansatz_;
+  bool too_large_ = false;
+};
+
+Exponents exponents_of(const Polynomial& monomial) {
+  return monomial.terms().front().exponents;
+}
+
+Exponents plus(Exponents x, const Exponents& y) {
+  std::transform(x.begin(), x.end(), y.begin(), x.begin(), std::plus<>());
+  return x;
+}
+
+/// Which signs a monomial of the sum has: 1 from squares with a positive coefficient, 2 with a negative one, 3 both.
+std::map<Exponents, int> signs_of_monomials(Context& context, const Ansatz& ansatz) {
+  std::map<Exponents, int> signs;
+  for (const Block& block : ansatz.blocks) {
+    const std::vector<Term> terms = block.multiplier.terms();
+    std::vector<Exponents> basis;
+    for (const Polynomial& monomial : block.basis) basis.push_back(exponents_of(monomial));
+    context.budget().spend(terms.size() * basis.size() * basis.size());
+    for (std::size_t i = 0; i < basis.size(); ++i) {
+      for (std::size_t j = i; j < basis.size(); ++j) {
+        const Exponents pair = plus(basis[i], basis[j]);
+        for (const Term& term : terms) signs[plus(pair, term.exponents)] |= i != j ? 3 : term.coefficient > 0 ? 1 : 2;
+      }
+    }
+  }
+  for (const Multiple& multiple : ansatz.multiples) {
+    for (const Polynomial& monomial : multiple.monomials) {
+      for (const Term& term : (multiple.p * monomial).terms()) signs[term.exponents] = 3;
+    }
+  }
+  return signs;
+}
+
+bool drop_lonely_squares(Context& context, Ansatz& ansatz) {
+  const std::map<Exponents, int> signs = signs_of_monomials(context, ansatz);
+  bool dropped = false;
+  for (Block& block : ansatz.blocks) {
+    const std::vector<Term> terms = block.multiplier.terms();
+    const std::size_t erased = std::erase_if(block.basis, [&](const Polynomial& monomial) {
+      const Exponents square = plus(exponents_of(monomial), exponents_of(monomial));
+      return std::any_of(terms.begin(), terms.end(),
+                         [&](const Term& term) { return signs.at(plus(square, term.exponents)) != 3; });
+    });
+    dropped = dropped || erased > 0;
+  }
+  std::erase_if(ansatz.blocks, [](const Block& block) { return block.basis.empty(); });
+  return dropped;
+}
+
+using Parity = std::uint64_t;  ///< of the exponents of each variable
+
+Parity parity_of(const Exponents& exponents) {
+  Parity result = 0;
+  for (std::size_t v = 0; v < exponents.size(); ++v) result |= Parity{exponents[v] % 2} << v;
+  return result;
+}
+
+/// The span of parities over the field of two elements.
+class Parities {
+ public:
+  Parity reduced(Parity x) const {
+    for (const Parity generator : generators_) x = std::min(x, x ^ generator);
+    return x;
+  }
+  void add(Parity x) {
+    x = reduced(x);
+    if (x == 0) return;
+    generators_.push_back(x);
+    std::sort(generators_.rbegin(), generators_.rend());
+  }
+
+ private:
+  std::vector<Parity> generators_;  ///< with different highest bits, the largest first
+};
+
+void split_by_parity(Ansatz& ansatz) {
+  Parities even;
+  for (const Block& block : ansatz.blocks) {
+    for (const Term& term : block.multiplier.terms()) even.add(parity_of(term.exponents));
+  }
+  for (const Multiple& multiple : ansatz.multiples) {
+    for (const Term& term : multiple.p.terms()) even.add(parity_of(term.exponents));
+  }
+  const auto kind = [&](const Polynomial& monomial) { return even.reduced(parity_of(exponents_of(monomial))); };
+  std::vector<Block> blocks;
+  for (const Block& block : ansatz.blocks) {
+    std::map<Parity, std::vector<Polynomial>> kinds;
+    for (const Polynomial& monomial : block.basis) kinds[kind(monomial)].push_back(monomial);
+    for (auto& [parity, basis] : kinds) {
+      blocks.push_back(block);
+      blocks.back().basis = std::move(basis);
+    }
+  }
+  ansatz.blocks = std::move(blocks);
+  for (Multiple& multiple : ansatz.multiples) {
+    std::erase_if(multiple.monomials, [&](const Polynomial& monomial) { return kind(monomial) != 0; });
+  }
+}
+
+}  // namespace
+
+unsigned long degree_of(const Polynomial& p) {
+  unsigned long result = 0;
+  for (const Term& term : p.terms()) {
+    result = std::max(result, std::accumulate(term.exponents.begin(), term.exponents.end(), 0UL));
+  }
+  return result;
+}
+
+std::optional<Ansatz> make_ansatz(Context& context, const State& state, const Shape& shape) {
+  return Maker(context, state, shape).make();
+}
+
+bool simplify(Context& context, Ansatz& ansatz) {
+  while (drop_lonely_squares(context, ansatz)) {
+  }
+  split_by_parity(ansatz);
+  return std::any_of(ansatz.blocks.begin(), ansatz.blocks.end(), [](const Block& block) { return block.strict; });
+}
+
+}  // namespace slipproof::prove::sums

@@ -1,0 +1,52 @@
+// What a proof by sums of squares may consist of: sums of squares with unknown coefficients, each times a product of
+// facts, and equations times unknown polynomials, that are to add up to zero.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "proofs/branch/context.hpp"
+#include "proofs/branch/state.hpp"
+
+namespace slipproof::prove::sums {
+
+/// multiplier * basis^T X basis with a symmetric matrix X that has no negative eigenvalue.
+struct Block {
+  Product product = {};   ///< of facts
+  Polynomial multiplier;  ///< what they come to, times `scale`
+  Rational scale = 1;
+  bool strict = false;  ///< all facts are strict: X of one row is to be positive
+  std::vector<Polynomial> basis;
+};
+
+/// An equation p = 0 times an unknown polynomial in these monomials.
+struct Multiple {
+  std::string name;
+  Polynomial p;
+  std::vector<Polynomial> monomials;
+};
+
+struct Ansatz {
+  std::vector<Block> blocks;
+  std::vector<Multiple> multiples;
+};
+
+/// How large the parts are.
+struct Shape {
+  unsigned long degree = 2;  ///< of all of them, even
+  bool pairs = false;        ///< also products of two facts
+  /// Facts also times the square of a variable, which is strict where the variable is not 0.
+  bool lifted = false;
+};
+
+/// Nothing where it would be too large.
+std::optional<Ansatz> make_ansatz(Context& context, const State& state, const Shape& shape);
+
+/// Leaves out what cannot take part: squares of a monomial that nothing else cancels. Then sorts the monomials of each
+/// block into those that the signs of variables tell apart, where all facts are even in them, into blocks of their own.
+/// False if nothing strict is left. For bases of monomials.
+bool simplify(Context& context, Ansatz& ansatz);
+
+unsigned long degree_of(const Polynomial& p);
+
+}  // namespace slipproof::prove::sums

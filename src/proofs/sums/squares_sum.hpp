@@ -1,0 +1,29 @@
+// From an ansatz to an exact sum of squares: solved in binary64, rounded, made exact, and checked.
+#pragma once
+
+#include <optional>
+
+#include "proofs/sums/ansatz.hpp"
+
+namespace slipproof::prove::sums {
+
+/// coefficient * product * root^2, where `worth` is what it comes to.
+struct Square {
+  Rational coefficient;
+  Product product;
+  bool strict = false;  ///< all facts of the product are
+  Polynomial root;
+  Polynomial worth;
+};
+
+/// The sum of all squares, and of the equations times their multipliers, is 0; there is a strict square, or one that is
+/// strict where its root is not 0.
+struct SumOfSquares {
+  std::vector<Square> squares;
+  std::vector<std::pair<std::string, Polynomial>> equations;
+};
+
+/// For an ansatz that simplify() left something of.
+std::optional<SumOfSquares> find_sum_of_squares(Context& context, Ansatz ansatz);
+
+}  // namespace slipproof::prove::sums
