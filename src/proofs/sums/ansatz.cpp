@@ -10,7 +10,7 @@ namespace slipproof::prove::sums {
 namespace {
 
 constexpr std::size_t most_facts = 14;  ///< the shortest ones
-constexpr std::size_t largest_basis = 150;
+constexpr std::size_t largest_basis = 150, most_blocks = 150;
 
 using Exponents = std::vector<unsigned long>;
 
@@ -58,19 +58,7 @@ class Maker {
   }
 
   std::optional<Ansatz> make() {
-    add_squares({{}, Polynomial(context_.ring(), 1), 1, true, {}});
-    for (std::size_t i = 0; i < inequalities_.size(); ++i) {
-      const Fact& x = *inequalities_[i];
-      add_squares({{{x.name, 1}}, x.p, 1, x.sign == Sign::positive, {}});
-      if (!shape_.pairs) continue;
-      for (std::size_t k = i; k < inequalities_.size(); ++k) {
-        const Fact& y = *inequalities_[k];
-        if (degree_of(x.p) + degree_of(y.p) > shape_.degree) continue;
-        Product product = {{x.name, 1}};
-        multiply(product, {{y.name, 1}});
-        add_squares({product, x.p * y.p, 1, x.sign == Sign::positive && y.sign == Sign::positive, {}});
-      }
-    }
+    add_products({{}, Polynomial(context_.ring(), 1), 1, true, {}}, 0, shape_.factors);
     for (const Fact* equation : equations_) {
       ansatz_.multiples.push_back({equation->name, equation->p, monomials(shape_.degree - degree_of(equation->p))});
     }
@@ -85,24 +73,36 @@ class Maker {
     return result;
   }
 
-  /// The multiplier alone, with the squares of variables, and with a sum of squares.
+  /// The product, and so many more factors from the facts from `first` on.
+  void add_products(const Block& block, std::size_t first, int factors) {
+    add_squares(block);
+    for (std::size_t i = first; i < inequalities_.size() && factors > 0; ++i) {
+      const Fact& fact = *inequalities_[i];
+      if (degree_of(block.multiplier) + degree_of(fact.p) > shape_.degree) continue;
+      too_large_ = too_large_ || ansatz_.blocks.size() > most_blocks;
+      if (too_large_) return;
+      Block next = block;
+      multiply(next.product, {{fact.name, 1}});
+      next.multiplier *= fact.p;
+      next.strict = block.strict && fact.sign == Sign::positive;
+      add_products(next, i, factors - 1);
+    }
+  }
+
+  /// The multiplier alone, and with a sum of squares.
   void add_squares(Block block) {
-    const Rational largest = largest_coefficient(block.multiplier);
-    block.scale = 1 / largest;
+    block.scale = 1 / largest_coefficient(block.multiplier);
     block.multiplier = block.multiplier.scaled(block.scale);
     block.basis = {Polynomial(context_.ring(), 1)};
     ansatz_.blocks.push_back(block);
     const unsigned long half = (shape_.degree - degree_of(block.multiplier)) / 2;
     if (half == 0) return;
-    if (shape_.lifted && !block.product.empty()) {
-      for (const std::size_t v : variables_) {
-        block.basis = {Polynomial::variable(context_.ring(), v)};
-        ansatz_.blocks.push_back(block);
-      }
-      return;
-    }
-    block.strict = false;
     block.basis = monomials(half);
+    if (shape_.lifted && block.strict && !block.product.empty()) {
+      std::erase_if(block.basis, [&](const Polynomial& monomial) { return degree_of(monomial) != half; });
+    } else {
+      block.strict = false;
+    }
     ansatz_.blocks.push_back(std::move(block));
   }
 

@@ -15,7 +15,7 @@ struct Block {
   Product product = {};   ///< of facts
   Polynomial multiplier;  ///< what they come to, times `scale`
   Rational scale = 1;
-  bool strict = false;  ///< all facts are strict: X of one row is to be positive
+  bool strict = false;  ///< of the strict ones X must not be 0 in all; their facts are strict
   std::vector<Polynomial> basis;
 };
 
@@ -34,8 +34,8 @@ struct Ansatz {
 /// How large the parts are.
 struct Shape {
   unsigned long degree = 2;  ///< of all of them, even
-  bool pairs = false;        ///< also products of two facts
-  /// Facts also times the square of a variable, which is strict where the variable is not 0.
+  int factors = 1;           ///< facts in a product, at most
+  /// Products are strict also times a sum of squares of forms, which is so where these are not all 0.
   bool lifted = false;
 };
 

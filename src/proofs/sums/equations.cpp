@@ -60,7 +60,7 @@ std::vector<Equations::Row> Equations::equations(Context& context) const {
   for (const auto& [b, i, j] : places_) {
     const Block& block = ansatz_.blocks[b];
     add(column, (block.basis[i] * block.basis[j] * block.multiplier).scaled(i == j ? 1 : 2));
-    if (block.strict) strict[column] = 1;
+    if (block.strict && i == j) strict[column] = 1;
     ++column;
   }
   std::vector<Row> result;

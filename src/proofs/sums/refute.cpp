@@ -13,6 +13,7 @@ using sums::Square;
 using sums::SumOfSquares;
 
 constexpr unsigned long highest_degree = 12;
+constexpr int most_factors = 3;
 
 /// The square as the facts have it, given the sign of its root by this name: a term, or a multiple of the equation.
 void add_square(Identity& identity, const Square& square, const std::string& sign_of_root, int sign) {
@@ -39,92 +40,134 @@ Step contradiction_by_square(Context& context, const Identity& rest, const Squar
   return step;
 }
 
-/// Adds up the squares, one after another: each partial sum is positive, as it would otherwise be a contradiction of
-/// the one before and the square. The last one is 0. So the splits lie beside each other, two for each square.
-class Telescope {
- public:
-  Telescope(Context& context, const SumOfSquares& sum) : context_(context), sum_(sum) {}
+using Squares = std::vector<const Square*>;
 
-  /// `strict` is a square that the sign of its root makes strict, if there has to be one.
-  Proof proof(const Square* strict = nullptr, const std::string& sign_of_root = "") {
-    Identity start{{}, sum_.equations};
-    Polynomial others(context_.ring());
-    std::vector<const Square*> squares;
-    for (const Square& square : sum_.squares) {
-      if (square.root.is_constant()) {
-        start.terms.push_back({square.coefficient * pow(square.root.constant(), 2), square.product});
-      } else if (&square == strict) {
-        add_square(start, square, sign_of_root, 1);
-      } else {
-        squares.push_back(&square);
-        others += square.worth;
-      }
+/// A proof that a sum is impossible: the lines of `start`, with a strict one, come to minus the squares. It adds up the
+/// squares, one after another: each partial sum is positive, as it would otherwise contradict the one before and the
+/// square. The last one is 0. So the splits lie beside each other, two for each square.
+Proof add_up(Context& context, Identity start, const Squares& squares) {
+  Polynomial partial(context.ring());
+  for (const Square* square : squares) partial -= square->worth;
+  if (partial.is_zero()) return {contradiction(std::move(start))};
+  Proof proof;
+  std::string name = context.fresh();
+  start.terms.push_back({1, {{name, 1}}});
+  proof.push_back(have({name, partial, Sign::positive}, {std::move(start)}));
+  Proof* branch = &proof;
+  for (const Square* square : squares) {
+    partial += square->worth;
+    const Identity before{{{1, {{name, 1}}}}, {}};
+    if (partial.is_zero()) {
+      branch->push_back(contradiction_by_square(context, before, *square));
+      break;
     }
-    return descend(std::move(start), -others, squares);
+    Step step;
+    step.rule = Step::Rule::split;
+    step.name = name = context.fresh();
+    step.polynomial = {partial};
+    Identity negative = before, zero = before;
+    negative.terms.push_back({1, {{name, 1}}});
+    zero.equations.emplace_back(name, Polynomial(context.ring(), -1));
+    step.branches = {
+        {contradiction_by_square(context, negative, *square)}, {contradiction_by_square(context, zero, *square)}, {}};
+    branch->push_back(std::move(step));
+    branch = &branch->back().branches.back();
   }
+  return proof;
+}
 
- private:
-  Proof descend(Identity start, Polynomial partial, const std::vector<const Square*>& squares) {
-    if (partial.is_zero()) return {contradiction(std::move(start))};
-    Proof proof;
-    std::string name = context_.fresh();
-    start.terms.push_back({1, {{name, 1}}});
-    proof.push_back(have({name, partial, Sign::positive}, {std::move(start)}));
-    Proof* branch = &proof;
-    for (const Square* square : squares) {
-      partial += square->worth;
-      Identity before{{{1, {{name, 1}}}}, {}};
-      if (partial.is_zero()) {
-        branch->push_back(contradiction_by_square(context_, before, *square));
-        return proof;
-      }
-      Step step;
-      step.rule = Step::Rule::split;
-      step.name = name = context_.fresh();
-      step.polynomial = {partial};
-      Identity negative = before, zero = before;
-      negative.terms.push_back({1, {{name, 1}}});
-      zero.equations.emplace_back(name, Polynomial(context_.ring(), -1));
-      step.branches = {{contradiction_by_square(context_, negative, *square)},
-                       {contradiction_by_square(context_, zero, *square)},
-                       {}};
-      branch->push_back(std::move(step));
-      branch = &branch->back().branches.back();
-    }
-    return proof;
-  }
+bool append(State& state, Proof proof) {
+  std::move(proof.begin(), proof.end(), std::back_inserter(state.steps));
+  return true;
+}
 
-  Context& context_;
-  const SumOfSquares& sum_;
+/// Strict squares with the same facts: contradictory where `sum`, that of the squares alone, is positive. Otherwise all
+/// roots are 0.
+struct StrictSquares {
+  Product product;
+  std::vector<Square> squares;  ///< without the facts
+  Polynomial sum;
 };
 
-/// One after another, the roots of squares that are to be strict: where one is not 0, there is a contradiction.
-bool close_roots(Context& context, State& state, const SumOfSquares& sum, std::size_t from, const Close& close) {
-  while (from < sum.squares.size() && !sum.squares[from].strict) ++from;
-  if (from == sum.squares.size()) return close(state);
-  const Square& square = sum.squares[from];
+std::vector<StrictSquares> strict_squares(const SumOfSquares& sum) {
+  std::vector<StrictSquares> groups;
+  for (const Square& square : sum.squares) {
+    if (!square.strict) continue;
+    Square alone{square.coefficient, {}, true, square.root, (square.root * square.root).scaled(square.coefficient)};
+    if (groups.empty() || groups.back().product != square.product) {
+      groups.push_back({square.product, {}, Polynomial(square.root.ring())});
+    }
+    groups.back().sum += alone.worth;
+    groups.back().squares.push_back(std::move(alone));
+  }
+  return groups;
+}
+
+/// Contradicts all squares but those of the group, whose sum is positive by the fact of this name.
+Proof contradict_others(Context& context, const SumOfSquares& sum, const StrictSquares* group = nullptr,
+                        const std::string& positive = "") {
+  Identity start{{}, sum.equations};
+  Squares others;
+  if (group != nullptr) {
+    start.terms.push_back({1, group->product});
+    multiply(start.terms.back().product, {{positive, 1}});
+  }
+  for (const Square& square : sum.squares) {
+    if (group != nullptr && square.strict && square.product == group->product) continue;
+    if (square.root.is_constant()) {
+      start.terms.push_back({square.coefficient * pow(square.root.constant(), 2), square.product});
+    } else {
+      others.push_back(&square);
+    }
+  }
+  return add_up(context, std::move(start), others);
+}
+
+Squares all_but(const std::vector<Square>& squares, std::size_t left_out) {
+  Squares result;
+  for (std::size_t i = 0; i < squares.size(); ++i) {
+    if (i != left_out) result.push_back(&squares[i]);
+  }
+  return result;
+}
+
+/// Where the sum of the squares is 0, by the equation of this name, so are all roots, from `next` on.
+bool close_roots(Context& context, State& state, const StrictSquares& group, const std::string& equation,
+                 std::size_t next, const Close& close) {
+  if (next == group.squares.size()) return close(state);
+  const Square& square = group.squares[next];
   return close_split(context, state, square.root, [&](State& branch, const Fact& sign) {
-    if (sign.sign == Sign::zero) return close_roots(context, branch, sum, from + 1, close);
-    Proof proof = Telescope(context, sum).proof(&square, sign.name);
-    std::move(proof.begin(), proof.end(), std::back_inserter(branch.steps));
-    return true;
+    if (sign.sign == Sign::zero) return close_roots(context, branch, group, equation, next + 1, close);
+    Identity start{{}, {{equation, Polynomial(context.ring(), -1)}}};
+    add_square(start, square, sign.name, 1);
+    return append(branch, add_up(context, std::move(start), all_but(group.squares, next)));
   });
 }
 
-bool conclude(Context& context, State& state, const SumOfSquares& sum, const Close& close) {
-  const bool strict = std::any_of(sum.squares.begin(), sum.squares.end(),
-                                  [](const Square& square) { return square.strict && square.root.is_constant(); });
-  if (!strict) return close_roots(context, state, sum, 0, close);
-  Proof proof = Telescope(context, sum).proof();
-  std::move(proof.begin(), proof.end(), std::back_inserter(state.steps));
-  return true;
+/// Group after group, from `next` on: where its sum is not 0, there is a contradiction.
+bool close_groups(Context& context, State& state, const SumOfSquares& sum, const std::vector<StrictSquares>& groups,
+                  std::size_t next, const Close& close) {
+  if (next == groups.size()) return close(state);
+  const StrictSquares& group = groups[next];
+  return close_split(context, state, group.sum, [&](State& branch, const Fact& sign) {
+    if (sign.sign == Sign::zero) {
+      return close_roots(context, branch, group, sign.name, 0,
+                         [&](State& zero) { return close_groups(context, zero, sum, groups, next + 1, close); });
+    }
+    if (sign.p == group.sum) return append(branch, contradict_others(context, sum, &group, sign.name));
+    return append(branch, add_up(context, {{{1, {{sign.name, 1}}}}, {}}, all_but(group.squares, group.squares.size())));
+  });
 }
 
 bool refute_with(Context& context, State& state, const sums::Shape& shape, const Close& close) {
   auto ansatz = sums::make_ansatz(context, state, shape);
   if (!ansatz || !sums::simplify(context, *ansatz)) return false;
   const auto sum = sums::find_sum_of_squares(context, std::move(*ansatz));
-  return sum && conclude(context, state, *sum, close);
+  if (!sum) return false;
+  const bool strict = std::any_of(sum->squares.begin(), sum->squares.end(),
+                                  [](const Square& square) { return square.strict && square.root.is_constant(); });
+  return strict ? append(state, contradict_others(context, *sum))
+                : close_groups(context, state, *sum, strict_squares(*sum), 0, close);
 }
 
 }  // namespace
@@ -134,10 +177,10 @@ bool refute_by_sums_of_squares(Context& context, State& state, const Close& clos
   for (const Fact& fact : state.facts) degree = std::max(degree, sums::degree_of(fact.p));
   const unsigned long highest = std::min(highest_degree, degree + degree % 2 + 2);
   for (unsigned long d = 2; d <= highest; d += 2) {
-    for (const sums::Shape& shape :
-         {sums::Shape{d, false, false}, sums::Shape{d, true, false}, sums::Shape{d, false, true}}) {
-      if (refute_with(context, state, shape, close)) return true;
+    for (int factors = 1; factors <= most_factors; ++factors) {
+      if (refute_with(context, state, {d, factors, false}, close)) return true;
     }
+    if (refute_with(context, state, {d, 1, true}, close)) return true;
   }
   return false;
 }
