@@ -5,6 +5,7 @@
 
 #include "mechanics/kernel/motions_over_loads.hpp"
 #include "mechanics/mechanism/names.hpp"
+#include "mechanics/points/degrees.hpp"
 
 namespace slipproof {
 
