@@ -72,7 +72,9 @@ class Prover {
     } else if (!instance(assumptions(), limits_.samples, at_least(limits_.steps / 100, 200'000))) {
       // A proof that happens to use the conclusion may not have to.
       const Statement contradiction(file_, contradiction_text(statement_, text_));
-      prove::Search search(contradiction, limits_);
+      prove::Limits limits = limits_;
+      limits.sums_of_squares = false;  // it is only asked whether the statement says something
+      prove::Search search(contradiction, limits);
       const auto proof = search.prove();
       if (!proof) return;
       outcome_.vacuous = true;
@@ -131,6 +133,7 @@ class Prover {
     const NamedStatement fails = refutation_at({statement_.theorem(), text_}, values).back();
     prove::Limits limits = limits_;
     limits.steps = limits_.steps / 1000;
+    limits.sums_of_squares = false;
     try {
       const Statement statement(fails.name, fails.text);
       return prove::Search(statement, limits).prove().has_value();

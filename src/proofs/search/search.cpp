@@ -159,7 +159,7 @@ std::optional<Proof> Search::prove() {
     leftover_.facts.insert(leftover_.facts.begin(), fmt::format("no step left of {}", limits.steps));
   }
   steps_ = budget.spent();
-  if (!proof && limits.products > 0 && sums::has_semidefinite_solver()) {
+  if (!proof && limits.sums_of_squares && limits.products > 0 && sums::has_semidefinite_solver()) {
     const Leftover leftover = leftover_;
     budget.renew(limits.steps / 2);
     try {

@@ -13,6 +13,9 @@ struct Limits {
   int slack_attempts = 400;  ///< for one polynomial
   /// In a linear program over products of hypotheses; 0: none. Products of 2, then of 3, where all else fails.
   std::size_t products = 400;
+  /// Where all that ends without a proof, sums of squares, for half as many steps more, if the solver is installed and
+  /// there may be products.
+  bool sums_of_squares = true;
   int instances = 4000;  ///< attempts to find numbers for a statement about some bicycle
   /// Attempts to find numbers at which a statement is false, before and after the search for a proof; with none of the
   /// latter it is not asked either whether the assumptions of what is proved contradict each other.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
-#include <set>
 
 namespace slipproof::prove::sums {
 
@@ -14,8 +13,13 @@ constexpr std::size_t largest_basis = 150, most_blocks = 150;
 
 using Exponents = std::vector<unsigned long>;
 
+struct Variable {
+  std::size_t index;
+  std::size_t highest;  ///< its largest exponent
+};
+
 /// Monomials in some variables, by degree.
-std::vector<Polynomial> monomials_up_to(const Ring& ring, const std::vector<std::size_t>& variables,
+std::vector<Polynomial> monomials_up_to(const Ring& ring, const std::vector<Variable>& variables,
                                         unsigned long degree) {
   std::vector<Polynomial> result = {Polynomial(ring, 1)};
   std::vector<std::size_t> last = {0};
@@ -24,7 +28,8 @@ std::vector<Polynomial> monomials_up_to(const Ring& ring, const std::vector<std:
     const std::size_t end = result.size();
     for (std::size_t i = begin; i < end; ++i) {
       for (std::size_t v = last[i]; v < variables.size() && result.size() <= largest_basis; ++v) {
-        result.push_back(result[i] * Polynomial::variable(ring, variables[v]));
+        if (result[i].degree(variables[v].index) >= variables[v].highest) continue;
+        result.push_back(result[i] * Polynomial::variable(ring, variables[v].index));
         last.push_back(v);
       }
     }
@@ -46,10 +51,7 @@ class Maker {
       for (const Fact& fact : *facts) {
         if (fact.p.is_constant() || degree_of(fact.p) > shape.degree) continue;
         (fact.sign == Sign::zero ? equations_ : inequalities_).push_back(&fact);
-        const auto variables = fact.p.variables();
-        std::set<std::size_t> all(variables_.begin(), variables_.end());
-        all.insert(variables.begin(), variables.end());
-        variables_.assign(all.begin(), all.end());
+        for (const std::size_t v : fact.p.variables()) degrees_[v] = std::max(degrees_[v], fact.p.degree(v));
       }
     }
     std::stable_sort(inequalities_.begin(), inequalities_.end(),
@@ -57,18 +59,27 @@ class Maker {
     if (inequalities_.size() > most_facts) inequalities_.resize(most_facts);
   }
 
-  std::optional<Ansatz> make() {
+  /// With `sparse` no variable gets a higher degree than it has in a fact.
+  std::optional<Ansatz> make(bool sparse) {
+    sparse_ = sparse;
     add_products({{}, Polynomial(context_.ring(), 1), 1, true, {}}, 0, shape_.factors);
     for (const Fact* equation : equations_) {
-      ansatz_.multiples.push_back({equation->name, equation->p, monomials(shape_.degree - degree_of(equation->p))});
+      ansatz_.multiples.push_back(
+          {equation->name, equation->p, monomials(shape_.degree - degree_of(equation->p), equation->p, 1)});
     }
     if (too_large_) return std::nullopt;
     return std::move(ansatz_);
   }
 
  private:
-  std::vector<Polynomial> monomials(unsigned long degree) {
-    std::vector<Polynomial> result = monomials_up_to(context_.ring(), variables_, degree);
+  /// For a factor of p, `times` of them.
+  std::vector<Polynomial> monomials(unsigned long degree, const Polynomial& p, std::size_t times) {
+    std::vector<Variable> variables;
+    for (const auto& [v, highest] : degrees_) {
+      const std::size_t own = p.degree(v);
+      variables.push_back({v, sparse_ ? (highest - std::min(highest, own)) / times : degree});
+    }
+    std::vector<Polynomial> result = monomials_up_to(context_.ring(), variables, degree);
     too_large_ = too_large_ || result.size() > largest_basis;
     return result;
   }
@@ -97,7 +108,7 @@ class Maker {
     ansatz_.blocks.push_back(block);
     const unsigned long half = (shape_.degree - degree_of(block.multiplier)) / 2;
     if (half == 0) return;
-    block.basis = monomials(half);
+    block.basis = monomials(half, block.multiplier, 2);
     if (shape_.lifted && block.strict && !block.product.empty()) {
       std::erase_if(block.basis, [&](const Polynomial& monomial) { return degree_of(monomial) != half; });
     } else {
@@ -109,9 +120,9 @@ class Maker {
   Context& context_;
   const Shape& shape_;
   std::vector<const Fact*> inequalities_, equations_;
-  std::vector<std::size_t> variables_;
+  std::map<std::size_t, std::size_t> degrees_;  ///< of each variable, in the facts
   Ansatz ansatz_;
-  bool too_large_ = false;
+  bool sparse_ = false, too_large_ = false;
 };
 
 Exponents exponents_of(const Polynomial& monomial) {
@@ -223,7 +234,8 @@ unsigned long degree_of(const Polynomial& p) {
 }
 
 std::optional<Ansatz> make_ansatz(Context& context, const State& state, const Shape& shape) {
-  return Maker(context, state, shape).make();
+  auto ansatz = Maker(context, state, shape).make(false);
+  return ansatz ? std::move(ansatz) : Maker(context, state, shape).make(true);
 }
 
 bool simplify(Context& context, Ansatz& ansatz) {

@@ -15,6 +15,15 @@ using sums::SumOfSquares;
 constexpr unsigned long highest_degree = 12;
 constexpr int most_factors = 3;
 
+void add_term(Identity& identity, WeightedProduct term) {
+  for (WeightedProduct& other : identity.terms) {
+    if (other.product != term.product) continue;
+    other.coefficient += term.coefficient;
+    return;
+  }
+  identity.terms.push_back(std::move(term));
+}
+
 /// The square as the facts have it, given the sign of its root by this name: a term, or a multiple of the equation.
 void add_square(Identity& identity, const Square& square, const std::string& sign_of_root, int sign) {
   if (sign == 0) {
@@ -115,7 +124,7 @@ Proof contradict_others(Context& context, const SumOfSquares& sum, const StrictS
   for (const Square& square : sum.squares) {
     if (group != nullptr && square.strict && square.product == group->product) continue;
     if (square.root.is_constant()) {
-      start.terms.push_back({square.coefficient * pow(square.root.constant(), 2), square.product});
+      add_term(start, {square.coefficient * pow(square.root.constant(), 2), square.product});
     } else {
       others.push_back(&square);
     }
