@@ -171,7 +171,7 @@ bool close_groups(Context& context, State& state, const SumOfSquares& sum, const
 bool refute_with(Context& context, State& state, const sums::Shape& shape, const Close& close) {
   auto ansatz = sums::make_ansatz(context, state, shape);
   if (!ansatz || !sums::simplify(context, *ansatz)) return false;
-  const auto sum = sums::find_sum_of_squares(context, std::move(*ansatz));
+  const auto sum = sums::find_sum_of_squares(context, *ansatz);
   if (!sum) return false;
   const bool strict = std::any_of(sum->squares.begin(), sum->squares.end(),
                                   [](const Square& square) { return square.strict && square.root.is_constant(); });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "proofs/sums/equations.hpp"
 #include "proofs/sums/face.hpp"
@@ -11,7 +12,13 @@ namespace slipproof::prove::sums {
 namespace {
 
 constexpr std::size_t most_entries = 6000, most_equations = 1200;
-constexpr int most_faces = 8;
+constexpr int most_faces = 12;
+
+std::size_t entries_of(const Ansatz& ansatz) {
+  std::size_t entries = 0;
+  for (const Block& block : ansatz.blocks) entries += block.basis.size() * (block.basis.size() + 1) / 2;
+  return entries;
+}
 
 /// X = L^T D L with an upper triangular L with 1 on its diagonal: the squares of a block, or nothing where one of D
 /// would be negative or X is not of full rank, 0 aside.
@@ -59,16 +66,11 @@ void clear_denominators_of(SumOfSquares& sum) {
 
 std::optional<SumOfSquares> exact_sum(const Ansatz& ansatz, const Equations& equations, const ExactBlocks& entries) {
   SumOfSquares result;
-  bool strict = false;
   for (std::size_t b = 0; b < ansatz.blocks.size(); ++b) {
     auto squares = squares_of(ansatz.blocks[b], entries[b]);
     if (!squares) return std::nullopt;
-    for (Square& square : *squares) {
-      strict = strict || square.strict;
-      result.squares.push_back(std::move(square));
-    }
+    std::move(squares->begin(), squares->end(), std::back_inserter(result.squares));
   }
-  if (!strict) return std::nullopt;
   const std::vector<Polynomial> multipliers = equations.multipliers(entries);
   for (std::size_t k = 0; k < multipliers.size(); ++k) {
     if (!multipliers[k].is_zero()) result.equations.emplace_back(ansatz.multiples[k].name, multipliers[k]);
@@ -105,35 +107,42 @@ void spend(Context& context, const MatrixEquations& problem) {
   context.budget().spend(static_cast<std::size_t>(work / a_step));
 }
 
-/// Solves one ansatz after another, each restricted to the face that the one before showed.
-std::optional<SumOfSquares> on_faces(Context& context, Ansatz ansatz, double threshold) {
-  constexpr double hopeless = -1e-4;
-  for (int face = 0; face < most_faces; ++face) {
-    const Equations equations(context, ansatz);
+/// Solves one ansatz after another, each restricted to a face that the one before showed: first to the one that fewest
+/// of the small eigenvalues make.
+class Faces {
+ public:
+  explicit Faces(Context& context) : context_(context) {}
+
+  std::optional<SumOfSquares> search(const Ansatz& ansatz) {
+    constexpr double hopeless = -1e-4;
+    if (++solved_ > most_faces) return std::nullopt;
+    const Equations equations(context_, ansatz);
     if (equations.contradictory()) return std::nullopt;
     const MatrixEquations problem = equations.in_binary64();
     if (problem.equations.size() > most_equations) return std::nullopt;
-    spend(context, problem);
+    spend(context_, problem);
     const auto point = widest_point(problem);
     if (!point || point->margin < hopeless) return std::nullopt;
-    if (auto sum = rounded_sum(context, ansatz, equations, *point)) return sum;
-    auto smaller = restricted_to_face(ansatz, *point, threshold);
-    if (!smaller) return std::nullopt;
-    ansatz = std::move(*smaller);
+    if (auto sum = rounded_sum(context_, ansatz, equations, *point)) return sum;
+    std::size_t before = entries_of(ansatz);
+    for (const double threshold : {1e-7, 1e-6, 1e-5, 1e-4, 1e-3}) {
+      const auto smaller = restricted_to_face(ansatz, *point, threshold);
+      if (!smaller || entries_of(*smaller) == before) continue;
+      before = entries_of(*smaller);
+      if (auto sum = search(*smaller)) return sum;
+    }
+    return std::nullopt;
   }
-  return std::nullopt;
-}
+
+ private:
+  Context& context_;
+  int solved_ = 0;
+};
 
 }  // namespace
 
-std::optional<SumOfSquares> find_sum_of_squares(Context& context, Ansatz ansatz) {
-  std::size_t entries = 0;
-  for (const Block& block : ansatz.blocks) entries += block.basis.size() * (block.basis.size() + 1) / 2;
-  if (entries > most_entries) return std::nullopt;
-  for (const double threshold : {1e-5, 1e-3}) {
-    if (auto sum = on_faces(context, ansatz, threshold)) return sum;
-  }
-  return std::nullopt;
+std::optional<SumOfSquares> find_sum_of_squares(Context& context, const Ansatz& ansatz) {
+  return entries_of(ansatz) > most_entries ? std::nullopt : Faces(context).search(ansatz);
 }
 
 }  // namespace slipproof::prove::sums

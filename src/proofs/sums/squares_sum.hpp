@@ -24,6 +24,6 @@ struct SumOfSquares {
 };
 
 /// For an ansatz that simplify() left something of.
-std::optional<SumOfSquares> find_sum_of_squares(Context& context, Ansatz ansatz);
+std::optional<SumOfSquares> find_sum_of_squares(Context& context, const Ansatz& ansatz);
 
 }  // namespace slipproof::prove::sums
