@@ -160,14 +160,13 @@ std::optional<Proof> Search::prove() {
   }
   steps_ = budget.spent();
   if (!proof && limits.sums_of_squares && limits.products > 0 && sums::has_semidefinite_solver()) {
-    const Leftover leftover = leftover_;
     budget.renew(limits.steps / 2);
     try {
-      proof = search_with_sums();
+      Search anew(context_.statement(), limits);  // what the end of the steps interrupted is not remembered
+      proof = anew.search_with_sums();
     } catch (const Budget::Spent&) {
       // As without it.
     }
-    leftover_ = leftover;
     if (proof) steps_ += budget.spent();
   }
   budget.lift();
