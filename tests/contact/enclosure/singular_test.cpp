@@ -7,6 +7,7 @@
 
 #include "base/number/dice.hpp"
 #include "contact/enclosure/krawczyk.hpp"
+#include "contact/judge/judge.hpp"
 
 using namespace slipproof;
 

@@ -12,6 +12,7 @@
 
 #include "base/number/format.hpp"
 #include "base/number/parse.hpp"
+#include "mechanics/scene/bicycle_scene.hpp"
 #include "records/certify/columns.hpp"
 #include "records/record/bicycle_records.hpp"
 #include "support/certified.hpp"
