@@ -36,7 +36,7 @@ std::optional<Enclosure> solve_along_path(const MixedProblem& problem, std::span
                 std::vector<Rational>(problem.contacts())};
   for (const ContactPart& part : parts_of(problem)) {
     const std::vector<std::size_t> rows = rows_of(problem, part);
-    const MixedProblem small = part_of(problem, part);
+    const MixedProblem small = part_of(problem, part, rows);
     std::vector<double> start;
     for (const std::size_t i : rows) start.push_back(x[i]);
     auto end = solve_part(small, start, effort);

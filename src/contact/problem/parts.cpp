@@ -27,8 +27,7 @@ std::vector<std::size_t> rows_of(const MixedProblem& problem, const ContactPart&
   return rows;
 }
 
-MixedProblem part_of(const MixedProblem& problem, const ContactPart& part) {
-  const std::vector<std::size_t> rows = rows_of(problem, part);
+MixedProblem part_of(const MixedProblem& problem, const ContactPart& part, const std::vector<std::size_t>& rows) {
   std::vector<std::uint32_t> place(problem.size());
   for (std::size_t i = 0; i < rows.size(); ++i) place[rows[i]] = static_cast<std::uint32_t>(i);
   MixedProblem result;

@@ -232,7 +232,7 @@ std::optional<OpenForces> open_forces(const MixedProblem& problem, std::span<con
   for (const ContactPart& part : parts_of(problem)) {
     const std::vector<std::size_t> rows = rows_of(problem, part);
     if (part.contacts.empty() || rows.size() > largest_open_part) continue;
-    const MixedProblem own = part_of(problem, part);
+    const MixedProblem own = part_of(problem, part, rows);
     std::vector<double> answer;
     Scales own_scales{scales.force, {}, {}};
     for (const std::size_t i : rows) {
