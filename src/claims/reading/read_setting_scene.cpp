@@ -51,7 +51,7 @@ class SceneReader {
     const std::vector<std::string_view> keys = known_keys();
     const TableReader reader(*scene, "[setting.scene]", keys, context_.mistakes);
     for (const MechanismParameter& parameter : setting_.mechanism->parameters) {
-      if (!is_force_kind(parameter)) read_number(reader, parameter.symbol, parameter.optional);
+      if (!is_force_kind(parameter.symbol)) read_number(reader, parameter.symbol, parameter.optional);
     }
     for (const MechanismAngle& angle : setting_.mechanism->angles) read_angle(reader, angle);
     if (setting_.mechanism->load) read_number(reader, setting_.mechanism->load->symbol, false);
@@ -70,18 +70,11 @@ class SceneReader {
 
  private:
   /// Whether a setting gives this parameter of the bicycle as the kind of the force.
-  bool is_force_kind(const MechanismParameter& parameter) const {
-    return of_bicycle(table_) && parameter.symbol == "external";
-  }
+  bool is_force_kind(std::string_view parameter) const { return of_bicycle(table_) && parameter == "external"; }
 
   std::vector<std::string_view> known_keys() const {
-    std::vector<std::string_view> keys;
-    const Mechanism& mechanism = *setting_.mechanism;
-    for (const MechanismParameter& parameter : mechanism.parameters) {
-      if (!is_force_kind(parameter)) keys.push_back(parameter.symbol);
-    }
-    for (const MechanismAngle& angle : mechanism.angles) keys.push_back(angle.name);
-    if (mechanism.load) keys.push_back(mechanism.load->symbol);
+    std::vector<std::string_view> keys = value_names(*setting_.mechanism);
+    std::erase_if(keys, [&](std::string_view key) { return is_force_kind(key); });
     return keys;
   }
 

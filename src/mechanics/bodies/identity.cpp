@@ -17,17 +17,14 @@ struct Quotient {
 /// What no polynomial says.
 struct NoQuotient {};
 
-std::vector<std::string> variables(const Mechanism& mechanism) {
-  std::vector<std::string> names;
-  for (const MechanismParameter& parameter : mechanism.parameters) names.push_back(parameter.symbol);
-  for (const MechanismAngle& angle : mechanism.angles) names.push_back(angle.name);
-  if (mechanism.load) names.push_back(mechanism.load->symbol);
-  return names;
+PolynomialRing ring_of(const Mechanism& mechanism) {
+  const auto names = value_names(mechanism);
+  return PolynomialRing({names.begin(), names.end()});
 }
 
 class Quotients {
  public:
-  explicit Quotients(const Mechanism& mechanism) : mechanism_(mechanism), ring_(variables(mechanism)) {
+  explicit Quotients(const Mechanism& mechanism) : mechanism_(mechanism), ring_(ring_of(mechanism)) {
     constexpr std::uint64_t enough = 2'000'000;
     ring_.budget() = Budget(enough);
     for (std::size_t i = 0; i < ring_.size(); ++i)

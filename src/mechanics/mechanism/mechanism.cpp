@@ -15,6 +15,14 @@ Expression MechanismEquation::whole_right() const {
   return contact_forces ? appended(right.expression, contact_forces) : right.expression;
 }
 
+std::vector<std::string_view> value_names(const Mechanism& mechanism) {
+  std::vector<std::string_view> names;
+  for (const MechanismParameter& parameter : mechanism.parameters) names.push_back(parameter.symbol);
+  for (const MechanismAngle& angle : mechanism.angles) names.push_back(angle.name);
+  if (mechanism.load) names.push_back(mechanism.load->symbol);
+  return names;
+}
+
 std::vector<std::string> acceleration_names(const Mechanism& mechanism) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < mechanism.accelerations; ++i) names.push_back(mechanism.unknowns[i].symbol);

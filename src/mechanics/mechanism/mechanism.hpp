@@ -166,6 +166,8 @@ struct Mechanism {
   std::size_t elements() const { return contacts.size() + friction.size(); }
 };
 
+/// Names of what has a value at a point of the mechanism: its parameters, its angles, and the load.
+std::vector<std::string_view> value_names(const Mechanism& mechanism);
 /// Names of the quantities that define a motion: unknown accelerations, the gap and slip of each contact, the slip of
 /// each friction element. In the order of FrictionProblem::accelerations.
 std::vector<std::string> acceleration_names(const Mechanism& mechanism);

@@ -88,10 +88,7 @@ class MechanismSceneReader {
 
   void read_values(const TomlValue& values) {
     const Mechanism& mechanism = scene_.mechanism;
-    std::vector<std::string_view> names;
-    for (const MechanismParameter& parameter : mechanism.parameters) names.push_back(parameter.symbol);
-    for (const MechanismAngle& angle : mechanism.angles) names.push_back(angle.name);
-    if (mechanism.load) names.push_back(mechanism.load->symbol);
+    const std::vector<std::string_view> names = value_names(mechanism);
     if (!mechanism_reader::within(values.entries.size(), 4 * mechanism_reader::max_symbols, "values", values.place,
                                   mistakes_)) {
       return;

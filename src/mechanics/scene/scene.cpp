@@ -52,19 +52,6 @@ bool set_value(MechanismScene& scene, std::string_view name, const Rational& val
   return true;
 }
 
-namespace {
-
-/// What set_value() knows.
-std::vector<std::string_view> value_names(const Mechanism& m) {
-  std::vector<std::string_view> names;
-  for (const MechanismParameter& parameter : m.parameters) names.push_back(parameter.symbol);
-  for (const auto& angle : m.angles) names.push_back(angle.name);
-  if (m.load) names.push_back(m.load->symbol);
-  return names;
-}
-
-}  // namespace
-
 MechanismScene with_values(const MechanismScene& scene, const std::vector<std::pair<std::string, Rational>>& values) {
   MechanismScene changed = scene;
   for (const auto& [name, value] : values) {
