@@ -14,11 +14,14 @@ namespace slipproof {
 struct MechanismValues {
   struct Circle {
     Rational cosine = 1, sine = 0;  ///< on the unit circle
+    bool operator==(const Circle&) const = default;
   };
   std::vector<Rational> parameters;
   std::vector<bool> given;  ///< whether each has a value; those without one are 0
   std::vector<Circle> angles;
   std::vector<ElementKind::Start> starts;  ///< of each element, before the motion
+
+  bool operator==(const MechanismValues&) const = default;
 };
 /// All parameters 0 and given, all angles 0, and the file's states.
 MechanismValues default_values(const Mechanism& mechanism);

@@ -21,7 +21,7 @@ namespace {
 class LineGroup {
  public:
   LineGroup(const RecordJudge& judge, const RecordReader& reader, const std::vector<bool>& fields)
-      : judge_(judge), reader_(reader), block_(judge.fields()), lanes_(judge) {
+      : reader_(reader), block_(judge.fields()), lanes_(judge), exact_(judge.exact()) {
     block_.begin(fields);
   }
 
@@ -36,7 +36,7 @@ class LineGroup {
       const Line& line = lines_[i];
       if (lanes_.certified(i, *line.judgement)) continue;
       reader_.read(line.text, record_);
-      *line.judgement = judge_.exactly(record_);
+      *line.judgement = exact_(record_);
     }
     block_.clear();
   }
@@ -47,10 +47,10 @@ class LineGroup {
     RecordJudgement* judgement = nullptr;
   };
 
-  const RecordJudge& judge_;
   const RecordReader& reader_;
   RecordBlock block_;
   BlockJudge lanes_;
+  ExactJudge exact_;
   Record record_;
   std::array<Line, block_records> lines_;
 };

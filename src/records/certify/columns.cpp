@@ -98,12 +98,13 @@ void ColumnsJudge::each(std::size_t begin, std::size_t end,
   RecordBlock block(judge_.fields());
   block.begin(present_);
   BlockJudge lanes(judge_);
+  ExactJudge exact = judge_.exact();
   RecordJudgement judgement;
   for (std::size_t first = begin; first < end; first += block_records) {
     fill(block, first, std::min(first + block_records, end));
     lanes.look_at(block);
     for (std::size_t i = 0; i < block.size(); ++i) {
-      if (!lanes.certified(i, judgement)) judgement = judge_.exactly(record(first + i));
+      if (!lanes.certified(i, judgement)) judgement = exact(record(first + i));
       see(first + i, judgement);
     }
   }

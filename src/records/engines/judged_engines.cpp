@@ -29,14 +29,14 @@ EngineScene scene_of(const fs::path& file, const fs::path& scenes) {
   return {fs::relative(file, scenes).replace_extension().generic_string(), file, read_scene(file.string()), {}};
 }
 
-void judge(const RecordJudge& judge, JudgedEngineAnswer& judged) {
+void judge(const RecordJudge& judge, ExactJudge& exact, JudgedEngineAnswer& judged) {
   const EngineAnswer& answer = judged.answer;
   if (!answer.refused.empty()) judged.verdict = EngineVerdict::refused;
   if (answer.motion.empty()) return;
   const Record record = judge.record(answer.motion);
   const std::string missing = incomplete(record.present, judge.fields(), judge.certified());
   if (!missing.empty()) throw std::invalid_argument(missing);
-  const RecordJudgement found = judge.exactly(record);
+  const RecordJudgement found = exact(record);
   judged.distance = found.distance;
   judged.verdict = found.verdict == RecordVerdict::undecided           ? EngineVerdict::undecided
                    : !found.distance || *found.distance > contact_near ? EngineVerdict::wrong
@@ -83,9 +83,10 @@ JudgedEngines judge_engines(const fs::path& folder) {
     EngineScene& scene = result.scenes[i];
     const RecordJudge judge_of_scene(CertifiedMechanism(scene.scene),
                                      {.tolerance = engine_right, .near = contact_near});
+    ExactJudge exact = judge_of_scene.exact();  // all answers are at one point
     for (JudgedEngineAnswer& answer : scene.answers) {
       try {
-        judge(judge_of_scene, answer);
+        judge(judge_of_scene, exact, answer);
       } catch (const std::exception& error) {  // a name that the mechanism has not
         throw InputError({{scene.file.string(), 0, 0, answer.answer.engine + ": " + error.what()}});
       }

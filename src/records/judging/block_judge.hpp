@@ -21,7 +21,7 @@ class BlockJudge {
 
   /// Judges all records of a block.
   void look_at(const RecordBlock& block);
-  /// Whether a record is certified; if so, fills `judgement`. If not, RecordJudge::exactly() must judge it.
+  /// Whether a record is certified; if so, fills `judgement`. If not, ExactJudge must judge it.
   bool certified(std::size_t row, RecordJudgement& judgement) const;
 
  private:

@@ -11,6 +11,41 @@
 
 namespace slipproof {
 
+/// The point of a record, and what the kernel finds there, each when it is first needed.
+class KnownPoint {
+ public:
+  /// Throws NoValue.
+  KnownPoint(const RecordSetting& setting, RecordPoint point)
+      : point_(std::move(point)),
+        problem_(setting.maker.problem(point_.values)),
+        solved_(without_equations(problem_)) {}
+
+  const RecordPoint& point() const { return point_; }
+  const FrictionProblem& problem() const { return problem_; }
+  /// With the equations solved.
+  const FrictionProblem& solved() const { return solved_; }
+  /// All, with a bound on the effort where there are more modes than are tried; null where it does not do.
+  const MotionsAtLoad* motions() {
+    try {
+      if (!motions_ && !took_too_much_) motions_ = motions_of(solved_, point_.load);
+    } catch (const TooMuchWork&) {
+      took_too_much_ = true;
+    }
+    return motions_ ? &*motions_ : nullptr;
+  }
+  const std::vector<ConsistentMode>& modes() {
+    if (!modes_) modes_ = consistent_modes(problem_, point_.load);
+    return *modes_;
+  }
+
+ private:
+  RecordPoint point_;
+  FrictionProblem problem_, solved_;
+  std::optional<MotionsAtLoad> motions_;
+  std::optional<std::vector<ConsistentMode>> modes_;
+  bool took_too_much_ = false;
+};
+
 namespace {
 
 /// Estimates the work. The numbers are quotients of polynomials in the record's numbers; their digits are at most all
@@ -27,9 +62,11 @@ Work work_of(const RecordSetting& setting, const RecordPoint& point) {
   return times(times(modes, unknowns * unknowns), product_work(degree * bits));
 }
 
+const MotionsAtLoad nothing_found;
+
 /// The verdict on an answer at a point whose motions are known.
 struct ExactVerdict {
-  MotionsAtLoad found;
+  const MotionsAtLoad* found = &nothing_found;
   /// The mode with the solution nearest to the answer; empty: there is none that the record claims.
   MechanismMode nearest;
   Distance distance;      ///< to it
@@ -61,39 +98,35 @@ void find_nearest(const std::vector<ConsistentMode>& modes, const RecordAnswer& 
   }
 }
 
-/// All motions, with a bound on the effort where there are more modes than are tried; why not, where it does not do.
-std::string all_motions(const FrictionProblem& problem, const std::optional<Rational>& load, MotionsAtLoad& found) {
-  try {
-    found = motions_of(without_equations(problem), load);
-    return {};
-  } catch (const TooMuchWork&) {
-    return "the other modes: " + too_much_work(endless, kinematic_effort);
-  }
-}
-
 /// The answer's own mode first: of many modes the others are tried only where they matter.
-ExactVerdict judge_at(const RecordSetting& setting, const Record& record, const FrictionProblem& problem,
-                      const std::optional<Rational>& load, const std::optional<MechanismMode>& own,
-                      const JudgeOptions& options) {
+ExactVerdict judge_at(const RecordSetting& setting, const Record& record, KnownPoint& known,
+                      const std::optional<MechanismMode>& own, const JudgeOptions& options) {
   ExactVerdict result;
-  const RecordAnswer answer(setting, record, problem, load);
+  const auto& load = known.point().load;
+  const RecordAnswer answer(setting, record, known.problem(), load);
   Effort effort(options.effort);
-  const bool claimed = record.mode != no_mode, many = has_too_many_to_try(problem);
+  const bool claimed = record.mode != no_mode, many = has_too_many_to_try(known.problem());
   const auto near = [&] { return !result.nearest.empty() && result.distance.scaled <= to_rational(options.near); };
-  if (own && (claimed || many)) find_nearest(mode_of(problem, *own, load).consistent, answer, options, effort, result);
+  if (own && (claimed || many)) {
+    find_nearest(mode_of(known.problem(), *own, load).consistent, answer, options, effort, result);
+  }
   if (many && claimed && !near()) {
     result.unexamined = "the other modes: the answer's own decides";
     return result;
   }
-  result.unexamined = all_motions(problem, load, result.found);
+  if (const MotionsAtLoad* all = known.motions()) {
+    result.found = all;
+  } else {
+    result.unexamined = "the other modes: " + too_much_work(endless, kinematic_effort);
+  }
   if (!claimed && result.unexamined.empty() && !near()) {
-    find_nearest(consistent_modes(problem, load), answer, options, effort, result);
+    find_nearest(known.modes(), answer, options, effort, result);
   }
   if (!near()) {
     if (!claimed && !result.unexamined.empty()) result.verdict = RecordVerdict::undecided;
     return result;
   }
-  const bool several = result.found.motions.size() > 1 || !result.found.continua.empty();
+  const bool several = result.found->motions.size() > 1 || !result.found->continua.empty();
   result.verdict = result.distance.relative > to_rational(options.tolerance) ? RecordVerdict::inaccurate
                    : !result.unexamined.empty()                              ? RecordVerdict::undecided
                    : several                                                 ? RecordVerdict::ambiguous
@@ -101,17 +134,17 @@ ExactVerdict judge_at(const RecordSetting& setting, const Record& record, const 
   return result;
 }
 
-RecordJudgement judge_point(const RecordSetting& setting, const Record& record, const RecordPoint& point,
-                            const FrictionProblem& problem, const JudgeOptions& options) {
-  const FrictionProblem solved = without_equations(problem);
+RecordJudgement judge_point(const RecordSetting& setting, const Record& record, KnownPoint& known,
+                            const JudgeOptions& options) {
+  const RecordPoint& point = known.point();
   std::optional<MechanismMode> own;
   if (record.mode != no_mode) {
     own = setting.fields.modes().mode(record.mode);
-  } else if (has_too_many_to_try(problem)) {
-    own = Explanation(setting, solved, {}, point.load).looks_like(record);
+  } else if (has_too_many_to_try(known.problem())) {
+    own = Explanation(setting, known.solved(), nothing_found, point.load).looks_like(record);
   }
-  const ExactVerdict judged = judge_at(setting, record, problem, point.load, own, options);
-  const MotionsAtLoad& found = judged.found;
+  const ExactVerdict judged = judge_at(setting, record, known, own, options);
+  const MotionsAtLoad& found = *judged.found;
   RecordJudgement result;
   result.verdict = judged.verdict;
   result.motions = found.motions.size();
@@ -119,7 +152,7 @@ RecordJudgement judge_point(const RecordSetting& setting, const Record& record, 
   result.continuum = !found.continua.empty();
   if (!judged.nearest.empty()) result.distance = enclose(judged.distance.scaled).upper;
   Json details = Json::object();
-  const Explanation explanation(setting, solved, found, point.load);
+  const Explanation explanation(setting, known.solved(), found, point.load);
   if (result.verdict == RecordVerdict::wrong) {
     if (record.mode != no_mode) {
       explanation.add_claimed(details, setting.fields.modes().mode(record.mode), point.values);
@@ -155,18 +188,28 @@ RecordJudgement undecided_record(Work needed, const JudgeOptions& options) {
 
 }  // namespace
 
-RecordJudgement judge_exactly(const RecordSetting& setting, const Record& record, const JudgeOptions& options) {
-  const RecordPoint point = point_of(setting, record);
+ExactJudge::ExactJudge(const RecordSetting& setting, const JudgeOptions& options)
+    : setting_(setting), options_(options) {}
+ExactJudge::~ExactJudge() = default;
+
+RecordJudgement ExactJudge::operator()(const Record& record) {
+  if (record.not_finite) return invalid_judgement(record.not_finite->reason);
+  RecordPoint point = point_of(setting_, record);
   if (!point.mistake.empty()) return invalid_judgement(point.mistake);
-  if (const std::string reason = outside_domain(setting, point); !reason.empty()) return invalid_judgement(reason);
-  if (const Work needed = work_of(setting, point); needed > options.effort) return undecided_record(needed, options);
+  const bool is_known = known_ && known_->point() == point;
+  if (!is_known) {
+    if (const std::string reason = outside_domain(setting_, point); !reason.empty()) return invalid_judgement(reason);
+    const Work needed = work_of(setting_, point);
+    if (needed > options_.effort) return undecided_record(needed, options_);
+  }
   return judged_or_undecided([&] {
     try {
-      return judge_point(setting, record, point, setting.maker.problem(point.values), options);
+      if (!is_known) known_ = std::make_unique<KnownPoint>(setting_, std::move(point));
+      return judge_point(setting_, record, *known_, options_);
     } catch (const NoValue& error) {
       return invalid_judgement(error.what());
     } catch (const TooMuchWork&) {
-      return undecided_record(endless, options);
+      return undecided_record(endless, options_);
     }
   });
 }

@@ -1,13 +1,30 @@
 // The slow but complete judgement of a record by the kernel: every motion, the violated condition, exact margins.
 #pragma once
 
+#include <memory>
+
 #include "records/judging/judge.hpp"
 #include "records/record/point.hpp"
 
 namespace slipproof {
 
-/// A record outside the domain is invalid. Relative errors are as defined in contact/yardstick.hpp and RecordAnswer.
-/// The record must be complete, and its numbers finite.
-RecordJudgement judge_exactly(const RecordSetting& setting, const Record& record, const JudgeOptions& options);
+class KnownPoint;
+
+/// Records at the same point as the one before share what is found there. Not shared between threads.
+class ExactJudge {
+ public:
+  /// What `setting` refers to must outlive it.
+  ExactJudge(const RecordSetting& setting, const JudgeOptions& options);
+  ~ExactJudge();
+
+  /// A record outside the domain, or with a number that is not finite, is invalid. Relative errors are as defined in
+  /// contact/yardstick.hpp and RecordAnswer. The record must be complete.
+  RecordJudgement operator()(const Record& record);
+
+ private:
+  RecordSetting setting_;
+  JudgeOptions options_;
+  std::unique_ptr<KnownPoint> known_;  ///< of the record before
+};
 
 }  // namespace slipproof

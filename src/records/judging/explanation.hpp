@@ -14,9 +14,9 @@ namespace slipproof {
 /// Explains one record; all arguments must outlive it. `problem` is the problem at its point, without the equations.
 class Explanation {
  public:
-  Explanation(const RecordSetting& setting, const FrictionProblem& problem, MotionsAtLoad found,
+  Explanation(const RecordSetting& setting, const FrictionProblem& problem, const MotionsAtLoad& found,
               const std::optional<Rational>& load)
-      : setting_(setting), problem_(problem), found_(std::move(found)), load_(load) {}
+      : setting_(setting), problem_(problem), found_(found), load_(load) {}
 
   /// Adds `found`, `continua` and `hysteresis`: all motions that exist.
   void add_motions(Json& details) const;
@@ -35,7 +35,7 @@ class Explanation {
 
   const RecordSetting& setting_;
   const FrictionProblem& problem_;
-  const MotionsAtLoad found_;
+  const MotionsAtLoad& found_;
   const std::optional<Rational>& load_;
 };
 

@@ -37,19 +37,14 @@ RecordJudgement RecordJudge::operator()(const Record& record) const {
   if (const std::string reason = incomplete(record.present, fields_, certified_); !reason.empty()) {
     throw std::invalid_argument(reason);
   }
-  if (record.not_finite) return invalid_judgement(record.not_finite->reason);
+  if (record.not_finite) return exact()(record);
   RecordBlock block(fields_);
   block.begin(record.present);
   block.add(record);
   BlockJudge judge(*this);
   judge.look_at(block);
   RecordJudgement result;
-  return judge.certified(0, result) ? result : exactly(record);
-}
-
-RecordJudgement RecordJudge::exactly(const Record& record) const {
-  if (record.not_finite) return invalid_judgement(record.not_finite->reason);
-  return judge_exactly(setting(), record, options_);
+  return judge.certified(0, result) ? result : exact()(record);
 }
 
 }  // namespace slipproof

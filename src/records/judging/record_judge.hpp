@@ -29,8 +29,8 @@ class RecordJudge {
   Record record(const NamedNumbers& numbers) const;
   /// Throws std::invalid_argument if the record is incomplete.
   RecordJudgement operator()(const Record& record) const;
-  /// Judges a record by the kernel. The record must be complete.
-  RecordJudgement exactly(const Record& record) const;
+  /// Judges records by the kernel.
+  ExactJudge exact() const { return {setting(), options_}; }
 
  private:
   CertifiedMechanism certified_;

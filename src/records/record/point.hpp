@@ -22,6 +22,8 @@ struct RecordPoint {
   MechanismValues values;
   std::optional<Rational> load;
   std::string mistake;
+
+  bool operator==(const RecordPoint&) const = default;
 };
 RecordPoint point_of(const RecordSetting& setting, const Record& record);
 

@@ -2,6 +2,9 @@
 #include <doctest/doctest.h>
 
 #include <limits>
+#include <set>
+#include <string_view>
+#include <vector>
 
 #include "base/number/binary64.hpp"
 #include "records/certify/columns.hpp"
@@ -74,6 +77,30 @@ TEST_CASE("an answer in doubles is certified, or told what is wrong with it") {
   numbers.pop_back();
   numbers.erase(numbers.begin());
   CHECK_THROWS_WITH_AS(judge(judge.record(numbers)), doctest::Contains("missing M"), std::invalid_argument);
+}
+
+TEST_CASE("the kernel's judgement of a record does not depend on those before it") {
+  const RecordJudge judge(bicycle_records(), {});
+  const auto changed = [&](std::string_view field, double value) {
+    Record record = judge.record(right_answer());
+    record.set(*judge.fields().find(field), value);
+    return record;
+  };
+  const std::vector<Record> records{changed("F", 300), changed("a", 9),  changed("a", 3),  changed("F", 3000),
+                                    changed("f", -1),  changed("a", 9),  changed("f", 7),  changed("f", 7),
+                                    changed("M", 0),   changed("h", 90), changed("F", 300)};
+  ExactJudge exact = judge.exact();
+  std::set<RecordVerdict> verdicts;
+  for (const Record& record : records) {
+    const RecordJudgement found = exact(record), alone = judge.exact()(record);
+    CHECK(found.verdict == alone.verdict);
+    CHECK(found.mode_names == alone.mode_names);
+    CHECK(found.motions == alone.motions);
+    CHECK(found.distance == alone.distance);
+    CHECK(found.details == alone.details);
+    verdicts.insert(found.verdict);
+  }
+  CHECK(verdicts.size() >= 3);
 }
 
 TEST_CASE("columns in memory are judged as records one by one") {
