@@ -3,6 +3,7 @@
 
 #include "base/input/diagnostic.hpp"
 #include "claims/reading/read_claims_file.hpp"
+#include "support/replaced.hpp"
 
 using namespace slipproof;
 
@@ -151,8 +152,7 @@ TEST_CASE("unknown ids, settings that stand later and circles are mistakes with 
 }
 
 TEST_CASE("a mistake in what is inherited is told once") {
-  std::string text = base;
-  text.replace(text.find("b = 1\"]"), 7, "b = zz\"]");
+  const std::string text = test::replaced(base, "b = 1\"]", "b = zz\"]");
   try {
     parse_claims(text + setting("id = \"second\"\ninherits = \"first\"\n") + claims, "small.toml");
     FAIL("it was read");

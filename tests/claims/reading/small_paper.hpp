@@ -8,6 +8,7 @@
 
 #include "base/input/diagnostic.hpp"
 #include "claims/reading/read_claims_file.hpp"
+#include "support/replaced.hpp"
 
 namespace slipproof::test {
 
@@ -83,12 +84,6 @@ kind = "formula"
 mode = "slip-/stick"
 holds = "a = P/2"
 )";
-
-inline std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  const std::size_t position = text.find(what);
-  REQUIRE_MESSAGE(position != text.npos, what);
-  return text.replace(position, what.size(), by);
-}
 
 inline std::vector<std::string> mistakes(const std::string& text) {
   try {

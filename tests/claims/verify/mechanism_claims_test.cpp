@@ -16,8 +16,10 @@
 #include "report/papers/explain.hpp"
 #include "report/papers/verify_report.hpp"
 #include "support/papers/shipped.hpp"
+#include "support/replaced.hpp"
 
 using namespace slipproof;
+using slipproof::test::replaced;
 
 namespace {
 
@@ -78,9 +80,8 @@ TEST_CASE("a block rests, slides or tips: claims about a statically indeterminat
 }
 
 TEST_CASE("an identity in an angle of the paper's own is proved, where its half tangent has a value") {
-  std::string own = incline;
-  own.replace(own.find("F = \"P\""), 7, "F = \"P\", theta = { cos = \"c\", sin = \"s\" }");
-  own.replace(own.find("theta = { cos = \"c\", sin = \"s\", domain"), 5, "alpha");
+  std::string own = replaced(incline, "F = \"P\"", "F = \"P\", theta = { cos = \"c\", sin = \"s\" }");
+  own = replaced(own, "theta = { cos = \"c\", sin = \"s\", domain", "alpha = { cos = \"c\", sin = \"s\", domain");
   own += "turn = { cos = \"u\", sin = \"v\" }\n";
   const auto result = [&](const std::string& says) {
     return result_of(parse_claims(own + claim("X", says), "block.toml"), 100);
@@ -124,8 +125,7 @@ TEST_CASE("what goes wrong in one claim is undecided, with the reason, and no ot
 }
 
 TEST_CASE("a comparison with irrational zeros over the forces is not called one without a value") {
-  std::string free = incline;
-  free.replace(free.find("P = 0"), 5, "P >= 0");
+  const std::string free = replaced(incline, "P = 0", "P >= 0");
   const ClaimsFile file =
       parse_claims(free + claim("X", "kind = \"formula\"\nforces = \"P^2 < 2\"\nholds = \"P < 3/2\"") +
                        claim("Y", "kind = \"formula\"\nforces = \"1/(P - 1) < 2\"\nholds = \"P < 3/2 or P > 1\""),

@@ -3,11 +3,13 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "support/replaced.hpp"
 #include "support/run_program.hpp"
 
 using slipproof::test::last_line;
 using slipproof::test::ProgramEnd;
 using slipproof::test::read_file;
+using slipproof::test::replaced;
 using slipproof::test::run;
 using slipproof::test::run_shell;
 using slipproof::test::TemporaryFolder;
@@ -116,7 +118,7 @@ TEST_CASE("a certificate is told when it is about another problem") {
   CHECK(good.exit_code == 0);
   CHECK(good.out.starts_with("accepted\na solution within "));
   CHECK(last_line(good.out) == "s ACCEPTED 1 accepted, 0 rejected, 0 missing, 0 undecided, 0 unreadable\n");
-  const std::string other = std::string(text).replace(text.find("\"mu\": 0.5"), 9, "\"mu\": 0.6");
+  const std::string other = replaced(text, "\"mu\": 0.5", "\"mu\": 0.6");
   const auto bad = checked(folder.write("other.json", other), certificate);
   CHECK(bad.exit_code == 5);
   CHECK(bad.out.starts_with("rejected: it is about another problem, "));

@@ -3,9 +3,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "support/replaced.hpp"
 #include "support/run_program.hpp"
 
 using slipproof::test::read_file;
+using slipproof::test::replaced;
 using slipproof::test::run;
 using slipproof::test::TemporaryFolder;
 using Json = nlohmann::json;
@@ -49,8 +51,7 @@ TEST_CASE("what no engine can be asked is refused, and nothing is written") {
   fails({tipping_cube, "--format", "xml"}, 2, "--format");
   fails({shipped_cases + "mechanisms/scenes/painleve-rod.toml", "--format", "pytest"}, 3, "given by its equations");
   fails({tipping_cube, folder.path() / "missing.toml"}, 3, "missing.toml");
-  std::string text = read_file(tipping_cube);
-  text.replace(text.find("../../"), 6, shipped_cases + "engines/");
+  const std::string text = replaced(read_file(tipping_cube), "../../", shipped_cases + "engines/");
   const std::string copy = folder.write("cube.toml", text);
   CHECK(run({"expect", copy}).exit_code == 0);
   CHECK(run({"expect", copy, "-o", copy}).exit_code == 3);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "support/replaced.hpp"
 #include "support/run_program.hpp"
 
 using namespace slipproof::test;
@@ -20,16 +21,13 @@ TEST_CASE("show prints what was understood of a shipped mechanism, and of a file
 TEST_CASE("show tells what looks wrong, and refuses what is wrong") {
   const TemporaryFolder folder;
   std::string text = read_file(SLIPPROOF_SOURCE_DIR "/cases/mechanisms/painleve-rod.toml");
-  const auto replace = [&](const std::string& what, const std::string& by) {
-    text.replace(text.find(what), what.size(), by);
-  };
-  replace("\"m*ay = -m*g\"", "\"m*ay = -g\"");
+  text = replaced(text, "\"m*ay = -m*g\"", "\"m*ay = -g\"");
   const auto odd = run({"show", folder.write("odd.toml", text)});
   CHECK(odd.exit_code == 0);
   std::string unwrapped = odd.out;
   std::replace(unwrapped.begin(), unwrapped.end(), '\n', ' ');
   CHECK(unwrapped.find("odd.toml:30:7: warning: the equation ay has m.kg.s-2 and m.s-2") != std::string::npos);
-  replace("m*ay = -g", "m*az = -g");
+  text = replaced(text, "m*ay = -g", "m*az = -g");
   const auto wrong = run({"show", folder.write("wrong.toml", text)});
   CHECK(wrong.exit_code == 3);
   CHECK(wrong.out.empty());
@@ -41,7 +39,7 @@ TEST_CASE("show tells what looks wrong, and refuses what is wrong") {
 TEST_CASE("what looks wrong in a mechanism is told wherever it is used, and its answer stands") {
   const TemporaryFolder folder;
   std::string text = read_file(SLIPPROOF_SOURCE_DIR "/cases/mechanisms/painleve-rod.toml");
-  text.replace(text.find("\"m*ay = -m*g\""), 13, "\"m*ay = -g\"");
+  text = replaced(text, "\"m*ay = -m*g\"", "\"m*ay = -g\"");
   const std::string mechanism = folder.write("odd.toml", text);
   const std::string scene = folder.write("scene.toml",
                                          "mechanism = \"odd.toml\"\n[values]\nm = 1\nl = 1\nI = \"1/3\"\nmu = 1\nw = "

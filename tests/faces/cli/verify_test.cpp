@@ -2,10 +2,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "support/replaced.hpp"
 #include "support/run_program.hpp"
 
 using slipproof::test::last_line;
 using slipproof::test::read_file;
+using slipproof::test::replaced;
 using slipproof::test::run;
 using slipproof::test::TemporaryFolder;
 using Json = nlohmann::json;
@@ -13,12 +15,6 @@ using Json = nlohmann::json;
 namespace {
 
 const std::string shipped = SLIPPROOF_SOURCE_DIR "/proofs/rozenblat-yashin/claims.toml";
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const auto at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
-}
 
 }  // namespace
 

@@ -11,6 +11,7 @@
 #include "mechanics/reading/read_mechanism.hpp"
 #include "mechanics/reading/write_mechanism.hpp"
 #include "program/bad_input/table.hpp"
+#include "support/replaced.hpp"
 
 using namespace slipproof;
 
@@ -25,11 +26,7 @@ std::string good_bodies() {
   return table->find("good")->value.text.text();
 }
 
-std::string replaced(std::string text, const std::string& old, const std::string& by) {
-  const std::size_t place = text.find(old);
-  REQUIRE(place != std::string::npos);
-  return text.replace(place, old.size(), by);
-}
+using test::replaced;
 
 ElementKind::Start start_of(const Mechanism& mechanism, const std::string& element) {
   for (std::size_t i = 0; i < mechanism.elements(); ++i) {

@@ -15,6 +15,7 @@
 #include "mechanics/kernel/motions.hpp"
 #include "mechanics/reading/read_mechanism.hpp"
 #include "mechanics/scene/scene.hpp"
+#include "support/replaced.hpp"
 
 using namespace slipproof;
 
@@ -86,11 +87,7 @@ at = ["1", "0"]
 is = ["1", "0"]
 )";
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
-}
+using test::replaced;
 
 /// What is warned of, one a line.
 std::string warnings(const std::string& text) {

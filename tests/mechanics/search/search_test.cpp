@@ -11,6 +11,7 @@
 #include "mechanics/reading/shipped.hpp"
 #include "mechanics/scene/narrow.hpp"
 #include "mechanics/search/points.hpp"
+#include "support/replaced.hpp"
 
 using namespace slipproof;
 
@@ -152,8 +153,7 @@ TEST_CASE("hysteresis is left out, or asked for") {
 }
 
 TEST_CASE("a continuum is found where an equation of the domain makes one") {
-  std::string text = mass("\"mu\"", "k = \"k >= 0\"\n");
-  text.replace(text.find("m*ax = F"), 8, "k*ax = 0");
+  const std::string text = test::replaced(mass("\"mu\"", "k = \"k >= 0\"\n"), "m*ax = F", "k*ax = 0");
   const Mechanism m = parse_mechanism(text, "x.toml");
   const SearchResult result = searched(m, 100);
   CHECK(result.count(MotionCount::continuum) > 0);

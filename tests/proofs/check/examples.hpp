@@ -8,6 +8,7 @@
 #include "proofs/check/judge.hpp"
 #include "proofs/check/record.hpp"
 #include "proofs/check/theorem.hpp"
+#include "support/replaced.hpp"
 
 namespace slipproof::check {
 
@@ -27,11 +28,7 @@ inline std::string verdict(const std::string& statement, const std::string& cert
   return (judgement.about_certificate ? "C:" : "S:") + judgement.message;
 }
 
-inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t place = text.find(from);
-  REQUIRE_MESSAGE(place != std::string::npos, "no '" << from << "'");
-  return text.replace(place, from.size(), to);
-}
+using test::replaced;
 
 // A small theorem whose proof uses every rule but `witness`.
 inline const std::string kSplitStatement =

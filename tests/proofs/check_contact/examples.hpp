@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "proofs/check_contact/record.hpp"
+#include "support/replaced.hpp"
 
 namespace slipproof::check_contact {
 
@@ -22,11 +23,7 @@ inline std::string verdict(const std::string& text) {
          found.message;
 }
 
-inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t place = text.find(from);
-  REQUIRE_MESSAGE(place != std::string::npos, "no '" << from << "'");
-  return text.replace(place, from.size(), to);
-}
+using test::replaced;
 
 /// A change of a certificate, and why it is rejected then.
 struct Forgery {

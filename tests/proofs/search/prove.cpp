@@ -13,10 +13,12 @@
 #include "proofs/check/files.hpp"
 #include "proofs/search/prove_files.hpp"
 #include "support/papers/shipped.hpp"
+#include "support/replaced.hpp"
 #include "support/run_program.hpp"
 #include "support/thread_ranks.hpp"
 
 using slipproof::test::read_file;
+using slipproof::test::replaced;
 using slipproof::test::shipped_certificates;
 using slipproof::test::shipped_folder;
 using slipproof::test::TemporaryFolder;
@@ -34,10 +36,8 @@ TEST_CASE("certificates of Assertions 1 to 4 are found again, byte for byte") {
 
 TEST_CASE("a statement that no sample refutes and no search proves stays undecided, with what was left") {
   // The wrong end of Assertion 1: the motion exists up to xi1, not up to 2 xi1.
-  std::string text = read_file(shipped_certificates / "A1.1.always.statement");
-  const std::string bound = "F * sigma < xi1";
-  REQUIRE(text.find(bound) != std::string::npos);
-  text.replace(text.find(bound), bound.size(), "F * sigma < 2*xi1");
+  const std::string text =
+      replaced(read_file(shipped_certificates / "A1.1.always.statement"), "F * sigma < xi1", "F * sigma < 2*xi1");
   slipproof::prove::Limits limits;
   limits.split_depth = 0;
   limits.quick_samples = limits.samples = 0;
