@@ -24,7 +24,7 @@ Judgement holds_in(ClaimJudge& at, const ClaimJudge::Intervals& where, const Mec
   if (!s) return ClaimJudge::undecided();
   const ClaimJudge::Intervals here = within(where, at.forces_of(*s));
   if (here.empty()) return {};
-  const ModeForms forms = *at.sample().motions().forms(mode);
+  const ModeForms& forms = *at.sample().motions().forms(mode);
   if (at.sample().set_motion(forms, at.programs().holds.slots())) return holds_on(at, here, mode);
   return ClaimJudge::first_of(here, [&](const ForceInterval& forces) { return at.holds_of_all(forces, mode, forms); });
 }

@@ -52,8 +52,8 @@ std::vector<BrokenComparison> broken_comparisons(const Claim& claim, Reading rea
   }
   at.set(CompiledSetting::force_slot(), *example.force);
   if (example.judgement.mode) {
-    const auto forms = sample.motions().forms(*example.judgement.mode);
-    if (!forms) return {};
+    const ModeForms* forms = sample.motions().forms(*example.judgement.mode);
+    if (forms == nullptr) return {};
     const Rational load = sample.load(*example.force);
     for (std::size_t q = 0; q < setting.quantities(); ++q) {
       const AffineForm& form = quantity_form(*forms, q);

@@ -29,14 +29,37 @@ class KernelMotions final : public MotionsOverLoads {
 
   std::optional<ModeOverLoads> find(const MechanismMode& mode) const override {
     if (!is_modelled(mode)) return std::nullopt;
-    const auto found =
-        std::find_if(consistent_.begin(), consistent_.end(), [&](const ConsistentMode& c) { return c.mode == mode; });
-    if (found == consistent_.end()) return all_tried_ ? ModeOverLoads{&nothing_, &nothing_, false} : find_alone(mode);
-    return ModeOverLoads{&found->solutions.loads, &strict_[static_cast<std::size_t>(found - consistent_.begin())],
+    const ConsistentMode* found = consistent(mode);
+    if (found == nullptr) return all_tried_ ? ModeOverLoads{&nothing_, &nothing_, false} : find_alone(mode);
+    return ModeOverLoads{&found->solutions.loads, &strict_[static_cast<std::size_t>(found - consistent_.data())],
                          !found->determined};
   }
 
-  std::optional<ModeForms> forms(const MechanismMode& mode) const override {
+  const ModeForms* forms(const MechanismMode& mode) const override {
+    const std::scoped_lock one_at_a_time(mutex_);
+    const auto [entry, is_new] = forms_.try_emplace(mode);
+    if (is_new) {
+      if (const auto space = space_of(mode)) entry->second = FormsOn(problem_, *space).of(mode);
+    }
+    return entry->second ? &*entry->second : nullptr;
+  }
+
+  std::vector<LoadCell> cells(Told told) const override { return cells_of(problem_, consistent_, told); }
+
+ private:
+  /// Null for a mode that was not found.
+  const ConsistentMode* consistent(const MechanismMode& mode) const {
+    const auto found = std::ranges::find(consistent_, mode, &ConsistentMode::mode);
+    return found == consistent_.end() ? nullptr : &*found;
+  }
+
+  /// The solutions of a mode's equations, whatever its conditions; nothing if there are none.
+  std::optional<AffineSpace> space_of(const MechanismMode& mode) const {
+    if (const ConsistentMode* found = consistent(mode)) {
+      const auto& [solved, sides, strict, loads] = found->solutions;
+      const bool all_loads = solved.load_is_free() || !problem_.has_load;
+      if (strict && all_loads && solved.dimension() == 0) return solved;  // no condition has become an equation
+    }
     AffineSpace space(problem_.unknowns, problem_.has_load);
     for (const AffineForm& equation : problem_.equations) {
       if (!space.require(equation)) return std::nullopt;
@@ -47,19 +70,16 @@ class KernelMotions final : public MotionsOverLoads {
         if (!space.require(form_of(element, mode[i], equation))) return std::nullopt;
       }
     }
-    return FormsOn(problem_, space).of(mode);
+    return space;
   }
 
-  std::vector<LoadCell> cells(Told told) const override { return cells_of(problem_, consistent_, told); }
-
- private:
   /// A mode that was not tried; kept, as its intervals are given out.
   struct Alone {
     ForceInterval closed = ForceInterval::nothing(), strict = ForceInterval::nothing();
     bool continuum = false;
   };
   ModeOverLoads find_alone(const MechanismMode& mode) const {
-    const std::scoped_lock one_at_a_time(alone_mutex_);
+    const std::scoped_lock one_at_a_time(mutex_);
     const auto [entry, is_new] = alone_.try_emplace(mode);
     Alone& alone = entry->second;
     if (is_new) {
@@ -104,8 +124,9 @@ class KernelMotions final : public MotionsOverLoads {
   std::vector<ConsistentMode> consistent_;
   std::vector<ForceInterval> strict_;
   bool all_tried_ = true;
-  mutable std::mutex alone_mutex_;
+  mutable std::mutex mutex_;  ///< of what is found on demand
   mutable std::map<MechanismMode, Alone> alone_;
+  mutable std::map<MechanismMode, std::optional<ModeForms>> forms_;
   ForceInterval nothing_ = ForceInterval::nothing();
 };
 

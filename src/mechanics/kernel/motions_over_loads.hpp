@@ -31,8 +31,8 @@ class MotionsOverLoads {
 
   /// Nothing for a mode that is not modelled.
   virtual std::optional<ModeOverLoads> find(const MechanismMode& mode) const = 0;
-  /// Nothing if its equations have no solution at any load.
-  virtual std::optional<ModeForms> forms(const MechanismMode& mode) const = 0;
+  /// Null if its equations have no solution at any load. Computed at the first call for a mode.
+  virtual const ModeForms* forms(const MechanismMode& mode) const = 0;
   /// The loads of the domain as points and open intervals, from below, in each of which the motions are the same modes.
   virtual std::vector<LoadCell> cells(Told told = Told::numbers) const = 0;
 };
