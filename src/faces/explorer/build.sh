@@ -14,20 +14,7 @@ emscripten=/usr/share/emscripten
 export NODE_PATH=/usr/share/nodejs
 version=$(sed -n 's/^project(slipproof VERSION \([0-9.]*\).*/\1/p' "$src/../CMakeLists.txt")
 
-# The source packages, by the mirror that the machine has for its binary ones; nothing of the system's is changed.
-fetch() {  # PACKAGE...
-  mkdir -p "$folder/apt/lists/partial" "$folder/sources"
-  apt-get indextargets --format 'deb-src [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $(SITE) $(RELEASE) $(COMPONENT)' \
-    'Created-By: Packages' 'Origin: Debian' | sort -u >"$folder/apt/sources.list"
-  local apt=(apt-get -q -y -o "Dir::Etc::sourcelist=$folder/apt/sources.list" -o Dir::Etc::sourceparts=- -o "Dir::State::Lists=$folder/apt/lists"
-    -o "Dir::Cache::srcpkgcache=" -o "Dir::Cache::pkgcache=" -o APT::Sandbox::User=)
-  "${apt[@]}" update
-  (cd "$folder/sources" && "${apt[@]}" source --download-only "$@")
-}
-
-unpack() {  # PACKAGE NAME: into sources/NAME
-  [[ -d $folder/sources/$2 ]] || (cd "$folder/sources" && dpkg-source -x "$1"_*.dsc "$2" >/dev/null)
-}
+source "$src/faces/package/debian_sources.sh"
 
 gmp() {
   unpack gmp gmp
@@ -47,35 +34,17 @@ mpfr() {
   emmake make -j "$jobs" -C src install
 }
 
-# What numbers, their polynomials and factors of these need. One call of the compiler for each folder: thousands of files.
-flint_folders=(fmpz fmpz_vec fmpz_poly fmpz_factor fmpz_poly_factor fmpz_mat fmpz_lll fmpz_mod fmpz_mod_poly fmpz_mpoly
-  fmpz_mpoly_factor fmpz_mod_mpoly fmpq fmpq_vec fmpq_mat fmpq_poly fmpq_mpoly fmpq_mpoly_factor ulong_extras
-  long_extras double_extras nmod_vec nmod_mat nmod_poly nmod_poly_factor nmod_mpoly nmod_mpoly_factor n_poly mpoly mpn_extras fft
-  perm d_vec d_mat mpf_vec mpf_mat mpfr_vec mpfr_mat thread_pool thread_support)
-flint() {
-  unpack flint flint
-  cd "$folder/sources/flint"
-  cp fmpz-conversions-single.in fmpz-conversions.h
-  cp fft_tuning32.in fft_tuning.h
-  cp fmpz/link/fmpz_single.c fmpz/fmpz.c
+flint_config() {
   local setting
-  for setting in BLAS TLS FENV PTHREAD GC CPUSET; do echo "#define FLINT_USES_$setting 0"; done >flint-config.h
-  printf '#define FLINT_%s 0\n' BIG_ENDIAN REENTRANT WANT_ASSERT >>flint-config.h
-  sed -i 's/^#define FLINT_USES_FENV 0/#define FLINT_USES_FENV 0\n#define FLINT_DLL/' flint-config.h
-  mkdir -p "$folder/installed/include/flint"
-  cp ./*.h "$folder/installed/include/flint/"
-  rm -rf "$folder/flint"
-  compile_flint top "$PWD"/{printf,fprintf,sprintf,scanf,fscanf,sscanf,clz_tab,memory_manager,exception,hashmap,inlines}.c
-  local part
-  for part in "${flint_folders[@]}"; do compile_flint "$part" "$PWD/$part"/*.c; done
-  archive flint "$folder"/flint/*/*.o
+  for setting in BLAS TLS FENV PTHREAD GC CPUSET; do echo "#define FLINT_USES_$setting 0"; done
+  printf '#define FLINT_%s 0\n' BIG_ENDIAN REENTRANT WANT_ASSERT
+  echo '#define FLINT_DLL'
 }
-compile_flint() {  # NAME FILE...
-  mkdir -p "$folder/flint/$1"
-  (cd "$folder/flint/$1" && shift &&
-    clang-14 --target=wasm32-unknown-emscripten "--sysroot=$emscripten/cache/sysroot" -O2 -w -D__EMSCRIPTEN__ \
-      "-I$folder/sources/flint" "-I$folder/installed/include" -c "$@")
+compile() {  # FILE...
+  clang-14 --target=wasm32-unknown-emscripten "--sysroot=$emscripten/cache/sysroot" -O2 -w -D__EMSCRIPTEN__ \
+    "-I$folder/sources/flint" "-I$folder/installed/include" -c "$@"
 }
+flint() { flint_of_debian 32; }
 
 archive() {  # NAME FILE...; names of members may be alike
   rm -f "$folder/installed/lib/lib$1.a"
@@ -161,18 +130,6 @@ page() {
     esac
   done >"$folder/explorer.part"
   mv "$folder/explorer.part" "$folder/explorer.html"
-}
-
-once() {  # STEP: unless it was done
-  [[ -e $folder/done/$1 ]] && return
-  echo "build.sh: $1" >&2
-  ("$1") >"$folder/$1.log" 2>&1 &  # not before ||, where set -e is off
-  wait $! || {
-    tail -n 30 "$folder/$1.log" >&2
-    echo "build.sh: $1 failed; $folder/$1.log has all that it printed" >&2
-    exit 1
-  }
-  touch "$folder/done/$1"
 }
 
 sources() { fetch gmp mpfr4 flint pugixml llvm-toolchain-16; }
