@@ -219,7 +219,7 @@ bool has_hdf5() {
 }
 
 Hdf5File::Hdf5File(const std::string&, std::string file) : file_(std::move(file)) {
-  slipproof::refuse(file_, "found an HDF5 file, which this program cannot read: it was built without HDF5");
+  slipproof::refuse(file_, without_hdf5);
 }
 
 bool Hdf5File::has(const std::string&) const {

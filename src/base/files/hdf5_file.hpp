@@ -11,6 +11,10 @@ namespace slipproof {
 
 /// Whether this program was built with HDF5.
 bool has_hdf5();
+/// What an error says where it was not.
+inline constexpr const char* without_hdf5 =
+    "found an HDF5 file, which cannot be read: this slipproof was built without HDF5, as all wheels are; build it from "
+    "its sources where HDF5 is installed (Debian: apt-get install libhdf5-dev)";
 
 /// An HDF5 file in memory. Only one may be open at a time, since the library is not thread-safe; others wait. Refuses
 /// links that lead elsewhere (soft, external), virtual and external storage, chunks, types of variable length or

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "mechanics/checks/check_parts.hpp"
 #include "mechanics/mechanism/units.hpp"
@@ -59,7 +60,14 @@ class UnitCheck {
 
   void declare(const std::string& symbol, const std::string& text, Place place) {
     if (text.empty()) return;
-    if (auto unit = parse_unit(text)) {
+    if (!has_units()) {
+      if (!std::exchange(told_, true)) {
+        report_.findings.push_back(not_checkable(
+            MechanismFinding::Check::units,
+            "units: udunits is not installed, which has the table of units (Debian: apt-get install libudunits2-0)",
+            place));
+      }
+    } else if (auto unit = parse_unit(text)) {
       units_[symbol] = {std::move(unit), false};
     } else {
       report_.findings.push_back(not_checkable(MechanismFinding::Check::units,
@@ -247,6 +255,7 @@ class UnitCheck {
   const Mechanism& mechanism_;
   std::map<std::string, InferredUnit> units_;
   UnitReport report_;
+  bool told_ = false;           ///< that there is no table of units
   std::optional<Unit> common_;  ///< of rows of [motion] times their accelerations
   const PlacedExpression* placed_ = nullptr;
 };

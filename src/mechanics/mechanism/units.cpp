@@ -1,6 +1,10 @@
 #include "mechanics/mechanism/units.hpp"
 
+#ifdef SLIPPROOF_UDUNITS_AT_RUN_TIME
+#include "base/os/udunits_at_run_time.hpp"
+#else
 #include <udunits2.h>
+#endif
 
 #include <array>
 #include <cmath>
@@ -18,7 +22,10 @@ std::mutex& library() {
 
 /// Null if the library's table of units is not installed. Under the lock.
 ut_system* unit_system() {
-  static ut_system* const system = [] {
+  static ut_system* const system = []() -> ut_system* {
+#ifdef SLIPPROOF_UDUNITS_AT_RUN_TIME
+    if (!udunits_is_there()) return nullptr;
+#endif
     ut_set_error_message_handler(ut_ignore);
     return ut_read_xml(nullptr);
   }();
@@ -40,6 +47,11 @@ ut_unit* one() {
 }
 
 }  // namespace
+
+bool has_units() {
+  const std::scoped_lock lock(library());
+  return unit_system() != nullptr;
+}
 
 Unit::Unit() {
   const std::scoped_lock lock(library());

@@ -32,7 +32,10 @@ class Unit {
   std::shared_ptr<void> unit_;  ///< of the library
 };
 
-/// `kg m^2`, `m/s^2`, `N m`, `1`; nothing if it is no unit.
+/// False if udunits or its table of units is not installed; then no unit is known.
+bool has_units();
+
+/// `kg m^2`, `m/s^2`, `N m`, `1`; nothing if it is no unit, or without udunits.
 std::optional<Unit> parse_unit(std::string_view text);
 
 }  // namespace slipproof

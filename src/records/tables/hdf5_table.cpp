@@ -293,7 +293,7 @@ bool has_contact_problem(const std::string&) {
 }
 
 void read_hdf5_table(TableBuilder& table, const std::shared_ptr<const ByteFile>&, const std::string&) {
-  table.fail("found an HDF5 file, which this program cannot read: it was built without HDF5");
+  table.fail(without_hdf5);
 }
 
 #endif
