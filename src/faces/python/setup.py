@@ -1,7 +1,8 @@
 """Builds the package slipproof with CMake: pip install --no-build-isolation ./src/faces/python
 
 The environment variable SLIPPROOF_BUILD names a build folder of the project to use, relative to the present folder,
-perhaps one that is built already; without it a folder of its own is made, which compiles the library.
+perhaps one that is built already; without it a folder of its own is made, which compiles the library. SLIPPROOF_PACKAGE_BUILD names the folder in which the
+package is put together, build-python of the project otherwise.
 """
 
 import os
@@ -16,7 +17,7 @@ from setuptools.command.build_ext import build_ext
 
 HERE = Path(__file__).resolve().parent
 PROJECT = HERE.parents[2]
-BUILT = PROJECT / "build-python"
+BUILT = Path(os.environ.get("SLIPPROOF_PACKAGE_BUILD", PROJECT / "build-python"))
 
 
 def version() -> str:
@@ -51,7 +52,7 @@ class CMakeBuild(build_ext):
         shutil.copyfile(modules[0], target)
 
 
-BUILT.mkdir(exist_ok=True)
+BUILT.mkdir(parents=True, exist_ok=True)
 setup(
     name="slipproof",
     version=version(),

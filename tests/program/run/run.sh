@@ -119,6 +119,17 @@ LACKING=
 call "$project/run" engines
 expect 0 'cmake --preset ci*npm ci *<report> <cases/engines>*' 'asked --slipproof build/slipproof *the table is */build/report/engines/index.html'
 
+# Wheels: what is missing is installed, then built and tested.
+mkdir -p "$project/src/faces/python/wheel"
+for script in build test; do echo "$note" >"$project/src/faces/python/wheel/$script.sh"; done
+chmod a+rx "$project/src/faces/python/wheel/"*
+LACKING=patchelf
+call "${as_user[@]}" "$project/run" wheel
+expect 0 '*install --no-install-recommends patchelf?build.sh build-wheel?test.sh build-wheel' '*installing patchelf*'
+LACKING=
+call "$project/run" wheel twice
+expect 2 '' '*wheel takes nothing, not: twice*'
+
 LACKING=coq
 call "${as_user[@]}" "$project/run" test
 expect 0 'cmake --preset*' ''
