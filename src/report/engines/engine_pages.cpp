@@ -4,61 +4,17 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
-#include "base/number/format.hpp"
 #include "report/document/document.hpp"
+#include "report/engines/engine_cells.hpp"
 #include "report/explorer/explorer_page.hpp"
 #include "report/html/sections.hpp"
-#include "report/html/verdict_bar.hpp"
 #include "report/picture/mechanism_svg.hpp"
 #include "report/scenes/mechanism_report.hpp"
 
 namespace slipproof {
 
 namespace {
-
-constexpr std::array<const char*, engine_verdict_count> fills{"fill-proved",    "fill-holds",   "fill-refuted",
-                                                              "fill-undecided", "fill-vacuous", "fill-inaccurate"};
-constexpr std::array<std::string_view, engine_verdict_count> chips{"proved",    "holds",   "refuted",
-                                                                   "undecided", "vacuous", "undecided"};
-constexpr std::array<std::string_view, engine_verdict_count> signs{"✓ ", "≈ ", "✗ ", "? ", "– ", "! "};
-
-std::size_t sum(const EngineCounts& counts) {
-  return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
-}
-
-/// The answers that can be judged: those that were not refused.
-std::size_t answered(const EngineCounts& counts) {
-  return sum(counts) - counts[static_cast<std::size_t>(EngineVerdict::refused)];
-}
-
-std::string error_text(double error) {
-  return fmt::format("{:.1e}", error);
-}
-
-/// `31 of 40`.
-std::string share_text(const EngineCounts& counts) {
-  return fmt::format("{} of {}", counts[static_cast<std::size_t>(EngineVerdict::right)], answered(counts));
-}
-
-ReportCell bar_cell(const EngineCounts& counts) {
-  return drawn("", [counts](const Element& cell) {
-    std::vector<BarPart> parts;
-    for (std::size_t i = 0; i < counts.size(); ++i) parts.push_back({fills[i], counts[i]});
-    add_bar(cell, parts, 160, 12);
-  });
-}
-
-ReportCell verdict_cell(const JudgedEngineAnswer& one, const std::string& href) {
-  const auto verdict = static_cast<std::size_t>(one.verdict);
-  std::string words = std::string(name(one.verdict));
-  if (one.distance && one.verdict != EngineVerdict::right) words = error_text(*one.distance);
-  return drawn(words, [=](const Element& cell) {
-    const Element link = href.empty() ? cell : cell.add("a").set("href", href);
-    add_chip(link, chips[verdict], signs[verdict], words);
-  });
-}
 
 /// One of the pages, with what all of them share.
 class EnginePages {
@@ -130,7 +86,8 @@ class EnginePages {
   static void add_key(const Element& top) {
     const Element list = top.add("p", "how");
     for (std::size_t i = 0; i < engine_verdict_count; ++i) {
-      add_chip(list, chips[i], signs[i], name(static_cast<EngineVerdict>(i)));
+      const auto verdict = static_cast<EngineVerdict>(i);
+      add_verdict(list, verdict, name(verdict));
       list.text(" ");
     }
   }
@@ -309,19 +266,6 @@ class EnginePages {
             "grep '\"{1}\"' {0}/answers/ENGINE.jsonl | sed -n 's/.*\"motion\": \\({{[^}}]*}}\\).*/\\1/p' |\n"
             "  slipproof certify --scene {0}/scenes/{1}.toml -",
             folder_, scene.name));
-  }
-
-  static std::string answer_text(const EngineAnswer& answer) {
-    if (!answer.refused.empty()) return answer.refused;
-    if (!answer.failed.empty()) return answer.failed;
-    if (answer.threshold) {
-      return fmt::format("changes at {} = {:.8g}", answer.threshold->parameter, answer.threshold->changes_at);
-    }
-    std::string text;
-    for (const auto& [name, value] : answer.motion) {
-      text += fmt::format("{}{} = {:.6g}", text.empty() ? "" : ", ", name, value);
-    }
-    return text;
   }
 
   const EngineResults& results_;

@@ -1,0 +1,72 @@
+#include "report/engines/engine_cells.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <numeric>
+#include <vector>
+
+#include "report/html/sections.hpp"
+#include "report/html/verdict_bar.hpp"
+
+namespace slipproof {
+
+namespace {
+
+constexpr std::array<const char*, engine_verdict_count> fills{"fill-proved",    "fill-holds",   "fill-refuted",
+                                                              "fill-undecided", "fill-vacuous", "fill-inaccurate"};
+constexpr std::array<std::string_view, engine_verdict_count> chips{"proved",    "holds",   "refuted",
+                                                                   "undecided", "vacuous", "undecided"};
+constexpr std::array<std::string_view, engine_verdict_count> signs{"✓ ", "≈ ", "✗ ", "? ", "– ", "! "};
+
+/// The answers that can be judged: those that were not refused.
+std::size_t answered(const EngineCounts& counts) {
+  return std::accumulate(counts.begin(), counts.end(), std::size_t{0}) -
+         counts[static_cast<std::size_t>(EngineVerdict::refused)];
+}
+
+}  // namespace
+
+std::string error_text(double error) {
+  return fmt::format("{:.1e}", error);
+}
+
+std::string share_text(const EngineCounts& counts) {
+  return fmt::format("{} of {}", counts[static_cast<std::size_t>(EngineVerdict::right)], answered(counts));
+}
+
+ReportCell bar_cell(const EngineCounts& counts) {
+  return drawn("", [counts](const Element& cell) {
+    std::vector<BarPart> parts;
+    for (std::size_t i = 0; i < counts.size(); ++i) parts.push_back({fills[i], counts[i]});
+    add_bar(cell, parts, 160, 12);
+  });
+}
+
+void add_verdict(const Element& parent, EngineVerdict verdict, std::string_view words) {
+  const auto i = static_cast<std::size_t>(verdict);
+  add_chip(parent, chips[i], signs[i], words);
+}
+
+ReportCell verdict_cell(const JudgedEngineAnswer& one, const std::string& href) {
+  std::string words = std::string(name(one.verdict));
+  if (one.distance && one.verdict != EngineVerdict::right) words = error_text(*one.distance);
+  return drawn(words, [=, verdict = one.verdict](const Element& cell) {
+    add_verdict(href.empty() ? cell : cell.add("a").set("href", href), verdict, words);
+  });
+}
+
+std::string answer_text(const EngineAnswer& answer) {
+  if (!answer.refused.empty()) return answer.refused;
+  if (!answer.failed.empty()) return answer.failed;
+  if (answer.threshold) {
+    return fmt::format("changes at {} = {:.8g}", answer.threshold->parameter, answer.threshold->changes_at);
+  }
+  std::string text;
+  for (const auto& [name, value] : answer.motion) {
+    text += fmt::format("{}{} = {:.6g}", text.empty() ? "" : ", ", name, value);
+  }
+  return text;
+}
+
+}  // namespace slipproof

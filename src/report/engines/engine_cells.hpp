@@ -1,0 +1,31 @@
+// How answers of engines and their verdicts are written in tables.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "report/document/document.hpp"
+#include "report/engines/engine_table.hpp"
+#include "report/markup/element.hpp"
+
+namespace slipproof {
+
+/// `1.2e-05`.
+std::string error_text(double error);
+
+/// `31 of 40`: how many are right of those that were not refused.
+std::string share_text(const EngineCounts& counts);
+
+/// A bar with a part for each verdict.
+ReportCell bar_cell(const EngineCounts& counts);
+
+/// Words in the colour of a verdict and with its sign.
+void add_verdict(const Element& parent, EngineVerdict verdict, std::string_view words);
+
+/// The verdict, or the error of an answer that is not right; a link, unless `href` is empty.
+ReportCell verdict_cell(const JudgedEngineAnswer& one, const std::string& href);
+
+/// The accelerations, the threshold with the floor above which it was found, or why there is neither.
+std::string answer_text(const EngineAnswer& answer);
+
+}  // namespace slipproof
