@@ -31,7 +31,8 @@ class AnswerReader {
     if (line_.contains("settings")) answer.settings = line_["settings"].dump();
     if (line_.contains("motion") && answer.failed.empty()) read_motion(answer);
     if (line_.contains("changes_at")) {
-      answer.threshold = {text("parameter", true), number("changes_at"), number("within")};
+      answer.threshold = {text("parameter", true), number("changes_at"), number("within"), {}};
+      if (line_.contains("floor")) answer.threshold->floor = number("floor");
     }
     const bool says_why = !answer.refused.empty() || !answer.failed.empty();
     if (answer.motion.empty() && !answer.threshold && !says_why) {

@@ -15,6 +15,7 @@ namespace slipproof {
 struct EngineThreshold {
   std::string parameter;
   double changes_at = 0, within = 0;  ///< the middle of the interval to which it was bisected, and half its length
+  std::optional<double> floor;        ///< what counted as motion, in parts of the scene's natural acceleration
 };
 
 /// One answer. It has a motion, a threshold, or a reason why it has neither.

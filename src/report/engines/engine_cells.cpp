@@ -60,7 +60,9 @@ std::string answer_text(const EngineAnswer& answer) {
   if (!answer.refused.empty()) return answer.refused;
   if (!answer.failed.empty()) return answer.failed;
   if (answer.threshold) {
-    return fmt::format("changes at {} = {:.8g}", answer.threshold->parameter, answer.threshold->changes_at);
+    const EngineThreshold& found = *answer.threshold;
+    return fmt::format("changes at {} = {:.8g}", found.parameter, found.changes_at) +
+           (found.floor ? fmt::format(", where motion exceeds a floor of {:g}", *found.floor) : "");
   }
   std::string text;
   for (const auto& [name, value] : answer.motion) {

@@ -153,15 +153,22 @@ class EnginePages {
   void add_changes(const Element& main, const std::string& name) const {
     ReportTable table{
         {"engine", "asked", "scene", "parameter", {"changes at", true}, {"exact", true}, {"off by", true}}};
+    table.columns.emplace_back("floor", true);
     table.label = "Thresholds by engine and scene";
     for (const EngineThresholdRow& row : thresholds_) {
       if (!row.scene.starts_with(name + "/")) continue;
       table.row({row.engine, row.asked, ReportLine(link_to(row.scene.substr(name.size() + 1), row.scene + ".html")),
                  row.found.parameter, fmt::format("{:.8g}", row.found.changes_at),
-                 row.exact ? fmt::format("{:.8g}", *row.exact) : "none", row.exact ? error_text(row.off()) : "–"});
+                 row.exact ? fmt::format("{:.8g}", *row.exact) : "none", row.exact ? error_text(row.off()) : "–",
+                 row.found.floor ? fmt::format("{:g}", *row.found.floor) : "–"});
     }
     if (table.rows.empty()) return;
-    add_table(add_section(main, "changes", "Where engines change their minds"), table);
+    const Element section = add_section(main, "changes", "Where engines change their minds");
+    section.add("p", "how")
+        .text(
+            "What exceeds the floor counted as motion: a part of the scene's natural acceleration, the smallest above "
+            "which the engine does not creep.");
+    add_table(section, table);
   }
 
   void add_laws(const Element& main) const {

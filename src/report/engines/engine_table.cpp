@@ -107,6 +107,7 @@ std::string engine_table_json(const EngineResults& results) {
              {"changes_at", row.found.changes_at},
              {"within", row.found.within}};
     one["exact"] = row.exact ? Json(*row.exact) : Json();
+    if (row.found.floor) one["floor"] = *row.found.floor;
     document["thresholds"].push_back(std::move(one));
   }
   return json_text(document, 2) + '\n';

@@ -60,6 +60,9 @@ TEST_CASE("what a line lacks is told with its place") {
   CHECK(mistake_of(head + R"("one-motion/pulled","motion":{"ax":1}})").find("ay") != std::string::npos);
   CHECK(mistake_of(head + R"("one-motion/pulled","motion":{"az":1}})").find("az") != std::string::npos);
   CHECK(mistake_of(head + R"("one-motion/pulled","motion":{"ax":"1"}})").starts_with("motion: found"));
+  const std::string threshold = R"("one-motion/pulled","parameter":"F","changes_at":1,"within":0)";
+  CHECK(mistake_of(head + threshold + "}").empty());
+  CHECK(mistake_of(head + threshold + R"(,"floor":"low"})") == "floor: found \"low\", expected a number");
 }
 
 TEST_CASE("the shipped answers can be read, and are about shipped scenes") {

@@ -17,7 +17,7 @@ namespace {
 const char* const answers =
     R"({"schema":"slipproof/engine-answer/1","engine":"e","version":"1","asked":"default","law":"cone","scene":"one-motion/pulled","motion":{"ax":1,"ay":0}}
 {"schema":"slipproof/engine-answer/1","engine":"e","version":"1","asked":"default","law":"cone","scene":"none/rod","motion":{"ax":1,"ay":0,"phi":0}}
-{"schema":"slipproof/engine-answer/1","engine":"e","version":"1","asked":"threshold","scene":"one-motion/pulled","parameter":"F","changes_at":5.05,"within":0.001}
+{"schema":"slipproof/engine-answer/1","engine":"e","version":"1","asked":"threshold","scene":"one-motion/pulled","parameter":"F","changes_at":5.05,"within":0.001,"floor":1e-05}
 {"schema":"slipproof/engine-answer/1","engine":"<f>","version":"2","asked":"default","law":"box","scene":"none/rod","refused":"no <rods>"})";
 
 EngineResults results_of(const test::EngineFiles& files) {
@@ -53,6 +53,18 @@ TEST_CASE("a threshold that an engine has stands beside the exact one") {
   REQUIRE(rows.size() == 1);
   CHECK(rows[0].exact == 5);  // mu times the weight; -5 is farther
   CHECK(rows[0].off() == doctest::Approx(0.01));
+}
+
+TEST_CASE("the floor above which a threshold was found stands beside it") {
+  const test::EngineFiles files;
+  const EngineResults results = results_of(files);
+  const auto pages = pages_of(results);
+  const std::string& of_class = pages.at("one-motion.html");
+  CHECK(of_class.find(">floor</th>") != std::string::npos);
+  CHECK(of_class.find(">1e-05</td>") != std::string::npos);
+  CHECK(pages.at("one-motion/pulled.html").find("changes at F = 5.05, where motion exceeds a floor of 1e-05") !=
+        std::string::npos);
+  CHECK(Json::parse(engine_table_json(results))["thresholds"][0]["floor"] == 1e-5);
 }
 
 TEST_CASE("the page of a scene leads to the explorer, where there is one") {
