@@ -1,7 +1,9 @@
 // Bullet in binary64: one step of btDiscreteDynamicsWorld, sequential impulses, 10 iterations by default. Contacts are
 // handed over as points of manifolds, so that they are those of the scene. Bodies move in the plane only. What pushes
 // is added to the velocities before the step: Bullet's friction does not see a couple that is applied in the same step.
-// With the argument `applied` it is applied as force and couple, as programs do.
+// With the argument `applied` it is applied as force and couple, as programs do. With `taken-back` the friction of
+// contacts whose normal impulse fell to 0 is taken back after each sweep, which Bullet does not do: a test of whose
+// mistake it is.
 #include <btBulletDynamicsCommon.h>
 
 #include <memory>
@@ -23,9 +25,34 @@ class GivenContacts : public btDiscreteDynamicsWorld {
   void performDiscreteCollisionDetection() override {}
 };
 
+/// Sweeps after which no contact has friction without a normal impulse.
+class TakingBack : public btSequentialImpulseConstraintSolver {
+  btScalar solveSingleIteration(int iteration, btCollisionObject** bodies, int body_count,
+                                btPersistentManifold** manifolds, int manifold_count, btTypedConstraint** constraints,
+                                int constraint_count, const btContactSolverInfo& info, btIDebugDraw* drawn) override {
+    const btScalar left = btSequentialImpulseConstraintSolver::solveSingleIteration(
+        iteration, bodies, body_count, manifolds, manifold_count, constraints, constraint_count, info, drawn);
+    for (int i = 0; i < m_tmpSolverContactFrictionConstraintPool.size(); ++i) {
+      btSolverConstraint& row = m_tmpSolverContactFrictionConstraintPool[i];
+      if (m_tmpSolverContactConstraintPool[row.m_frictionIndex].m_appliedImpulse > 0) continue;
+      push(row.m_solverBodyIdA, row.m_contactNormal1, row.m_angularComponentA, -row.m_appliedImpulse);
+      push(row.m_solverBodyIdB, row.m_contactNormal2, row.m_angularComponentB, -row.m_appliedImpulse);
+      row.m_appliedImpulse = 0;
+    }
+    return left;
+  }
+  void push(int number, const btVector3& along, const btVector3& turning, btScalar impulse) {
+    btSolverBody& body = m_tmpSolverBodyPool[number];
+    body.internalApplyImpulse(along * body.internalGetInvMass(), turning, impulse);
+  }
+};
+
 class Scene {
  public:
-  Scene(const Question& q, bool applied) : q_(q), applied_(applied) {
+  Scene(const Question& q, bool applied, bool taken_back)
+      : q_(q),
+        applied_(applied),
+        solver_(taken_back ? std::make_unique<TakingBack>() : std::make_unique<btSequentialImpulseConstraintSolver>()) {
     world_.setGravity(applied ? vec(q.gravity) : btVector3(0, 0, 0));
     for (const Body& body : q.bodies) add(body);
     for (const Joint& joint : q.joints) add(joint);
@@ -147,8 +174,8 @@ class Scene {
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_{&configuration_};
   btDbvtBroadphase broadphase_;
-  btSequentialImpulseConstraintSolver solver_;
-  GivenContacts world_{&dispatcher_, &broadphase_, &solver_, &configuration_};
+  std::unique_ptr<btSequentialImpulseConstraintSolver> solver_;
+  GivenContacts world_{&dispatcher_, &broadphase_, solver_.get(), &configuration_};
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
   std::vector<std::unique_ptr<btTypedConstraint>> joints_;
   std::vector<btPersistentManifold*> manifolds_;
@@ -157,11 +184,12 @@ class Scene {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const bool applied = argc > 1 && std::string(argv[1]) == "applied";
+  const std::string how = argc > 1 ? argv[1] : "";
+  const bool applied = how == "applied", taken_back = how == "taken-back";
   const int version = btGetVersion();
-  return run({applied ? "bullet-applied" : "bullet",
+  return run({how.empty() ? "bullet" : "bullet-" + how,
               std::to_string(version / 100) + "." + std::to_string(version % 100),
               applied ? "cone in the plane, by sweeps, where friction does not see couples; the first step from rest"
                       : "cone in the plane, by sweeps; the first step from rest",
-              [=](const Question& q) { return Scene(q, applied).step(); }});
+              [=](const Question& q) { return Scene(q, applied, taken_back).step(); }});
 }
