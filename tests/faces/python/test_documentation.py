@@ -44,6 +44,14 @@ def test_classes_and_their_members_say_what_they_are(name):
         assert not missing, f"{name}.{member} does not say what these are: {missing}"
 
 
+@pytest.mark.parametrize("name, unit", [
+    ("solve", "SI units"), ("certify", "units"), ("certify_bicycles", "SI units"), ("consistent_modes", "kg m^2"),
+    ("Scene", "SI units"), ("Body", "kg m^2"), ("Contact", "in m"), ("Joint", "in m"), ("Force", "in N"),
+    ("Torque", "in N m"), ("Friction", "in N m"), ("phase_diagram", "in degrees")])
+def test_what_takes_quantities_says_their_units(name, unit):
+    assert unit in (inspect.getdoc(getattr(slipproof, name)) or "")
+
+
 def test_there_are_many():
     assert len(CALLS) > 12 and len(CLASSES) > 25 and {"solve", "certify", "prove"} <= set(CALLS)
     assert sum(len(list(members(c))) for c in CLASSES.values()) > 60

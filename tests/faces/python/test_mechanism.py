@@ -1,6 +1,9 @@
 """Mechanisms without a file: from a text, a dict, bodies."""
 
+import os
 import pickle
+import subprocess
+import sys
 from fractions import Fraction
 
 import pytest
@@ -92,3 +95,10 @@ def test_joints_and_prescribed_bodies():
         joints=[Joint("rod", "pin", ("trolley", "bob"), at=[0, 0])])
     motion = swing.solve({}).motions[0]
     assert motion.ax == 0 and motion.alpha == -3  # a point mass on a rod of length 1: it stays behind
+
+
+def test_a_missing_table_of_units_is_told_once_and_no_unit_is_called_unknown():
+    call = "import slipproof; print(slipproof.Mechanism.load('ladder').show())"
+    shown = subprocess.run([sys.executable, "-c", call], capture_output=True, text=True, check=True,
+                           env={**os.environ, "UDUNITS2_XML_PATH": "/no-such"}).stdout
+    assert shown.count("udunits is not installed") == 1 and "libudunits2-0" in shown and "unknown" not in shown

@@ -1,8 +1,11 @@
 """A file that is not there is a FileNotFoundError, wherever one is expected."""
 
+from pathlib import Path
+
 import pytest
 
 import slipproof
+from slipproof.testing import assert_motion
 
 RECORDS = "cases/contact-problems/examples.jsonl"
 PROBLEM = "cases/contact-problems/pushed-block.json"
@@ -22,6 +25,9 @@ CALLS = {
     "verify": lambda: slipproof.verify("no-such.file"),
     "prove": lambda: slipproof.prove("no-such.file"),
     "check": lambda: slipproof.check("no-such.file"),
+    "assert_motion": lambda: assert_motion("no-such.file", {"a": 1}),
+    **{f"{call.__name__} of a Path": lambda call=call: call(Path("no-such.file"))
+       for call in (slipproof.solve, slipproof.certify_file, slipproof.verify, slipproof.prove, slipproof.check)},
 }
 
 

@@ -153,7 +153,7 @@ def certify_bicycles(records: Any, *, scene: Any = None, ignore_unknown: bool = 
     """Is each answer about a bicycle the one motion that there is?
 
     ``records``: a structured array, a dict of columns, or a frame of pandas. Its names are those of ``slipproof
-    certify``: the scene's numbers, and for the answer ``a``, ``S2``, ``S3``, ``N2``, ``N3``, optionally ``mode`` and
+    certify``: the scene's numbers, in SI units, and for the answer ``a``, ``S2``, ``S3``, ``N2``, ``N3``, optionally ``mode`` and
     others. A value that is the same for all records may be one number, or come from ``scene``. Columns of float64 are
     not copied, whatever their strides. A NaN makes an answer ``invalid``. ``tolerance``: the largest relative error of a
     component that is certified. ``ignore_unknown`` skips columns with other names. ``effort`` limits the work on one

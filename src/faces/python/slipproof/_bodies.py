@@ -24,7 +24,7 @@ class _Part:
 
 @dataclass(frozen=True)
 class Body(_Part):
-    """A body, or, with ``acceleration`` in place of ``mass`` and ``inertia``, one that moves as prescribed."""
+    """A body, in kg and kg m^2, or, with ``acceleration`` in place of ``mass`` and ``inertia``, one that moves as prescribed."""
 
     name: str
     mass: Optional[Expression] = None
@@ -41,7 +41,7 @@ class Body(_Part):
 
 @dataclass(frozen=True)
 class Contact(_Part):
-    """A point or, with a ``radius``, a disc of the body ``of`` on a line or disc of the body ``on``."""
+    """A point or, with a ``radius``, a disc of the body ``of`` on a line or disc of the body ``on``; lengths in m."""
 
     name: str
     of: str
@@ -63,7 +63,7 @@ class Contact(_Part):
 
 @dataclass(frozen=True)
 class Joint(_Part):
-    """``kind``: pin, slider, weld, rod, rope, spring, gear."""
+    """``kind``: pin, slider, weld, rod, rope, spring, gear. Lengths are in m, the ``force`` of a spring in N."""
 
     name: str
     kind: str
@@ -82,7 +82,7 @@ class Joint(_Part):
 
 @dataclass(frozen=True)
 class Friction(_Part):
-    """A brake, a clutch: a couple up to ``limit`` between two bodies."""
+    """A brake, a clutch: a couple up to ``limit``, in N m, between two bodies."""
 
     name: str
     between: Tuple[str, str]
@@ -93,7 +93,7 @@ class Friction(_Part):
 
 @dataclass(frozen=True)
 class Force(_Part):
-    """A force ``is_`` on a body, at its centre of mass if ``at`` is left out."""
+    """A force ``is_``, in N, on a body, at its centre of mass if ``at`` is left out."""
 
     on: str
     is_: Vector
@@ -104,7 +104,7 @@ class Force(_Part):
 
 @dataclass(frozen=True)
 class Torque(_Part):
-    """A couple ``is_`` on a body, counterclockwise."""
+    """A couple ``is_``, in N m, on a body, counterclockwise."""
 
     on: str
     is_: Expression

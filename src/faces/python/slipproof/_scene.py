@@ -105,7 +105,7 @@ class Scene(Result):
 
     From keyword arguments, ``Scene(R="0.34", h=..., f="0.8", g="9.81", F=300)``; from a dict with the tables of a scene
     file, in which ``mechanism`` may be a file, a name, or a dict with the tables of a mechanism's file; from a file with
-    :meth:`load`; from its text with :meth:`parse`. Numbers are int, float (taken exactly),
+    :meth:`load`; from its text with :meth:`parse`. Numbers, in SI units, are int, float (taken exactly),
     Fraction, Decimal, or texts as in a file. Raises InputError with all mistakes.
     """
 
