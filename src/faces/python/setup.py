@@ -62,7 +62,8 @@ setup(
     python_requires=">=3.11",
     install_requires=["numpy"],
     packages=["slipproof"],
-    entry_points={"pytest11": ["slipproof = slipproof.testing"]},
+    # Under the name by which `-p` and `pytest_plugins` ask for it: pytest refuses a plugin under two names.
+    entry_points={"pytest11": ["slipproof.testing = slipproof.testing"]},
     package_data={"slipproof": ["py.typed", "*.pyi"]},
     ext_modules=[Extension("slipproof._core", sources=[])],
     cmdclass={"build_ext": CMakeBuild},
