@@ -1,8 +1,8 @@
 """Builds the package slipproof with CMake: pip install --no-build-isolation ./src/faces/python
 
-The environment variable SLIPPROOF_BUILD names a build folder of the project to use, relative to the present folder,
-perhaps one that is built already; without it a folder of its own is made, which compiles the library. SLIPPROOF_PACKAGE_BUILD names the folder in which the
-package is put together, build-python of the project otherwise.
+The environment variable SLIPPROOF_BUILD names a build folder of the project to use, perhaps one that is built already;
+without it a folder of its own is made, which compiles the library. SLIPPROOF_PACKAGE_BUILD names the folder in which the
+package is put together, build-python of the project otherwise. Both are relative to where the caller stands.
 """
 
 import os
@@ -17,7 +17,16 @@ from setuptools.command.build_ext import build_ext
 
 HERE = Path(__file__).resolve().parent
 PROJECT = HERE.parents[2]
-BUILT = Path(os.environ.get("SLIPPROOF_PACKAGE_BUILD", PROJECT / "build-python"))
+
+
+def folder_of(variable: str, otherwise: Path) -> Path:
+    """What the variable names, relative to where the caller stands: pip changes the folder, but not PWD."""
+    named = os.environ.get(variable)
+    return Path(os.environ.get("PWD", os.getcwd()), named).resolve() if named else otherwise
+
+
+BUILT = folder_of("SLIPPROOF_PACKAGE_BUILD", PROJECT / "build-python")
+TREE = folder_of("SLIPPROOF_BUILD", BUILT / "cmake")
 
 
 def version() -> str:
@@ -28,25 +37,18 @@ def version() -> str:
     return found[1]
 
 
-def build_folder() -> Path:
-    """What SLIPPROOF_BUILD names, relative to where the caller stands: pip changes the folder, but not PWD."""
-    named = os.environ.get("SLIPPROOF_BUILD")
-    return Path(os.environ.get("PWD", os.getcwd()), named).resolve() if named else BUILT / "cmake"
-
-
 class CMakeBuild(build_ext):
     """Hands the extension module to the project's own build."""
 
     def build_extension(self, ext: Extension) -> None:
-        tree = build_folder()
-        if not (tree / "CMakeCache.txt").exists():
+        if not (TREE / "CMakeCache.txt").exists():
             off = [f"-DSLIPPROOF_{part}=OFF" for part in ("TESTS", "BENCHMARKS", "INSTALL")]
-            subprocess.run(["cmake", "-S", PROJECT, "-B", tree, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+            subprocess.run(["cmake", "-S", PROJECT, "-B", TREE, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
                             "-DSLIPPROOF_READ_HEADERS_ONCE=ON", f"-DPython_EXECUTABLE={sys.executable}", *off], check=True)
-        subprocess.run(["cmake", "--build", tree, "--target", "slipproof_python"], check=True)
-        modules = list((tree / "python" / "slipproof").glob("_core*.so"))
+        subprocess.run(["cmake", "--build", TREE, "--target", "slipproof_python"], check=True)
+        modules = list((TREE / "python" / "slipproof").glob("_core*.so"))
         if len(modules) != 1:
-            raise SystemExit(f"{tree}: found {len(modules)} modules, expected one")
+            raise SystemExit(f"{TREE}: found {len(modules)} modules, expected one")
         target = Path(self.get_ext_fullpath(ext.name))
         target.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(modules[0], target)
