@@ -72,11 +72,7 @@ parts=(libflint-dev libgmp-dev libmpfr-dev libtbb12 libmd-dev libpugixml-dev zli
   nlohmann-json3-dev libtomlplusplus-dev libfast-float-dev pybind11-dev)
 repair() {
   rm -f "$folder"/slipproof-*.whl
-  if command -v auditwheel >/dev/null; then
-    auditwheel repair --wheel-dir "$folder" "$folder"/built/slipproof-*.whl
-  else
-    "$python" "$here/repair.py" "$folder"/built/slipproof-*.whl "$folder" "${parts[@]}"
-  fi
+  "$python" "$here/repair.py" "$folder"/built/slipproof-*.whl "$folder" "${parts[@]}"
 }
 
 mkdir -p "$folder/done" "$folder/installed/lib"
