@@ -186,15 +186,17 @@ Definition all_modelled : Prop := forall k, In k (contacts (of_mechanism s)) -> 
 Definition no_value_here : Prop :=
   match what c with
   | Interval md => undefined (at_forces c) \/ ~ modelled s md
-  | Impossible modes => undefined (at_forces c) \/ ~ wrong_anyway /\ exists md, In md modes /\ ~ modelled s md
+  | Impossible modes =>
+      undefined (at_forces c) \/ true_here (at_forces c) /\ ~ wrong_anyway /\ exists md, In md modes /\ ~ modelled s md
   | Formula [] holds => undefined (at_forces c) \/ true_here (at_forces c) /\ undefined holds
   | Formula modes holds =>
       undefined (at_forces c)
-      \/ ~ wrong_anyway /\ true_here (at_forces c)
+      \/ true_here (at_forces c) /\ ~ wrong_anyway
          /\ ((exists md, In md modes /\ ~ modelled s md)
              \/ exists md u, In md modes /\ motion s x md u /\ ~ has_value (names_of_motion s x u) holds)
   | Motions modes =>
-      undefined (at_forces c) \/ ~ wrong_anyway /\ ((exists md, In md modes /\ ~ modelled s md) \/ ~ all_modelled)
+      undefined (at_forces c)
+      \/ true_here (at_forces c) /\ ~ wrong_anyway /\ ((exists md, In md modes /\ ~ modelled s md) \/ ~ all_modelled)
   | Exists modes => ~ right_here /\ (undefined (at_forces c) \/ exists md, In md modes /\ ~ modelled s md)
   | Equivalence holds => undefined (at_forces c) \/ undefined holds
   | Cover claims => ~ right_here /\ exists r f, In (r, f) claims /\ undefined r

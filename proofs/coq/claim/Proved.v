@@ -395,7 +395,7 @@ Proof.
   assert (R : forall md u, In md modes -> ~ motion s x md u).
   { intros md u I M. destruct (each_motion_sound _ _ _ _ _ E W I) as [fs [g [F [S G]]]]. inversion S; subst.
     destruct (shown_of_motion _ md u fs _ (here_also _ _ _ N T H) M F G) as [w [_ Z]]. exact Z. }
-  split; [|exact R]. intros [U|[_ [md [I U]]]]; [apply U; now left|].
+  split; [|exact R]. intros [U|[_ [_ [md [I U]]]]]; [apply U; now left|].
   destruct (each_motion_sound _ _ _ _ _ E W I) as [fs [g [F _]]]. exact (U (motion_forms_modelled _ _ _ _ F)).
 Qed.
 
@@ -501,7 +501,7 @@ Proof.
   assert (modelled_all : forall md, In md modes -> modelled s md).
   { intros md I. destruct (there md I) as [u [cs [F _]]]. unfold modelled. congruence. }
   split; [|split].
-  - intros [U|[_ [[md [I U]]|U]]].
+  - intros [U|[_ [_ [[md [I U]]|U]]]].
     + apply U. now left.
     + exact (U (modelled_all md I)).
     + apply U. intros k I B. unfold all_modelled_here in M. rewrite forallb_forall in M. specialize (M _ I). now rewrite B in M.
@@ -548,16 +548,7 @@ Proof.
   intros E F K. assert (V : has_value (paper s x) (at_forces c)) by (now right).
   assert (N : ~ is (paper s x) true (at_forces c)) by (intro T; exact (consistent _ _ T F)).
   unfold ways_of_kind, no_value_here, nothing_here in *. destruct (what c) as [| modes |[|md modes] h|modes| | | |claims]; try contradiction; split; try (now left); try exact F.
-  - intros [U|[_ [md [I U]]]]; [exact (U V)|]. unfold each_motion in E. destruct (map_option_In _ _ _ E _ I) as [w [G _]]. options G.
-    exact (U (motion_forms_modelled _ _ _ _ E0)).
-  - intros [U|[T _]]; [exact (U V)|exact (N T)].
-  - intros [U|[_ [T _]]]; [exact (U V)|exact (N T)].
-  - options E. apply andb_true_iff in E0. destruct E0 as [Q _]. apply andb_true_iff in Q. destruct Q as [Q _].
-    apply andb_true_iff in Q. destruct Q as [_ M]. unfold motions_ways in E. options E.
-    intros [U|[_ [[md [I U]]|U]]]; [exact (U V)| |].
-    + destruct (map_option_In _ _ _ E0 _ I) as [w [G _]]. options G. exact (U (motion_forms_modelled _ _ _ _ E5)).
-    + apply U. intros k I B. unfold all_modelled_here in M. rewrite forallb_forall in M. specialize (M _ I). now rewrite B in M.
-  - intros [U|[T _]]; [exact (U V)|exact (N T)].
+  all: intros [U|[T _]]; [exact (U V)|exact (N T)].
 Qed.
 End Claim.
 

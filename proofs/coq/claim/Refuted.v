@@ -119,7 +119,7 @@ Proof.
     apply (condition_in w _ _ _ E1) in A. apply (condition_in w _ _ _ E2) in A0.
     destruct (of_one_sound w _ _ E0 A1) as [md [J N]].
     split; [apply I|]. split; [exact A|]. unfold no_value_here, right_here, nothing_here, wrong_anyway. rewrite K. repeat split.
-    + intros [U|[U _]]; [apply U; now left|]. apply U. split; [exact A0|]. eauto.
+    + intros [U|[_ [U _]]]; [apply U; now left|]. apply U. split; [exact A0|]. eauto.
     + intro B. exact (B _ _ J N).
     + intro B. exact (consistent _ _ A0 B).
   - destruct (somewhere_sound _ _ _ E3 G) as [w [Q [M _]]]. take_apart M. exists (symbols_in w). split; [exact Q|].
@@ -135,7 +135,7 @@ Proof.
     { destruct (values_agree w 0) as [B U].
       apply (normal_condition_sound w _ _ (motion_agrees w s _ B _ _ U) _ _ _ E4), A2. }
     split; [apply I|]. split; [exact A|]. unfold no_value_here, right_here, nothing_here, wrong_anyway. rewrite K. repeat split.
-    + intros [U|[U _]]; [apply U; now left|]. apply U. split; [exact A0|]. exists md', (motion_in_values w 0). split; [exact J|split; [exact N|exact F]].
+    + intros [U|[_ [U _]]]; [apply U; now left|]. apply U. split; [exact A0|]. exists md', (motion_in_values w 0). split; [exact J|split; [exact N|exact F]].
     + intro B. exact (consistent _ _ (B _ _ J N) F).
     + intros [B|[_ B]]; [exact (consistent _ _ A0 B)|exact (B _ _ J N)].
   - destruct (somewhere_sound _ _ _ E5 G) as [w [Q [M _]]]. take_apart M. exists (symbols_in w). split; [exact Q|].
