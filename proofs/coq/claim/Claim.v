@@ -68,8 +68,8 @@ Definition load_has_degree_one (x : string -> R) : Prop :=
       exists e a b, given l = Some e /\ a <> 0 /\ forall f, value (paper (with_force x f)) e = Some (a * f + b)
   end.
 
-(** A point of the mechanism, and a force: what MEANING.md calls a bicycle and a force x. *)
-Record point (x : string -> R) : Prop := {
+(** A point of the mechanism, whatever the force: what MEANING.md calls a bicycle. *)
+Record bicycle (x : string -> R) : Prop := {
   domains : forall p c, In (p, c) (paper_parameters s) -> is (paper x) true c;
   paper_circles : forall c n d, In (c, n, d) (paper_angles s) -> is (paper x) true d /\ is (paper x) true (square_sum c n);
   scene_values : forall name, In name scene_symbols -> from_scene x name <> None;
@@ -77,7 +77,12 @@ Record point (x : string -> R) : Prop := {
   circles : forall u c n d, In (c, n, d) (angles m) -> is (in_scene x u) true d /\ is (in_scene x u) true (square_sum c n);
   assumed : forall u c, In c (assumptions m) -> is (in_scene x u) true c;
   coefficients : forall u e, In e numbers -> value (in_scene x u) e <> None;
-  degree_one : load_has_degree_one x;
+  degree_one : load_has_degree_one x
+}.
+
+(** The same, and a force x. *)
+Record point (x : string -> R) : Prop := {
+  of_bicycle : bicycle x;
   load_in_domain : forall u l c, load m = Some (l, c) -> is (in_scene x u) true c;
   force_in_domain : is (paper x) true (force_domain s)
 }.
@@ -221,11 +226,13 @@ Definition judged (o : outcome) : Prop :=
   end.
 End Judged.
 
-(** The claim is right, or says nothing, at every point and force; it is wrong at one. [Exists] is right at one, or
+(** The claim is right, or says nothing, at every point and force (a cover: at every point, even if there is no force); it
+    is wrong at one. [Exists] is right at one, or
     nowhere. *)
 Definition proved (c : claim) : Prop :=
   match what c with
   | Exists _ => exists x, point (in_setting c) x /\ judged c x Right
+  | Cover _ => forall x, bicycle (in_setting c) x -> judged c x Right \/ judged c x SaysNothing
   | _ => forall x, point (in_setting c) x -> judged c x Right \/ judged c x SaysNothing
   end.
 Definition refuted (c : claim) : Prop :=

@@ -24,7 +24,8 @@ Qed.
 Theorem proves_sound c ss : proves c ss = true -> Forall meaning ss -> proved c.
 Proof.
   unfold proves. destruct (ways c) as [ws|] eqn:E; [|discriminate]. intros O M. assert (W := all_open_sound ss ws O M). unfold proved.
-  destruct (what c) eqn:K; try (apply (ways_prove c ws E W); rewrite K; discriminate). exact (exists_proved c _ ws K E W).
+  assert (P := ways_prove c ws E W). destruct (what c) eqn:K; try (apply P; intros; discriminate).
+  exact (exists_proved c _ ws K E W).
 Qed.
 
 Theorem refutes_sound c ss : refutes c ss = true -> Forall meaning ss -> refuted c.

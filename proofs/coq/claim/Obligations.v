@@ -138,7 +138,7 @@ Definition ways : option (list way) :=
       require no_name_twice (names_of_motions s (length modes)) && Nat.leb (length modes) 8 in
       let* g := somewhere [yes; forces] modes in Some [[g]]
   | _ =>
-      let facts := point_facts s in
+      let facts := match what c with Cover _ => bicycle_facts s | _ => point_facts s end in
       let* yes := normal_condition names true (region c) in
       let* region_goal := has_value_goal facts (region c) in
       let* forces := normal_condition names true (at_forces c) in

@@ -39,18 +39,20 @@ Definition paper_forms : list (option form) :=
   ++ match load m with
      | Some (l, _) => match given s l with Some e => [slope_form e] | None => [] end
      | None => []
-     end
-  ++ [normal_condition names true (force_domain s)].
+     end.
 Definition inner_forms : list (option form) :=
   flat_map (fun d => if is_given s (fst d) then [normal_condition inner true (snd d)] else []) (parameters m)
   ++ flat_map (fun '(c, n, d) => [normal_condition inner true d; normal_condition inner true (square_sum c n)]) (angles m)
   ++ map (normal_condition inner true) (assumptions m)
-  ++ map (fun e => defined_form (normal_term inner e)) (numbers s)
-  ++ match load m with Some (_, c) => [normal_condition inner true c] | None => [] end.
+  ++ map (fun e => defined_form (normal_term inner e)) (numbers s).
+Definition load_forms : list (option form) :=
+  match load m with Some (_, c) => [normal_condition inner true c] | None => [] end.
+Definition force_form : option form := normal_condition names true (force_domain s).
 
 Fixpoint some_of (fs : list (option form)) : list form :=
   match fs with [] => [] | Some f :: fs => f :: some_of fs | None :: fs => some_of fs end.
-Definition point_facts : list form := some_of (paper_forms ++ inner_forms).
+Definition bicycle_facts : list form := some_of (paper_forms ++ inner_forms).
+Definition point_facts : list form := bicycle_facts ++ some_of (force_form :: load_forms).
 
 (** All of them, where none is missing and the unknowns do not occur: enough for a point. *)
 Definition all_given (fs : list (option form)) : bool := forallb (fun f => match f with Some _ => true | None => false end) fs.
@@ -64,8 +66,8 @@ Definition load_fits : bool :=
       end
   end.
 Definition point_forms : option (list form) :=
-  require all_given (paper_forms ++ inner_forms)
-          && forallb (form_free (map code (unknowns m))) (some_of inner_forms)
+  require all_given (paper_forms ++ inner_forms ++ force_form :: load_forms)
+          && forallb (form_free (map code (unknowns m))) (some_of (inner_forms ++ load_forms))
           && forallb (fun u => negb (is_in u (symbols s))) (unknowns m)
           && load_fits in
   Some point_facts.
@@ -189,9 +191,9 @@ Qed.
 Ltac in_parts I := repeat (apply in_app_or in I; destruct I as [I|I]).
 
 (** At a point, its conditions hold. *)
-Lemma point_facts_hold v x u : point s x -> agrees_with v "" x u -> Forall (holds v) (point_facts s).
+Lemma bicycle_facts_hold v x u : bicycle s x -> agrees_with v "" x u -> Forall (holds v) (bicycle_facts s).
 Proof.
-  intros P [A U]. apply Forall_forall. intros f I. unfold point_facts in I. apply some_of_In in I.
+  intros P [A U]. apply Forall_forall. intros f I. unfold bicycle_facts in I. apply some_of_In in I.
   assert (N := paper_agrees v s x A). assert (J := inner_agrees v s x A "" u U).
   apply in_app_or in I. destruct I as [I|I]; unfold paper_forms, inner_forms in I; in_parts I.
   - apply in_map_iff in I. destruct I as [[p c] [E I]]. apply (normal_condition_sound v _ _ N _ _ _ E), (domains s x P _ _ I).
@@ -205,7 +207,6 @@ Proof.
     assert (D := degree_one s x P). unfold load_has_degree_one in D. rewrite L in D.
     destruct D as [e' [a [b [E' [Z V]]]]]. rewrite G in E'. inversion E'; subst.
     exists (a * 1 + b), (a * 0 + b). rewrite !V. repeat split; auto. lra.
-  - destruct I as [E|[]]. apply (normal_condition_sound v _ _ N _ _ _ E), (force_in_domain s x P).
   - apply in_flat_map in I. destruct I as [[p c] [I K]]. simpl in K. destruct (is_given s p) eqn:G; [|contradiction].
     destruct K as [E|[]]. apply (normal_condition_sound v _ _ J _ _ _ E), (mechanism_domains s x P u _ _ I G).
   - apply in_flat_map in I. destruct I as [[[c n] d] [I K]]. destruct (circles s x P u _ _ _ I) as [D Q].
@@ -214,8 +215,15 @@ Proof.
   - apply in_map_iff in I. destruct I as [e [E I]].
     apply (defined_form_sound v _ (value (in_scene s x u) e) _ E); [|apply (coefficients s x P u _ I)].
     intros h K. exact (normal_term_sound v _ _ J _ _ K).
-  - destruct (load m) as [[l c]|] eqn:L; [|contradiction].
-    destruct I as [E|[]]. apply (normal_condition_sound v _ _ J _ _ _ E), (load_in_domain s x P u l c L).
+Qed.
+
+Lemma point_facts_hold v x u : point s x -> agrees_with v "" x u -> Forall (holds v) (point_facts s).
+Proof.
+  intros P Q. apply Forall_app. split; [exact (bicycle_facts_hold v x u (of_bicycle s x P) Q)|]. destruct Q as [A U].
+  apply Forall_forall. intros f I. apply some_of_In in I. destruct I as [E|I].
+  - apply (normal_condition_sound v _ _ (paper_agrees v s x A) _ _ _ E), (force_in_domain s x P).
+  - unfold load_forms in I. destruct (load m) as [[l c]|] eqn:L; [|contradiction].
+    destruct I as [E|[]]. apply (normal_condition_sound v _ _ (inner_agrees v s x A "" u U) _ _ _ E), (load_in_domain s x P u l c L).
 Qed.
 
 Lemma code_injective name other : code name = code other -> name = other.
@@ -276,10 +284,13 @@ Proof.
   apply andb_true_iff in E. destruct E as [E L]. apply andb_true_iff in E. destruct E as [E C].
   apply andb_true_iff in E. destruct E as [G W]. unfold all_given in G. rewrite forallb_forall in G, W, C.
   assert (N := paper_agrees v s x A).
-  unfold point_facts in F. rewrite Forall_forall in F.
-  assert (have : forall o, In o (paper_forms s) -> exists f, o = Some f /\ holds v f).
-  { intros o I. assert (J : In o (paper_forms s ++ inner_forms s)) by (apply in_or_app; auto).
-    specialize (G _ J). destruct o as [f|]; [|discriminate]. exists f. split; [reflexivity|]. apply F, some_of_In, J. }
+  assert (F' : forall f, In (Some f) (paper_forms s ++ inner_forms s ++ force_form s :: load_forms s) -> holds v f).
+  { rewrite Forall_forall in F. intros f I. apply F. unfold point_facts, bicycle_facts. rewrite app_assoc in I.
+    apply in_or_app. apply in_app_or in I. destruct I as [I|I]; [left|right]; apply some_of_In, I. }
+  assert (have : forall o, In o (force_form s :: paper_forms s) -> exists f, o = Some f /\ holds v f).
+  { intros o I. assert (J : In o (paper_forms s ++ inner_forms s ++ force_form s :: load_forms s)).
+    { destruct I as [I|I]; [subst; apply in_or_app; right; apply in_or_app; right; now left|apply in_or_app; now left]. }
+    specialize (G _ J). destruct o as [f|]; [|discriminate]. exists f. split; [reflexivity|]. apply F', J. }
   assert (V : forall u name, In name (symbols s) -> with_unknowns v u (code name) = x name).
   { intros u name I. unfold with_unknowns. destruct (in_list (code name) (map code (unknowns m))) eqn:J; [|apply A, I].
     apply in_list_iff, in_map_iff in J. destruct J as [n [J K]]. apply code_injective in J. subst.
@@ -290,41 +301,42 @@ Proof.
     now rewrite J, decode_code. }
   assert (M : forall u, agrees (with_unknowns v u) (inner_scope s "") (in_scene s x u)).
   { intro u. apply inner_agrees; [apply V|apply U]. }
-  assert (have_inner : forall o, In o (inner_forms s) -> exists f, o = Some f /\ forall u, holds (with_unknowns v u) f).
-  { intros o I. assert (J : In o (paper_forms s ++ inner_forms s)) by (apply in_or_app; auto).
+  assert (have_inner : forall o, In o (inner_forms s ++ load_forms s) -> exists f, o = Some f /\ forall u, holds (with_unknowns v u) f).
+  { intros o I. assert (J : In o (paper_forms s ++ inner_forms s ++ force_form s :: load_forms s)).
+    { apply in_or_app; right. apply in_app_or in I. apply in_or_app. destruct I as [I|I]; [now left|right; now right]. }
     specialize (G _ J). destruct o as [f|]; [|discriminate]. exists f. split; [reflexivity|]. intro u.
-    apply (form_free_holds (map code (unknowns m)) v); [|apply W, some_of_In, I|apply F, some_of_In, J].
+    apply (form_free_holds (map code (unknowns m)) v); [|apply W, some_of_In, I|apply F', J].
     intros q Q. unfold with_unknowns. destruct (in_list q (map code (unknowns m))) eqn:K; [|reflexivity].
     apply in_list_iff in K. contradiction. }
-  assert (paper_true : forall c, In (normal_condition (paper_scope s None) true c) (paper_forms s) -> is (paper s x) true c).
+  assert (paper_true : forall c, In (normal_condition (paper_scope s None) true c) (force_form s :: paper_forms s) -> is (paper s x) true c).
   { intros c I. destruct (have _ I) as [f [E H]]. exact (proj1 (normal_condition_sound v _ _ N _ _ _ E) H). }
-  assert (inner_true : forall u c, In (normal_condition (inner_scope s "") true c) (inner_forms s) -> is (in_scene s x u) true c).
+  assert (inner_true : forall u c, In (normal_condition (inner_scope s "") true c) (inner_forms s ++ load_forms s) -> is (in_scene s x u) true c).
   { intros u c I. destruct (have_inner _ I) as [f [E H]]. exact (proj1 (normal_condition_sound _ _ _ (M u) _ _ _ E) (H u)). }
-  unfold paper_forms, inner_forms in *. constructor.
-  - intros p c I. apply paper_true. apply in_or_app. left. apply in_map_iff. exists (p, c). split; [reflexivity|exact I].
-  - intros c n d I. split; apply paper_true; apply in_or_app; right; apply in_or_app; left; apply in_flat_map; exists (c, n, d);
+  unfold paper_forms, inner_forms in *. constructor; [constructor| |].
+  - intros p c I. apply paper_true. right. apply in_or_app. left. apply in_map_iff. exists (p, c). split; [reflexivity|exact I].
+  - intros c n d I. split; apply paper_true; right; apply in_or_app; right; apply in_or_app; left; apply in_flat_map; exists (c, n, d);
       (split; [exact I|]); [left; reflexivity|right; left; reflexivity].
   - intros name I. destruct (have (defined_form (scene_form s name))) as [f [E H]].
-    { apply in_or_app; right; apply in_or_app; right; apply in_or_app; left. apply in_map_iff. exists name. split; [reflexivity|exact I]. }
+    { right. apply in_or_app; right; apply in_or_app; right; apply in_or_app; left. apply in_map_iff. exists name. split; [reflexivity|exact I]. }
     apply (defined_form_sound v _ (from_scene s x name) _ E); [|exact H]. intros h K. exact (scene_agrees v s x A name h K).
-  - intros u p c I Q. apply inner_true. apply in_or_app. left. apply in_flat_map. exists (p, c).
+  - intros u p c I Q. apply inner_true. apply in_or_app. left. apply in_or_app. left. apply in_flat_map. exists (p, c).
     split; [exact I|]. change (fst (p, c)) with p. rewrite Q. left. reflexivity.
-  - intros u c n d I. split; apply inner_true; apply in_or_app; right; apply in_or_app; left; apply in_flat_map; exists (c, n, d);
+  - intros u c n d I. split; apply inner_true; apply in_or_app; left; apply in_or_app; right; apply in_or_app; left; apply in_flat_map; exists (c, n, d);
       (split; [exact I|]); [left; reflexivity|right; left; reflexivity].
-  - intros u c I. apply inner_true. do 2 (apply in_or_app; right). apply in_or_app; left. apply in_map_iff. exists c. split; [reflexivity|exact I].
+  - intros u c I. apply inner_true. apply in_or_app; left. do 2 (apply in_or_app; right). apply in_or_app; left. apply in_map_iff. exists c. split; [reflexivity|exact I].
   - intros u e I. destruct (have_inner (defined_form (normal_term (inner_scope s "") e))) as [f [E H]].
-    { do 3 (apply in_or_app; right). apply in_or_app; left. apply in_map_iff. exists e. split; [reflexivity|exact I]. }
+    { apply in_or_app; left. do 3 (apply in_or_app; right). apply in_map_iff. exists e. split; [reflexivity|exact I]. }
     apply (defined_form_sound (with_unknowns v u) _ (value (in_scene s x u) e) _ E); [|apply H].
     intros h K. exact (normal_term_sound _ _ _ (M u) _ _ K).
   - unfold load_has_degree_one, load_fits in *. destruct (load m) as [[l c]|] eqn:Q; [|exact Logic.I].
     destruct (given s l) as [e|] eqn:K; [|discriminate]. destruct (normal_term (paper_scope s None) e) as [f|] eqn:T; [|discriminate].
     destruct (have (slope_form s e)) as [g [E H]].
-    { do 3 (apply in_or_app; right). apply in_or_app; left. now left. }
+    { right. do 3 (apply in_or_app; right). now left. }
     apply (slope_form_sound v x e g A E) in H. destruct H as [y1 [y0 [Y1 [Y0 Y]]]].
     destruct (affine_sound x e f 0 T L) as [a [b B]]; [congruence|].
     exists e, a, b. repeat split; [|exact B]. intro Z. subst. rewrite B in Y1, Y0. inversion Y1; inversion Y0; subst. apply Y. ring.
-  - intros u l c Q. apply inner_true. do 4 (apply in_or_app; right). rewrite Q. now left.
-  - apply paper_true. do 4 (apply in_or_app; right). now left.
+  - intros u l c Q. apply inner_true. apply in_or_app; right. unfold load_forms. rewrite Q. now left.
+  - apply paper_true. now left.
 Qed.
 
 (** The forces *)

@@ -207,7 +207,6 @@ Variable c : claim.
 Notation s := (in_setting c).
 Notation m := (of_mechanism s).
 Variable x : string -> R.
-Hypothesis P : point s x.
 Hypothesis two_apart : no_name_twice (names_of_motions s 2) = true.
 
 (** Facts that hold at this point, whatever the motions are. *)
@@ -218,8 +217,10 @@ Lemma agrees_here u us i w : no_name_twice (names_of_motions s (length (u :: us)
   agrees_with s (valuation s x (u :: us)) (suffix i) x w.
 Proof. apply valuation_agrees. Qed.
 
-Lemma point_here : here (point_facts s).
-Proof. intros u us N. apply (point_facts_hold s _ x u P). exact (agrees_here u us 0 u N eq_refl). Qed.
+Lemma point_here : point s x -> here (point_facts s).
+Proof. intros P u us N. apply (point_facts_hold s _ x u P). exact (agrees_here u us 0 u N eq_refl). Qed.
+Lemma bicycle_here : bicycle s x -> here (bicycle_facts s).
+Proof. intros P u us N. apply (bicycle_facts_hold s _ x u P). exact (agrees_here u us 0 u N eq_refl). Qed.
 
 Lemma here_also f d facts : normal_condition (paper_scope s None) true d = Some f -> is (paper s x) true d -> here facts -> here (f :: facts).
 Proof.
@@ -553,22 +554,25 @@ Qed.
 End Claim.
 
 Theorem ways_prove c ws : ways c = Some ws -> Forall way_holds ws -> (forall modes, what c <> Claim.Exists modes) ->
-  forall x, point (in_setting c) x -> judged c x Right \/ judged c x SaysNothing.
+  forall x, match what c with Cover _ => bicycle (in_setting c) x | _ => point (in_setting c) x end ->
+  judged c x Right \/ judged c x SaysNothing.
 Proof.
   intros E W X x P. unfold ways in E. options E. apply andb_true_iff in E0. destruct E0 as [C T].
   assert (I := interval_sound _ x C). unfold judged.
+  set (facts := match what c with Cover _ => bicycle_facts (in_setting c) | _ => point_facts (in_setting c) end) in *.
   assert (G : exists yes region_goal forces forces_goal rest,
     normal_condition (paper_scope (in_setting c) None) true (region c) = Some yes
-    /\ has_value_goal c (point_facts (in_setting c)) (region c) = Some region_goal
+    /\ has_value_goal c facts (region c) = Some region_goal
     /\ normal_condition (paper_scope (in_setting c) None) true (at_forces c) = Some forces
-    /\ (match what c with Cover _ => Some [] | _ => let* g := has_value_goal c (yes :: point_facts (in_setting c)) (at_forces c) in Some [[g]] end) = Some forces_goal
-    /\ ways_of_kind c (yes :: point_facts (in_setting c)) forces = Some rest
+    /\ (match what c with Cover _ => Some [] | _ => let* g := has_value_goal c (yes :: facts) (at_forces c) in Some [[g]] end) = Some forces_goal
+    /\ ways_of_kind c (yes :: facts) forces = Some rest
     /\ ws = [region_goal] :: forces_goal ++ rest).
-  { destruct (what c) eqn:K; try (exfalso; exact (X _ eq_refl)); options E; inversion E; subst;
+  { unfold facts in *. destruct (what c) eqn:K; try (exfalso; exact (X _ eq_refl)); options E; inversion E; subst;
       do 5 eexists; repeat split; eauto; rewrite ?E4; reflexivity. }
   clear E. destruct G as [yes [rg [forces [fg [rest [Y [RG [F [FG [K S]]]]]]]]]]. subst ws.
   inversion W as [|? ? A B]; subst. apply one_goal in A. apply Forall_app in B. destruct B as [B D].
-  assert (H := point_here c x P).
+  assert (H : here c x facts).
+  { unfold facts. destruct (what c); try exact (point_here c x P); exact (bicycle_here c x P). }
   destruct (has_value_sound c x T _ _ _ H RG A) as [R|R]; [|right; split; [exact I|now left]].
   assert (H' := here_also c x _ _ _ Y R H).
   assert (V : match what c with Cover _ => True | _ => has_value (paper (in_setting c) x) (at_forces c) end).
