@@ -88,8 +88,10 @@ TEST_CASE("prove takes statements of one's own, files and folders, without a cla
   const auto file = folder.write("means.statement", means);
   std::filesystem::create_directories(folder.path() / "more" / "deep");
   folder.write("more/deep/A2.4.statement", read_file(proofs + "A2.4.statement"));
+  // Scheiderer's form: a sum of squares with real numbers, but with no rational ones.
   const std::string hard =
-      "slipproof-statement 1\ntheorem hard\nreal x y\nassume a: x^3 + y^3 = 1\nshow x^4 + y^4 > 1/100\n";
+      "slipproof-statement 1\ntheorem hard\nreal x y z\nshow x^4 + x*y^3 + y^4 - 3*x^2*y*z - 4*x*y^2*z + 2*x^2*z^2 + "
+      "x*z^3 + y*z^3 + z^4 >= 0\n";
   folder.write("more/hard.statement", hard);
   const auto one = run({"prove", file});
   CHECK(one.exit_code == 0);
