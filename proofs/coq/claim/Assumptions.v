@@ -1,4 +1,4 @@
 (** What the theorem rests on: the axioms of Coq's real numbers, and nothing else. *)
-From Slipproof.claim Require Import Judge.
-Print Assumptions proves_sound.
+From Slipproof.claim Require Import Run Judge.
+Print Assumptions run_sound.
 Print Assumptions judge_sound.

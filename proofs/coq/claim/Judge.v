@@ -1,8 +1,8 @@
 (** The judge: from a claim, and statements that are proved, to a verdict. *)
-From Coq Require Import String List Bool.
+From Coq Require Import String List Bool QArith Qreals.
 Local Open Scope string_scope.
 From Slipproof Require Import Text Syntax Meaning Checker Print Sound.
-From Slipproof.claim Require Import Expression Mechanism Claim Covers Points Obligations Proved Refuted Canonical.
+From Slipproof.claim Require Import Expression Mechanism Claim Covers Points Obligations Proved Refuted Canonical RunValues Run.
 Import ListNotations.
 
 (** A way is open if one of its goals is obvious, or shown by a statement. *)
@@ -79,26 +79,42 @@ Qed.
 
 Inductive verdict := Proved | Refuted | Open.
 
-(** The verdict on a claim of a file, if the text states it; the texts are those of statements and certificates. *)
-Definition judge (is_stated : bool) (f : file) (n : named_claim) (texts : list (string * string)) : verdict :=
+(** At one of these rational points and forces the claim is seen to be wrong. *)
+Definition is_wrong_at (c : claim) (q : list (string * Q)) : bool :=
+  match what c, run c q with Claim.Exists _, _ => false | _, Some Wrong => true | _, _ => false end.
+
+Lemma wrong_at_sound c qs : existsb (is_wrong_at c) qs = true -> refuted c.
+Proof.
+  intro H. apply existsb_exists in H. destruct H as [q [_ H]]. unfold is_wrong_at in H.
+  destruct (run c q) as [o|] eqn:R; [|destruct (what c); discriminate]. apply run_sound in R. destruct R as [P J].
+  unfold refuted. destruct (what c) eqn:K; try discriminate; destruct o; try discriminate; eauto.
+Qed.
+
+(** The verdict on a claim of a file, if the text states it. [texts] are those of statements and certificates; at [points]
+    the claim may be wrong. *)
+Definition judge (is_stated : bool) (f : file) (n : named_claim) (texts : list (string * string))
+  (points : list (list (string * Q))) : verdict :=
   match claim_of f n with
   | Some c => if is_stated then
-                let ss := accepted texts in if proves c ss then Proved else if refutes c ss then Refuted else Open
+                let ss := accepted texts in
+                if proves c ss then Proved else if refutes c ss || existsb (is_wrong_at c) points then Refuted else Open
               else Open
   | None => Open
   end.
 
 (** What the verdicts say: the text states claims, of which this is one, and it is right or says nothing at every point,
     or wrong at one. *)
-Theorem judge_sound text f n texts :
-  match judge (stated text f) f n texts with
+Theorem judge_sound text f n texts points :
+  match judge (stated text f) f n texts points with
   | Proved => states_claims text f /\ exists c, claim_of f n = Some c /\ proved c
   | Refuted => states_claims text f /\ exists c, claim_of f n = Some c /\ refuted c
   | Open => True
   end.
 Proof.
   unfold judge. destruct (claim_of f n) as [c|] eqn:C; [|exact I]. destruct (stated text f) eqn:S; [|exact I].
-  destruct (proves c (accepted texts)) eqn:P; [|destruct (refutes c (accepted texts)) eqn:R; [|exact I]].
+  destruct (proves c (accepted texts)) eqn:P; [|destruct (refutes c (accepted texts) || existsb (is_wrong_at c) points) eqn:R; [|exact I]].
   - split; [exact (stated_sound _ _ S)|]. exists c. split; [reflexivity|]. exact (proves_sound c _ P (accepted_sound texts)).
-  - split; [exact (stated_sound _ _ S)|]. exists c. split; [reflexivity|]. exact (refutes_sound c _ R (accepted_sound texts)).
+  - split; [exact (stated_sound _ _ S)|]. exists c. split; [reflexivity|]. apply orb_true_iff in R. destruct R as [R|R].
+    + exact (refutes_sound c _ R (accepted_sound texts)).
+    + exact (wrong_at_sound c points R).
 Qed.
