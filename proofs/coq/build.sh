@@ -30,5 +30,6 @@ done
 coqc -q -Q . Slipproof contact/Assumptions.v >contact/assumptions.txt
 mv contact_checker.ml contact_checker.mli contact
 cd contact
-ocamlfind ocamlopt -O3 -w -a -package unix,zarith -linkpkg contact_checker.mli contact_checker.ml main.ml \
+cp ../support.ml .
+ocamlfind ocamlopt -O3 -w -a -package unix,zarith -linkpkg contact_checker.mli contact_checker.ml support.ml main.ml \
   -o ../slipproof-check-contact-verified

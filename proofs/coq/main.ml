@@ -130,16 +130,4 @@ let run = function
   | first :: _ as paths when not (String.starts_with ~prefix:"-" first) -> check paths
   | _ -> prerr_string usage; 2
 
-let say message = prerr_endline ("slipproof-check-verified: " ^ message)
-
-let () =
-  let code = try run (List.tl (Array.to_list Sys.argv)) with
-    | Sys_error message -> say message; 6
-    | failure -> say (Printexc.to_string failure); 70
-  in
-  match flush stdout with
-  | () -> exit code
-  | exception Sys_error _ ->
-      say "standard output cannot be written";
-      (* Of what could not be written nothing is left to try again at exit. *)
-      Unix._exit 6
+let () = run_program "slipproof-check-verified" run

@@ -1,14 +1,10 @@
 (* What the programs of this folder share: a bound on memory; files of others, their bytes and names, and what cannot be
    read. *)
 
-(* A check may allocate 8 GB in all and hold 1 GB; beyond that the certificate is rejected. The largest shipped proof
-   allocates 0.4 GB. *)
 exception Too_much
 
-let most_samples = 1_024
-let most_held = 1 lsl 27 (* words *)
-
-let bounded work =
+(* The result of some work; nothing if it allocates too many samples of a million words in all, or holds too many words. *)
+let bounded_by ~most_samples ~most_held work =
   let samples = ref 0 in
   let count _ =
     incr samples;
@@ -18,8 +14,12 @@ let bounded work =
   Gc.Memprof.start ~sampling_rate:1e-6 ~callstack_size:0
     { Gc.Memprof.null_tracker with alloc_minor = count; alloc_major = count };
   match Fun.protect ~finally:Gc.Memprof.stop work with
-  | result -> result
-  | exception (Stack_overflow | Too_much) -> Gc.compact (); None
+  | result -> Some result
+  | exception (Stack_overflow | Too_much | Out_of_memory | Z.Overflow) -> Gc.compact (); None
+
+(* A check of a certificate may allocate 8 GB in all and hold 1 GB; beyond that it is rejected. The largest shipped proof
+   allocates 0.4 GB. *)
+let bounded work = Option.join (bounded_by ~most_samples:1_024 ~most_held:(1 lsl 27) work)
 
 let explode text = List.init (String.length text) (String.get text)
 let implode letters = String.of_seq (List.to_seq letters)
@@ -74,3 +74,17 @@ let printable text =
   in
   add 0;
   Buffer.contents result
+
+(* Runs a program on its arguments and ends with its exit code. *)
+let run_program name run =
+  let say message = prerr_endline (name ^ ": " ^ message) in
+  let code = try run (List.tl (Array.to_list Sys.argv)) with
+    | Sys_error message -> say message; 6
+    | failure -> say (Printexc.to_string failure); 70
+  in
+  match flush stdout with
+  | () -> exit code
+  | exception Sys_error _ ->
+      say "standard output cannot be written";
+      (* Of what could not be written nothing is left to try again at exit. *)
+      Unix._exit 6

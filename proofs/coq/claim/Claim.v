@@ -179,8 +179,9 @@ Definition wrong_anyway : Prop :=
   | Motions modes =>
       true_here (at_forces c)
       /\ ((exists md u w, In md modes /\ motion s x md u /\ motion s x md w /\ ~ same_motion s x u w)
-          \/ exists md u, motion s x md u /\ (forall listed, In listed modes -> modelled s listed)
-                          /\ forall listed, In listed modes -> ~ motion_in s x listed u)
+          \/ (exists md u, motion s x md u /\ (forall listed, In listed modes -> modelled s listed)
+                           /\ forall listed, In listed modes -> ~ motion_in s x listed u)
+          \/ exists md, In md modes /\ modelled s md /\ forall u, ~ motion s x md u)
   | _ => False
   end.
 

@@ -138,6 +138,19 @@ Proof.
         - destruct (Sol u U).
         - destruct Sol as [_ Sol]. apply (Same (in_order s u) (in_order s w) u w (reads_in_order s u) (reads_in_order s w)).
           apply (have_same numbers _ _ values); apply (Sol _ _ (reads_in_order s _)); assumption. }
+      destruct (existsb (lacks c mech moving numbers) modes) eqn:La.
+      { apply existsb_exists in La. destruct La as [md [J La]]. unfold lacks, is_modelled in La. apply andb_true_iff in La. destruct La as [Em Mo].
+        assert (M : modelled s md) by (unfold modelled; destruct (mode_conditions _ _ _ md); [discriminate|discriminate Mo]).
+        assert (No : forall u, ~ motion s x md u).
+        { intros u U. specialize (Sol md). destruct (solve s mech moving numbers md); try discriminate. exact (Sol u U). }
+        of_kind K. split; [|split; [|exact N]].
+        - intros [X|[_ [X _]]]; [exact (X V)|]. apply X. split; [exact T|]. right; right. exists md. auto.
+        - intros [R _]. destruct (proj1 (R md J)) as [u U]. exact (No u U). }
+      assert (Some_motion : forall md, In md modes -> modelled s md -> (forall u, ~ motion s x md u) -> False).
+      { intros md J Mo No. apply not_true_iff_false in La. apply La, existsb_exists. exists md. split; [exact J|]. unfold lacks, is_modelled.
+        specialize (Sol md). specialize (F md J). destruct (solve s mech moving numbers md); try contradiction.
+        - simpl. unfold modelled in Mo. now destruct (mode_conditions _ _ _ md).
+        - destruct Sol as [[u U] _]. destruct (No u U). }
       destruct (all_listed_modelled c modes).
       * set (values := flat_map values_of (map (solve s mech moving numbers) modes)).
         assert (Is : forall W, In W values -> exists md u, In md modes /\ motion s x md u /\ have numbers (in_order s u) W).
@@ -158,10 +171,10 @@ Proof.
              apply (have_same numbers (in_order s w)); [exact HX|]. apply (Same z (in_order s w) u w U (reads_in_order s w)) in Sm.
              clear - Sm. induction Sm; constructor; auto. }
            of_kind K. split; [|split; [|exact N]].
-           ++ intros [X|[_ [X _]]]; [exact (X V)|]. apply X. split; [exact T|]. right. exists md, u. auto.
+           ++ intros [X|[_ [X _]]]; [exact (X V)|]. apply X. split; [exact T|]. right; left. exists md, u. auto.
            ++ intros [_ R]. destruct (R md u M) as [listed [J' B]]. exact (Out _ J' B).
         -- assert (NW : ~ wrong_anyway c x).
-           { unfold wrong_anyway. rewrite K. intros [_ [[md [u [w [J [U [W D]]]]]]|[md [u [M [_ D]]]]]]; [exact (D (One _ _ _ J U W))|].
+           { unfold wrong_anyway. rewrite K. intros [_ [[md [u [w [J [U [W D]]]]]]|[[md [u [M [_ D]]]]|[md [J [Mo No]]]]]]; [exact (D (One _ _ _ J U W))| |exact (Some_motion md J Mo No)].
              assert (J := all_modes_sound s x md u M). specialize (St md). rewrite (any_of_false _ G _ (in_map _ _ _ J)) in St.
              destruct (St _ _ (reads_in_order s u) M) as [W [JW HW]]. destruct (Is W JW) as [listed [w [J' [M' HW']]]].
              apply (D _ J'). exists w. split; [exact M'|]. apply (Same _ _ _ _ (reads_in_order s u) (reads_in_order s w)).
@@ -185,7 +198,7 @@ Proof.
                  destruct (R md J) as [[u M] _]. destruct (Sol u M).
            ++ unfold proven, verdict_here, no_value_here. rewrite K. auto.
       * assert (NW : ~ wrong_anyway c x).
-        { unfold wrong_anyway. rewrite K. intros [_ [[md [u [w [J [U [W D]]]]]]|[md [u [M [D _]]]]]]; [exact (D (One _ _ _ J U W))|].
+        { unfold wrong_anyway. rewrite K. intros [_ [[md [u [w [J [U [W D]]]]]]|[[md [u [M [D _]]]]|[md [J [Mo No]]]]]]; [exact (D (One _ _ _ J U W))| |exact (Some_motion md J Mo No)].
           destruct L as [md' [J X]]. exact (X (D _ J)). }
         unfold proven, verdict_here, no_value_here. rewrite K. auto.
   - intros F N. assert (V : has_value (paper s x) (at_forces c)) by now right. of_kind K. split; [|exact F].

@@ -47,11 +47,17 @@ Definition is_unsolved (f : found) : bool := match f with Unsolved => true | _ =
 Definition is_unique (f : found) : bool := match f with Unique _ => true | _ => false end.
 Definition values_of (f : found) : list (list Q) := match f with Unique V => [V] | _ => [] end.
 
+(** A mode that is modelled has no motion. *)
+Definition is_empty (f : found) : bool := match f with NoMotion => true | _ => false end.
+Definition lacks numbers (md : mode) : bool :=
+  is_empty (solve s mech moving numbers md) && is_modelled s md.
+
 Definition run_motions (modes : list mode) : option outcome :=
   let* numbers := affines (map mech (accelerations m ++ map fst (quantities m))) in
   let listed := map (solve s mech moving numbers) modes in
   if existsb is_several listed then Some Wrong
   else if existsb is_unsolved listed then None
+  else if existsb (lacks numbers) modes then Some Wrong
   else if all_listed_modelled modes then
     let values := flat_map values_of listed in
     let* stray := any_of (map (strays s mech moving numbers values) (all_modes (given_parameters s) m)) in

@@ -166,17 +166,11 @@ let summary () =
     (count "rejected" + count "missing" + count "undecided" + count "unreadable");
   code
 
-let () =
-  let code =
-    match List.tl (Array.to_list Sys.argv) with
-    | [ "--at"; points; claims ] -> (
-        try at_points points claims
-        with Failure found | Canonical.Unreadable found -> prerr_endline ("slipproof-judge-verified: " ^ found); 3)
-    | first :: _ as folders when not (String.starts_with ~prefix:"-" first) -> List.iter judge folders; summary ()
-    | _ -> prerr_string usage; 2
-  in
-  match flush stdout with
-  | () -> exit code
-  | exception Sys_error _ ->
-      prerr_endline "slipproof-judge-verified: standard output cannot be written";
-      Unix._exit 6
+let run = function
+  | [ "--at"; points; claims ] -> (
+      try at_points points claims
+      with Failure found | Canonical.Unreadable found -> prerr_endline ("slipproof-judge-verified: " ^ found); 3)
+  | first :: _ as folders when not (String.starts_with ~prefix:"-" first) -> List.iter judge folders; summary ()
+  | _ -> prerr_string usage; 2
+
+let () = run_program "slipproof-judge-verified" run

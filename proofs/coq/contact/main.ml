@@ -8,31 +8,13 @@
 module Integer = Z
 module Rational = Q
 open Contact_checker
+open Support
 
 let usage =
   "usage: slipproof-check-contact-verified [--problem NAME] FILE...\n       slipproof-check-contact-verified --compare RECORD\n"
 
 (* A check may allocate 64 GB in all and hold 2 GB; what needs more is not covered. *)
-exception Too_much
-
-let most_samples = 8_192
-let most_held = 1 lsl 28 (* words *)
-
-let bounded work =
-  let samples = ref 0 in
-  let count _ =
-    incr samples;
-    if !samples > most_samples || (Gc.quick_stat ()).heap_words > most_held then raise Too_much;
-    None
-  in
-  Gc.Memprof.start ~sampling_rate:1e-6 ~callstack_size:0
-    { Gc.Memprof.null_tracker with alloc_minor = count; alloc_major = count };
-  match Fun.protect ~finally:Gc.Memprof.stop work with
-  | result -> Some result
-  | exception (Stack_overflow | Too_much | Out_of_memory | Integer.Overflow) -> Gc.compact (); None
-
-let explode text = List.init (String.length text) (String.get text)
-let implode chars = String.of_seq (List.to_seq chars)
+let bounded work = bounded_by ~most_samples:8_192 ~most_held:(1 lsl 28) work
 
 (* The name of a problem: SHA-256, FIPS 180-4. *)
 let primes count =
@@ -244,16 +226,4 @@ let run = function
   | first :: _ as paths when first = "-" || not (String.starts_with ~prefix:"-" first) -> check "" paths
   | _ -> prerr_string usage; 2
 
-let say message = prerr_endline ("slipproof-check-contact-verified: " ^ message)
-
-let () =
-  let code = try run (List.tl (Array.to_list Sys.argv)) with
-    | Sys_error message -> say message; 6
-    | failure -> say (Printexc.to_string failure); 70
-  in
-  match flush stdout with
-  | () -> exit code
-  | exception Sys_error _ ->
-      say "standard output cannot be written";
-      (* Of what could not be written nothing is left to try again at exit. *)
-      Unix._exit 6
+let () = run_program "slipproof-check-contact-verified" run

@@ -19,6 +19,11 @@ bool ClaimJudge::is_unsure() {
       unsure = unsure || cell.truth == Truth::undecided;
     }
   }
+  for (const std::size_t other : body().claims) {  // their ends may be irrational
+    for (const TruthCell& cell : sample_.over_forces(programs(other).forces)) {
+      unsure = unsure || cell.truth == Truth::undecided;
+    }
+  }
   return unsure;
 }
 
