@@ -109,6 +109,12 @@ Definition print_kind (k : kind) : list (list string) :=
   | Exists ms => ["exists"] :: print_modes ms
   | Equivalence holds => [["equivalence"]; put ["holds"] holds]
   | Cover rs => ["cover"] :: flat_map (fun r => [put ["one"; "region"] (fst r); put ["one"; "forces"] (snd r)]) rs
+  | Consequence model hs es =>
+      ["consequence"] :: match model with
+                         | Some None => [["of"; "the"; "model"]]
+                         | Some (Some m) => ["of"; "the"; "model"] :: print_modes [m]
+                         | None => []
+                         end ++ map (put ["given"]) hs ++ map (put ["follows"]) es
   | ForceCover rs => ["force"; "-"; "cover"] :: flat_map (fun r => [put ["one"; "region"] (fst r); put ["one"; "forces"] (snd r)]) rs
   end.
 

@@ -117,6 +117,47 @@ Definition names_of_motion (x u : string -> R) : meanings :=
               else paper x name.
 End Point.
 
+(** Linear equations *)
+
+Fixpoint mentions (names : list string) (e : term) : bool :=
+  match e with
+  | Number _ => false
+  | Symbol name => existsb (String.eqb name) names
+  | Minus a | Power a _ | Absolute a | Signum a => mentions names a
+  | Plus a b | Difference a b | Product a b | Quotient a b | Minimum a b | Maximum a b => mentions names a || mentions names b
+  end.
+
+(** "An equation is linear if, as it stands, it multiplies no two numbers in which unknowns or the force occur, divides by
+    no such number, and applies no power (except 0 and 1) and no function to one." *)
+Definition varying (s : setting) : list string :=
+  fold_left (fun known d => if mentions known (snd d) then fst d :: known else known) (paper_definitions s)
+    (force s :: unknowns (of_mechanism s) ++ map fst (quantities (of_mechanism s))).
+Fixpoint linear (vs : list string) (e : term) : bool :=
+  match e with
+  | Number _ | Symbol _ | Power _ 0 => true
+  | Minus a | Power a 1 => linear vs a
+  | Plus a b | Difference a b => linear vs a && linear vs b
+  | Product a b => negb (mentions vs a) && linear vs b || linear vs a && negb (mentions vs b)
+  | Quotient a b => linear vs a && negb (mentions vs b)
+  | Power a _ | Absolute a | Signum a => negb (mentions vs a)
+  | Minimum a b | Maximum a b => negb (mentions vs a || mentions vs b)
+  end.
+Definition is_equation (c : condition) : bool :=
+  match c with Compare _ links => forallb (fun l => match fst l with Eq => true | _ => false end) links | _ => false end.
+Definition linear_equation (s : setting) (c : condition) : bool :=
+  is_equation c
+  && match c with Compare a links => linear (varying s) a && forallb (fun l => linear (varying s) (snd l)) links | _ => false end.
+
+(** The equations of motion, with those of a mode, or with no contact open. *)
+Definition model_equations (s : setting) (md : option mode) : option (list condition) :=
+  let m := of_mechanism s in
+  match md with
+  | Some md => let* cs := mode_conditions (strict s) (given_parameters s) m md in Some (dynamics m ++ filter is_equation cs)
+  | None =>
+      let closed c := match begins c with Apart => false | _ => true end in
+      Some (dynamics m ++ map (fun c => equal (Symbol (gap_name c)) nought) (filter closed (contacts m)))
+  end.
+
 (** Claims *)
 
 (** Region and forces of a claim that another one names. *)
@@ -130,7 +171,9 @@ Inductive kind :=
 | Exists (modes : list mode)
 | Equivalence (holds : condition)
 | Cover (claims : list reference)
-| ForceCover (claims : list reference).
+| ForceCover (claims : list reference)
+(* Of the mechanism's equations, if [model]: in a mode, or with no contact open. *)
+| Consequence (model : option (option mode)) (hypotheses equations : list condition).
 
 Record claim := Claim { in_setting : setting; what : kind; region : condition; at_forces : condition }.
 
@@ -142,6 +185,13 @@ Let names := paper s x.
 Let true_here (d : condition) : Prop := is names true d.
 Let false_here (d : condition) : Prop := is names false d.
 Let undefined (d : condition) : Prop := ~ has_value names d.
+
+(** "The unknowns and the force variable are any real numbers: the force is not restricted to its domain, and conditions of
+    contacts do not count." *)
+Definition solves (model : option (option mode)) (hypotheses : list condition) (f : R) (u : string -> R) : Prop :=
+  let y := with_force s x f in
+  (forall md, model = Some md -> exists cs, model_equations s md = Some cs /\ all_true (mechanism_names s y u) cs)
+  /\ all_true (names_of_motion s y u) hypotheses.
 
 (** The table of MEANING.md, column by column; a region that is true, one force. *)
 Definition right_here : Prop :=
@@ -158,6 +208,7 @@ Definition right_here : Prop :=
   | Equivalence holds => true_here (at_forces c) <-> true_here holds
   | Cover claims => exists r f, In (r, f) claims /\ true_here r
   | ForceCover claims => exists r f, In (r, f) claims /\ true_here r /\ true_here f
+  | Consequence model hs es => forall f u, solves model hs f u -> all_true (names_of_motion s (with_force s x f) u) es
   end.
 
 Definition nothing_here : Prop :=
@@ -168,6 +219,7 @@ Definition nothing_here : Prop :=
       false_here (at_forces c)
       \/ (forall md, In md modes -> modelled s md) /\ forall md u, In md modes -> ~ motion s x md u
   | Exists _ => ~ right_here
+  | Consequence model hs _ => forall f u, ~ solves model hs f u
   end.
 
 (** Something shows that the claim is wrong, whatever else has no value. *)
@@ -210,6 +262,11 @@ Definition no_value_here : Prop :=
       undefined (at_forces c)
       \/ true_here (at_forces c) /\ ~ right_here
          /\ exists r f, In (r, f) claims /\ (undefined r /\ ~ false_here f \/ true_here r /\ undefined f)
+  | Consequence model hs es =>
+      (exists md, model = Some md /\ model_equations s md = None)
+      \/ exists e, In e (hs ++ es)
+                   /\ (linear_equation s e = false
+                       \/ exists f u, ~ has_value (names_of_motion s (with_force s x f) u) e)
   end.
 
 Inductive outcome := Right | Wrong | SaysNothing | NoValue.
@@ -227,13 +284,13 @@ Definition judged (o : outcome) : Prop :=
   end.
 End Judged.
 
-(** The claim is right, or says nothing, at every point and force (a cover: at every point, even if there is no force); it
+(** The claim is right, or says nothing, at every point and force (a cover or a consequence: at every point, even if there is no force); it
     is wrong at one. [Exists] is right at one, or
     nowhere. *)
 Definition proved (c : claim) : Prop :=
   match what c with
   | Exists _ => exists x, point (in_setting c) x /\ judged c x Right
-  | Cover _ => forall x, bicycle (in_setting c) x -> judged c x Right \/ judged c x SaysNothing
+  | Cover _ | Consequence _ _ _ => forall x, bicycle (in_setting c) x -> judged c x Right \/ judged c x SaysNothing
   | _ => forall x, point (in_setting c) x -> judged c x Right \/ judged c x SaysNothing
   end.
 Definition refuted (c : claim) : Prop :=

@@ -79,6 +79,19 @@ Definition has_value_goal (facts : list form) (d : condition) : option goal :=
   let* no := normal_condition names false d in
   let* ds := divisors names d in Some (Goal facts [] (Any [apart_from_zero ds; yes; no])).
 
+(** The same of an equation about motions. *)
+Definition equation_goal (facts : list form) (e : condition) : option goal :=
+  let scope := motion_scope s (suffix 0) in
+  let* yes := normal_condition scope true e in
+  let* no := normal_condition scope false e in
+  let* ds := divisors scope e in Some (Goal facts [] (Any [apart_from_zero ds; yes; no])).
+Definition without_force (facts : list form) : list form := filter (form_free [code (force s)]) facts.
+Definition model_forms (model : option (option mode)) : option (list form) :=
+  match model with
+  | Some md => let* cs := model_equations s md in normal_all (mechanism_scope s (suffix 0)) cs
+  | None => Some []
+  end.
+
 (** References of which one holds. *)
 Definition one_region (claims : list reference) : option form :=
   let* parts := map_option (fun r => normal_condition names true (fst r)) claims in Some (Any parts).
@@ -127,6 +140,14 @@ Definition ways_of_kind (facts : list form) (forces : form) : option (list way) 
       let* d := has_value_goal facts holds in Some [[Goal there [] g]; [Goal (g :: facts) [] forces]; [d]]
   | Cover claims => let* g := one_region claims in Some [[Goal facts [] g]]
   | ForceCover claims => let* g := one_stated claims in Some [[Goal there [] g]]
+  | Consequence model hs es =>
+      require negb (is_in (force s) (unknowns (of_mechanism s))) && forallb (linear_equation s) (hs ++ es) in
+      let still := without_force facts in
+      let* ms := model_forms model in
+      let* given := normal_all (motion_scope s (suffix 0)) hs in
+      let* shown := normal_all (motion_scope s (suffix 0)) es in
+      let* values := map_option (equation_goal still) (hs ++ es) in
+      Some ([Goal (ms ++ given ++ still) [] (All shown)] :: map (fun g => [g]) values)
   end.
 
 Definition ways : option (list way) :=
@@ -138,7 +159,7 @@ Definition ways : option (list way) :=
       require no_name_twice (names_of_motions s (length modes)) && Nat.leb (length modes) 8 in
       let* g := somewhere [yes; forces] modes in Some [[g]]
   | _ =>
-      let facts := match what c with Cover _ => bicycle_facts s | _ => point_facts s end in
+      let facts := match what c with Cover _ | Consequence _ _ _ => bicycle_facts s | _ => point_facts s end in
       let* yes := normal_condition names true (region c) in
       let* region_goal := has_value_goal facts (region c) in
       let* forces := normal_condition names true (at_forces c) in
@@ -181,6 +202,6 @@ Definition refuting_ways : option (list way) :=
       let* region_goal := has_value_goal facts (region c) in
       let* forces_goal := has_value_goal (yes :: facts) (at_forces c) in
       Some [[region_goal]; [forces_goal]; [Goal (concat motions ++ forces :: yes :: facts) [] (Any [])]]
-  | Motions _ => None
+  | Motions _ | Consequence _ _ _ => None
   end.
 End Claim.

@@ -541,6 +541,57 @@ Proof.
         exact (agrees_same s _ _ _ _ _ S (agrees_here u us i w D' B')).
 Qed.
 
+(** Consequences, at any force *)
+
+Definition moved (v : positive -> R) (f : R) (p : positive) : R := if Pos.eqb p (code (force s)) then f else v p.
+
+Lemma moved_agrees u f : ~ In (force s) (unknowns m) ->
+  agrees_with s (moved (valuation s x [u; u]) f) (suffix 0) (with_force s x f) u.
+Proof.
+  intro F. destruct (agrees_here u [u] 0 u two_apart eq_refl) as [A U]. unfold moved, with_force. split; intros name I.
+  - destruct (Pos.eqb_spec (code name) (code (force s))) as [E|E]; destruct (String.eqb_spec name (force s)) as [G|G];
+      try (apply code_injective in E); try congruence. apply A, I.
+  - destruct (Pos.eqb_spec (code (name ++ suffix 0)%string) (code (force s))) as [E|E]; [|apply U, I].
+    apply code_injective in E. simpl suffix in E. rewrite append_nil_r in E. subst. contradiction.
+Qed.
+
+Lemma without_force_moved facts u f : here facts -> Forall (holds (moved (valuation s x [u; u]) f)) (without_force c facts).
+Proof.
+  intro H. specialize (H u [u] two_apart). rewrite Forall_forall in *. intros g I. unfold without_force in I. apply filter_In in I.
+  destruct I as [I F]. apply (form_free_holds [code (force s)] (valuation s x [u; u])); [|exact F|apply H, I].
+  intros q Q. unfold moved. destruct (Pos.eqb_spec q (code (force s))) as [E|E]; [|reflexivity]. exfalso. apply Q. now left.
+Qed.
+
+Lemma consequence_kind model hs es facts forces ws : what c = Consequence model hs es -> here facts ->
+  ways_of_kind c facts forces = Some ws -> Forall way_holds ws -> ~ no_value_here c x /\ right_here c x.
+Proof.
+  intros K H E W. unfold ways_of_kind, no_value_here, right_here in *. rewrite K in *. options E. inversion E; subst; clear E.
+  inversion W as [|? ? A B]; subst; clear W. apply one_goal in A. apply andb_true_iff in E0. destruct E0 as [U E0].
+  assert (U' : ~ In (force s) (unknowns m)) by (intro I; apply is_in_In in I; now rewrite I in U).
+  clear U. rename U' into U. rewrite forallb_forall in E0. rewrite Forall_forall in B.
+  rename E0 into L, E1 into M, E2 into G, E3 into S, E4 into V. split.
+  - intros [[md [Q N]]|[e [I [N|[f [u N]]]]]].
+    + subst. unfold model_forms in M. rewrite N in M. discriminate.
+    + rewrite (L e I) in N. discriminate.
+    + apply N. destruct (map_option_In _ _ _ V _ I) as [g [F J]]. unfold equation_goal in F. options F. inversion F; subst; clear F.
+      assert (T := B _ (in_map (fun g => [g]) _ _ J)). apply one_goal in T.
+      destruct (goal_shown _ _ _ T (without_force_moved facts u f H)) as [w [X Z]].
+      destruct (agrees_same s _ _ _ _ _ X (moved_agrees u f U)) as [P Q].
+      assert (Y := motion_agrees w s (with_force s x f) P (suffix 0) u Q).
+      apply holds_any in Z. inversion Z as [? ? D|? ? D]; subst; [|inversion D as [? ? O|? ? O]; subst; [|inversion O as [? ? R|? ? R]; subst; [|inversion R]]].
+      * apply apart_from_zero_sound in D. exact (divisors_sound w _ _ Y _ _ E1 D).
+      * left. exact (proj1 (normal_condition_sound w _ _ Y _ _ _ E) O).
+      * right. exact (proj1 (normal_condition_sound w _ _ Y _ _ _ E0) R).
+  - intros f u [Mo Hy]. assert (Ag := moved_agrees u f U). destruct Ag as [P Q].
+    destruct (goal_shown _ _ (moved (valuation s x [u; u]) f) A) as [w [X Z]].
+    + apply Forall_app. split; [|apply Forall_app; split; [|exact (without_force_moved facts u f H)]].
+      * destruct model as [md|]; simpl in M; [|inversion M; constructor]. destruct (Mo md eq_refl) as [cs [C T]]. rewrite C in M.
+        apply (normal_all_sound _ _ _ _ _ (mechanism_agrees _ s _ P (suffix 0) u Q) M), T.
+      * apply (normal_all_sound _ _ _ _ _ (motion_agrees _ s _ P (suffix 0) u Q) G), Hy.
+    + destruct (agrees_same s _ _ _ _ _ X (moved_agrees u f U)) as [P' Q']. apply holds_all in Z.
+      apply (normal_all_sound _ _ _ _ _ (motion_agrees w s _ P' (suffix 0) u Q') S), Z.
+Qed.
+
 (** Where the forces are not those that the claim is about. *)
 Lemma forces_false facts forces ws : ways_of_kind c facts forces = Some ws -> is (paper s x) false (at_forces c) ->
   (match what c with Impossible _ | Formula _ _ | Motions _ | ForceCover _ => True | _ => False end) ->
@@ -548,18 +599,18 @@ Lemma forces_false facts forces ws : ways_of_kind c facts forces = Some ws -> is
 Proof.
   intros E F K. assert (V : has_value (paper s x) (at_forces c)) by (now right).
   assert (N : ~ is (paper s x) true (at_forces c)) by (intro T; exact (consistent _ _ T F)).
-  unfold ways_of_kind, no_value_here, nothing_here in *. destruct (what c) as [| modes |[|md modes] h|modes| | | |claims]; try contradiction; split; try (now left); try exact F.
+  unfold ways_of_kind, no_value_here, nothing_here in *. destruct (what c) as [| modes |[|md modes] h|modes| | | |claims|]; try contradiction; split; try (now left); try exact F.
   all: intros [U|[T _]]; [exact (U V)|exact (N T)].
 Qed.
 End Claim.
 
 Theorem ways_prove c ws : ways c = Some ws -> Forall way_holds ws -> (forall modes, what c <> Claim.Exists modes) ->
-  forall x, match what c with Cover _ => bicycle (in_setting c) x | _ => point (in_setting c) x end ->
+  forall x, match what c with Cover _ | Consequence _ _ _ => bicycle (in_setting c) x | _ => point (in_setting c) x end ->
   judged c x Right \/ judged c x SaysNothing.
 Proof.
   intros E W X x P. unfold ways in E. options E. apply andb_true_iff in E0. destruct E0 as [C T].
   assert (I := interval_sound _ x C). unfold judged.
-  set (facts := match what c with Cover _ => bicycle_facts (in_setting c) | _ => point_facts (in_setting c) end) in *.
+  set (facts := match what c with Cover _ | Consequence _ _ _ => bicycle_facts (in_setting c) | _ => point_facts (in_setting c) end) in *.
   assert (G : exists yes region_goal forces forces_goal rest,
     normal_condition (paper_scope (in_setting c) None) true (region c) = Some yes
     /\ has_value_goal c facts (region c) = Some region_goal
@@ -580,7 +631,7 @@ Proof.
       exact (has_value_sound c x T _ _ _ H' E G). }
   assert (L := forces_false c x _ _ _ K).
   assert (both : ~ no_value_here c x /\ right_here c x \/ ~ no_value_here c x /\ nothing_here c x).
-  { destruct (what c) as [md|modes|modes h|modes|modes|h|claims|claims] eqn:Q.
+  { destruct (what c) as [md|modes|modes h|modes|modes|h|claims|claims|model hs es] eqn:Q.
     - left. exact (interval_kind c x T md _ _ _ Q H' F V K D).
     - destruct V as [V|V]; [left; exact (impossible_kind c x T modes _ _ _ Q H' F V K D)|right; apply L; [exact V|exact Logic.I]].
     - destruct V as [V|V]; [left; exact (formula_kind c x T modes h _ _ _ Q H' F V K D)|right; apply L; [exact V|exact Logic.I]].
@@ -588,6 +639,7 @@ Proof.
     - exfalso. exact (X _ eq_refl).
     - left. exact (equivalence_kind c x T h _ _ _ Q H' F V K D).
     - left. exact (cover_kind c x T claims _ _ _ Q H' K D).
-    - destruct V as [V|V]; [left; exact (force_cover_kind c x T claims _ _ _ Q H' F V K D)|right; apply L; [exact V|exact Logic.I]]. }
+    - destruct V as [V|V]; [left; exact (force_cover_kind c x T claims _ _ _ Q H' F V K D)|right; apply L; [exact V|exact Logic.I]].
+    - left. exact (consequence_kind c x T model hs es _ _ _ Q H' K D). }
   destruct both as [[N B']|[N B']]; [left|right]; auto.
 Qed.

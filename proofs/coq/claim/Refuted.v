@@ -107,7 +107,7 @@ Theorem ways_refute ws : refuting_ways c = Some ws -> Forall way_holds ws -> (fo
 Proof.
   intros E W X. unfold refuting_ways in E. options E. apply andb_true_iff in E0. destruct E0 as [C _].
   assert (I := fun x => interval_sound _ x C). unfold judged.
-  destruct (what c) as [md|modes|[|md modes] h|modes|modes|h|claims|claims] eqn:K; try discriminate; [| | | |exfalso; exact (X _ eq_refl)| | |];
+  destruct (what c) as [md|modes|[|md modes] h|modes|modes|h|claims|claims|model hs es] eqn:K; try discriminate; [| | | |exfalso; exact (X _ eq_refl)| | |];
     options E; inversion E; subst; inversion W as [|? ? G _]; subst; apply one_goal in G.
   - destruct (somewhere_sound _ _ _ E3 G) as [w [Q [M H]]]. take_apart M. exists (symbols_in w). split; [exact Q|].
     assert (N := H 0%nat md (or_introl eq_refl)). apply (condition_in w _ _ _ E1) in A. apply (condition_in w _ _ _ E0) in A0.

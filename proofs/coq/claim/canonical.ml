@@ -299,6 +299,12 @@ let kind = function
       (Formula (ms, holds), lines)
   | [ "equivalence" ] :: lines -> let holds, lines = needed "holds" (put [ "holds" ]) lines in (Equivalence holds, lines)
   | [ "cover" ] :: lines -> let rs, lines = blocks reference lines in (Cover rs, lines)
+  | [ "consequence" ] :: lines ->
+      let of_model, lines = optional (function [ "of"; "the"; "model" ] -> Some () | _ -> None) lines in
+      let m, lines = if of_model = None then (None, lines) else optional mode_line lines in
+      let hypotheses, lines = many (put [ "given" ]) lines in
+      let equations, lines = many (put [ "follows" ]) lines in
+      (Consequence (Option.map (fun () -> m) of_model, hypotheses, equations), lines)
   | [ "force"; "-"; "cover" ] :: lines -> let rs, lines = blocks reference lines in (ForceCover rs, lines)
   | line :: _ -> unreadable ("expected a kind at " ^ String.concat " " line)
   | [] -> unreadable "expected a kind"

@@ -144,25 +144,48 @@ std::string canonical_setting(std::size_t number, const Setting& setting, Readin
   return text + fmt::format("# {}\nmechanism\n", in_ascii(setting.mechanism_name)) + MechanismLines(setting).text();
 }
 
-std::string canonical_claim(const ClaimsFile& file, const Claim& claim, Reading reading, std::size_t setting) {
-  const ClaimBody& body = claim.body(reading);
-  const std::string kind(body.kind->name());
-  std::string text =
-      fmt::format("claim {}{} in {}\n{}\n", claim.id, reading == Reading::repaired ? ".repaired" : "", setting, kind);
+/// What a consequence follows from, and what follows.
+std::string consequence(const ClaimsFile& file, const ClaimBody& body, Reading reading) {
+  std::string text = body.from_model() ? "of the model\n" : "";
+  if (body.from_model() && body.mode()) text += "mode " + name(*body.mode()) + '\n';
+  const auto put = [&](const char* word, const Equations& equations) {
+    for (const Expression& equation : equations) text += fmt::format("{} : {}\n", word, canonical(equation));
+  };
+  for (const References* others : {&body.given, &body.claims}) {
+    for (const std::size_t other : *others) put("given", file.claims[other].body(reading).equations);
+  }
+  put("given", body.assume);
+  put("follows", body.equations);
+  return text;
+}
+
+/// What claims of the other kinds are about.
+std::string subjects(const ClaimsFile& file, const ClaimBody& body, Reading reading) {
+  std::string text;
   for (const MechanismMode& mode : body.modes) text += "mode " + name(mode) + '\n';
+  const std::string_view kind = body.kind->name();
   if (kind == "formula" || kind == "equivalence") text += "holds : " + canonical(body.holds) + '\n';
   for (const std::size_t other : body.claims) {
     const ClaimBody& its = file.claims[other].body(reading);
     text += fmt::format("one region : {}\none forces : {}\n", canonical(its.region), canonical(its.forces));
   }
-  return text + fmt::format("region : {}\nforces : {}\n", canonical(body.region), canonical(body.forces));
+  return text;
+}
+
+std::string canonical_claim(const ClaimsFile& file, const Claim& claim, Reading reading, std::size_t setting) {
+  const ClaimBody& body = claim.body(reading);
+  const std::string_view kind = body.kind->name();
+  return fmt::format("claim {}{} in {}\n{}\n", claim.id, reading == Reading::repaired ? ".repaired" : "", setting,
+                     kind) +
+         (kind == "consequence" ? consequence(file, body, reading) : subjects(file, body, reading)) +
+         fmt::format("region : {}\nforces : {}\n", canonical(body.region), canonical(body.forces));
 }
 
 }  // namespace
 
 std::string canonical_claims(const ClaimsFile& file) {
-  static const std::set<std::string, std::less<>> known = {"interval", "impossible",  "formula", "motions",
-                                                           "exists",   "equivalence", "cover",   "force-cover"};
+  static const std::set<std::string, std::less<>> known = {
+      "interval", "impossible", "formula", "motions", "exists", "equivalence", "cover", "force-cover", "consequence"};
   std::map<std::pair<std::size_t, Reading>, std::size_t> numbers;
   std::string settings, claims;
   for (const Claim& claim : file.claims) {
