@@ -74,17 +74,14 @@ Variable c : claim.
 Notation s := (in_setting c).
 Let names := paper_scope s None.
 
-Definition has_value_goal (facts : list form) (d : condition) : option goal :=
-  let* yes := normal_condition names true d in
-  let* no := normal_condition names false d in
-  let* ds := divisors names d in Some (Goal facts [] (Any [apart_from_zero ds; yes; no])).
-
-(** The same of an equation about motions. *)
-Definition equation_goal (facts : list form) (e : condition) : option goal :=
-  let scope := motion_scope s (suffix 0) in
-  let* yes := normal_condition scope true e in
-  let* no := normal_condition scope false e in
-  let* ds := divisors scope e in Some (Goal facts [] (Any [apart_from_zero ds; yes; no])).
+(** A condition has a value: its divisors are not 0, or it is true, or it is false. *)
+Definition value_goal (scope : Normal.scope) (facts : list form) (d : condition) : option goal :=
+  let* yes := normal_condition scope true d in
+  let* no := normal_condition scope false d in
+  let* ds := divisors scope d in Some (Goal facts [] (Any [apart_from_zero ds; yes; no])).
+(** Of a condition on the paper's names; of an equation about motions. *)
+Definition has_value_goal := value_goal names.
+Definition equation_goal := value_goal (motion_scope s (suffix 0)).
 Definition without_force (facts : list form) : list form := filter (form_free [code (force s)]) facts.
 Definition model_forms (model : option (option mode)) : option (list form) :=
   match model with

@@ -234,7 +234,7 @@ Proof. intros [A _] N. apply (normal_condition_sound v _ _ (paper_agrees v s x A
 
 Lemma has_value_sound facts d g : here facts -> has_value_goal c facts d = Some g -> goal_holds g -> has_value (paper s x) d.
 Proof.
-  intros H E G. unfold has_value_goal in E. options E. inversion E; subst; clear E.
+  intros H E G. unfold has_value_goal, value_goal in E. options E. inversion E; subst; clear E.
   set (v := valuation s x [x; x]). destruct (goal_shown _ _ v G (H x [x] two_apart)) as [w [S K]].
   assert (A := agrees_same s _ _ _ _ _ S (agrees_here x [x] 0 x two_apart eq_refl)).
   apply holds_any in K. inversion K as [? ? L|? ? L]; subst; [|inversion L as [? ? M|? ? M]; subst; [|inversion M as [? ? Q|? ? Q]; subst; [|inversion Q]]].
@@ -573,7 +573,7 @@ Proof.
   - intros [[md [Q N]]|[e [I [N|[f [u N]]]]]].
     + subst. unfold model_forms in M. rewrite N in M. discriminate.
     + rewrite (L e I) in N. discriminate.
-    + apply N. destruct (map_option_In _ _ _ V _ I) as [g [F J]]. unfold equation_goal in F. options F. inversion F; subst; clear F.
+    + apply N. destruct (map_option_In _ _ _ V _ I) as [g [F J]]. unfold equation_goal, value_goal in F. options F. inversion F; subst; clear F.
       assert (T := B _ (in_map (fun g => [g]) _ _ J)). apply one_goal in T.
       destruct (goal_shown _ _ _ T (without_force_moved facts u f H)) as [w [X Z]].
       destruct (agrees_same s _ _ _ _ _ X (moved_agrees u f U)) as [P Q].

@@ -15,20 +15,6 @@ namespace slipproof {
 
 namespace {
 
-/// Decimals as quotients of whole numbers.
-Expression with_quotients(const Expression& e) {
-  if (e->operation == Operation::number && denominator(e->number) != 1) {
-    return make(Operation::divide,
-                {make_number(Rational(numerator(e->number))), make_number(Rational(denominator(e->number)))});
-  }
-  if (e->operands.empty()) return e;
-  std::vector<Expression> operands;
-  for (const Expression& operand : e->operands) operands.push_back(with_quotients(operand));
-  if (e->operation == Operation::power) return make_power(operands[0], e->exponent);
-  if (e->operation == Operation::compare) return make_comparison(std::move(operands), e->relations);
-  return make(e->operation, std::move(operands));
-}
-
 std::string canonical(const Expression& e) {
   return to_string(with_quotients(e ? e : make_truth(true)));
 }

@@ -8,12 +8,8 @@ namespace slipproof {
 
 namespace {
 
-/// Writes numbers in the syntax of statements: fractions as quotients, exponents from 1.
+/// Writes powers in the syntax of statements: exponents from 1.
 Expression written(const Expression& e, const OfExpression& defined) {
-  if (e->operation == Operation::number && denominator(e->number) != 1) {
-    return make(Operation::divide,
-                {make_number(Rational(numerator(e->number))), make_number(Rational(denominator(e->number)))});
-  }
   if (e->operation == Operation::power && e->exponent < 1) {
     const Expression base = written(e->operands[0], defined), one = make_number(1);
     if (e->exponent < 0)
@@ -34,7 +30,7 @@ Expression written(const Expression& e, const OfExpression& defined) {
 std::string text(const Expression& e, bool inner, const OfExpression& defined) {
   if (e->operation == Operation::truth) return e->truth ? "0 = 0" : "false";
   if (e->operation == Operation::logical_not) return text(opposite(e->operands[0]), inner, defined);
-  if (e->operation == Operation::compare) return to_string(written(e, defined));
+  if (e->operation == Operation::compare) return to_string(written(with_quotients(e), defined));
   const bool both = e->operation == Operation::logical_and;
   const std::string result = text(e->operands[0], e->operands[0]->operation != e->operation, defined) +
                              (both ? " and " : " or ") + text(e->operands[1], true, defined);
@@ -43,13 +39,26 @@ std::string text(const Expression& e, bool inner, const OfExpression& defined) {
 
 }  // namespace
 
+Expression with_quotients(const Expression& e) {
+  if (e->operation == Operation::number && denominator(e->number) != 1) {
+    return make(Operation::divide,
+                {make_number(Rational(numerator(e->number))), make_number(Rational(denominator(e->number)))});
+  }
+  if (e->operands.empty()) return e;
+  std::vector<Expression> operands;
+  for (const Expression& operand : e->operands) operands.push_back(with_quotients(operand));
+  if (e->operation == Operation::power) return make_power(operands[0], e->exponent);
+  if (e->operation == Operation::compare) return make_comparison(std::move(operands), e->relations);
+  return make(e->operation, std::move(operands));
+}
+
 std::optional<std::string> truth_text(const Expression& truth, const OfExpression& defined) {
   const Expression plain = by_cases(truth, is_function, defined);
   return plain ? std::optional(text(plain, false, defined)) : std::nullopt;
 }
 
 std::optional<std::string> number_text(const Expression& number, const OfExpression& defined) {
-  return has_function(number) ? std::nullopt : std::optional(to_string(written(number, defined)));
+  return has_function(number) ? std::nullopt : std::optional(to_string(written(with_quotients(number), defined)));
 }
 
 std::string in_ascii(const std::string& text) {

@@ -16,6 +16,9 @@ std::optional<std::string> truth_text(const Expression& truth, const OfExpressio
 /// A number without functions; nothing if it contains functions.
 std::optional<std::string> number_text(const Expression& number, const OfExpression& defined = has_no_division);
 
+/// The expression with decimals as quotients of whole numbers.
+Expression with_quotients(const Expression& e);
+
 /// Replaces characters that are not printable ASCII by ?, since statements are ASCII whatever the paper's file is
 /// called.
 std::string in_ascii(const std::string& text);
