@@ -267,21 +267,23 @@ void find_certificates(const ClaimsFile& file, VerifyResult& result, Certificate
   for (ClaimResult& claim : result.claims) find_certificates(file, claim, certificates);
 }
 
-std::size_t find_judgements(const ClaimsFile& file, VerifyResult& result, Certificates& certificates) {
+void find_judgements(const ClaimsFile& file, VerifyResult& result, Certificates& certificates) {
   const auto stated = bytes_of(certificates.paper().generated() / canonical_name);
-  if (!stated || *stated != canonical_claims(file)) return 0;
-  std::size_t count = 0;
+  if (!result.second_checker || !stated || *stated != canonical_claims(file)) return;
   for (ClaimResult& claim : result.claims) {
     const std::string name = file.claims[claim.claim].id + (claim.reading == Reading::repaired ? ".repaired" : "");
     const std::string judgement = certificates.judgement(name);
     const bool refuted = claim.verdict == Verdict::refuted;
     claim.from_the_claim_on = (claim.proved && judgement == "proved") || (refuted && judgement == "refuted");
-    if (claim.from_the_claim_on) ++count;
+    if (claim.from_the_claim_on) {
+      ++result.second_checker->from_claims;
+    } else if (claim.proved || refuted) {
+      result.second_checker->from_statements.push_back(name);
+    }
     if ((claim.proved && judgement == "refuted") || (refuted && judgement == "proved")) {
       claim.rejections.push_back(name + ": " + judgement + " from the claim on by the second checker");
     }
   }
-  return count;
 }
 
 bool settled_by_certificates(const ClaimsFile& file, std::size_t claim, Reading reading, Certificates& certificates) {

@@ -35,6 +35,7 @@ struct SecondChecker {
   std::string name;  ///< of its file
   std::size_t accepted = 0;
   std::size_t from_claims = 0;  ///< claims that it judges as we do, from the claim on (see find_judgements())
+  std::vector<std::string> from_statements{};  ///< the other claims that are proved or refuted
 };
 
 /// The certificates in the folder of a claims file and below. A certificate is checked at its first request, and only
@@ -100,9 +101,10 @@ std::vector<NamedValues> failing_numbers(const ClaimsFile& file, std::size_t cla
 void find_certificates(const ClaimsFile& file, VerifyResult& result, Certificates& certificates);
 
 /// Marks the claims in `result` that a second checker judges from the claim on, as slipproof-judge-verified does, with
-/// the verdict that they have, and returns their number. The claims in the folder must be those of the file
-/// (canonical_claims()). A claim with the opposite verdict gets a rejection. verify() calls this function.
-std::size_t find_judgements(const ClaimsFile& file, VerifyResult& result, Certificates& certificates);
+/// the verdict that they have, and counts them, and names the others, in `result.second_checker`, if there is one. The
+/// claims in the folder must be those of the file (canonical_claims()). A claim with the opposite verdict gets a rejection.
+/// verify() calls this function.
+void find_judgements(const ClaimsFile& file, VerifyResult& result, Certificates& certificates);
 
 /// Whether certificates decide a claim that no sample decides.
 bool settled_by_certificates(const ClaimsFile& file, std::size_t claim, Reading reading, Certificates& certificates);

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "base/input/diagnostic.hpp"
+#include "claims/statements/canonical_claims.hpp"
 #include "proofs/statement/undecided.hpp"
 #include "report/papers/errata.hpp"
 #include "report/papers/verify_report.hpp"
@@ -194,6 +195,30 @@ TEST_CASE("a second checker has to accept what the first one accepts") {
     CHECK_THROWS_AS(folder.judge(checker(commands)), InputError);
   }
   CHECK_THROWS_AS(folder.judge("/nowhere/second"), InputError);
+}
+
+TEST_CASE("a second checker that judges claims is told which of them it leaves to the statements") {
+  const Folder folder;
+  folder.write("certificates/claims.canonical", canonical_claims(test::shipped_paper()));
+  const auto judged = [&](const std::string& verdict) {
+    folder.write(
+        "judge",
+        "#!/bin/sh\nfor s in \"$1\"/certificates/*.statement; do echo \"accepted ${s%.statement}.cert\"; done\n"
+        "echo \"" +
+            verdict + " $1/certificates/A1.1\"\necho 's ACCEPTED'\n");
+    std::filesystem::permissions(folder.path() / "judge", std::filesystem::perms::owner_all);
+    return sampled("A1.1", std::make_shared<Certificates>(folder.path(), (folder.path() / "judge").string()));
+  };
+  const VerifyResult proved = judged("proved");
+  REQUIRE(proved.second_checker);
+  CHECK(proved.claims.front().from_the_claim_on);
+  CHECK(proved.second_checker->from_claims == 1);
+  CHECK(proved.second_checker->from_statements.empty());
+  const VerifyResult open = judged("open");
+  REQUIRE(open.claims.front().proved);
+  CHECK_FALSE(open.claims.front().from_the_claim_on);
+  CHECK(open.second_checker->from_claims == 0);
+  CHECK(open.second_checker->from_statements == std::vector<std::string>{"A1.1"});
 }
 
 TEST_CASE("undecided, missing, unreadable, rejected and accepted are five things") {
