@@ -62,12 +62,12 @@ class GeometryCheck {
     return !is_literal_zero(contact.gap_form.coefficients[q]) || !is_literal_zero(contact.slip_form.coefficients[q]);
   }
 
-  /// Contacts with a place, a direction and a slip, those that share an acceleration together.
+  /// Contacts with a place, a direction and friction, those that share an acceleration together.
   std::vector<std::vector<std::size_t>> groups() const {
     std::vector<std::vector<std::size_t>> result;
     for (std::size_t i = 0; i < m_.contacts.size(); ++i) {
       const MechanismContact& contact = m_.contacts[i];
-      if (contact.at.empty() || contact.direction.empty() || !contact.slip) continue;
+      if (contact.at.empty() || contact.direction.empty() || !contact.tangent) continue;
       std::vector<std::size_t> together{i};
       std::erase_if(result, [&](const std::vector<std::size_t>& group) {
         const auto shared = accelerations_of(group);

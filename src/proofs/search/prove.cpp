@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "base/input/diagnostic.hpp"
+#include "proofs/check/judge.hpp"
 #include "proofs/search/instance.hpp"
 #include "proofs/search/search.hpp"
 
@@ -47,6 +48,7 @@ class Prover {
     outcome_.steps = search.steps();
     if (proof) {
       accept(certificate_text(statement_, *proof));
+      ask_the_checker();
     } else if (!refute(limits_.samples, at_least(limits_.steps / 20, 200'000))) {
       outcome_.leftover = search.leftover().facts;
       outcome_.exhausted = search.leftover().exhausted;
@@ -80,6 +82,16 @@ class Prover {
       outcome_.vacuous = true;
       outcome_.certificate = certificate_text(statement_, *proof);
     }
+  }
+
+  /// The checker has limits that the search has not, on exponents and lengths: what it refuses is not proved.
+  void ask_the_checker() {
+    const check::Judgement judgement = check::judge(text_, outcome_.certificate);
+    if (judgement.verdict == check::Verdict::accepted) return;
+    outcome_.verdict = ProofOutcome::Verdict::undecided;
+    outcome_.certificate.clear();
+    outcome_.vacuous = false;
+    outcome_.leftover = {"a certificate that slipproof-check does not accept: " + judgement.message};
   }
 
   Formula assumptions() const {

@@ -215,6 +215,27 @@ TEST_CASE("gravity that lifts, and gravity that nobody wrote down, are told") {
   CHECK(said("gripper", "-m*g", "m*g").find("warning") == std::string::npos);  // nobody can know where down is
 }
 
+TEST_CASE("a smooth contact may have a slip, of which no force speaks") {
+  CHECK(findings(parse_mechanism(R"(schema = "slipproof/mechanism/1"
+name = "smooth"
+[parameters]
+m = "m > 0"
+[unknowns]
+accelerations = ["x", "y"]
+[motion]
+x = "m*x = 0"
+y = "m*y = -1"
+[[contact]]
+name = "floor"
+gap = "y"
+slip = "x"
+at = ["0", "0"]
+direction = ["0", "1"]
+)",
+                                 "x.toml"))
+            .empty());
+}
+
 TEST_CASE("what cannot be checked says why") {
   const std::string massless =
       "schema = \"slipproof/mechanism/1\"\nname = \"x\"\n[unknowns]\naccelerations = [\"x\", \"y\"]\n[equations]\nx = "

@@ -12,6 +12,7 @@
 #include "base/input/diagnostic.hpp"
 #include "proofs/check/files.hpp"
 #include "proofs/search/prove_files.hpp"
+#include "proofs/search/small_statement.hpp"
 #include "support/papers/shipped.hpp"
 #include "support/replaced.hpp"
 #include "support/run_program.hpp"
@@ -55,6 +56,17 @@ TEST_CASE("the limit on steps ends a search, the same way each time") {
   REQUIRE(!first.leftover.empty());
   CHECK(first.leftover.front() == "no step left of 20000");
   CHECK(slipproof::prove_statement("limited", text, limits).leftover == first.leftover);
+}
+
+TEST_CASE("what the checker refuses for its limits is undecided, not proved") {
+  const std::string text = slipproof::test::statement(
+      "real x y z u\nassume p: x > 0 and y > 0 and u > 0\nassume q: x^50*z = y + x^50*x^20\n"
+      "assume r: u*z = x^20*u - x^10*y\nshow false\n");
+  const slipproof::ProofOutcome outcome = slipproof::prove_statement("powers", text);
+  CHECK(outcome.verdict == slipproof::ProofOutcome::Verdict::undecided);
+  CHECK(outcome.certificate.empty());
+  REQUIRE(!outcome.leftover.empty());
+  CHECK(outcome.leftover.front().ends_with("an exponent is out of range"));
 }
 
 TEST_CASE("neither the number of threads nor that of ranks changes a byte") {
