@@ -57,13 +57,8 @@ class Writer {
     out_ += normalizer_.take() + "}\nexfalso.\n";
   }
 
-  static std::string identifier(const std::string& hypothesis) {
-    std::string result = "_" + hypothesis;
-    for (char& c : result) {
-      if (c == '.' || c == '-') c = '_';
-    }
-    return result;
-  }
+  /// Different names stay different: motion.2.1 is a part of motion, motion_2.1 one of motion_2.
+  static std::string identifier(const std::string& hypothesis) { return "_" + coq::name(hypothesis); }
 
   /// Puts a formula in force; the pattern that takes it apart.
   std::string assume(const std::string& name, const coq::Formula& formula, const Integer& scale = 1) {

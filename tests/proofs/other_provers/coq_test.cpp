@@ -78,9 +78,9 @@ TEST_CASE("the theorem says what the statement says, and the proof takes the cer
   CHECK(text.substr(text.find("assert (_above")) ==
         "assert (_above : 0 < x - end'0). {\n"
         "destruct (Steps.positive_or (x - end'0)) as [_above | _above]; [exact _above | exfalso].\n"
-        "refine (Steps.absurd _ (Steps.add (_large_2) (Steps.mul0 (_above) (Steps.weak (_domain)))) _). ring.\n"
+        "refine (Steps.absurd _ (Steps.add (_large'_2) (Steps.mul0 (_above) (Steps.weak (_domain)))) _). ring.\n"
         "}\n"
-        "refine (Steps.absurd _ (Steps.add (_above) (_goal_1)) _). ring.\n"
+        "refine (Steps.absurd _ (Steps.add (_above) (_goal'_1)) _). ring.\n"
         "Qed.\n");
 }
 
@@ -143,6 +143,18 @@ TEST_CASE("names that Coq does not have become others, all at once") {
         "  let a'_b := x'' - x'''' in\n"
         "  let d'_ := x > 0 \\/ a'_b = if'0 in\n"
         "  d'_ \\/ y'_1 = 0.\n");
+}
+
+TEST_CASE("parts of hypotheses with like names stay apart") {
+  const std::string statement =
+      "slipproof-statement 1\ntheorem alike\nreal x y\nassume h: y > 0 and x > 0\nassume h_2: y > 1 and x > 1\nshow x "
+      "> 0\n";
+  const prove::Statement read("s", statement);
+  const std::string text = coq_text("s", statement, "c",
+                                    "slipproof-certificate 1\ntheorem alike " + read.fingerprint() +
+                                        "\ncontradiction\nterm 1 goal\nterm 1 h.2\nqed\n");
+  CHECK(text.find("_h'_2") != text.npos);
+  CHECK(text.find("_h_2'_1") != text.npos);
 }
 
 TEST_CASE("the values of a witness may use what the statement abbreviates") {
