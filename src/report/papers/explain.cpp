@@ -14,14 +14,17 @@ namespace slipproof {
 
 namespace {
 
+/// ` for F = 0`; a mechanism without a load has nothing to say here, or that there is no motion.
 std::string for_forces(const std::string& F, const ForceInterval& forces) {
-  if (forces.empty()) return "for no " + F;
-  if (forces.is_point()) return fmt::format("for {} = {}", F, exact_text(*forces.lower()));
-  return fmt::format("for {} in {}", F, to_string(forces));
+  if (F.empty()) return forces.empty() ? " nowhere" : "";
+  if (forces.empty()) return " for no " + F;
+  if (forces.is_point()) return fmt::format(" for {} = {}", F, exact_text(*forces.lower()));
+  return fmt::format(" for {} in {}", F, to_string(forces));
 }
 
 /// Whether anything in the claim, or in the mode of its counterexample, depends on the force.
 bool depends_on_force(const Setting& setting, const Claim& claim, Reading reading, const Counterexample& example) {
+  if (setting.force.symbol.empty()) return false;
   const SettingNames names(setting);
   const std::vector<Expression> all = expressions(claim.body(reading));
   return example.judgement.mode || is_about_motions(claim) ||
@@ -63,12 +66,12 @@ class Explanation {
   std::string mode() const { return j_.mode ? name(*j_.mode) : std::string("no mode"); }
   /// ` for F in (0, 1)`.
   std::string forces() const {
-    return j_.witnesses && !j_.witnesses->empty() ? " " + for_forces(F_, *j_.witnesses) : std::string();
+    return j_.witnesses && !j_.witnesses->empty() ? for_forces(F_, *j_.witnesses) : std::string();
   }
 
   std::string interval() const {
-    const std::string claimed = j_.claimed ? for_forces(F_, *j_.claimed) : "for " + F_ + " in several intervals";
-    return fmt::format("the claim has motions in {} {}; in fact there are such motions {}", mode(), claimed,
+    const std::string claimed = j_.claimed ? for_forces(F_, *j_.claimed) : " for " + F_ + " in several intervals";
+    return fmt::format("the claim has motions in {}{}; in fact there are such motions{}", mode(), claimed,
                        for_forces(F_, *j_.real));
   }
 
@@ -102,7 +105,7 @@ class Explanation {
     if (!example_.broken.empty() && example_.force)
       text += fmt::format(", at {} = {}", F_, exact_text(*example_.force));
     const bool more = j_.witnesses && !j_.witnesses->is_point();
-    return text + (more ? "; it fails " + for_forces(F_, *j_.witnesses) : "");
+    return text + (more ? "; it fails" + for_forces(F_, *j_.witnesses) : "");
   }
   /// `b1 = 2`; `the left side is 2` if the expression is long; nothing for a number.
   static std::string side(const Expression& e, const std::string& text, const Rational& value, const char* which) {
@@ -112,9 +115,9 @@ class Explanation {
     return fmt::format("{} is {}", which, exact_text(value));
   }
   std::string uncovered() const {
-    if (!j_.mode) return failing() + (j_.witnesses ? " " + for_forces(F_, *j_.witnesses) : "");
+    if (!j_.mode) return failing() + (j_.witnesses ? for_forces(F_, *j_.witnesses) : "");
     if (j_.real && !j_.real->empty()) {
-      return fmt::format("{}, and in {} there are motions {}", failing(), mode(), for_forces(F_, *j_.real));
+      return fmt::format("{}, and in {} there are motions{}", failing(), mode(), for_forces(F_, *j_.real));
     }
     return fmt::format("{} (in {} there is no motion)", failing(), mode());
   }

@@ -33,7 +33,8 @@ std::string witness(const MutationResult& result, const MutantResult& m) {
   for (std::size_t k = 0; k < m.sample.size(); ++k) {
     text += fmt::format("{}{} = {}", k == 0 ? "" : " ", setting.parameters[k].symbol, exact_text(m.sample[k]));
   }
-  if (m.force) text += fmt::format(", {} = {}", setting.force.symbol, exact_text(*m.force));
+  if (m.force && !setting.force.symbol.empty())
+    text += fmt::format(", {} = {}", setting.force.symbol, exact_text(*m.force));
   return text;
 }
 

@@ -59,6 +59,22 @@ TEST_CASE("an interval tells what is claimed and what is so") {
   CHECK(text.starts_with("the claim has motions in stick/stick for no F; in fact there are such motions for F in ("));
 }
 
+TEST_CASE("a mechanism without a load has no load in what is said") {
+  const ClaimsFile kerb = read_claims(SLIPPROOF_SOURCE_DIR "/proofs/kerb/claims.toml");
+  VerifyOptions options;
+  options.samples = 60;
+  const VerifyResult result = verify(kerb, options);
+  std::size_t refuted = 0;
+  for (const ClaimResult& claim : result.claims) {
+    if (claim.verdict != Verdict::refuted || !kerb.settings[kerb.claims[claim.claim].setting].force.symbol.empty())
+      continue;
+    ++refuted;
+    CHECK(explain(kerb, claim) == "there is a motion in stick/stick, and the claim says that there is none");
+    for (const auto& [symbol, value] : place_of(kerb, claim, *claim.counterexample)) CHECK_FALSE(symbol.empty());
+  }
+  CHECK(refuted == 2);
+}
+
 TEST_CASE("where there is no motion that is said, and why, in place of an empty list") {
   // Without J no motion with a wheel off the road is modelled; at large forces there is none on it.
   const Verified none(claim("kind = \"interval\"\nmode = \"slip+/slip+\"\nforces = \"F > 1000*(1 + b)*(1 + f)\"\n"));
