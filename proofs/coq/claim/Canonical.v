@@ -115,6 +115,8 @@ Definition print_kind (k : kind) : list (list string) :=
                          | Some (Some m) => ["of"; "the"; "model"] :: print_modes [m]
                          | None => []
                          end ++ map (put ["given"]) hs ++ map (put ["follows"]) es
+  | Limit p holds from =>
+      ["limit"; p] :: put ["holds"] holds :: match from with Some e => [equals ["from"] e] | None => [] end
   | ForceCover rs => ["force"; "-"; "cover"] :: flat_map (fun r => [put ["one"; "region"] (fst r); put ["one"; "forces"] (snd r)]) rs
   end.
 

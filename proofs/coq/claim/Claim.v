@@ -173,7 +173,9 @@ Inductive kind :=
 | Cover (claims : list reference)
 | ForceCover (claims : list reference)
 (* Of the mechanism's equations, if [model]: in a mode, or with no contact open. *)
-| Consequence (model : option (option mode)) (hypotheses equations : list condition).
+| Consequence (model : option (option mode)) (hypotheses equations : list condition)
+(* [from] does not change what is claimed: proofs use it. *)
+| Limit (parameter : string) (holds : condition) (from : option term).
 
 Record claim := Claim { in_setting : setting; what : kind; region : condition; at_forces : condition }.
 
@@ -193,7 +195,22 @@ Definition solves (model : option (option mode)) (hypotheses : list condition) (
   (forall md, model = Some md -> exists cs, model_equations s md = Some cs /\ all_true (mechanism_names s y u) cs)
   /\ all_true (names_of_motion s y u) hypotheses.
 
-(** The table of MEANING.md, column by column; a region that is true, one force. *)
+(** "All parameters but one are fixed; the bicycles are those with these values of the others." What occurs for every v < s,
+    the least upper bound of the parameter at these bicycles: beyond each v beyond which there is one of them. *)
+Definition with_parameter (name : string) (p : R) : string -> R := fun other => if String.eqb other name then p else x other.
+Definition at_the_end (parameter : string) (occurs : meanings -> Prop) : Prop :=
+  let beyond v what := exists p, let y := with_parameter parameter p in v < p /\ bicycle s y /\ what (paper s y) in
+  forall v, beyond v (fun _ => True) -> beyond v occurs.
+(** A bicycle there "counts as says nothing if the region is false, as no value if the region is undefined, or is true and
+    [holds] undefined, and otherwise as right or wrong as [holds] is true or false". *)
+Definition mostly_nothing (parameter : string) : Prop := at_the_end parameter (fun n => is n false (region c)).
+Definition mostly_no_value (parameter : string) (holds : condition) : Prop :=
+  at_the_end parameter (fun n => ~ has_value n (region c) \/ is n true (region c) /\ ~ has_value n holds).
+Definition mostly (truth : bool) (parameter : string) (holds : condition) : Prop :=
+  at_the_end parameter (fun n => is n true (region c) /\ is n truth holds).
+
+(** The table of MEANING.md, column by column; a region that is true, one force. Of a limit: "the first of wrong, no value,
+    right, says nothing that occurs". *)
 Definition right_here : Prop :=
   match what c with
   | Interval md => true_here (at_forces c) <-> exists u, motion s x md u
@@ -209,6 +226,7 @@ Definition right_here : Prop :=
   | Cover claims => exists r f, In (r, f) claims /\ true_here r
   | ForceCover claims => exists r f, In (r, f) claims /\ true_here r /\ true_here f
   | Consequence model hs es => forall f u, solves model hs f u -> all_true (names_of_motion s (with_force s x f) u) es
+  | Limit p holds _ => ~ mostly false p holds /\ mostly true p holds
   end.
 
 Definition nothing_here : Prop :=
@@ -220,6 +238,7 @@ Definition nothing_here : Prop :=
       \/ (forall md, In md modes -> modelled s md) /\ forall md u, In md modes -> ~ motion s x md u
   | Exists _ => ~ right_here
   | Consequence model hs _ => forall f u, ~ solves model hs f u
+  | Limit p holds _ => ~ mostly false p holds /\ ~ mostly true p holds /\ mostly_nothing p
   end.
 
 (** Something shows that the claim is wrong, whatever else has no value. *)
@@ -267,31 +286,34 @@ Definition no_value_here : Prop :=
       \/ exists e, In e (hs ++ es)
                    /\ (linear_equation s e = false
                        \/ exists f u, ~ has_value (names_of_motion s (with_force s x f) u) e)
+  | Limit p holds _ => ~ mostly false p holds /\ mostly_no_value p holds
   end.
 
 Inductive outcome := Right | Wrong | SaysNothing | NoValue.
 
 (** Two columns may be true at once: a formula about motions of which there are none is right, too.
-    "If its region is false, it says nothing; if its region is undefined, it has no value. Otherwise it is judged." *)
+    "If its region is false, it says nothing; if its region is undefined, it has no value. (For a limit see above.)
+    Otherwise it is judged." *)
+Definition judged_where : condition := match what c with Limit _ _ _ => Constant true | _ => region c end.
 Definition judged (o : outcome) : Prop :=
   match o with
-  | NoValue => undefined (region c) \/ ~ forces_are_an_interval s x \/ true_here (region c) /\ no_value_here
+  | NoValue => undefined judged_where \/ ~ forces_are_an_interval s x \/ true_here judged_where /\ no_value_here
   | SaysNothing =>
       forces_are_an_interval s x
-      /\ (false_here (region c) \/ true_here (region c) /\ ~ no_value_here /\ nothing_here)
-  | Right => forces_are_an_interval s x /\ true_here (region c) /\ ~ no_value_here /\ right_here
-  | Wrong => forces_are_an_interval s x /\ true_here (region c) /\ ~ no_value_here /\ ~ right_here /\ ~ nothing_here
+      /\ (false_here judged_where \/ true_here judged_where /\ ~ no_value_here /\ nothing_here)
+  | Right => forces_are_an_interval s x /\ true_here judged_where /\ ~ no_value_here /\ right_here
+  | Wrong => forces_are_an_interval s x /\ true_here judged_where /\ ~ no_value_here /\ ~ right_here /\ ~ nothing_here
   end.
 End Judged.
 
-(** The claim is right, or says nothing, at every point and force (a cover or a consequence: at every point, even if there is no force); it
-    is wrong at one. [Exists] is right at one, or
-    nowhere. *)
+(** The claim is right, or says nothing, at every point and force (a cover, a consequence or a limit: at every point, even if
+    there is no force); it is wrong at one. [Exists] is right at one, or nowhere. *)
+Definition of_any_force (k : kind) : bool := match k with Cover _ | Consequence _ _ _ | Limit _ _ _ => true | _ => false end.
 Definition proved (c : claim) : Prop :=
+  let s := in_setting c in
   match what c with
-  | Exists _ => exists x, point (in_setting c) x /\ judged c x Right
-  | Cover _ | Consequence _ _ _ => forall x, bicycle (in_setting c) x -> judged c x Right \/ judged c x SaysNothing
-  | _ => forall x, point (in_setting c) x -> judged c x Right \/ judged c x SaysNothing
+  | Exists _ => exists x, point s x /\ judged c x Right
+  | k => forall x, (if of_any_force k then bicycle s x else point s x) -> judged c x Right \/ judged c x SaysNothing
   end.
 Definition refuted (c : claim) : Prop :=
   match what c with

@@ -2,7 +2,7 @@
 From Coq Require Import String List Bool QArith Qreals.
 Local Open Scope string_scope.
 From Slipproof Require Import Text Syntax Meaning Checker Print Sound.
-From Slipproof.claim Require Import Expression Mechanism Claim Covers Points Obligations Proved Refuted Canonical RunValues Run.
+From Slipproof.claim Require Import Expression Mechanism Claim Covers Points Obligations MotionForms Proved Refuted Canonical RunValues Run.
 Import ListNotations.
 
 (** A way is open if one of its goals is obvious, or shown by a statement. *)

@@ -1,7 +1,7 @@
 (** What has to be shown of a claim: goals that are all to hold. Of several ways to show one thing, one is enough. *)
 From Coq Require Import String List Bool NArith ZArith Reals Lra Lia.
 From Slipproof Require Import Text Syntax Meaning Poly Normal NormalSound.
-From Slipproof.claim Require Import Expression Mechanism Claim Forms Entails Covers Scopes Points.
+From Slipproof.claim Require Import Expression Mechanism Claim Forms Entails Covers Scopes Points Rising.
 Import ListNotations.
 
 Fixpoint map_option {A B} (f : A -> option B) (xs : list A) : option (list B) :=
@@ -145,8 +145,19 @@ Definition ways_of_kind (facts : list form) (forces : form) : option (list way) 
       let* shown := normal_all (motion_scope s (suffix 0)) es in
       let* values := map_option (equation_goal still) (hs ++ es) in
       Some ([Goal (ms ++ given ++ still) [] (All shown)] :: map (fun g => [g]) values)
+  | Limit p holds (Some from) =>
+      let* f := normal_term names from in
+      let* beyond := normal_condition names true (Compare from [(Lt, Symbol p)]) in
+      let* given := normal_condition names true (Compare from [(Eq, from)]) in
+      let* region := normal_condition names true (region c) in
+      let* g := normal_condition names true holds in
+      require bicycle_fits s && forallb (rising (code p)) (bicycle_facts s) && fraction_free [code p] f
+              && form_free [code p] region && is_in p (symbols s) && negb (is_in p (map fst (paper_definitions s))) in
+      Some [[Goal (beyond :: facts) [] g]; [Goal facts [] given]]
+  | Limit _ _ None => None
   end.
 
+Definition without_forces (k : kind) : bool := match k with Cover _ | Limit _ _ _ => true | _ => false end.
 Definition ways : option (list way) :=
   require convex s (force_domain s) && no_name_twice (names_of_motions s 2) in
   match what c with
@@ -156,11 +167,11 @@ Definition ways : option (list way) :=
       require no_name_twice (names_of_motions s (length modes)) && Nat.leb (length modes) 8 in
       let* g := somewhere [yes; forces] modes in Some [[g]]
   | _ =>
-      let facts := match what c with Cover _ | Consequence _ _ _ => bicycle_facts s | _ => point_facts s end in
+      let facts := if of_any_force (what c) then bicycle_facts s else point_facts s in
       let* yes := normal_condition names true (region c) in
       let* region_goal := has_value_goal facts (region c) in
       let* forces := normal_condition names true (at_forces c) in
-      let* forces_goal := match what c with Cover _ => Some [] | _ => let* g := has_value_goal (yes :: facts) (at_forces c) in Some [[g]] end in
+      let* forces_goal := if without_forces (what c) then Some [] else let* g := has_value_goal (yes :: facts) (at_forces c) in Some [[g]] in
       let* rest := ways_of_kind (yes :: facts) forces in Some ([region_goal] :: forces_goal ++ rest)
   end.
 
@@ -199,6 +210,6 @@ Definition refuting_ways : option (list way) :=
       let* region_goal := has_value_goal facts (region c) in
       let* forces_goal := has_value_goal (yes :: facts) (at_forces c) in
       Some [[region_goal]; [forces_goal]; [Goal (concat motions ++ forces :: yes :: facts) [] (Any [])]]
-  | Motions _ | Consequence _ _ _ => None
+  | Motions _ | Consequence _ _ _ | Limit _ _ _ => None
   end.
 End Claim.

@@ -65,11 +65,14 @@ Definition load_fits : bool :=
       | None => false
       end
   end.
+Definition bicycle_fits : bool :=
+  all_given (paper_forms ++ inner_forms)
+  && forallb (form_free (map code (unknowns m))) (some_of inner_forms)
+  && forallb (fun u => negb (is_in u (symbols s))) (unknowns m)
+  && load_fits.
 Definition point_forms : option (list form) :=
-  require all_given (paper_forms ++ inner_forms ++ force_form :: load_forms)
-          && forallb (form_free (map code (unknowns m))) (some_of (inner_forms ++ load_forms))
-          && forallb (fun u => negb (is_in u (symbols s))) (unknowns m)
-          && load_fits in
+  require bicycle_fits && all_given (force_form :: load_forms)
+          && forallb (form_free (map code (unknowns m))) (some_of load_forms) in
   Some point_facts.
 
 Fixpoint convex (c : condition) : bool :=
@@ -276,67 +279,97 @@ Qed.
 Definition with_unknowns (v : positive -> R) (u : string -> R) (p : positive) : R :=
   if in_list p (map code (unknowns m)) then u (decode p) else v p.
 
-(** Where all conditions hold, there is a point. *)
-Lemma point_of_forms v x fs : point_forms s = Some fs -> Forall (holds v) fs ->
-  (forall name, In name (symbols s) -> v (code name) = x name) -> point s x.
+Lemma with_unknowns_symbol v x u name : forallb (fun u => negb (is_in u (symbols s))) (unknowns m) = true ->
+  (forall name, In name (symbols s) -> v (code name) = x name) -> In name (symbols s) -> with_unknowns v u (code name) = x name.
 Proof.
-  intros H F A. unfold point_forms in H. options H. inversion H; subst; clear H.
-  apply andb_true_iff in E. destruct E as [E L]. apply andb_true_iff in E. destruct E as [E C].
-  apply andb_true_iff in E. destruct E as [G W]. unfold all_given in G. rewrite forallb_forall in G, W, C.
+  intros C A I. rewrite forallb_forall in C. unfold with_unknowns. destruct (in_list (code name) (map code (unknowns m))) eqn:J; [|apply A, I].
+  apply in_list_iff, in_map_iff in J. destruct J as [n [J K]]. apply code_injective in J. subst.
+  specialize (C _ K). apply is_in_In in I. rewrite I in C. discriminate.
+Qed.
+
+Lemma with_unknowns_unknown v u name : In name (unknowns m) -> with_unknowns v u (code (name ++ "")) = u name.
+Proof.
+  intro I. rewrite append_nil_r. unfold with_unknowns.
+  assert (J : in_list (code name) (map code (unknowns m)) = true) by (apply in_list_iff, in_map, I).
+  now rewrite J, decode_code.
+Qed.
+
+(** A form without unknowns holds whatever they are. *)
+Lemma with_unknowns_holds v u f : form_free (map code (unknowns m)) f = true -> holds v f -> holds (with_unknowns v u) f.
+Proof.
+  intros F H. apply (form_free_holds (map code (unknowns m)) v); [|exact F|exact H].
+  intros q Q. unfold with_unknowns. destruct (in_list q (map code (unknowns m))) eqn:K; [|reflexivity].
+  apply in_list_iff in K. contradiction.
+Qed.
+
+Lemma all_given_In fs o : all_given fs = true -> In o fs -> exists f, o = Some f /\ In f (some_of fs).
+Proof.
+  unfold all_given. rewrite forallb_forall. intros G I. specialize (G _ I). destruct o as [f|]; [|discriminate].
+  exists f. split; [reflexivity|]. apply some_of_In, I.
+Qed.
+
+(** Where all conditions hold, there is a bicycle, or a point. *)
+Lemma bicycle_of_forms v x : bicycle_fits s = true -> Forall (holds v) (bicycle_facts s) ->
+  (forall name, In name (symbols s) -> v (code name) = x name) -> bicycle s x.
+Proof.
+  intros E F A. unfold bicycle_fits in E. apply andb_true_iff in E. destruct E as [E L]. apply andb_true_iff in E. destruct E as [E C].
+  apply andb_true_iff in E. destruct E as [G W]. rewrite forallb_forall in W. rewrite Forall_forall in F.
   assert (N := paper_agrees v s x A).
-  assert (F' : forall f, In (Some f) (paper_forms s ++ inner_forms s ++ force_form s :: load_forms s) -> holds v f).
-  { rewrite Forall_forall in F. intros f I. apply F. unfold point_facts, bicycle_facts. rewrite app_assoc in I.
-    apply in_or_app. apply in_app_or in I. destruct I as [I|I]; [left|right]; apply some_of_In, I. }
-  assert (have : forall o, In o (force_form s :: paper_forms s) -> exists f, o = Some f /\ holds v f).
-  { intros o I. assert (J : In o (paper_forms s ++ inner_forms s ++ force_form s :: load_forms s)).
-    { destruct I as [I|I]; [subst; apply in_or_app; right; apply in_or_app; right; now left|apply in_or_app; now left]. }
-    specialize (G _ J). destruct o as [f|]; [|discriminate]. exists f. split; [reflexivity|]. apply F', J. }
-  assert (V : forall u name, In name (symbols s) -> with_unknowns v u (code name) = x name).
-  { intros u name I. unfold with_unknowns. destruct (in_list (code name) (map code (unknowns m))) eqn:J; [|apply A, I].
-    apply in_list_iff, in_map_iff in J. destruct J as [n [J K]]. apply code_injective in J. subst.
-    specialize (C _ K). apply is_in_In in I. rewrite I in C. discriminate. }
-  assert (U : forall u name, In name (unknowns m) -> with_unknowns v u (code (name ++ "")) = u name).
-  { intros u name I. rewrite append_nil_r. unfold with_unknowns.
-    assert (J : in_list (code name) (map code (unknowns m)) = true) by (apply in_list_iff, in_map, I).
-    now rewrite J, decode_code. }
+  assert (have : forall o, In o (paper_forms s ++ inner_forms s) -> exists f, o = Some f /\ holds v f).
+  { intros o I. destruct (all_given_In _ _ G I) as [f [E J]]. exists f. split; [exact E|apply F, J]. }
   assert (M : forall u, agrees (with_unknowns v u) (inner_scope s "") (in_scene s x u)).
-  { intro u. apply inner_agrees; [apply V|apply U]. }
-  assert (have_inner : forall o, In o (inner_forms s ++ load_forms s) -> exists f, o = Some f /\ forall u, holds (with_unknowns v u) f).
-  { intros o I. assert (J : In o (paper_forms s ++ inner_forms s ++ force_form s :: load_forms s)).
-    { apply in_or_app; right. apply in_app_or in I. apply in_or_app. destruct I as [I|I]; [now left|right; now right]. }
-    specialize (G _ J). destruct o as [f|]; [|discriminate]. exists f. split; [reflexivity|]. intro u.
-    apply (form_free_holds (map code (unknowns m)) v); [|apply W, some_of_In, I|apply F', J].
-    intros q Q. unfold with_unknowns. destruct (in_list q (map code (unknowns m))) eqn:K; [|reflexivity].
-    apply in_list_iff in K. contradiction. }
-  assert (paper_true : forall c, In (normal_condition (paper_scope s None) true c) (force_form s :: paper_forms s) -> is (paper s x) true c).
-  { intros c I. destruct (have _ I) as [f [E H]]. exact (proj1 (normal_condition_sound v _ _ N _ _ _ E) H). }
-  assert (inner_true : forall u c, In (normal_condition (inner_scope s "") true c) (inner_forms s ++ load_forms s) -> is (in_scene s x u) true c).
+  { intro u. apply inner_agrees; [intros name I; exact (with_unknowns_symbol v x u name C A I)|apply with_unknowns_unknown]. }
+  assert (have_inner : forall o, In o (inner_forms s) -> exists f, o = Some f /\ forall u, holds (with_unknowns v u) f).
+  { intros o I. destruct (have o) as [f [E H]]; [apply in_or_app; now right|]. exists f. split; [exact E|]. intro u.
+    apply with_unknowns_holds; [|exact H]. apply W, some_of_In. congruence. }
+  assert (paper_true : forall c, In (normal_condition (paper_scope s None) true c) (paper_forms s) -> is (paper s x) true c).
+  { intros c I. destruct (have (normal_condition (paper_scope s None) true c)) as [f [E H]]; [apply in_or_app; now left|].
+    exact (proj1 (normal_condition_sound v _ _ N _ _ _ E) H). }
+  assert (inner_true : forall u c, In (normal_condition (inner_scope s "") true c) (inner_forms s) -> is (in_scene s x u) true c).
   { intros u c I. destruct (have_inner _ I) as [f [E H]]. exact (proj1 (normal_condition_sound _ _ _ (M u) _ _ _ E) (H u)). }
-  unfold paper_forms, inner_forms in *. constructor; [constructor| |].
-  - intros p c I. apply paper_true. right. apply in_or_app. left. apply in_map_iff. exists (p, c). split; [reflexivity|exact I].
-  - intros c n d I. split; apply paper_true; right; apply in_or_app; right; apply in_or_app; left; apply in_flat_map; exists (c, n, d);
+  unfold paper_forms, inner_forms in *. constructor.
+  - intros p c I. apply paper_true. apply in_or_app. left. apply in_map_iff. exists (p, c). split; [reflexivity|exact I].
+  - intros c n d I. split; apply paper_true; apply in_or_app; right; apply in_or_app; left; apply in_flat_map; exists (c, n, d);
       (split; [exact I|]); [left; reflexivity|right; left; reflexivity].
   - intros name I. destruct (have (defined_form (scene_form s name))) as [f [E H]].
-    { right. apply in_or_app; right; apply in_or_app; right; apply in_or_app; left. apply in_map_iff. exists name. split; [reflexivity|exact I]. }
+    { apply in_or_app; left. apply in_or_app; right; apply in_or_app; right; apply in_or_app; left.
+      apply in_map_iff. exists name. split; [reflexivity|exact I]. }
     apply (defined_form_sound v _ (from_scene s x name) _ E); [|exact H]. intros h K. exact (scene_agrees v s x A name h K).
-  - intros u p c I Q. apply inner_true. apply in_or_app. left. apply in_or_app. left. apply in_flat_map. exists (p, c).
+  - intros u p c I Q. apply inner_true. apply in_or_app. left. apply in_flat_map. exists (p, c).
     split; [exact I|]. change (fst (p, c)) with p. rewrite Q. left. reflexivity.
-  - intros u c n d I. split; apply inner_true; apply in_or_app; left; apply in_or_app; right; apply in_or_app; left; apply in_flat_map; exists (c, n, d);
+  - intros u c n d I. split; apply inner_true; apply in_or_app; right; apply in_or_app; left; apply in_flat_map; exists (c, n, d);
       (split; [exact I|]); [left; reflexivity|right; left; reflexivity].
-  - intros u c I. apply inner_true. apply in_or_app; left. do 2 (apply in_or_app; right). apply in_or_app; left. apply in_map_iff. exists c. split; [reflexivity|exact I].
+  - intros u c I. apply inner_true. do 2 (apply in_or_app; right). apply in_or_app; left. apply in_map_iff. exists c. split; [reflexivity|exact I].
   - intros u e I. destruct (have_inner (defined_form (normal_term (inner_scope s "") e))) as [f [E H]].
-    { apply in_or_app; left. do 3 (apply in_or_app; right). apply in_map_iff. exists e. split; [reflexivity|exact I]. }
+    { do 3 (apply in_or_app; right). apply in_map_iff. exists e. split; [reflexivity|exact I]. }
     apply (defined_form_sound (with_unknowns v u) _ (value (in_scene s x u) e) _ E); [|apply H].
     intros h K. exact (normal_term_sound _ _ _ (M u) _ _ K).
   - unfold load_has_degree_one, load_fits in *. destruct (load m) as [[l c]|] eqn:Q; [|exact Logic.I].
     destruct (given s l) as [e|] eqn:K; [|discriminate]. destruct (normal_term (paper_scope s None) e) as [f|] eqn:T; [|discriminate].
     destruct (have (slope_form s e)) as [g [E H]].
-    { right. do 3 (apply in_or_app; right). now left. }
+    { apply in_or_app; left. do 3 (apply in_or_app; right). now left. }
     apply (slope_form_sound v x e g A E) in H. destruct H as [y1 [y0 [Y1 [Y0 Y]]]].
     destruct (affine_sound x e f 0 T L) as [a [b B]]; [congruence|].
     exists e, a, b. repeat split; [|exact B]. intro Z. subst. rewrite B in Y1, Y0. inversion Y1; inversion Y0; subst. apply Y. ring.
-  - intros u l c Q. apply inner_true. apply in_or_app; right. unfold load_forms. rewrite Q. now left.
-  - apply paper_true. now left.
+Qed.
+
+Lemma point_of_forms v x fs : point_forms s = Some fs -> Forall (holds v) fs ->
+  (forall name, In name (symbols s) -> v (code name) = x name) -> point s x.
+Proof.
+  intros H F A. unfold point_forms in H. options H. inversion H; subst; clear H.
+  apply andb_true_iff in E. destruct E as [E W]. apply andb_true_iff in E. destruct E as [B G].
+  assert (C : forallb (fun u => negb (is_in u (symbols s))) (unknowns m) = true).
+  { unfold bicycle_fits in B. apply andb_true_iff in B. destruct B as [B _]. apply andb_true_iff in B. tauto. }
+  apply Forall_app in F. destruct F as [F P]. rewrite forallb_forall in W. rewrite Forall_forall in P. constructor.
+  - exact (bicycle_of_forms v x B F A).
+  - intros u l c Q. destruct (all_given_In _ (normal_condition (inner_scope s "") true c) G) as [f [E I]].
+    { right. unfold load_forms. rewrite Q. now left. }
+    assert (J : In f (some_of (load_forms s))) by (apply some_of_In; unfold load_forms; rewrite Q, E; now left).
+    assert (M : agrees (with_unknowns v u) (inner_scope s "") (in_scene s x u)).
+    { apply inner_agrees; [intros name K; exact (with_unknowns_symbol v x u name C A K)|apply with_unknowns_unknown]. }
+    exact (proj1 (normal_condition_sound _ _ _ M _ _ _ E) (with_unknowns_holds v u f (W _ J) (P _ I))).
+  - destruct (all_given_In _ (force_form s) G (or_introl eq_refl)) as [f [E I]].
+    exact (proj1 (normal_condition_sound v _ _ (paper_agrees v s x A) _ _ _ E) (P _ I)).
 Qed.
 
 (** The forces *)

@@ -1,7 +1,7 @@
 (** The other direction: a point at which a claim that something exists is right, or at which another is wrong. *)
 From Coq Require Import String List Bool NArith ZArith Reals Lra Lia.
 From Slipproof Require Import Text Syntax Meaning Poly Normal NormalSound.
-From Slipproof.claim Require Import Expression Mechanism Claim Forms Entails Covers Scopes Points Obligations Proved.
+From Slipproof.claim Require Import Expression Mechanism Claim Forms Entails Covers Scopes Points Rising Obligations MotionForms Here Proved.
 Import ListNotations.
 Local Open Scope R_scope.
 
@@ -56,7 +56,7 @@ Proof.
   assert (R : right_here c (symbols_in w)).
   { unfold right_here. rewrite K. split; [apply (condition_in w _ _ _ E2), F|]. intros md I.
     destruct (listed_modes _ _ I) as [i J]. eexists. exact (H i md J). }
-  exists (symbols_in w). split; [exact Q|]. unfold judged. split; [exact (interval_sound _ _ C)|].
+  exists (symbols_in w). split; [exact Q|]. unfold judged, judged_where. rewrite K. split; [exact (interval_sound _ _ C)|].
   split; [apply (condition_in w _ _ _ E1), Y|]. split; [|exact R]. unfold no_value_here. rewrite K. intros [N _]. exact (N R).
 Qed.
 
@@ -66,7 +66,7 @@ Proof.
   intros K E W x Q. unfold refuting_ways in E. rewrite K in E. options E. inversion E; subst. apply andb_true_iff in E0. destruct E0 as [C T].
   apply andb_true_iff in E3. destruct E3 as [_ D].
   inversion W as [|? ? A W']; subst. inversion W' as [|? ? B W'']; subst. inversion W'' as [|? ? G _]; subst. apply one_goal in A, B, G.
-  assert (H := point_here c x Q). unfold judged. split; [exact (interval_sound _ _ C)|].
+  assert (H := point_here c x Q). unfold judged, judged_where. rewrite K. split; [exact (interval_sound _ _ C)|].
   destruct (has_value_sound c x T _ _ _ H E5 A) as [R|R]; [right; split; [exact R|]|now left].
   assert (H' := here_also c x _ _ _ E1 R H). assert (V := has_value_sound c x T _ _ _ H' E6 B).
   assert (N : ~ right_here c x).
@@ -106,8 +106,8 @@ Theorem ways_refute ws : refuting_ways c = Some ws -> Forall way_holds ws -> (fo
   exists x, point s x /\ judged c x Wrong.
 Proof.
   intros E W X. unfold refuting_ways in E. options E. apply andb_true_iff in E0. destruct E0 as [C _].
-  assert (I := fun x => interval_sound _ x C). unfold judged.
-  destruct (what c) as [md|modes|[|md modes] h|modes|modes|h|claims|claims|model hs es] eqn:K; try discriminate; [| | | |exfalso; exact (X _ eq_refl)| | |];
+  assert (I := fun x => interval_sound _ x C). unfold judged, judged_where.
+  destruct (what c) as [md|modes|[|md modes] h|modes|modes|h|claims|claims|model hs es|p h from] eqn:K; try discriminate; [| | | |exfalso; exact (X _ eq_refl)| | |];
     options E; inversion E; subst; inversion W as [|? ? G _]; subst; apply one_goal in G.
   - destruct (somewhere_sound _ _ _ E3 G) as [w [Q [M H]]]. take_apart M. exists (symbols_in w). split; [exact Q|].
     assert (N := H 0%nat md (or_introl eq_refl)). apply (condition_in w _ _ _ E1) in A. apply (condition_in w _ _ _ E0) in A0.

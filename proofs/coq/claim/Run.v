@@ -15,7 +15,7 @@ Definition run (c : claim) (q : list (string * Q)) : option outcome :=
   match is_point s paper_here paper_along inner with
   | Some true =>
       if on_interval paper_along (force_domain s) then
-        match status_of paper_here (region c) with
+        match status_of paper_here (judged_where c) with
         | No => Some SaysNothing
         | Neither => Some NoValue
         | Unknown => None
@@ -208,7 +208,7 @@ Qed.
 
 Lemma run_kind_proven : proven (run_kind c paper_here mech moving).
 Proof.
-  unfold run_kind. destruct (what c) as [md|modes|[|md modes] h|modes|modes|h|claims|claims|model hs es] eqn:K.
+  unfold run_kind. destruct (what c) as [md|modes|[|md modes] h|modes|modes|h|claims|claims|model hs es|p h from] eqn:K.
   - exact (interval_proven c q md K).
   - exact (impossible_proven c q modes K).
   - exact (plain_formula_proven c q h K).
@@ -218,6 +218,7 @@ Proof.
   - exact (equivalence_proven c q h K).
   - exact (cover_proven c q claims K).
   - exact (force_cover_proven c q claims K).
+  - exact I.
   - exact I.
 Qed.
 End Sound.
@@ -229,8 +230,8 @@ Proof.
   change (fun name => Q2R (lookup q name)) with (x q). unfold run. assert (P := is_point_sound (in_setting c) q).
   destruct (is_point _ _ _ _) as [[|]|]; try discriminate.
   destruct (on_interval _ _) eqn:F; [|discriminate]. apply on_interval_sound in F. intro H. split; [exact P|].
-  assert (S := status_sound (fun _ => 0) _ _ (here_agree (in_setting c) q _) (region c)). unfold judged.
-  destruct (status_of _ (region c)); [| | |discriminate].
+  assert (S := status_sound (fun _ => 0) _ _ (here_agree (in_setting c) q _) (judged_where c)). unfold judged.
+  destruct (status_of _ (judged_where c)); [| | |discriminate].
   - assert (K := run_kind_proven c q). rewrite H in K. destruct o; simpl in K; tauto.
   - inversion H; subst. tauto.
   - inversion H; subst. tauto.

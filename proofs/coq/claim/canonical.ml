@@ -305,6 +305,10 @@ let kind = function
       let hypotheses, lines = many (put [ "given" ]) lines in
       let equations, lines = many (put [ "follows" ]) lines in
       (Consequence (Option.map (fun () -> m) of_model, hypotheses, equations), lines)
+  | [ "limit"; parameter ] :: lines ->
+      let holds, lines = needed "holds" (put [ "holds" ]) lines in
+      let from, lines = optional (plain "from") lines in
+      (Limit (explode parameter, holds, from), lines)
   | [ "force"; "-"; "cover" ] :: lines -> let rs, lines = blocks reference lines in (ForceCover rs, lines)
   | line :: _ -> unreadable ("expected a kind at " ^ String.concat " " line)
   | [] -> unreadable "expected a kind"

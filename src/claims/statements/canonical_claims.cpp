@@ -145,6 +145,14 @@ std::string consequence(const ClaimsFile& file, const ClaimBody& body, Reading r
   return text;
 }
 
+/// `from` is not part of what is claimed: proofs use it.
+std::string limit(const ClaimBody& body) {
+  std::string text = "holds : " + canonical(body.holds) + '\n';
+  const auto from = body.own.find("from");
+  if (from != body.own.end()) text += "from = " + canonical(from->second) + '\n';
+  return text;
+}
+
 /// What claims of the other kinds are about.
 std::string subjects(const ClaimsFile& file, const ClaimBody& body, Reading reading) {
   std::string text;
@@ -161,9 +169,13 @@ std::string subjects(const ClaimsFile& file, const ClaimBody& body, Reading read
 std::string canonical_claim(const ClaimsFile& file, const Claim& claim, Reading reading, std::size_t setting) {
   const ClaimBody& body = claim.body(reading);
   const std::string_view kind = body.kind->name();
-  return fmt::format("claim {}{} in {}\n{}\n", claim.id, reading == Reading::repaired ? ".repaired" : "", setting,
-                     kind) +
-         (kind == "consequence" ? consequence(file, body, reading) : subjects(file, body, reading)) +
+  const auto said = [&] {
+    if (kind == "consequence") return consequence(file, body, reading);
+    return kind == "limit" ? limit(body) : subjects(file, body, reading);
+  };
+  return fmt::format("claim {}{} in {}\n{}{}\n", claim.id, reading == Reading::repaired ? ".repaired" : "", setting,
+                     kind, kind == "limit" ? ' ' + body.parameter : "") +
+         said() +
          fmt::format("region : {}\nforces : {}\n", canonical(body.region), canonical(body.forces));
 }
 
@@ -171,7 +183,7 @@ std::string canonical_claim(const ClaimsFile& file, const Claim& claim, Reading 
 
 std::string canonical_claims(const ClaimsFile& file) {
   static const std::set<std::string, std::less<>> known = {
-      "interval", "impossible", "formula", "motions", "exists", "equivalence", "cover", "force-cover", "consequence"};
+      "interval", "impossible", "formula", "motions", "exists", "equivalence", "cover", "force-cover", "consequence", "limit"};
   std::map<std::pair<std::size_t, Reading>, std::size_t> numbers;
   std::string settings, claims;
   for (const Claim& claim : file.claims) {
