@@ -100,6 +100,13 @@ Fixpoint print_mode (m : mode) : list string :=
   match m with [] => [] | [s] => print_state s | s :: m => print_state s ++ "/" :: print_mode m end.
 Definition print_modes (ms : list mode) : list (list string) := map (fun m => "mode" :: print_mode m) ms.
 
+Definition print_model (model : option (option mode)) : list (list string) :=
+  match model with
+  | Some None => [["of"; "the"; "model"]]
+  | Some (Some m) => ["of"; "the"; "model"] :: print_modes [m]
+  | None => []
+  end.
+
 Definition print_kind (k : kind) : list (list string) :=
   match k with
   | Interval m => ["interval"] :: print_modes [m]
@@ -109,12 +116,9 @@ Definition print_kind (k : kind) : list (list string) :=
   | Exists ms => ["exists"] :: print_modes ms
   | Equivalence holds => [["equivalence"]; put ["holds"] holds]
   | Cover rs => ["cover"] :: flat_map (fun r => [put ["one"; "region"] (fst r); put ["one"; "forces"] (snd r)]) rs
-  | Consequence model hs es =>
-      ["consequence"] :: match model with
-                         | Some None => [["of"; "the"; "model"]]
-                         | Some (Some m) => ["of"; "the"; "model"] :: print_modes [m]
-                         | None => []
-                         end ++ map (put ["given"]) hs ++ map (put ["follows"]) es
+  | Consequence model hs es => ["consequence"] :: print_model model ++ map (put ["given"]) hs ++ map (put ["follows"]) es
+  | System model given hs es =>
+      ["system"] :: print_model model ++ map (put ["given"]) given ++ map (put ["from"]) hs ++ map (put ["follows"]) es
   | Limit p holds from =>
       ["limit"; p] :: put ["holds"] holds :: match from with Some e => [equals ["from"] e] | None => [] end
   | ForceCover rs => ["force"; "-"; "cover"] :: flat_map (fun r => [put ["one"; "region"] (fst r); put ["one"; "forces"] (snd r)]) rs

@@ -127,6 +127,14 @@ Fixpoint mentions (names : list string) (e : term) : bool :=
   | Plus a b | Difference a b | Product a b | Quotient a b | Minimum a b | Maximum a b => mentions names a || mentions names b
   end.
 
+Fixpoint mentions_in (names : list string) (c : condition) : bool :=
+  match c with
+  | Constant _ => false
+  | Compare a links => mentions names a || existsb (fun l => mentions names (snd l)) links
+  | Not c => mentions_in names c
+  | Both c d | Either c d => mentions_in names c || mentions_in names d
+  end.
+
 (** "An equation is linear if, as it stands, it multiplies no two numbers in which unknowns or the force occur, divides by
     no such number, and applies no power (except 0 and 1) and no function to one." *)
 Definition varying (s : setting) : list string :=
@@ -174,6 +182,8 @@ Inductive kind :=
 | ForceCover (claims : list reference)
 (* Of the mechanism's equations, if [model]: in a mode, or with no contact open. *)
 | Consequence (model : option (option mode)) (hypotheses equations : list condition)
+(* Of [given] and others, which [equations] with [given] are to replace. *)
+| System (model : option (option mode)) (given hypotheses equations : list condition)
 (* [from] does not change what is claimed: proofs use it. *)
 | Limit (parameter : string) (holds : condition) (from : option term).
 
@@ -194,6 +204,18 @@ Definition solves (model : option (option mode)) (hypotheses : list condition) (
   let y := with_force s x f in
   (forall md, model = Some md -> exists cs, model_equations s md = Some cs /\ all_true (mechanism_names s y u) cs)
   /\ all_true (names_of_motion s y u) hypotheses.
+
+(** "The unknowns of the right side of a system are those that occur in the text of [equations] or of a claim in [given]." *)
+Definition chosen (equations : list condition) : list string :=
+  filter (fun u => existsb (mentions_in [u]) equations) (unknowns (of_mechanism s)).
+Definition satisfies (f : R) (u : string -> R) (equations : list condition) : Prop :=
+  all_true (names_of_motion s (with_force s x f) u) equations.
+(** "An equation is undefined or not linear." *)
+Definition no_equations (model : option (option mode)) (equations : list condition) : Prop :=
+  (exists md, model = Some md /\ model_equations s md = None)
+  \/ exists e, In e equations
+               /\ (linear_equation s e = false
+                   \/ exists f u, ~ has_value (names_of_motion s (with_force s x f) u) e).
 
 (** "All parameters but one are fixed; the bicycles are those with these values of the others." What occurs for every v < s,
     the least upper bound of the parameter at these bicycles: beyond each v beyond which there is one of them. *)
@@ -225,7 +247,10 @@ Definition right_here : Prop :=
   | Equivalence holds => true_here (at_forces c) <-> true_here holds
   | Cover claims => exists r f, In (r, f) claims /\ true_here r
   | ForceCover claims => exists r f, In (r, f) claims /\ true_here r /\ true_here f
-  | Consequence model hs es => forall f u, solves model hs f u -> all_true (names_of_motion s (with_force s x f) u) es
+  | Consequence model hs es => forall f u, solves model hs f u -> satisfies f u es
+  | System model given hs es =>
+      forall f u, (exists w, (forall name, In name (chosen (given ++ es)) -> w name = u name) /\ solves model (given ++ hs) f w)
+                  <-> satisfies f u (given ++ es)
   | Limit p holds _ => ~ mostly false p holds /\ mostly true p holds
   end.
 
@@ -238,6 +263,7 @@ Definition nothing_here : Prop :=
       \/ (forall md, In md modes -> modelled s md) /\ forall md u, In md modes -> ~ motion s x md u
   | Exists _ => ~ right_here
   | Consequence model hs _ => forall f u, ~ solves model hs f u
+  | System model given hs es => forall f u, ~ solves model (given ++ hs) f u /\ ~ satisfies f u (given ++ es)
   | Limit p holds _ => ~ mostly false p holds /\ ~ mostly true p holds /\ mostly_nothing p
   end.
 
@@ -281,11 +307,8 @@ Definition no_value_here : Prop :=
       undefined (at_forces c)
       \/ true_here (at_forces c) /\ ~ right_here
          /\ exists r f, In (r, f) claims /\ (undefined r /\ ~ false_here f \/ true_here r /\ undefined f)
-  | Consequence model hs es =>
-      (exists md, model = Some md /\ model_equations s md = None)
-      \/ exists e, In e (hs ++ es)
-                   /\ (linear_equation s e = false
-                       \/ exists f u, ~ has_value (names_of_motion s (with_force s x f) u) e)
+  | Consequence model hs es => no_equations model (hs ++ es)
+  | System model given hs es => no_equations model (given ++ hs ++ es)
   | Limit p holds _ => ~ mostly false p holds /\ mostly_no_value p holds
   end.
 
@@ -306,9 +329,9 @@ Definition judged (o : outcome) : Prop :=
   end.
 End Judged.
 
-(** The claim is right, or says nothing, at every point and force (a cover, a consequence or a limit: at every point, even if
-    there is no force); it is wrong at one. [Exists] is right at one, or nowhere. *)
-Definition of_any_force (k : kind) : bool := match k with Cover _ | Consequence _ _ _ | Limit _ _ _ => true | _ => false end.
+(** The claim is right, or says nothing, at every point and force (a cover, a limit, or one about equations: at every
+    point, even if there is no force); it is wrong at one. [Exists] is right at one, or nowhere. *)
+Definition of_any_force (k : kind) : bool := match k with Cover _ | Consequence _ _ _ | System _ _ _ _ | Limit _ _ _ => true | _ => false end.
 Definition proved (c : claim) : Prop :=
   let s := in_setting c in
   match what c with

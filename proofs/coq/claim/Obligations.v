@@ -65,6 +65,10 @@ Definition quantities_fit : bool :=
   && forallb (fun a => is_in a (unknowns m) && negb (is_in a (map fst (definitions m)))) (accelerations m)
   && no_name_twice (map fst (quantities m)).
 
+(** Unknowns are no quantities, and no definition takes their names. *)
+Definition unknowns_fit : bool :=
+  forallb (fun u => negb (is_in u (map fst (definitions m))) && negb (is_in u (map fst (quantities m)))) (unknowns m).
+
 Definition all_modelled_here : bool :=
   forallb (fun k => bilateral k || may_lift (given_parameters s) k) (contacts m).
 End Setting.
@@ -88,6 +92,9 @@ Definition model_forms (model : option (option mode)) : option (list form) :=
   | Some md => let* cs := model_equations s md in normal_all (mechanism_scope s (suffix 0)) cs
   | None => Some []
   end.
+
+Definition not_chosen (equations : list condition) : list string :=
+  filter (fun u => negb (is_in u (chosen c equations))) (unknowns (of_mechanism s)).
 
 (** References of which one holds. *)
 Definition one_region (claims : list reference) : option form :=
@@ -145,6 +152,17 @@ Definition ways_of_kind (facts : list form) (forces : form) : option (list way) 
       let* shown := normal_all (motion_scope s (suffix 0)) es in
       let* values := map_option (equation_goal still) (hs ++ es) in
       Some ([Goal (ms ++ given ++ still) [] (All shown)] :: map (fun g => [g]) values)
+  | System model given hs es =>
+      require negb (is_in (force s) (unknowns (of_mechanism s))) && forallb (linear_equation s) (given ++ hs ++ es)
+              && unknowns_fit s && negb (existsb (mentions_in (map fst (quantities (of_mechanism s)))) (given ++ es)) in
+      let still := without_force facts in
+      let* ms := model_forms model in
+      let* gs := normal_all (motion_scope s (suffix 0)) given in
+      let* others := normal_all (motion_scope s (suffix 0)) hs in
+      let* shown := normal_all (motion_scope s (suffix 0)) es in
+      let* values := map_option (equation_goal still) (given ++ hs ++ es) in
+      Some ([Goal (ms ++ gs ++ others ++ still) [] (All shown)]
+            :: [Goal (gs ++ shown ++ still) (not_chosen (given ++ es)) (All (ms ++ gs ++ others))] :: map (fun g => [g]) values)
   | Limit p holds (Some from) =>
       let* f := normal_term names from in
       let* beyond := normal_condition names true (Compare from [(Lt, Symbol p)]) in
@@ -174,6 +192,17 @@ Definition ways : option (list way) :=
       let* forces_goal := if without_forces (what c) then Some [] else let* g := has_value_goal (yes :: facts) (at_forces c) in Some [[g]] in
       let* rest := ways_of_kind (yes :: facts) forces in Some ([region_goal] :: forces_goal ++ rest)
   end.
+
+(** A solution of the hypotheses that does not satisfy the equations; everywhere they have values. *)
+Definition equations_refuted (yes : form) (model : option (option mode)) (hs es : list condition) : option (list way) :=
+  require negb (is_in (force s) (unknowns (of_mechanism s))) && forallb (linear_equation s) (hs ++ es) in
+  let still := without_force (yes :: bicycle_facts s) in
+  let* here := point_forms s in
+  let* ms := model_forms model in
+  let* given := normal_all (motion_scope s (suffix 0)) hs in
+  let* nos := map_option (normal_condition (motion_scope s (suffix 0)) false) es in
+  let* values := map_option (equation_goal still) (hs ++ es) in
+  Some ([Goal [] (names_of_motions s 1) (All (here ++ yes :: Any nos :: ms ++ given))] :: map (fun g => [g]) values).
 
 (** For a claim that is to be wrong at one point; for one that something exists, nowhere right. *)
 Definition refuting_ways : option (list way) :=
@@ -210,6 +239,8 @@ Definition refuting_ways : option (list way) :=
       let* region_goal := has_value_goal facts (region c) in
       let* forces_goal := has_value_goal (yes :: facts) (at_forces c) in
       Some [[region_goal]; [forces_goal]; [Goal (concat motions ++ forces :: yes :: facts) [] (Any [])]]
-  | Motions _ | Consequence _ _ _ | Limit _ _ _ => None
+  | Consequence model hs es => equations_refuted yes model hs es
+  | System model given hs es => equations_refuted yes model (given ++ hs) es
+  | Motions _ | Limit _ _ _ => None
   end.
 End Claim.

@@ -194,7 +194,7 @@ Lemma forces_false facts forces ws : ways_of_kind c facts forces = Some ws -> is
 Proof.
   intros E F K. assert (V : has_value (paper s x) (at_forces c)) by (now right).
   assert (N : ~ is (paper s x) true (at_forces c)) by (intro T; exact (consistent _ _ T F)).
-  unfold ways_of_kind, no_value_here, nothing_here in *. destruct (what c) as [| modes |[|md modes] h|modes| | | |claims| |]; try contradiction; split; try (now left); try exact F.
+  unfold ways_of_kind, no_value_here, nothing_here in *. destruct (what c) as [| modes |[|md modes] h|modes| | | |claims| | |]; try contradiction; split; try (now left); try exact F.
   all: intros [U|[T _]]; [exact (U V)|exact (N T)].
 Qed.
 End Claim.
@@ -228,7 +228,7 @@ Proof.
       exact (has_value_sound c x T _ _ _ H' E G). }
   assert (L := forces_false c x _ _ _ K).
   assert (both : ~ no_value_here c x /\ right_here c x \/ ~ no_value_here c x /\ nothing_here c x).
-  { destruct (what c) as [md|modes|modes h|modes|modes|h|claims|claims|model hs es|p h from] eqn:Q.
+  { destruct (what c) as [md|modes|modes h|modes|modes|h|claims|claims|model hs es|model given hs es|p h from] eqn:Q.
     - left. exact (interval_kind c x T md _ _ _ Q H' F V K D).
     - destruct V as [V|V]; [left; exact (impossible_kind c x T modes _ _ _ Q H' F V K D)|right; apply L; [exact V|exact Logic.I]].
     - destruct V as [V|V]; [left; exact (formula_kind c x T modes h _ _ _ Q H' F V K D)|right; apply L; [exact V|exact Logic.I]].
@@ -238,6 +238,7 @@ Proof.
     - left. exact (cover_kind c x T claims _ _ _ Q H' K D).
     - destruct V as [V|V]; [left; exact (force_cover_kind c x T claims _ _ _ Q H' F V K D)|right; apply L; [exact V|exact Logic.I]].
     - left. exact (consequence_kind c x T model hs es _ _ _ Q H' K D).
+    - left. exact (system_kind c x T model given hs es _ _ _ Q H' K D).
     - exfalso. exact (Y _ _ _ eq_refl). }
   destruct both as [[N B']|[N B']]; [left|right]; auto.
 Qed.
@@ -246,7 +247,7 @@ Theorem ways_prove c ws : ways c = Some ws -> Forall way_holds ws -> (forall mod
   forall x, (if of_any_force (what c) then bicycle (in_setting c) x else point (in_setting c) x) ->
   judged c x Right \/ judged c x SaysNothing.
 Proof.
-  intros E W X x P. destruct (what c) as [ | | | | | | | | |p holds from] eqn:Q; rewrite <- Q in P.
-  10: { rewrite Q in P. exact (limit_kind c p holds from ws Q E W x P). }
+  intros E W X x P. destruct (what c) as [ | | | | | | | | | |p holds from] eqn:Q; rewrite <- Q in P.
+  11: { rewrite Q in P. exact (limit_kind c p holds from ws Q E W x P). }
   all: apply (others_prove c ws E W); try exact P; try (intros; rewrite Q; discriminate); unfold judged_where; now rewrite Q.
 Qed.

@@ -1,7 +1,7 @@
 (** The other direction: a point at which a claim that something exists is right, or at which another is wrong. *)
 From Coq Require Import String List Bool NArith ZArith Reals Lra Lia.
 From Slipproof Require Import Text Syntax Meaning Poly Normal NormalSound.
-From Slipproof.claim Require Import Expression Mechanism Claim Forms Entails Covers Scopes Points Rising Obligations MotionForms Here Proved.
+From Slipproof.claim Require Import Expression Mechanism Claim Forms Entails Covers Scopes Points Rising Obligations MotionForms Here ProvedEquations Proved.
 Import ListNotations.
 Local Open Scope R_scope.
 
@@ -98,6 +98,29 @@ Proof.
   exact (proj1 (motion_forms_sound s w 0 md _ _ _ (values_agree w 0) E0) H).
 Qed.
 
+(** A solution of the hypotheses of which an equation is false, at a point where all of them have values. *)
+Lemma equations_refuted_sound yes model hs es ws : normal_condition (paper_scope s None) true (region c) = Some yes ->
+  no_name_twice (names_of_motions s 2) = true -> equations_refuted c yes model hs es = Some ws -> Forall way_holds ws ->
+  exists x, point s x /\ is (paper s x) true (region c) /\ ~ no_equations c x model (hs ++ es)
+            /\ exists f u, solves c x model hs f u /\ ~ satisfies c x f u es.
+Proof.
+  intros Y T E W. unfold equations_refuted in E. options E. inversion E; subst; clear E.
+  inversion W as [|? ? G B]; subst; clear W. apply one_goal in G. apply andb_true_iff in E0. destruct E0 as [U L].
+  assert (U' : ~ In (force s) (unknowns (of_mechanism s))) by (intro I; apply is_in_In in I; now rewrite I in U).
+  rewrite forallb_forall in L. destruct (here_and_more _ _ _ E1 G) as [w [Q M]]. inversion M as [|? ? R M']; subst.
+  inversion M' as [|? ? N So]; subst. apply (condition_in w _ _ _ Y) in R. exists (symbols_in w). split; [exact Q|]. split; [exact R|].
+  split.
+  - apply (equations_have_values c (symbols_in w) T model l0 (hs ++ es) (yes :: bicycle_facts s) l3); auto.
+    apply (here_also c _ _ _ _ Y R), bicycle_here, Q.
+  - set (f := symbols_in w (force s)). exists f, (motion_in_values w 0).
+    assert (A : agrees_with s w (suffix 0) (with_force s (symbols_in w) f) (motion_in_values w 0)).
+    { split; intros name I; [|reflexivity]. unfold with_force, f. destruct (String.eqb_spec name (force s)); [now subst|reflexivity]. }
+    split; [exact (proj1 (solves_sound c _ w f _ model hs _ _ A E2 E3) So)|]. intro S.
+    apply holds_any, Exists_exists in N. destruct N as [g [I N]]. destruct (map_option_from _ _ _ E4 _ I) as [e [F J]].
+    destruct A as [P V]. apply (normal_condition_sound w _ _ (motion_agrees w s _ P _ _ V) _ _ _ F) in N.
+    unfold satisfies, all_true in S. rewrite Forall_forall in S. exact (consistent _ _ (S e J) N).
+Qed.
+
 Ltac take_apart M := repeat match type of M with
   | Forall _ (_ :: _) => let A := fresh "A" in let B := fresh "M" in inversion M as [|? ? A B]; subst; clear M; rename B into M
   end.
@@ -105,10 +128,20 @@ Ltac take_apart M := repeat match type of M with
 Theorem ways_refute ws : refuting_ways c = Some ws -> Forall way_holds ws -> (forall modes, what c <> Claim.Exists modes) ->
   exists x, point s x /\ judged c x Wrong.
 Proof.
-  intros E W X. unfold refuting_ways in E. options E. apply andb_true_iff in E0. destruct E0 as [C _].
+  intros E W X. unfold refuting_ways in E. options E. apply andb_true_iff in E0. destruct E0 as [C T].
   assert (I := fun x => interval_sound _ x C). unfold judged, judged_where.
-  destruct (what c) as [md|modes|[|md modes] h|modes|modes|h|claims|claims|model hs es|p h from] eqn:K; try discriminate; [| | | |exfalso; exact (X _ eq_refl)| | |];
-    options E; inversion E; subst; inversion W as [|? ? G _]; subst; apply one_goal in G.
+  destruct (what c) as [md|modes|[|md modes] h|modes|modes|h|claims|claims|model hs es|model given hs es|p h from] eqn:K; try discriminate;
+    [| | | |exfalso; exact (X _ eq_refl)| | | | | ].
+  8: { destruct (equations_refuted_sound _ _ _ _ _ E1 T E W) as [x [Q [R [V [t [u [So N]]]]]]]. exists x. split; [exact Q|].
+       split; [apply I|]. split; [exact R|]. unfold no_value_here, right_here, nothing_here. rewrite K. repeat split; [exact V| |].
+       - intro A. exact (N (A t u So)).
+       - intro A. exact (A t u So). }
+  8: { destruct (equations_refuted_sound _ _ _ _ _ E1 T E W) as [x [Q [R [V [t [u [So N]]]]]]]. exists x. split; [exact Q|].
+       split; [apply I|]. split; [exact R|]. unfold no_value_here, right_here, nothing_here. rewrite K. repeat split.
+       - rewrite app_assoc. exact V.
+       - intro A. apply N. assert (B := proj1 (A t u)). apply satisfies_app in B; [tauto|]. exists u. auto.
+       - intro A. exact (proj1 (A t u) So). }
+  all: options E; inversion E; subst; inversion W as [|? ? G _]; subst; apply one_goal in G.
   - destruct (somewhere_sound _ _ _ E3 G) as [w [Q [M H]]]. take_apart M. exists (symbols_in w). split; [exact Q|].
     assert (N := H 0%nat md (or_introl eq_refl)). apply (condition_in w _ _ _ E1) in A. apply (condition_in w _ _ _ E0) in A0.
     split; [apply I|]. split; [exact A|]. unfold no_value_here, right_here, nothing_here. rewrite K. repeat split.

@@ -288,6 +288,11 @@ let reference = function
       | _ -> None)
   | _ -> None
 
+let model lines =
+  let of_model, lines = optional (function [ "of"; "the"; "model" ] -> Some () | _ -> None) lines in
+  let m, lines = if of_model = None then (None, lines) else optional mode_line lines in
+  (Option.map (fun () -> m) of_model, lines)
+
 let kind = function
   | [ "interval" ] :: lines -> let m, lines = needed "mode" mode_line lines in (Interval m, lines)
   | [ "impossible" ] :: lines -> let ms, lines = many mode_line lines in (Impossible ms, lines)
@@ -300,11 +305,16 @@ let kind = function
   | [ "equivalence" ] :: lines -> let holds, lines = needed "holds" (put [ "holds" ]) lines in (Equivalence holds, lines)
   | [ "cover" ] :: lines -> let rs, lines = blocks reference lines in (Cover rs, lines)
   | [ "consequence" ] :: lines ->
-      let of_model, lines = optional (function [ "of"; "the"; "model" ] -> Some () | _ -> None) lines in
-      let m, lines = if of_model = None then (None, lines) else optional mode_line lines in
+      let model, lines = model lines in
       let hypotheses, lines = many (put [ "given" ]) lines in
       let equations, lines = many (put [ "follows" ]) lines in
-      (Consequence (Option.map (fun () -> m) of_model, hypotheses, equations), lines)
+      (Consequence (model, hypotheses, equations), lines)
+  | [ "system" ] :: lines ->
+      let model, lines = model lines in
+      let given, lines = many (put [ "given" ]) lines in
+      let hypotheses, lines = many (put [ "from" ]) lines in
+      let equations, lines = many (put [ "follows" ]) lines in
+      (System (model, given, hypotheses, equations), lines)
   | [ "limit"; parameter ] :: lines ->
       let holds, lines = needed "holds" (put [ "holds" ]) lines in
       let from, lines = optional (plain "from") lines in

@@ -130,17 +130,17 @@ std::string canonical_setting(std::size_t number, const Setting& setting, Readin
   return text + fmt::format("# {}\nmechanism\n", in_ascii(setting.mechanism_name)) + MechanismLines(setting).text();
 }
 
-/// What a consequence follows from, and what follows.
-std::string consequence(const ClaimsFile& file, const ClaimBody& body, Reading reading) {
+/// Of a consequence or a system: what the equations follow from, and the equations.
+std::string about_equations(const ClaimsFile& file, const ClaimBody& body, Reading reading) {
   std::string text = body.from_model() ? "of the model\n" : "";
   if (body.from_model() && body.mode()) text += "mode " + name(*body.mode()) + '\n';
   const auto put = [&](const char* word, const Equations& equations) {
     for (const Expression& equation : equations) text += fmt::format("{} : {}\n", word, canonical(equation));
   };
-  for (const References* others : {&body.given, &body.claims}) {
-    for (const std::size_t other : *others) put("given", file.claims[other].body(reading).equations);
-  }
-  put("given", body.assume);
+  const char* from = body.kind->name() == "system" ? "from" : "given";
+  for (const std::size_t other : body.given) put("given", file.claims[other].body(reading).equations);
+  for (const std::size_t other : body.claims) put(from, file.claims[other].body(reading).equations);
+  put(from, body.assume);
   put("follows", body.equations);
   return text;
 }
@@ -170,7 +170,7 @@ std::string canonical_claim(const ClaimsFile& file, const Claim& claim, Reading 
   const ClaimBody& body = claim.body(reading);
   const std::string_view kind = body.kind->name();
   const auto said = [&] {
-    if (kind == "consequence") return consequence(file, body, reading);
+    if (kind == "consequence" || kind == "system") return about_equations(file, body, reading);
     return kind == "limit" ? limit(body) : subjects(file, body, reading);
   };
   return fmt::format("claim {}{} in {}\n{}{}\n", claim.id, reading == Reading::repaired ? ".repaired" : "", setting,
@@ -183,7 +183,7 @@ std::string canonical_claim(const ClaimsFile& file, const Claim& claim, Reading 
 
 std::string canonical_claims(const ClaimsFile& file) {
   static const std::set<std::string, std::less<>> known = {
-      "interval", "impossible", "formula", "motions", "exists", "equivalence", "cover", "force-cover", "consequence", "limit"};
+      "interval", "impossible", "formula", "motions", "exists", "equivalence", "cover", "force-cover", "consequence", "system", "limit"};
   std::map<std::pair<std::size_t, Reading>, std::size_t> numbers;
   std::string settings, claims;
   for (const Claim& claim : file.claims) {
