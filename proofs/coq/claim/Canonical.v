@@ -107,6 +107,9 @@ Definition print_model (model : option (option mode)) : list (list string) :=
   | None => []
   end.
 
+Definition print_reference (word : string) (r : reference) : list (list string) :=
+  [put [word; "region"] (fst r); put [word; "forces"] (snd r)].
+
 Definition print_kind (k : kind) : list (list string) :=
   match k with
   | Interval m => ["interval"] :: print_modes [m]
@@ -115,13 +118,16 @@ Definition print_kind (k : kind) : list (list string) :=
   | Motions ms => ["motions"] :: print_modes ms
   | Exists ms => ["exists"] :: print_modes ms
   | Equivalence holds => [["equivalence"]; put ["holds"] holds]
-  | Cover rs => ["cover"] :: flat_map (fun r => [put ["one"; "region"] (fst r); put ["one"; "forces"] (snd r)]) rs
+  | Cover rs => ["cover"] :: flat_map (print_reference "one") rs
   | Consequence model hs es => ["consequence"] :: print_model model ++ map (put ["given"]) hs ++ map (put ["follows"]) es
   | System model given hs es =>
       ["system"] :: print_model model ++ map (put ["given"]) given ++ map (put ["from"]) hs ++ map (put ["follows"]) es
+  | Unique claims except ms =>
+      ["unique"] :: flat_map (fun i => ("one" :: "mode" :: print_mode (fst i)) :: print_reference "one" (snd i)) claims
+      ++ flat_map (print_reference "except") except ++ print_modes ms
   | Limit p holds from =>
       ["limit"; p] :: put ["holds"] holds :: match from with Some e => [equals ["from"] e] | None => [] end
-  | ForceCover rs => ["force"; "-"; "cover"] :: flat_map (fun r => [put ["one"; "region"] (fst r); put ["one"; "forces"] (snd r)]) rs
+  | ForceCover rs => ["force"; "-"; "cover"] :: flat_map (print_reference "one") rs
   end.
 
 (** A file of settings, from 0, and of claims in one of them each. The name of a claim is made of tokens, as [A - 1]. *)

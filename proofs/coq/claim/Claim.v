@@ -171,6 +171,34 @@ Definition model_equations (s : setting) (md : option mode) : option (list condi
 (** Region and forces of a claim that another one names. *)
 Definition reference := (condition * condition)%type.
 
+(** "The closure of a condition on forces is the condition in which each [not] is carried inwards to the comparisons and then
+    < is read as <=, > as >=, and x <> y as x <= y or x >= y." *)
+Definition closed_link (a : term) (r : rel) (b : term) : condition :=
+  match r with
+  | Lt | Le => Compare a [(Le, b)]
+  | Gt | Ge => Compare a [(Ge, b)]
+  | Ne => Either (Compare a [(Le, b)]) (Compare a [(Ge, b)])
+  | Eq => Compare a [(Eq, b)]
+  end.
+Fixpoint closed_links (truth : bool) (a : term) (links : list (rel * term)) : condition :=
+  match links with
+  | [] => Constant truth
+  | (r, b) :: rest =>
+      (if truth then Both else Either) (closed_link a (if truth then r else opposite r) b) (closed_links truth b rest)
+  end.
+Fixpoint closure (truth : bool) (c : condition) : condition :=
+  match c with
+  | Constant b => Constant (Bool.eqb b truth)
+  | Compare a links => closed_links truth a links
+  | Not c => closure (negb truth) c
+  | Both c d => (if truth then Both else Either) (closure truth c) (closure truth d)
+  | Either c d => (if truth then Either else Both) (closure truth c) (closure truth d)
+  end.
+
+(** "Here all motions count, boundary motions included, also in strict settings." *)
+Definition with_boundaries (s : setting) : setting :=
+  Setting (of_mechanism s) (paper_parameters s) (paper_angles s) (force s) (force_domain s) (paper_definitions s) (scene s) false.
+
 Inductive kind :=
 | Interval (md : mode)
 | Impossible (modes : list mode)
@@ -184,6 +212,8 @@ Inductive kind :=
 | Consequence (model : option (option mode)) (hypotheses equations : list condition)
 (* Of [given] and others, which [equations] with [given] are to replace. *)
 | System (model : option (option mode)) (given hypotheses equations : list condition)
+(* Each of [claims] is an interval, of its mode. *)
+| Unique (claims : list (mode * reference)) (except : list reference) (modes : list mode)
 (* [from] does not change what is claimed: proofs use it. *)
 | Limit (parameter : string) (holds : condition) (from : option term).
 
@@ -216,6 +246,32 @@ Definition no_equations (model : option (option mode)) (equations : list conditi
   \/ exists e, In e equations
                /\ (linear_equation s e = false
                    \/ exists f u, ~ has_value (names_of_motion s (with_force s x f) u) e).
+
+(** "A claim states x if its region and its [forces] are true; it is near x if its region and the closure of its [forces] are
+    true." *)
+Definition states (r : reference) : Prop := true_here (fst r) /\ true_here (snd r).
+Definition near (r : reference) : Prop := true_here (fst r) /\ true_here (closure true (snd r)).
+(** "Where a claim states x", its mode; "where x is near no claim", [modes]: in one of these is the motion. *)
+Definition expected (claims : list (mode * reference)) (modes expected : list mode) : Prop :=
+  (exists md r, In (md, r) claims /\ states r /\ expected = [md])
+  \/ (forall md r, In (md, r) claims -> ~ near r) /\ expected = modes.
+Definition any_motion (md : mode) (u : string -> R) : Prop := motion (with_boundaries s) x md u.
+Definition in_one_of (modes : list mode) (u : string -> R) : Prop :=
+  exists md, In md modes /\ motion_in (with_boundaries s) x md u.
+(** "Every motion is in one of these modes (and perhaps in others), and there is exactly one." *)
+Definition one_motion_in (modes : list mode) : Prop :=
+  (exists md u, any_motion md u)
+  /\ (forall md u, any_motion md u -> in_one_of modes u)
+  /\ forall md u other w, any_motion md u -> any_motion other w -> same_motion s x u w.
+(** It "says nothing if x is near a claim of [except]", and "where x is near a claim and no claim states x". *)
+Definition excepted (except : list reference) : Prop := exists r, In r except /\ near r.
+Definition at_an_end (claims : list (mode * reference)) : Prop :=
+  (exists md r, In (md, r) claims /\ near r) /\ forall md r, In (md, r) claims -> ~ states r.
+(** It "has no value at a bicycle if the region of a claim that it names is undefined there, or if (in the region of that
+    claim) its [forces] are undefined at some x". *)
+Definition unvalued (r : reference) : Prop :=
+  undefined (fst r)
+  \/ exists f, let y := with_force s x f in point s y /\ is (paper s y) true (fst r) /\ ~ has_value (paper s y) (snd r).
 
 (** "All parameters but one are fixed; the bicycles are those with these values of the others." What occurs for every v < s,
     the least upper bound of the parameter at these bicycles: beyond each v beyond which there is one of them. *)
@@ -251,6 +307,7 @@ Definition right_here : Prop :=
   | System model given hs es =>
       forall f u, (exists w, (forall name, In name (chosen (given ++ es)) -> w name = u name) /\ solves model (given ++ hs) f w)
                   <-> satisfies f u (given ++ es)
+  | Unique claims _ modes => forall ms, expected claims modes ms -> one_motion_in ms
   | Limit p holds _ => ~ mostly false p holds /\ mostly true p holds
   end.
 
@@ -264,6 +321,7 @@ Definition nothing_here : Prop :=
   | Exists _ => ~ right_here
   | Consequence model hs _ => forall f u, ~ solves model hs f u
   | System model given hs es => forall f u, ~ solves model (given ++ hs) f u /\ ~ satisfies f u (given ++ es)
+  | Unique claims except _ => false_here (at_forces c) \/ excepted except \/ at_an_end claims
   | Limit p holds _ => ~ mostly false p holds /\ ~ mostly true p holds /\ mostly_nothing p
   end.
 
@@ -279,6 +337,13 @@ Definition wrong_anyway : Prop :=
           \/ (exists md u, motion s x md u /\ (forall listed, In listed modes -> modelled s listed)
                            /\ forall listed, In listed modes -> ~ motion_in s x listed u)
           \/ exists md, In md modes /\ modelled s md /\ forall u, ~ motion s x md u)
+  (* "If there is one motion too many on the road, or none where all modes in question are modelled." *)
+  | Unique claims except modes =>
+      true_here (at_forces c) /\ ~ nothing_here
+      /\ exists ms, expected claims modes ms
+           /\ ((exists md u other w, any_motion md u /\ any_motion other w /\ ~ same_motion s x u w)
+               \/ (forall md, In md ms -> modelled s md)
+                  /\ ((forall md u, ~ any_motion md u) \/ exists md u, any_motion md u /\ ~ in_one_of ms u))
   | _ => False
   end.
 
@@ -309,6 +374,10 @@ Definition no_value_here : Prop :=
          /\ exists r f, In (r, f) claims /\ (undefined r /\ ~ false_here f \/ true_here r /\ undefined f)
   | Consequence model hs es => no_equations model (hs ++ es)
   | System model given hs es => no_equations model (given ++ hs ++ es)
+  | Unique claims except _ =>
+      (exists r, In r (map snd claims ++ except) /\ unvalued r)
+      \/ ~ excepted except /\ undefined (at_forces c)
+      \/ true_here (at_forces c) /\ ~ nothing_here /\ ~ wrong_anyway /\ ~ all_modelled
   | Limit p holds _ => ~ mostly false p holds /\ mostly_no_value p holds
   end.
 

@@ -10,7 +10,14 @@ Record goal := Goal { facts : list form; some : list string; shown : form }.
 
 Definition goal_holds (g : goal) : Prop :=
   forall v, Forall (holds v) (facts g) ->
+  match some g with
+  | [] => holds v (shown g)
+  | _ => exists w, (forall name, ~ In name (some g) -> w (code name) = v (code name)) /\ holds w (shown g)
+  end.
+
+Lemma goal_near g v : goal_holds g -> Forall (holds v) (facts g) ->
   exists w, (forall name, ~ In name (some g) -> w (code name) = v (code name)) /\ holds w (shown g).
+Proof. intros G F. specialize (G v F). destruct (some g); [exists v; auto|exact G]. Qed.
 
 Definition is_in (name : string) (names : list string) : bool := existsb (String.eqb name) names.
 
@@ -28,6 +35,17 @@ Fixpoint take (ps : list premise) (names : Normal.scope) : option Normal.scope :
   | Assume _ f :: rest =>
       let* h := normal_formula names f in
       require entails (facts g) h in take rest names
+  end.
+
+(** What a statement assumes as "cell": one of several cases, of which it is about this one. Nothing rests on it. *)
+Fixpoint cell_of (ps : list premise) (names : Normal.scope) : list form :=
+  match ps with
+  | [] => []
+  | Real new :: rest => cell_of rest (give_symbols new names)
+  | Abbreviate a :: rest => match Normal.abbreviate names a with Some names => cell_of rest names | None => [] end
+  | Assume name f :: rest =>
+      (if String.eqb name "cell" then match normal_formula names f with Some h => [h] | None => [] end else [])
+      ++ cell_of rest names
   end.
 
 Definition covers (s : statement) : bool :=
@@ -115,7 +133,7 @@ Proof.
     apply is_in_In in I. now rewrite I. }
   assert (H : holds w h) by (apply (normal_shown_sound w _ _ _ _ _ N B), Y).
   destruct (some g) as [|u us] eqn:S.
-  - exists v. split; [reflexivity|]. apply (entails_sound v _ _ C). constructor; [|exact F].
+  - apply (entails_sound v _ _ C). constructor; [|exact F].
     assert (V : holds v h).
     { (* without unknowns, w is v *)
       destruct (Syntax.unknowns s) as [|n ns]; [exact H|]. simpl in U. discriminate U. }
@@ -126,6 +144,5 @@ Qed.
 
 Lemma obvious_sound g : obvious g = true -> goal_holds g.
 Proof.
-  unfold obvious. destruct (some g) eqn:S; [|discriminate]. intros O v F. exists v. split; [reflexivity|].
-  exact (entails_sound v _ _ O F).
+  unfold obvious. destruct (some g) eqn:S; [|discriminate]. intros O v F. rewrite S. exact (entails_sound v _ _ O F).
 Qed.

@@ -33,6 +33,9 @@ Definition with_name (name : string) (x : option R) (names : meanings) : meaning
 
 Definition sign_of (x : R) : R := if Rlt_dec 0 x then 1 else if Rlt_dec x 0 then -1 else 0.
 
+(** The comparison that is true where this one is false. *)
+Definition opposite (r : rel) : rel := match r with Lt => Ge | Le => Gt | Eq => Ne | Ne => Eq | Ge => Lt | Gt => Le end.
+
 Section Values.
 Variable names : meanings.
 

@@ -63,9 +63,6 @@ Fixpoint normal_term (e : term) : option fraction :=
   | _ => None
   end.
 
-Definition opposite (r : rel) : rel :=
-  match r with Lt => Ge | Le => Syntax.Gt | Syntax.Eq => Ne | Ne => Syntax.Eq | Ge => Syntax.Lt | Syntax.Gt => Le end.
-
 (** Functions, by cases: the innermost function of a term, and the term around it. *)
 Definition here := fun x : term => x.
 Fixpoint innermost (e : term) : option (term * (term -> term)) :=

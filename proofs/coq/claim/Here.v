@@ -70,10 +70,18 @@ Proof.
   exists w. split; [exact (agrees_same s _ _ _ _ _ S A)|exact K].
 Qed.
 
+Lemma symbols_apart name : In name (symbols s) -> ~ In name (suffixed s 0).
+Proof.
+  unfold names_of_motions in two_apart. simpl in two_apart. revert two_apart. generalize (symbols s) as ns.
+  induction ns as [|n ns IH]; simpl; [tauto|]. intros T [E|I] J; apply andb_true_iff in T; destruct T as [T U]; [|exact (IH U I J)]. subst.
+  rewrite negb_true_iff in T. assert (L : is_in name (ns ++ suffixed s 0 ++ suffixed s 1 ++ []) = true); [|congruence].
+  apply is_in_In, in_or_app. right. apply in_or_app. left. exact J.
+Qed.
+
 Lemma motion_exists facts md fs : here facts -> motion_forms s 0 md = Some fs ->
   goal_holds (Goal facts (suffixed s 0) (All fs)) -> exists u, motion s x md u.
 Proof.
-  intros H F G. destruct (G (valuation s x [x; x]) (H x [x] two_apart)) as [w [N K]]. apply holds_all in K.
+  intros H F G. destruct (goal_near _ (valuation s x [x; x]) G (H x [x] two_apart)) as [w [N K]]. apply holds_all in K.
   destruct (agrees_here x [x] 0 x two_apart eq_refl) as [A _]. exists (fun name => w (code name)).
   apply (motion_forms_sound s w 0 md x _ fs); [|exact F|exact K]. split; intros name I.
   - rewrite N; [apply A, I|]. intro J. unfold names_of_motions in two_apart. simpl in two_apart.

@@ -1,8 +1,8 @@
 (** The judge: from a claim, and statements that are proved, to a verdict. *)
 From Coq Require Import String List Bool QArith Qreals.
 Local Open Scope string_scope.
-From Slipproof Require Import Text Syntax Meaning Checker Print Sound.
-From Slipproof.claim Require Import Expression Mechanism Claim Covers Points Obligations MotionForms Proved Refuted Canonical RunValues Run.
+From Slipproof Require Import Text Syntax Meaning Normal Checker Print Sound.
+From Slipproof.claim Require Import Expression Mechanism Claim Entails Covers Points Obligations MotionForms Proved Refuted Canonical RunValues Run.
 Import ListNotations.
 
 (** A way is open if one of its goals is obvious, or shown by a statement. *)
@@ -10,7 +10,12 @@ Definition way_open (ss : list statement) (w : way) : bool := existsb (fun g => 
 Definition all_open (ss : list statement) (ws : option (list way)) : bool :=
   match ws with Some ws => forallb (way_open ss) ws | None => false end.
 
-Definition proves (c : claim) (ss : list statement) : bool := all_open ss (ways c).
+(** The cases that statements distinguish; the only one, if they distinguish none. *)
+Fixpoint distinct (fs : list form) : list form :=
+  match fs with [] => [] | f :: fs => if existsb (same_form f) fs then distinct fs else f :: distinct fs end.
+Definition cells (ss : list statement) : list form :=
+  match distinct (flat_map (fun s => cell_of (premises s) (Map.empty _)) ss) with [] => [All []] | fs => fs end.
+Definition proves (c : claim) (ss : list statement) : bool := all_open ss (ways c (cells ss)).
 Definition refutes (c : claim) (ss : list statement) : bool := all_open ss (refuting_ways c).
 
 Lemma all_open_sound ss ws : all_open ss (Some ws) = true -> Forall meaning ss -> Forall way_holds ws.
@@ -23,9 +28,9 @@ Qed.
 
 Theorem proves_sound c ss : proves c ss = true -> Forall meaning ss -> proved c.
 Proof.
-  unfold proves. destruct (ways c) as [ws|] eqn:E; [|discriminate]. intros O M. assert (W := all_open_sound ss ws O M). unfold proved.
-  assert (P := ways_prove c ws E W). destruct (what c) eqn:K; try (apply P; intros; discriminate).
-  exact (exists_proved c _ ws K E W).
+  unfold proves. destruct (ways c (cells ss)) as [ws|] eqn:E; [|discriminate]. intros O M. assert (W := all_open_sound ss ws O M). unfold proved.
+  assert (P := ways_prove c _ ws E W). destruct (what c) eqn:K; try (apply P; intros; discriminate).
+  exact (exists_proved c _ _ ws K E W).
 Qed.
 
 Theorem refutes_sound c ss : refutes c ss = true -> Forall meaning ss -> refuted c.

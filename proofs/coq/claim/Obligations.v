@@ -73,6 +73,28 @@ Definition all_modelled_here : bool :=
   forallb (fun k => bilateral k || may_lift (given_parameters s) k) (contacts m).
 End Setting.
 
+(** Each with itself and those after it. *)
+Fixpoint pairs {A} (xs : list A) : list (A * A) := match xs with [] => [] | x :: rest => map (pair x) xs ++ pairs rest end.
+
+(** Of a claim that there is one motion, which is in one of these modes: in each of the cells, of which there is always one. *)
+Section OneMotion.
+Variable s : setting.
+Definition listed_forms (i : nat) (modes : list mode) : option form :=
+  let* fs := map_option (fun md => let* fs := motion_forms s i md in Some (All fs)) modes in Some (Any fs).
+Definition one_motion_ways (facts cells : list form) (modes : list mode) : option (list way) :=
+  let* listed := listed_forms 0 modes in
+  let* again := listed_forms 1 modes in
+  let* any := any_motion_forms s in
+  let* one := map_option (fun p => let* fs := motion_forms s 0 (fst p) in
+                                   let* gs := motion_forms s 1 (snd p) in
+                                   Some [Goal (fs ++ gs ++ facts) [] (same_accelerations s 0 1)]) (pairs modes) in
+  Some ([Goal facts [] (Any cells)]
+        :: flat_map (fun cell =>
+             [[Goal (cell :: facts) (suffixed s 0) listed];
+              [Goal (any ++ cell :: facts) [] listed;
+               Goal (any ++ again :: cell :: facts) [] (same_accelerations s 0 1)]]) cells ++ one).
+End OneMotion.
+
 Section Claim.
 Variable c : claim.
 Notation s := (in_setting c).
@@ -124,8 +146,17 @@ Definition somewhere (more : list form) (modes : list mode) : option goal :=
   let* motions := map_option (fun im => motion_forms s (fst im) (snd im)) (combine (seq 0 (length modes)) modes) in
   Some (Goal [] (names_of_motions s (length modes)) (All (here ++ more ++ concat motions))).
 
+(** That a claim states a point, and that it is not near. *)
+Definition stated_form (r : reference) : option form := normal_condition names true (Both (fst r) (snd r)).
+Definition beyond_form (r : reference) : option form := normal_condition names false (Both (fst r) (closure true (snd r))).
+Definition reference_ways (facts : list form) (r : reference) : option (list way) :=
+  let* here := normal_condition names true (fst r) in
+  let* region_goal := has_value_goal facts (fst r) in
+  let* forces_goal := has_value_goal (here :: facts) (snd r) in
+  let* closure_goal := has_value_goal (here :: facts) (closure true (snd r)) in Some [[region_goal]; [forces_goal]; [closure_goal]].
+
 (** For a claim that is to be right or to say nothing everywhere. *)
-Definition ways_of_kind (facts : list form) (forces : form) : option (list way) :=
+Definition ways_of_kind (cells : list form) (facts : list form) (forces : form) : option (list way) :=
   let there := forces :: facts in
   match what c with
   | Interval md =>
@@ -163,6 +194,17 @@ Definition ways_of_kind (facts : list form) (forces : form) : option (list way) 
       let* values := map_option (equation_goal still) (given ++ hs ++ es) in
       Some ([Goal (ms ++ gs ++ others ++ still) [] (All shown)]
             :: [Goal (gs ++ shown ++ still) (not_chosen (given ++ es)) (All (ms ++ gs ++ others))] :: map (fun g => [g]) values)
+  | Unique claims except modes =>
+      let closed := with_boundaries s in
+      let* region := normal_condition names true (region c) in
+      require quantities_fit closed && all_modelled_here s && form_free [code (force s)] region in
+      let* values := map_option (reference_ways facts) (map snd claims ++ except) in
+      let* outside := map_option beyond_form except in
+      let common := outside ++ there in
+      let* stated := map_option (fun i => let* here := stated_form (snd i) in one_motion_ways closed (here :: common) [All []] [fst i]) claims in
+      let* beyond := map_option (fun i => beyond_form (snd i)) claims in
+      let* rest := one_motion_ways closed (beyond ++ common) cells modes in
+      Some (concat values ++ concat stated ++ rest)
   | Limit p holds (Some from) =>
       let* f := normal_term names from in
       let* beyond := normal_condition names true (Compare from [(Lt, Symbol p)]) in
@@ -176,7 +218,7 @@ Definition ways_of_kind (facts : list form) (forces : form) : option (list way) 
   end.
 
 Definition without_forces (k : kind) : bool := match k with Cover _ | Limit _ _ _ => true | _ => false end.
-Definition ways : option (list way) :=
+Definition ways (cells : list form) : option (list way) :=
   require convex s (force_domain s) && no_name_twice (names_of_motions s 2) in
   match what c with
   | Exists modes =>
@@ -190,7 +232,7 @@ Definition ways : option (list way) :=
       let* region_goal := has_value_goal facts (region c) in
       let* forces := normal_condition names true (at_forces c) in
       let* forces_goal := if without_forces (what c) then Some [] else let* g := has_value_goal (yes :: facts) (at_forces c) in Some [[g]] in
-      let* rest := ways_of_kind (yes :: facts) forces in Some ([region_goal] :: forces_goal ++ rest)
+      let* rest := ways_of_kind cells (yes :: facts) forces in Some ([region_goal] :: forces_goal ++ rest)
   end.
 
 (** A solution of the hypotheses that does not satisfy the equations; everywhere they have values. *)
@@ -241,6 +283,6 @@ Definition refuting_ways : option (list way) :=
       Some [[region_goal]; [forces_goal]; [Goal (concat motions ++ forces :: yes :: facts) [] (Any [])]]
   | Consequence model hs es => equations_refuted yes model hs es
   | System model given hs es => equations_refuted yes model (given ++ hs) es
-  | Motions _ | Limit _ _ _ => None
+  | Motions _ | Unique _ _ _ | Limit _ _ _ => None
   end.
 End Claim.

@@ -1,7 +1,7 @@
 (** Where all goals hold, the claim is right or says nothing at every point; or it is wrong at one. *)
 From Coq Require Import String List Bool NArith ZArith Reals Lra Lia.
 From Slipproof Require Import Text Syntax Meaning Poly Normal NormalSound.
-From Slipproof.claim Require Import Expression Mechanism Claim Forms Entails Covers Scopes Points Rising Obligations MotionForms Here ProvedEquations ProvedLimits.
+From Slipproof.claim Require Import Expression Mechanism Claim Forms Entails Covers Scopes Points Rising Obligations MotionForms Here ProvedEquations ProvedLimits ProvedUnique.
 Import ListNotations.
 Local Open Scope R_scope.
 
@@ -11,6 +11,7 @@ Notation s := (in_setting c).
 Notation m := (of_mechanism s).
 Variable x : string -> R.
 Hypothesis two_apart : no_name_twice (names_of_motions s 2) = true.
+Variable cells : list form.
 Notation here := (Here.here c x).
 Let agrees_here := Here.agrees_here c x.
 Let here_also := Here.here_also c x.
@@ -24,7 +25,7 @@ Let same_accelerations_hold := Here.same_accelerations_hold c x two_apart.
 
 Lemma interval_kind md facts forces ws : what c = Interval md -> here facts ->
   normal_condition (paper_scope s None) true (at_forces c) = Some forces -> has_value (paper s x) (at_forces c) ->
-  ways_of_kind c facts forces = Some ws -> Forall way_holds ws -> ~ no_value_here c x /\ right_here c x.
+  ways_of_kind c cells facts forces = Some ws -> Forall way_holds ws -> ~ no_value_here c x /\ right_here c x.
 Proof.
   intros K H N V E W. unfold ways_of_kind, no_value_here, right_here in *. rewrite K in *. options E. inversion E; subst.
   inversion W as [|? ? A W']; subst. inversion W' as [|? ? B _]; subst. apply one_goal in A, B.
@@ -36,7 +37,7 @@ Qed.
 
 Lemma impossible_kind modes facts forces ws : what c = Impossible modes -> here facts ->
   normal_condition (paper_scope s None) true (at_forces c) = Some forces -> is (paper s x) true (at_forces c) ->
-  ways_of_kind c facts forces = Some ws -> Forall way_holds ws -> ~ no_value_here c x /\ right_here c x.
+  ways_of_kind c cells facts forces = Some ws -> Forall way_holds ws -> ~ no_value_here c x /\ right_here c x.
 Proof.
   intros K H N T E W. unfold ways_of_kind, no_value_here, right_here in *. rewrite K in *.
   assert (R : forall md u, In md modes -> ~ motion s x md u).
@@ -48,7 +49,7 @@ Qed.
 
 Lemma formula_kind modes holds_here facts forces ws : what c = Formula modes holds_here -> here facts ->
   normal_condition (paper_scope s None) true (at_forces c) = Some forces -> is (paper s x) true (at_forces c) ->
-  ways_of_kind c facts forces = Some ws -> Forall way_holds ws -> ~ no_value_here c x /\ right_here c x.
+  ways_of_kind c cells facts forces = Some ws -> Forall way_holds ws -> ~ no_value_here c x /\ right_here c x.
 Proof.
   intros K H N T E W. unfold ways_of_kind, no_value_here, right_here in *. rewrite K in *.
   assert (F := here_also _ _ _ N T H). destruct modes as [|md modes].
@@ -67,7 +68,7 @@ Qed.
 
 Lemma equivalence_kind holds_here facts forces ws : what c = Equivalence holds_here -> here facts ->
   normal_condition (paper_scope s None) true (at_forces c) = Some forces -> has_value (paper s x) (at_forces c) ->
-  ways_of_kind c facts forces = Some ws -> Forall way_holds ws -> ~ no_value_here c x /\ right_here c x.
+  ways_of_kind c cells facts forces = Some ws -> Forall way_holds ws -> ~ no_value_here c x /\ right_here c x.
 Proof.
   intros K H N V E W. unfold ways_of_kind, no_value_here, right_here in *. rewrite K in *. options E. inversion E; subst.
   inversion W as [|? ? A W']; subst. inversion W' as [|? ? B W'']; subst. inversion W'' as [|? ? D _]; subst. apply one_goal in A, B, D.
@@ -95,7 +96,7 @@ Proof.
 Qed.
 
 Lemma cover_kind claims facts forces ws : what c = Cover claims -> here facts ->
-  ways_of_kind c facts forces = Some ws -> Forall way_holds ws -> ~ no_value_here c x /\ right_here c x.
+  ways_of_kind c cells facts forces = Some ws -> Forall way_holds ws -> ~ no_value_here c x /\ right_here c x.
 Proof.
   intros K H E W. unfold ways_of_kind, no_value_here, right_here in *. rewrite K in *. options E. inversion E; subst.
   inversion W as [|? ? A _]; subst. apply one_goal in A. destruct (shown_here _ _ H A) as [w [G S]].
@@ -104,7 +105,7 @@ Qed.
 
 Lemma force_cover_kind claims facts forces ws : what c = ForceCover claims -> here facts ->
   normal_condition (paper_scope s None) true (at_forces c) = Some forces -> is (paper s x) true (at_forces c) ->
-  ways_of_kind c facts forces = Some ws -> Forall way_holds ws -> ~ no_value_here c x /\ right_here c x.
+  ways_of_kind c cells facts forces = Some ws -> Forall way_holds ws -> ~ no_value_here c x /\ right_here c x.
 Proof.
   intros K H N T E W. unfold ways_of_kind, no_value_here, right_here in *. rewrite K in *. options E. inversion E; subst.
   inversion W as [|? ? A _]; subst. apply one_goal in A. destruct (shown_here _ _ (here_also _ _ _ N T H) A) as [w [G S]].
@@ -135,7 +136,7 @@ Qed.
 
 Lemma motions_kind modes facts forces ws : what c = Motions modes -> here facts ->
   normal_condition (paper_scope s None) true (at_forces c) = Some forces -> is (paper s x) true (at_forces c) ->
-  ways_of_kind c facts forces = Some ws -> Forall way_holds ws -> ~ no_value_here c x /\ right_here c x.
+  ways_of_kind c cells facts forces = Some ws -> Forall way_holds ws -> ~ no_value_here c x /\ right_here c x.
 Proof.
   intros K H0 N T E W. unfold ways_of_kind, no_value_here, right_here in *. rewrite K in *. options E.
   assert (H := here_also _ _ _ N T H0). apply andb_true_iff in E0. destruct E0 as [Q D]. apply andb_true_iff in Q. destruct Q as [Q _].
@@ -188,19 +189,19 @@ Proof.
 Qed.
 
 (** Where the forces are not those that the claim is about. *)
-Lemma forces_false facts forces ws : ways_of_kind c facts forces = Some ws -> is (paper s x) false (at_forces c) ->
+Lemma forces_false facts forces ws : ways_of_kind c cells facts forces = Some ws -> is (paper s x) false (at_forces c) ->
   (match what c with Impossible _ | Formula _ _ | Motions _ | ForceCover _ => True | _ => False end) ->
   ~ no_value_here c x /\ nothing_here c x.
 Proof.
   intros E F K. assert (V : has_value (paper s x) (at_forces c)) by (now right).
   assert (N : ~ is (paper s x) true (at_forces c)) by (intro T; exact (consistent _ _ T F)).
-  unfold ways_of_kind, no_value_here, nothing_here in *. destruct (what c) as [| modes |[|md modes] h|modes| | | |claims| | |]; try contradiction; split; try (now left); try exact F.
+  unfold ways_of_kind, no_value_here, nothing_here in *. destruct (what c) as [| modes |[|md modes] h|modes| | | |claims| | | |]; try contradiction; split; try (now left); try exact F.
   all: intros [U|[T _]]; [exact (U V)|exact (N T)].
 Qed.
 End Claim.
 
 (** Of the kinds of which a region that is false says nothing. *)
-Lemma others_prove c ws : ways c = Some ws -> Forall way_holds ws -> (forall modes, what c <> Claim.Exists modes) ->
+Lemma others_prove c cells ws : ways c cells = Some ws -> Forall way_holds ws -> (forall modes, what c <> Claim.Exists modes) ->
   judged_where c = region c -> (forall p holds from, what c <> Limit p holds from) ->
   forall x, (if of_any_force (what c) then bicycle (in_setting c) x else point (in_setting c) x) ->
   judged c x Right \/ judged c x SaysNothing.
@@ -213,7 +214,7 @@ Proof.
     /\ has_value_goal c facts (region c) = Some region_goal
     /\ normal_condition (paper_scope (in_setting c) None) true (at_forces c) = Some forces
     /\ (if without_forces (what c) then Some [] else let* g := has_value_goal c (yes :: facts) (at_forces c) in Some [[g]]) = Some forces_goal
-    /\ ways_of_kind c (yes :: facts) forces = Some rest
+    /\ ways_of_kind c cells (yes :: facts) forces = Some rest
     /\ ws = [region_goal] :: forces_goal ++ rest).
   { unfold facts in *. destruct (what c) eqn:K; try (exfalso; exact (X _ eq_refl)); options E; inversion E; subst;
       exists f, g, f0, l, l0; repeat (split; [reflexivity || assumption|]); reflexivity. }
@@ -226,28 +227,29 @@ Proof.
   assert (V : if without_forces (what c) then True else has_value (paper (in_setting c) x) (at_forces c)).
   { destruct (without_forces (what c)); [exact Logic.I|]. options FG; inversion FG; subst; inversion B as [|? ? G _]; subst; apply one_goal in G;
       exact (has_value_sound c x T _ _ _ H' E G). }
-  assert (L := forces_false c x _ _ _ K).
+  assert (L := forces_false c x cells _ _ _ K).
   assert (both : ~ no_value_here c x /\ right_here c x \/ ~ no_value_here c x /\ nothing_here c x).
-  { destruct (what c) as [md|modes|modes h|modes|modes|h|claims|claims|model hs es|model given hs es|p h from] eqn:Q.
-    - left. exact (interval_kind c x T md _ _ _ Q H' F V K D).
-    - destruct V as [V|V]; [left; exact (impossible_kind c x T modes _ _ _ Q H' F V K D)|right; apply L; [exact V|exact Logic.I]].
-    - destruct V as [V|V]; [left; exact (formula_kind c x T modes h _ _ _ Q H' F V K D)|right; apply L; [exact V|exact Logic.I]].
-    - destruct V as [V|V]; [left; exact (motions_kind c x T modes _ _ _ Q H' F V K D)|right; apply L; [exact V|exact Logic.I]].
+  { destruct (what c) as [md|modes|modes h|modes|modes|h|claims|claims|model hs es|model given hs es|claims except modes|p h from] eqn:Q.
+    - left. exact (interval_kind c x T cells md _ _ _ Q H' F V K D).
+    - destruct V as [V|V]; [left; exact (impossible_kind c x T cells modes _ _ _ Q H' F V K D)|right; apply L; [exact V|exact Logic.I]].
+    - destruct V as [V|V]; [left; exact (formula_kind c x T cells modes h _ _ _ Q H' F V K D)|right; apply L; [exact V|exact Logic.I]].
+    - destruct V as [V|V]; [left; exact (motions_kind c x T cells modes _ _ _ Q H' F V K D)|right; apply L; [exact V|exact Logic.I]].
     - exfalso. exact (X _ eq_refl).
-    - left. exact (equivalence_kind c x T h _ _ _ Q H' F V K D).
-    - left. exact (cover_kind c x T claims _ _ _ Q H' K D).
-    - destruct V as [V|V]; [left; exact (force_cover_kind c x T claims _ _ _ Q H' F V K D)|right; apply L; [exact V|exact Logic.I]].
-    - left. exact (consequence_kind c x T model hs es _ _ _ Q H' K D).
-    - left. exact (system_kind c x T model given hs es _ _ _ Q H' K D).
+    - left. exact (equivalence_kind c x T cells h _ _ _ Q H' F V K D).
+    - left. exact (cover_kind c x T cells claims _ _ _ Q H' K D).
+    - destruct V as [V|V]; [left; exact (force_cover_kind c x T cells claims _ _ _ Q H' F V K D)|right; apply L; [exact V|exact Logic.I]].
+    - left. exact (consequence_kind c x T cells model hs es _ _ _ Q H' K D).
+    - left. exact (system_kind c x T cells model given hs es _ _ _ Q H' K D).
+    - destruct (unique_kind c x cells claims except modes yes forces rest T Q P R0 R F V K D) as [N [B'|B']]; [left|right]; split; assumption.
     - exfalso. exact (Y _ _ _ eq_refl). }
   destruct both as [[N B']|[N B']]; [left|right]; auto.
 Qed.
 
-Theorem ways_prove c ws : ways c = Some ws -> Forall way_holds ws -> (forall modes, what c <> Claim.Exists modes) ->
+Theorem ways_prove c cells ws : ways c cells = Some ws -> Forall way_holds ws -> (forall modes, what c <> Claim.Exists modes) ->
   forall x, (if of_any_force (what c) then bicycle (in_setting c) x else point (in_setting c) x) ->
   judged c x Right \/ judged c x SaysNothing.
 Proof.
-  intros E W X x P. destruct (what c) as [ | | | | | | | | | |p holds from] eqn:Q; rewrite <- Q in P.
-  11: { rewrite Q in P. exact (limit_kind c p holds from ws Q E W x P). }
-  all: apply (others_prove c ws E W); try exact P; try (intros; rewrite Q; discriminate); unfold judged_where; now rewrite Q.
+  intros E W X x P. destruct (what c) as [ | | | | | | | | | | |p holds from] eqn:Q; rewrite <- Q in P.
+  12: { rewrite Q in P. exact (limit_kind c cells p holds from ws Q E W x P). }
+  all: apply (others_prove c cells ws E W); try exact P; try (intros; rewrite Q; discriminate); unfold judged_where; now rewrite Q.
 Qed.

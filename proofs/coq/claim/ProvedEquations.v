@@ -11,6 +11,7 @@ Notation s := (in_setting c).
 Notation m := (of_mechanism s).
 Variable x : string -> R.
 Hypothesis two_apart : no_name_twice (names_of_motions s 2) = true.
+Variable cells : list form.
 Notation here := (Here.here c x).
 Let agrees_here := Here.agrees_here c x.
 
@@ -86,7 +87,7 @@ Proof.
 Qed.
 
 Lemma consequence_kind model hs es facts forces ws : what c = Consequence model hs es -> here facts ->
-  ways_of_kind c facts forces = Some ws -> Forall way_holds ws -> ~ no_value_here c x /\ right_here c x.
+  ways_of_kind c cells facts forces = Some ws -> Forall way_holds ws -> ~ no_value_here c x /\ right_here c x.
 Proof.
   intros K H E W. unfold ways_of_kind, no_value_here, right_here in *. rewrite K in *. options E. inversion E; subst; clear E.
   inversion W as [|? ? A B]; subst; clear W. apply one_goal in A. apply andb_true_iff in E0. destruct E0 as [U E0].
@@ -173,16 +174,8 @@ Proof.
   - exfalso. apply not_true_iff_false in Q. apply Q, existsb_exists. exists e. split; [exact I|exact (mentions_some_in _ e name J M)].
 Qed.
 
-Lemma symbols_apart name : In name (symbols s) -> ~ In name (suffixed s 0).
-Proof.
-  unfold names_of_motions in two_apart. simpl in two_apart. revert two_apart. generalize (symbols s) as ns.
-  induction ns as [|n ns IH]; simpl; [tauto|]. intros T [E|I] J; apply andb_true_iff in T; destruct T as [T U]; [|exact (IH U I J)]. subst.
-  rewrite negb_true_iff in T. assert (L : is_in name (ns ++ suffixed s 0 ++ suffixed s 1 ++ []) = true); [|congruence].
-  apply is_in_In, in_or_app. right. apply in_or_app. left. exact J.
-Qed.
-
 Lemma system_kind model given hs es facts forces ws : what c = System model given hs es -> here facts ->
-  ways_of_kind c facts forces = Some ws -> Forall way_holds ws -> ~ no_value_here c x /\ right_here c x.
+  ways_of_kind c cells facts forces = Some ws -> Forall way_holds ws -> ~ no_value_here c x /\ right_here c x.
 Proof.
   intros K H E W. unfold ways_of_kind, no_value_here, right_here in *. rewrite K in *. options E. inversion E; subst; clear E.
   inversion W as [|? ? A W']; subst; clear W. inversion W' as [|? ? B W]; subst; clear W'. apply one_goal in A, B.
@@ -200,13 +193,13 @@ Proof.
       apply (solves_sound _ f w model (given ++ hs) _ _ Ag); [eassumption|apply normal_all_app; eassumption|exact So'].
     + apply holds_all in Z. eapply equations_sound; [exact (agrees_same s _ _ _ _ _ X Ag)|eassumption|exact Z].
   - intro S. apply satisfies_app in S. destruct S as [Sg Se]. assert (Ag := moved_agrees u f U).
-    destruct (B (moved (valuation s x [u; u]) f)) as [v [N Z]].
+    destruct (goal_near _ (moved (valuation s x [u; u]) f) B) as [v [N Z]].
     + apply Forall_app. split; [eapply equations_sound; eassumption|]. apply Forall_app.
       split; [eapply equations_sound; eassumption|exact (without_force_moved facts u f H)].
     + simpl in N, Z. set (w := fun name => v (code (name ++ suffix 0)%string)).
       assert (Aw : agrees_with s v (suffix 0) (with_force s x f) w).
       { split; intros name I; [|reflexivity]. destruct Ag as [P _]. rewrite <- (P name I). apply N. intro J.
-        apply (symbols_apart name I). unfold not_chosen in J. apply filter_In in J. unfold suffixed. apply in_map_iff.
+        apply (symbols_apart c x two_apart name I). unfold not_chosen in J. apply filter_In in J. unfold suffixed. apply in_map_iff.
         exists name. simpl. rewrite append_nil_r. tauto. }
       exists w. split.
       * intros name I. unfold w. rewrite N.

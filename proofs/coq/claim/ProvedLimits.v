@@ -8,9 +8,8 @@ Local Open Scope R_scope.
 Section Claim.
 Variable c : claim.
 Notation s := (in_setting c).
-Hypothesis two_apart : no_name_twice (names_of_motions s 2) = true.
 
-Lemma limit_kind p h from ws : what c = Limit p h from -> ways c = Some ws -> Forall way_holds ws ->
+Lemma limit_kind cells p h from ws : what c = Limit p h from -> ways c cells = Some ws -> Forall way_holds ws ->
   forall x, bicycle s x -> judged c x Right \/ judged c x SaysNothing.
 Proof.
   intros K E W x B. unfold ways in E. rewrite K in E. simpl in E. options E. inversion E; subst; clear E.

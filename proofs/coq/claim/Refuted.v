@@ -19,7 +19,7 @@ Proof. split; intros name I; reflexivity. Qed.
 Lemma here_and_more fs names more : point_forms s = Some fs -> goal_holds (Goal [] names (All (fs ++ more))) ->
   exists w, point s (symbols_in w) /\ Forall (holds w) more.
 Proof.
-  intros F G. destruct (G (fun _ => 0) (Forall_nil _)) as [w [_ H]]. apply holds_all, Forall_app in H. destruct H as [H M].
+  intros F G. destruct (goal_near _ (fun _ => 0) G (Forall_nil _)) as [w [_ H]]. apply holds_all, Forall_app in H. destruct H as [H M].
   exists w. split; [|exact M]. apply (point_of_forms s w _ _ F H). intros name _. reflexivity.
 Qed.
 
@@ -47,7 +47,7 @@ Qed.
 Lemma modelled_of_motion x md u : motion s x md u -> modelled s md.
 Proof. intros [cs [F _]]. unfold modelled. congruence. Qed.
 
-Lemma exists_proved modes ws : what c = Claim.Exists modes -> ways c = Some ws -> Forall way_holds ws ->
+Lemma exists_proved cells modes ws : what c = Claim.Exists modes -> ways c cells = Some ws -> Forall way_holds ws ->
   exists x, point s x /\ judged c x Right.
 Proof.
   intros K E W. unfold ways in E. rewrite K in E. options E. inversion E; subst. apply andb_true_iff in E0. destruct E0 as [C _].
@@ -130,7 +130,7 @@ Theorem ways_refute ws : refuting_ways c = Some ws -> Forall way_holds ws -> (fo
 Proof.
   intros E W X. unfold refuting_ways in E. options E. apply andb_true_iff in E0. destruct E0 as [C T].
   assert (I := fun x => interval_sound _ x C). unfold judged, judged_where.
-  destruct (what c) as [md|modes|[|md modes] h|modes|modes|h|claims|claims|model hs es|model given hs es|p h from] eqn:K; try discriminate;
+  destruct (what c) as [md|modes|[|md modes] h|modes|modes|h|claims|claims|model hs es|model given hs es|claims except modes|p h from] eqn:K; try discriminate;
     [| | | |exfalso; exact (X _ eq_refl)| | | | | ].
   8: { destruct (equations_refuted_sound _ _ _ _ _ E1 T E W) as [x [Q [R [V [t [u [So N]]]]]]]. exists x. split; [exact Q|].
        split; [apply I|]. split; [exact R|]. unfold no_value_here, right_here, nothing_here. rewrite K. repeat split; [exact V| |].

@@ -208,7 +208,7 @@ Qed.
 
 Lemma run_kind_proven : proven (run_kind c paper_here mech moving).
 Proof.
-  unfold run_kind. destruct (what c) as [md|modes|[|md modes] h|modes|modes|h|claims|claims|model hs es|model given hs es|p h from] eqn:K.
+  unfold run_kind. destruct (what c) as [md|modes|[|md modes] h|modes|modes|h|claims|claims|model hs es|model given hs es|claims except modes|p h from] eqn:K.
   - exact (interval_proven c q md K).
   - exact (impossible_proven c q modes K).
   - exact (plain_formula_proven c q h K).
@@ -218,6 +218,7 @@ Proof.
   - exact (equivalence_proven c q h K).
   - exact (cover_proven c q claims K).
   - exact (force_cover_proven c q claims K).
+  - exact I.
   - exact I.
   - exact I.
   - exact I.

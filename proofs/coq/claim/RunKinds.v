@@ -112,7 +112,7 @@ Definition run_kind : option outcome :=
   | Equivalence holds => agreed forces_here (status_here holds)
   | Cover claims => covered (map (fun r => status_here (fst r)) claims)
   | ForceCover claims => where_forces (covered (map reference_status claims))
-  | Consequence _ _ _ | System _ _ _ _ | Limit _ _ _ => None
+  | Consequence _ _ _ | System _ _ _ _ | Claim.Unique _ _ _ | Limit _ _ _ => None
   end.
 End Kinds.
 

@@ -281,9 +281,9 @@ let put words tokens =
   in
   after words tokens
 
-let reference = function
+let reference word = function
   | region :: forces :: rest -> (
-      match (put [ "one"; "region" ] region, put [ "one"; "forces" ] forces) with
+      match (put [ word; "region" ] region, put [ word; "forces" ] forces) with
       | Some r, Some f -> Some ((r, f), rest)
       | _ -> None)
   | _ -> None
@@ -292,6 +292,10 @@ let model lines =
   let of_model, lines = optional (function [ "of"; "the"; "model" ] -> Some () | _ -> None) lines in
   let m, lines = if of_model = None then (None, lines) else optional mode_line lines in
   (Option.map (fun () -> m) of_model, lines)
+
+let interval = function
+  | ("one" :: "mode" :: m) :: rest -> Option.map (fun (r, rest) -> ((mode m, r), rest)) (reference "one" rest)
+  | _ -> None
 
 let kind = function
   | [ "interval" ] :: lines -> let m, lines = needed "mode" mode_line lines in (Interval m, lines)
@@ -303,7 +307,7 @@ let kind = function
       let holds, lines = needed "holds" (put [ "holds" ]) lines in
       (Formula (ms, holds), lines)
   | [ "equivalence" ] :: lines -> let holds, lines = needed "holds" (put [ "holds" ]) lines in (Equivalence holds, lines)
-  | [ "cover" ] :: lines -> let rs, lines = blocks reference lines in (Cover rs, lines)
+  | [ "cover" ] :: lines -> let rs, lines = blocks (reference "one") lines in (Cover rs, lines)
   | [ "consequence" ] :: lines ->
       let model, lines = model lines in
       let hypotheses, lines = many (put [ "given" ]) lines in
@@ -315,11 +319,16 @@ let kind = function
       let hypotheses, lines = many (put [ "from" ]) lines in
       let equations, lines = many (put [ "follows" ]) lines in
       (System (model, given, hypotheses, equations), lines)
+  | [ "unique" ] :: lines ->
+      let claims, lines = blocks interval lines in
+      let except, lines = blocks (reference "except") lines in
+      let ms, lines = many mode_line lines in
+      (Unique (claims, except, ms), lines)
   | [ "limit"; parameter ] :: lines ->
       let holds, lines = needed "holds" (put [ "holds" ]) lines in
       let from, lines = optional (plain "from") lines in
       (Limit (explode parameter, holds, from), lines)
-  | [ "force"; "-"; "cover" ] :: lines -> let rs, lines = blocks reference lines in (ForceCover rs, lines)
+  | [ "force"; "-"; "cover" ] :: lines -> let rs, lines = blocks (reference "one") lines in (ForceCover rs, lines)
   | line :: _ -> unreadable ("expected a kind at " ^ String.concat " " line)
   | [] -> unreadable "expected a kind"
 

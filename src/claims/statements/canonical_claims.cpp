@@ -153,16 +153,32 @@ std::string limit(const ClaimBody& body) {
   return text;
 }
 
-/// What claims of the other kinds are about.
-std::string subjects(const ClaimsFile& file, const ClaimBody& body, Reading reading) {
+std::string reference(std::string_view word, const ClaimBody& its) {
+  return fmt::format("{0} region : {1}\n{0} forces : {2}\n", word, canonical(its.region), canonical(its.forces));
+}
+
+std::string modes(const ClaimBody& body) {
   std::string text;
   for (const MechanismMode& mode : body.modes) text += "mode " + name(mode) + '\n';
-  const std::string_view kind = body.kind->name();
-  if (kind == "formula" || kind == "equivalence") text += "holds : " + canonical(body.holds) + '\n';
+  return text;
+}
+
+std::string unique(const ClaimsFile& file, const ClaimBody& body, Reading reading) {
+  std::string text;
   for (const std::size_t other : body.claims) {
     const ClaimBody& its = file.claims[other].body(reading);
-    text += fmt::format("one region : {}\none forces : {}\n", canonical(its.region), canonical(its.forces));
+    text += "one mode " + name(its.modes.front()) + '\n' + reference("one", its);
   }
+  for (const std::size_t other : body.except) text += reference("except", file.claims[other].body(reading));
+  return text + modes(body);
+}
+
+/// What claims of the other kinds are about.
+std::string subjects(const ClaimsFile& file, const ClaimBody& body, Reading reading) {
+  std::string text = modes(body);
+  const std::string_view kind = body.kind->name();
+  if (kind == "formula" || kind == "equivalence") text += "holds : " + canonical(body.holds) + '\n';
+  for (const std::size_t other : body.claims) text += reference("one", file.claims[other].body(reading));
   return text;
 }
 
@@ -171,6 +187,7 @@ std::string canonical_claim(const ClaimsFile& file, const Claim& claim, Reading 
   const std::string_view kind = body.kind->name();
   const auto said = [&] {
     if (kind == "consequence" || kind == "system") return about_equations(file, body, reading);
+    if (kind == "unique") return unique(file, body, reading);
     return kind == "limit" ? limit(body) : subjects(file, body, reading);
   };
   return fmt::format("claim {}{} in {}\n{}{}\n", claim.id, reading == Reading::repaired ? ".repaired" : "", setting,
@@ -182,12 +199,9 @@ std::string canonical_claim(const ClaimsFile& file, const Claim& claim, Reading 
 }  // namespace
 
 std::string canonical_claims(const ClaimsFile& file) {
-  static const std::set<std::string, std::less<>> known = {
-      "interval", "impossible", "formula", "motions", "exists", "equivalence", "cover", "force-cover", "consequence", "system", "limit"};
   std::map<std::pair<std::size_t, Reading>, std::size_t> numbers;
   std::string settings, claims;
   for (const Claim& claim : file.claims) {
-    if (!known.contains(claim.kind().name())) continue;
     for (const Reading reading : all_readings) {
       if (reading == Reading::repaired && !claim.repaired) continue;
       const auto [number, is_new] = numbers.try_emplace({claim.setting, reading}, numbers.size());
