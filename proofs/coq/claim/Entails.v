@@ -105,11 +105,41 @@ Definition plainly_positive (p : poly) : bool :=
                        | _ => false
                        end) facts.
 
+(** Facts times variables that are positive, so that they have a term of p. *)
+Fixpoint quotient (m n : mono) : option mono :=
+  match n, m with
+  | One, _ => Some m
+  | Times _ _ _, One => None
+  | Times w f n', Times v e m' =>
+      if Pos.eqb v w then
+        if Pos.eqb e f then quotient m' n'
+        else if Pos.ltb f e then option_map (Times v (e - f)) (quotient m' n') else None
+      else option_map (Times v e) (quotient m' n)
+  end.
+Definition products_of (p q : poly) : list poly :=
+  match leading q with
+  | Some (_, n) =>
+      flat_map (fun cm => match quotient (snd cm) n with
+                          | Some (Times _ _ _ as k) => if positive_mono above k then [scale 1 k q] else []
+                          | _ => []
+                          end) (terms_of p)
+  | None => []
+  end.
+Definition most_terms : nat := 12.
+Definition products (p : poly) : list form :=
+  if Nat.leb (length (terms_of p)) most_terms then
+    flat_map (fun f => match f with Atom Zero _ => [] | Atom s q => map (Atom s) (products_of p q) | _ => [] end) facts
+  else [].
+End Implied.
+
+Section Plainly.
+Variable facts : list form.
 Definition plain (f : form) : bool :=
+  let or_by_products shown p := shown facts p || match products facts p with [] => false | more => shown (more ++ facts) p end in
   match f with
   | Atom Zero p => is_zero p || existsb (same_form (Atom NonNegative p)) facts && existsb (same_form (Atom NonNegative (neg p))) facts
-  | Atom Positive p => plainly_positive p
-  | Atom NonNegative p => plainly_nonnegative p || existsb (same_form (Atom Positive p)) facts
+  | Atom Positive p => or_by_products plainly_positive p
+  | Atom NonNegative p => or_by_products plainly_nonnegative p || existsb (same_form (Atom Positive p)) facts
                           || existsb (same_form (is_atom_of Zero p)) facts
   | _ => false
   end.
@@ -121,7 +151,7 @@ Fixpoint follows (f : form) : bool :=
      | All fs => forallb follows fs
      | Any fs => existsb follows fs
      end.
-End Implied.
+End Plainly.
 
 (** [n] disjunctions among the facts may be taken by cases. *)
 Fixpoint first_any (facts seen : list form) : option (list form * list form) :=
@@ -313,9 +343,29 @@ Proof.
       rewrite less_value in P. simpl in I. nra.
 Qed.
 
+End Facts.
+
+Section Plainly.
+Variable facts : list form.
+Hypothesis facts_hold : Forall holds facts.
+
+Lemma products_hold p : Forall holds (products facts p).
+Proof.
+  unfold products. destruct (Nat.leb _ _); [|constructor]. apply Forall_forall. intros g I. apply in_flat_map in I.
+  destruct I as [f [J I]]. assert (H : holds f) by (rewrite Forall_forall in facts_hold; auto).
+  assert (K : forall q k, In k (products_of facts p q) -> exists y, 0 < y /\ val k = y * val q).
+  { intros q k L. unfold products_of in L. destruct (leading q) as [[c n]|]; [|contradiction]. apply in_flat_map in L.
+    destruct L as [cm [_ L]]. destruct (quotient (snd cm) n) as [[|v' e y]|]; try contradiction.
+    destruct (positive_mono _ _) eqn:P; [|contradiction]. destruct L as [L|[]]. subst k. exists (value_mono v (Times v' e y)).
+    split; [eapply positive_mono_sound; [|exact P]; exact (positive_variables_sound facts facts_hold)|].
+    rewrite scale_value. simpl. ring. }
+  destruct f as [[| |] q| |]; try contradiction; apply in_map_iff in I; destruct I as [k [<- I]]; destruct (K q k I) as [y [Y E]];
+    simpl in *; rewrite E; nra.
+Qed.
+
 Lemma is_fact f : existsb (same_form f) facts = true -> holds f.
 Proof.
-  intro H. apply existsb_exists in H. destruct H as [g [I E]]. apply (same_form_sound _ _ E), fact_holds, I.
+  intro H. apply existsb_exists in H. destruct H as [g [I E]]. apply (same_form_sound _ _ E), (fact_holds facts facts_hold), I.
 Qed.
 
 Lemma plain_sound f : plain facts f = true -> holds f.
@@ -323,9 +373,13 @@ Proof.
   destruct f as [[| |] p| |]; unfold plain; try discriminate; intro H.
   - apply orb_true_iff in H. destruct H as [H|H]; [apply is_zero_value, H|].
     apply andb_true_iff in H. destruct H as [A B]. apply is_fact in A, B. change (val p = 0). simpl in A, B. rewrite neg_value in B. lra.
-  - apply Rlt_gt, plainly_positive_sound, H.
+  - apply Rlt_gt. apply orb_true_iff in H. destruct H as [H|H]; [exact (plainly_positive_sound facts facts_hold p H)|].
+    assert (M := products_hold p). destruct (products facts p) as [|g more]; [discriminate|].
+    apply (plainly_positive_sound ((g :: more) ++ facts)); [apply Forall_app; auto|exact H].
   - apply orb_true_iff in H. destruct H as [H|H]; [apply orb_true_iff in H; destruct H as [H|H]|].
-    + apply Rle_ge, plainly_nonnegative_sound, H.
+    + apply Rle_ge. apply orb_true_iff in H. destruct H as [H|H]; [exact (plainly_nonnegative_sound facts facts_hold p H)|].
+      assert (M := products_hold p). destruct (products facts p) as [|g more]; [discriminate|].
+      apply (plainly_nonnegative_sound ((g :: more) ++ facts)); [apply Forall_app; auto|exact H].
     + apply is_fact in H. change (val p > 0) in H. change (val p >= 0). lra.
     + apply is_fact in H. apply (is_atom_of_sound Zero p) in H. change (val p = 0) in H. change (val p >= 0). lra.
 Qed.
@@ -339,7 +393,7 @@ Proof.
   - apply holds_any. apply existsb_exists in H. destruct H as [f [I H]]. rewrite Forall_forall in IH.
     apply Exists_exists. exists f. split; auto.
 Qed.
-End Facts.
+End Plainly.
 
 Lemma first_any_sound facts : forall seen parts rest, first_any facts seen = Some (parts, rest) ->
   Forall holds facts -> Forall holds seen -> holds (Any parts) /\ Forall holds rest.
