@@ -82,6 +82,9 @@ let texts_of name folder checked =
       | _ -> None)
     checked
 
+(* A claim with fifty certificates takes as long as all of them. *)
+let bounded_for_claim work = Option.join (bounded_by ~most_samples:8_192 ~most_held:(1 lsl 27) work)
+
 let judge_claims checked path =
   let folder = Filename.dirname path in
   match text path most_of_claims with
@@ -99,7 +102,7 @@ let judge_claims checked path =
                 let its = texts_of name folder checked in
                 let texts = List.map (fun (statement, certificate) -> (explode statement, explode certificate)) its in
                 let points = List.concat_map (fun (statement, certificate) -> [ point_of statement; point_of certificate ]) its in
-                let verdict = bounded (fun () -> Some (Judge.judge is_stated file claim texts points)) in
+                let verdict = bounded_for_claim (fun () -> Some (Judge.judge is_stated file claim texts points)) in
                 let word = match verdict with Some Judge.Proved -> "proved" | Some Judge.Refuted -> "refuted" | _ -> "open" in
                 say word (Filename.concat folder name))
               file.claims)
