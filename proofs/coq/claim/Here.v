@@ -1,15 +1,9 @@
 (** What holds at one point whatever the motions are, and goals shown of it; same accelerations make the same motion. *)
 From Coq Require Import String List Bool NArith ZArith Reals Lra Lia.
 From Slipproof Require Import Text Syntax Meaning Poly Normal NormalSound.
-From Slipproof.claim Require Import Expression Mechanism Claim Forms Entails Covers Scopes Points Rising Obligations MotionForms.
+From Slipproof.claim Require Import Expression Mechanism Claim Forms Entails Covers Scopes Inline Points Rising Obligations MotionForms.
 Import ListNotations.
 Local Open Scope R_scope.
-
-Lemma define_other ds name : ~ In name (map fst ds) -> forall names, define ds names name = names name.
-Proof.
-  unfold define. induction ds as [|[n e] ds IH]; simpl; intros N names; [reflexivity|].
-  rewrite IH by tauto. unfold with_name. destruct (String.eqb_spec name n); [subst; tauto|reflexivity].
-Qed.
 
 Section Claim.
 Variable c : claim.

@@ -2,7 +2,7 @@
 From Coq Require Import String List Bool QArith Qreals.
 Local Open Scope string_scope.
 From Slipproof Require Import Text Syntax Meaning Normal Checker Print Sound.
-From Slipproof.claim Require Import Expression Mechanism Claim Entails Covers Points Obligations MotionForms Proved Refuted Canonical RunValues Run.
+From Slipproof.claim Require Import Expression Mechanism Claim Entails Covers Inline Points Obligations MotionForms Proved Refuted Canonical RunValues Run.
 Import ListNotations.
 
 (** A way is open if one of its goals is obvious, or shown by a statement. *)
@@ -15,8 +15,8 @@ Fixpoint distinct (fs : list form) : list form :=
   match fs with [] => [] | f :: fs => if existsb (same_form f) fs then distinct fs else f :: distinct fs end.
 Definition cells (ss : list statement) : list form :=
   match distinct (flat_map (fun s => cell_of (premises s) (Map.empty _)) ss) with [] => [All []] | fs => fs end.
-Definition proves (c : claim) (ss : list statement) : bool := all_open ss (ways c (cells ss)).
-Definition refutes (c : claim) (ss : list statement) : bool := all_open ss (refuting_ways c).
+Definition proves (c : claim) (ss : list statement) : bool := all_open ss (ways (inlined_claim c) (cells ss)).
+Definition refutes (c : claim) (ss : list statement) : bool := all_open ss (refuting_ways (inlined_claim c)).
 
 Lemma all_open_sound ss ws : all_open ss (Some ws) = true -> Forall meaning ss -> Forall way_holds ws.
 Proof.
@@ -28,15 +28,16 @@ Qed.
 
 Theorem proves_sound c ss : proves c ss = true -> Forall meaning ss -> proved c.
 Proof.
-  unfold proves. destruct (ways c (cells ss)) as [ws|] eqn:E; [|discriminate]. intros O M. assert (W := all_open_sound ss ws O M). unfold proved.
-  assert (P := ways_prove c _ ws E W). destruct (what c) eqn:K; try (apply P; intros; discriminate).
-  exact (exists_proved c _ _ ws K E W).
+  unfold proves. destruct (ways (inlined_claim c) (cells ss)) as [ws|] eqn:E; [|discriminate]. intros O M.
+  assert (W := all_open_sound ss ws O M). apply inlined_proved. unfold proved. assert (P := ways_prove _ _ ws E W).
+  destruct (what (inlined_claim c)) eqn:K; try (apply P; intros; discriminate). exact (exists_proved _ _ _ ws K E W).
 Qed.
 
 Theorem refutes_sound c ss : refutes c ss = true -> Forall meaning ss -> refuted c.
 Proof.
-  unfold refutes. destruct (refuting_ways c) as [ws|] eqn:E; [|discriminate]. intros O M. assert (W := all_open_sound ss ws O M). unfold refuted.
-  destruct (what c) eqn:K; try (apply (ways_refute c ws E W); rewrite K; discriminate). exact (exists_refuted c _ ws K E W).
+  unfold refutes. destruct (refuting_ways (inlined_claim c)) as [ws|] eqn:E; [|discriminate]. intros O M.
+  assert (W := all_open_sound ss ws O M). apply inlined_refuted. unfold refuted.
+  destruct (what (inlined_claim c)) eqn:K; try (apply (ways_refute _ ws E W); rewrite K; discriminate). exact (exists_refuted _ _ ws K E W).
 Qed.
 
 (** With the texts of statements and certificates. *)

@@ -1,7 +1,7 @@
 (** Equations that follow from others, at any force. *)
 From Coq Require Import String List Bool NArith ZArith Reals Lra Lia.
 From Slipproof Require Import Text Syntax Meaning Poly Normal NormalSound.
-From Slipproof.claim Require Import Expression Mechanism Claim Forms Entails Covers Scopes Points Rising Obligations MotionForms Here.
+From Slipproof.claim Require Import Expression Mechanism Claim Forms Entails Covers Scopes Inline Points Rising Obligations MotionForms Here.
 Import ListNotations.
 Local Open Scope R_scope.
 
@@ -103,15 +103,6 @@ Qed.
 (** Systems *)
 
 (** What is true of an equation depends on the numbers in it. *)
-Lemma mentions_value (n k : meanings) e : (forall name, mentions [name] e = true -> n name = k name) -> value n e = value k e.
-Proof.
-  induction e as [i|name|a IH|a IHa b IHb|a IHa b IHb|a IHa b IHb|a IHa b IHb|a IH i|a IH|a IH|a IHa b IHb|a IHa b IHb];
-    intro H; simpl in *;
-    try (rewrite IHa by (intros name M; apply H; now rewrite M); rewrite IHb by (intros name M; apply H; rewrite M; apply orb_true_r));
-    try (rewrite IH by (intros name M; apply H; exact M)); try reflexivity.
-  apply H. now rewrite String.eqb_refl.
-Qed.
-
 Lemma mentions_link (n k : meanings) truth a r b :
   (forall name, mentions [name] a || mentions [name] b = true -> n name = k name) -> link n truth a r b -> link k truth a r b.
 Proof.
@@ -139,11 +130,6 @@ Proof.
     destruct truth; [destruct T; [left|right]; auto|destruct T; split; auto].
 Qed.
 
-Lemma mentions_some names e : forall name, In name names -> mentions [name] e = true -> mentions names e = true.
-Proof.
-  intros name I. induction e; simpl; intro M; auto; try (apply orb_true_iff in M; apply orb_true_iff; destruct M; auto).
-  rewrite orb_false_r in M. apply String.eqb_eq in M. subst. apply is_in_In, I.
-Qed.
 Lemma mentions_some_in names d : forall name, In name names -> mentions_in [name] d = true -> mentions_in names d = true.
 Proof.
   intros name I. induction d as [b|a links|d IH|d IHd e IHe|d IHd e IHe]; simpl; intro M; auto;
