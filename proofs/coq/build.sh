@@ -17,7 +17,7 @@ ocamlfind ocamlopt -O3 -w -a -package unix,zarith -linkpkg checker.mli checker.m
 
 for part in Expression Mechanism Claim Forms Entails Covers Scopes Inline Points Rising Obligations MotionForms Here ProvedEquations ProvedLimits \
   ProvedUnique Proved Refuted Canonical Linear RunValues RunConditions RunPoint RunModes RunMotion \
-  RunKinds Run Judge Extract; do
+  RunKinds RunUnique Run Judge Extract; do
   coqc -q -Q . Slipproof claim/$part.v
 done
 coqc -q -Q . Slipproof claim/Assumptions.v >claim/assumptions.txt

@@ -2,7 +2,7 @@
     are (Linear.v); it says nothing where an unknown is multiplied by another, or divides. *)
 From Coq Require Import String List Bool ZArith QArith Qreals Reals Lra Lia.
 From Slipproof Require Import Text Syntax.
-From Slipproof.claim Require Import Expression Mechanism Claim RunValues RunConditions RunPoint RunMotion RunModes RunKinds.
+From Slipproof.claim Require Import Expression Mechanism Claim RunValues RunConditions RunPoint RunMotion RunModes RunKinds RunUnique.
 Import ListNotations.
 Local Open Scope R_scope.
 
@@ -21,7 +21,11 @@ Definition run (c : claim) (q : list (string * Q)) : option outcome :=
         | Unknown => None
         | Yes =>
             let mech := mechanism_scope s inner in
-            run_kind c paper_here mech (where_all_are mech (dynamics (of_mechanism s)))
+            let moving := where_all_are mech (dynamics (of_mechanism s)) in
+            match what c with
+            | Claim.Unique claims except modes => run_unique c paper_here paper_along mech moving claims except modes
+            | _ => run_kind c paper_here mech moving
+            end
         end
       else None
   | _ => None
@@ -234,7 +238,9 @@ Proof.
   destruct (on_interval _ _) eqn:F; [|discriminate]. apply on_interval_sound in F. intro H. split; [exact P|].
   assert (S := status_sound (fun _ => 0) _ _ (here_agree (in_setting c) q _) (judged_where c)). unfold judged.
   destruct (status_of _ (judged_where c)); [| | |discriminate].
-  - assert (K := run_kind_proven c q). rewrite H in K. destruct o; simpl in K; tauto.
+  - assert (K : RunKinds.proven c q (Some o)).
+    { rewrite <- H. destruct (what c) eqn:K; try exact (run_kind_proven c q). exact (unique_proven c q _ _ _ K). }
+    destruct o; simpl in K; tauto.
   - inversion H; subst. tauto.
   - inversion H; subst. tauto.
 Qed.

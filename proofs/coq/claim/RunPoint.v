@@ -285,9 +285,12 @@ Proof.
   - exists (Q2R a), (Q2R k). intro t. rewrite A. unfold Linear.value; simpl. f_equal. ring.
 Qed.
 
-Theorem on_interval_sound : on_interval along (force_domain s) = true -> forces_are_an_interval s x.
+Lemma on_interval_convex d : on_interval along d = true ->
+  (forall f, has_value (paper s (with_force s x f)) d)
+  /\ forall f g h, f <= g -> g <= h -> is (paper s (with_force s x f)) true d -> is (paper s (with_force s x h)) true d ->
+                   is (paper s (with_force s x g)) true d.
 Proof.
-  unfold forces_are_an_interval, has_value. induction (force_domain s) as [b|e links|c IH|c IHc d IHd|c IHc d IHd];
+  unfold has_value. induction d as [b|e links|c IH|c IHc d IHd|c IHc d IHd];
     intro H; cbn [on_interval is] in *; try discriminate.
   - split; [intro; destruct b; auto|auto].
   - apply andb_true_iff in H. destruct H as [A L]. apply Points.convex_links; [apply is_affine_fits, A|].
@@ -297,4 +300,7 @@ Proof.
     + intro t. destruct (V t), (W t); tauto.
     + intros f g h F G [P Q] [P' Q']. split; [exact (C f g h F G P P')|exact (D f g h F G Q Q')].
 Qed.
+
+Theorem on_interval_sound : on_interval along (force_domain s) = true -> forces_are_an_interval s x.
+Proof. apply on_interval_convex. Qed.
 End Run.

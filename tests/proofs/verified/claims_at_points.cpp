@@ -100,7 +100,7 @@ class Run {
 
  private:
   static inline const std::set<std::string, std::less<>> known = {"interval", "impossible",  "formula", "motions",
-                                                                  "exists",   "equivalence", "cover",   "force-cover"};
+                                                                  "exists",   "equivalence", "cover",   "force-cover", "unique"};
 
   void write(std::size_t claim, const std::string& where, std::string_view verdict) {
     points_ << file_.claims[claim].id << where << '\n';
