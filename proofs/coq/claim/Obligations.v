@@ -211,7 +211,7 @@ Definition ways_of_kind (cells : list form) (facts : list form) (forces : form) 
       let* given := normal_condition names true (Compare from [(Eq, from)]) in
       let* region := normal_condition names true (region c) in
       let* g := normal_condition names true holds in
-      require bicycle_fits s && forallb (rising (code p)) (bicycle_facts s) && fraction_free [code p] f
+      require bicycle_fits s && all_rising (code p) (bicycle_facts s) && fraction_free [code p] f
               && form_free [code p] region && is_in p (symbols s) && negb (is_in p (map fst (paper_definitions s))) in
       Some [[Goal (beyond :: facts) [] g]; [Goal facts [] given]]
   | Limit _ _ None => None

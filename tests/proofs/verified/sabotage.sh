@@ -1,11 +1,16 @@
 #!/bin/sh
-# sabotage.sh SLIPPROOF JUDGE PAPER SCRATCH: a writer of statements that says too little is noticed. Each sabotage makes a
-# statement of the paper weaker, has it proved, and the judge no longer calls its claim proved or refuted; it still does so
-# of all others.
+# sabotage.sh SLIPPROOF JUDGE PAPER SCRATCH LIST: a writer of statements that says too little is noticed. Each sabotage of
+# the list makes a statement of the paper weaker, has it proved, and the judge no longer calls its claim proved or refuted;
+# it still does so of all others. A paper without certificates is proved first.
 set -eu
-slipproof=$1 judge=$2 paper=$3 scratch=$4
+slipproof=$1 judge=$2 paper=$3 scratch=$4 list=$5
 rm -rf "$scratch"
 mkdir -p "$scratch"
+if [ ! -d "$paper/certificates" ]; then
+  cp -r "$paper" "$scratch/paper"
+  paper=$scratch/paper
+  "$slipproof" prove --quiet "$paper/claims.toml" || true
+fi
 "$judge" "$paper" >"$scratch/before" || true
 sed -i "s|$paper|PAPER|" "$scratch/before"
 count=0
@@ -30,17 +35,5 @@ sabotage() {
     { echo "$1: another claim is judged differently"; exit 1; }
 }
 
-while read -r claim statement change; do sabotage "$claim" "$statement" "$change"; done <<'END'
-L1 L1.only-then s/mu1 >= 0/mu1 > 0/
-L1 L1.only-then s/N2 >= 0 and/N2 > 0 and/
-L1 L1.only-then s/^show (.*)/show \1 or m > 0/
-L1 L1.only-then s/^assume motion: /assume more: m > 1\nassume motion: /
-L1 L1.always d
-L1 L1.always s/-mu2\*N2 <= S2 <= /S2 <= /
-L1 L1.always s/ and N1 >= 0//
-L1 L1.always s/ and N2 >= 0//
-L10 L10.4 s/gap_wall >= 0/gap_wall > 0/
-L10 L10.1 s/^define ax_: .*/define ax_: 0 = 1/
-P2 P2.refuted s/g > 0 and //
-END
+while read -r claim statement change; do sabotage "$claim" "$statement" "$change"; done <"$list"
 echo "$count sabotages noticed"

@@ -1,0 +1,18 @@
+#!/bin/sh
+# limits.sh SLIPPROOF JUDGE PAPER SCRATCH: the judge proves the limit that is true, and leaves the false one open, although
+# each of its statements, as an earlier prover wrote them, is true and has a certificate that is accepted.
+set -eu
+slipproof=$1 judge=$2 paper=$3 scratch=$4
+rm -rf "$scratch"
+cp -r "$paper" "$scratch"
+"$slipproof" prove --quiet "$scratch/claims.toml" || true
+for statement in "$scratch"/forgotten/*.statement; do
+  cp "$statement" "$scratch/certificates"
+  "$slipproof" prove --again --quiet "$scratch/certificates/$(basename "$statement")"
+done
+rm -r "$scratch/forgotten"
+"$judge" "$scratch" >"$scratch/verdicts" || true
+cat "$scratch/verdicts"
+for expected in 'accepted .*/F1.beyond.cert' 'accepted .*/F1.eventually.cert' 'accepted .*/F1.from.cert' 'open .*/F1' 'proved .*/E1'; do
+  grep -q "^$expected\$" "$scratch/verdicts" || { echo "expected: $expected"; exit 1; }
+done
