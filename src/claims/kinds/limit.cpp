@@ -71,7 +71,7 @@ class LimitKind : public KindBase {
   }
 
   /// ID.eventually: `holds` for values of the parameter greater than `from`; ID.from: `from` is defined; ID.beyond,
-  /// where the parameter may be bounded: there are greater values.
+  /// where the parameter may be bounded: there are greater values; ID.defined: the region has a value.
   void state(ClaimWriter& writer) const override {
     const ClaimBody& claim = writer.body();
     const Expression* least = from(claim);
@@ -81,7 +81,10 @@ class LimitKind : public KindBase {
     const Expression defined = make_comparison({*least, *least}, {Relation::equal});
     writer.implied({".from", {{"region", claim.region}}, {}, false}, defined);
     writer.goes_beyond(".beyond", claim.parameter, *least);
-    writer.has_value(".defined", {{"beyond", beyond}}, claim.region);
+    // Where `from` has no value, no bicycle is beyond it, and the region may have none either.
+    ClaimWriter::Assumptions far;
+    if (writer.always_defined(*least)) far.emplace_back("beyond", beyond);
+    writer.has_value(".defined", far, claim.region);
   }
 
   /// No statement can say that `holds` fails however large the parameter is.

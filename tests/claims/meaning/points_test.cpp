@@ -103,6 +103,16 @@ TEST_CASE("a limit goes to the last value at which there is a mechanism") {
   CHECK(verify(file, options).claims.front().verdict == Verdict::refuted);
 }
 
+TEST_CASE("a limit is not proved where its region and `from` have no value") {
+  const ClaimsFile file = Divided{}.read(
+      "[[claim]]\nid = \"limit\"\nkind = \"limit\"\nparameter = \"p\"\nregion = \"1/mu > 0\"\nholds = \"p*mu > "
+      "1\"\nfrom = \"1/mu\"\n");
+  const auto statements = claim_statements(file, file.claims.front(), Reading::printed);
+  CHECK_FALSE(std::all_of(statements.begin(), statements.end(), [](const NamedStatement& statement) {
+    return proved(statement) == ProofOutcome::Verdict::proved;
+  }));
+}
+
 TEST_CASE("where a guarded division divides by zero, a claim is refuted by numbers all the same") {
   const ClaimsFile file = Divided{.domain = "p <= 0"}.read(
       "[[claim]]\nid = \"guarded\"\nkind = \"formula\"\nregion = \"p >= 0 and (p <= 0 or 1/p > 100)\"\nholds = \"p > "
