@@ -15,7 +15,7 @@ done
 coqc -q -Q . Slipproof Assumptions.v >assumptions.txt
 ocamlfind ocamlopt -O3 -w -a -package unix,zarith -linkpkg checker.mli checker.ml support.ml main.ml -o slipproof-check-verified
 
-for part in Expression Mechanism Claim Forms Entails Covers Scopes Inline Points Rising Obligations MotionForms Here ProvedEquations ProvedLimits \
+for part in Expression Mechanism Claim Forms FormsSound Entails Covers Scopes Inline Points Rising Obligations MotionForms Here ProvedEquations ProvedLimits \
   ProvedUnique Proved Refuted Canonical Linear RunValues RunConditions RunPoint RunModes RunMotion \
   RunKinds RunUnique Run Judge Extract; do
   coqc -q -Q . Slipproof claim/$part.v

@@ -2,7 +2,7 @@
     from the facts, and what it shows plainly gives the goal. *)
 From Coq Require Import String List Bool ZArith Reals.
 From Slipproof Require Import Text Syntax Meaning Poly Normal NormalSound Checker Sound.
-From Slipproof.claim Require Import Forms Entails.
+From Slipproof.claim Require Import Forms FormsSound Entails.
 Import ListNotations.
 
 (** For all values of the variables with these facts there are some of [unknowns] with which [shown] holds. *)

@@ -1,7 +1,7 @@
 (** What holds at one point whatever the motions are, and goals shown of it; same accelerations make the same motion. *)
 From Coq Require Import String List Bool NArith ZArith Reals Lra Lia.
 From Slipproof Require Import Text Syntax Meaning Poly Normal NormalSound.
-From Slipproof.claim Require Import Expression Mechanism Claim Forms Entails Covers Scopes Inline Points Rising Obligations MotionForms.
+From Slipproof.claim Require Import Expression Mechanism Claim Forms FormsSound Entails Covers Scopes Inline Points Rising Obligations MotionForms.
 Import ListNotations.
 Local Open Scope R_scope.
 

@@ -2,7 +2,7 @@
     what is judged. *)
 From Coq Require Import String List Bool ZArith Reals.
 From Slipproof Require Import Text Syntax Normal.
-From Slipproof.claim Require Import Expression Mechanism Claim Forms Covers Scopes.
+From Slipproof.claim Require Import Expression Mechanism Claim Forms FormsSound Covers Scopes.
 Import ListNotations.
 
 Section Inline.

@@ -1,7 +1,7 @@
 (** Values of all names at a point and at motions, and that the forms of motions hold of motions. *)
 From Coq Require Import String List Bool NArith ZArith Reals Lra Lia.
 From Slipproof Require Import Text Syntax Meaning Poly Normal NormalSound.
-From Slipproof.claim Require Import Expression Mechanism Claim Forms Entails Covers Scopes Points Rising Obligations.
+From Slipproof.claim Require Import Expression Mechanism Claim Forms FormsSound Entails Covers Scopes Points Rising Obligations.
 Import ListNotations.
 Local Open Scope R_scope.
 

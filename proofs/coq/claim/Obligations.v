@@ -1,7 +1,7 @@
 (** What has to be shown of a claim: goals that are all to hold. Of several ways to show one thing, one is enough. *)
 From Coq Require Import String List Bool NArith ZArith Reals Lra Lia.
 From Slipproof Require Import Text Syntax Meaning Poly Normal NormalSound.
-From Slipproof.claim Require Import Expression Mechanism Claim Forms Entails Covers Scopes Points Rising.
+From Slipproof.claim Require Import Expression Mechanism Claim Forms FormsSound Entails Covers Scopes Points Rising.
 Import ListNotations.
 
 Fixpoint map_option {A B} (f : A -> option B) (xs : list A) : option (list B) :=

@@ -1,7 +1,7 @@
 (** The conditions of a point as normal forms; that the load is of degree 1, and the forces are an interval. *)
 From Coq Require Import String List Bool NArith ZArith Reals Lra Lia.
 From Slipproof Require Import Text Syntax Meaning Poly Normal NormalSound.
-From Slipproof.claim Require Import Expression Mechanism Claim Forms Entails Covers Scopes.
+From Slipproof.claim Require Import Expression Mechanism Claim Forms FormsSound Entails Covers Scopes.
 Import ListNotations.
 Local Open Scope R_scope.
 Local Open Scope string_scope.

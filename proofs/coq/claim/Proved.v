@@ -1,7 +1,7 @@
 (** Where all goals hold, the claim is right or says nothing at every point; or it is wrong at one. *)
 From Coq Require Import String List Bool NArith ZArith Reals Lra Lia.
 From Slipproof Require Import Text Syntax Meaning Poly Normal NormalSound.
-From Slipproof.claim Require Import Expression Mechanism Claim Forms Entails Covers Scopes Points Rising Obligations MotionForms Here ProvedEquations ProvedLimits ProvedUnique.
+From Slipproof.claim Require Import Expression Mechanism Claim Forms FormsSound Entails Covers Scopes Points Rising Obligations MotionForms Here ProvedEquations ProvedLimits ProvedUnique.
 Import ListNotations.
 Local Open Scope R_scope.
 

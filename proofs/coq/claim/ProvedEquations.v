@@ -1,7 +1,7 @@
 (** Equations that follow from others, at any force. *)
 From Coq Require Import String List Bool NArith ZArith Reals Lra Lia.
 From Slipproof Require Import Text Syntax Meaning Poly Normal NormalSound.
-From Slipproof.claim Require Import Expression Mechanism Claim Forms Entails Covers Scopes Inline Points Rising Obligations MotionForms Here.
+From Slipproof.claim Require Import Expression Mechanism Claim Forms FormsSound Entails Covers Scopes Inline Points Rising Obligations MotionForms Here.
 Import ListNotations.
 Local Open Scope R_scope.
 

@@ -1,7 +1,7 @@
 (** The other direction: a point at which a claim that something exists is right, or at which another is wrong. *)
 From Coq Require Import String List Bool NArith ZArith Reals Lra Lia.
 From Slipproof Require Import Text Syntax Meaning Poly Normal NormalSound.
-From Slipproof.claim Require Import Expression Mechanism Claim Forms Entails Covers Scopes Points Rising Obligations MotionForms Here ProvedEquations Proved.
+From Slipproof.claim Require Import Expression Mechanism Claim Forms FormsSound Entails Covers Scopes Points Rising Obligations MotionForms Here ProvedEquations Proved.
 Import ListNotations.
 Local Open Scope R_scope.
 

@@ -1,7 +1,7 @@
 (** Forms that stay true where one variable grows: as the conditions of a point, with a parameter that has no upper end. *)
 From Coq Require Import String List Bool ZArith Reals Lra Lia.
 From Slipproof Require Import Text Syntax Meaning Poly Normal NormalSound.
-From Slipproof.claim Require Import Expression Mechanism Claim Forms Entails Covers Scopes Points.
+From Slipproof.claim Require Import Expression Mechanism Claim Forms FormsSound Entails Covers Scopes Points.
 Import ListNotations.
 
 (** The variable stands alone in its monomial, with a positive coefficient. *)

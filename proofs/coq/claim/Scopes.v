@@ -1,7 +1,7 @@
 (** The names of a setting as normal forms, and that they stand for what [Claim.v] says. *)
 From Coq Require Import String List Bool NArith ZArith Reals Lra Lia FMapFacts OrderedTypeEx.
 From Slipproof Require Import Text Syntax Meaning Poly Normal NormalSound.
-From Slipproof.claim Require Import Expression Mechanism Claim Forms Entails Covers.
+From Slipproof.claim Require Import Expression Mechanism Claim Forms FormsSound Entails Covers.
 Import ListNotations.
 Local Open Scope R_scope.
 Local Open Scope string_scope.
