@@ -192,8 +192,7 @@ std::string canonical_claim(const ClaimsFile& file, const Claim& claim, Reading 
   };
   return fmt::format("claim {}{} in {}\n{}{}\n", claim.id, reading == Reading::repaired ? ".repaired" : "", setting,
                      kind, kind == "limit" ? ' ' + body.parameter : "") +
-         said() +
-         fmt::format("region : {}\nforces : {}\n", canonical(body.region), canonical(body.forces));
+         said() + fmt::format("region : {}\nforces : {}\n", canonical(body.region), canonical(body.forces));
 }
 
 }  // namespace

@@ -99,8 +99,8 @@ class Run {
   }
 
  private:
-  static inline const std::set<std::string, std::less<>> known = {"interval", "impossible",  "formula", "motions",
-                                                                  "exists",   "equivalence", "cover",   "force-cover", "unique"};
+  static inline const std::set<std::string, std::less<>> known = {
+      "interval", "impossible", "formula", "motions", "exists", "equivalence", "cover", "force-cover", "unique"};
 
   void write(std::size_t claim, const std::string& where, std::string_view verdict) {
     points_ << file_.claims[claim].id << where << '\n';
