@@ -51,8 +51,8 @@ Rational ExactSum::value() const {
   Integer sum = 0;
   for (std::size_t i = last_; i-- > first_;) sum = (sum << 32) + digit_[i];
   const int exponent = lowest + 32 * static_cast<int>(first_);
-  if (exponent >= 0) return Rational(Integer(sum << exponent));
-  return Rational(sum, Integer(Integer(1) << -exponent));
+  if (exponent >= 0) return Rational(Integer(sum << static_cast<std::size_t>(exponent)));
+  return Rational(sum, Integer(Integer(1) << static_cast<std::size_t>(-exponent)));
 }
 
 }  // namespace slipproof
