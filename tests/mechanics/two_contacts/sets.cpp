@@ -1,0 +1,124 @@
+#include "mechanics/two_contacts/sets.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+#include "base/number/parse.hpp"
+#include "support/run_program.hpp"
+
+namespace slipproof::test::two_contacts {
+
+namespace {
+
+constexpr const char* header = "state.one,state.two,modes,I,x1,y1,mu1,x2,y2,mu2,theta2.tan_half,X,Y,M";
+
+std::vector<std::string> split(const std::string& text, char at) {
+  std::vector<std::string> result;
+  std::istringstream stream(text);
+  for (std::string entry; std::getline(stream, entry, at);) result.push_back(entry);
+  return result;
+}
+
+Below below_of(const std::string& one, const std::string& two) {
+  if (one == "rest" && two == "rest") return Below::rest;
+  if (one == "slides+" && two == "rest") return Below::belt;
+  if (one == "slides+" && two == "slides+") return Below::belts;
+  throw std::runtime_error("sets.csv: unknown states " + one + ", " + two);
+}
+
+Example example_of(const std::string& line) {
+  const std::vector<std::string> entries = split(line, ',');
+  if (entries.size() != 14) throw std::runtime_error("sets.csv: not 14 entries: " + line);
+  Example result;
+  result.body.below = below_of(entries[0], entries[1]);
+  for (const std::string& mode : split(entries[2], ' ')) result.modes.insert(mode);
+  const auto number = [&](std::size_t i) { return parse_rational(entries[i]); };
+  result.body.inertia = number(3);
+  for (std::size_t i = 0; i < 2; ++i) {
+    Body::Contact& contact = result.body.contacts[i];
+    contact.x = number(4 + 3 * i);
+    contact.y = number(5 + 3 * i);
+    contact.mu = number(6 + 3 * i);
+  }
+  result.body.set_normals(number(10));
+  result.body.load = {number(11), number(12), number(13)};
+  return result;
+}
+
+/// The columns of the table.
+const std::vector<std::string> columns{"SS", "S+", "S-", "SO", "+S", "++", "+-", "+O",
+                                       "-S", "-+", "--", "-O", "OS", "O+", "O-", "OO"};
+
+/// For the order: fewer motions first, then those farther left in the table.
+std::pair<std::size_t, std::vector<std::size_t>> rank(const Modes& modes) {
+  std::vector<std::size_t> places;
+  for (const std::string& mode : modes) {
+    places.push_back(static_cast<std::size_t>(std::find(columns.begin(), columns.end(), mode) - columns.begin()));
+  }
+  std::sort(places.begin(), places.end());
+  return {places.size(), places};
+}
+
+}  // namespace
+
+std::vector<Example> shipped_sets() {
+  const std::vector<std::string> lines = split(read_file(SLIPPROOF_SOURCE_DIR "/proofs/two-contacts/sets.csv"), '\n');
+  if (lines.empty() || lines[0] != header) throw std::runtime_error("sets.csv: another header");
+  std::vector<Example> result;
+  for (std::size_t i = 1; i < lines.size(); ++i) result.push_back(example_of(lines[i]));
+  return result;
+}
+
+std::set<Modes> sets_of(const std::vector<Example>& examples, Below below) {
+  std::set<Modes> result;
+  for (const Example& example : examples) {
+    if (example.body.below == below) result.insert(example.modes);
+  }
+  return result;
+}
+
+std::set<Modes> names_of(const Modes& modes, Below below) {
+  std::set<Modes> names{modes};
+  const auto add = [&](const auto& renamed) {
+    for (const Modes& name : std::set<Modes>(names)) names.insert(renamed(name));
+  };
+  if (below == Below::rest) add([](const Modes& m) { return flipped(m, 0); });
+  if (below != Below::belts) add([](const Modes& m) { return flipped(m, 1); });
+  if (below != Below::belt) add(exchanged);
+  return names;
+}
+
+std::vector<std::pair<Modes, std::size_t>> up_to_names(const std::vector<Example>& examples, Below below) {
+  const auto before = [](const Modes& a, const Modes& b) { return rank(a) < rank(b); };
+  std::map<Modes, std::size_t, decltype(before)> counts(before);
+  for (const Example& example : examples) {
+    if (example.body.below != below) continue;
+    const std::set<Modes> names = names_of(example.modes, below);
+    counts[*std::min_element(names.begin(), names.end(), before)] = names.size();
+  }
+  return {counts.begin(), counts.end()};
+}
+
+std::string table(const std::vector<Example>& examples) {
+  std::ostringstream text;
+  text << "motions ";
+  std::vector<std::string> shown = columns;
+  std::erase_if(shown,
+                [](const std::string& m) { return m != "SS" && m.find('S') != m.npos && m.find('O') == m.npos; });
+  for (const std::string& mode : shown) text << ' ' << mode;
+  text << "  sets\n";
+  char number[16];
+  for (const auto& [modes, count] : up_to_names(examples, Below::rest)) {
+    std::snprintf(number, sizeof number, "%5zu   ", modes.size());
+    text << number;
+    for (const std::string& mode : shown) text << (modes.contains(mode) ? "  x" : "  .");
+    std::snprintf(number, sizeof number, "%6zu", count);
+    text << number << '\n';
+  }
+  return text.str();
+}
+
+}  // namespace slipproof::test::two_contacts

@@ -1,0 +1,33 @@
+// proofs/two-contacts/sets.csv: each set of motions that occurs together, with a body that has it.
+#pragma once
+
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mechanics/two_contacts/body.hpp"
+
+namespace slipproof::test::two_contacts {
+
+struct Example {
+  Modes modes;
+  Body body;
+};
+
+/// The lines of the file. Throws std::runtime_error for another header, a line that has more or fewer entries, or an
+/// entry that cannot be read.
+std::vector<Example> shipped_sets();
+/// Their sets, without the bodies.
+std::set<Modes> sets_of(const std::vector<Example>& examples, Below below);
+
+/// A set under all names that it may have: slip counts positive to the other side at a contact at rest, or the contacts
+/// are exchanged, if there is the same below both.
+std::set<Modes> names_of(const Modes& modes, Below below);
+/// The listed sets that differ in more than names, each by its first name, with the number of its names.
+std::vector<std::pair<Modes, std::size_t>> up_to_names(const std::vector<Example>& examples, Below below);
+
+/// What table.txt beside sets.csv should contain: a line for each of up_to_names() at rest, a column for each mode.
+std::string table(const std::vector<Example>& examples);
+
+}  // namespace slipproof::test::two_contacts

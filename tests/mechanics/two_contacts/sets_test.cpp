@@ -1,0 +1,47 @@
+// The sets of motions that proofs/two-contacts lists, each with its body.
+#include "mechanics/two_contacts/sets.hpp"
+
+#include <doctest/doctest.h>
+
+#include "support/run_program.hpp"
+
+using namespace slipproof;
+using namespace slipproof::test::two_contacts;
+using slipproof::test::read_file;
+
+TEST_CASE("each set of motions of a body on two contacts is that of its body, and none is there twice") {
+  const std::vector<Example> examples = shipped_sets();
+  Library library;
+  for (const Example& example : examples) {
+    CAPTURE(text(example.modes));
+    const Found found = library.solve(example.body);
+    CHECK(text(found.modes) == text(example.modes));
+    CHECK_FALSE(found.boundary);
+    const auto again = by_cramers_rule(example.body);
+    REQUIRE(again);
+    CHECK(text(*again) == text(example.modes));
+  }
+  CHECK(examples.size() == 310 + 128 + 16);
+  struct Expected {
+    Below below;
+    std::size_t sets, with_other_names, up_to_names;
+  };
+  for (const Expected& expected :
+       {Expected{Below::rest, 310, 314, 57}, {Below::belt, 128, 130, 75}, {Below::belts, 16, 16, 12}}) {
+    const std::set<Modes> sets = sets_of(examples, expected.below);
+    CHECK(sets.size() == expected.sets);
+    std::set<Modes> with_other_names;
+    for (const Modes& modes : sets) with_other_names.merge(names_of(modes, expected.below));
+    CHECK(with_other_names.size() == expected.with_other_names);
+    CHECK(up_to_names(examples, expected.below).size() == expected.up_to_names);
+    CHECK(sets.contains({}) == (expected.below != Below::rest));
+    for (const Modes& modes : sets) {  // the same bodies, exchanged and in a mirror
+      if (expected.below != Below::belt) CHECK(sets.contains(exchanged(modes)));
+      if (expected.below == Below::rest) CHECK(sets.contains(flipped(flipped(modes, 0), 1)));
+    }
+  }
+}
+
+TEST_CASE("the table of two contacts is that of its sets") {
+  CHECK(table(shipped_sets()) == read_file(SLIPPROOF_SOURCE_DIR "/proofs/two-contacts/table.txt"));
+}
