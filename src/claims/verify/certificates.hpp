@@ -102,8 +102,8 @@ void find_certificates(const ClaimsFile& file, VerifyResult& result, Certificate
 
 /// Marks the claims in `result` that a second checker judges from the claim on, as slipproof-judge-verified does, with
 /// the verdict that they have, and counts them, and names the others, in `result.second_checker`, if there is one. The
-/// claims in the folder must be those of the file (canonical_claims()). A claim with the opposite verdict gets a rejection.
-/// verify() calls this function.
+/// claims in the folder must be those of the file (canonical_claims()). A claim with the opposite verdict gets a
+/// rejection. verify() calls this function.
 void find_judgements(const ClaimsFile& file, VerifyResult& result, Certificates& certificates);
 
 /// Whether certificates decide a claim that no sample decides.
