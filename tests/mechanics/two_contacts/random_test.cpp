@@ -6,8 +6,7 @@
 #include "mechanics/two_contacts/sets.hpp"
 #include "support/how_many.hpp"
 
-using namespace slipproof;
-using namespace slipproof::test::two_contacts;
+namespace slipproof::test::two_contacts {
 
 TEST_CASE("random bodies on two contacts have motions that the list has") {
   const std::vector<Example> examples = shipped_sets();
@@ -44,3 +43,5 @@ TEST_CASE("random bodies on two contacts have motions that the list has") {
                  << " not generic; of " << listed[0].size() << ", " << listed[1].size() << ", " << listed[2].size()
                  << " sets they have " << met[0].size() << ", " << met[1].size() << ", " << met[2].size());
 }
+
+}  // namespace slipproof::test::two_contacts

@@ -15,13 +15,6 @@ namespace {
 
 constexpr const char* header = "state.one,state.two,modes,I,x1,y1,mu1,x2,y2,mu2,theta2.tan_half,X,Y,M";
 
-std::vector<std::string> split(const std::string& text, char at) {
-  std::vector<std::string> result;
-  std::istringstream stream(text);
-  for (std::string entry; std::getline(stream, entry, at);) result.push_back(entry);
-  return result;
-}
-
 Below below_of(const std::string& one, const std::string& two) {
   if (one == "rest" && two == "rest") return Below::rest;
   if (one == "slides+" && two == "rest") return Below::belt;
@@ -63,6 +56,13 @@ std::pair<std::size_t, std::vector<std::size_t>> rank(const Modes& modes) {
 }
 
 }  // namespace
+
+std::vector<std::string> split(const std::string& text, char at) {
+  std::vector<std::string> result;
+  std::istringstream stream(text);
+  for (std::string entry; std::getline(stream, entry, at);) result.push_back(entry);
+  return result;
+}
 
 std::vector<Example> shipped_sets() {
   const std::vector<std::string> lines = split(read_file(SLIPPROOF_SOURCE_DIR "/proofs/two-contacts/sets.csv"), '\n');

@@ -15,6 +15,8 @@ struct Example {
   Body body;
 };
 
+/// What stands between the characters `at`.
+std::vector<std::string> split(const std::string& text, char at);
 /// The lines of the file. Throws std::runtime_error for another header, a line that has more or fewer entries, or an
 /// entry that cannot be read.
 std::vector<Example> shipped_sets();

@@ -5,9 +5,7 @@
 
 #include "support/run_program.hpp"
 
-using namespace slipproof;
-using namespace slipproof::test::two_contacts;
-using slipproof::test::read_file;
+namespace slipproof::test::two_contacts {
 
 TEST_CASE("each set of motions of a body on two contacts is that of its body, and none is there twice") {
   const std::vector<Example> examples = shipped_sets();
@@ -45,3 +43,5 @@ TEST_CASE("each set of motions of a body on two contacts is that of its body, an
 TEST_CASE("the table of two contacts is that of its sets") {
   CHECK(table(shipped_sets()) == read_file(SLIPPROOF_SOURCE_DIR "/proofs/two-contacts/table.txt"));
 }
+
+}  // namespace slipproof::test::two_contacts

@@ -1,0 +1,195 @@
+// proofs/two-contacts/rules.csv: what the statements exclude, and that nothing else is missing from sets.csv.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "base/input/text_file.hpp"
+#include "mechanics/two_contacts/sets.hpp"
+#include "proofs/check/files.hpp"
+
+namespace slipproof::test::two_contacts {
+
+namespace {
+
+const std::filesystem::path folder = SLIPPROOF_SOURCE_DIR "/proofs/two-contacts";
+
+/// A mode that a rule names: with any index, with this one, or not there.
+struct Item {
+  std::string mode;
+  std::optional<int> index;
+  bool absent = false;
+};
+using Rule = std::vector<Item>;
+
+Item item(std::string text) {
+  Item result;
+  if (text.front() == '!') {
+    result.absent = true;
+    text.erase(0, 1);
+  }
+  result.mode = text.substr(0, 2);
+  if (text.size() > 2) result.index = std::stoi(text.substr(3));
+  return result;
+}
+
+struct Rules {
+  std::vector<Rule> rest, belt;
+  std::set<std::string> statements;
+};
+
+Rules shipped_rules() {
+  Rules rules;
+  const std::vector<std::string> lines = split(read_text_file(folder / "rules.csv"), '\n');
+  REQUIRE(lines.at(0) == "state.one,state.two,excluded,statements");
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const std::vector<std::string> cells = split(lines[i], ',');
+    REQUIRE(cells.size() == 4);
+    Rule rule;
+    for (const std::string& text : split(cells[2], ' ')) rule.push_back(item(text));
+    (cells[0] == "rest" ? rules.rest : rules.belt).push_back(rule);
+    for (const std::string& name : split(cells[3], ' ')) rules.statements.insert(name);
+  }
+  return rules;
+}
+
+std::string turned(std::string mode) {
+  for (char& c : mode) c = c == '+' ? '-' : c == '-' ? '+' : c;
+  return mode;
+}
+
+/// Each rule, with the contacts exchanged, and with both directions exchanged.
+std::vector<Rule> with_images(const std::vector<Rule>& rules) {
+  std::vector<Rule> all;
+  for (const Rule& rule : rules) {
+    for (const bool exchange : {false, true}) {
+      for (const bool turn : {false, true}) {
+        Rule image = rule;
+        for (Item& i : image) {
+          if (exchange) std::swap(i.mode[0], i.mode[1]);
+          if (turn) i.mode = turned(i.mode);
+        }
+        all.push_back(image);
+      }
+    }
+  }
+  return all;
+}
+
+using Indices = std::map<std::string, int>;
+
+bool meets(const Indices& indices, const Rule& rule) {
+  return std::ranges::all_of(rule, [&](const Item& i) {
+    const auto found = indices.find(i.mode);
+    if (i.absent || found == indices.end()) return i.absent == (found == indices.end());
+    return !i.index || *i.index == found->second;
+  });
+}
+
+/// Whether its modes have indices that add up to 1 and meet no rule.
+bool is_left(const std::vector<std::string>& modes, const std::vector<Rule>& rules, std::size_t known,
+             Indices& indices) {
+  if (known == modes.size()) {
+    int sum = 0;
+    for (const auto& [mode, index] : indices) sum += index;
+    return sum == 1 && std::ranges::none_of(rules, [&](const Rule& rule) { return meets(indices, rule); });
+  }
+  const std::string& mode = modes[known];
+  const bool one_way = mode == "SO" || mode == "OS" || mode == "OO";
+  for (const int index : mode == "SS" ? std::vector{1, 0, -1} : one_way ? std::vector{1} : std::vector{1, -1}) {
+    indices[mode] = index;
+    if (is_left(modes, rules, known + 1, indices)) return true;
+  }
+  indices.erase(mode);
+  return false;
+}
+
+template <class Use>
+void for_each_subset(const std::vector<std::string>& modes, Use use) {
+  for (std::size_t bits = 0; bits < std::size_t{1} << modes.size(); ++bits) {
+    std::vector<std::string> subset;
+    for (std::size_t i = 0; i < modes.size(); ++i) {
+      if ((bits >> i & 1) != 0) subset.push_back(modes[i]);
+    }
+    use(subset);
+  }
+}
+
+/// Whether both contacts slip to the same side in the motion that keeps them closed.
+bool slip_alike(const Body& body) {
+  std::array<std::array<Rational, 3>, 2> normal, tangent;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto& [x, y, mu, n] = body.contacts[i];
+    normal[i] = {n.cosine, n.sine, Rational(x * n.sine - y * n.cosine)};
+    tangent[i] = {n.sine, Rational(-n.cosine), Rational(-x * n.cosine - y * n.sine)};
+  }
+  const auto& [a, b] = normal;
+  const std::array<Rational, 3> motion{Rational(a[1] * b[2] - a[2] * b[1]), Rational(a[2] * b[0] - a[0] * b[2]),
+                                       Rational(a[0] * b[1] - a[1] * b[0])};
+  const auto slip = [&](std::size_t i) {
+    return Rational(tangent[i][0] * motion[0] + tangent[i][1] * motion[1] + tangent[i][2] * motion[2]);
+  };
+  const Rational product = slip(0) * slip(1);
+  REQUIRE(!product.is_zero());
+  return product > 0;
+}
+
+}  // namespace
+
+TEST_CASE("two contacts at rest: the indices and the rules leave the sets that occur, and no others") {
+  const std::vector<Rule> rules = with_images(shipped_rules().rest);
+  std::set<Modes> occur, left, all;
+  for (const Modes& modes : sets_of(shipped_sets(), Below::rest)) occur.merge(names_of(modes, Below::rest));
+  for_each_subset({"SS", "SO", "OS", "OO", "+O", "-O", "O+", "O-", "++", "--"},
+                  [&](const std::vector<std::string>& modes) {
+                    Indices indices;
+                    if (!is_left(modes, rules, 0, indices)) return;
+                    const Modes set(modes.begin(), modes.end());
+                    left.insert(set);
+                    all.insert(set);
+                    all.insert(flipped(set, 1));
+                  });
+  CHECK(left.size() == 204);
+  CHECK(all == occur);
+}
+
+TEST_CASE("one contact on a belt: what a rule forbids does not occur, what none forbids does, or its mirror image") {
+  const std::vector<Rule> rules = shipped_rules().belt;
+  const auto forbidden = [&](const Modes& set) {
+    return std::ranges::any_of(rules, [&](const Rule& rule) {
+      return std::ranges::all_of(rule, [&](const Item& i) { return set.contains(i.mode); });
+    });
+  };
+  std::vector<Modes> occur;
+  for (const Example& example : shipped_sets()) {
+    if (example.body.below != Below::belt) continue;
+    occur.push_back(slip_alike(example.body) ? example.modes : flipped(example.modes, 1));
+    CHECK_FALSE(forbidden(occur.back()));
+  }
+  const auto together = [&](const Modes& set) {
+    return std::ranges::any_of(occur, [&](const Modes& one) { return std::ranges::includes(one, set); });
+  };
+  for_each_subset({"OO", "+O", "++", "+-", "+S", "O+", "O-", "OS"}, [&](const std::vector<std::string>& subset) {
+    const Modes set(subset.begin(), subset.end());
+    CAPTURE(text(set));
+    if (!forbidden(set)) CHECK((together(set) || together(flipped(set, 1))));
+  });
+}
+
+TEST_CASE("the rules name all statements, and each has a certificate that is accepted") {
+  std::set<std::string> found;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "theorems")) {
+    if (entry.path().extension() != ".cert") continue;
+    found.insert(entry.path().stem().string());
+    CHECK(check::check_file(entry.path()).verdict == check::Verdict::accepted);
+  }
+  CHECK(found == shipped_rules().statements);
+}
+
+}  // namespace slipproof::test::two_contacts
