@@ -190,7 +190,7 @@ class ShapeContacts {
     if (cross(axes[2], face.normal) != Vector{}) return {};  // on its rim, at a point that need not be rational
     std::vector<Vector> rim;
     for (const Vector& end : ends) {
-      for (const std::size_t axis : {0, 1}) {
+      for (const std::size_t axis : {0U, 1U}) {
         for (const int side : {1, -1}) rim.push_back(end + Rational(side) * shape.radius * axes[axis]);
       }
     }

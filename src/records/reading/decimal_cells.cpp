@@ -205,7 +205,7 @@ struct DigitBlock {
 
 }  // namespace
 
-bool find_cell_ends(std::string_view line, std::string_view around, std::span<std::uint32_t> ends) {
+bool find_cell_ends(std::string_view line, [[maybe_unused]] std::string_view around, std::span<std::uint32_t> ends) {
   if (line.size() > std::numeric_limits<std::uint32_t>::max()) return false;
 #if defined(SLIPPROOF_READS_DECIMALS_IN_VECTORS)
   const auto behind = static_cast<std::size_t>(around.data() + around.size() - (line.data() + line.size()));
@@ -214,8 +214,9 @@ bool find_cell_ends(std::string_view line, std::string_view around, std::span<st
   return find_ends_one_by_one(line, ends);
 }
 
-std::uint32_t read_decimals(std::string_view line, std::string_view around, std::size_t begin,
-                            std::span<const std::uint32_t> ends, Decimals& values) {
+std::uint32_t read_decimals([[maybe_unused]] std::string_view line, [[maybe_unused]] std::string_view around,
+                            [[maybe_unused]] std::size_t begin, std::span<const std::uint32_t> ends,
+                            [[maybe_unused]] Decimals& values) {
   const auto cells = static_cast<std::uint32_t>((std::uint64_t(1) << ends.size()) - 1);
 #if defined(SLIPPROOF_READS_DECIMALS_IN_VECTORS)
   // The first cell may be empty and reaches back furthest; the last cell may be empty, too, and its first byte is also
