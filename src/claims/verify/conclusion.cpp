@@ -43,7 +43,7 @@ Conclusion read_conclusion(std::string_view text) {
   ByteReader bytes(text);
   Conclusion conclusion{.vacuous = bytes.number() != 0, .failures = {}, .failure = {}};
   std::optional<Simplified> shown = read_simplified(bytes), simpler = read_simplified(bytes);
-  if (shown) conclusion.failures.emplace(*std::move(shown), std::move(simpler));
+  if (shown) conclusion.failures = SimplestFailures{*std::move(shown), std::move(simpler)};
   conclusion.failure = bytes.text();
   bytes.end();
   return conclusion;
