@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -57,9 +58,14 @@ class Library {
 };
 
 /// By Cramer's rule from the laws of a rigid body and of friction, which this writes down a second time. Continua and
-/// boundaries are not looked for. Nothing where the body is not generic: the determinant of a mode is 0, both normals
-/// and the tangent of a contact are dependent, or both edges of the first cone and the first one of the second.
+/// boundaries are not looked for. Nothing where a body or its load is special: both normals and the tangent of a
+/// contact depend on each other, or both edges of the first cone and the first one of the second, or the determinant of
+/// a mode is 0, or the forces of two contacts that stick end at an edge of each.
 std::optional<Modes> by_cramers_rule(const Body& body);
+/// The same, each with its index (proofs/two-contacts/MATHEMATICS.md).
+std::optional<std::map<std::string, int>> indices(const Body& body);
+/// Whether the indices add up to 1, as they do where nothing moves below the contacts.
+bool add_up(const std::map<std::string, int>& indices);
 
 /// Coefficients of friction of contact one at which a mode's determinant is 0, those that are positive.
 std::vector<Rational> thresholds(const Body& body);

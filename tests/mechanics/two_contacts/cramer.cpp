@@ -46,9 +46,13 @@ int side_of(char state) {
   return state == '+' ? 1 : -1;
 }
 
+struct Solution {
+  std::vector<Rational> x;
+  int sign;  ///< of the determinant
+};
+
 /// The x with a x = b, of up to three unknowns; nothing where the determinant is 0.
-std::optional<std::vector<Rational>> cramer(const std::vector<std::vector<Rational>>& a,
-                                            const std::vector<Rational>& b) {
+std::optional<Solution> cramer(const std::vector<std::vector<Rational>>& a, const std::vector<Rational>& b) {
   const std::size_t size = b.size();
   const auto value = [&](std::size_t replaced) {
     std::array<Row, 3> m{Row{1, 0, 0}, Row{0, 1, 0}, Row{0, 0, 1}};
@@ -59,14 +63,21 @@ std::optional<std::vector<Rational>> cramer(const std::vector<std::vector<Ration
   };
   const Rational all = value(3);
   if (all.is_zero()) return std::nullopt;
-  std::vector<Rational> result;
-  for (std::size_t k = 0; k < size; ++k) result.push_back(value(k) / all);
+  Solution result{{}, all.sign()};
+  for (std::size_t k = 0; k < size; ++k) result.x.push_back(value(k) / all);
   return result;
 }
 
+/// What a mode is found to be.
+struct Tried {
+  bool special = false;      ///< its determinant is 0, or the forces of two that stick end at the edges of both cones
+  std::optional<int> index;  ///< of its motion, if there is one
+};
+
 /// Both contacts stick: the load is balanced by positive parts along the four edges of the cones. Three of them have
-/// one solution, and the fourth edge adds a multiple of what balances itself.
-bool both_stick(const Rows& rows) {
+/// one solution, and the fourth edge adds a multiple of what balances itself. The index is 1 less the ends at which a
+/// contact leaves its cone while its tangential force falls.
+Tried both_stick(const Rows& rows) {
   const std::array<Row, 4> edges{rows.edge(0, 1), rows.edge(0, -1), rows.edge(1, 1), rows.edge(1, -1)};
   const Rational all = determinant(edges[0], edges[1], edges[2]);
   const auto parts = [&](const Row& of) {
@@ -74,24 +85,42 @@ bool both_stick(const Rows& rows) {
                determinant(edges[0], edges[1], of) / all};
   };
   const Row fixed = parts(plus({}, -1, rows.load)), fourth = parts(edges[3]);
-  std::optional<Rational> low = Rational(0), high;  // of the part along the fourth edge
+  struct End {
+    std::optional<Rational> at;      // of the part along the fourth edge
+    std::vector<std::size_t> edges;  // along which there is nothing there
+    void meet(const Rational& value, std::size_t edge, int outwards) {
+      const int beyond = at ? outwards * Rational(value - *at).sign() : -1;
+      if (beyond > 0) return;
+      if (beyond < 0) edges.clear();
+      at = value;
+      edges.push_back(edge);
+    }
+  };
+  End low{Rational(0), {3}}, high;
   for (std::size_t i = 0; i < 3; ++i) {
     if (fourth[i].is_zero()) {
-      if (fixed[i].sign() <= 0) return false;
+      if (fixed[i].sign() <= 0) return {};
       continue;
     }
-    const Rational end = fixed[i] / fourth[i];
     if (fourth[i].sign() < 0) {
-      if (end > *low) low = end;
-    } else if (!high || end < *high) {
-      high = end;
+      low.meet(fixed[i] / fourth[i], i, -1);
+    } else {
+      high.meet(fixed[i] / fourth[i], i, 1);
     }
   }
-  return !high || *low < *high;
+  if (high.at && *low.at >= *high.at) return {};
+  const std::array<Rational, 4> gained{-fourth[0], -fourth[1], -fourth[2], Rational(1)};
+  const auto unloads = [&](const End& end, int outwards) {
+    if (end.edges.empty()) return false;
+    const std::size_t edge = end.edges.front(), contact = edge / 2;
+    const Rational tangential = rows.mu[contact] * (gained[2 * contact + 1] - gained[2 * contact]);
+    return (edge % 2 == 0 ? 1 : -1) * outwards * tangential.sign() < 0;
+  };
+  const bool special = low.edges.size() > 1 || high.edges.size() > 1;
+  return {special, 1 - int{unloads(low, -1)} - int{unloads(high, 1)}};
 }
 
-/// Nothing where the determinant of the mode is 0.
-std::optional<bool> has_motion(const Rows& rows, const std::string& mode) {
+Tried motion_of(const Rows& rows, const std::string& mode) {
   std::vector<Row> asked, forces;  // accelerations that are 0, and forces
   for (std::size_t i = 0; i < 2; ++i) {
     if (mode[i] == 'O') continue;
@@ -110,45 +139,59 @@ std::optional<bool> has_motion(const Rows& rows, const std::string& mode) {
     b.push_back(-rows.product(row, rows.load));
   }
   const auto solution = cramer(a, b);
-  if (!solution) return std::nullopt;
+  if (!solution) return {true, {}};
   Row total = rows.load;
-  for (std::size_t k = 0; k < forces.size(); ++k) total = plus(total, (*solution)[k], forces[k]);
+  for (std::size_t k = 0; k < forces.size(); ++k) total = plus(total, solution->x[k], forces[k]);
   std::size_t next = 0;
   for (std::size_t i = 0; i < 2; ++i) {
     if (mode[i] == 'O') {
-      if (rows.product(rows.normal[i], total).sign() <= 0) return false;
+      if (rows.product(rows.normal[i], total).sign() <= 0) return {};
       continue;
     }
-    const Rational& pressed = (*solution)[next++];
-    if (pressed.sign() <= 0) return false;
+    const Rational& pressed = solution->x[next++];
+    if (pressed.sign() <= 0) return {};
     if (mode[i] == 'S') {
-      const Rational &held = (*solution)[next++], limit = rows.mu[i] * pressed;
-      if (held >= limit || -held >= limit) return false;
+      const Rational &held = solution->x[next++], limit = rows.mu[i] * pressed;
+      if (held >= limit || -held >= limit) return {};
     } else if (!rows.slides[i] && side_of(mode[i]) * rows.product(rows.tangent[i], total).sign() <= 0) {
-      return false;
+      return {};
     }
   }
-  return true;
+  return {false, solution->sign};
 }
 
 }  // namespace
 
-std::optional<Modes> by_cramers_rule(const Body& body) {
+std::optional<std::map<std::string, int>> indices(const Body& body) {
   const Rows rows(body);
   for (const Row& tangent : rows.tangent) {
     if (determinant(rows.normal[0], rows.normal[1], tangent).is_zero()) return std::nullopt;
   }
   const bool has_three = !determinant(rows.edge(0, 1), rows.edge(0, -1), rows.edge(1, 1)).is_zero();
   if (body.below == Below::rest && !has_three) return std::nullopt;  // for both_stick()
-  Modes result;
+  std::map<std::string, int> result;
   for (const char one : std::string(rows.slides[0] ? "+O" : "S+-O")) {
     for (const char two : std::string(rows.slides[1] ? "+O" : "S+-O")) {
       const std::string mode{one, two};
-      const auto has = has_motion(rows, mode);
-      if (!has) return std::nullopt;
-      if (*has) result.insert(mode);
+      const Tried tried = motion_of(rows, mode);
+      if (tried.special) return std::nullopt;
+      if (tried.index) result.emplace(mode, *tried.index);
     }
   }
+  return result;
+}
+
+bool add_up(const std::map<std::string, int>& indices) {
+  int sum = 0;
+  for (const auto& [mode, index] : indices) sum += index;
+  return sum == 1;
+}
+
+std::optional<Modes> by_cramers_rule(const Body& body) {
+  const auto found = indices(body);
+  if (!found) return std::nullopt;
+  Modes result;
+  for (const auto& [mode, index] : *found) result.insert(mode);
   return result;
 }
 

@@ -32,6 +32,7 @@ TEST_CASE("random bodies on two contacts have motions that the list has") {
     ++generic;
     const auto below = static_cast<std::size_t>(body.below);
     CHECK(text(found.modes) == text(*modes));
+    if (body.below == Below::rest) CHECK(add_up(*indices(body)));
     CHECK_MESSAGE(listed[below].contains(found.modes), text(found.modes));
     met[below].insert(found.modes);
   }

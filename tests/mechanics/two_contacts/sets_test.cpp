@@ -18,6 +18,7 @@ TEST_CASE("each set of motions of a body on two contacts is that of its body, an
     const auto again = by_cramers_rule(example.body);
     REQUIRE(again);
     CHECK(text(*again) == text(example.modes));
+    if (example.body.below == Below::rest) CHECK(add_up(*indices(example.body)));
   }
   CHECK(examples.size() == 310 + 128 + 16);
   struct Expected {
