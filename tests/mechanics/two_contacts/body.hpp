@@ -61,11 +61,14 @@ class Library {
 /// boundaries are not looked for. Nothing where a body or its load is special: both normals and the tangent of a
 /// contact depend on each other, or both edges of the first cone and the first one of the second, or the determinant of
 /// a mode is 0, or the forces of two contacts that stick end at an edge of each.
-std::optional<Modes> by_cramers_rule(const Body& body);
-/// The same, each with its index (proofs/two-contacts/MATHEMATICS.md).
-std::optional<std::map<std::string, int>> indices(const Body& body);
+/// Each mode has its index (proofs/two-contacts/MATHEMATICS.md).
+using Indices = std::map<std::string, int>;
+std::optional<Indices> by_cramers_rule(const Body& body);
+Modes modes_of(const Indices& indices);
 /// Whether the indices add up to 1, as they do where nothing moves below the contacts.
-bool add_up(const std::map<std::string, int>& indices);
+bool add_up(const Indices& indices);
+/// Whether both contacts slip to the same side in the motion that keeps them closed.
+bool slip_alike(const Body& body);
 
 /// Coefficients of friction of contact one at which a mode's determinant is 0, those that are positive.
 std::vector<Rational> thresholds(const Body& body);

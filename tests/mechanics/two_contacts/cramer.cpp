@@ -162,14 +162,14 @@ Tried motion_of(const Rows& rows, const std::string& mode) {
 
 }  // namespace
 
-std::optional<std::map<std::string, int>> indices(const Body& body) {
+std::optional<Indices> by_cramers_rule(const Body& body) {
   const Rows rows(body);
   for (const Row& tangent : rows.tangent) {
     if (determinant(rows.normal[0], rows.normal[1], tangent).is_zero()) return std::nullopt;
   }
   const bool has_three = !determinant(rows.edge(0, 1), rows.edge(0, -1), rows.edge(1, 1)).is_zero();
   if (body.below == Below::rest && !has_three) return std::nullopt;  // for both_stick()
-  std::map<std::string, int> result;
+  Indices result;
   for (const char one : std::string(rows.slides[0] ? "+O" : "S+-O")) {
     for (const char two : std::string(rows.slides[1] ? "+O" : "S+-O")) {
       const std::string mode{one, two};
@@ -181,18 +181,22 @@ std::optional<std::map<std::string, int>> indices(const Body& body) {
   return result;
 }
 
-bool add_up(const std::map<std::string, int>& indices) {
+bool add_up(const Indices& indices) {
   int sum = 0;
   for (const auto& [mode, index] : indices) sum += index;
   return sum == 1;
 }
 
-std::optional<Modes> by_cramers_rule(const Body& body) {
-  const auto found = indices(body);
-  if (!found) return std::nullopt;
+Modes modes_of(const Indices& indices) {
   Modes result;
-  for (const auto& [mode, index] : *found) result.insert(mode);
+  for (const auto& [mode, index] : indices) result.insert(mode);
   return result;
+}
+
+bool slip_alike(const Body& body) {
+  const Rows rows(body);
+  const auto slip = [&](const Row& tangent) { return determinant(rows.normal[0], rows.normal[1], tangent).sign(); };
+  return slip(rows.tangent[0]) * slip(rows.tangent[1]) > 0;
 }
 
 std::vector<Rational> thresholds(const Body& body) {

@@ -19,8 +19,8 @@ TEST_CASE("random bodies on two contacts have motions that the list has") {
   for (int i = 0; i < wanted; ++i) {
     const Body body = random.body(static_cast<std::uint64_t>(i));
     CAPTURE(i);
-    const auto modes = by_cramers_rule(body);
-    if (!modes) {
+    const auto indices = by_cramers_rule(body);
+    if (!indices) {
       ++special;
       continue;
     }
@@ -31,8 +31,8 @@ TEST_CASE("random bodies on two contacts have motions that the list has") {
     }
     ++generic;
     const auto below = static_cast<std::size_t>(body.below);
-    CHECK(text(found.modes) == text(*modes));
-    if (body.below == Below::rest) CHECK(add_up(*indices(body)));
+    CHECK(text(found.modes) == text(modes_of(*indices)));
+    if (body.below == Below::rest) CHECK(add_up(*indices));
     CHECK_MESSAGE(listed[below].contains(found.modes), text(found.modes));
     met[below].insert(found.modes);
   }
