@@ -1,7 +1,6 @@
 #include "mechanics/two_contacts/sets.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -41,15 +40,15 @@ Example example_of(const std::string& line) {
   return result;
 }
 
-/// The columns of the table.
-const std::vector<std::string> columns{"SS", "S+", "S-", "SO", "+S", "++", "+-", "+O",
-                                       "-S", "-+", "--", "-O", "OS", "O+", "O-", "OO"};
+/// All modes, in the order of the table.
+const std::vector<std::string> all_modes{"SS", "S+", "S-", "SO", "+S", "++", "+-", "+O",
+                                         "-S", "-+", "--", "-O", "OS", "O+", "O-", "OO"};
 
 /// For the order: fewer motions first, then those farther left in the table.
 std::pair<std::size_t, std::vector<std::size_t>> rank(const Modes& modes) {
   std::vector<std::size_t> places;
   for (const std::string& mode : modes) {
-    places.push_back(static_cast<std::size_t>(std::find(columns.begin(), columns.end(), mode) - columns.begin()));
+    places.push_back(static_cast<std::size_t>(std::find(all_modes.begin(), all_modes.end(), mode) - all_modes.begin()));
   }
   std::sort(places.begin(), places.end());
   return {places.size(), places};
@@ -100,25 +99,6 @@ std::vector<std::pair<Modes, std::size_t>> up_to_names(const std::vector<Example
     counts[*std::min_element(names.begin(), names.end(), before)] = names.size();
   }
   return {counts.begin(), counts.end()};
-}
-
-std::string table(const std::vector<Example>& examples) {
-  std::ostringstream text;
-  text << "motions ";
-  std::vector<std::string> shown = columns;
-  std::erase_if(shown,
-                [](const std::string& m) { return m != "SS" && m.find('S') != m.npos && m.find('O') == m.npos; });
-  for (const std::string& mode : shown) text << ' ' << mode;
-  text << "  sets\n";
-  char number[16];
-  for (const auto& [modes, count] : up_to_names(examples, Below::rest)) {
-    std::snprintf(number, sizeof number, "%5zu   ", modes.size());
-    text << number;
-    for (const std::string& mode : shown) text << (modes.contains(mode) ? "  x" : "  .");
-    std::snprintf(number, sizeof number, "%6zu", count);
-    text << number << '\n';
-  }
-  return text.str();
 }
 
 }  // namespace slipproof::test::two_contacts

@@ -29,7 +29,4 @@ std::set<Modes> names_of(const Modes& modes, Below below);
 /// The listed sets that differ in more than names, each by its first name, with the number of its names.
 std::vector<std::pair<Modes, std::size_t>> up_to_names(const std::vector<Example>& examples, Below below);
 
-/// What table.txt beside sets.csv should contain: a line for each of up_to_names() at rest, a column for each mode.
-std::string table(const std::vector<Example>& examples);
-
 }  // namespace slipproof::test::two_contacts
