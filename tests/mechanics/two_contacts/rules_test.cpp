@@ -1,16 +1,14 @@
 // proofs/two-contacts/rules.csv: what the statements exclude, and that nothing else is missing from sets.csv.
+#include "mechanics/two_contacts/rules.hpp"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
-#include <optional>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
-#include "base/input/text_file.hpp"
 #include "mechanics/two_contacts/sets.hpp"
 #include "proofs/check/files.hpp"
 
@@ -19,45 +17,6 @@ namespace slipproof::test::two_contacts {
 namespace {
 
 const std::filesystem::path folder = SLIPPROOF_SOURCE_DIR "/proofs/two-contacts";
-
-/// A mode that a rule names: with any index, with this one, or not there.
-struct Item {
-  std::string mode;
-  std::optional<int> index;
-  bool absent = false;
-};
-using Rule = std::vector<Item>;
-
-Item item(std::string text) {
-  Item result;
-  if (text.front() == '!') {
-    result.absent = true;
-    text.erase(0, 1);
-  }
-  result.mode = text.substr(0, 2);
-  if (text.size() > 2) result.index = std::stoi(text.substr(3));
-  return result;
-}
-
-struct Rules {
-  std::vector<Rule> rest, belt;
-  std::set<std::string> statements;
-};
-
-Rules shipped_rules() {
-  Rules rules;
-  const std::vector<std::string> lines = split(read_text_file(folder / "rules.csv"), '\n');
-  REQUIRE(lines.at(0) == "state.one,state.two,excluded,statements");
-  for (std::size_t i = 1; i < lines.size(); ++i) {
-    const std::vector<std::string> cells = split(lines[i], ',');
-    REQUIRE(cells.size() == 4);
-    Rule rule;
-    for (const std::string& text : split(cells[2], ' ')) rule.push_back(item(text));
-    (cells[0] == "rest" ? rules.rest : rules.belt).push_back(rule);
-    for (const std::string& name : split(cells[3], ' ')) rules.statements.insert(name);
-  }
-  return rules;
-}
 
 std::string turned(std::string mode) {
   for (char& c : mode) c = c == '+' ? '-' : c == '-' ? '+' : c;
@@ -71,7 +30,7 @@ std::vector<Rule> with_images(const std::vector<Rule>& rules) {
     for (const bool exchange : {false, true}) {
       for (const bool turn : {false, true}) {
         Rule image = rule;
-        for (Item& i : image) {
+        for (Item& i : image.items) {
           if (exchange) std::swap(i.mode[0], i.mode[1]);
           if (turn) i.mode = turned(i.mode);
         }
@@ -80,14 +39,6 @@ std::vector<Rule> with_images(const std::vector<Rule>& rules) {
     }
   }
   return all;
-}
-
-bool meets(const Indices& indices, const Rule& rule) {
-  return std::ranges::all_of(rule, [&](const Item& i) {
-    const auto found = indices.find(i.mode);
-    if (i.absent || found == indices.end()) return i.absent == (found == indices.end());
-    return !i.index || *i.index == found->second;
-  });
 }
 
 /// Whether its modes have indices that add up to 1 and meet no rule.
@@ -119,30 +70,47 @@ void for_each_subset(const std::vector<std::string>& modes, Use use) {
   }
 }
 
-}  // namespace
-
-TEST_CASE("two contacts at rest: the indices and the rules leave the sets that occur, and no others") {
-  const std::vector<Rule> rules = with_images(shipped_rules().rest);
-  std::set<Modes> occur, left, all;
-  for (const Modes& modes : sets_of(shipped_sets(), Below::rest)) occur.merge(names_of(modes, Below::rest));
+/// The sets of the ten modes that the rules leave. Both closed, both contacts slip forwards or both backwards.
+std::set<Modes> left_at_rest(const std::vector<Rule>& rules) {
+  const std::vector<Rule> all = with_images(rules);
+  std::set<Modes> left;
   for_each_subset({"SS", "SO", "OS", "OO", "+O", "-O", "O+", "O-", "++", "--"},
                   [&](const std::vector<std::string>& modes) {
                     Indices indices;
-                    if (!is_left(modes, rules, 0, indices)) return;
-                    const Modes set(modes.begin(), modes.end());
-                    left.insert(set);
-                    all.insert(set);
-                    all.insert(flipped(set, 1));
+                    if (is_left(modes, all, 0, indices)) left.emplace(modes.begin(), modes.end());
                   });
+  return left;
+}
+
+}  // namespace
+
+TEST_CASE("two contacts at rest: the indices and the rules leave the sets that occur, and no others") {
+  std::set<Modes> occur, all;
+  for (const Modes& modes : sets_of(shipped_sets(), Below::rest)) occur.merge(names_of(modes, Below::rest));
+  const std::set<Modes> left = left_at_rest(shipped_rules().rest);
+  for (const Modes& modes : left) {
+    all.insert(modes);
+    all.insert(flipped(modes, 1));
+  }
   CHECK(left.size() == 204);
   CHECK(all == occur);
+}
+
+TEST_CASE("two contacts at rest: each rule is needed") {
+  const std::vector<Rule> rules = shipped_rules().rest;
+  for (std::size_t i = 0; i < rules.size(); ++i) {
+    std::vector<Rule> others = rules;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+    CAPTURE(text(rules[i]));
+    CHECK(left_at_rest(others).size() > 204);
+  }
 }
 
 TEST_CASE("one contact on a belt: what a rule forbids does not occur, what none forbids does, or its mirror image") {
   const std::vector<Rule> rules = shipped_rules().belt;
   const auto forbidden = [&](const Modes& set) {
     return std::ranges::any_of(rules, [&](const Rule& rule) {
-      return std::ranges::all_of(rule, [&](const Item& i) { return set.contains(i.mode); });
+      return std::ranges::all_of(rule.items, [&](const Item& i) { return set.contains(i.mode); });
     });
   };
   std::vector<Modes> occur;
@@ -163,13 +131,17 @@ TEST_CASE("one contact on a belt: what a rule forbids does not occur, what none 
 }
 
 TEST_CASE("the rules name all statements, and each has a certificate that is accepted") {
-  std::set<std::string> found;
+  const Rules rules = shipped_rules();
+  std::set<std::string> found, named;
+  for (const std::vector<Rule>& of : {rules.rest, rules.belt}) {
+    for (const Rule& rule : of) named.insert(rule.statements.begin(), rule.statements.end());
+  }
   for (const auto& entry : std::filesystem::directory_iterator(folder / "theorems")) {
     if (entry.path().extension() != ".cert") continue;
     found.insert(entry.path().stem().string());
     CHECK(check::check_file(entry.path()).verdict == check::Verdict::accepted);
   }
-  CHECK(found == shipped_rules().statements);
+  CHECK(found == named);
 }
 
 }  // namespace slipproof::test::two_contacts
