@@ -65,8 +65,8 @@ class Library {
 using Indices = std::map<std::string, int>;
 std::optional<Indices> by_cramers_rule(const Body& body);
 Modes modes_of(const Indices& indices);
-/// Whether the indices add up to 1, as they do where nothing moves below the contacts.
-bool add_up(const Indices& indices);
+/// What the indices add up to: 1 where nothing moves below the contacts.
+int sum(const Indices& indices);
 /// Whether both contacts slip to the same side in the motion that keeps them closed.
 bool slip_alike(const Body& body);
 

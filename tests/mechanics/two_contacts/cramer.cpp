@@ -181,10 +181,10 @@ std::optional<Indices> by_cramers_rule(const Body& body) {
   return result;
 }
 
-bool add_up(const Indices& indices) {
-  int sum = 0;
-  for (const auto& [mode, index] : indices) sum += index;
-  return sum == 1;
+int sum(const Indices& indices) {
+  int result = 0;
+  for (const auto& [mode, index] : indices) result += index;
+  return result;
 }
 
 Modes modes_of(const Indices& indices) {

@@ -106,30 +106,6 @@ TEST_CASE("two contacts at rest: each rule is needed") {
   }
 }
 
-TEST_CASE("one contact on a belt: what a rule forbids does not occur, what none forbids does, or its mirror image") {
-  const std::vector<Rule> rules = shipped_rules().belt;
-  const auto forbidden = [&](const Modes& set) {
-    return std::ranges::any_of(rules, [&](const Rule& rule) {
-      return std::ranges::all_of(rule.items, [&](const Item& i) { return set.contains(i.mode); });
-    });
-  };
-  std::vector<Modes> occur;
-  for (const Example& example : shipped_sets()) {
-    if (example.body.below != Below::belt) continue;
-    REQUIRE(by_cramers_rule(example.body));  // so neither slip is 0 in that motion
-    occur.push_back(slip_alike(example.body) ? example.modes : flipped(example.modes, 1));
-    CHECK_FALSE(forbidden(occur.back()));
-  }
-  const auto together = [&](const Modes& set) {
-    return std::ranges::any_of(occur, [&](const Modes& one) { return std::ranges::includes(one, set); });
-  };
-  for_each_subset({"OO", "+O", "++", "+-", "+S", "O+", "O-", "OS"}, [&](const std::vector<std::string>& subset) {
-    const Modes set(subset.begin(), subset.end());
-    CAPTURE(text(set));
-    if (!forbidden(set)) CHECK((together(set) || together(flipped(set, 1))));
-  });
-}
-
 TEST_CASE("the rules name all statements, and each has a certificate that is accepted") {
   const Rules rules = shipped_rules();
   std::set<std::string> found, named;
