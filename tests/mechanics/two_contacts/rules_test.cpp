@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "base/input/text_file.hpp"
 #include "mechanics/two_contacts/sets.hpp"
 #include "proofs/check/files.hpp"
 
@@ -82,6 +85,23 @@ std::set<Modes> left_at_rest(const std::vector<Rule>& rules) {
   return left;
 }
 
+/// The modes in a statement's line "# A: slip+/lift, B: lift/lift"; nothing if it does not name modes only.
+std::optional<Modes> modes_of_statement(const std::string& name) {
+  static const std::map<std::string, char> letters{{"stick", 'S'}, {"slip+", '+'},   {"slip-", '-'},
+                                                   {"lift", 'O'},  {"slides+", '+'}, {"slides-", '-'}};
+  for (const std::string& line : split(read_text_file(folder / "theorems" / (name + ".statement")), '\n')) {
+    if (!line.starts_with("# A: ")) continue;
+    Modes modes;
+    for (const std::string& part : split(line.substr(2), ',')) {
+      const std::vector<std::string> states = split(part.substr(part.find(':') + 2), '/');
+      if (states.size() != 2 || !letters.contains(states[0]) || !letters.contains(states[1])) return std::nullopt;
+      modes.insert({letters.at(states[0]), letters.at(states[1])});
+    }
+    return modes;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 TEST_CASE("two contacts at rest: the indices and the rules leave the sets that occur, and no others") {
@@ -118,6 +138,28 @@ TEST_CASE("the rules name all statements, and each has a certificate that is acc
     CHECK(check::check_file(entry.path()).verdict == check::Verdict::accepted);
   }
   CHECK(found == named);
+}
+
+TEST_CASE("a rule with one statement names the modes of the statement, or of an image") {
+  const Rules rules = shipped_rules();
+  int compared = 0;
+  for (const std::vector<Rule>& of : {rules.rest, rules.belt}) {
+    for (const Rule& rule : of) {
+      if (rule.statements.size() != 1) continue;
+      const auto modes = modes_of_statement(rule.statements.front());
+      if (!modes) continue;
+      ++compared;
+      CAPTURE(text(rule));
+      CHECK(std::ranges::any_of(with_images({rule}), [&](const Rule& image) {
+        Modes named;
+        for (const Item& i : image.items) {
+          if (i.motion != Item::Motion::either) named.insert(i.mode);
+        }
+        return named == *modes;
+      }));
+    }
+  }
+  CHECK(compared == 40);
 }
 
 }  // namespace slipproof::test::two_contacts
