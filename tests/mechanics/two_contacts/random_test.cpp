@@ -30,6 +30,12 @@ class OnABelt {
   }
   std::size_t left() const { return left_.size(); }
   std::size_t met() const { return met_.size(); }
+  /// Whether all that are left were met, or are those of mirrored_on_a_belt().
+  bool all_occur() const {
+    std::set<Modes> occur = met_;
+    for (const Example& example : mirrored_on_a_belt()) occur.insert(named_along(example.body, example.modes));
+    return occur.size() == left_.size();
+  }
 
  private:
   std::vector<Rule> rules_ = shipped_rules().belt;
@@ -74,6 +80,7 @@ TEST_CASE("random bodies on two contacts have motions that the list has") {
   CHECK(met[0].size() > 200);
   CHECK(met[1].size() > 100);
   CHECK(met[2].size() > 10);
+  if (wanted >= 1'000'000) CHECK(on_a_belt.all_occur());
   MESSAGE(wanted << " bodies: " << generic << " generic, " << boundary << " with a motion on a boundary, " << special
                  << " not generic; of " << listed[0].size() << ", " << listed[1].size() << ", " << listed[2].size()
                  << " sets they have " << met[0].size() << ", " << met[1].size() << ", " << met[2].size()

@@ -71,6 +71,17 @@ std::vector<Example> shipped_sets() {
   return result;
 }
 
+std::vector<Example> mirrored_on_a_belt() {
+  std::vector<Example> result;
+  for (const char* line : {"slides+,rest,++ O- OS OO,1,-5,0,84,-4,-33/2,9,-1/2,244,-57,-14",
+                           "slides+,rest,+O ++ +S O-,3,-5,1,41,-4,-9,6,0,7,-1/2,-11/2",
+                           "slides+,rest,+O ++ O- OS,1,-5,0,190,-4,-4,5/2,-3/4,27,-3,0",
+                           "slides+,rest,+- +S O+,1,7,0,23,4,9,8,2,123,-53,13"}) {
+    result.push_back(example_of(line));
+  }
+  return result;
+}
+
 std::set<Modes> sets_of(const std::vector<Example>& examples, Below below) {
   std::set<Modes> result;
   for (const Example& example : examples) {

@@ -20,6 +20,8 @@ std::vector<std::string> split(const std::string& text, char at);
 /// The lines of the file. Throws std::runtime_error for another header, a line that has more or fewer entries, or an
 /// entry that cannot be read.
 std::vector<Example> shipped_sets();
+/// Four bodies on a belt whose sets the file has in a mirror image only: forwards at contact two is the other way.
+std::vector<Example> mirrored_on_a_belt();
 /// Their sets, without the bodies.
 std::set<Modes> sets_of(const std::vector<Example>& examples, Below below);
 

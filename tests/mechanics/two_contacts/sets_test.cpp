@@ -15,8 +15,10 @@ namespace slipproof::test::two_contacts {
 
 TEST_CASE("each set of motions of a body on two contacts is that of its body, and none is there twice") {
   const std::vector<Example> examples = shipped_sets();
+  std::vector<Example> all = mirrored_on_a_belt();
+  all.insert(all.end(), examples.begin(), examples.end());
   Library library;
-  for (const Example& example : examples) {
+  for (const Example& example : all) {
     CAPTURE(text(example.modes));
     const Found found = library.solve(example.body);
     CHECK(text(found.modes) == text(example.modes));
