@@ -33,7 +33,7 @@ Rules shipped_rules() {
     Rule rule;
     for (const std::string& text : split(cells[2], ' ')) rule.items.push_back(item(text));
     rule.statements = split(cells[3], ' ');
-    (cells[0] == "rest" ? rules.rest : rules.belt).push_back(rule);
+    (cells[0] != "rest" ? rules.belt : cells[1] == "rest" ? rules.rest : rules.alike).push_back(rule);
   }
   return rules;
 }

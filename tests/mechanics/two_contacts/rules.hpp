@@ -24,6 +24,7 @@ struct Rule {
 
 struct Rules {
   std::vector<Rule> rest, belt;
+  std::vector<Rule> alike;  ///< from rest, where both contacts press from the same side of the line through them
 };
 /// Reads the file. Throws std::runtime_error for another header or a line that has more or fewer entries.
 Rules shipped_rules();

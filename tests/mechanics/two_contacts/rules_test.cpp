@@ -116,6 +116,15 @@ TEST_CASE("two contacts at rest: the indices and the rules leave the sets that o
   CHECK(all == occur);
 }
 
+TEST_CASE("two contacts at rest: with slips counted alike, what the rules leave is what the list has") {
+  const Rules rules = shipped_rules();
+  std::vector<Rule> same_side = rules.rest;
+  same_side.insert(same_side.end(), rules.alike.begin(), rules.alike.end());
+  std::set<Modes> left = left_at_rest(same_side);
+  for (const Modes& modes : left_at_rest(rules.rest)) left.insert(flipped(modes, 1));  // pressed from both sides
+  CHECK(left == sets_of(shipped_sets(), Below::rest));
+}
+
 TEST_CASE("two contacts at rest: each rule is needed") {
   const std::vector<Rule> rules = shipped_rules().rest;
   for (std::size_t i = 0; i < rules.size(); ++i) {
@@ -129,7 +138,7 @@ TEST_CASE("two contacts at rest: each rule is needed") {
 TEST_CASE("the rules name all statements, and each has a certificate that is accepted") {
   const Rules rules = shipped_rules();
   std::set<std::string> found, named;
-  for (const std::vector<Rule>& of : {rules.rest, rules.belt}) {
+  for (const std::vector<Rule>& of : {rules.rest, rules.alike, rules.belt}) {
     for (const Rule& rule : of) named.insert(rule.statements.begin(), rule.statements.end());
   }
   for (const auto& entry : std::filesystem::directory_iterator(folder / "theorems")) {
@@ -143,7 +152,7 @@ TEST_CASE("the rules name all statements, and each has a certificate that is acc
 TEST_CASE("a rule with one statement names the modes of the statement, or of an image") {
   const Rules rules = shipped_rules();
   int compared = 0;
-  for (const std::vector<Rule>& of : {rules.rest, rules.belt}) {
+  for (const std::vector<Rule>& of : {rules.rest, rules.alike, rules.belt}) {
     for (const Rule& rule : of) {
       if (rule.statements.size() != 1) continue;
       const auto modes = modes_of_statement(rule.statements.front());
