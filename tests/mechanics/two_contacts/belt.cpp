@@ -40,7 +40,7 @@ std::vector<Set> choices() {
   return result;
 }
 
-int sum(Set set, Set negative) {
+int sum_of_set(Set set, Set negative) {
   return std::popcount(set & ~negative) - std::popcount(set & negative);
 }
 
@@ -91,7 +91,7 @@ std::map<Modes, std::set<int>> left_on_a_belt(const std::vector<Rule>& rules) {
     std::map<int, std::set<Set>> by_sum;
     for (Set set = 0; set < all_sets; ++set) {
       const auto excludes = [&](const Masks& rule) { return rule.excludes(set, negative); };
-      if (std::ranges::none_of(masks, excludes)) by_sum[sum(set, negative)].insert(set);
+      if (std::ranges::none_of(masks, excludes)) by_sum[sum_of_set(set, negative)].insert(set);
     }
     for (const auto& [total, sets] : by_sum) {
       const auto met = [&, &sets = sets](const auto& border) { return is_met(sets, border, negative); };
