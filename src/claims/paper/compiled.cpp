@@ -27,6 +27,14 @@ Expression point_condition(const Setting& setting, const Setting::PointCondition
   return both(all, make_comparison({conditions.slope, make_number(0)}, {Relation::not_equal}));
 }
 
+/// What the parameter must be equal to; null if its domain allows more than one constant.
+Expression only_value(const Parameter& parameter) {
+  const Node& domain = *parameter.domain;
+  const bool equation = domain.operation == Operation::compare && domain.relations == std::vector{Relation::equal};
+  if (!equation || !is_symbol(domain.operands[0], parameter.symbol) || !symbols(domain.operands[1]).empty()) return {};
+  return domain.operands[1];
+}
+
 }  // namespace
 
 std::vector<const Program*> CompiledScene::programs() const {
@@ -87,7 +95,11 @@ CompiledSetting::CompiledSetting(const Setting& setting) {
   }
   find_varying();
 
-  for (const Parameter& parameter : setting.parameters) domains_.push_back(compile(parameter.domain, Reading::printed));
+  for (const Parameter& parameter : setting.parameters) {
+    domains_.push_back(compile(parameter.domain, Reading::printed));
+    const Expression value = only_value(parameter);
+    only_values_.push_back(value ? std::optional(compile(value, Reading::printed)) : std::nullopt);
+  }
   for (const Realisable& one : setting.realisable) realisable_.push_back(compile(one.condition, Reading::repaired));
   force_domain_ = compile(setting.force.domain, Reading::printed);
   const Setting::PointConditions conditions = setting.point_conditions();

@@ -67,6 +67,8 @@ class CompiledSetting {
   const std::vector<Program>& realisable() const { return realisable_; }
   /// By parameter.
   const std::vector<Program>& domains() const { return domains_; }
+  /// By parameter: its value, if its domain is `NAME = CONSTANT`.
+  const std::vector<std::optional<Program>>& only_values() const { return only_values_; }
   const Program& force_domain() const { return *force_domain_; }
   /// One condition: whether the values of the parameters are a point of the mechanism, by domains and scene.
   const Program& is_point() const { return *is_point_; }
@@ -105,6 +107,7 @@ class CompiledSetting {
   std::vector<Boundary> boundaries_;
   std::vector<Program> realisable_;
   std::vector<Program> domains_;
+  std::vector<std::optional<Program>> only_values_;
   std::optional<Program> force_domain_, is_point_, is_scene_;
   std::shared_ptr<const Mechanism> mechanism_;
   std::shared_ptr<const ProblemMaker> maker_;

@@ -155,10 +155,14 @@ void draw_again(SamplePoint& point, std::size_t parameter, int times, Dice& dice
   }
 }
 
-std::vector<Rational> draw_all(SamplePoint& point, std::size_t parameters, Dice& dice, Kind kind) {
-  std::vector<Rational> values(parameters);
+std::vector<Rational> draw_all(SamplePoint& point, const std::vector<std::optional<Rational>>& only_values, Dice& dice,
+                               Kind kind) {
+  std::vector<Rational> values(only_values.size());
   for (int attempt = 0; attempt < 200; ++attempt) {
-    for (Rational& value : values) value = draw(dice, kind).value();
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      values[k] = draw(dice, kind).value();
+      if (only_values[k]) values[k] = *only_values[k];
+    }
     if (point.at(values).in_domain()) return values;
     // Domains of a single parameter are met soonest by drawing that parameter again.
     for (std::size_t k = 0; k < values.size(); ++k) draw_again(point, k, 20, dice, kind, values[k]);
@@ -241,6 +245,10 @@ Sampler::Sampler(const CompiledSetting& setting, std::uint64_t seed, Among among
   for (const Program& domain : setting.domains()) {
     domains_.emplace_back(setting.scope(), domain, CompiledSetting::parameter_slot(0), setting.domains().size());
   }
+  FilteredEvaluator evaluator(setting.scope());
+  for (const auto& value : setting.only_values()) {
+    only_values_.push_back(value ? evaluator.number(*value).number : std::nullopt);
+  }
 }
 
 std::vector<Rational> Sampler::at(std::uint64_t i) const {
@@ -249,7 +257,7 @@ std::vector<Rational> Sampler::at(std::uint64_t i) const {
   // A mechanism that can be built has fractions, for example because wheels are smaller than the vehicle.
   if (among_ == Among::realisable && kind == Kind::integers) kind = Kind::fractions;
   SamplePoint point(*setting_, domains_);
-  std::vector<Rational> values = draw_all(point, setting_->domains().size(), dice, kind);
+  std::vector<Rational> values = draw_all(point, only_values_, dice, kind);
   if (!values.empty() && among_ == Among::realisable && !make_realisable(point, dice, kind, values)) return {};
   if (values.empty() || kind == Kind::integers || kind == Kind::fractions || setting_->boundaries().empty())
     return values;

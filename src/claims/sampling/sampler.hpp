@@ -31,7 +31,8 @@ class Sampler {
   const CompiledSetting* setting_;
   std::uint64_t seed_;
   Among among_;
-  std::vector<SureCondition> domains_;  ///< of the setting
+  std::vector<SureCondition> domains_;                ///< of the setting
+  std::vector<std::optional<Rational>> only_values_;  ///< by parameter, if its domain allows one constant only
 };
 
 /// Whether the values are inside the domain of one parameter; in the second form, of all parameters.

