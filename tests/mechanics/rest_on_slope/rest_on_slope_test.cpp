@@ -4,17 +4,24 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
 #include <vector>
 
+#include "mechanics/rest_on_slope/map_picture.hpp"
 #include "mechanics/rest_on_slope/motion.hpp"
 #include "mechanics/rest_on_slope/shipped.hpp"
 #include "support/how_many.hpp"
+#include "support/run_program.hpp"
 
 namespace slipproof::test::rest_on_slope {
 
 namespace {
 
 constexpr int limit = 20000;  // steps of a motion
+const Body tipping{0.8, 0.5, 0.5, 0.5, 0};
 
 /// A number of the interval; each end one time in four.
 double with_ends(Dice& dice, double low, double high) {
@@ -164,9 +171,19 @@ TEST_CASE("the body that tips while it slides: V falls along random motions, and
   const auto slopes = test::how_many("SLIPPROOF_RESTING_BODIES", std::uint64_t{5000}) / 10;
   for (std::uint64_t i = 0; i < slopes; ++i) {
     Dice dice(61, i);
-    const Body body{0.8, 0.5, 0.5, 0.5, with_ends(dice, -0.1, 0.1)};
+    Body body = tipping;
+    body.t = with_ends(dice, -0.1, 0.1);
     tally.check(body, falling_beyond(), 10, dice);
   }
+}
+
+// SLIPPROOF_WRITE_TABLE, if set, writes the file anew.
+TEST_CASE("the map of rest on a slope is that of its points") {
+  const std::filesystem::path file = SLIPPROOF_SOURCE_DIR "/proofs/rest-on-slope/map.svg";
+  const std::string contents = map_picture(shipped_points(), tipping);
+  if (std::getenv("SLIPPROOF_WRITE_TABLE") != nullptr) std::ofstream(file, std::ios::binary) << contents;
+  const bool same = contents == read_file(file);
+  CHECK(same);
 }
 
 TEST_CASE("V without one of its terms rises") {
