@@ -2,6 +2,7 @@
 // and with mutants, writes NAME.canonical, NAME.points (CLAIM SYMBOL=VALUE ...) and NAME.expected (KIND VERDICT).
 #include <fmt/format.h>
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -186,7 +187,10 @@ int main(int argc, char** argv) {
           (output / fmt::format("{}.{}", paper, reading == Reading::printed ? "printed" : "repaired")).string();
       const std::uint64_t own = 1000 * seed + (reading == Reading::printed ? 0 : 500);
       Run(read, name, samples, own);
-      Random random(own + static_cast<std::uint64_t>(i) * 1000000);
+      std::seed_seq of_paper(paper.begin(), paper.end());  // its mutants do not depend on the other papers
+      std::array<std::uint32_t, 1> mixed{};
+      of_paper.generate(mixed.begin(), mixed.end());
+      Random random(own + mixed[0]);
       for (std::size_t round = 0; round < rounds; ++round) {
         Run(mutated(read, random), fmt::format("{}.mutated{}", name, round), samples / 4 + 1, own + round + 1);
       }
