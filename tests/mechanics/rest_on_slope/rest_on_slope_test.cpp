@@ -4,17 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "mechanics/rest_on_slope/map_picture.hpp"
 #include "mechanics/rest_on_slope/motion.hpp"
 #include "mechanics/rest_on_slope/shipped.hpp"
+#include "support/files/made_again.hpp"
 #include "support/how_many.hpp"
-#include "support/run_program.hpp"
 
 namespace slipproof::test::rest_on_slope {
 
@@ -177,13 +174,9 @@ TEST_CASE("the body that tips while it slides: V falls along random motions, and
   }
 }
 
-// SLIPPROOF_WRITE_TABLE, if set, writes the file anew.
 TEST_CASE("the map of rest on a slope is that of its points") {
-  const std::filesystem::path file = SLIPPROOF_SOURCE_DIR "/proofs/rest-on-slope/map.svg";
   const std::string contents = map_picture(shipped_points(), tipping);
-  if (std::getenv("SLIPPROOF_WRITE_TABLE") != nullptr) std::ofstream(file, std::ios::binary) << contents;
-  const bool same = contents == read_file(file);
-  CHECK(same);
+  CHECK(is_made_again(SLIPPROOF_SOURCE_DIR "/proofs/rest-on-slope/map.svg", contents));
 }
 
 TEST_CASE("V without one of its terms rises") {

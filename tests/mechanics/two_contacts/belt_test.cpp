@@ -43,11 +43,10 @@ TEST_CASE("one contact on a belt: the indices and the rules leave the sets that 
 
 TEST_CASE("one contact on a belt: each rule is needed") {
   const std::vector<Rule> rules = shipped_rules().belt;
+  const std::vector<std::vector<Rule>> others = without_one(rules);
   for (std::size_t i = 0; i < rules.size(); ++i) {
-    std::vector<Rule> others = rules;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
     CAPTURE(text(rules[i]));
-    CHECK(left_on_a_belt(others).size() > 117);
+    CHECK(left_on_a_belt(others[i]).size() > 117);
   }
 }
 

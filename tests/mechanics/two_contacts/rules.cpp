@@ -57,4 +57,10 @@ bool meets(const Indices& motions, const Rule& rule, const Indices& body) {
   });
 }
 
+std::vector<std::vector<Rule>> without_one(const std::vector<Rule>& rules) {
+  std::vector<std::vector<Rule>> result(rules.size(), rules);
+  for (std::size_t i = 0; i < rules.size(); ++i) result[i].erase(result[i].begin() + static_cast<std::ptrdiff_t>(i));
+  return result;
+}
+
 }  // namespace slipproof::test::two_contacts

@@ -34,4 +34,7 @@ std::string text(const Rule& rule);
 /// it these exclude nothing.
 bool meets(const Indices& motions, const Rule& rule, const Indices& body = {});
 
+/// The rules without the first, without the second, and so on.
+std::vector<std::vector<Rule>> without_one(const std::vector<Rule>& rules);
+
 }  // namespace slipproof::test::two_contacts

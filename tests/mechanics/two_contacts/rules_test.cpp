@@ -48,9 +48,7 @@ std::vector<Rule> with_images(const std::vector<Rule>& rules) {
 bool is_left(const std::vector<std::string>& modes, const std::vector<Rule>& rules, std::size_t known,
              Indices& indices) {
   if (known == modes.size()) {
-    int sum = 0;
-    for (const auto& [mode, index] : indices) sum += index;
-    return sum == 1 && std::ranges::none_of(rules, [&](const Rule& rule) { return meets(indices, rule); });
+    return sum(indices) == 1 && std::ranges::none_of(rules, [&](const Rule& rule) { return meets(indices, rule); });
   }
   const std::string& mode = modes[known];
   const bool one_way = mode == "SO" || mode == "OS" || mode == "OO";
@@ -127,11 +125,10 @@ TEST_CASE("two contacts at rest: with slips counted alike, what the rules leave 
 
 TEST_CASE("two contacts at rest: each rule is needed") {
   const std::vector<Rule> rules = shipped_rules().rest;
+  const std::vector<std::vector<Rule>> others = without_one(rules);
   for (std::size_t i = 0; i < rules.size(); ++i) {
-    std::vector<Rule> others = rules;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
     CAPTURE(text(rules[i]));
-    CHECK(left_at_rest(others).size() > 204);
+    CHECK(left_at_rest(others[i]).size() > 204);
   }
 }
 

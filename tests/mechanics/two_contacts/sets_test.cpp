@@ -3,13 +3,11 @@
 
 #include <doctest/doctest.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "mechanics/two_contacts/table.hpp"
-#include "support/run_program.hpp"
+#include "support/files/made_again.hpp"
 
 namespace slipproof::test::two_contacts {
 
@@ -49,17 +47,10 @@ TEST_CASE("each set of motions of a body on two contacts is that of its body, an
   }
 }
 
-// SLIPPROOF_WRITE_TABLE, if set, writes both files anew.
 TEST_CASE("the table of two contacts and its picture are those of its sets") {
-  const auto compare = [](const std::string& name, const std::string& contents) {
-    CAPTURE(name);
-    const std::filesystem::path file = std::filesystem::path(SLIPPROOF_SOURCE_DIR "/proofs/two-contacts") / name;
-    if (std::getenv("SLIPPROOF_WRITE_TABLE") != nullptr) std::ofstream(file, std::ios::binary) << contents;
-    const bool same = contents == read_file(file);
-    CHECK(same);
-  };
-  compare("table.txt", table_text(shipped_sets()));
-  compare("table.svg", table_picture(shipped_sets()));
+  const std::filesystem::path folder = SLIPPROOF_SOURCE_DIR "/proofs/two-contacts";
+  CHECK(is_made_again(folder / "table.txt", table_text(shipped_sets())));
+  CHECK(is_made_again(folder / "table.svg", table_picture(shipped_sets())));
 }
 
 }  // namespace slipproof::test::two_contacts
