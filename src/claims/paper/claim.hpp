@@ -67,7 +67,8 @@ struct Claim {
   std::string id;
   std::string equation;  ///< number in the paper, or empty
   std::size_t line = 0;
-  std::string statement;    ///< in words or as printed
+  std::string statement;  ///< in words or as printed
+  Origin origin = Origin::printed;
   std::size_t setting = 0;  ///< index
   ClaimBody printed;
   /// Present if the repaired reading differs from the printed one, by the claim's own repair or by that of a definition
@@ -81,6 +82,10 @@ struct Claim {
 
   const ClaimBody& body(Reading reading) const {
     return reading == Reading::repaired && repaired ? *repaired : printed;
+  }
+  /// The reading in words: a claim of our own is not printed.
+  std::string_view reading_name(Reading reading) const {
+    return reading == Reading::printed ? name(origin) : name(reading);
   }
   /// The kind is the same in every reading.
   const ClaimKind& kind() const { return *printed.kind; }

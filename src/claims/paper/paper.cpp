@@ -6,6 +6,10 @@ std::string_view name(Reading reading) {
   return reading == Reading::printed ? "printed" : "repaired";
 }
 
+std::string_view name(Origin origin) {
+  return origin == Origin::printed ? "printed" : "ours";
+}
+
 std::string Paper::place(std::size_t line) const {
   std::string section, item;
   std::size_t begin = 0;  // the line of the last heading

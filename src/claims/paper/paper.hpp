@@ -16,6 +16,11 @@ enum class Reading : std::uint8_t { printed, repaired };
 inline constexpr std::array<Reading, 2> all_readings{Reading::printed, Reading::repaired};
 std::string_view name(Reading reading);
 
+/// Whose claim it is: one that others print or share, or one of the authors of the claims file.
+enum class Origin : std::uint8_t { printed, ours };
+inline constexpr std::array<Origin, 2> all_origins{Origin::printed, Origin::ours};
+std::string_view name(Origin origin);
+
 struct Paper {
   std::string title;
   std::vector<std::string> authors;
@@ -24,6 +29,7 @@ struct Paper {
   std::string source;               ///< file name of the text that the line numbers refer to
   std::string question;             ///< the question that the paper asks, in a few sentences; may be empty
   std::vector<std::string> open;    ///< questions that it leaves open, one or more sentences each
+  Origin origin = Origin::printed;  ///< of the claims that do not say theirs
   std::vector<std::string> scenes;  ///< scene files whose numbers its report shows, relative to the claims file
   struct Equation {
     std::string number;

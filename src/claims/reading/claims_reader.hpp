@@ -46,6 +46,8 @@ class Context {
   std::string optional_text(const TableReader& table, std::string_view key);
   /// A line number of the source.
   std::size_t line(const TableReader& table, std::string_view key, bool required);
+  /// Whose claim it is; `otherwise` if the table does not say.
+  Origin origin(const TableReader& table, Origin otherwise);
   void refuse(const PlacedText& text, std::size_t position, std::string_view key, const std::string& message) {
     mistakes.add(text.at(position), std::string(key) + ": " + message);
   }

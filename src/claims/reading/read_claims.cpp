@@ -7,8 +7,8 @@ namespace slipproof::claims_reader {
 
 namespace {
 
-constexpr std::array<std::string_view, 11> claim_keys{"id",   "equation", "line",     "statement", "kind",   "setting",
-                                                      "note", "grade",    "repaired", "why",       "part_of"};
+constexpr std::array<std::string_view, 12> claim_keys{"id",   "equation", "line",     "statement", "kind",    "setting",
+                                                      "note", "grade",    "repaired", "why",       "part_of", "origin"};
 
 class ClaimsReader {
  public:
@@ -31,6 +31,7 @@ class ClaimsReader {
     claim.why = context_.optional_text(table, "why");
     read_setting(table, claim);
     read_grade(table, claim);
+    claim.origin = context_.origin(table, context_.file.paper.origin);
     const std::size_t index = context_.file.claims.size();
     for (const PlacedText* id : table.strings("part_of")) {
       claim.part_of.push_back(id->text());

@@ -57,6 +57,18 @@ std::size_t Context::line(const TableReader& table, std::string_view key, bool r
   return static_cast<std::size_t>(numerator(*value).to_long());
 }
 
+Origin Context::origin(const TableReader& table, Origin otherwise) {
+  const PlacedText* text = table.string("origin");
+  if (text == nullptr) return otherwise;
+  std::vector<std::string_view> names;
+  for (const Origin known : all_origins) {
+    if (text->text() == name(known)) return known;
+    names.push_back(name(known));
+  }
+  table.refuse("origin", unknown("origin", text->text(), names));
+  return otherwise;
+}
+
 namespace {
 
 void read_headings(const TomlValue& table, Context& context) {
@@ -80,8 +92,9 @@ void read_paper(const TableReader& root, Context& context) {
   if (!root.require("paper", "the table [paper]")) return;
   const TomlValue* table = root.table("paper");
   if (table == nullptr) return;
-  static constexpr std::array<std::string_view, 10> keys{"title",     "authors",  "reference", "found", "source",
-                                                         "equations", "headings", "question",  "open",  "scenes"};
+  static constexpr std::array<std::string_view, 11> keys{"title",  "authors",   "reference", "found",
+                                                         "source", "equations", "headings",  "question",
+                                                         "open",   "scenes",    "origin"};
   const TableReader paper(*table, "[paper]", keys, context.mistakes);
   context.file.paper.title = context.text(paper, "title", "the title of the paper");
   context.file.paper.source = context.text(paper, "source", "the name of the file that line numbers refer to");
@@ -96,6 +109,7 @@ void read_paper(const TableReader& root, Context& context) {
   if (paper.has("question")) {
     context.file.paper.question = context.text(paper, "question", "what the paper asks, in a few sentences");
   }
+  context.file.paper.origin = context.origin(paper, Origin::printed);
   for (const PlacedText* open : paper.strings("open")) context.file.paper.open.push_back(open->text());
   for (const PlacedText* scene : paper.strings("scenes")) context.file.paper.scenes.push_back(scene->text());
   if (const TomlValue* headings = paper.table("headings")) read_headings(*headings, context);
