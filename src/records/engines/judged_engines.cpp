@@ -5,6 +5,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "base/input/text_file.hpp"
+#include "base/input/toml.hpp"
 #include "base/parallel/in_parallel.hpp"
 #include "contact/problem/tolerance.hpp"
 #include "records/judging/record_judge.hpp"
@@ -23,6 +25,28 @@ std::vector<fs::path> files_in(const fs::path& folder, std::string_view extensio
   }
   std::sort(files.begin(), files.end());
   return files;
+}
+
+/// `design` of each engine in the file. The other keys are for those who ask the engines.
+std::map<std::string, std::string> designs_in(const fs::path& file) {
+  std::map<std::string, std::string> designs;
+  if (!fs::exists(file)) return designs;
+  const std::string text = read_text_file(file);
+  Mistakes mistakes(file.string());
+  if (const auto root = parse_toml(text, mistakes)) {
+    for (const TomlEntry& engine : root->entries) {
+      const TomlEntry* design = engine.value.find("design");
+      if (design == nullptr) continue;
+      if (design->value.kind == TomlValue::Kind::string) {
+        designs.emplace(engine.key, design->value.text.text());
+      } else {
+        mistakes.add(design->value.place,
+                     "design: found " + std::string(kind_name(design->value.kind)) + ", expected a string");
+      }
+    }
+  }
+  mistakes.refuse_if_any();
+  return designs;
 }
 
 EngineScene scene_of(const fs::path& file, const fs::path& scenes) {
@@ -58,6 +82,7 @@ bool is_engines_folder(const fs::path& folder) {
 
 JudgedEngines judge_engines(const fs::path& folder) {
   JudgedEngines result;
+  result.designs = designs_in(folder / "engines.toml");
   std::map<std::string, std::size_t> by_name;
   for (const fs::path& file : files_in(folder / "scenes", ".toml")) {
     result.scenes.push_back(scene_of(file, folder / "scenes"));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,15 +46,17 @@ struct EngineScene {
 
 struct JudgedEngines {
   std::vector<EngineScene> scenes;   ///< by name
-  std::vector<std::string> engines;  ///< with their versions, by name
+  std::vector<std::string> engines;  ///< by name
+  /// By engine: how its contacts differ from rigid ones on purpose.
+  std::map<std::string, std::string> designs;
 };
 
 /// Whether a folder has `scenes` and `answers`.
 bool is_engines_folder(const std::filesystem::path& folder);
 
-/// Reads FOLDER/scenes/CLASS/NAME.toml and FOLDER/answers/ENGINE.jsonl, and judges each answer in exact numbers; the
-/// scenes in parallel. Throws InputError for files that cannot be read, for an answer about a scene that is not there,
-/// and for a motion that lacks an acceleration.
+/// Reads FOLDER/scenes/CLASS/NAME.toml, FOLDER/answers/ENGINE.jsonl and, if it is there, FOLDER/engines.toml, and
+/// judges each answer in exact numbers; the scenes in parallel. Throws InputError for files that cannot be read, for an
+/// answer about a scene that is not there, and for a motion that lacks an acceleration.
 JudgedEngines judge_engines(const std::filesystem::path& folder);
 
 }  // namespace slipproof

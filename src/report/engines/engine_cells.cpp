@@ -35,6 +35,13 @@ std::string share_text(const EngineCounts& counts) {
   return fmt::format("{} of {}", counts[static_cast<std::size_t>(EngineVerdict::right)], answered(counts));
 }
 
+ReportCell by_design(ReportCell cell) {
+  cell += ReportSpan(" ");
+  cell += drawn("(its design, not a mistake)",
+                [](const Element& parent) { parent.add("small", "design").text("its design, not a mistake"); });
+  return cell;
+}
+
 ReportCell bar_cell(const EngineCounts& counts) {
   return drawn("", [counts](const Element& cell) {
     std::vector<BarPart> parts;

@@ -16,6 +16,9 @@ std::string error_text(double error);
 /// `31 of 40`: how many are right of those that were not refused.
 std::string share_text(const EngineCounts& counts);
 
+/// The cell, with the words that the numbers of an engine with such a design need.
+ReportCell by_design(ReportCell cell);
+
 /// A bar with a part for each verdict.
 ReportCell bar_cell(const EngineCounts& counts);
 

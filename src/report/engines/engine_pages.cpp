@@ -83,6 +83,11 @@ class EnginePages {
     add_reproduce(main);
   }
 
+  /// A number of an engine that differs from rigid contacts on purpose says so.
+  ReportCell with_design(const std::string& engine, ReportCell cell) const {
+    return judged_.designs.contains(engine) ? by_design(std::move(cell)) : cell;
+  }
+
   static void add_key(const Element& top) {
     const Element list = top.add("p", "how");
     for (std::size_t i = 0; i < engine_verdict_count; ++i) {
@@ -112,7 +117,7 @@ class EnginePages {
         const auto found = row.classes.find(name);
         cells.emplace_back(found == row.classes.end() ? "–" : share_text(found->second));
       }
-      cells.emplace_back(share_text(row.all));
+      cells.push_back(with_design(row.engine, share_text(row.all)));
       cells.push_back(bar_cell(row.all));
       table.row(std::move(cells));
     }
@@ -143,8 +148,8 @@ class EnginePages {
       const auto within = [&](double bound) {
         return std::to_string(std::ranges::count_if(errors, [&](double error) { return error <= bound; }));
       };
-      table.row({who.first, who.second, std::to_string(errors.size()), within(1e-6), within(1e-3),
-                 errors.empty() ? "–" : error_text(errors[errors.size() / 2])});
+      table.row({who.first, who.second, with_design(who.first, std::to_string(errors.size())), within(1e-6),
+                 within(1e-3), errors.empty() ? "–" : error_text(errors[errors.size() / 2])});
     }
     add_table(section, table);
   }
@@ -177,11 +182,13 @@ class EnginePages {
         .text(
             "In the words of its adapter; an engine that softens contacts solves another law, and is asked about that "
             "one here.");
-    ReportTable table{{"engine", "law", "asked on"}};
+    ReportTable table{{"engine", "law", "asked on", "differs on purpose"}};
     table.label = "Laws of engines";
     std::string last;
     for (const EngineRow& row : rows_) {
-      if (row.engine != last) table.row({row.engine + " " + row.version, row.law, row.date});
+      if (row.engine != last) {
+        table.row({row.engine + " " + row.version, row.law, row.date, row.design});
+      }
       last = row.engine;
     }
     add_table(section, table);
@@ -209,7 +216,8 @@ class EnginePages {
     add_key(section);
     ReportTable table{{"scene", {"motions", true}}};
     table.label = heading;
-    for (const std::string& engine : judged_.engines) table.columns.emplace_back(engine);
+    for (const std::string& engine : judged_.engines)
+      table.columns.emplace_back(ReportLine(with_design(engine, engine)));
     for (std::size_t i = 0; i < judged_.scenes.size(); ++i) {
       const EngineScene& scene = judged_.scenes[i];
       if (scene.class_name() != name) continue;
@@ -260,8 +268,10 @@ class EnginePages {
     table.label = "Answers of engines";
     for (const JudgedEngineAnswer& one : scene.answers) {
       const EngineAnswer& answer = one.answer;
-      table.row({answer.engine + " " + answer.version, answer.asked, verdict_cell(one, ""), answer_text(answer),
-                 ReportLine(code(answer.settings))});
+      table.row({answer.engine + " " + answer.version, answer.asked,
+                 one.verdict == EngineVerdict::right ? verdict_cell(one, "")
+                                                     : with_design(answer.engine, verdict_cell(one, "")),
+                 answer_text(answer), ReportLine(code(answer.settings))});
     }
     add_table(section, table);
     section.add("p", "how").text("Ask an engine again, and judge what it has answered:");

@@ -90,13 +90,10 @@ std::string engine_table_json(const EngineResults& results) {
   for (const EngineRow& row : engine_rows(results.judged)) {
     Json classes = Json::object();
     for (const auto& [name, counts] : row.classes) classes[name] = counts_json(counts);
-    document["engines"].push_back({{"engine", row.engine},
-                                   {"version", row.version},
-                                   {"asked", row.asked},
-                                   {"law", row.law},
-                                   {"date", row.date},
-                                   {"classes", std::move(classes)},
-                                   {"all", counts_json(row.all)}});
+    Json one{{"engine", row.engine}, {"version", row.version},        {"asked", row.asked},         {"law", row.law},
+             {"date", row.date},     {"classes", std::move(classes)}, {"all", counts_json(row.all)}};
+    if (!row.design.empty()) one["design"] = row.design;
+    document["engines"].push_back(std::move(one));
   }
   document["thresholds"] = Json::array();
   for (const EngineThresholdRow& row : engine_thresholds(results)) {
@@ -122,6 +119,8 @@ std::vector<EngineRow> engine_rows(const JudgedEngines& judged) {
       if (row.engine.empty()) {
         row.engine = one.answer.engine, row.asked = one.answer.asked;
         row.version = one.answer.version, row.date = one.answer.date;
+        const auto design = judged.designs.find(row.engine);
+        if (design != judged.designs.end()) row.design = design->second;
       }
       if (row.law.empty()) row.law = one.answer.law;
       const auto verdict = static_cast<std::size_t>(one.verdict);

@@ -25,6 +25,7 @@ using EngineCounts = std::array<std::size_t, engine_verdict_count>;
 struct EngineRow {
   std::string engine, asked;
   std::string version, law, date;               ///< of its first answer
+  std::string design;                           ///< how its contacts differ from rigid ones on purpose, or empty
   std::map<std::string, EngineCounts> classes;  ///< by class
   EngineCounts all{};
 };
