@@ -9,6 +9,7 @@
 #include "report/html/verdict_bar.hpp"
 #include "report/papers/errata.hpp"
 #include "report/papers/second_checker.hpp"
+#include "report/papers/tally.hpp"
 
 namespace slipproof {
 
@@ -16,15 +17,14 @@ namespace {
 
 VerdictTotals total(const std::vector<JudgedPaper>& papers) {
   VerdictTotals all;
-  for (const JudgedPaper& paper : papers) {
-    const VerdictTotals counts = count_verdicts(paper.result);
-    all.claims += counts.claims;
-    for (std::size_t i = 0; i < claim_verdicts.size(); ++i) {
-      all.printed[i] += counts.printed[i];
-      all.repaired[i] += counts.repaired[i];
-    }
-  }
+  for (const JudgedPaper& paper : papers) all.add(count_verdicts(paper.file, paper.result));
   return all;
+}
+
+/// A bar for what is printed and one for what is our own.
+void add_bars(const Element& parent, const VerdictTotals& counts) {
+  add_verdict_bar(parent, counted(sum(counts.printed), "claim") + " as printed", counts.printed);
+  add_verdict_bar(parent, counted(sum(counts.ours), "claim") + " of our own", counts.ours);
 }
 
 void add_paper(const Element& list, const JudgedPaper& paper) {
@@ -39,11 +39,11 @@ void add_paper(const Element& list, const JudgedPaper& paper) {
     add_worst_motions(item.add("div", "thumbnail"), *worst);
   }
   if (!paper.file.paper.found.empty()) item.add("p", "found").text(paper.file.paper.found);
-  const VerdictTotals counts = count_verdicts(paper.result);
+  add_bars(item, count_verdicts(paper.file, paper.result));
   const std::size_t findings = errata(paper.file, paper.result).findings.size();
-  add_verdict_bar(
-      item, counted(counts.claims, "claim") + " as printed" + (findings > 0 ? ", " + counted(findings, "finding") : ""),
-      counts.printed);
+  if (findings > 0) {
+    item.add("p").add("a").set("href", page_name(paper) + "#errata").text(counted(findings, "finding"));
+  }
   if (summary(paper.file, paper.result) != Summary::as_expected) {
     item.add("p", "because").text("Not every verdict is the one that the claims file expects.");
   }
@@ -78,9 +78,9 @@ std::string gallery_html(const std::vector<JudgedPaper>& papers, const std::stri
         "follow. What the formulas leave open is stated and proved beside them.");
     if (const auto second = second_checker(papers)) overview.add("p").text(in_words(*second) + ".");
     const VerdictTotals all = total(papers);
-    add_verdict_bar(overview.add("div", "bars"),
-                    counted(papers.size(), "source") + ", " + counted(all.claims, "claim") + " as printed",
-                    all.printed);
+    const Element bars = overview.add("div", "bars");
+    bars.add("p").add("b").text(counted(papers.size(), "source") + ", " + claims_text(sum(all.printed), sum(all.ours)));
+    add_bars(bars, all);
     const Element list = main.add("ul", "papers").set("id", "papers");
     for (const JudgedPaper* paper : order) add_paper(list, *paper);
   });

@@ -9,8 +9,8 @@
 
 namespace slipproof {
 
-/// The claim that shows the worst finding: of the claims that are refuted as printed, with motions that can be drawn,
-/// the one with the worst grade, then with the most motions, then the first. Null if there is none.
+/// The claim that shows the worst finding: of the claims that are refuted before any repair, with motions that can be
+/// drawn, the one with the worst grade, then with the most motions, then the first. Null if there is none.
 const ClaimResult* worst_refuted(const ClaimsFile& file, const VerifyResult& result);
 
 /// Draws the motions of its counterexample side by side. Needs picture_style() in the page.

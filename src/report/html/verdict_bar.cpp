@@ -1,6 +1,7 @@
 #include "report/html/verdict_bar.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 
 #include "report/html/sections.hpp"
@@ -8,17 +9,24 @@
 
 namespace slipproof {
 
-VerdictTotals count_verdicts(const VerifyResult& result) {
+std::size_t sum(const VerdictCounts& counts) {
+  return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+}
+
+void VerdictTotals::add(const VerdictTotals& other) {
+  for (const auto counts : {&VerdictTotals::printed, &VerdictTotals::ours, &VerdictTotals::repaired}) {
+    for (std::size_t i = 0; i < claim_verdicts.size(); ++i) (this->*counts)[i] += (other.*counts)[i];
+  }
+}
+
+VerdictTotals count_verdicts(const ClaimsFile& file, const VerifyResult& result) {
   VerdictTotals counts;
   for (const ClaimResult& claim : result.claims) {
     const auto at =
         std::find(claim_verdicts.begin(), claim_verdicts.end(), verdict_name(claim)) - claim_verdicts.begin();
-    if (claim.reading == Reading::printed) {
-      ++counts.claims;
-      ++counts.printed[static_cast<std::size_t>(at)];
-    } else {
-      ++counts.repaired[static_cast<std::size_t>(at)];
-    }
+    const bool ours = file.claims[claim.claim].origin == Origin::ours;
+    VerdictCounts& here = claim.reading == Reading::repaired ? counts.repaired : ours ? counts.ours : counts.printed;
+    ++here[static_cast<std::size_t>(at)];
   }
   return counts;
 }
@@ -38,7 +46,7 @@ void add_bar(const Element& parent, const std::vector<BarPart>& parts, double wi
 }
 
 void add_verdict_bar(const Element& parent, std::string_view label, const VerdictCounts& counts) {
-  if (std::all_of(counts.begin(), counts.end(), [](std::size_t n) { return n == 0; })) return;
+  if (sum(counts) == 0) return;
   const Element row = parent.add("div", "bar-row");
   row.add("span", "bar-label").text(label);
   std::vector<BarPart> parts;

@@ -15,10 +15,12 @@ inline constexpr std::array<std::string_view, 5> claim_verdicts{"proved", "holds
 using VerdictCounts = std::array<std::size_t, claim_verdicts.size()>;
 
 struct VerdictTotals {
-  VerdictCounts printed{}, repaired{};
-  std::size_t claims = 0;
+  VerdictCounts printed{}, ours{}, repaired{};
+
+  void add(const VerdictTotals& other);
 };
-VerdictTotals count_verdicts(const VerifyResult& result);
+std::size_t sum(const VerdictCounts& counts);
+VerdictTotals count_verdicts(const ClaimsFile& file, const VerifyResult& result);
 
 /// A part of a bar.
 struct BarPart {

@@ -89,19 +89,14 @@ class Collection {
     const auto is_definition = [&](const Finding& f) { return file_.find(f.id) == nullptr; };
     s.definitions = static_cast<std::size_t>(std::count_if(findings.begin(), findings.end(), is_definition));
     std::size_t own = 0;  // refuted claims that have a finding of their own
+    s.claims = tally(file_, result_);
     s.missing = result_.missing();
     for (const ClaimResult& r : result_.claims) {
-      if (r.reading != Reading::printed) continue;
+      if (r.reading != Reading::printed || r.verdict != Verdict::refuted) continue;
       const std::string& id = file_.claims[r.claim].id;
-      ++s.judged;
-      if (r.verdict == Verdict::holds) ++(r.proved ? s.proved : s.held);
-      if (r.verdict == Verdict::undecided) s.undecided.push_back(id);
-      if (r.verdict == Verdict::vacuous) s.vacuous.push_back(id);
-      if (r.verdict != Verdict::refuted) continue;
-      ++s.refuted;
       own += std::any_of(findings.begin(), findings.end(), [&](const Finding& f) { return f.id == id; });
     }
-    s.shared = s.refuted - own;
+    s.shared = s.claims.all().refuted - own;
     s.others = findings.size() - s.definitions - own;
     return s;
   }
@@ -177,6 +172,7 @@ class Collection {
     if (by_definition && (claim.grade ? *claim.grade == Grade::misprint : mends)) return;
     Finding finding;
     finding.id = claim.id;
+    finding.origin = claim.origin;
     finding.claims = {claim.id};
     finding.line = claim.line;
     finding.grade = claim.grade.value_or(Grade::wrong);

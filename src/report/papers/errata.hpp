@@ -6,6 +6,7 @@
 
 #include "claims/verify/verify.hpp"
 #include "report/document/document.hpp"
+#include "report/papers/tally.hpp"
 
 namespace slipproof {
 
@@ -27,9 +28,10 @@ using FindingParts = std::vector<FindingPart>;
 /// `where: b < b1; forces: ...`; for a definition `b1 = ...`.
 std::string to_string(const FindingParts& parts);
 
-/// One error in the print.
+/// One error in the print, or in a claim of our own.
 struct Finding {
   std::string id;  ///< of the claim; `3.1.b1` for a definition
+  Origin origin = Origin::printed;
   std::size_t line = 0;
   Grade grade = Grade::misprint;
   bool graded = true;  ///< whether the claims file gives the grade; without one, a refuted claim counts as `false`
@@ -55,14 +57,13 @@ std::string grade_text(const Finding& finding);
 std::string error_certainty(const Finding& finding);
 std::string repair_certainty(const Finding& finding);
 
-/// How the claims of a paper stand as printed; the list of findings alone does not show that.
+/// How the claims of a paper stand; the list of findings alone does not show that.
 struct Standing {
-  std::size_t judged = 0, proved = 0, held = 0, refuted = 0;  ///< `held` does not include the proved claims
-  std::vector<std::string> undecided, vacuous;                ///< ids
-  std::size_t definitions = 0;                                ///< findings about definitions that claims use
-  std::size_t shared = 0;   ///< refuted claims that show a finding about another claim or about a definition
-  std::size_t others = 0;   ///< findings about claims that are not refuted
-  std::size_t missing = 0;  ///< certificates that the claims file asks for, in any reading
+  Tallies claims;
+  std::size_t definitions = 0;  ///< findings about definitions that claims use
+  std::size_t shared = 0;       ///< refuted claims that show a finding about another claim or about a definition
+  std::size_t others = 0;       ///< findings about claims that are not refuted
+  std::size_t missing = 0;      ///< certificates that the claims file asks for, in any reading
 };
 
 struct Errata {

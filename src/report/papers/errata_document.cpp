@@ -51,32 +51,21 @@ std::string grade_text(const Finding& finding) {
 
 std::string standing_text(const Errata& errata) {
   const Standing& s = errata.standing;
-  if (s.judged == 0) return "No claim was judged: nothing is known of this paper.";
-  std::string parts;
-  const auto part = [&](std::size_t n, const char* one, const char* many, const std::string& ids = "") {
-    if (n == 0) return;
-    parts += fmt::format("{}{} {}{}", parts.empty() ? "" : ", ", n, n == 1 ? one : many,
-                         ids.empty() ? "" : " (" + ids + ")");
-  };
-  part(s.proved, "is proved for all parameters", "are proved for all parameters");
-  part(s.held, "holds at every bicycle that was tried", "hold at every bicycle that was tried");
-  part(s.refuted, "is refuted", "are refuted");
-  part(s.undecided.size(), "is undecided", "are undecided", listed(s.undecided));
-  part(s.vacuous.size(), "speaks of no bicycle at all", "speak of no bicycle at all", listed(s.vacuous));
-  std::string text = counted(s.judged, "claim") + (s.judged == 1 ? " was" : " were") + " judged as printed: " + parts +
-                     "." + (s.missing == 0 ? "" : " " + missing_text(s.missing) + ".");
+  const Tally all = s.claims.all();
+  if (all.judged == 0) return "No claim was judged: nothing is known.";
+  const std::string text = tally_text(s.claims) + (s.missing == 0 ? "" : " " + missing_text(s.missing) + ".");
   if (!errata.findings.empty()) return text;
-  if (s.undecided.size() + s.vacuous.size() > 0) return text + " No claim is refuted, yet this is no all-clear.";
-  return text + (s.held == 0 ? " Nothing is wrong with what was judged."
-                             : " Nothing wrong was found; what is not proved was tried at samples only.");
+  if (all.open() > 0) return text + " No claim is refuted, yet this is no all-clear.";
+  return text + (all.held == 0 ? " Nothing is wrong with what was judged."
+                               : " Nothing wrong was found; what is not proved was tried at samples only.");
 }
 
 std::string sum_text(const Errata& errata) {
   const Standing& s = errata.standing;
-  const std::size_t own = s.refuted - s.shared, all = errata.findings.size();
-  if (s.refuted == 0 || (own == s.refuted && all == own)) return "";  // the numbers need no explanation
-  std::string text = fmt::format("{} {} refuted, and there {} {}. ", counted(s.refuted, "claim"), is(s.refuted),
-                                 is(all), counted(all, "finding"));
+  const std::size_t refuted = s.claims.all().refuted, own = refuted - s.shared, all = errata.findings.size();
+  if (refuted == 0 || (own == refuted && all == own)) return "";  // the numbers need no explanation
+  std::string text = fmt::format("{} {} refuted, and there {} {}. ", counted(refuted, "claim"), is(refuted), is(all),
+                                 counted(all, "finding"));
   text += fmt::format("Of the refuted claims, {} {} of {} own", own, own == 1 ? "is a finding" : "are findings",
                       own == 1 ? "its" : "their");
   if (s.shared > 0) {
@@ -145,7 +134,8 @@ ReportLine finding_heading(const ClaimsFile& file, const Finding& f) {
   return {file.paper.source + ":" + std::to_string(f.line) + ": ",
           drawn(grade, [grade, css_class = "grade " + std::string(name(f.grade))](
                            const Element& parent) { parent.add("span", css_class).text(grade); }),
-          " [", file.find(f.id) == nullptr ? ReportSpan(f.id) : link_to(f.id, "#claim-" + f.id), "]"};
+          " [", file.find(f.id) == nullptr ? ReportSpan(f.id) : link_to(f.id, "#claim-" + f.id),
+          f.origin == Origin::ours ? "], our own" : "]"};
 }
 
 Document finding_document(const ClaimsFile& file, const Finding& f) {
@@ -155,7 +145,7 @@ Document finding_document(const ClaimsFile& file, const Finding& f) {
     const auto typeset = [text = f.statement](const Element& parent) { add_sentence(parent, text); };
     facts.fact("statement", drawn(f.statement, typeset));
   }
-  facts.fact("printed", parts_line(f.printed));
+  facts.fact(f.origin == Origin::ours ? "stated" : "printed", parts_line(f.printed));
   facts.fact("wrong", explanation(file, f.wrong));
   facts.fact("repair", parts_line(f.repair));
   facts.fact("why", explanation(file, f.why));

@@ -1,7 +1,7 @@
 #include <array>
 
 #include "report/papers/errata.hpp"
-#include "report/values/exact_json.hpp"
+#include "report/papers/papers_json.hpp"
 
 namespace slipproof {
 
@@ -21,6 +21,7 @@ std::string errata_json(const ClaimsFile& file, const Errata& errata) {
   for (const Finding& f : errata.findings) {
     Json entry;
     entry["id"] = f.id;
+    entry["origin"] = name(f.origin);
     entry["line"] = f.line;
     entry["place"] = file.paper.place(f.line);
     entry["grade"] = name(f.grade);
@@ -42,12 +43,8 @@ std::string errata_json(const ClaimsFile& file, const Errata& errata) {
   document["findings"] = std::move(list);
   const Standing& standing = errata.standing;
   Json claims;
-  claims["judged"] = standing.judged;
-  claims["proved"] = standing.proved;
-  claims["holds"] = standing.held;
-  claims["refuted"] = standing.refuted;
-  claims["undecided"] = standing.undecided;
-  claims["vacuous"] = standing.vacuous;
+  put_tally(claims, "judged", standing.claims.all());
+  put_origins(claims, "judged", standing.claims);
   claims["missing"] = standing.missing;
   document["claims"] = std::move(claims);
   document["standing"] = standing_text(errata);
@@ -74,6 +71,7 @@ std::string errata_sarif(const ClaimsFile& file, const Errata& errata) {
                                 (f.why.empty() ? "" : ". " + f.why);
     location["physicalLocation"]["artifactLocation"]["uri"] = file.paper.source;
     location["physicalLocation"]["region"]["startLine"] = f.line;
+    result["properties"]["origin"] = name(f.origin);
     result["locations"] = Json::array({std::move(location)});
     results.push_back(std::move(result));
   }
@@ -83,6 +81,7 @@ std::string errata_sarif(const ClaimsFile& file, const Errata& errata) {
   run["results"] = std::move(results);
   // A list without results does not by itself mean that all is well.
   run["properties"]["standing"] = standing_text(errata);
+  put_origins(run["properties"]["claims"], "judged", errata.standing.claims);
   run["properties"]["missing"] = errata.standing.missing;
   document["$schema"] = "https://json.schemastore.org/sarif-2.1.0.json";
   document["version"] = "2.1.0";

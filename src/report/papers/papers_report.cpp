@@ -7,25 +7,21 @@
 #include "base/number/format.hpp"
 #include "report/papers/errata.hpp"
 #include "report/papers/explain.hpp"
+#include "report/papers/papers_json.hpp"
 #include "report/papers/second_checker.hpp"
-#include "report/papers/second_checker_json.hpp"
-#include "report/values/exact_json.hpp"
 
 namespace slipproof {
 
 namespace {
 
-std::size_t open_claims(const Standing& standing) {
-  return standing.undecided.size() + standing.vacuous.size();
-}
-
 void write_unexpected(Document& document, const JudgedPaper& paper) {
   for (const ClaimResult& claim : paper.result.claims) {
-    const std::string id = paper.file.claims[claim.claim].id;
+    const Claim& stated = paper.file.claims[claim.claim];
+    const std::string& id = stated.id;
     for (const std::string& objection : claim.rejections) document.line(id + " certificate rejected: " + objection);
     if (as_expected(paper.file, claim)) continue;
     const std::string why = explain(paper.file, claim);
-    document.line(fmt::format("{} ({}) {}, unexpected{}{}", id, name(claim.reading), name(claim.verdict),
+    document.line(fmt::format("{} ({}) {}, unexpected{}{}", id, stated.reading_name(claim.reading), name(claim.verdict),
                               why.empty() ? "" : ": ", why));
   }
 }
@@ -35,18 +31,18 @@ Json paper_json(const JudgedPaper& paper) {
   const Standing& standing = list.standing;
   Json findings = Json::array();
   for (const Finding& f : list.findings) {
-    findings.push_back({{"id", f.id}, {"grade", name(f.grade)}, {"statement", f.statement}, {"wrong", f.wrong}});
+    findings.push_back({{"id", f.id},
+                        {"origin", name(f.origin)},
+                        {"grade", name(f.grade)},
+                        {"statement", f.statement},
+                        {"wrong", f.wrong}});
   }
   Json entry;
   entry["name"] = paper.name;
   entry["title"] = paper.file.paper.title;
   entry["found"] = paper.file.paper.found;
-  entry["claims"] = standing.judged;
-  entry["proved"] = standing.proved;
-  entry["holds"] = standing.held;
-  entry["refuted"] = standing.refuted;
-  entry["undecided"] = standing.undecided;
-  entry["vacuous"] = standing.vacuous;
+  put_tally(entry, "claims", standing.claims.all());
+  put_origins(entry, "claims", standing.claims);
   entry["missing"] = standing.missing;
   entry["as_expected"] = summary(paper.file, paper.result) == Summary::as_expected;
   entry["findings"] = std::move(findings);
@@ -66,40 +62,59 @@ Summary summary(const std::vector<JudgedPaper>& papers) {
   return worst == worst_first.end() ? Summary::undecided : *worst;
 }
 
+namespace {
+
+/// `328 as printed: proved 253 hold 0 refuted 64 open 11`.
+std::string counts_text(const Tally& t, std::string_view whose) {
+  return fmt::format("{} {}: proved {} hold {} refuted {} open {}", t.judged, whose, t.proved, t.held, t.refuted,
+                     t.open());
+}
+
+/// A row for the claims as printed and one for our own. Returns what is below them.
+Document& add_rows(ReportTable& table, const std::string& paper, const Tallies& tallies) {
+  Document* below = nullptr;
+  for (const Origin origin : all_origins) {
+    const Tally& t = tallies[origin];
+    if (t.judged == 0 && (origin == Origin::ours || tallies.ours.judged > 0)) continue;
+    below = &table.row({below == nullptr ? paper : "", name(origin), ReportCell::count(t.judged),
+                        ReportCell::count(t.proved), ReportCell::count(t.held), ReportCell::count(t.refuted),
+                        ReportCell::count(t.open())});
+  }
+  return *below;
+}
+
+}  // namespace
+
 Document papers_document(const std::vector<JudgedPaper>& papers) {
   Document document;
   document.paragraph(
-      "What is printed about dry friction, held against the equations of motion. proved: true of all parameters, with "
-      "a certificate; holds: at every sample; refuted: false, with numbers to check by hand; open: neither.");
-  ReportTable& table = document.table({{{"paper", false, 28},
+      "What is printed about dry friction, held against the equations of motion, and what is our own beside it. "
+      "proved: true of all parameters, with a certificate; holds: at every sample; refuted: false, with numbers to "
+      "check by hand; open: neither.");
+  ReportTable& table = document.table({{{"paper", false, 26},
+                                        {"origin", false, 7},
                                         {"claims", true},
                                         {"proved", true},
                                         {"holds", true, 6},
                                         {"refuted", true},
                                         {"open", true, 5}}});
-  Standing all;
-  std::size_t open = 0, findings = 0;
+  Tallies all;
+  std::size_t missing = 0, findings = 0;
   for (const JudgedPaper& paper : papers) {
     const Errata list = errata(paper.file, paper.result);
     const Standing& standing = list.standing;
-    all.proved += standing.proved;
-    all.held += standing.held;
-    all.refuted += standing.refuted;
-    open += open_claims(standing);
-    all.missing += standing.missing;
+    for (const Origin origin : all_origins) all[origin].add(standing.claims[origin]);
+    missing += standing.missing;
     findings += list.findings.size();
-    Document& below = table.row({paper.name, ReportCell::count(standing.judged), ReportCell::count(standing.proved),
-                                 ReportCell::count(standing.held), ReportCell::count(standing.refuted),
-                                 ReportCell::count(open_claims(standing))});
+    Document& below = add_rows(table, paper.name, standing.claims);
     below.paragraph(paper.file.paper.found);
     if (standing.missing > 0) below.paragraph(missing_text(standing.missing));
     write_unexpected(below, paper);
   }
   if (const auto second = second_checker(papers)) document.paragraph(in_words(*second) + ".", 2);
-  document.status(fmt::format("s {} {} {} proved {} hold {} refuted {} open, {}{}", summary_word(summary(papers)),
-                              counted(papers.size(), "paper"), all.proved, all.held, all.refuted, open,
-                              counted(findings, "finding"),
-                              all.missing == 0 ? "" : fmt::format(", {} missing", all.missing)));
+  document.status(fmt::format("s {} {}, {}, {}, {}{}", summary_word(summary(papers)), counted(papers.size(), "source"),
+                              counts_text(all.printed, "as printed"), counts_text(all.ours, "of our own"),
+                              counted(findings, "finding"), missing == 0 ? "" : fmt::format(", {} missing", missing)));
   return document;
 }
 

@@ -18,7 +18,8 @@ struct JudgedPaper {
 /// The worst result of all papers.
 Summary summary(const std::vector<JudgedPaper>& papers);
 
-/// How the claims of each paper stand as printed, and what was found; then each claim with an unexpected verdict.
+/// How the claims of each paper stand, as printed and of our own, and what was found; then each claim with an
+/// unexpected verdict.
 Document papers_document(const std::vector<JudgedPaper>& papers);
 /// One JSON document, schema slipproof/papers/1.
 std::string papers_json(const std::vector<JudgedPaper>& papers);

@@ -1,9 +1,8 @@
 #include <utility>
 
 #include "report/papers/explain.hpp"
-#include "report/papers/second_checker_json.hpp"
+#include "report/papers/papers_json.hpp"
 #include "report/papers/verify_report.hpp"
-#include "report/values/exact_json.hpp"
 #include "report/values/motions_json.hpp"
 
 namespace slipproof {
@@ -62,11 +61,13 @@ std::string verify_json(const ClaimsFile& file, const VerifyResult& result) {
   document["seed"] = result.seed;
   if (result.second_checker) document["second_checker"] = to_json(*result.second_checker);
   document["missing"] = result.missing();
+  put_origins(document, "judged", tally(file, result));
   for (const ClaimResult& r : result.claims) {
     const Claim& claim = file.claims[r.claim];
     Json entry;
     entry["id"] = claim.id;
     entry["reading"] = name(r.reading);
+    entry["origin"] = name(claim.origin);
     entry["verdict"] = r.proved ? "proved" : name(r.verdict);
     if (r.from_the_claim_on) entry["from_the_claim_on"] = true;
     const Expectation expect = claim.body(r.reading).expect;

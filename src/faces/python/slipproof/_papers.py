@@ -25,13 +25,15 @@ _COMPARISON = re.compile("[<>=]")
 
 
 class ClaimVerdict(Result):
-    """One claim in one reading: ``id``, ``reading``, ``verdict``, ``expected``; ``details`` has everything else."""
+    """One claim in one reading: ``id``, ``reading``, ``origin`` (printed or ours), ``verdict``, ``expected``; ``details``
+    has everything else."""
 
-    __slots__ = ("id", "reading", "verdict", "expected", "details")
+    __slots__ = ("id", "reading", "origin", "verdict", "expected", "details")
 
     def __init__(self, details: Mapping[str, Any]):
         self.id: str = details["id"]
         self.reading: str = details["reading"]
+        self.origin: str = details["origin"]
         self.verdict: str = details["verdict"]
         self.expected: Optional[str] = details.get("expected")
         self.details = details
@@ -76,7 +78,7 @@ class Verification(Report, Sequence[ClaimVerdict]):
         return f"<slipproof.Verification {self._text.rstrip().splitlines()[-1]}>"
 
     def _repr_html_(self) -> str:
-        return table(["claim", "reading", "verdict"], [[c.id, c.reading, c.verdict] for c in self], self.summary)
+        return table(["claim", "reading", "verdict"], [[c.id, c.origin if c.reading == "printed" else c.reading, c.verdict] for c in self], self.summary)
 
 
 _CLAIMS = "claims.toml"  # from whose folder a text counts its paths: the present one

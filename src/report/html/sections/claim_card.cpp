@@ -91,11 +91,12 @@ void add_evidence(const Element& parent, const PageInput& input, const Claim& cl
   }
 }
 
-void add_reading(const Element& parent, const PageInput& input, const Claim& claim, const ClaimResult& result,
-                 bool only) {
+void add_reading(const Element& parent, const PageInput& input, const Claim& claim, const ClaimResult& result) {
   const Element part = parent.add("div", "reading");
   const Element heading = part.add("h4");
-  heading.text(only ? "As printed " : result.reading == Reading::printed ? "As printed " : "As repaired ");
+  heading.text(result.reading == Reading::repaired ? "As repaired "
+               : claim.origin == Origin::ours      ? "As stated "
+                                                   : "As printed ");
   add_chip(heading, verdict_name(result));
   add_formal(part, input, claim, result.reading);
   add_definitions(part, *input.claims, claim, result.reading);
@@ -111,21 +112,21 @@ void add_claim_card(const Element& parent, const PageInput& input, std::size_t i
   for (const ClaimResult& result : input.result->claims) {
     if (result.claim == index) readings.push_back(&result);
   }
-  const ClaimResult& printed = *readings.front();
-  const bool failing = printed.verdict != Verdict::holds;
+  const bool failing = readings.front()->verdict != Verdict::holds, ours = claim.origin == Origin::ours;
   const bool proved =
       std::all_of(readings.begin(), readings.end(), [](const auto* r) { return verdict_name(*r) == "proved"; });
-  const Element card =
-      parent.add("details", std::string("claim") + (failing ? " failing" : "") + (proved ? " all-proved" : ""));
+  const Element card = parent.add("details", std::string("claim") + (failing ? " failing" : "") +
+                                                 (proved ? " all-proved" : "") + (ours ? " ours" : ""));
   card.set("id", "claim-" + claim.id);
   const Element summary = card.add("summary");
   summary.add("span", "id").text(claim.id);
   const Element statement = summary.add("span", "statement");
   add_sentence(statement, claim.statement);
   const Element chips = summary.add("span", "chips");
+  if (ours) chips.add("small").text("our own");
   for (const ClaimResult* result : readings) {
     const Element one = chips.add("span");
-    if (readings.size() > 1) one.add("small").text(result->reading == Reading::printed ? "printed " : "repaired ");
+    if (readings.size() > 1) one.add("small").text(std::string(claim.reading_name(result->reading)) + " ");
     add_chip(one, verdict_name(*result));
   }
 
@@ -133,7 +134,7 @@ void add_claim_card(const Element& parent, const PageInput& input, std::size_t i
   std::string place = input.claims->paper.where(claim.line) + " of " + input.claims->paper.source;
   if (!claim.equation.empty()) place += ", equation (" + claim.equation + ")";
   body.add("p", "place").text(place + ".");
-  for (const ClaimResult* result : readings) add_reading(body, input, claim, *result, readings.size() == 1);
+  for (const ClaimResult* result : readings) add_reading(body, input, claim, *result);
   if (!claim.why.empty()) {
     add_line(body.add("p"), {strong("Why that is meant. "), prose(*input.claims, claim.why)});
   }

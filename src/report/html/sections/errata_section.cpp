@@ -11,8 +11,9 @@ void add_errata_section(const Element& main, const PageInput& input) {
     return;
   }
   section.add("p", "lead")
-      .text("What is wrong in print, in the order of the lines of " + input.claims->paper.source +
-            ": a list that can be sent to the authors. " + sum_text(errata));
+      .text("What is wrong, in the order of the lines of " + input.claims->paper.source +
+            (input.claims->paper.reference.empty() ? ". " : ": a list that can be sent to the authors. ") +
+            sum_text(errata));
   const Element list = section.add("ol", "findings");
   for (const Finding& finding : errata.findings) {
     const Element item = list.add("li", "finding").set("id", "finding-" + finding.id);

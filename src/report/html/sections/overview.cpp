@@ -49,8 +49,7 @@ std::string mechanisms_in_words(const ClaimsFile& claims) {
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i)
     text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-  return "The paper is about bodies in contact with dry friction: " + text +
-         ". What does each contact do: stick, slip, or open? The paper answers with formulas.";
+  return "Bodies in contact with dry friction: " + text + ". What does each contact do: stick, slip, or open?";
 }
 
 /// The subject of the page, for readers who know neither the paper nor the model.
@@ -65,15 +64,14 @@ void add_problem(const Element& section, const PageInput& input) {
     add_prose(asked, *input.claims, question);
   } else {
     asked.text(bicycles ? "A vehicle with two wheels, seen from the side, stands on a road with dry friction, and "
-                          "a force acts on its pedal. What does each wheel do: roll, slip, or leave the road? The "
-                          "paper answers with formulas."
+                          "a force acts on its pedal. What does each wheel do: roll, slip, or leave the road?"
                         : mechanisms_in_words(*input.claims));
   }
   text.add("p").text(
       "For given parameters and a given load, each combination of these states is a system of linear equations with "
-      "conditions that its solution has to meet. Here all of them are solved in exact arithmetic, and what the paper "
-      "says is compared with the solutions: at sampled parameters, for every load at once, and, where there is a "
-      "proof, for all parameters.");
+      "conditions that its solution has to meet. Here all of them are solved in exact arithmetic, and each claim is "
+      "compared with the solutions: at sampled parameters, for every load at once, and, where there is a proof, for "
+      "all parameters.");
   if (!input.model || !bicycles) return;
   const Element figure = columns.add("figure", "model");
   add_bicycle_figure(figure, *input.model);
@@ -160,22 +158,39 @@ std::string proved_share(std::size_t proved, std::size_t sampled_only) {
   return proved > 0 && sampled_only == 0 ? "all" : std::to_string(proved) + " of them";
 }
 
-void add_cards(const Element& section, const PageInput& input, const Errata& errata, const VerdictTotals& counts) {
-  const std::size_t fail = counts.printed[2], open = counts.printed[3];
-  const std::size_t mended = counts.repaired[0] + counts.repaired[1];
-  const Element cards = section.add("ul", "cards");
-  add_card(cards, "plain", counts.claims, "claims judged", "each as printed, and as repaired where it was misprinted",
-           "#claims");
-  add_card(cards, "good", counts.printed[0] + counts.printed[1], "hold as printed",
-           proved_share(counts.printed[0], counts.printed[1]) + " proved for all parameters", "#claims");
-  add_card(cards, "bad", fail, "refuted as printed",
+/// The verdicts on claims as printed, and as repaired where there are repairs.
+void add_printed_cards(const Element& cards, const VerdictTotals& counts) {
+  const VerdictCounts &printed = counts.printed, &repaired = counts.repaired;
+  const std::size_t open = printed[3] + printed[4];
+  add_card(cards, "plain", sum(printed), "claims as printed",
+           sum(repaired) > 0 ? "and as repaired, where the print cannot be meant" : "", "#claims");
+  add_card(cards, "good", printed[0] + printed[1], "hold as printed",
+           proved_share(printed[0], printed[1]) + " proved for all parameters", "#claims");
+  add_card(cards, "bad", printed[2], "refuted as printed",
            open > 0 ? std::to_string(open) + " more have no value as printed" : "with exact counterexamples",
            "#claims");
-  add_card(cards, "good", mended, "hold as repaired",
-           proved_share(counts.repaired[0], counts.repaired[1]) + " proved for all parameters, " +
-               std::to_string(counts.repaired[2]) + " false in every reading",
+  if (sum(repaired) == 0) return;
+  add_card(cards, "good", repaired[0] + repaired[1], "hold as repaired",
+           proved_share(repaired[0], repaired[1]) + " proved for all parameters, " + std::to_string(repaired[2]) +
+               " false in every reading",
            "#claims");
-  add_card(cards, "bad", errata.findings.size(), "findings", findings_detail(errata.findings), "#errata");
+}
+
+void add_own_card(const Element& cards, const VerdictCounts& ours) {
+  const std::size_t fail = sum(ours) - ours[0] - ours[1];
+  add_card(cards, fail == 0 ? "good" : "bad", sum(ours), "claims of our own",
+           proved_share(ours[0], sum(ours) - ours[0]) + " proved for all parameters" +
+               (fail == 0 ? "" : ", " + std::to_string(fail) + " refuted or without a value"),
+           "#claims");
+}
+
+void add_cards(const Element& section, const PageInput& input, const Errata& errata, const VerdictTotals& counts) {
+  const Element cards = section.add("ul", "cards");
+  if (sum(counts.printed) > 0) add_printed_cards(cards, counts);
+  if (sum(counts.ours) > 0) add_own_card(cards, counts.ours);
+  if (sum(counts.printed) > 0 || !errata.findings.empty()) {
+    add_card(cards, "bad", errata.findings.size(), "findings", findings_detail(errata.findings), "#errata");
+  }
   if (!input.certificates.empty()) {
     const std::size_t accepted = count(input.certificates, CertificateState::accepted);
     const bool all = accepted == input.certificates.size();
@@ -241,19 +256,22 @@ void add_overview(const Element& main, const PageInput& input) {
   const Element section = main.add("section", "overview").set("id", "overview").set("aria-labelledby", "title");
   const ClaimsFile& file = *input.claims;
   section.add("p", "kicker")
-      .text("Every claim of one " + std::string(kind_of_source(file)) + ", compared with exact mechanics");
+      .text((file.paper.origin == Origin::ours ? "Claims of our own"
+                                               : "Every claim of one " + std::string(kind_of_source(file))) +
+            ", compared with exact mechanics");
   section.add("h1").set("id", "title").text(file.paper.title);
   add_authors(section, file);
   const Errata errata = slipproof::errata(file, *input.result);
   add_headline(section, input, errata);
   add_problem(section, input);
   add_findings(section, input, errata);
-  const VerdictTotals counts = count_verdicts(*input.result);
+  const VerdictTotals counts = count_verdicts(file, *input.result);
   add_cards(section, input, errata, counts);
   const Element columns = section.add("div", "halves");
   const Element bars = columns.add("div", "bars");
   add_verdict_bar(bars, "as printed", counts.printed);
   add_verdict_bar(bars, "as repaired", counts.repaired);
+  add_verdict_bar(bars, "of our own", counts.ours);
   if (input.trade && !input.trade->workloads.empty()) {
     const Element figure = columns.add("figure", "glance");
     figure.add("h2", "sub").add("a").set("href", "#trade").text("Speed and wrong verdicts");

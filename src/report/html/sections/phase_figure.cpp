@@ -115,9 +115,9 @@ void add_line_legend(const Element& parent, const PhaseDiagram& diagram, const P
   const auto occurs = [&](PhaseLine::Kind kind) {
     return std::any_of(regions.lines.begin(), regions.lines.end(), [&](const auto& l) { return l.kind == kind; });
   };
-  entry("edge", "the motions change, exactly on a threshold of the paper");
-  if (occurs(PhaseLine::Kind::extra)) entry("new", "the motions change, and the paper has no threshold there");
-  if (occurs(PhaseLine::Kind::idle)) entry("curve", "a threshold of the paper where nothing changes");
+  entry("edge", "the motions change, exactly on a threshold of the claims");
+  if (occurs(PhaseLine::Kind::extra)) entry("new", "the motions change, and the claims have no threshold there");
+  if (occurs(PhaseLine::Kind::idle)) entry("curve", "a threshold of the claims where nothing changes");
   const auto shows_misprint = [&](const Plane::Line& line) {
     return line.misprint && diagram.plane.x.from < line.x && line.x < diagram.plane.x.to;
   };
@@ -128,7 +128,7 @@ void add_line_legend(const Element& parent, const PhaseDiagram& diagram, const P
     const Element item = list.add("li", "hatch-key");
     const Element svg = item.add("svg", "swatch").set("viewBox", "0 0 28 18").set("aria-hidden", "true");
     svg.add("rect").set("width", 28).set("height", 18).set("fill", "url(#" + diagram.plane.id + "-hatch)");
-    item.add("span").text("a claim is false as printed: " + refuted_claims(diagram, regions));
+    item.add("span").text("a claim is false: " + refuted_claims(diagram, regions));
   }
 }
 
@@ -136,7 +136,7 @@ void add_hatch_switch(const Element& parent, const PhaseRegions& regions) {
   if (regions.refuted.empty()) return;
   const Element label = parent.add("label", "switch");
   label.add("input").set("type", "checkbox").set("class", "show-hatch").set("checked", "checked");
-  label.text(" Hatch the forces at which a claim is false as printed");
+  label.text(" Hatch the forces at which a claim is false");
 }
 
 }  // namespace

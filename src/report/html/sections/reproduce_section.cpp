@@ -1,5 +1,6 @@
 #include "base/number/format.hpp"
 #include "base/output/listed.hpp"
+#include "report/html/headline.hpp"
 #include "report/html/sections.hpp"
 
 namespace slipproof {
@@ -12,14 +13,15 @@ void add_citation(const Element& section, const PageInput& input) {
   const std::string authors = listed(paper.authors);
   section.add("h3").text("How to cite");
   const Element p = section.add("p");
-  p.text("The paper: " + authors + (authors.empty() ? "" : ", ")).add("i").text(paper.title);
-  p.text((paper.reference.empty() ? "" : ", " + paper.reference) + ". Line numbers are those of its source text, " +
-         paper.source + ".");
+  p.text("The " + std::string(kind_of_source(*input.claims)) + ": " + authors + (authors.empty() ? "" : ", "))
+      .add("i")
+      .text(paper.title);
+  p.text((paper.reference.empty() ? "" : ", " + paper.reference) + ". Line numbers are those of " + paper.source + ".");
   section.add("p").text("This report: “slipproof " + input.version + ", report on ‘" + paper.title + "’, seed " +
                         std::to_string(input.result->seed) + ", " + std::to_string(input.result->samples) +
                         " samples”, together with the SHA-256 of the claims file below.");
   section.add("p").text(
-      "One verdict: the id of the claim, its reading (printed or repaired), and the verdict; a "
+      "One verdict: the id of the claim, its reading (printed, ours or repaired), and the verdict; a "
       "counterexample, as the scene that can be downloaded beside it.");
 }
 
