@@ -27,28 +27,6 @@ std::vector<fs::path> files_in(const fs::path& folder, std::string_view extensio
   return files;
 }
 
-/// `design` of each engine in the file. The other keys are for those who ask the engines.
-std::map<std::string, std::string> designs_in(const fs::path& file) {
-  std::map<std::string, std::string> designs;
-  if (!fs::exists(file)) return designs;
-  const std::string text = read_text_file(file);
-  Mistakes mistakes(file.string());
-  if (const auto root = parse_toml(text, mistakes)) {
-    for (const TomlEntry& engine : root->entries) {
-      const TomlEntry* design = engine.value.find("design");
-      if (design == nullptr) continue;
-      if (design->value.kind == TomlValue::Kind::string) {
-        designs.emplace(engine.key, design->value.text.text());
-      } else {
-        mistakes.add(design->value.place,
-                     "design: found " + std::string(kind_name(design->value.kind)) + ", expected a string");
-      }
-    }
-  }
-  mistakes.refuse_if_any();
-  return designs;
-}
-
 EngineScene scene_of(const fs::path& file, const fs::path& scenes) {
   return {fs::relative(file, scenes).replace_extension().generic_string(), file, read_scene(file.string()), {}};
 }
@@ -80,9 +58,30 @@ bool is_engines_folder(const fs::path& folder) {
   return fs::is_directory(folder / "scenes") && fs::is_directory(folder / "answers");
 }
 
+std::map<std::string, std::string> engine_designs(const fs::path& file) {
+  std::map<std::string, std::string> designs;
+  if (!fs::exists(file)) return designs;
+  const std::string text = read_text_file(file);
+  Mistakes mistakes(file.string());
+  if (const auto root = parse_toml(text, mistakes)) {
+    for (const TomlEntry& engine : root->entries) {
+      const TomlEntry* design = engine.value.find("design");
+      if (design == nullptr) continue;
+      if (design->value.kind == TomlValue::Kind::string) {
+        designs.emplace(engine.key, design->value.text.text());
+      } else {
+        mistakes.add(design->value.place,
+                     "design: found " + std::string(kind_name(design->value.kind)) + ", expected a string");
+      }
+    }
+  }
+  mistakes.refuse_if_any();
+  return designs;
+}
+
 JudgedEngines judge_engines(const fs::path& folder) {
   JudgedEngines result;
-  result.designs = designs_in(folder / "engines.toml");
+  result.designs = engine_designs(folder / "engines.toml");
   std::map<std::string, std::size_t> by_name;
   for (const fs::path& file : files_in(folder / "scenes", ".toml")) {
     result.scenes.push_back(scene_of(file, folder / "scenes"));

@@ -45,14 +45,18 @@ struct EngineScene {
 };
 
 struct JudgedEngines {
-  std::vector<EngineScene> scenes;   ///< by name
-  std::vector<std::string> engines;  ///< by name
-  /// By engine: how its contacts differ from rigid ones on purpose.
-  std::map<std::string, std::string> designs;
+  std::vector<EngineScene> scenes;             ///< by name
+  std::vector<std::string> engines;            ///< by name
+  std::map<std::string, std::string> designs;  ///< by engine: engine_designs
 };
 
 /// Whether a folder has `scenes` and `answers`.
 bool is_engines_folder(const std::filesystem::path& folder);
+
+/// How the contacts of engines differ from rigid ones on purpose, by engine: `design` in a file like
+/// cases/engines/engines.toml. Its other keys are for those who ask the engines. Empty without the file. Throws
+/// InputError.
+std::map<std::string, std::string> engine_designs(const std::filesystem::path& file);
 
 /// Reads FOLDER/scenes/CLASS/NAME.toml, FOLDER/answers/ENGINE.jsonl and, if it is there, FOLDER/engines.toml, and
 /// judges each answer in exact numbers; the scenes in parallel. Throws InputError for files that cannot be read, for an

@@ -268,10 +268,11 @@ class EnginePages {
     table.label = "Answers of engines";
     for (const JudgedEngineAnswer& one : scene.answers) {
       const EngineAnswer& answer = one.answer;
+      const bool off = one.verdict == EngineVerdict::near || one.verdict == EngineVerdict::wrong;
+      const ReportCell verdict = verdict_cell(one, "");
       table.row({answer.engine + " " + answer.version, answer.asked,
-                 one.verdict == EngineVerdict::right ? verdict_cell(one, "")
-                                                     : with_design(answer.engine, verdict_cell(one, "")),
-                 answer_text(answer), ReportLine(code(answer.settings))});
+                 off ? with_design(answer.engine, verdict) : verdict, answer_text(answer),
+                 ReportLine(code(answer.settings))});
     }
     add_table(section, table);
     section.add("p", "how").text("Ask an engine again, and judge what it has answered:");

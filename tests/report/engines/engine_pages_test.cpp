@@ -101,3 +101,43 @@ TEST_CASE("each link of the pages leads to a page, and what engines call themsel
   CHECK(links > 20);
   CHECK(pages.at("one-motion/pulled.html").find("right") != std::string::npos);
 }
+
+TEST_CASE("the numbers of an engine that differs by its design say so, those of others do not") {
+  const test::EngineFiles files;
+  const std::string words = "its design, not a mistake";
+  const auto count = [&](const std::string& html) {
+    std::size_t n = 0;
+    for (std::size_t at = html.find(words); at != html.npos; at = html.find(words, at + 1)) ++n;
+    return n;
+  };
+  CHECK(count(pages_of(results_of(files)).at("index.html")) == 0);
+  files.design("[e]\ndesign = \"soft contacts\"\n[\"<f>\"]\n");
+  const EngineResults results = results_of(files);
+  const auto pages = pages_of(results);
+  pugi::xml_document index;
+  REQUIRE(index.load_string(pages.at("index.html").c_str(), pugi::parse_default | pugi::parse_doctype));
+  CHECK(count(pages.at("index.html")) == 2);  // the table and the thresholds
+  CHECK(index.select_node("//*[@id='table']//tr[th[starts-with(.,'e 1')]]/td[starts-with(.,'1 of 2')]/small"));
+  CHECK(index.select_node("//*[@id='laws']//td[.='soft contacts']"));
+  CHECK(count(pages.at("one-motion.html")) > 0);
+  CHECK(count(pages.at("none/rod.html")) == 1);           // a wrong answer
+  CHECK(count(pages.at("one-motion/pulled.html")) == 0);  // a right one
+  const Json table = Json::parse(engine_table_json(results));
+  CHECK(table["engines"][1]["design"] == "soft contacts");
+  CHECK_FALSE(table["engines"][0].contains("design"));
+}
+
+TEST_CASE("a design that is no string is refused at its place") {
+  const test::EngineFiles files;
+  files.line(answers);
+  files.design("[e]\ndesign = 3\n");
+  CHECK_THROWS_WITH_AS(judge_engines(files.folder()),
+                       doctest::Contains("engines.toml:2:10: design: found a number, expected a string"), InputError);
+}
+
+TEST_CASE("the shipped table says which engines have soft contacts on purpose") {
+  const std::string table = SLIPPROOF_SOURCE_DIR "/cases/engines/engines.toml";
+  const auto designs = engine_designs(table);
+  for (const char* engine : {"mujoco", "rapier2d", "rapier3d", "box2d3"}) CHECK(designs.contains(engine));
+  CHECK(designs.size() == 4);
+}

@@ -64,6 +64,8 @@ theta = { cos = "3/5", sin = "4/5" }
 
   std::filesystem::path folder() const { return folder_.path(""); }
   void line(const std::string& text) const { folder_.write("answers/e.jsonl", text + '\n'); }
+  /// What engines.toml says of them.
+  void design(const std::string& text) const { folder_.write("engines.toml", text); }
   /// An engine's answer to a scene: "motion":{...}, "refused":... or another member.
   void answer(const std::string& scene, const std::string& member) const {
     line(
