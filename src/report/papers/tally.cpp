@@ -49,10 +49,18 @@ Tallies tally(const ClaimsFile& file, const VerifyResult& result) {
     Tally& t = tallies[claim.origin];
     ++t.judged;
     switch (r.verdict) {
-      case Verdict::holds: ++(r.proved ? t.proved : t.held); break;
-      case Verdict::refuted: ++t.refuted; break;
-      case Verdict::undecided: t.undecided.push_back(claim.id); break;
-      case Verdict::vacuous: t.vacuous.push_back(claim.id); break;
+      case Verdict::holds:
+        ++(r.proved ? t.proved : t.held);
+        break;
+      case Verdict::refuted:
+        ++t.refuted;
+        break;
+      case Verdict::undecided:
+        t.undecided.push_back(claim.id);
+        break;
+      case Verdict::vacuous:
+        t.vacuous.push_back(claim.id);
+        break;
     }
   }
   return tallies;
