@@ -7,9 +7,9 @@
 #include "report/html/headline.hpp"
 #include "report/html/sections.hpp"
 #include "report/html/verdict_bar.hpp"
+#include "report/papers/claim_counts.hpp"
 #include "report/papers/errata.hpp"
 #include "report/papers/second_checker.hpp"
-#include "report/papers/tally.hpp"
 
 namespace slipproof {
 

@@ -89,7 +89,7 @@ class Collection {
     const auto is_definition = [&](const Finding& f) { return file_.find(f.id) == nullptr; };
     s.definitions = static_cast<std::size_t>(std::count_if(findings.begin(), findings.end(), is_definition));
     std::size_t own = 0;  // refuted claims that have a finding of their own
-    s.claims = tally(file_, result_);
+    s.claims = count_claims(file_, result_);
     s.missing = result_.missing();
     for (const ClaimResult& r : result_.claims) {
       if (r.reading != Reading::printed || r.verdict != Verdict::refuted) continue;

@@ -6,7 +6,7 @@
 
 #include "claims/verify/verify.hpp"
 #include "report/document/document.hpp"
-#include "report/papers/tally.hpp"
+#include "report/papers/claim_counts.hpp"
 
 namespace slipproof {
 
@@ -59,7 +59,7 @@ std::string repair_certainty(const Finding& finding);
 
 /// How the claims of a paper stand; the list of findings alone does not show that.
 struct Standing {
-  Tallies claims;
+  CountsByOrigin claims;
   std::size_t definitions = 0;  ///< findings about definitions that claims use
   std::size_t shared = 0;       ///< refuted claims that show a finding about another claim or about a definition
   std::size_t others = 0;       ///< findings about claims that are not refuted

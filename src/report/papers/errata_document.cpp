@@ -51,9 +51,9 @@ std::string grade_text(const Finding& finding) {
 
 std::string standing_text(const Errata& errata) {
   const Standing& s = errata.standing;
-  const Tally all = s.claims.all();
+  const ClaimCounts all = s.claims.all();
   if (all.judged == 0) return "No claim was judged: nothing is known.";
-  const std::string text = tally_text(s.claims) + (s.missing == 0 ? "" : " " + missing_text(s.missing) + ".");
+  const std::string text = counts_text(s.claims) + (s.missing == 0 ? "" : " " + missing_text(s.missing) + ".");
   if (!errata.findings.empty()) return text;
   if (all.open() > 0) return text + " No claim is refuted, yet this is no all-clear.";
   return text + (all.held == 0 ? " Nothing is wrong with what was judged."

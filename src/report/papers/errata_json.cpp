@@ -43,7 +43,7 @@ std::string errata_json(const ClaimsFile& file, const Errata& errata) {
   document["findings"] = std::move(list);
   const Standing& standing = errata.standing;
   Json claims;
-  put_tally(claims, "judged", standing.claims.all());
+  put_counts(claims, "judged", standing.claims.all());
   put_origins(claims, "judged", standing.claims);
   claims["missing"] = standing.missing;
   document["claims"] = std::move(claims);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "claims/verify/certificates.hpp"
-#include "report/papers/tally.hpp"
+#include "report/papers/claim_counts.hpp"
 #include "report/values/exact_json.hpp"
 
 namespace slipproof {
@@ -17,19 +17,19 @@ inline Json to_json(const SecondChecker& checker) {
 }
 
 /// Adds the counts; `judged` is the name of their sum.
-inline void put_tally(Json& object, const char* judged, const Tally& tally) {
-  object[judged] = tally.judged;
-  object["proved"] = tally.proved;
-  object["holds"] = tally.held;
-  object["refuted"] = tally.refuted;
-  object["undecided"] = tally.undecided;
-  object["vacuous"] = tally.vacuous;
+inline void put_counts(Json& object, const char* judged, const ClaimCounts& counts) {
+  object[judged] = counts.judged;
+  object["proved"] = counts.proved;
+  object["holds"] = counts.held;
+  object["refuted"] = counts.refuted;
+  object["undecided"] = counts.undecided;
+  object["vacuous"] = counts.vacuous;
 }
 
 /// Adds the counts of claims as printed, and of our own.
-inline void put_origins(Json& object, const char* judged, const Tallies& tallies) {
+inline void put_origins(Json& object, const char* judged, const CountsByOrigin& counts) {
   for (const Origin origin : all_origins) {
-    put_tally(object[std::string(name(origin))], judged, tallies[origin]);
+    put_counts(object[std::string(name(origin))], judged, counts[origin]);
   }
 }
 

@@ -41,7 +41,7 @@ Json paper_json(const JudgedPaper& paper) {
   entry["name"] = paper.name;
   entry["title"] = paper.file.paper.title;
   entry["found"] = paper.file.paper.found;
-  put_tally(entry, "claims", standing.claims.all());
+  put_counts(entry, "claims", standing.claims.all());
   put_origins(entry, "claims", standing.claims);
   entry["missing"] = standing.missing;
   entry["as_expected"] = summary(paper.file, paper.result) == Summary::as_expected;
@@ -65,17 +65,17 @@ Summary summary(const std::vector<JudgedPaper>& papers) {
 namespace {
 
 /// `328 as printed: proved 253 hold 0 refuted 64 open 11`.
-std::string counts_text(const Tally& t, std::string_view whose) {
+std::string status_counts(const ClaimCounts& t, std::string_view whose) {
   return fmt::format("{} {}: proved {} hold {} refuted {} open {}", t.judged, whose, t.proved, t.held, t.refuted,
                      t.open());
 }
 
 /// A row for the claims as printed and one for our own. Returns what is below them.
-Document& add_rows(ReportTable& table, const std::string& paper, const Tallies& tallies) {
+Document& add_rows(ReportTable& table, const std::string& paper, const CountsByOrigin& counts) {
   Document* below = nullptr;
   for (const Origin origin : all_origins) {
-    const Tally& t = tallies[origin];
-    if (t.judged == 0 && (origin == Origin::ours || tallies.ours.judged > 0)) continue;
+    const ClaimCounts& t = counts[origin];
+    if (t.judged == 0 && (origin == Origin::ours || counts.ours.judged > 0)) continue;
     below = &table.row({below == nullptr ? paper : "", name(origin), ReportCell::count(t.judged),
                         ReportCell::count(t.proved), ReportCell::count(t.held), ReportCell::count(t.refuted),
                         ReportCell::count(t.open())});
@@ -98,7 +98,7 @@ Document papers_document(const std::vector<JudgedPaper>& papers) {
                                         {"holds", true, 6},
                                         {"refuted", true},
                                         {"open", true, 5}}});
-  Tallies all;
+  CountsByOrigin all;
   std::size_t missing = 0, findings = 0;
   for (const JudgedPaper& paper : papers) {
     const Errata list = errata(paper.file, paper.result);
@@ -113,7 +113,7 @@ Document papers_document(const std::vector<JudgedPaper>& papers) {
   }
   if (const auto second = second_checker(papers)) document.paragraph(in_words(*second) + ".", 2);
   document.status(fmt::format("s {} {}, {}, {}, {}{}", summary_word(summary(papers)), counted(papers.size(), "source"),
-                              counts_text(all.printed, "as printed"), counts_text(all.ours, "of our own"),
+                              status_counts(all.printed, "as printed"), status_counts(all.ours, "of our own"),
                               counted(findings, "finding"), missing == 0 ? "" : fmt::format(", {} missing", missing)));
   return document;
 }

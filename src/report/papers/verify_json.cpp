@@ -61,7 +61,7 @@ std::string verify_json(const ClaimsFile& file, const VerifyResult& result) {
   document["seed"] = result.seed;
   if (result.second_checker) document["second_checker"] = to_json(*result.second_checker);
   document["missing"] = result.missing();
-  put_origins(document, "judged", tally(file, result));
+  put_origins(document, "judged", count_claims(file, result));
   for (const ClaimResult& r : result.claims) {
     const Claim& claim = file.claims[r.claim];
     Json entry;

@@ -8,9 +8,9 @@
 
 #include "base/number/format.hpp"
 #include "base/output/listed.hpp"
+#include "report/papers/claim_counts.hpp"
 #include "report/papers/explain.hpp"
 #include "report/papers/second_checker.hpp"
-#include "report/papers/tally.hpp"
 
 namespace slipproof {
 
@@ -184,7 +184,7 @@ Document verify_document(const ClaimsFile& file, const VerifyResult& result, Nam
   if (result.second_checker) document.line(in_words(*result.second_checker), 2);
   const std::size_t missing = result.missing();
   if (missing > 0) document.line(missing_text(missing), 2);
-  document.line(tally_text(tally(file, result)), 2);
+  document.line(counts_text(count_claims(file, result)), 2);
   document.status(fmt::format("s {} holds {} refuted {} undecided {} unexpected {} proved {}{}{}",
                               summary_word(summary(file, result)), count[Verdict::holds], count[Verdict::refuted],
                               count[Verdict::undecided], unexpected, proved,

@@ -199,7 +199,7 @@ TEST_CASE("no form of the errata is an all-clear where claims are undecided, vac
 
 TEST_CASE("the counts of the shipped paper add up, in words") {
   const Standing& s = shipped_errata().standing;
-  const Tally& printed = s.claims.printed;
+  const ClaimCounts& printed = s.claims.printed;
   CHECK(printed.proved + printed.held + printed.refuted + printed.open() == printed.judged);
   CHECK(s.claims.ours.judged == 0);
   CHECK(printed.refuted - s.shared + s.definitions + s.others == findings().size());

@@ -1,4 +1,4 @@
-#include "report/papers/tally.hpp"
+#include "report/papers/claim_counts.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@ namespace slipproof {
 namespace {
 
 /// `17 claims of our own were judged: 16 are proved for all parameters, 1 is refuted.`
-std::string sentence_of(const Tally& t, std::string_view whose, std::string_view judged) {
+std::string sentence_of(const ClaimCounts& t, std::string_view whose, std::string_view judged) {
   if (t.judged == 0) return {};
   std::string parts;
   const auto part = [&](std::size_t n, const char* one, const char* many, const std::string& ids = "") {
@@ -29,24 +29,24 @@ std::string sentence_of(const Tally& t, std::string_view whose, std::string_view
 
 }  // namespace
 
-void Tally::add(const Tally& other) {
+void ClaimCounts::add(const ClaimCounts& other) {
   judged += other.judged, proved += other.proved, held += other.held, refuted += other.refuted;
   undecided.insert(undecided.end(), other.undecided.begin(), other.undecided.end());
   vacuous.insert(vacuous.end(), other.vacuous.begin(), other.vacuous.end());
 }
 
-Tally Tallies::all() const {
-  Tally sum = printed;
+ClaimCounts CountsByOrigin::all() const {
+  ClaimCounts sum = printed;
   sum.add(ours);
   return sum;
 }
 
-Tallies tally(const ClaimsFile& file, const VerifyResult& result) {
-  Tallies tallies;
+CountsByOrigin count_claims(const ClaimsFile& file, const VerifyResult& result) {
+  CountsByOrigin counts;
   for (const ClaimResult& r : result.claims) {
     if (r.reading != Reading::printed) continue;
     const Claim& claim = file.claims[r.claim];
-    Tally& t = tallies[claim.origin];
+    ClaimCounts& t = counts[claim.origin];
     ++t.judged;
     switch (r.verdict) {
       case Verdict::holds:
@@ -63,7 +63,7 @@ Tallies tally(const ClaimsFile& file, const VerifyResult& result) {
         break;
     }
   }
-  return tallies;
+  return counts;
 }
 
 std::string claims_text(std::size_t printed, std::size_t ours) {
@@ -71,9 +71,9 @@ std::string claims_text(std::size_t printed, std::size_t ours) {
   return counted(printed, "claim") + " as printed" + (ours == 0 ? "" : fmt::format(", {} of our own", ours));
 }
 
-std::string tally_text(const Tallies& tallies) {
-  const std::string printed = sentence_of(tallies.printed, "", "judged as printed");
-  const std::string ours = sentence_of(tallies.ours, " of our own", "judged");
+std::string counts_text(const CountsByOrigin& counts) {
+  const std::string printed = sentence_of(counts.printed, "", "judged as printed");
+  const std::string ours = sentence_of(counts.ours, " of our own", "judged");
   return printed + (printed.empty() || ours.empty() ? "" : " ") + ours;
 }
 
