@@ -17,7 +17,7 @@ Definition here (facts : list form) : Prop :=
   forall u us, no_name_twice (names_of_motions s (length (u :: us))) = true -> Forall (holds (valuation s x (u :: us))) facts.
 
 Lemma agrees_here u us i w : no_name_twice (names_of_motions s (length (u :: us))) = true -> nth_error (u :: us) i = Some w ->
-  agrees_with s (valuation s x (u :: us)) (suffix i) x w.
+  agrees_with s (valuation s x (u :: us)) (suffix s i) x w.
 Proof. apply valuation_agrees. Qed.
 
 Lemma point_here : point s x -> here (point_facts s).
@@ -49,7 +49,7 @@ Qed.
 
 (** A goal about one motion. *)
 Lemma shown_of_motion facts md u fs shown : here facts -> motion s x md u -> motion_forms s 0 md = Some fs ->
-  goal_holds (Goal (fs ++ facts) [] shown) -> exists w, agrees_with s w (suffix 0) x u /\ holds w shown.
+  goal_holds (Goal (fs ++ facts) [] shown) -> exists w, agrees_with s w (suffix s 0) x u /\ holds w shown.
 Proof.
   intros H M F G. set (v := valuation s x [u; u]). assert (A := agrees_here u [u] 0 u two_apart eq_refl).
   destruct (goal_shown _ _ v G) as [w [S K]].
@@ -58,7 +58,7 @@ Proof.
 Qed.
 
 Lemma shown_here facts shown : here facts -> goal_holds (Goal facts [] shown) ->
-  exists w, agrees_with s w (suffix 0) x x /\ holds w shown.
+  exists w, agrees_with s w (suffix s 0) x x /\ holds w shown.
 Proof.
   intros H G. assert (A := agrees_here x [x] 0 x two_apart eq_refl). destruct (goal_shown _ _ _ G (H x [x] two_apart)) as [w [S K]].
   exists w. split; [exact (agrees_same s _ _ _ _ _ S A)|exact K].
@@ -118,7 +118,7 @@ Proof.
   rewrite in_list_iff, in_map_iff. split; [|intro I; exists name; auto]. intros [n [E I]]. apply code_injective in E. now subst.
 Qed.
 
-Lemma plain_agrees u : agrees_with s (plain_values u) (suffix 0) x u.
+Lemma plain_agrees u : agrees_with s (plain_values u) (suffix s 0) x u.
 Proof.
   split; intros name I; unfold plain_values; simpl suffix; rewrite ?append_nil_r, decode_code.
   - destruct (in_list (code name) (map code (unknowns m))) eqn:J; [|reflexivity]. exfalso. apply in_codes in J.
@@ -167,7 +167,7 @@ Proof.
     + exfalso. apply in_map_iff in I. destruct I as [q [I J]]. assert (K := find_none _ _ F _ J). simpl in K. subst.
       now rewrite String.eqb_refl in K.
 Qed.
-Lemma same_accelerations_hold v i j u w : agrees_with s v (suffix i) x u -> agrees_with s v (suffix j) x w -> quantities_fit s = true ->
+Lemma same_accelerations_hold v i j u w : agrees_with s v (suffix s i) x u -> agrees_with s v (suffix s j) x w -> quantities_fit s = true ->
   holds v (same_accelerations s i j) -> same_motion s x u w.
 Proof.
   intros [_ U] [_ W] Q H. apply same_accelerations_sound; [exact Q|]. intros a I.
@@ -175,7 +175,7 @@ Proof.
   { unfold quantities_fit in Q. apply andb_true_iff in Q. destruct Q as [Q _]. apply andb_true_iff in Q. destruct Q as [_ A].
     rewrite forallb_forall in A. specialize (A _ I). apply andb_true_iff in A. apply is_in_In, A. }
   unfold same_accelerations in H. apply holds_all in H. rewrite Forall_map, Forall_forall in H. specialize (H _ I).
-  change (value_at v (add (variable (code (a ++ suffix i)%string)) (neg (variable (code (a ++ suffix j)%string)))) = 0) in H.
+  change (value_at v (add (variable (code (a ++ suffix s i)%string)) (neg (variable (code (a ++ suffix s j)%string)))) = 0) in H.
   rewrite add_value, neg_value in H. rewrite <- (U _ J), <- (W _ J). unfold variable in H. simpl in H. lra.
 Qed.
 End Claim.

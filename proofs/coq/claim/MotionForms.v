@@ -62,7 +62,7 @@ Notation m := (of_mechanism s).
 
 Definition values_of (x : string -> R) (us : list (string -> R)) : list (string * R) :=
   map (fun name => (name, x name)) (symbols s)
-  ++ flat_map (fun iu => map (fun name => ((name ++ suffix (fst iu))%string, snd iu name)) (unknowns m)) (combine (seq 0 (length us)) us).
+  ++ flat_map (fun iu => map (fun name => ((name ++ suffix s (fst iu))%string, snd iu name)) (unknowns m)) (combine (seq 0 (length us)) us).
 Definition valuation (x : string -> R) (us : list (string -> R)) (p : positive) : R := lookup (values_of x us) (decode p).
 
 Lemma values_of_names x us : map fst (values_of x us) = names_of_motions s (length us).
@@ -72,7 +72,7 @@ Proof.
 Qed.
 
 Lemma valuation_agrees x us i u : no_name_twice (names_of_motions s (length us)) = true -> nth_error us i = Some u ->
-  agrees_with s (valuation x us) (suffix i) x u.
+  agrees_with s (valuation x us) (suffix s i) x u.
 Proof.
   intros N E. rewrite <- (values_of_names x us) in N. split; intros name I; unfold valuation; rewrite decode_code; apply lookup_in;
     try exact N; unfold values_of; apply in_or_app.
@@ -106,7 +106,7 @@ Proof.
     rewrite (normal_condition_sound v _ _ A _ _ _ E). tauto.
 Qed.
 
-Lemma motion_forms_sound v i md x u fs : agrees_with s v (suffix i) x u -> motion_forms s i md = Some fs ->
+Lemma motion_forms_sound v i md x u fs : agrees_with s v (suffix s i) x u -> motion_forms s i md = Some fs ->
   (Forall (holds v) fs <-> motion s x md u).
 Proof.
   intros [A U] H. unfold motion_forms in H. options H. rewrite (normal_all_sound v _ _ _ _ (mechanism_agrees v s x A _ u U) H).
@@ -186,10 +186,10 @@ Proof.
   apply (normal_all_sound v _ _ _ _ A E0), T.
 Qed.
 
-Lemma any_motion_sound v x md u fs : agrees_with s v (suffix 0) x u -> any_motion_forms s = Some fs -> motion s x md u ->
+Lemma any_motion_sound v x md u fs : agrees_with s v (suffix s 0) x u -> any_motion_forms s = Some fs -> motion s x md u ->
   Forall (holds v) fs.
 Proof.
-  intros [A U] H [conds [M [D C]]]. assert (N := mechanism_agrees v s x A (suffix 0) u U).
+  intros [A U] H [conds [M [D C]]]. assert (N := mechanism_agrees v s x A (suffix s 0) u U).
   unfold any_motion_forms in H. options H. inversion H; subst. unfold mode_conditions in M. options M. inversion M; subst.
   destruct p as [cc rest]. simpl in *. apply Forall_app in C. destruct C as [C R]. apply Forall_app. split; [|apply Forall_app; split].
   - apply (normal_all_sound v _ _ _ _ N E), D.

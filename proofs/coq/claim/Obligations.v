@@ -1,5 +1,5 @@
 (** What has to be shown of a claim: goals that are all to hold. Of several ways to show one thing, one is enough. *)
-From Coq Require Import String List Bool NArith ZArith Reals Lra Lia.
+From Coq Require Import Ascii String List Bool NArith ZArith Reals Lra Lia.
 From Slipproof Require Import Text Syntax Meaning Poly Normal NormalSound.
 From Slipproof.claim Require Import Expression Mechanism Claim Forms FormsSound Entails Covers Scopes Points Rising.
 Import ListNotations.
@@ -20,10 +20,27 @@ Let names := paper_scope s None.
 
 Definition normal_all (scope : Normal.scope) : list condition -> option (list form) := map_option (normal_condition scope true).
 
-(** Of several motions the second has the suffix _2, and so on. *)
+(** Of several motions the second has the suffix _2, and so on; or '2, if a name of the setting is that of an unknown with such a
+    suffix: of bodies A and A_2. No name in a file has a prime. *)
+Fixpoint rest_after (start name : string) : option string :=
+  match start, name with
+  | EmptyString, _ => Some name
+  | String a start, String b name => if Ascii.eqb a b then rest_after start name else None
+  | _, EmptyString => None
+  end.
+Definition is_digit (c : ascii) : bool := match digit c with Some _ => true | None => false end.
+Definition of_further_motion (unknown name : string) : bool :=
+  match rest_after (unknown ++ "_") name with Some (String c text) => all_in is_digit (String c text) | _ => false end.
+Definition mark : string :=
+  let written := symbols s ++ map fst (paper_definitions s) ++ unknowns m ++ map fst (quantities m) in
+  if existsb (fun unknown => existsb (of_further_motion unknown) written) (unknowns m) then "'" else "_".
 Definition suffix (i : nat) : string :=
-  match i with O => "" | 1 => "_2" | 2 => "_3" | 3 => "_4" | 4 => "_5" | 5 => "_6" | 6 => "_7" | 7 => "_8" | _ => "_9" end%string.
-Definition suffixed (i : nat) : list string := map (fun name => (name ++ suffix i)%string) (unknowns m).
+  let numbered number := (mark ++ number)%string in
+  match i with
+  | O => "" | 1 => numbered "2" | 2 => numbered "3" | 3 => numbered "4" | 4 => numbered "5" | 5 => numbered "6" | 6 => numbered "7"
+  | 7 => numbered "8" | _ => numbered "9"
+  end%string.
+Definition suffixed (i : nat) : list string := let ending := suffix i in map (fun name => (name ++ ending)%string) (unknowns m).
 Definition names_of_motions (n : nat) : list string := symbols s ++ flat_map suffixed (seq 0 n).
 
 Definition motion_forms (i : nat) (md : mode) : option (list form) :=
@@ -54,7 +71,8 @@ Definition any_motion_forms : option (list form) :=
   Some (ds ++ cs ++ rs).
 
 Definition same_accelerations (i j : nat) : form :=
-  All (map (fun a => Atom Zero (add (variable (code (a ++ suffix i)%string)) (neg (variable (code (a ++ suffix j)%string))))) (accelerations m)).
+  let first := suffix i in let second := suffix j in
+  All (map (fun a => Atom Zero (add (variable (code (a ++ first)%string)) (neg (variable (code (a ++ second)%string))))) (accelerations m)).
 
 (** Gaps and slips depend on accelerations alone. *)
 Definition fraction_free (vs : list positive) (f : fraction) : bool :=
@@ -107,11 +125,11 @@ Definition value_goal (scope : Normal.scope) (facts : list form) (d : condition)
   let* ds := divisors scope d in Some (Goal facts [] (Any [apart_from_zero ds; yes; no])).
 (** Of a condition on the paper's names; of an equation about motions. *)
 Definition has_value_goal := value_goal names.
-Definition equation_goal := value_goal (motion_scope s (suffix 0)).
+Definition equation_goal := value_goal (motion_scope s (suffix s 0)).
 Definition without_force (facts : list form) : list form := filter (form_free [code (force s)]) facts.
 Definition model_forms (model : option (option mode)) : option (list form) :=
   match model with
-  | Some md => let* cs := model_equations s md in normal_all (mechanism_scope s (suffix 0)) cs
+  | Some md => let* cs := model_equations s md in normal_all (mechanism_scope s (suffix s 0)) cs
   | None => Some []
   end.
 
@@ -164,7 +182,7 @@ Definition ways_of_kind (cells : list form) (facts : list form) (forces : form) 
       Some [[Goal (fs ++ facts) [] forces]; [Goal there (suffixed s 0) (All fs)]]
   | Impossible modes => each_motion there modes (Some (Any []))
   | Formula [] holds => let* g := normal_condition names true holds in Some [[Goal there [] g]]
-  | Formula modes holds => each_motion there modes (normal_condition (motion_scope s (suffix 0)) true holds)
+  | Formula modes holds => each_motion there modes (normal_condition (motion_scope s (suffix s 0)) true holds)
   | Motions modes =>
       require quantities_fit s && all_modelled_here s && Nat.leb (length modes) 7
               && no_name_twice (names_of_motions s (S (length modes))) in
@@ -179,8 +197,8 @@ Definition ways_of_kind (cells : list form) (facts : list form) (forces : form) 
       require negb (is_in (force s) (unknowns (of_mechanism s))) && forallb (linear_equation s) (hs ++ es) in
       let still := without_force facts in
       let* ms := model_forms model in
-      let* given := normal_all (motion_scope s (suffix 0)) hs in
-      let* shown := normal_all (motion_scope s (suffix 0)) es in
+      let* given := normal_all (motion_scope s (suffix s 0)) hs in
+      let* shown := normal_all (motion_scope s (suffix s 0)) es in
       let* values := map_option (equation_goal still) (hs ++ es) in
       Some ([Goal (ms ++ given ++ still) [] (All shown)] :: map (fun g => [g]) values)
   | System model given hs es =>
@@ -188,9 +206,9 @@ Definition ways_of_kind (cells : list form) (facts : list form) (forces : form) 
               && unknowns_fit s && negb (existsb (mentions_in (map fst (quantities (of_mechanism s)))) (given ++ es)) in
       let still := without_force facts in
       let* ms := model_forms model in
-      let* gs := normal_all (motion_scope s (suffix 0)) given in
-      let* others := normal_all (motion_scope s (suffix 0)) hs in
-      let* shown := normal_all (motion_scope s (suffix 0)) es in
+      let* gs := normal_all (motion_scope s (suffix s 0)) given in
+      let* others := normal_all (motion_scope s (suffix s 0)) hs in
+      let* shown := normal_all (motion_scope s (suffix s 0)) es in
       let* values := map_option (equation_goal still) (given ++ hs ++ es) in
       Some ([Goal (ms ++ gs ++ others ++ still) [] (All shown)]
             :: [Goal (gs ++ shown ++ still) (not_chosen (given ++ es)) (All (ms ++ gs ++ others))] :: map (fun g => [g]) values)
@@ -241,8 +259,8 @@ Definition equations_refuted (yes : form) (model : option (option mode)) (hs es 
   let still := without_force (yes :: bicycle_facts s) in
   let* here := point_forms s in
   let* ms := model_forms model in
-  let* given := normal_all (motion_scope s (suffix 0)) hs in
-  let* nos := map_option (normal_condition (motion_scope s (suffix 0)) false) es in
+  let* given := normal_all (motion_scope s (suffix s 0)) hs in
+  let* nos := map_option (normal_condition (motion_scope s (suffix s 0)) false) es in
   let* values := map_option (equation_goal still) (hs ++ es) in
   Some ([Goal [] (names_of_motions s 1) (All (here ++ yes :: Any nos :: ms ++ given))] :: map (fun g => [g]) values).
 
@@ -263,7 +281,7 @@ Definition refuting_ways : option (list way) :=
   | Formula modes holds =>
       let* any := of_one modes tt in
       let* here := point_forms s in
-      let* no := normal_condition (motion_scope s (suffix 0)) false holds in
+      let* no := normal_condition (motion_scope s (suffix s 0)) false holds in
       Some [[Goal [] (names_of_motions s 1) (All (here ++ [yes; forces; Any any; no]))]]
   | Equivalence holds =>
       let* no := normal_condition names false (at_forces c) in

@@ -18,12 +18,12 @@ Let agrees_here := Here.agrees_here c x.
 Definition moved (v : positive -> R) (f : R) (p : positive) : R := if Pos.eqb p (code (force s)) then f else v p.
 
 Lemma moved_agrees u f : ~ In (force s) (unknowns m) ->
-  agrees_with s (moved (valuation s x [u; u]) f) (suffix 0) (with_force s x f) u.
+  agrees_with s (moved (valuation s x [u; u]) f) (suffix s 0) (with_force s x f) u.
 Proof.
   intro F. destruct (agrees_here u [u] 0 u two_apart eq_refl) as [A U]. unfold moved, with_force. split; intros name I.
   - destruct (Pos.eqb_spec (code name) (code (force s))) as [E|E]; destruct (String.eqb_spec name (force s)) as [G|G];
       try (apply code_injective in E); try congruence. apply A, I.
-  - destruct (Pos.eqb_spec (code (name ++ suffix 0)%string) (code (force s))) as [E|E]; [|apply U, I].
+  - destruct (Pos.eqb_spec (code (name ++ suffix s 0)%string) (code (force s))) as [E|E]; [|apply U, I].
     apply code_injective in E. simpl suffix in E. rewrite append_nil_r in E. subst. contradiction.
 Qed.
 
@@ -46,7 +46,7 @@ Proof.
     assert (T := B _ (in_map (fun g => [g]) _ _ J)). apply one_goal in T.
     destruct (goal_shown _ _ _ T (without_force_moved facts u f H)) as [w [X Z]].
     destruct (agrees_same s _ _ _ _ _ X (moved_agrees u f U)) as [P Q].
-    assert (Y := motion_agrees w s (with_force s x f) P (suffix 0) u Q).
+    assert (Y := motion_agrees w s (with_force s x f) P (suffix s 0) u Q).
     apply holds_any in Z. inversion Z as [? ? D|? ? D]; subst; [|inversion D as [? ? O|? ? O]; subst; [|inversion O as [? ? R|? ? R]; subst; [|inversion R]]].
     + apply apart_from_zero_sound in D. exact (divisors_sound w _ _ Y _ _ E1 D).
     + left. exact (proj1 (normal_condition_sound w _ _ Y _ _ _ E) O).
@@ -54,23 +54,23 @@ Proof.
 Qed.
 
 (** Equations and the forms of them, at values that agree. *)
-Lemma equations_sound v f u es fs : agrees_with s v (suffix 0) (with_force s x f) u ->
-  normal_all (motion_scope s (suffix 0)) es = Some fs -> (Forall (holds v) fs <-> satisfies c x f u es).
-Proof. intros [P Q] N. apply (normal_all_sound v _ _ _ _ (motion_agrees _ s _ P (suffix 0) u Q) N). Qed.
+Lemma equations_sound v f u es fs : agrees_with s v (suffix s 0) (with_force s x f) u ->
+  normal_all (motion_scope s (suffix s 0)) es = Some fs -> (Forall (holds v) fs <-> satisfies c x f u es).
+Proof. intros [P Q] N. apply (normal_all_sound v _ _ _ _ (motion_agrees _ s _ P (suffix s 0) u Q) N). Qed.
 
-Lemma model_sound v f u model ms : agrees_with s v (suffix 0) (with_force s x f) u -> model_forms c model = Some ms ->
+Lemma model_sound v f u model ms : agrees_with s v (suffix s 0) (with_force s x f) u -> model_forms c model = Some ms ->
   (Forall (holds v) ms <-> forall md, model = Some md ->
      exists cs, model_equations s md = Some cs /\ all_true (mechanism_names s (with_force s x f) u) cs).
 Proof.
   intros [P Q] M. unfold model_forms in M. destruct model as [md|].
-  - options M. rewrite (normal_all_sound v _ _ _ _ (mechanism_agrees _ s _ P (suffix 0) u Q) M). split.
+  - options M. rewrite (normal_all_sound v _ _ _ _ (mechanism_agrees _ s _ P (suffix s 0) u Q) M). split.
     + intros T md' F. inversion F; subst. eauto.
     + intro T. destruct (T md eq_refl) as [cs [C R]]. congruence.
   - inversion M; subst. split; [discriminate|constructor].
 Qed.
 
-Lemma solves_sound v f u model hs ms fs : agrees_with s v (suffix 0) (with_force s x f) u -> model_forms c model = Some ms ->
-  normal_all (motion_scope s (suffix 0)) hs = Some fs -> (Forall (holds v) (ms ++ fs) <-> solves c x model hs f u).
+Lemma solves_sound v f u model hs ms fs : agrees_with s v (suffix s 0) (with_force s x f) u -> model_forms c model = Some ms ->
+  normal_all (motion_scope s (suffix s 0)) hs = Some fs -> (Forall (holds v) (ms ++ fs) <-> solves c x model hs f u).
 Proof.
   intros A M N. rewrite Forall_app, (model_sound v f u model ms A M), (equations_sound v f u hs fs A N). unfold solves, satisfies. tauto.
 Qed.
@@ -182,8 +182,8 @@ Proof.
     destruct (goal_near _ (moved (valuation s x [u; u]) f) B) as [v [N Z]].
     + apply Forall_app. split; [eapply equations_sound; eassumption|]. apply Forall_app.
       split; [eapply equations_sound; eassumption|exact (without_force_moved facts u f H)].
-    + simpl in N, Z. set (w := fun name => v (code (name ++ suffix 0)%string)).
-      assert (Aw : agrees_with s v (suffix 0) (with_force s x f) w).
+    + simpl in N, Z. set (w := fun name => v (code (name ++ suffix s 0)%string)).
+      assert (Aw : agrees_with s v (suffix s 0) (with_force s x f) w).
       { split; intros name I; [|reflexivity]. destruct Ag as [P _]. rewrite <- (P name I). apply N. intro J.
         apply (symbols_apart c x two_apart name I). unfold not_chosen in J. apply filter_In in J. unfold suffixed. apply in_map_iff.
         exists name. simpl. rewrite append_nil_r. tauto. }

@@ -24,7 +24,7 @@ Notation s := (in_setting c).
 Variable x : string -> R.
 Hypothesis two_apart : no_name_twice (names_of_motions s 2) = true.
 
-Lemma listed_motion v i modes f u : agrees_with s v (suffix i) x u -> listed_forms s i modes = Some f ->
+Lemma listed_motion v i modes f u : agrees_with s v (suffix s i) x u -> listed_forms s i modes = Some f ->
   (holds v f <-> exists md, In md modes /\ motion s x md u).
 Proof.
   intros A E. unfold listed_forms in E. options E. inversion E; subst. rewrite holds_any, Exists_exists. split.
@@ -49,8 +49,8 @@ Proof.
   { destruct (cell_at x x) as [cell [I Z]]. specialize (Cells _ I). inversion Cells as [|? ? G _]; subst. apply one_goal in G.
     destruct (goal_near _ (valuation s x [x; x]) G) as [w [N L]].
     - constructor; [exact Z|exact (H x [x] two_apart)].
-    - simpl in N, L. set (u := fun name => w (code (name ++ suffix 0)%string)).
-      assert (A : agrees_with s w (suffix 0) x u).
+    - simpl in N, L. set (u := fun name => w (code (name ++ suffix s 0)%string)).
+      assert (A : agrees_with s w (suffix s 0) x u).
       { split; intros name J; [|reflexivity]. rewrite N; [apply (agrees_here c x x [x] 0 x two_apart eq_refl), J|].
         exact (symbols_apart c x two_apart name J). }
       apply (listed_motion w 0 modes listed u A E0) in L. destruct L as [md [J M]]. eauto. }

@@ -11,9 +11,9 @@ Notation s := (in_setting c).
 
 (** What values [w] say of the paper's symbols, and of the unknowns of a motion. *)
 Definition symbols_in (w : positive -> R) (name : string) : R := w (code name).
-Definition motion_in_values (w : positive -> R) (i : nat) (name : string) : R := w (code (name ++ suffix i)%string).
+Definition motion_in_values (w : positive -> R) (i : nat) (name : string) : R := w (code (name ++ suffix s i)%string).
 
-Lemma values_agree w i : agrees_with s w (suffix i) (symbols_in w) (motion_in_values w i).
+Lemma values_agree w i : agrees_with s w (suffix s i) (symbols_in w) (motion_in_values w i).
 Proof. split; intros name I; reflexivity. Qed.
 
 Lemma here_and_more fs names more : point_forms s = Some fs -> goal_holds (Goal [] names (All (fs ++ more))) ->
@@ -113,7 +113,7 @@ Proof.
   - apply (equations_have_values c (symbols_in w) T model l0 (hs ++ es) (yes :: bicycle_facts s) l3); auto.
     apply (here_also c _ _ _ _ Y R), bicycle_here, Q.
   - set (f := symbols_in w (force s)). exists f, (motion_in_values w 0).
-    assert (A : agrees_with s w (suffix 0) (with_force s (symbols_in w) f) (motion_in_values w 0)).
+    assert (A : agrees_with s w (suffix s 0) (with_force s (symbols_in w) f) (motion_in_values w 0)).
     { split; intros name I; [|reflexivity]. unfold with_force, f. destruct (String.eqb_spec name (force s)); [now subst|reflexivity]. }
     split; [exact (proj1 (solves_sound c _ w f _ model hs _ _ A E2 E3) So)|]. intro S.
     apply holds_any, Exists_exists in N. destruct N as [g [I N]]. destruct (map_option_from _ _ _ E4 _ I) as [e [F J]].

@@ -4,7 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
+#include <functional>
+#include <map>
 #include <sstream>
 
 #include "base/expression/logic.hpp"
@@ -14,26 +15,18 @@
 namespace slipproof {
 namespace {
 
-/// The text for a second motion: its unknowns, and everything defined from them, with an ending added to their names.
-MotionText with_ending(const MotionText& motion, const std::vector<std::string>& unknowns, const std::string& ending) {
-  std::set<std::string, std::less<>> names(unknowns.begin(), unknowns.end());
-  std::string line;
-  for (std::istringstream lines(motion.definitions); std::getline(lines, line);) {
-    const std::size_t begin = line.find(' ') + 1;
-    names.insert(line.substr(begin, line.find_first_of(" :", begin) - begin));
+/// The text with some of its words replaced.
+std::string with_names(const std::string& text, const std::map<std::string, std::string, std::less<>>& names) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t end = i;
+    while (end < text.size() && MadeUpNames::is_in_word(text[end])) ++end;
+    const std::string word = text.substr(i, std::max<std::size_t>(end - i, 1));
+    const auto found = names.find(word);
+    result += found == names.end() ? word : found->second;
+    i += word.size();
   }
-  const auto renamed = [&](const std::string& text) {
-    std::string result;
-    for (std::size_t i = 0; i < text.size();) {
-      std::size_t end = i;
-      while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_')) ++end;
-      const std::string word = text.substr(i, std::max<std::size_t>(end - i, 1));
-      result += names.contains(word) ? word + ending : word;
-      i += word.size();
-    }
-    return result;
-  };
-  return {renamed(motion.definitions), renamed(motion.formula)};
+  return result;
 }
 
 /// A line `real` or `exists` has a space before each name.
@@ -80,13 +73,11 @@ void ClaimWriter::implied(const Implication& implication, const std::string& sho
   std::string result = opening(implication.suffix);
   std::vector<Expression> all = uses;
   const std::string assumptions = assumed(implication.assumptions, all);
-  result += fmt::format("{}assume domain: {}\n", variables(), domain(implication.force_domain)) + scene(all);
+  result += variables() + assumption("domain", domain(implication.force_domain)) + scene(all) + assumptions;
   if (implication.motion) {
-    result += fmt::format("{}{}real {}\n{}assume motion: {}\n", assumptions, implication.hints,
-                          fmt::join(mechanics().unknowns(), " "), implication.motion->definitions,
-                          implication.motion->formula);
-  } else {
-    result += assumptions;
+    result += fmt::format("{}real {}\n{}", implication.hints, fmt::join(mechanics().unknowns(), " "),
+                          implication.motion->definitions) +
+              assumption("motion", implication.motion->formula);
   }
   statements_.push_back({name_ + implication.suffix, result + fmt::format("show {}\n", shown), implication.refutes});
 }
@@ -129,8 +120,7 @@ void ClaimWriter::exists(const Implication& implication, const std::vector<std::
   }
   result += variables();
   if (!known.empty()) result += fmt::format("real {}\n", fmt::join(known, " "));
-  result += fmt::format("assume domain: {}\n", domain(implication.force_domain)) + scene(all) + assumptions +
-            implication.hints;
+  result += assumption("domain", domain(implication.force_domain)) + scene(all) + assumptions + implication.hints;
   result += fmt::format("exists {}\n{}show {}\n", fmt::join(unknowns, " "), shown.definitions, shown.formula);
   statements_.push_back({name_ + implication.suffix, std::move(result), implication.refutes});
 }
@@ -144,14 +134,35 @@ void ClaimWriter::together(const std::string& suffix, const Assumptions& assumpt
   std::string result = opening(suffix);
   std::vector<Expression> uses;
   const std::string assumption_lines = assumed(assumptions, uses);
-  result += fmt::format("{}assume domain: {}\n", variables(), domain(true)) + scene(uses) + assumption_lines + hints;
-  for (std::size_t i = 0; i < motions.size(); ++i) {
-    const std::string ending = i == 0 ? "" : fmt::format("_{}", i + 1);
-    const MotionText motion = with_ending(motions[i], mechanics().unknowns(), ending);
-    result += fmt::format("real {}{}\n{}assume motion{}: {}\n", fmt::join(mechanics().unknowns(), ending + " "), ending,
-                          motion.definitions, ending, motion.formula);
+  result += variables() + assumption("domain", domain(true)) + scene(uses) + assumption_lines + hints;
+  for (std::size_t i = 1; i <= motions.size(); ++i) {
+    const MotionText motion = numbered(motions[i - 1], i);
+    result += fmt::format("real {}\n{}", fmt::join(unknowns(i), " "), motion.definitions) +
+              assumption("motion" + made_up().ending(i), motion.formula);
   }
   statements_.push_back({name_ + suffix, result + fmt::format("show {}\n", shown)});
+}
+
+std::vector<std::string> ClaimWriter::unknowns(std::size_t motion) const {
+  std::vector<std::string> result;
+  for (const std::string& unknown : mechanics().unknowns())
+    result.push_back(unknown + mechanics().names().ending(motion));
+  return result;
+}
+
+MotionText ClaimWriter::numbered(const MotionText& motion, std::size_t number) {
+  if (number == 1) return motion;
+  std::map<std::string, std::string, std::less<>> names;
+  const std::vector<std::string>& first = mechanics().unknowns();
+  const std::vector<std::string> here = unknowns(number);
+  for (std::size_t i = 0; i < first.size(); ++i) names.emplace(first[i], here[i]);
+  std::string line;
+  for (std::istringstream lines(motion.definitions); std::getline(lines, line);) {
+    const std::size_t begin = line.find(' ') + 1;
+    const std::string name = line.substr(begin, line.find_first_of(" :", begin) - begin);
+    names.emplace(name, made_up().take(name + made_up().ending(number)));
+  }
+  return {with_names(motion.definitions, names), with_names(motion.formula, names)};
 }
 
 void ClaimWriter::one_motion(const std::string& suffix, const Assumptions& assumptions, const MotionText& x,
@@ -160,8 +171,9 @@ void ClaimWriter::one_motion(const std::string& suffix, const Assumptions& assum
 }
 
 std::string ClaimWriter::same_accelerations(std::size_t other) const {
+  const std::string ending = mechanics().names().ending(other);
   std::vector<std::string> same;
-  for (const auto& unknown : mechanics().accelerations()) same.push_back(fmt::format("{0} = {0}_{1}", unknown, other));
+  for (const auto& unknown : mechanics().accelerations()) same.push_back(fmt::format("{0} = {0}{1}", unknown, ending));
   return fmt::format("{}", fmt::join(same, " and "));
 }
 
@@ -195,7 +207,7 @@ void ClaimWriter::goes_beyond(const std::string& suffix, const std::string& para
   if (!is_bounded(parameter)) return;
   const std::string greater = parameter + "'";
   std::vector<Expression> uses = {body_.region, from};
-  std::string result = opening(suffix) + fmt::format("{}assume domain: {}\n", variables(), domain(false));
+  std::string result = opening(suffix) + variables() + assumption("domain", domain(false));
   result += definitions(uses) + assumption("region", body_.region);
   const auto bound = number_text(from, [this](const Expression& e) { return always_defined(e); });
   if (!bound) give_up();
@@ -264,10 +276,9 @@ void ClaimWriter::somewhere(const std::string& suffix, const std::vector<Express
   }
   result += "exists " + parameters();
   std::string definitions;
-  for (std::size_t i = 0; i < motions.size(); ++i) {
-    const std::string ending = i == 0 ? "" : fmt::format("_{}", i + 1);
-    for (const auto& unknown : mechanics().unknowns()) result += fmt::format(" {}{}", unknown, ending);
-    const MotionText motion = with_ending(motions[i], mechanics().unknowns(), ending);
+  for (std::size_t i = 1; i <= motions.size(); ++i) {
+    result += fmt::format(" {}", fmt::join(unknowns(i), " "));
+    const MotionText motion = numbered(motions[i - 1], i);
     definitions += motion.definitions;
     shown += " and " + motion.formula;
   }

@@ -85,6 +85,10 @@ class ClaimWriter : public SettingWriter {
   /// All of `motions` at once; from the second on, each has its own names.
   void together(const std::string& suffix, const Assumptions& assumptions, const std::vector<MotionText>& motions,
                 const std::string& hints, const std::string& shown);
+  /// The unknowns of a motion by its number from 1.
+  std::vector<std::string> unknowns(std::size_t motion) const;
+  /// The text for a further motion: its unknowns, and everything that is defined from them, have names of their own.
+  MotionText numbered(const MotionText& motion, std::size_t number);
   std::string opening(const std::string& suffix);
   /// A line that proposes to split where the parameter has the boundary's value.
   std::string hint(const Boundary& boundary) const;

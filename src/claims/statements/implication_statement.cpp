@@ -18,11 +18,11 @@ class ImplicationWriter : SettingWriter {
     std::vector<Expression> uses = implication_.given;
     uses.push_back(implication_.shown);
     std::string result = header(implication_.name, setting().id);
-    result += fmt::format("{}assume domain: {}\n", variables(), domain(true));
+    result += variables() + assumption("domain", domain(true));
     if (moving) {
       const MotionText motion = implication_.mode ? this->motion(*implication_.mode) : equations(std::nullopt);
-      result += scene(uses) + fmt::format("real {}\n{}assume motion: {}\n", fmt::join(mechanics().unknowns(), " "),
-                                          motion.definitions, motion.formula);
+      result += scene(uses) + fmt::format("real {}\n", fmt::join(mechanics().unknowns(), " ")) + motion.definitions +
+                assumption("motion", motion.formula);
     } else {
       result += definitions(uses) + free_unknowns(uses);
     }

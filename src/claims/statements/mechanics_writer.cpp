@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 #include "claims/statements/determined_forces.hpp"
 #include "claims/statements/truth_text.hpp"
@@ -13,13 +12,6 @@
 namespace slipproof {
 
 namespace {
-
-/// Letters, digits and underscores, as names in statements may have.
-std::string as_name(std::string_view text) {
-  std::string name;
-  for (const char c : text) name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-  return name;
-}
 
 /// Joins the texts of the items of a list by a word; leaves out empty texts.
 template <class Items, class Text>
@@ -32,6 +24,12 @@ std::string joined(const Items& items, const char* word, const Text& text) {
   return result;
 }
 
+std::vector<std::string> unknowns_of(const Mechanism& mechanism) {
+  std::vector<std::string> result;
+  for (const MechanismUnknown& unknown : mechanism.unknowns) result.push_back(unknown.symbol);
+  return result;
+}
+
 bool is_of_accelerations(StateEquation e) {
   return e == StateEquation::gap || e == StateEquation::slip;
 }
@@ -41,28 +39,21 @@ bool is_of_accelerations(StateCondition c) {
 
 }  // namespace
 
-MechanicsWriter::MechanicsWriter(const Setting& setting, const PlainSigns& signs)
-    : setting_(setting), signs_(signs), kinds_(setting.kinds()) {
-  for (const MechanismUnknown& unknown : setting.mechanism->unknowns) unknowns_.push_back(unknown.symbol);
+MechanicsWriter::MechanicsWriter(const Setting& setting, const SettingNames& names, const PlainSigns& signs)
+    : setting_(setting),
+      signs_(signs),
+      kinds_(setting.kinds()),
+      unknowns_(unknowns_of(*setting.mechanism)),
+      made_up_(names, unknowns_) {
   name_symbols();
   write_elements();
 }
 
 void MechanicsWriter::name_symbols() {
-  for (const Parameter& parameter : setting_.parameters) {
-    if (!parameter.angle) taken_.push_back(parameter.symbol);
-  }
-  for (const PaperAngle& angle : setting_.angles) taken_.insert(taken_.end(), {angle.cosine, angle.sine});
-  if (!setting_.force.symbol.empty()) taken_.push_back(setting_.force.symbol);
-  for (const Definition& definition : setting_.definitions) taken_.push_back(definition.symbol);
-  for (const std::string& quantity : setting_.quantities()) taken_.push_back(quantity);
-
   const auto add = [&](const std::string& symbol) {
     const auto value = setting_.scene.find(symbol);
     const bool own = value != setting_.scene.end() && is_symbol(value->second, symbol);
-    const std::string name = own ? symbol : fresh(symbol);
-    names_.emplace(symbol, name);
-    if (!own) taken_.push_back(name);
+    names_.emplace(symbol, own ? symbol : made_up_.take(symbol));
   };
   const Mechanism& mechanism = *setting_.mechanism;
   for (const MechanismParameter& parameter : mechanism.parameters) add(parameter.symbol);
@@ -72,19 +63,9 @@ void MechanicsWriter::name_symbols() {
   }
   if (mechanism.load) add(mechanism.load->symbol);
   for (const MechanismDefinition& definition : mechanism.definitions) add(definition.symbol);
-  const auto name_equation = [&](const std::string& name) {
-    equation_names_.push_back(fresh(as_name(name)));
-    taken_.push_back(equation_names_.back());
-  };
+  const auto name_equation = [&](const std::string& name) { equation_names_.push_back(made_up_.take(name)); };
   for (const MechanismEquation& equation : mechanism.equations) name_equation(equation.name);
   for (const MechanismLink& link : mechanism.links) name_equation(link.name);
-}
-
-std::string MechanicsWriter::fresh(std::string name) const {
-  const bool reserved = name == "and" || name == "or" || name == "false";
-  if (reserved) name += '_';
-  while (std::find(taken_.begin(), taken_.end(), name) != taken_.end()) name += '_';
-  return name;
 }
 
 std::string MechanicsWriter::number(const Expression& of_mechanism) const {
@@ -107,7 +88,7 @@ void MechanicsWriter::write_elements() {
   for (const MechanismContact& contact : setting_.mechanism->contacts) {
     ElementText& text = elements_.emplace_back();
     const std::string& normal = unknowns_[contact.normal];
-    text.name = as_name(contact.name);
+    name_states(text, contact.name);
     text.gap = TextForm(contact.gap_name);
     text.normal = TextForm(normal);
     if (contact.frictionless()) continue;
@@ -118,12 +99,20 @@ void MechanicsWriter::write_elements() {
   }
   for (const MechanismFriction& friction : setting_.mechanism->friction) {
     ElementText& text = elements_.emplace_back();
-    text.name = as_name(friction.name);
+    name_states(text, friction.name);
     text.slip = TextForm(friction.slip_name);
     text.tangent = TextForm(unknowns_[friction.force]);
     text.static_limit = TextForm::limit("(" + number(friction.static_limit.expression) + ")");
     text.kinetic_limit = TextForm::limit("(" + number(friction.kinetic_limit.expression) + ")");
   }
+}
+
+void MechanicsWriter::name_states(ElementText& element, const std::string& name) {
+  constexpr std::array<const char*, element_state_count> verbs{
+      "sticks",        "slips_forwards",        "slips_backwards",        "lifts",  "touches",
+      "sticks_pulled", "slips_forwards_pulled", "slips_backwards_pulled", "is_free"};
+  for (std::size_t i = 0; i < verbs.size(); ++i)
+    element.state_names[i] = made_up_.take(fmt::format("{}_{}", name, verbs[i]));
 }
 
 std::vector<std::string> MechanicsWriter::accelerations() const {
@@ -226,10 +215,7 @@ std::string MechanicsWriter::conditions_of(std::size_t element, ElementState sta
 }
 
 std::string MechanicsWriter::state_name(std::size_t element, ElementState state) const {
-  constexpr std::array<const char*, element_state_count> verbs{
-      "sticks",        "slips_forwards",        "slips_backwards",        "lifts",  "touches",
-      "sticks_pulled", "slips_forwards_pulled", "slips_backwards_pulled", "is_free"};
-  return fresh(fmt::format("{}_{}", elements_[element].name, verbs[static_cast<std::size_t>(state)]));
+  return elements_[element].state_names[static_cast<std::size_t>(state)];
 }
 
 std::string MechanicsWriter::state_definition(std::size_t element, ElementState state, bool strict) const {

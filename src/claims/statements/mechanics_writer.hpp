@@ -2,6 +2,7 @@
 // with the mechanism's file. tests/claims/papers compares it with the problem that the kernel solves.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "claims/statements/made_up_names.hpp"
 #include "claims/statements/plain_signs.hpp"
 #include "mechanics/elements/friction_problem.hpp"
 
@@ -59,7 +61,10 @@ class TextForm {
 class MechanicsWriter {
  public:
   /// The setting and its signs must outlive the writer.
-  MechanicsWriter(const Setting& setting, const PlainSigns& signs);
+  MechanicsWriter(const Setting& setting, const SettingNames& names, const PlainSigns& signs);
+
+  /// The names of the setting, and those that the mechanics take in every statement.
+  const MadeUpNames& names() const { return made_up_; }
 
   /// The mechanism's unknowns, in the order in which statements declare them.
   const std::vector<std::string>& unknowns() const { return unknowns_; }
@@ -106,11 +111,11 @@ class MechanicsWriter {
 
  private:
   struct ElementText : ElementForms<TextForm> {
-    std::string name;
+    std::array<std::string, element_state_count> state_names;
   };
   void name_symbols();
   void write_elements();
-  std::string fresh(std::string name) const;
+  void name_states(ElementText& element, const std::string& name);
   std::string number(const Expression& of_mechanism) const;
   std::string friction(const Expression& coefficient, const std::string& normal) const;
   /// All equations of a state, with `=` or `!=`, or only those about accelerations.
@@ -124,8 +129,8 @@ class MechanicsWriter {
   const PlainSigns& signs_;
   std::vector<ElementKind> kinds_;
   std::vector<std::string> unknowns_;
+  MadeUpNames made_up_;
   std::map<std::string, std::string, std::less<>> names_;  ///< names of the mechanism's symbols in statements
-  std::vector<std::string> taken_;
   std::vector<std::string> equation_names_;
   std::vector<ElementText> elements_;
   mutable bool complete_ = true;

@@ -32,11 +32,16 @@ bool has_no_constant(const Expression& e, const std::string& symbol) {
 
 std::string SettingWriter::header(const std::string& theorem, const std::string& comment) {
   defined_.clear();
+  made_up_ = mechanics_.names();
   return fmt::format("slipproof-statement 1\ntheorem {}\n# {}\n", theorem, in_ascii(comment));
 }
 
+std::string SettingWriter::assumption(const std::string& label, const std::string& formula) {
+  return fmt::format("assume {}: {}\n", made_up_.take(label), formula);
+}
+
 std::string SettingWriter::assumption(const std::string& label, const Expression& truth) {
-  return is_true(truth) ? "" : fmt::format("assume {}: {}\n", label, text(truth));
+  return is_true(truth) ? "" : assumption(label, text(truth));
 }
 
 MotionText SettingWriter::motion(const MechanismMode& mode) {

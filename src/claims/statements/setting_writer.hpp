@@ -20,7 +20,11 @@ struct MotionText {
 class SettingWriter {
  public:
   SettingWriter(const Setting& setting, Reading reading)
-      : setting_(setting), reading_(reading), names_(setting), signs_(setting, reading), mechanics_(setting, signs_) {}
+      : setting_(setting),
+        reading_(reading),
+        names_(setting),
+        signs_(setting, reading),
+        mechanics_(setting, names_, signs_) {}
   SettingWriter(const SettingWriter&) = delete;
   SettingWriter& operator=(const SettingWriter&) = delete;
 
@@ -67,7 +71,11 @@ class SettingWriter {
   std::string definitions(const std::vector<Expression>& uses);
   /// The definitions in use, and the values of the scene's symbols.
   std::string scene(const std::vector<Expression>& uses);
+  /// A line `assume`, and the same for a formula; no line for `true`.
+  std::string assumption(const std::string& label, const std::string& formula);
   std::string assumption(const std::string& label, const Expression& truth);
+  /// The names that the statement has so far.
+  MadeUpNames& made_up() { return made_up_; }
   bool complete() const { return complete_ && mechanics_.complete(); }
   /// Writes out definitions that statements cannot abbreviate because they contain functions.
   Expression inlined(const Expression& e) const;
@@ -80,6 +88,7 @@ class SettingWriter {
   SettingNames names_;
   PlainSigns signs_;
   MechanicsWriter mechanics_;
+  MadeUpNames made_up_ = mechanics_.names();
   std::set<std::string> defined_;
   bool complete_ = true;
 };
