@@ -26,24 +26,28 @@ std::string journal_head(std::string_view work) {
   return std::string(journal_signature) + ByteWriter().text(work).take();
 }
 
+bool is_regular(const Descriptor& file) {
+  struct stat found {};
+  return ::fstat(file.number(), &found) == 0 && S_ISREG(found.st_mode);
+}
+
 Descriptor open_journal(const std::filesystem::path& path) {
   Descriptor file(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
   if (!file.open()) throw OutputError(path.string(), errno);
   if (::flock(file.number(), LOCK_EX | LOCK_NB) != 0) {
     throw OutputError(path.string(), errno == EWOULDBLOCK ? "another run is writing it" : "it cannot be locked");
   }
-  struct stat found {};
-  if (::fstat(file.number(), &found) != 0 || !S_ISREG(found.st_mode)) {
-    throw OutputError(path.string(), "it is no file");
-  }
+  if (!is_regular(file)) throw OutputError(path.string(), "it is no file");
   return file;
 }
 
 Descriptor journal_to_read(const std::filesystem::path& path) {
-  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));  // or it waits at a pipe
   if (!file.open()) {
     throw InputError({{path.string(), 0, 0, "cannot be read: " + std::generic_category().message(errno)}});
   }
+  if (!is_regular(file))
+    throw InputError({{path.string(), 0, 0, "found no regular file, expected what a run has kept"}});
   if (::flock(file.number(), LOCK_SH | LOCK_NB) != 0) {
     throw InputError({{path.string(), 0, 0, "found a run that is still writing it, expected a finished one"}});
   }

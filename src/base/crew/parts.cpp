@@ -35,7 +35,7 @@ PartRange read_range(ByteReader& bytes) {
 
 /// What is wrong with the bytes of a range, or nothing.
 std::string complaint(const PartRange& range, const std::filesystem::path& path, std::string& bytes) {
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));  // or it waits at a pipe
   const std::string place = fmt::format("{} bytes of the output from byte {} on", range.size, range.offset + 1);
   if (!file.open()) return "cannot be read: " + std::generic_category().message(errno) + ", expected " + place;
   bytes = read_at(file.number(), range.offset, range.size, path);

@@ -28,4 +28,13 @@ std::string read_text_file(const std::filesystem::path& path, std::size_t max_si
   return text;
 }
 
+std::string read_found_file(const std::filesystem::path& path, std::size_t max_size) {
+  std::error_code ignored;
+  const std::filesystem::file_status found = std::filesystem::status(path, ignored);
+  if (std::filesystem::is_other(found)) {
+    throw InputError({Diagnostic{.file = path.string(), .message = "found a pipe or a device, expected a file"}});
+  }
+  return read_text_file(path, max_size);
+}
+
 }  // namespace slipproof

@@ -14,4 +14,8 @@ inline constexpr std::size_t max_text_file_size = 1U << 20U;
 /// `max_size` (which also ends the reading of an endless device).
 std::string read_text_file(const std::filesystem::path& path, std::size_t max_size = max_text_file_size);
 
+/// The same for a file that no user named, such as one found in a folder. Also throws InputError when it is not a
+/// regular file, and does not open it: reading a pipe would wait for a writer.
+std::string read_found_file(const std::filesystem::path& path, std::size_t max_size = max_text_file_size);
+
 }  // namespace slipproof

@@ -69,7 +69,7 @@ void keep_permissions(int file, const std::filesystem::path& older) {
 OutputError::OutputError(const std::string& place, int system_error)
     : OutputError(place, std::generic_category().message(system_error)) {}
 
-OutputFile::OutputFile(std::filesystem::path path, const Inputs& inputs)
+OutputFile::OutputFile(std::filesystem::path path, const Inputs& inputs, Targets allowed)
     : path_(std::move(path)), target_(behind_links(path_)) {
   inputs.refuse(path_);
   if (descriptor_named(target_)) {
@@ -83,6 +83,7 @@ OutputFile::OutputFile(std::filesystem::path path, const Inputs& inputs)
   const bool exists = std::filesystem::exists(there);
   if (exists) need(target_, W_OK, path_);
   if (exists && !std::filesystem::is_regular_file(there)) {
+    if (allowed == Targets::files) throw OutputError(path_.string(), "there is a pipe or a device of this name");
     kind_ = Kind::special;
     return;
   }
@@ -121,8 +122,8 @@ void OutputFile::write_beside(const std::function<void(const Sink&)>& contents) 
   }
 }
 
-void write_file(const std::filesystem::path& path, std::string_view contents, const Inputs& inputs) {
-  OutputFile(path, inputs).write(contents);
+void write_file(const std::filesystem::path& path, std::string_view contents, const Inputs& inputs, Targets allowed) {
+  OutputFile(path, inputs, allowed).write(contents);
 }
 
 OutputFolder::OutputFolder(std::filesystem::path path, Inputs inputs)
@@ -136,7 +137,7 @@ void OutputFolder::write(const std::filesystem::path& name, std::string_view con
   std::error_code error;
   std::filesystem::create_directories(folder_of(file), error);
   if (error) throw OutputError(file.string(), error.value());
-  write_file(file, contents, inputs_);
+  write_file(file, contents, inputs_, Targets::files);
 }
 
 }  // namespace slipproof

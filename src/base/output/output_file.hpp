@@ -1,6 +1,7 @@
 // Files that hold results: the old content or the new, never a part.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string_view>
@@ -8,6 +9,10 @@
 #include "base/output/inputs.hpp"
 
 namespace slipproof {
+
+/// Where a result may go. What a user names may be a pipe or a device; a file that the program names itself may not:
+/// writing to a pipe that happens to have its name would wait for a reader.
+enum class Targets : std::uint8_t { all, files };
 
 /// A file for the result of long work. Constructing it before the work shows whether it can be written, so that no
 /// result is lost for want of a place.
@@ -22,7 +27,8 @@ class OutputFile {
   /// Changes nothing yet. Throws OutputError if no file can be written there: the folder is missing or cannot be
   /// changed, the path is a folder, or the file is write-protected. Throws InputError if `path` is one of the `inputs`
   /// under any name: it would be lost.
-  explicit OutputFile(std::filesystem::path path, const Inputs& inputs = {});
+  /// Throws OutputError for a pipe or device if only files are allowed.
+  explicit OutputFile(std::filesystem::path path, const Inputs& inputs = {}, Targets allowed = Targets::all);
 
   using Sink = std::function<void(std::string_view)>;
 
@@ -43,8 +49,9 @@ class OutputFile {
   Kind kind_ = Kind::file;
 };
 
-/// Writes a file whole. Throws OutputError, and InputError if it is one of the inputs.
-void write_file(const std::filesystem::path& path, std::string_view contents, const Inputs& inputs = {});
+/// Writes a file whole. Throws as the constructor of OutputFile does.
+void write_file(const std::filesystem::path& path, std::string_view contents, const Inputs& inputs = {},
+                Targets allowed = Targets::all);
 
 /// A folder for results, made before the long work if the folder around it is there.
 class OutputFolder {
@@ -52,7 +59,7 @@ class OutputFolder {
   /// Throws OutputError where it can neither be found nor made, or cannot be written to.
   explicit OutputFolder(std::filesystem::path path, Inputs inputs = {});
 
-  /// Writes a file, and makes the folders that its name needs. Throws as write_file does.
+  /// Writes a file, and makes the folders that its name needs. Throws as write_file does for files only.
   void write(const std::filesystem::path& name, std::string_view contents) const;
 
  private:

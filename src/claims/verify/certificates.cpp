@@ -22,8 +22,9 @@ namespace {
 
 std::optional<std::string> bytes_of(const std::filesystem::path& path) {
   std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;  // a pipe is not even opened: that waits
   std::ifstream file(path, std::ios::binary);
-  if (!std::filesystem::is_regular_file(path, error) || !file) return std::nullopt;
+  if (!file) return std::nullopt;
   return std::string{std::istreambuf_iterator<char>(file), {}};
 }
 

@@ -24,7 +24,7 @@ void refuse_malformed(const std::vector<std::filesystem::path>& statements, unsi
   on_threads(threads, [&] {
     in_parallel(0, statements.size(), [&](std::size_t i) {
       try {
-        prove::Statement(statements[i].string(), read_text_file(statements[i]));
+        prove::Statement(statements[i].string(), read_found_file(statements[i]));
       } catch (const InputError& error) {
         mistakes[i] = error.diagnostics();
       }
@@ -76,9 +76,9 @@ std::optional<FileOutcome> kept(const std::filesystem::path& statement) {
   FileOutcome result{.statement = statement, .outcome = {}, .kept = true};
   result.outcome.theorem = checked.theorem;
   result.outcome.verdict = ProofOutcome::Verdict::proved;
-  result.outcome.certificate = read_text_file(certificate, max_certificate_size);
+  result.outcome.certificate = read_found_file(certificate, max_certificate_size);
   result.outcome.vacuous = uses_assumptions_only(result.outcome.certificate) &&
-                           !claims_contradiction(statement.string(), read_text_file(statement));
+                           !claims_contradiction(statement.string(), read_found_file(statement));
   return result;
 }
 
@@ -100,7 +100,7 @@ FileOutcome outcome_of(const std::filesystem::path& statement, const std::string
 }
 
 std::string statement_request(const std::filesystem::path& statement) {
-  return ByteWriter().text(statement.string()).text(read_text_file(statement)).take();
+  return ByteWriter().text(statement.string()).text(read_found_file(statement)).take();
 }
 
 std::string answer_within(std::string_view request, const ProveOptions& options, const prove::Limits& limits) {

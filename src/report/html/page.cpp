@@ -49,7 +49,7 @@ class Gathering {
   explicit Gathering(PageInput& input) : input_(input) {}
 
   void source(const std::filesystem::path& file, const std::string& name) {
-    input_.sources.push_back({name, sha256(read_text_file(file, longest_certificate))});
+    input_.sources.push_back({name, sha256(read_found_file(file, longest_certificate))});
   }
 
   void certificates(Certificates& certificates) {

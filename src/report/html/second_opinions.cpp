@@ -110,7 +110,7 @@ class OpinionReader {
 }  // namespace
 
 SecondOpinions read_second_opinions(const std::filesystem::path& path, const std::vector<std::string>& statements) {
-  return OpinionReader(path.string(), statements).read(read_text_file(path));
+  return OpinionReader(path.string(), statements).read(read_found_file(path));
 }
 
 }  // namespace slipproof

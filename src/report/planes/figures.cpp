@@ -106,7 +106,7 @@ std::vector<Figure> parse_figures(std::string_view text, const std::string& file
 }
 
 std::vector<Figure> read_figures(const std::filesystem::path& path, const ClaimsFile& claims) {
-  return parse_figures(read_text_file(path), path.string(), claims);
+  return parse_figures(read_found_file(path), path.string(), claims);
 }
 
 }  // namespace slipproof

@@ -111,14 +111,15 @@ std::string with_certificate(const std::filesystem::path& statement, const Make&
   const std::filesystem::path certificate = certificate_of(statement);
   std::error_code error;
   if (!std::filesystem::exists(certificate, error)) return "";
-  const std::string text = read_text_file(certificate, max_certificate_size);
+  const std::string text = read_found_file(certificate, max_certificate_size);
   if (text.starts_with("slipproof-undecided ")) return "";
-  return make(statement.string(), read_text_file(statement), certificate.string(), text);
+  return make(statement.string(), read_found_file(statement), certificate.string(), text);
 }
 
 void export_smtlib(const std::vector<StatementFile>& statements, const std::filesystem::path& out) {
-  export_statements(statements, out, ".smt2",
-                    [](const std::filesystem::path& file) { return smtlib_text(file.string(), read_text_file(file)); });
+  export_statements(statements, out, ".smt2", [](const std::filesystem::path& file) {
+    return smtlib_text(file.string(), read_found_file(file));
+  });
   export_statements(statements, out, ".witness.smt2",
                     [](const std::filesystem::path& file) { return with_certificate(file, smtlib_witness_text); });
 }
@@ -140,7 +141,7 @@ std::vector<StatementFile> copied(const std::vector<StatementFile>& statements, 
   std::vector<StatementFile> result;
   std::error_code error;
   for (const auto& [file, name] : statements) {
-    if (!std::filesystem::equivalent(out / name, file, error)) folder.write(name, read_text_file(file));
+    if (!std::filesystem::equivalent(out / name, file, error)) folder.write(name, read_found_file(file));
     result.push_back({out / name, name});
   }
   return result;

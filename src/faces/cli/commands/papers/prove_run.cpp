@@ -101,7 +101,7 @@ void ProveRun::write(const FileOutcome& file) const {
   const std::filesystem::path certificate = certificate_of(file.statement);
   const ProofOutcome& outcome = file.outcome;
   write_file(certificate, outcome.proved() ? outcome.certificate : undecided_text(outcome.theorem, reasons(outcome)),
-             inputs_);
+             inputs_, Targets::files);
 }
 
 void ProveRun::say(const FileOutcome& file) {
@@ -112,7 +112,8 @@ void ProveRun::say(const FileOutcome& file) {
 
 void ProveRun::prove(const std::vector<std::filesystem::path>& statements) {
   for (const std::filesystem::path& statement : statements) inputs_.add(statement);
-  for (const std::filesystem::path& statement : statements) OutputFile(certificate_of(statement), inputs_);
+  for (const std::filesystem::path& statement : statements)
+    OutputFile(certificate_of(statement), inputs_, Targets::files);
   // Results are written at once, but reported in the order of the files.
   std::vector<std::optional<FileOutcome>> waiting(statements.size());
   std::size_t next = 0;
@@ -193,7 +194,7 @@ void ProveRun::prove_claims(const ClaimsFile& file, const PaperFolder& paper) {
   std::set<std::filesystem::path> written;
   const auto write_statement = [&](const NamedStatement& statement, const Claim& claim) {
     const std::filesystem::path path = generated / (statement.name + ".statement");
-    write_file(path, statement.text, inputs_);
+    write_file(path, statement.text, inputs_, Targets::files);
     claims.emplace(path.string(), "claim " + claim.id + " (line " + std::to_string(claim.line) + ")");
     written.insert(path);
     return path;
@@ -201,7 +202,7 @@ void ProveRun::prove_claims(const ClaimsFile& file, const PaperFolder& paper) {
   try {
     const std::vector<Stated> all = stated(file);
     const std::string canonical = canonical_claims(file);
-    if (!canonical.empty()) write_file(generated / canonical_name, canonical, inputs_);
+    if (!canonical.empty()) write_file(generated / canonical_name, canonical, inputs_, Targets::files);
     for (const Stated& one : all) {
       for (const NamedStatement& statement : one.statements) write_statement(statement, *one.claim);
     }
