@@ -1,14 +1,10 @@
 #include "base/algebra/real_roots.hpp"
 
-#include <flint/fmpz_poly_factor.h>
-#include <flint/nmod_poly.h>
-
 #include <algorithm>
-#include <array>
-#include <cstdint>
 #include <tuple>
 #include <utility>
 
+#include "base/algebra/factor_base.hpp"
 #include "base/number/binary64.hpp"
 #include "base/number/format.hpp"
 #include "base/number/simplest.hpp"
@@ -34,74 +30,6 @@ bool may_have_roots(const IntegerPolynomial& p, const LinePart& part) {
   if (part.lower) return p.beyond(*part.lower).sign_changes() > 0;
   if (part.upper) return p.mirrored().beyond(-*part.upper).sign_changes() > 0;
   return true;
-}
-
-/// `p` without the factors that are known already: those of one line have most of them in common.
-IntegerPolynomial without(const std::set<IntegerPolynomial>& factors, IntegerPolynomial p) {
-  IntegerPolynomial quotient;
-  for (const IntegerPolynomial& factor : factors) {
-    while (factor.degree() <= p.degree() && fmpz_poly_divides(quotient.flint(), p.flint(), factor.flint()) != 0) {
-      std::swap(p, quotient);
-    }
-  }
-  return p;
-}
-
-/// The possible degrees of factors of a polynomial as a bit set, from its factors modulo a prime.
-std::uint64_t factor_degrees(const IntegerPolynomial& p, ulong prime) {
-  std::uint64_t possible = ~std::uint64_t{0};
-  if (fmpz_fdiv_ui(fmpz_poly_lead(p.flint()), prime) == 0) return possible;
-  nmod_poly_t reduced;
-  nmod_poly_init(reduced, prime);
-  fmpz_poly_get_nmod_poly(reduced, p.flint());
-  if (nmod_poly_is_squarefree(reduced) != 0) {
-    nmod_poly_make_monic(reduced, reduced);
-    std::vector<slong> degrees(static_cast<std::size_t>(p.degree()));
-    slong* const first = degrees.data();
-    nmod_poly_factor_t products;  // of the factors of one degree
-    nmod_poly_factor_init(products);
-    nmod_poly_factor_distinct_deg(products, reduced, &first);
-    possible = 1;
-    for (slong i = 0; i < products->num; ++i) {
-      const slong degree = degrees[static_cast<std::size_t>(i)];
-      for (slong left = nmod_poly_degree(products->p + i); left > 0; left -= degree) possible |= possible << degree;
-    }
-    nmod_poly_factor_clear(products);
-  }
-  nmod_poly_clear(reduced);
-  return possible;
-}
-
-/// Nearly all that come are irreducible, and a few primes show it: no degree of a factor is possible modulo all of
-/// them.
-bool surely_irreducible(const IntegerPolynomial& p) {
-  constexpr std::array<ulong, 6> primes{101, 103, 107, 109, 113, 127};
-  const long degree = p.degree();
-  if (degree < 4 || degree > 63) return false;  // FLINT solves those of low degree
-  std::uint64_t possible = (std::uint64_t{1} << degree) - 2;
-  for (const ulong prime : primes) {
-    possible &= factor_degrees(p, prime);
-    if (possible == 0) return true;
-  }
-  return false;
-}
-
-void add_factors(const IntegerPolynomial& p, std::set<IntegerPolynomial>& factors) {
-  const IntegerPolynomial rest = without(factors, p);
-  if (rest.degree() < 1) return;
-  if (rest.degree() == 1 || surely_irreducible(rest)) {
-    factors.insert(rest.primitive());
-    return;
-  }
-  fmpz_poly_factor_t factored;
-  fmpz_poly_factor_init(factored);
-  fmpz_poly_factor(factored, rest.flint());
-  for (slong i = 0; i < factored->num; ++i) {
-    IntegerPolynomial factor;
-    fmpz_poly_set(factor.flint(), factored->p + i);
-    factors.insert(factor.primitive());
-  }
-  fmpz_poly_factor_clear(factored);
 }
 
 /// Bisection by Descartes' rule (Vincent, Collins and Akritas): the number of sign changes of the polynomial of an
@@ -176,10 +104,11 @@ std::vector<RealRoot> real_roots(const std::set<IntegerPolynomial>& polynomials,
     if (p.degree() > 0 && may_have_roots(p, part)) with_roots.push_back(&p);
   }
   std::ranges::stable_sort(with_roots, {}, &IntegerPolynomial::degree);
-  std::set<IntegerPolynomial> factors;
-  for (const IntegerPolynomial* p : with_roots) add_factors(*p, factors);
+  FactorBase base;
+  for (const IntegerPolynomial* p : with_roots)
+    base.add(*p, [&](const IntegerPolynomial& rest) { return may_have_roots(rest, part); });
   std::vector<Found> found;
-  for (const IntegerPolynomial& p : factors) {
+  for (const IntegerPolynomial& p : base.factors()) {
     if (p.degree() > 1) {
       Isolation(p).isolate(part, found);
     } else {
