@@ -16,6 +16,7 @@ struct Reach {
   int split_depth = 0;          ///< nested splits
   unsigned product_degree = 1;  ///< of the products in linear programs; with 1 there are none
   bool sums_of_squares = false;
+  bool circles = false;  ///< whether the equations of circles shorten facts
 };
 
 /// A polynomial and its negative, the same two whenever they are asked for, by which what is remembered knows them.

@@ -17,16 +17,17 @@ namespace slipproof::prove {
 /// Most techniques are tried with few attempts first, and again with more where all of them failed.
 enum class Pass : std::uint8_t { quick, thorough };
 
-/// An equation used for elimination: of a variable, pivot * variable + rest = 0 with a pivot of known sign; or of a
-/// product of two variables that is a term of its own.
+/// An equation used for elimination: of a variable, pivot * variable + rest = 0 with a pivot of known sign; of a
+/// product of two variables that is a term of its own; or of terms, by a circle c^2 + s^2 - 1 = 0.
 struct Rule {
   Fact equation;
   std::size_t variable;
-  std::optional<std::size_t> second;  ///< the other variable of the product
+  std::optional<std::size_t> second;  ///< the other variable of the product or circle
   Polynomial pivot;                   ///< positive
   WeightedProduct pivot_product;      ///< the facts that it is a product of
   Polynomial rest;
   int orientation;  ///< of the equation: pivot * variable + rest = orientation * equation
+  bool is_circle = false;
 };
 
 /// The sign of an irreducible polynomial p, and the fact that says so.

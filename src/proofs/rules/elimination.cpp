@@ -1,5 +1,7 @@
 #include "proofs/rules/elimination.hpp"
 
+#include <algorithm>
+
 #include "proofs/branch/facts.hpp"
 #include "proofs/branch/normal_form.hpp"
 #include "proofs/branch/reduction.hpp"
@@ -20,6 +22,16 @@ std::optional<Rule> rule_for_product(const Fact& equation) {
   const Rational c = product.constant();
   if (absolute(c) != 1) return std::nullopt;
   return Rule{equation, variables[1], variables[2], Polynomial(p.ring(), 1), {1, {}}, p, c > 0 ? 1 : -1};
+}
+
+/// Once for each circle.
+std::optional<Rule> rule_for_circle(const State& state, const Fact& equation) {
+  const Polynomial& p = equation.p;
+  const auto is_its = [&](const Rule& rule) { return rule.equation.name == equation.name; };
+  if (!is_circle(p) || std::any_of(state.rules.begin(), state.rules.end(), is_its)) return std::nullopt;
+  const std::vector<std::size_t> variables = p.variables();
+  const int orientation = p.coefficient(variables[0], 2).constant() > 0 ? 1 : -1;
+  return Rule{equation, variables[0], variables[1], Polynomial(p.ring(), 1), {1, {}}, p, orientation, true};
 }
 
 /// Nothing where the sign of the pivot is not known.
@@ -44,6 +56,7 @@ std::optional<Rule> find_rule(Context& context, State& state, std::size_t first)
   for (const Fact& fact : state.facts) {
     if (fact.sign != Sign::zero) continue;
     if (auto rule = rule_for_product(fact)) return rule;
+    if (auto rule = context.reach.circles ? rule_for_circle(state, fact) : std::nullopt) return rule;
     const std::vector<std::size_t> variables = fact.p.variables();
     for (const std::size_t variable : variables) {
       if (variable < first || fact.p.degree(variable) != 1) continue;
@@ -60,16 +73,25 @@ std::optional<Rule> find_rule(Context& context, State& state, std::size_t first)
   return best;
 }
 
-/// What the rule does not touch stays; the rest comes back reduced.
+bool touches(const Rule& rule, const Polynomial& p) {
+  if (rule.is_circle) return p.degree(rule.variable) > 1 || p.degree(*rule.second) > 1;
+  return p.contains(rule.variable) && (!rule.second || p.contains(*rule.second));
+}
+
+/// What the rule does not touch stays; the rest comes back reduced. A circle stays among the facts, too, as products
+/// and sums of squares use it, and it is a rule until one of its variables is eliminated.
 bool apply_rule(Context& context, State& state, const Rule& rule) {
   std::vector<Fact> facts;
   facts.swap(state.facts);
   std::vector<Fact> touched;
   for (Fact& fact : facts) {
-    if (fact.name == rule.equation.name) continue;
-    const bool contains = fact.p.contains(rule.variable) && (!rule.second || fact.p.contains(*rule.second));
-    (contains ? touched : state.facts).push_back(std::move(fact));
+    const bool is_rule = fact.name == rule.equation.name;
+    if (is_rule && !rule.is_circle) continue;
+    (!is_rule && touches(rule, fact.p) ? touched : state.facts).push_back(std::move(fact));
   }
+  std::erase_if(state.rules, [&](const Rule& other) {
+    return other.is_circle && !rule.second && (other.variable == rule.variable || other.second == rule.variable);
+  });
   state.rules.push_back(rule);
   state.unknown_signs.clear();
   for (Fact& fact : touched) {
@@ -82,6 +104,14 @@ bool apply_rule(Context& context, State& state, const Rule& rule) {
 }
 
 }  // namespace
+
+bool is_circle(const Polynomial& p) {
+  const std::vector<std::size_t> variables = p.variables();
+  if (variables.size() != 2 || p.length() != 3) return false;
+  const Polynomial first = p.coefficient(variables[0], 2), second = p.coefficient(variables[1], 2);
+  const Polynomial rest = p.coefficient(variables[0], 0).coefficient(variables[1], 0);
+  return first.is_constant() && absolute(first.constant()) == 1 && first == second && !rest.is_zero();
+}
 
 bool eliminate(Context& context, State& state, std::size_t first) {
   while (const auto rule = find_rule(context, state, first)) {

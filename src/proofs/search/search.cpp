@@ -36,6 +36,12 @@ bool hopeless(Context& context, const State& state) {
   return state.disjunctions.empty() && !inside.empty();
 }
 
+bool has_circle(const Formula& formula) {
+  if (formula.kind == Formula::Kind::atom) return formula.sign == Sign::zero && is_circle(formula.polynomial.front());
+  return formula.kind == Formula::Kind::conjunction &&
+         std::any_of(formula.parts.begin(), formula.parts.end(), has_circle);
+}
+
 std::string shown(const Fact& fact) {
   constexpr std::size_t longest = 300;
   std::string p = fact.p.text();
@@ -146,19 +152,44 @@ std::optional<Proof> Search::search_with_sums() {
   return std::move(closed.steps);
 }
 
+/// Few steps without the equations of circles: what they shorten may lose a sum that is plainly positive. Then a tenth
+/// of the steps with them.
+std::optional<Proof> Search::search_with_circles() {
+  Budget& budget = context_.budget();
+  for (const bool circles : {false, true}) {
+    budget.renew(context_.limits().steps / (circles ? 10 : 100));
+    std::optional<Proof> proof;
+    try {
+      Search anew(context_.statement(), context_.limits());
+      anew.context_.reach.circles = circles;
+      proof = anew.search();
+    } catch (const Budget::Spent&) {
+      // As if it had not been tried.
+    }
+    steps_ += budget.spent();
+    if (proof) return proof;
+  }
+  return std::nullopt;
+}
+
 std::optional<Proof> Search::prove() {
   const Limits& limits = context_.limits();
   Budget& budget = context_.budget();
-  budget.renew(limits.steps);
   budget.watch(limits.tick);
   std::optional<Proof> proof;
-  try {
-    proof = search();
-  } catch (const Budget::Spent&) {
-    leftover_.exhausted = true;
-    leftover_.facts.insert(leftover_.facts.begin(), fmt::format("no step left of {}", limits.steps));
+  const auto& assumptions = context_.statement().assumptions();
+  if (std::any_of(assumptions.begin(), assumptions.end(), [](const auto& named) { return has_circle(named.second); }))
+    proof = search_with_circles();
+  if (!proof) {
+    budget.renew(limits.steps - std::min(limits.steps, steps_));
+    try {
+      proof = search();
+    } catch (const Budget::Spent&) {
+      leftover_.exhausted = true;
+      leftover_.facts.insert(leftover_.facts.begin(), fmt::format("no step left of {}", limits.steps));
+    }
+    steps_ += budget.spent();
   }
-  steps_ = budget.spent();
   if (!proof && limits.sums_of_squares && limits.products > 0 && sums::has_semidefinite_solver()) {
     budget.renew(limits.steps / 2);
     try {

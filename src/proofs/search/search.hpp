@@ -43,6 +43,7 @@ class Search {
  private:
   std::optional<Proof> search();
   std::optional<Proof> search_with_sums();
+  std::optional<Proof> search_with_circles();
   bool search_deeper(const State& start, State& closed, int first_depth);
   bool close(State& state, int depth);
   bool close_disjunctions(State& state, int depth);
