@@ -5,10 +5,12 @@
 // material points that touch slide by t.v + R (w - w'), where w and w' are the spins of the disc and of the observer:
 // its derivative is t.a + R (alpha - alpha').
 //
-// Two discs have their normal along r = P - P', of length D = R + R'. Then |r| has the second derivative
+// Two discs have their normal along r = P - P', of length D: R + R' if they touch. Then |r| has the second derivative
 // n.r'' + (t.r')^2/D, and the sliding t.r' + R w + R' w' the first derivative t.r'' - (t.r') (n.r')/D + R alpha + R'
-// alpha', because t turns by -(t.r')/D. A ring has a negative R': the normal points out of its material.
+// alpha', because t turns by -(t.r')/D. A ring has a negative R', and D is negative: the normal points out of its
+// material.
 #include "mechanics/bodies/parts.hpp"
+#include "mechanics/bodies/sure_sign.hpp"
 
 namespace slipproof::bodies_in_motion {
 
@@ -65,20 +67,34 @@ Touch on_line(Derivation& d, const BodyContact& contact) {
   return touch;
 }
 
+/// The distance of two centres, negative in a ring.
+Expression between_centres(Derivation& d, const BodyContact& contact, const PlanarVector& between,
+                           const Expression& radii) {
+  const bool is_open = d.mechanism.contacts[contact.contact].start == ElementKind::Start::open;
+  if (!is_open) return radii;
+  const Expression distance = d.distance(between, "contact", contact_name(d, contact), contact.place);
+  if (!distance) return radii;
+  const Signs signs = sure_signs(d.mechanism, unplaced(contact.on_radius));
+  return !signs.negative                  ? distance
+         : !signs.zero && !signs.positive ? negative_of(distance)
+                                          : times(make(Operation::signum, {radii}), distance);
+}
+
 Touch on_disc(Derivation& d, const BodyContact& contact) {
   const Frame &of = d.frames[contact.of], &on = d.frames[contact.on];
   const MovingPoint centre(of, unplaced(contact.point)), other(on, unplaced(contact.on_point));
   const Expression radius = unplaced(contact.radius), on_radius = unplaced(contact.on_radius);
-  const Expression apart = plus(radius, on_radius);
+  const Expression radii = plus(radius, on_radius);
   const PlanarVector between = centre.place - other.place, velocity = centre.velocity - other.velocity,
                      acceleration = centre.acceleration - other.acceleration;
+  const Expression apart = between_centres(d, contact, between, radii);
   Touch touch;
   touch.normal = {over(between.x, apart), over(between.y, apart)};
   const Sense where = sense(d, contact, on, touch.normal);
   touch.along = where.along;
   touch.place = centre.place - radius * touch.normal;
   // |r|^2 - D^2, over what turns it into the distance near 0; its sign is that of the distance where D > 0
-  touch.distance = quotient_of(minus(dot(between, between), make_power(apart, 2)), times(make_number(2), apart));
+  touch.distance = quotient_of(minus(dot(between, between), make_power(radii, 2)), times(make_number(2), radii));
   const Expression across = dot(touch.along, velocity), opening = dot(touch.normal, velocity);
   const auto rims = [&](const Expression& x, const Expression& y) {
     return times(where.sign, plus(times(radius, x), times(on_radius, y)));

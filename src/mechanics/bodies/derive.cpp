@@ -4,14 +4,19 @@
 
 #include "base/expression/cases.hpp"
 #include "mechanics/bodies/frame.hpp"
+#include "mechanics/bodies/identity.hpp"
 #include "mechanics/bodies/parts.hpp"
 
 namespace slipproof {
 
 namespace bodies_in_motion {
 
-Derivation::Derivation(const Bodies& scene, Mechanism& result)
-    : bodies(scene), mechanism(result), frames(bodies_in_motion::frames(scene)), loads(scene.bodies.size()) {
+Derivation::Derivation(const Bodies& scene, Mechanism& result, Mistakes& list)
+    : bodies(scene),
+      mechanism(result),
+      mistakes(list),
+      frames(bodies_in_motion::frames(scene)),
+      loads(scene.bodies.size()) {
   for (Load& load : loads) load = {{zero_literal(), zero_literal()}, zero_literal()};
 }
 
@@ -36,6 +41,21 @@ void Derivation::must_vanish(const Expression& value, std::string name, std::str
 void Derivation::must_have_length_1(const PlanarVector& vector, const std::string& name, Place place) {
   must_vanish(minus(dot(vector, vector), make_number(1)), name + "-has-length-1",
               name + ": found a vector whose length squared is 1 plus X, expected one of length 1", place);
+}
+
+Expression Derivation::distance(const PlanarVector& between, const std::string& kind, const std::string& name,
+                                Place place) {
+  const Expression square = dot(between, between);
+  const auto root = root_of_square(mechanism, square);
+  if (!root) {
+    mistakes.add(place, kind + " " + name + ": found a distance whose square is " + in_quotes(to_string(square)) +
+                            ", which is not the square of a rational expression, expected places at a rational "
+                            "distance, such as (3/5, 4/5), or a distance times the cosine and sine of an angle");
+    return nullptr;
+  }
+  must_be(GeometryFact::Kind::positive, *root, name + "-is-apart",
+          kind + " " + name + ": found the distance X, which leaves its direction open, expected one above 0", place);
+  return *root;
 }
 
 void Derivation::push(std::size_t body, const PlanarVector& arm, const PlanarVector& force) {
@@ -127,9 +147,9 @@ void check_body(Derivation& d, const Body& body) {
 
 }  // namespace bodies_in_motion
 
-BodyGeometry derive_mechanism(const Bodies& bodies, Mechanism& mechanism) {
+BodyGeometry derive_mechanism(const Bodies& bodies, Mechanism& mechanism, Mistakes& mistakes) {
   using namespace bodies_in_motion;
-  Derivation derivation(bodies, mechanism);
+  Derivation derivation(bodies, mechanism, mistakes);
   check_divisors(derivation);
   for (const Body& body : bodies.bodies) check_body(derivation, body);
   for (const BodyContact& contact : bodies.contacts) derive_contact(derivation, contact);

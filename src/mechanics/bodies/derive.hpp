@@ -36,8 +36,8 @@ struct BodyGeometry {
 /// Fills in equations, gaps, slips, links, limits of rolling resistance, and pictures; the elements, with their names,
 /// friction and forces, are there. The equations are Newton's and Euler's: forces of contacts and joints come in by
 /// virtual work, as in every file with [motion]. Gaps are second derivatives of distances, slips first derivatives of
-/// the sliding velocity of the material points that touch (Coriolis and centripetal terms included). Linear in the
-/// scene.
-BodyGeometry derive_mechanism(const Bodies& bodies, Mechanism& mechanism);
+/// the sliding velocity of the material points that touch (Coriolis and centripetal terms included). Reports distances
+/// that are not rational. Linear in the scene.
+BodyGeometry derive_mechanism(const Bodies& bodies, Mechanism& mechanism, Mistakes& mistakes);
 
 }  // namespace slipproof

@@ -1,5 +1,8 @@
-// Whether an expression of a mechanism is 0 whatever its symbols are.
+// Expressions of a mechanism as rational functions of its parameters and angles: whether one is 0 whatever its symbols
+// are, and the root of a square.
 #pragma once
+
+#include <optional>
 
 #include "mechanics/mechanism/mechanism.hpp"
 
@@ -10,5 +13,9 @@ namespace slipproof::bodies_in_motion {
 /// turn alone, where it holds by continuity. False: it is not, or that is not known: a function occurs, or the
 /// polynomials grow too long.
 bool vanishes_identically(const Mechanism& mechanism, const Expression& expression);
+
+/// The root, never negative, where the expression is the square of a rational function of parameters, cosines and
+/// sines: l for (l*c)^2 + (l*s)^2. Nothing where it is none, or where that is not known, for the same reasons as above.
+std::optional<Expression> root_of_square(const Mechanism& mechanism, const Expression& square);
 
 }  // namespace slipproof::bodies_in_motion

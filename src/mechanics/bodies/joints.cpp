@@ -9,7 +9,7 @@ namespace {
 struct Span {
   PlanarVector first_arm, second_arm;  ///< from the centres of mass
   PlanarVector along;                  ///< of length 1
-  Expression length, rate, growth;     ///< its length with its first and second derivatives
+  Expression length, rate, growth;     ///< of its ends' distance, with its first and second derivatives
 };
 
 class JointDerivation {
@@ -72,9 +72,24 @@ class JointDerivation {
     stays_zero(zero.y);
   }
 
+  /// Where neither body turns freely there is no link, and what is prescribed must agree, for every load.
   void no_turning() {
     has_no_velocity(minus(first_.spin, second_.spin), "a relative spin of");
-    if (next_ < joint_.links.size()) stays_zero(minus(first_.turning, second_.turning));
+    const Expression turning = minus(first_.turning, second_.turning);
+    if (next_ < joint_.links.size()) return stays_zero(turning);
+    const std::string found = name() + "the prescribed turning does not fit it: found ";
+    const std::string load = d_.mechanism.load ? d_.mechanism.load->symbol : "";
+    if (!load.empty() && !is_linear_in(turning, load)) {
+      d_.mistakes.add(joint_.place, found + in_quotes(to_string(turning)) + ", expected 0");
+      return;
+    }
+    const auto vanishes = [&](const Expression& value, const std::string& times) {
+      d_.must_vanish(value, joint_.name + "-turning", found + "a relative turning of X" + times + ", expected 0",
+                     joint_.place);
+    };
+    const Expression still = substitute(turning, load, zero_literal());
+    vanishes(still, "");
+    vanishes(minus(substitute(turning, load, make_number(1)), still), " times " + load);
   }
 
   /// The second body's point stays on a line of the first, and both turn alike.
@@ -92,6 +107,16 @@ class JointDerivation {
     no_turning();
   }
 
+  /// The distance of the ends of a slack rope, shorter than its length.
+  Expression slack_length(const PlanarVector& between, const Expression& length) {
+    const Expression distance = d_.distance(between, "joint", joint_.name, joint_.length.place());
+    if (!distance) return length;
+    d_.must_be(GeometryFact::Kind::not_negative, minus(length, distance), joint_.name + "-is-slack",
+               name() + "length: found a slack rope that is X longer than the distance of its ends, expected 0 or more",
+               joint_.length.place());
+    return distance;
+  }
+
   /// Its direction is exact only where its length is: given, or plain from the coordinates.
   Span span() {
     const MovingPoint first = first_end(), second = second_end();
@@ -103,8 +128,13 @@ class JointDerivation {
     const Place place = joint_.length.place();
     d_.must_be(GeometryFact::Kind::positive, result.length, joint_.name + "-length-is-positive",
                name() + "length: found X, expected one above 0", place);
-    d_.must_vanish(minus(dot(between, between), make_power(result.length, 2)), joint_.name + "-length",
-                   name() + "length: the square of the distance of its ends is X more than that of the length", place);
+    if (joint_.state_given) {
+      result.length = slack_length(between, result.length);
+    } else {
+      d_.must_vanish(minus(dot(between, between), make_power(result.length, 2)), joint_.name + "-length",
+                     name() + "length: the square of the distance of its ends is X more than that of the length",
+                     place);
+    }
     const auto share = [&](const Expression& x) {  // the length is not 0
       if (same(x, result.length)) return make_number(1);
       if (same(x, negative_of(result.length))) return make_number(-1);
@@ -135,7 +165,6 @@ class JointDerivation {
     contact.direction = d_.derived(-rope.along, joint_.place);
     d_.geometry.velocities.push_back(
         {*joint_.contact, nullptr, negative_of(rope.rate), nullptr, joint_.state_given, joint_.place});
-    if (joint_.state_given) d_.geometry.facts.pop_back();  // how long a slack rope is does not matter
   }
 
   void spring() {

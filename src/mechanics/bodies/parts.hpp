@@ -16,10 +16,11 @@ struct Load {
 };
 
 struct Derivation {
-  Derivation(const Bodies& scene, Mechanism& result);
+  Derivation(const Bodies& scene, Mechanism& result, Mistakes& list);
 
   const Bodies& bodies;
   Mechanism& mechanism;
+  Mistakes& mistakes;
   std::vector<Frame> frames;
   std::vector<Load> loads;
   BodyGeometry geometry;
@@ -30,6 +31,9 @@ struct Derivation {
   void must_vanish(const Expression& value, std::string name, std::string what, Place place);
   void must_be(GeometryFact::Kind kind, const Expression& value, std::string name, std::string what, Place place);
   void must_have_length_1(const PlanarVector& vector, const std::string& name, Place place);
+  /// The length of the vector between what an element, called by its kind and name, keeps apart; null, and a report,
+  /// where it is not rational.
+  Expression distance(const PlanarVector& between, const std::string& kind, const std::string& name, Place place);
   /// A force at an arm from the centre of mass; a couple.
   void push(std::size_t body, const PlanarVector& arm, const PlanarVector& force);
   void turn(std::size_t body, const Expression& couple);

@@ -44,7 +44,7 @@ class Settlement {
       return settle_sliding(velocity, friction.name, friction.start);
     }
     MechanismContact& contact = mechanism_.contacts[velocity.element];
-    if (velocity.state_given && contact.start == Start::open) return hold_open(velocity, contact);
+    if (velocity.state_given && contact.start == Start::open) return hold_open(velocity, contact.name);
     hold_closed(velocity, contact);
     if (contact.start != Start::open && velocity.sliding) settle_sliding(velocity, contact.name, contact.start);
   }
@@ -124,15 +124,10 @@ class Settlement {
     return all ? std::optional(first) : std::nullopt;
   }
 
-  void hold_open(const ElementVelocity& velocity, const MechanismContact& contact) {
-    if (velocity.distance) {
-      for (const auto& [value, point] : at_points(velocity.distance)) {
-        if (sign(value) >= 0) continue;
-        return refuse(velocity.place,
-                      "contact " + contact.name + ": found it X from closed, inside the surface, expected it apart",
-                      velocity.distance, value, *point);
-      }
-    }
+  void hold_open(const ElementVelocity& velocity, const std::string& name) {
+    if (!velocity.distance) return;
+    hold({GeometryFact::Kind::not_negative, velocity.distance, name + "-is-open",
+          "contact " + name + ": found it X from closed, inside the surface, expected it apart", velocity.place});
   }
 
   void hold_closed(const ElementVelocity& velocity, MechanismContact& contact) {

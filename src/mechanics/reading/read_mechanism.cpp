@@ -150,9 +150,13 @@ void read_root(const TableReader& root, Context& context, std::optional<BodyGeom
     mechanism_reader::read_shapes(root, context);
     mechanism_reader::check_uses(bodies, context);
     if (!context.sound || !context.mistakes.empty()) return;
-    geometry = derive_mechanism(bodies, mechanism);
+    geometry = derive_mechanism(bodies, mechanism, context.mistakes);
     mechanism.bodies = std::make_shared<const Bodies>(std::move(bodies));
   } else {
+    for (const std::string_view key : {"gravity", "joint", "force", "torque"}) {
+      if (root.has(key))
+        root.refuse(key, "found without [[body]], expected bodies beside it, or [motion] in its place");
+    }
     mechanism_reader::read_elements(root, context);
     mechanism_reader::read_equations(root, context);
   }

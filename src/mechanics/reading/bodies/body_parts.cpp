@@ -1,5 +1,7 @@
 #include "mechanics/reading/bodies/body_parts.hpp"
 
+#include <algorithm>
+
 namespace slipproof::mechanism_reader {
 
 PlacedPair BodyParts::two(const TableReader& table, std::string_view key) {
@@ -51,6 +53,10 @@ std::pair<std::size_t, std::size_t> BodyParts::read_between(const TableReader& t
   if (*first == *second)
     table.refuse("between", "found the body " + in_quotes(names[0]->text()) + " twice, expected two bodies");
   return {*first, *second};
+}
+
+bool BodyParts::turns(std::initializer_list<std::size_t> bodies) const {
+  return std::ranges::any_of(bodies, [&](std::size_t i) { return !bodies_.bodies[i].alpha.symbol.empty(); });
 }
 
 TableReader BodyParts::names_of(const TableReader& table, std::span<const std::string_view> keys) {

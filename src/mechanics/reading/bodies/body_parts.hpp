@@ -1,6 +1,7 @@
 // Inside the reading of bodies: what refers to them.
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -22,6 +23,9 @@ class BodyParts : public ElementParts {
   std::size_t body_of(const TableReader& table, std::string_view key);
   /// The two bodies in `between`.
   std::pair<std::size_t, std::size_t> read_between(const TableReader& table);
+  /// Whether one of the bodies turns as its forces say.
+  bool turns(std::initializer_list<std::size_t> bodies) const;
+  static constexpr std::string_view expected_turning = ", expected one that turns freely, with an inertia";
   /// The names that a table gives in `names`, or the table itself, which has none of these keys.
   TableReader names_of(const TableReader& table, std::span<const std::string_view> keys);
 

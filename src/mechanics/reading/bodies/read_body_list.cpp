@@ -117,7 +117,11 @@ class BodyListReader : public BodyParts {
       return;
     }
     if (table.has("inertia"))
-      context_.sound = table.require("mass", "the mass of a body with an inertia") && context_.sound;
+      context_.sound =
+          table.require("mass",
+                        "the mass of a body with an inertia (\"0\" if another body's mass counts it), or no inertia "
+                        "for one that moves as prescribed") &&
+          context_.sound;
     if (!table.has("acceleration") && !table.has("turning") && !table.has("inertia")) {
       table.require("mass", "the mass of the body, or the acceleration of one that moves as prescribed");
     }

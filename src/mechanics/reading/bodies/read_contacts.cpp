@@ -28,7 +28,9 @@ class BodyContactReader : public BodyParts {
         "bilateral", "lift_needs", "state",    "slip_direction", "rolling_resistance",
         "names"};
     static constexpr std::array<std::string_view, 5> name_keys{"N", "S", "gap", "slip", "rolling"};
-    const TableReader table(value, "[[contact]]", keys, context_.mistakes);
+    const bool by_equations = value.find("gap") != nullptr || value.find("slip") != nullptr;
+    const TableReader table(value, by_equations ? "[[contact]] of a file with [[body]]" : "[[contact]]", keys,
+                            context_.mistakes);
     MechanismContact contact;
     contact.place = value.place;
     contact.name = name_of(table);
@@ -87,8 +89,13 @@ class BodyContactReader : public BodyParts {
       if (table.has("on_point")) table.require("on_radius", "the radius of the disc that is touched");
       touch.on_radius = {};
     }
-    if (table.has("rolling_resistance") && !table.has("radius")) {
+    if (!table.has("rolling_resistance")) return;
+    if (!table.has("radius")) {
       table.refuse("rolling_resistance", "found it at a point, expected a disc: missing radius");
+    }
+    if (context_.sound && !turns({touch.of, touch.on})) {
+      table.refuse("rolling_resistance",
+                   "found it between bodies whose turning is prescribed" + std::string(expected_turning));
     }
   }
 
@@ -126,6 +133,10 @@ class BodyContactReader : public BodyParts {
     if (named_well_) context_.declare(friction.slip_name, table.place("name"));
     read_state(table, friction.start, {.law = ElementKind::Law::limited});
     const auto [first, second] = read_between(table);
+    if (context_.sound && !turns({first, second})) {
+      table.refuse("between",
+                   "found friction between bodies whose turning is prescribed" + std::string(expected_turning));
+    }
     bodies_.friction.push_back({mechanism_.friction.size(), first, second, table.has("state"), value.place});
     mechanism_.friction.push_back(std::move(friction));
   }

@@ -38,9 +38,8 @@ class JointReader : public BodyParts {
     if (joint.kind == Kind::pin || joint.kind == Kind::weld) add(0, "_x"), add(1, "_y");
     if (joint.kind == Kind::slider) add(3, "_across");
     // nothing is linked where neither turns by itself
-    const bool turns =
-        !bodies_.bodies[joint.first].alpha.symbol.empty() || !bodies_.bodies[joint.second].alpha.symbol.empty();
-    if ((joint.kind == Kind::weld || joint.kind == Kind::slider) && turns) add(2, "_turn");
+    const bool linked = turns({joint.first, joint.second});
+    if ((joint.kind == Kind::weld || joint.kind == Kind::slider) && linked) add(2, "_turn");
     if (joint.kind == Kind::rod || (joint.kind == Kind::gear && !joint.contact)) add(4, "");
   }
 
@@ -64,6 +63,7 @@ class JointReader : public BodyParts {
     if (table.has("carrier")) joint.carrier = body_of(table, "carrier");
     joint.state_given = table.has("state");
     if (known) check_keys(table, joint);
+    if (context_.sound) check_free(table, joint);
     static constexpr std::array<std::string_view, 5> name_keys{"x", "y", "turn", "across", "force"};
     const TableReader names = names_of(table, name_keys);
     joint.well_named = named_well_;
@@ -75,6 +75,17 @@ class JointReader : public BodyParts {
       add_one_sided(table, joint, joint.force_names.back());
     }
     bodies_.joints.push_back(std::move(joint));
+  }
+
+  /// Where all that a joint holds is prescribed, it holds nothing.
+  void check_free(const TableReader& table, const BodyJoint& joint) {
+    if (joint.kind == BodyJoint::Kind::gear) {
+      if (turns({joint.first, joint.second, joint.carrier})) return;
+      return table.refuse("between",
+                          "found a gear of bodies whose turning is prescribed" + std::string(expected_turning));
+    }
+    if (!bodies_.bodies[joint.first].is_prescribed() || !bodies_.bodies[joint.second].is_prescribed()) return;
+    table.refuse("between", "found a joint of two bodies without a mass, expected one that moves");
   }
 
   bool read_kind(const TableReader& table, BodyJoint& joint) {
