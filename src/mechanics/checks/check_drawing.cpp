@@ -153,6 +153,20 @@ bool overlap(const Outline& a, const Outline& b) {
   return !separates(a, b) && !separates(b, a);
 }
 
+/// Whether a line runs along sides of outlines all of which end before a place on it.
+bool ends_before(const std::vector<Outline>& outlines, const Spot& place, const Spot& along) {
+  bool runs_along = false;
+  for (const auto& [c, unused] : outlines) {
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      const Spot a = c[i] - place, b = c[(i + 1) % c.size()] - place;
+      if (a == b || !cross(a, along).is_zero() || !cross(b, along).is_zero()) continue;
+      if (dot(a, along).sign() * dot(b, along).sign() <= 0) return false;
+      runs_along = true;
+    }
+  }
+  return runs_along;
+}
+
 class DrawingCheck {
  public:
   explicit DrawingCheck(const CheckPoints& points) : m_(points.mechanism()), scene_(*m_.bodies) {
@@ -167,6 +181,7 @@ class DrawingCheck {
     for (std::size_t i = 0; i < scene_.contacts.size(); ++i) {
       for (std::size_t k = 0; k < i; ++k) same_place(scene_.contacts[k], scene_.contacts[i]);
       sides(scene_.contacts[i]);
+      end_of_face(scene_.contacts[i]);
     }
     for (const BodyJoint& joint : scene_.joints) pin(joint);
     for (const BodyForce& force : scene_.forces) pushed(force);
@@ -234,6 +249,16 @@ class DrawingCheck {
     }
   }
 
+  void end_of_face(const BodyContact& c) {
+    if (c.on_radius) return;
+    const auto beyond = [&](Drawing& d) {
+      const Spot n = d.direction(c.on, c.normal);
+      return ends_before(d.outlines(c.on), touches(d, c), {n.y, -n.x});
+    };
+    if (!always(beyond)) return;
+    find(c.point.place, name(c) + ": it is beyond the end of the face of " + name(c.on) + ", expected a place on it");
+  }
+
   bool is_wheel(std::size_t body) const {
     return std::ranges::any_of(scene_.contacts, [&](const BodyContact& c) { return c.of == body && c.radius; });
   }
@@ -271,9 +296,8 @@ class DrawingCheck {
     }
   }
 
-  /// Where all of the surfaces that stand still face one way, gravity presses bodies on them.
+  /// Where all surfaces that stand still face one way, gravity or a force presses on them; check_gravity() looks up.
   void gravity() {
-    if (!scene_.gravity) return;
     std::vector<const BodyContact*> standing;
     for (const BodyContact& c : scene_.contacts) {
       if (scene_.bodies[c.on].is_prescribed() && !m_.contacts[c.contact].bilateral && c.normal) standing.push_back(&c);
@@ -281,16 +305,18 @@ class DrawingCheck {
     const bool held = std::ranges::any_of(scene_.joints, [&](const BodyJoint& j) {
       return scene_.bodies[j.first].is_prescribed() || scene_.bodies[j.second].is_prescribed();
     });
-    if (standing.empty() || held) return;
+    if (!scene_.gravity || standing.empty() || held) return;
     const auto lifts = [&](Drawing& d) {
-      const Spot g{d.number(scene_.gravity.x), d.number(scene_.gravity.y)};
+      const Spot g = d.spot(bodies_in_motion::unplaced(scene_.gravity));
       const Spot n = d.direction(standing[0]->on, standing[0]->normal);
+      const auto presses = [&](const BodyForce& f) {
+        return dot(f.follows ? d.direction(f.on, f.is) : d.spot(bodies_in_motion::unplaced(f.is)), n).sign() < 0;
+      };
       return std::ranges::all_of(standing, [&](const BodyContact* c) { return d.direction(c->on, c->normal) == n; }) &&
-             dot(g, n).sign() >= 0;
+             std::ranges::none_of(scene_.forces, presses) && dot(g, n).sign() >= 0 && g.y.sign() <= 0;
     };
-    if (always(lifts)) {
-      find(scene_.gravity.place, "gravity presses nothing on the surface that all contacts have, expected it into it");
-    }
+    if (!always(lifts)) return;
+    find(scene_.gravity.place, "gravity presses nothing on the surface that all contacts have, expected it into it");
   }
 
   void in_each_other(std::size_t a, std::size_t b) {

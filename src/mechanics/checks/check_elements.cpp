@@ -26,7 +26,10 @@ class ElementCheck {
         return [i, member](const FrictionProblem& problem) { return problem.elements[i].*member; };
       };
       check_motion(contact.gap, contact.gap_name, form(&ProblemElement::gap));
-      if (contact.frictionless()) continue;
+      if (contact.frictionless()) {
+        check_smooth(contact);
+        continue;
+      }
       check_motion(contact.slip, contact.slip_name, form(&ProblemElement::slip));
       check_friction(i, "coefficient of friction", contact.static_friction, contact.kinetic_friction);
     }
@@ -45,6 +48,16 @@ class ElementCheck {
  private:
   void find(const PlacedExpression& placed, std::string message) {
     findings_.push_back(warning(Check::elements, placed.place(), std::move(message)));
+  }
+
+  /// A literal 0 is no coefficient of friction that is 0: the contact has other states.
+  void check_smooth(const MechanismContact& contact) {
+    if (contact.static_friction.text.text().empty()) return;
+    find(
+        contact.static_friction,
+        contact.name +
+            ": found friction = \"0\", which makes the contact smooth: its states are touch and lift, and it has no "
+            "tangential force. Leave friction out to say so; a parameter that is 0 keeps stick, slip+, slip- and lift");
   }
 
   Numbers motion_of(const AffineForm& form) const {
@@ -166,7 +179,7 @@ class ElementCheck {
   /// Links that hold if g = 0 only.
   std::string gravity_of(const CheckPoint& point, std::size_t count) const {
     for (std::size_t i = 0; i < m_.parameters.size(); ++i) {
-      if (!is_gravity(m_.parameters[i])) continue;
+      if (!is_gravity(m_, m_.parameters[i])) continue;
       MechanismValues values = point.values;
       values.parameters[i] = 0;
       try {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 
 #include "base/number/format.hpp"
 #include "mechanics/bodies/bodies.hpp"
@@ -42,6 +43,17 @@ bool rests(const MechanismContact& contact) {
   return contact.start == ElementKind::Start::rest && !contact.bilateral;
 }
 
+/// Whether the gravity of bodies points up at all points, as the y axis of their scene does.
+bool gravity_points_up(const CheckPoints& points) {
+  const auto& bodies = points.mechanism().bodies;
+  if (!bodies || !bodies->gravity) return false;
+  const Program up = points.maker().compiled().compile(bodies->gravity.y.expression);
+  return std::ranges::all_of(points.all(), [&](const CheckPoint& point) {
+    const auto value = points.maker().at(point.values).number(up);
+    return value.number && *value.number > 0;
+  });
+}
+
 /// Whether bodies say that gravity need not press on the contact: it is along the surface, or springs may lift.
 bool gravity_passes_by(const CheckPoints& points, const CheckPoint& point, const MechanismContact& contact) {
   const auto& bodies = points.mechanism().bodies;
@@ -57,21 +69,22 @@ bool gravity_passes_by(const CheckPoints& points, const CheckPoint& point, const
   return value.number && value.number->is_zero();
 }
 
-/// The contact that opens without contact forces and load.
-std::optional<MechanismFinding> opening(const CheckPoints& points, const CheckPoint& point, const FreeMotion& motion) {
+/// Adds each contact that opens without contact forces and load, if it is not there from another point.
+void add_opening(const CheckPoints& points, const CheckPoint& point, const FreeMotion& motion,
+                 std::map<std::size_t, MechanismFinding>& findings) {
   const Mechanism& mechanism = points.mechanism();
   for (std::size_t i = 0; i < motion.gaps.size(); ++i) {
     const MechanismContact& contact = mechanism.contacts[i];
-    if (!rests(contact) || motion.gaps[i] <= 0 || gravity_passes_by(points, point, contact)) continue;
+    if (findings.contains(i) || !rests(contact) || motion.gaps[i] <= 0 || gravity_passes_by(points, point, contact))
+      continue;
     const auto gap = [&](const CheckPoint& there) -> std::optional<Rational> {
       const auto other = free_motion(mechanism, there.problem);
       return other ? std::optional(other->gaps[i]) : std::nullopt;
     };
-    return warning(Check::gravity, contact.gap.place(),
-                   "without contact forces and load the contact " + contact.name + " opens: " + contact.gap_name +
-                       " = " + exact_text(motion.gaps[i]) + points.where(point, gap));
+    findings.emplace(i, warning(Check::gravity, contact.gap.place(),
+                                "without contact forces and load the contact " + contact.name + " opens: " +
+                                    contact.gap_name + " = " + exact_text(motion.gaps[i]) + points.where(point, gap)));
   }
-  return std::nullopt;
 }
 
 }  // namespace
@@ -110,21 +123,30 @@ std::vector<MechanismFinding> check_reciprocity(const CheckPoints& points) {
 
 std::vector<MechanismFinding> check_gravity(const CheckPoints& points) {
   const Mechanism& mechanism = points.mechanism();
+  if (gravity_points_up(points)) {
+    return {warning(Check::gravity, mechanism.bodies->gravity.place,
+                    "gravity points up: y counts upwards, expected a vector such as [\"0\", \"-g\"]")};
+  }
   if (std::ranges::none_of(mechanism.contacts, rests)) return {};
   std::size_t count = 0;
   bool moves = false;
+  std::map<std::size_t, MechanismFinding> open;
   for (const CheckPoint& sampled : points.all()) {
     const CheckPoint point = points.without_pushes(sampled);
+    if (!has_gravity(mechanism) && points.is_pushed(point)) return {};  // it is no gravity that opens contacts
     const auto motion = free_motion(mechanism, point.problem);
     if (!motion) continue;
     moves = moves || motion->moves;
-    if (auto finding = opening(points, point, *motion)) return {std::move(*finding)};
+    add_opening(points, point, *motion, open);
     if (++count == CheckPoints::enough) break;
   }
+  std::vector<MechanismFinding> findings;
+  for (auto& [unused, finding] : open) findings.push_back(std::move(finding));
+  if (!findings.empty()) return findings;
   if (count < CheckPoints::needed) {
     return {not_checkable(Check::gravity, "gravity: the equations do not determine a motion without contact forces")};
   }
-  if (moves || std::ranges::none_of(mechanism.parameters, is_gravity)) return {};
+  if (moves || !has_gravity(mechanism)) return {};
   return {warning(Check::gravity, mechanism.contacts.front().gap.place(),
                   "there is gravity, but without contact forces and load nothing moves, so that it presses on no "
                   "contact")};

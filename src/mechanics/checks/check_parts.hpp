@@ -31,7 +31,7 @@ std::vector<MechanismFinding> check_inertia(const CheckPoints& points, const std
 std::vector<MechanismFinding> check_reciprocity(const CheckPoints& points);
 
 /// Without the forces of contacts and friction elements, without load and without what pushes, no contact at rest
-/// opens; and where there is gravity, something falls.
+/// opens; and where there is gravity, something falls. Bodies whose gravity points up get this warning alone.
 std::vector<MechanismFinding> check_gravity(const CheckPoints& points);
 
 /// Limits and coefficients of friction that are negative, kinetic ones above static ones, motions without an

@@ -1,7 +1,10 @@
 #include "mechanics/checks/check_points.hpp"
 
+#include <algorithm>
 #include <set>
 
+#include "mechanics/bodies/bodies.hpp"
+#include "mechanics/bodies/sure_sign.hpp"
 #include "mechanics/points/degrees.hpp"
 #include "mechanics/points/domain_sampler.hpp"
 #include "mechanics/points/sampling.hpp"
@@ -36,8 +39,15 @@ class Symbols {
 
 }  // namespace
 
-bool is_gravity(const MechanismParameter& parameter) {
-  return parameter.symbol == "g" || parameter.unit == "m/s^2" || parameter.unit == "m s^-2";
+bool is_gravity(const Mechanism& mechanism, const MechanismParameter& parameter) {
+  if (parameter.symbol == "g") return true;
+  const auto signs = bodies_in_motion::sure_signs(mechanism, make_symbol(parameter.symbol));
+  return (parameter.unit == "m/s^2" || parameter.unit == "m s^-2") && !signs.negative && !signs.zero;
+}
+
+bool has_gravity(const Mechanism& mechanism) {
+  const auto gravity = [&](const MechanismParameter& one) { return is_gravity(mechanism, one); };
+  return (mechanism.bodies && mechanism.bodies->gravity) || std::ranges::any_of(mechanism.parameters, gravity);
 }
 
 CheckPoints::CheckPoints(const Mechanism& mechanism)
@@ -98,9 +108,13 @@ std::vector<std::size_t> CheckPoints::find_pushes() const {
   for (std::size_t i = 0; i < mechanism_->parameters.size(); ++i) {
     const MechanismParameter& parameter = mechanism_->parameters[i];
     const std::string& symbol = parameter.symbol;
-    if (!is_gravity(parameter) && constants.has(symbol) && !others.has(symbol)) pushes.push_back(i);
+    if (!is_gravity(*mechanism_, parameter) && constants.has(symbol) && !others.has(symbol)) pushes.push_back(i);
   }
   return pushes;
+}
+
+bool CheckPoints::is_pushed(const CheckPoint& point) const {
+  return std::ranges::any_of(pushes_, [&](std::size_t i) { return !point.values.parameters[i].is_zero(); });
 }
 
 CheckPoint CheckPoints::without_pushes(const CheckPoint& point) const {

@@ -36,6 +36,8 @@ class CheckPoints {
   /// The point with every push 0, if the domain allows it. A push is a parameter that occurs only in constants of the
   /// equations and motions, and is not gravity.
   CheckPoint without_pushes(const CheckPoint& point) const;
+  /// Whether a push is not 0.
+  bool is_pushed(const CheckPoint& point) const;
 
  private:
   std::optional<Rational> at(const MechanismValues& values, const Quantity& quantity) const;
@@ -47,7 +49,9 @@ class CheckPoints {
   std::vector<std::size_t> pushes_;  ///< indices of parameters
 };
 
-/// A parameter g, or one in m/s^2.
-bool is_gravity(const MechanismParameter& parameter);
+/// A parameter g, or one in m/s^2 that is positive: what may be 0 is the acceleration of something that moves.
+bool is_gravity(const Mechanism& mechanism, const MechanismParameter& parameter);
+/// Whether a parameter is gravity, or bodies have one.
+bool has_gravity(const Mechanism& mechanism);
 
 }  // namespace slipproof::mechanism_checks

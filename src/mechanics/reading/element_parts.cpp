@@ -41,7 +41,7 @@ void ElementParts::read_coefficients(const TableReader& table, MechanismContact&
   read_two(*friction, "friction", contact.static_friction, contact.kinetic_friction);
   if (friction->kind == TomlValue::Kind::table) return;
   if (contact.static_friction && is_literal_zero(contact.static_friction.expression)) {
-    contact.static_friction = contact.kinetic_friction = {};
+    contact.static_friction.expression = contact.kinetic_friction.expression = nullptr;  // the checks tell by the text
   }
 }
 

@@ -212,6 +212,8 @@ TEST_CASE("a good drawing has no warning, and each mistake has its own") {
   warned("at = [\"b\", \"0\"]", "at = [\"-b\", \"0\"]", "joint axle: it is outside of wheel");
   warned("at = [\"1\", \"0\"]", "at = [\"4\", \"0\"]", "the force acts outside of upper");
   warned("gravity = [\"0\", \"-10\"]", "gravity = [\"-10\", \"0\"]", "gravity presses nothing on the surface");
+  warned("gravity = [\"0\", \"-10\"]", "gravity = [\"0\", \"10\"]", "gravity points up");
+  warned("point = [\"1\", \"-1\"]", "point = [\"4\", \"-1\"]", "two: it is beyond the end of the face of lower");
   warned("at = [\"0\", \"3\"]", "at = [\"0\", \"2\"]", "the shapes of lower and upper lie in each other");
 }
 
