@@ -3,6 +3,7 @@
 #include "base/expression/parser.hpp"
 #include "claims/reading/claims_reader.hpp"
 #include "claims/reading/inherit.hpp"
+#include "mechanics/mechanism/units.hpp"
 
 namespace slipproof::claims_reader {
 
@@ -32,7 +33,10 @@ class SettingReader {
     read_angles();
     read_force();
     read_definitions();
+    inherit();
     read_scene(table_, context_, setting_);
+    for (const auto& [parameter, domain] : inherited_)
+      setting_.parameters[parameter].domain = setting_.in_paper(domain);
     for (const PlacedText* boundary : table_.strings("boundaries")) read_boundary(*boundary);
     read_realisable();
     context_.file.settings.push_back(std::move(setting_));
@@ -65,25 +69,86 @@ class SettingReader {
   }
 
   void read_parameters() {
-    if (!table_.has("angles") && !table_.require("parameters", "the table [setting.parameters]")) return;
-    const TomlValue* parameters = table_.table("parameters");
-    if (parameters == nullptr) return;
-    for (const TomlEntry& entry : parameters->entries) {
-      declare(entry.key, entry.place);
-      Parameter parameter{entry.key, make_truth(true), {}, 0};
-      if (entry.value.kind == TomlValue::Kind::table) {
-        static constexpr std::array<std::string_view, 3> keys{"domain", "meaning", "line"};
-        const TableReader table(entry.value, "the parameter " + entry.key, keys, context_.mistakes);
-        if (table.require("domain", "a condition such as \"R > 0\"")) {
-          parameter.domain = context_.expression(table, "domain", Sort::truth, index_, {});
-        }
-        parameter.meaning = context_.text(table, "meaning", "what the symbol stands for");
-        parameter.line = context_.line(table, "line", false);
+    if (of_bicycle(table_) && !table_.has("angles") &&
+        !table_.require("parameters", "the table [setting.parameters]")) {
+      return;
+    }
+    if (const TomlValue* parameters = table_.table("parameters")) {
+      for (const TomlEntry& entry : parameters->entries) read_parameter(entry);
+    }
+  }
+
+  void read_parameter(const TomlEntry& entry) {
+    declare(entry.key, entry.place);
+    Parameter parameter{entry.key, make_truth(true), {}, 0};
+    if (entry.value.kind == TomlValue::Kind::table) {
+      static constexpr std::array<std::string_view, 4> keys{"domain", "meaning", "line", "unit"};
+      const TableReader table(entry.value, "the parameter " + entry.key, keys, context_.mistakes);
+      const MechanismParameter* same = in_mechanism(entry.key);
+      if (table.has("domain")) {
+        parameter.domain = context_.expression(table, "domain", Sort::truth, index_, {});
+      } else if (same != nullptr) {
+        inherited_.emplace_back(setting_.parameters.size(), same->domain.expression);
       } else {
-        context_.mistakes.add(entry.value.place, entry.key + ": found " + std::string(kind_name(entry.value.kind)) +
-                                                     ", expected { domain = ..., meaning = ... }");
+        table.require("domain", "a condition such as \"R > 0\"");
       }
-      setting_.parameters.push_back(std::move(parameter));
+      if (same != nullptr) parameter.meaning = same->meaning;
+      if (same == nullptr || table.has("meaning"))
+        parameter.meaning = context_.text(table, "meaning", "what the symbol stands for");
+      parameter.line = context_.line(table, "line", false);
+      check_unit(table, same != nullptr ? same->unit : std::string());
+    } else {
+      context_.mistakes.add(entry.value.place, entry.key + ": found " + std::string(kind_name(entry.value.kind)) +
+                                                   ", expected { domain = ..., meaning = ... }");
+    }
+    setting_.parameters.push_back(std::move(parameter));
+  }
+
+  /// A unit says nothing in a claim; it must be one, and the mechanism's.
+  void check_unit(const TableReader& table, const std::string& of_mechanism) {
+    const PlacedText* text = table.string("unit");
+    if (text == nullptr || !has_units()) return;
+    const auto unit = parse_unit(text->text()), expected = parse_unit(of_mechanism);
+    if (!unit) {
+      table.refuse("unit", "found " + in_quotes(text->text()) + ", expected a unit such as \"kg m^2\", or \"1\"");
+    } else if (!of_mechanism.empty() && expected && !(*unit == *expected)) {
+      table.refuse("unit",
+                   "found " + in_quotes(text->text()) + ", expected that of the mechanism, " + in_quotes(of_mechanism));
+    }
+  }
+
+  bool is_declared(std::string_view symbol) const { return std::ranges::find(declared_, symbol) != declared_.end(); }
+  bool in_scene(std::string_view symbol) const {
+    const TomlValue* scene = table_.value("scene");
+    return scene != nullptr && scene->find(symbol) != nullptr;
+  }
+  /// The parameter of the mechanism that a symbol of the paper is, by its name; null if there is none.
+  const MechanismParameter* in_mechanism(std::string_view symbol) const {
+    if (of_bicycle(table_) || in_scene(symbol)) return nullptr;
+    const auto& all = setting_.mechanism->parameters;
+    const auto found = std::ranges::find(all, symbol, &MechanismParameter::symbol);
+    return found == all.end() ? nullptr : &*found;
+  }
+
+  /// What the setting does not say is as in the mechanism, where no name is taken. Its domains become the paper's when
+  /// the scene is read.
+  void inherit() {
+    if (of_bicycle(table_)) return;
+    const auto is_free = [&](const std::string& name) { return !in_scene(name) && !is_declared(name); };
+    const auto add = [&](const std::string& symbol, const PlacedExpression& domain, const std::string& meaning,
+                         std::optional<std::size_t> angle) {
+      declare(symbol, table_.place("mechanism"));
+      inherited_.emplace_back(setting_.parameters.size(), domain.expression);
+      setting_.parameters.push_back({symbol, make_truth(true), meaning, 0, angle});
+    };
+    for (const MechanismParameter& one : setting_.mechanism->parameters) {
+      if (!one.optional && is_free(one.symbol)) add(one.symbol, one.domain, one.meaning, {});
+    }
+    for (const MechanismAngle& one : setting_.mechanism->angles) {
+      if (!is_free(one.name) || is_declared(one.cosine) || is_declared(one.sine)) continue;
+      setting_.angles.push_back({one.name, one.cosine, one.sine, setting_.parameters.size()});
+      add(one.name, one.domain, one.meaning, setting_.angles.size() - 1);
+      for (const std::string& symbol : {one.cosine, one.sine}) declare(symbol, table_.place("mechanism"));
     }
   }
 
@@ -123,8 +188,9 @@ class SettingReader {
     if (!table_.require("force", "the table [setting.force]")) return;
     const TomlValue* force = table_.table("force");
     if (force == nullptr) return;
-    static constexpr std::array<std::string_view, 4> keys{"symbol", "kind", "domain", "line"};
+    static constexpr std::array<std::string_view, 5> keys{"symbol", "kind", "domain", "line", "unit"};
     const TableReader table(*force, "[setting.force]", keys, context_.mistakes);
+    check_unit(table, load && !of_bicycle(table_) ? load->unit : std::string());
     if (!load) return table_.refuse("force", "found a force, but the mechanism has no load");
     setting_.force.symbol = context_.text(table, "symbol", "the paper's symbol of the force");
     if (table.string("symbol") != nullptr) declare(setting_.force.symbol, table.place("symbol"));
@@ -211,6 +277,7 @@ class SettingReader {
   std::size_t index_;
   Setting setting_;
   std::vector<std::string> declared_, quantities_;
+  std::vector<std::pair<std::size_t, Expression>> inherited_;  ///< parameters, and their domains in the mechanism
 };
 
 }  // namespace

@@ -327,7 +327,6 @@ TEST_CASE("mistakes in a setting of a mechanism have their places") {
   says("mechanism = \"block-on-incline\"", "",
        "missing kind in [setting.force], expected \"internal\" or \"external\"");
   says("symbol = \"P\"", "symbol = \"P\", kind = \"internal\"", "kind: found beside `mechanism`");
-  says("mu_s = \"mu\", ", "", "missing mu_s in [setting.scene], expected an expression over the parameters");
   says("mu_s = \"mu\"", "mu_s = \"mu\", nu = \"1\"", "unknown key 'nu'");
   says("theta = { cos", "phi = { cos", "found 'phi', which is a quantity of every motion");
   says("theta = { cos", "eta = { cos", "missing theta in [setting.scene], expected an angle");
