@@ -33,6 +33,8 @@ TableReader::TableReader(const TomlValue& table, std::string name, std::span<con
     if (!name_.empty()) message += " in " + name_;
     if (const auto meant = near_match(entry.key, keys)) {
       message += ", did you mean '" + std::string(*meant) + "'?";
+    } else if (keys.empty()) {
+      message += ", expected none";
     } else {
       message += ", expected one of";
       for (const std::string_view key : keys) message += (key == keys.front() ? " " : ", ") + std::string(key);

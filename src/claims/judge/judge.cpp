@@ -1,5 +1,7 @@
 #include "claims/judge/judge.hpp"
 
+#include <vector>
+
 #include "claims/judge/claim_judge.hpp"
 
 namespace slipproof {
@@ -12,13 +14,16 @@ Judgement ClaimJudge::judge() {
 
 bool ClaimJudge::is_unsure() {
   bool unsure = false;
-  for (const Program* program : {&compiled().force_domain(), &programs_.forces, &programs_.holds}) {
+  std::vector<const Program*> all{&compiled().force_domain()};
+  if (sample_.force_domain()) all.insert(all.end(), {&programs_.forces, &programs_.holds});
+  for (const Program* program : all) {
     for (const TruthCell& cell : sample_.over_forces(*program)) {
       if (sample_.force_domain() && common(cell.forces, domain()).empty()) continue;
       if (cell.truth == Truth::undefined) return false;
       unsure = unsure || cell.truth == Truth::undecided;
     }
   }
+  if (!sample_.force_domain()) return unsure;      // whatever the claim says, it has no value
   for (const std::size_t other : body().claims) {  // their ends may be irrational
     for (const TruthCell& cell : sample_.over_forces(programs(other).forces)) {
       unsure = unsure || cell.truth == Truth::undecided;

@@ -64,6 +64,14 @@ class FormsOfMechanism {
     return extraction_.form(Linear{zero_literal(), {}});
   }
 
+  std::string accelerations() const {
+    std::string names;
+    for (std::size_t i = 0; i < mechanism_.accelerations; ++i) {
+      names += (i == 0 ? "" : ", ") + mechanism_.unknowns[i].symbol;
+    }
+    return names;
+  }
+
   /// A gap, slip or zero, which must have an acceleration in it.
   SymbolicForm motion_form(const PlacedExpression& placed, const std::string& what) {
     if (!placed) return extraction_.form(Linear{zero_literal(), {}});
@@ -73,7 +81,7 @@ class FormsOfMechanism {
                                      [&](const auto& term) { return term.first < mechanism_.accelerations; });
       if (!moves) {
         mistakes_.add(placed.place(), what + ": found no acceleration in " + in_quotes(to_string(placed.expression)) +
-                                          ", expected at least one");
+                                          ", expected an acceleration, a sum with at least one of " + accelerations());
       }
       return extraction_.form(linear);
     } catch (const NotLinear& error) {

@@ -28,7 +28,9 @@ class ElementReader : public ElementParts {
     static constexpr std::array<std::string_view, 14> keys{
         "name",      "gap",        "slip",     "friction",  "normal", "tangent",   "state",
         "bilateral", "lift_needs", "gap_name", "slip_name", "at",     "direction", "slip_direction"};
-    const TableReader table(value, "[[contact]]", keys, context_.mistakes);
+    const bool drawn = value.find("of") != nullptr || value.find("point") != nullptr;
+    const TableReader table(value, drawn ? "[[contact]] of a file without [[body]]" : "[[contact]]", keys,
+                            context_.mistakes);
     MechanismContact contact;
     contact.place = value.place;
     contact.name = name_of(table);

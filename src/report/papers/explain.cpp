@@ -7,6 +7,8 @@
 
 #include "base/number/format.hpp"
 #include "claims/paper/setting_names.hpp"
+#include "claims/sampling/sampler.hpp"
+#include "claims/sampling/solved_sample.hpp"
 #include "mechanics/points/degrees.hpp"
 #include "mechanics/scene/scene.hpp"
 
@@ -30,6 +32,22 @@ bool depends_on_force(const Setting& setting, const Claim& claim, Reading readin
   return example.judgement.mode || is_about_motions(claim) ||
          std::any_of(all.begin(), all.end(),
                      [&](const Expression& e) { return names.depends(e, reading, setting.force.symbol); });
+}
+
+/// Whether there is a sample at which the forces of the setting's domain are known, and are no interval.
+bool domain_is_no_interval(const Setting& setting) {
+  constexpr std::uint64_t enough = 30, seed = 1;
+  const CompiledSetting compiled(setting);
+  const Sampler sampler(compiled, seed);
+  for (std::uint64_t i = 0; i < enough; ++i) {
+    std::vector<Rational> values = sampler.at(i);
+    if (values.empty()) continue;
+    const auto sample = SolvedSample::make(compiled, std::move(values));
+    if (!sample || sample->force_domain()) continue;
+    const auto known = [](const TruthCell& cell) { return cell.truth == Truth::yes || cell.truth == Truth::no; };
+    if (std::ranges::all_of(sample->over_forces(compiled.force_domain()), known)) return true;
+  }
+  return false;
 }
 
 class Explanation {
@@ -140,6 +158,18 @@ std::string explain(const ClaimsFile& file, const ClaimResult& result, const Cou
   return Explanation(file, result, example).text();
 }
 
+namespace {
+
+std::string why_undecided(const ClaimsFile& file, const ClaimResult& result, bool unsure) {
+  if (unsure) return ": a comparison has irrational zeros over the forces";
+  const Setting& setting = file.settings[file.claims[result.claim].setting];
+  if (setting.force.symbol.empty() || !domain_is_no_interval(setting)) return "";
+  return fmt::format(": the domain of {}, {}, is no interval there; expected one, and a setting for each part",
+                     setting.force.symbol, in_quotes(to_string(setting.force.domain)));
+}
+
+}  // namespace
+
 std::string explain(const ClaimsFile& file, const ClaimResult& result) {
   const std::string_view noun = slipproof::noun(file.settings[file.claims[result.claim].setting]);
   if (result.counterexample) return explain(file, result, *result.counterexample);
@@ -164,8 +194,7 @@ std::string explain(const ClaimsFile& file, const ClaimResult& result) {
       const bool unsure = result.unsure == result.undecided;
       return fmt::format("{} at {} of {} in its region{}", unsure ? "it was not decided" : "it has no value",
                          result.undecided == result.samples() ? "any" : std::to_string(result.undecided),
-                         counted(result.samples(), noun),
-                         unsure ? ": a comparison has irrational zeros over the forces" : "");
+                         counted(result.samples(), noun), why_undecided(file, result, unsure));
     }
   }
   return "";
