@@ -89,7 +89,8 @@ class View {
   LineEvaluator growing_;
 };
 
-/// The part of the line from the first to the last end of the domain; nothing beyond it matters.
+/// The part of the line from the first to the last point of the domain, which may stand alone; nothing beyond it
+/// matters. An irrational end counts as in the domain.
 LinePart domain_part(const Line& line, const CompiledSetting& compiled) {
   CriticalSet found;
   LineEvaluator evaluator = evaluator_along(line, compiled, {.found = &found, .here = line.inside}, std::nullopt);
@@ -97,16 +98,19 @@ LinePart domain_part(const Line& line, const CompiledSetting& compiled) {
   if (!found.orders().empty() || found.branches() > 0) return {};
   const std::vector<RealRoot> roots = real_roots(found.polynomials());
   const std::vector<Rational> points = cell_points(roots);
-  std::size_t first = points.size(), last = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!in_domain(compiled, line.at(points[i]))) continue;
+  // Cells at even places, and the roots between them at odd ones.
+  const std::size_t places = points.size() + roots.size();
+  std::size_t first = places, last = 0;
+  for (std::size_t i = 0; i < places; ++i) {
+    const bool irrational = i % 2 == 1 && !roots[i / 2].is_rational();
+    if (!irrational && !in_domain(compiled, line.at(i % 2 == 0 ? points[i / 2] : roots[i / 2].lower))) continue;
     first = std::min(first, i);
     last = i;
   }
-  if (first == points.size()) return {};
+  if (first == places || (first == last && first % 2 == 1)) return {};
   LinePart part;
-  if (first > 0) part.lower = roots[first - 1].lower;
-  if (last < roots.size()) part.upper = roots[last].upper;
+  if (first > 0) part.lower = roots[(first - 1) / 2].lower;
+  if (last + 1 < places) part.upper = roots[last / 2].upper;
   return part;
 }
 
