@@ -8,7 +8,7 @@
 #include "base/expression/parser.hpp"
 #include "claims/identity/symbolic.hpp"
 #include "claims/identity/symbolic_motion.hpp"
-#include "claims/statements/plain_signs.hpp"
+#include "claims/statements/setting_writer.hpp"
 
 namespace slipproof {
 
@@ -138,7 +138,8 @@ class IdentitySearch {
   std::vector<MultiPolynomial> divisors_;
 };
 
-/// Decides whether a polynomial in the force and the parameters has no zero in the claim's region.
+/// Decides whether a polynomial in the force and the parameters has no zero in the claim's region: for the forces of
+/// the domain, or for any forces if the claim is about any.
 class NeverZero {
  public:
   NeverZero(const ClaimsFile& file, const Claim& claim, Reading reading, LemmaBook* book)
@@ -157,7 +158,8 @@ class NeverZero {
     if (!read_) read_ = as_read(file_, reading_);
     const ClaimBody& body = claim_.body(reading_);
     Lemmas lemmas;
-    return Implications(*read_, claim_.setting, *book_)
+    const Implications logic(*read_, claim_.setting, *book_);
+    return (body.kind->traits().needs_no_force ? logic.of_any_force() : logic)
         .implies({body.region, body.forces}, make_comparison({number, make_number(0)}, {Relation::not_equal}), lemmas);
   }
 
@@ -193,6 +195,7 @@ std::optional<Identity> find_identity(const ClaimsFile& file, const CompiledClai
   if (!search.find()) return std::nullopt;
   NeverZero never_zero(file, c, reading, book);
   Identity identity;
+  identity.has_interval_of_forces = SettingWriter(file.settings[c.setting], reading).has_interval_of_forces();
   for (const MultiPolynomial& divisor : search.divisors()) {
     if (!never_zero.shown(divisor)) identity.unless_zero.push_back(divisor.text());
   }

@@ -16,9 +16,11 @@ namespace slipproof {
 struct Identity {
   /// Factors of the divisors, as expressions, that were not shown to differ from 0 in the claim's region.
   std::vector<std::string> unless_zero;
+  /// Whether the force's domain plainly is an interval at every bicycle; where it is not, no claim has a value.
+  bool has_interval_of_forces = false;
 
   /// Whether the claim is right, or says nothing, at every bicycle.
-  bool proved() const { return unless_zero.empty(); }
+  bool proved() const { return unless_zero.empty() && has_interval_of_forces; }
 };
 
 /// Nothing if the claim was not shown to be an identity. With a book, its proofs are used for divisors that are not

@@ -5,6 +5,7 @@
 
 #include "base/expression/logic.hpp"
 #include "claims/statements/claim_statements.hpp"
+#include "claims/statements/setting_writer.hpp"
 #include "proofs/check/judge.hpp"
 #include "proofs/search/prove.hpp"
 #include "proofs/statement/statement.hpp"
@@ -114,9 +115,23 @@ bool Implications::prove(const std::vector<Expression>& given, const Expression&
                                                    .setting = setting_,
                                                    .given = given,
                                                    .shown = shown,
+                                                   .force_domain = force_domain_,
                                                    .on_road = obeying == Obeying::equations_on_road,
                                                    .mode = mode});
   return text && prove(*text, lemmas);
+}
+
+bool Implications::has_interval_of_forces() const {
+  return SettingWriter(file_->settings[setting_], Reading::printed).has_interval_of_forces();
+}
+
+bool Implications::is_linear(const Expression& equation) const {
+  return SettingWriter(file_->settings[setting_], Reading::printed).is_linear(equation);
+}
+
+bool Implications::has_value(const std::vector<Expression>& given, const Expression& truth, Lemmas& lemmas) const {
+  return SettingWriter(file_->settings[setting_], Reading::printed).always_defined(truth) ||
+         implies(given, make(Operation::logical_or, {truth, opposite(truth)}), lemmas);
 }
 
 bool Implications::equivalent(const std::vector<Expression>& given, const Expression& x, const Expression& y,
@@ -162,8 +177,13 @@ bool Implications::divides_alike(const std::vector<Expression>& given, const Exp
 bool Implications::eventually(const Expression& given, const Expression& shown, std::string_view parameter,
                               Lemmas& lemmas) const {
   if (names_.depends(given, Reading::printed, parameter)) return false;
-  auto text = implication_statement(
-      *file_, {.name = "lemma", .setting = setting_, .given = {given}, .shown = shown, .mode = std::nullopt});
+  if (SettingWriter(file_->settings[setting_], Reading::printed).is_bounded(std::string(parameter))) return false;
+  auto text = implication_statement(*file_, {.name = "lemma",
+                                             .setting = setting_,
+                                             .given = {given},
+                                             .shown = shown,
+                                             .force_domain = force_domain_,
+                                             .mode = std::nullopt});
   if (!text) return false;
   const prove::Statement statement("lemma", *text);
   for (std::size_t variable = 0; variable < statement.ring().size(); ++variable) {

@@ -49,6 +49,19 @@ class Implications {
       : file_(&file), setting_(setting), names_(file.settings[setting]), book_(&book) {}
 
   const SettingNames& names() const { return names_; }
+  const ClaimBody& body(std::size_t claim) const { return file_->claims[claim].printed; }
+
+  /// The same where the force is any number: true also of points at which no force is in the domain.
+  Implications of_any_force() const {
+    Implications result = *this;
+    result.force_domain_ = false;
+    return result;
+  }
+  /// See SettingWriter.
+  bool has_interval_of_forces() const;
+  bool is_linear(const Expression& equation) const;
+  /// Whether a condition, or equation, has a value under `given`.
+  bool has_value(const std::vector<Expression>& given, const Expression& truth, Lemmas& lemmas) const;
 
   /// Whether `given` implies `shown`: for any numbers, for all motions in a mode, or for unknowns that satisfy
   /// equations.
@@ -63,7 +76,8 @@ class Implications {
   bool divides_alike(const std::vector<Expression>& given, const Expression& x, const Expression& y, Lemmas& lemmas,
                      const Alike& alike = same) const;
   /// Whether under `given`, which must not depend on the parameter, `shown` is true for all sufficiently large values
-  /// of the parameter: the leading coefficients of what is compared have the right signs.
+  /// of the parameter: the leading coefficients of what is compared have the right signs. False if the parameter may
+  /// not grow without bound.
   bool eventually(const Expression& given, const Expression& shown, std::string_view parameter, Lemmas& lemmas) const;
   /// Whether the claim with this body is a theorem: the statements that together express it are all proved.
   bool proves(std::size_t claim, const ClaimBody& body, Lemmas& lemmas) const;
@@ -78,6 +92,7 @@ class Implications {
   std::size_t setting_;
   SettingNames names_;
   LemmaBook* book_;
+  bool force_domain_ = true;  ///< the force is in its domain
 };
 
 }  // namespace slipproof

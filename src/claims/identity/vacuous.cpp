@@ -9,7 +9,10 @@ namespace slipproof {
 bool is_vacuous(const ClaimsFile& file, std::size_t claim, Reading reading, LemmaBook& book) {
   const ClaimsFile read = as_read(file, reading);
   const Claim& c = read.claims[claim];
-  return c.kind().says_nothing(Implications(read, c.setting, book), claim, c.printed);
+  const Implications logic(read, c.setting, book);
+  Lemmas lemmas;
+  return logic.has_interval_of_forces() && logic.of_any_force().has_value({}, c.printed.region, lemmas) &&
+         c.kind().says_nothing(logic, claim, c.printed);
 }
 
 bool is_nowhere(const ClaimsFile& file, std::size_t claim, Reading reading, LemmaBook& book) {

@@ -5,8 +5,8 @@
 
 namespace slipproof {
 
-/// Whether it is proved that the claim says nothing about any bicycle (proofs/MEANING.md): its region is empty, no
-/// force or motion is left in it, or its hypotheses contradict each other.
+/// Whether it is proved that the claim has a value at every bicycle and says nothing there (proofs/MEANING.md): its
+/// region is empty, no force or motion is left in it, or its hypotheses contradict each other.
 bool is_vacuous(const ClaimsFile& file, std::size_t claim, Reading reading, LemmaBook& book);
 
 /// Whether it is proved that the motion that a claim of existence asserts exists nowhere.

@@ -13,23 +13,30 @@ class ConsequenceKind : public LinearKind {
   void state(ClaimWriter& writer) const override {
     const ClaimBody& claim = writer.body();
     const Equations others = equations_of(writer, sources(claim), claim.assume);
+    Equations all = others;
+    all.insert(all.end(), claim.equations.begin(), claim.equations.end());
     std::vector<Expression> uses = others;
     uses.push_back(all_of(claim.equations));
     writer.implied({"", {{"region", claim.region}}, hypotheses(writer, others), false},
                    conjunction(writer, claim.equations), uses);
-    have_values(writer, others);
+    have_values(writer, all);
   }
 
   bool may_be_identity(const ClaimBody& claim) const override {
     return claim.from_model() && claim.assume.empty() && !claim.modes.empty();
   }
 
-  /// True if its hypotheses contradict each other, or its region is empty.
+  /// True if its hypotheses contradict each other, and its equations have values; or if its region is empty.
   bool says_nothing(const Implications& logic, std::size_t claim, const ClaimBody& body) const override {
     ClaimBody absurd = body;
     absurd.equations = {make_comparison({make_number(0), make_number(1)}, {Relation::equal})};
     Lemmas lemmas;
-    return logic.proves(claim, absurd, lemmas) || KindBase::says_nothing(logic, claim, body);
+    const auto has_value = [&](const Expression& equation) {
+      return logic.is_linear(equation) && logic.of_any_force().has_value({body.region}, equation, lemmas);
+    };
+    return (std::all_of(body.equations.begin(), body.equations.end(), has_value) &&
+            logic.proves(claim, absurd, lemmas)) ||
+           KindBase::says_nothing(logic, claim, body);
   }
 
   std::string failing(const ClaimBody& claim, const Judgement& judgement, std::string_view) const override {
@@ -58,7 +65,8 @@ class ConsequenceKind : public LinearKind {
     given.insert(given.end(), others.begin(), others.end());
     const Obeying obeying = before.from_model() ? Obeying::equations_on_road : Obeying::nothing;
     Lemmas lemmas;
-    if (!change.in().implies(given, changed, lemmas, std::nullopt, obeying)) return std::nullopt;
+    const Implications in = change.in().of_any_force();
+    if (!in.implies(given, changed, lemmas, std::nullopt, obeying)) return std::nullopt;
     return change.made(Settlement::Kind::theorem, "it follows for all parameters", std::move(lemmas));
   }
 

@@ -10,6 +10,7 @@ class CoverKind : public KindBase {
   CoverKind()
       : KindBase({.name = "cover",
                   .fields = {{"claims", Need::required, {"interval", "impossible"}, true}},
+                  .needs_no_force = true,
                   .says_by_region = true}) {}
 
   Judgement judge(ClaimJudge& at) const override {

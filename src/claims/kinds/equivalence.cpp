@@ -36,7 +36,7 @@ class EquivalenceKind : public KindBase {
     implied(".forwards", claim.forces, claim.holds);
     implied(".backwards", claim.holds, claim.forces);
     writer.have_values(".defined", claim.region, claim.forces);
-    writer.has_value(".defined.holds", {{"region", claim.region}}, claim.holds);
+    writer.has_value_at_forces(".defined.holds", {{"region", claim.region}}, claim.holds);
   }
 
   void refute(ClaimWriter& writer) const override {

@@ -68,6 +68,7 @@ class FormulaKind : public KindBase {
   bool says_nothing(const Implications& logic, std::size_t claim, const ClaimBody& body) const override {
     if (body.modes.empty()) return KindBase::says_nothing(logic, claim, body);
     Lemmas lemmas;
+    if (!logic.has_value({body.region}, body.forces, lemmas)) return false;
     return std::all_of(body.modes.begin(), body.modes.end(), [&](const MechanismMode& mode) {
       return logic.implies({body.region, body.forces}, make_truth(false), lemmas, mode);
     });

@@ -10,6 +10,7 @@ class IntervalKind : public KindBase {
   IntervalKind()
       : KindBase({.name = "interval",
                   .fields = {{"mode"}, {"forces"}},
+                  .needs_no_force = true,
                   .says_by_region = true,
                   .in_planes = Traits::InPlanes::with_thresholds}) {}
 

@@ -4,22 +4,25 @@ namespace slipproof {
 
 bool KindBase::says_nothing(const Implications& logic, std::size_t, const ClaimBody& body) const {
   Lemmas lemmas;
-  return logic.implies({body.region, body.where()}, make_truth(false), lemmas);
+  if (traits().needs_no_force) return logic.of_any_force().implies({body.region}, make_truth(false), lemmas);
+  return logic.has_value({body.region}, body.where(), lemmas) &&
+         logic.implies({body.region, body.where()}, make_truth(false), lemmas);
 }
 
 ClaimChange::Result KindBase::settle(const ClaimChange& change) const {
   using Kind = Settlement::Kind;
   const ClaimBody &before = change.before(), &after = change.after();
   const Implications& in = change.in();
+  const Implications everywhere = traits().needs_no_force ? in.of_any_force() : in;
   Lemmas lemmas;
   const bool holds = change.holds_differs();
   if (holds && !change.where_differs()) {
-    if (is_true_of_any_motion(in, after, lemmas)) {
+    if (is_true_of_any_motion(everywhere, after, lemmas)) {
       return change.made(Kind::vacuous, "true of all parameters in their domains, whatever the motion",
                          std::move(lemmas));
     }
     const std::vector<Expression> given{before.region, before.where()};
-    if (in.equivalent(given, before.holds, after.holds, lemmas)) {
+    if (everywhere.equivalent(given, before.holds, after.holds, lemmas)) {
       return change.made(Kind::equivalent, "before and after imply each other", std::move(lemmas));
     }
     return settle_holds(change, given);
@@ -28,7 +31,7 @@ ClaimChange::Result KindBase::settle(const ClaimChange& change) const {
     if (auto result = holds ? std::nullopt : settle_where(change)) return result;
     return settle_theorem(change);
   }
-  if (!in.equivalent({}, before.region, after.region, lemmas)) return std::nullopt;
+  if (!everywhere.equivalent({}, before.region, after.region, lemmas)) return std::nullopt;
   if (in.equivalent({before.region}, before.forces, after.forces, lemmas) && !holds) {
     return change.made(Kind::equivalent, "before and after imply each other", std::move(lemmas));
   }

@@ -47,6 +47,7 @@ class LimitKind : public KindBase {
                               .expected = "a number, independent of the parameter",
                               .read = read_from,
                               .only_for_proofs = true}},
+                  .needs_no_force = true,
                   .says_by_region = true}) {}
 
   Judgement judge(ClaimJudge& at) const override {
@@ -98,7 +99,7 @@ class LimitKind : public KindBase {
 
   bool says_nothing(const Implications& logic, std::size_t claim, const ClaimBody& body) const override {
     Lemmas lemmas;
-    return logic.eventually(make_truth(true), opposite(body.region), body.parameter, lemmas) ||
+    return logic.of_any_force().eventually(make_truth(true), opposite(body.region), body.parameter, lemmas) ||
            KindBase::says_nothing(logic, claim, body);
   }
 
@@ -113,7 +114,7 @@ class LimitKind : public KindBase {
   ClaimChange::Result settle_holds(const ClaimChange& change, const std::vector<Expression>&) const override {
     const ClaimBody& after = change.after();
     Lemmas lemmas;
-    if (!change.in().eventually(after.region, after.holds, after.parameter, lemmas)) return std::nullopt;
+    if (!change.in().of_any_force().eventually(after.region, after.holds, after.parameter, lemmas)) return std::nullopt;
     return change.made(Settlement::Kind::theorem,
                        "true from some value of " + after.parameter + " on, by leading coefficients",
                        std::move(lemmas));

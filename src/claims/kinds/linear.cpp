@@ -23,7 +23,8 @@ LinearKind::LinearKind(std::string_view name)
                            {"given", Need::optional, {"consequence", "system"}},
                            {"assume", Need::optional},
                            {"claims", Need::optional, {"consequence", "system"}},
-                           {"mode", Need::optional}}}) {}
+                           {"mode", Need::optional}},
+                .needs_no_force = true}) {}
 
 Judgement LinearKind::judge(ClaimJudge& at) const {
   const auto rows_of = [&](const std::vector<Program>& equations) {
@@ -54,8 +55,21 @@ void LinearKind::refute(ClaimWriter& writer) const {
   std::vector<MotionText> motions = {{"", "0 = 0"}};
   if (claim.from_model()) motions = {writer.equations(claim.mode())};
   std::vector<Expression> truths = {claim.region, opposite(all_of(claim.equations))};
-  append(truths, equations_of(writer, sources(claim), claim.assume));
+  const Equations others = equations_of(writer, sources(claim), claim.assume);
+  append(truths, others);
+  // If one equation has no value, the claim has none, whatever the others are. The only one is false, and so has one.
+  for (const Expression& e : claim.equations) {
+    if (claim.equations.size() == 1 || writer.always_defined(e)) continue;
+    truths.push_back(make(Operation::logical_or, {e, opposite(e)}));
+  }
+  give_up_unless_linear(writer, others);
+  give_up_unless_linear(writer, claim.equations);
   writer.somewhere(refuted_suffix, truths, motions);
+}
+
+void LinearKind::give_up_unless_linear(ClaimWriter& writer, const Equations& equations) {
+  const auto linear = [&](const Expression& e) { return writer.is_linear(e); };
+  if (!std::all_of(equations.begin(), equations.end(), linear)) writer.give_up();
 }
 
 References LinearKind::sources(const ClaimBody& claim) {
@@ -82,6 +96,7 @@ MotionText LinearKind::hypotheses(ClaimWriter& writer, const Equations& others) 
 }
 
 void LinearKind::have_values(ClaimWriter& writer, const Equations& equations) {
+  give_up_unless_linear(writer, equations);
   const Expression& region = writer.body().region;
   writer.has_value(".defined.region", {}, region);
   Equations divided = equations;
@@ -98,7 +113,7 @@ void LinearKind::have_values(ClaimWriter& writer, const Equations& equations) {
 ClaimChange::Result LinearKind::settle(const ClaimChange& change) const {
   using Kind = Settlement::Kind;
   const ClaimBody &before = change.before(), &after = change.after();
-  const Implications& in = change.in();
+  const Implications in = change.in().of_any_force();
   Lemmas lemmas;
   if (!same(before.region, after.region)) {
     if (in.equivalent({}, before.region, after.region, lemmas)) {

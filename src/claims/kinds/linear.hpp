@@ -50,7 +50,10 @@ class LinearKind : public KindBase {
   /// The hypotheses: `others` and the equations of the claims and of `assume`.
   static MotionText hypotheses(ClaimWriter& writer, const Equations& others);
   /// States that no equation divides by 0, for any numbers in place of the unknowns, and that the region has a value.
+  /// Gives up if an equation is not linear.
   static void have_values(ClaimWriter& writer, const Equations& equations);
+  /// A claim has no value if an equation is not linear.
+  static void give_up_unless_linear(ClaimWriter& writer, const Equations& equations);
 };
 
 }  // namespace slipproof

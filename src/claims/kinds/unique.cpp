@@ -141,6 +141,18 @@ class UniqueKind : public KindBase {
   void state(ClaimWriter& writer) const override { unique_statements(writer); }
   void refute(ClaimWriter& writer) const override { unique_refutation(writer); }
 
+  bool says_nothing(const Implications& logic, std::size_t claim, const ClaimBody& body) const override {
+    References named = body.claims;
+    named.insert(named.end(), body.except.begin(), body.except.end());
+    Lemmas lemmas;
+    const auto has_value = [&](std::size_t other) {
+      const ClaimBody& its = logic.body(other);
+      return logic.of_any_force().has_value({body.region}, its.region, lemmas) &&
+             logic.has_value({body.region, its.region}, its.forces, lemmas);
+    };
+    return std::all_of(named.begin(), named.end(), has_value) && KindBase::says_nothing(logic, claim, body);
+  }
+
   ClaimWords words(const ClaimBody& claim, std::string_view) const override {
     ClaimWords words = {"there is one motion, "};
     if (!claim.modes.empty()) words.insert(words.end(), {"in one of ", claim.modes, " or "});

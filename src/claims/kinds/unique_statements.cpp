@@ -120,8 +120,8 @@ class UniqueWriter {
     named.insert(named.end(), claim_.except.begin(), claim_.except.end());
     for (const std::size_t index : named) {
       writer_.has_value(".defined." + id(index) + ".region", {{"region", claim_.region}}, other(index).region);
-      writer_.has_value(".defined." + id(index), {{"region", claim_.region}, {"stated", other(index).region}},
-                        forces(index));
+      writer_.has_value_at_forces(".defined." + id(index), {{"region", claim_.region}, {"stated", other(index).region}},
+                                  forces(index));
     }
   }
 

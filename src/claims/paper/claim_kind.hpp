@@ -57,6 +57,8 @@ class ClaimKind {
     bool of_all_motions = false;  ///< it is about motions in all modes, not only in those that it names
     /// Whether it compares the forces of one mode with those of another.
     enum class Compares : std::uint8_t { no, in_closed_settings, always } compares_modes = Compares::no;
+    /// It says something about a bicycle even if no force is in the domain.
+    bool needs_no_force = false;
     /// Changing its region or forces changes what it says about each bicycle, not only which bicycles it is about.
     bool says_by_region = false;
     /// Whether planes of figures judge it, because it states motions at a force, and whether they also draw its
@@ -92,7 +94,8 @@ class ClaimKind {
 
   /// Whether `holds` or the equations may be an identity in all parameters and forces.
   virtual bool may_be_identity(const ClaimBody& body) const;
-  /// Whether it is proved that the claim says nothing about any bicycle. `claim` is its index.
+  /// Whether it is proved that the claim has a value at every bicycle and says nothing there. `claim` is its index; the
+  /// force's domain is an interval, and the region has a value, at every bicycle.
   virtual bool says_nothing(const Implications& logic, std::size_t claim, const ClaimBody& body) const = 0;
   /// The effect of a change of the claim, by exact arguments; nothing if none was found.
   virtual std::optional<Settlement> settle(const ClaimChange& change) const = 0;

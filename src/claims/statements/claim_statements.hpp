@@ -45,6 +45,7 @@ struct Implication {
   std::size_t setting = 0;
   std::vector<Expression> given;
   Expression shown;
+  bool force_domain = true;           ///< the force is in its domain; if not, it is any number
   bool on_road = false;               ///< the unknowns satisfy the model's equations with both wheels on the road
   std::optional<MechanismMode> mode;  ///< the unknowns are a motion in this mode
 };

@@ -194,13 +194,21 @@ void ClaimWriter::impossible_together(const std::string& suffix, const Assumptio
 }
 
 void ClaimWriter::has_value(const std::string& suffix, const Assumptions& assumptions, const Expression& truth) {
-  if (always_defined(truth)) return;
-  implied({suffix, assumptions, {}, depends_on_force(truth)}, make(Operation::logical_or, {truth, opposite(truth)}));
+  has_value({suffix, assumptions, {}, false}, truth);
+}
+
+void ClaimWriter::has_value_at_forces(const std::string& suffix, const Assumptions& assumptions,
+                                      const Expression& truth) {
+  has_value({suffix, assumptions, {}, true}, truth);
+}
+
+void ClaimWriter::has_value(const Implication& implication, const Expression& truth) {
+  if (!always_defined(truth)) implied(implication, make(Operation::logical_or, {truth, opposite(truth)}));
 }
 
 void ClaimWriter::have_values(const std::string& suffix, const Expression& region, const Expression& forces) {
   has_value(suffix + ".region", {}, region);
-  has_value(suffix, {{"region", region}}, forces);
+  has_value_at_forces(suffix, {{"region", region}}, forces);
 }
 
 void ClaimWriter::goes_beyond(const std::string& suffix, const std::string& parameter, const Expression& from) {

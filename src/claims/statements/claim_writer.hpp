@@ -52,8 +52,10 @@ class ClaimWriter : public SettingWriter {
   /// No parameters with `assumptions` have all of `motions` at once.
   void impossible_together(const std::string& suffix, const Assumptions& assumptions,
                            const std::vector<MotionText>& motions);
-  /// States that a condition assumed by the claim has a value under `assumptions`; writes nothing if that is plain.
+  /// States that a condition assumed by the claim has a value under `assumptions`, also where no force is in the
+  /// domain, or only at each force of the domain; writes nothing if that is plain.
   void has_value(const std::string& suffix, const Assumptions& assumptions, const Expression& truth);
+  void has_value_at_forces(const std::string& suffix, const Assumptions& assumptions, const Expression& truth);
   /// The same for the region, and for the forces at every force in the region.
   void have_values(const std::string& suffix, const Expression& region, const Expression& forces);
   /// States that the region has bicycles with a parameter greater than `from`; writes nothing if that is plain.
@@ -80,6 +82,7 @@ class ClaimWriter : public SettingWriter {
   std::vector<NamedStatement> take();
 
  private:
+  void has_value(const Implication& implication, const Expression& truth);
   /// The condition that the first motion has the accelerations of another one; motions count from 1.
   std::string same_accelerations(std::size_t other) const;
   /// All of `motions` at once; from the second on, each has its own names.

@@ -18,7 +18,7 @@ class ImplicationWriter : SettingWriter {
     std::vector<Expression> uses = implication_.given;
     uses.push_back(implication_.shown);
     std::string result = header(implication_.name, setting().id);
-    result += variables() + assumption("domain", domain(true));
+    result += variables() + assumption("domain", domain(implication_.force_domain));
     if (moving) {
       const MotionText motion = implication_.mode ? this->motion(*implication_.mode) : equations(std::nullopt);
       result += scene(uses) + fmt::format("real {}\n", fmt::join(mechanics().unknowns(), " ")) + motion.definitions +

@@ -143,6 +143,41 @@ bool SettingWriter::has_interval_of_forces() const {
   return convex(setting_.force.domain) && signs_.defined(setting_.force.domain);
 }
 
+bool SettingWriter::varies(const Expression& e) const {
+  const auto occurs = [&](const std::string& symbol) { return names_.depends(e, reading_, symbol); };
+  const std::vector<std::string> quantities = setting_.quantities();
+  return depends_on_force(e) || std::any_of(quantities.begin(), quantities.end(), occurs);
+}
+
+bool SettingWriter::is_linear(const Expression& e) const {
+  if (!varies(e)) return true;
+  const auto linear = [&](const Expression& x) { return is_linear(x); };
+  switch (e->operation) {
+    case Operation::symbol: {
+      const auto entry = names_.find(e->symbol);
+      return !entry || entry->kind != SettingNames::Kind::definition ||
+             is_linear(names_.definition(entry->index, reading_));
+    }
+    case Operation::multiply:
+      if (varies(e->operands[0]) && varies(e->operands[1])) return false;
+      break;
+    case Operation::divide:
+      if (varies(e->operands[1])) return false;
+      break;
+    case Operation::power:
+      if (e->exponent != 0 && e->exponent != 1) return false;
+      break;
+    case Operation::minimum:
+    case Operation::maximum:
+    case Operation::absolute:
+    case Operation::signum:
+      return false;
+    default:
+      break;
+  }
+  return std::all_of(e->operands.begin(), e->operands.end(), linear);
+}
+
 std::string SettingWriter::domain(bool with_force, const std::string& parameter, const std::string& renamed) {
   std::vector<std::string> parts;
   const auto add = [&](const Expression& condition) {

@@ -48,8 +48,12 @@ class SettingWriter {
   bool has_interval_of_forces() const;
   /// Whether the expression depends on the force, directly or through definitions.
   bool depends_on_force(const Expression& e) const { return names_.depends(e, reading_, setting_.force.symbol); }
+  /// Whether an equation is linear in the unknowns and the force as it stands (proofs/MEANING.md).
+  bool is_linear(const Expression& e) const;
   /// Whether all divisors in the expression plainly differ from 0 in the domain.
   bool always_defined(const Expression& e) const { return signs_.defined(e); }
+  /// Whether the domain restricts the parameter by more than a lower end; it may then not be arbitrarily large.
+  bool is_bounded(const std::string& parameter) const;
 
  protected:
   /// The first lines, up to the variables.
@@ -64,8 +68,6 @@ class SettingWriter {
   std::string domain(bool with_force) { return domain(with_force, "", ""); }
   /// The same with another name for one parameter.
   std::string domain(bool with_force, const std::string& parameter, const std::string& renamed);
-  /// Whether the domain restricts the parameter by more than a lower end; it may then not be arbitrarily large.
-  bool is_bounded(const std::string& parameter) const;
   /// `let` lines for every definition that the expressions use; each comes after those that it uses. None needs an
   /// unknown of the motion, since definitions are over parameters and the force.
   std::string definitions(const std::vector<Expression>& uses);
@@ -81,6 +83,8 @@ class SettingWriter {
   Expression inlined(const Expression& e) const;
 
  private:
+  /// Whether an unknown, a quantity of a motion, or the force occurs, also in definitions.
+  bool varies(const Expression& e) const;
   /// Conditions on the scene that the domains of the parameters do not plainly imply.
   std::vector<Expression> physical();
   const Setting& setting_;

@@ -84,7 +84,10 @@ ClaimResult result_of(const PaperTasks& tasks, const ClaimTask& task, const Tall
   result.unsure = tally.unsure;
   result.lines = tally.lines;
   result.cells = tally.cells;
-  if (task.identity) result.unless_zero = task.identity->unless_zero;
+  if (task.identity) {
+    result.unless_zero = task.identity->unless_zero;
+    result.unless_interval = !task.identity->has_interval_of_forces;
+  }
   for (const std::string& why : {task.failure, tally.failure, conclusion.failure}) {
     if (result.failure.empty()) result.failure = why;
   }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/output/listed.hpp"
 #include "claims/verify/verify.hpp"
 
 namespace slipproof {
@@ -15,6 +16,13 @@ const ClaimResult* VerifyResult::find(const ClaimsFile& file, std::string_view i
     if (file.claims[result.claim].id == id && result.reading == reading) return &result;
   }
   return nullptr;
+}
+
+std::string ClaimResult::identity_where() const {
+  if (proved) return "";
+  const std::string zeros = unless_zero.empty() ? "" : "these are not 0: " + listed(unless_zero);
+  if (!unless_interval) return zeros;
+  return "the domain of the force is one interval" + (zeros.empty() ? "" : " and " + zeros);
 }
 
 std::size_t ClaimResult::missing() const {

@@ -91,12 +91,16 @@ struct ClaimResult {
   /// If not empty, the claim is an identity of rational functions wherever none of these expressions vanishes; whether
   /// they vanish was not decided.
   std::vector<std::string> unless_zero;
+  /// It is an identity, but whether the domain of the force is one interval at every bicycle was not decided.
+  bool unless_interval = false;
   /// Results of find_certificates(): names of certificates that prove the claim or its refutation; certificates that
   /// the checker rejects, and why; statements that are not the claim's.
   std::vector<std::string> certificates, rejections, outdated;
   /// Its statements whose certificates are undecided, missing or unreadable.
   std::vector<CheckedCertificate> unproved;
 
+  /// Where a claim that is not proved is an identity, in words; empty if nothing is known.
+  std::string identity_where() const;
   /// The number of statements or certificates that the claims file asks for and that do not exist.
   std::size_t missing() const;
   std::uint64_t samples() const { return held + refuted + undecided; }

@@ -102,8 +102,8 @@ void write_certificates(Document& document, const ClaimResult& claim, Names name
     for (const std::string& certificate : claim.certificates) document.line("by " + certificate);
   }
   for (const std::string& objection : claim.rejections) document.line("REJECTED " + objection);
-  if (claim.verdict == Verdict::holds && !claim.proved && !claim.unless_zero.empty()) {
-    document.line("an identity, wherever these are not 0: " + listed(claim.unless_zero));
+  if (const std::string where = claim.identity_where(); claim.verdict == Verdict::holds && !where.empty()) {
+    document.line("an identity, wherever " + where);
   }
   for (const std::string& statement : claim.outdated) document.line("outdated " + statement);
   std::vector<std::string> missing;

@@ -68,8 +68,8 @@ void add_evidence(const Element& parent, const PageInput& input, const Claim& cl
     }
     p.text("Of " + counted(result.tried, noun(*input.claims)) + " that were tried, it says something of " + samples +
            ", and is right at " + (result.samples() == 1 ? "it." : "each of them."));
-    if (!result.proved && !result.unless_zero.empty()) {
-      p.text(" It is an identity of rational functions wherever these are not 0: " + listed(result.unless_zero) + ".");
+    if (const std::string where = result.identity_where(); !where.empty()) {
+      p.text(" It is an identity of rational functions wherever " + where + ".");
     }
   } else if (result.verdict == Verdict::refuted) {
     p.text("Of " + counted(result.tried, noun(*input.claims)) + " that were tried, it says something of " + samples +
