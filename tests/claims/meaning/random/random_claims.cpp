@@ -18,7 +18,9 @@ Case RandomClaims::next(const std::string& kind) {
     try {
       const auto made_for = World::make(result.file.setting, values);
       if (!made_for) continue;
-      RandomKinds(dice_, *made_for, result.file).add(kind);
+      RandomKinds kinds(dice_, *made_for, result.file);
+      kinds.add(kind);
+      if (domain_ == Domain::of_parameters && dice_.one_in(2)) kinds.settle(result.file.claims.back());
     } catch (const OutOfReach&) {
       continue;
     }
@@ -44,9 +46,15 @@ Setting RandomClaims::setting() {
       {"k", dice_.of<Tree>({truth(true), truth(true), compare(k, "<=", number(2)), compare(k, "!=", one),
                             chain({zero, k, number(3)}, {"<", "<"}), compare(k, ">", minus(zero, one)),
                             compare(over(one, minus(k, number(2))), "<", one)})}};
+  if (domain_ == Domain::of_parameters && dice_.one_in(4)) {  // with an end that stands alone
+    result.parameters.back().domain =
+        make(Op::disjunction, {compare(k, "<=", one), compare(k, "=", number(dice_.of<int>({2, 3})))});
+  }
   const Tree positive = compare(x, ">", zero);
   result.force_domain = loaded ? positive : truth(true);
-  if (loaded && dice_.one_in(3)) {
+  if (loaded && domain_ == Domain::of_parameters) {
+    result.force_domain = domain_of_parameters(x);
+  } else if (loaded && dice_.one_in(3)) {
     result.force_domain = dice_.of<Tree>(
         {truth(true), compare(x, ">=", zero), compare(x, ">=", k), chain({k, x, number(3)}, {"<=", "<"}),
          make(Op::disjunction, {positive, compare(x, "<", k)}), compare(over(x, k), ">", number(-1)),
@@ -65,6 +73,20 @@ Setting RandomClaims::setting() {
     scene(result);
   }
   return result;
+}
+
+/// Each is empty, no interval, or without a value at some k or h.
+Tree RandomClaims::domain_of_parameters(const Tree& x) {
+  const Tree h = symbol("h"), inverse = over(one, minus(k, one));
+  const auto both = [](const Tree& left, const Tree& right) { return make(Op::conjunction, {left, right}); };
+  const auto either = [](const Tree& left, const Tree& right) { return make(Op::disjunction, {left, right}); };
+  return dice_.of<Tree>(
+      {chain({zero, x, k}, {"<", "<"}), both(compare(x, ">", zero), compare(x, "<", k)), chain({k, x, h}, {"<=", "<="}),
+       chain({k, x, number(1)}, {"<", "<="}), compare(k, ">", zero), both(compare(x, ">", zero), compare(k, "<=", one)),
+       compare(times(k, x), ">", h), compare(x, "<", inverse), chain({zero, x, inverse}, {"<=", "<"}),
+       compare(x, "<", over(h, k)), compare(x, "!=", k), either(compare(x, "!=", zero), compare(k, "!=", one)),
+       either(compare(x, "<", k), compare(x, ">", h)), compare(make(Op::absolute, {x}), "<", k),
+       compare(make(Op::maximum, {x, k}), "<", one), either(compare(x, ">", zero), compare(over(one, k), ">", zero))});
 }
 
 void RandomClaims::scene(Setting& setting) {

@@ -64,14 +64,20 @@ class RandomTrees {
 
 class RandomClaims {
  public:
+  /// What the domain of the force depends on: most often on nothing; or always on parameters, so that it may be empty,
+  /// no interval, or without a value. Then some claims are made to be settled by their regions or as identities.
+  enum class Domain { plain, of_parameters };
+
   /// About bicycles, or about random mechanisms.
-  RandomClaims(std::uint64_t seed, bool mechanisms) : dice_(seed), mechanisms_(mechanisms) {}
+  RandomClaims(std::uint64_t seed, bool mechanisms, Domain domain = Domain::plain)
+      : dice_(seed), mechanisms_(mechanisms), domain_(domain) {}
 
   /// The next, about a claim of a kind, with the claims that it needs.
   Case next(const std::string& kind);
 
  private:
   Setting setting();
+  Tree domain_of_parameters(const Tree& x);
   void scene(Setting& setting);
   void mechanism(Setting& setting);
   Values bicycle(const Setting& setting);
@@ -79,6 +85,7 @@ class RandomClaims {
 
   Dice dice_;
   bool mechanisms_;
+  Domain domain_;
 };
 
 /// With a random mechanism, and what its symbols are in the setting's.

@@ -28,6 +28,24 @@ void RandomKinds::add(const std::string& kind) {
   file_.claims.push_back(std::move(claim));
 }
 
+void RandomKinds::settle(Claim& claim) {
+  const Tree k = symbol("k"), divisor = minus(k, number(trees_.small()));
+  const bool equations = claim.kind == "consequence";
+  if ((equations || claim.kind == "formula") && dice_.one_in(2)) {
+    const Tree value = over(symbol(equations ? unknown() : dice_.of(world_.quantities())), divisor);
+    claim.modes = equations ? mode_of_equations() : std::vector<Mode>{mode()};
+    if (equations) claim.equations = {compare(value, "=", value)};
+    if (!equations) claim.holds = compare(value, "=", value);
+    claim.given = claim.claims = {};
+    claim.assume = {};
+    return;
+  }
+  const Tree value = dice_.of<Tree>({k, over(number(1), divisor), symbol("d2"), trees_.parameter_number(1)});
+  const Tree above = compare(value, ">", number(dice_.of<int>({1, 2}))), below = compare(value, "<", number(1));
+  claim.region = dice_.one_in(2) ? compare(k, dice_.of<std::string>({"<", "<=", ">"}), number(trees_.small()))
+                                 : make(Op::conjunction, {above, below});
+}
+
 Mode RandomKinds::mode() {
   for (int tries = 0; tries < 5; ++tries) {
     const Mode& mode = dice_.of(world_.modes());

@@ -20,6 +20,9 @@ class RandomKinds {
 
   /// With the claims that it refers to.
   void add(const std::string& kind);
+  /// Gives a claim a region that contradicts itself, or the domain of the force, perhaps without a value somewhere; or
+  /// makes it an identity that divides by something.
+  void settle(Claim& claim);
 
  private:
   std::size_t add_interval(const Mode& mode);
