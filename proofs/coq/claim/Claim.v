@@ -398,17 +398,33 @@ Definition judged (o : outcome) : Prop :=
   end.
 End Judged.
 
-(** The claim is right, or says nothing, at every point and force (a cover, a limit, or one about equations: at every
-    point, even if there is no force); it is wrong at one. [Exists] is right at one, or nowhere. *)
+(** What a bicycle decides, whether or not a force is in its domain. "Where it is not one interval, no claim of the setting has a
+    value"; nor where its region is undefined; nor, in its region, an interval whose mode is not modelled, and a [Unique] of
+    which a claim that it names has an undefined region. *)
+Definition valued_at (c : claim) (x : string -> R) : Prop :=
+  let names := paper (in_setting c) x in
+  forces_are_an_interval (in_setting c) x /\ has_value names (region c)
+  /\ (is names true (region c) ->
+      match what c with
+      | Interval md => modelled (in_setting c) md
+      | Unique claims except _ => forall r, In r (map snd claims ++ except) -> has_value names (fst r)
+      | _ => True
+      end).
+
+(** At every bicycle the claim has a value, and at every point and force it is right, or says nothing. A cover, a limit, or one
+    about equations is right or says nothing at every bicycle, even if there is no force. It is wrong at one. [Exists] is
+    right at one, or nowhere. *)
 Definition of_any_force (k : kind) : bool := match k with Cover _ | Consequence _ _ _ | System _ _ _ _ | Limit _ _ _ => true | _ => false end.
+Definition place (c : claim) (x : string -> R) : Prop :=
+  if of_any_force (what c) then bicycle (in_setting c) x else point (in_setting c) x.
+Definition right_or_nothing (c : claim) : Prop := forall x, place c x -> judged c x Right \/ judged c x SaysNothing.
 Definition proved (c : claim) : Prop :=
-  let s := in_setting c in
   match what c with
-  | Exists _ => exists x, point s x /\ judged c x Right
-  | k => forall x, (if of_any_force k then bicycle s x else point s x) -> judged c x Right \/ judged c x SaysNothing
+  | Exists _ => exists x, place c x /\ judged c x Right
+  | _ => (of_any_force (what c) = false -> forall x, bicycle (in_setting c) x -> valued_at c x) /\ right_or_nothing c
   end.
 Definition refuted (c : claim) : Prop :=
   match what c with
-  | Exists _ => forall x, point (in_setting c) x -> judged c x SaysNothing
-  | _ => exists x, point (in_setting c) x /\ judged c x Wrong
+  | Exists _ => forall x, place c x -> judged c x SaysNothing
+  | _ => exists x, place c x /\ judged c x Wrong
   end.

@@ -132,16 +132,26 @@ Proof.
     rewrite ?F, ?R; try reflexivity; unfold right_here; simpl; rewrite K, ?F; reflexivity.
 Qed.
 
+Lemma inlined_valued_at c x : valued_at (inlined_claim c) x = valued_at c x.
+Proof.
+  assert (R := fun truth => inlined_is (in_setting c) x (region c) truth).
+  unfold inlined_claim. destruct (what c) eqn:K; try reflexivity; unfold valued_at, has_value; simpl; rewrite K, ?R; reflexivity.
+Qed.
+
 (** What is proved of the one claim, and refuted, is so of the other. *)
+Lemma inlined_place c x : place (inlined_claim c) x = place c x.
+Proof. unfold place. now rewrite inlined_what, inlined_setting. Qed.
 Lemma inlined_proved c : proved (inlined_claim c) -> proved c.
 Proof.
-  unfold proved. rewrite inlined_what, inlined_setting. destruct (what c) eqn:K; intro P.
-  all: try (intros x B; specialize (P x B); now rewrite !inlined_judged in P).
-  destruct P as [x [B P]]. exists x. now rewrite inlined_judged in P.
+  assert (A : right_or_nothing (inlined_claim c) -> right_or_nothing c).
+  { intros P x B. rewrite <- inlined_place in B. specialize (P x B). now rewrite !inlined_judged in P. }
+  unfold proved. rewrite inlined_what, inlined_setting. destruct (what c) eqn:K.
+  all: try (intros [V P]; split; [|exact (A P)]; intros F x B; rewrite <- inlined_valued_at; exact (V F x B)).
+  intros [x [B P]]. exists x. rewrite inlined_place in B. now rewrite inlined_judged in P.
 Qed.
 Lemma inlined_refuted c : refuted (inlined_claim c) -> refuted c.
 Proof.
-  unfold refuted. rewrite inlined_what, inlined_setting. destruct (what c) eqn:K; intro P.
-  all: try (destruct P as [x [B P]]; exists x; now rewrite inlined_judged in P).
-  intros x B. specialize (P x B). now rewrite inlined_judged in P.
+  unfold refuted. rewrite inlined_what. destruct (what c) eqn:K; intro P.
+  all: try (destruct P as [x [B P]]; exists x; rewrite inlined_place in B; now rewrite inlined_judged in P).
+  intros x B. rewrite <- inlined_place in B. specialize (P x B). now rewrite inlined_judged in P.
 Qed.

@@ -26,18 +26,25 @@ Proof.
   rewrite Forall_forall in M. exact (covers_sound g t C (M t L)).
 Qed.
 
+Lemma point_place c x : point (in_setting c) x -> place c x.
+Proof. intro Q. unfold place. destruct (of_any_force (what c)); [exact (of_bicycle _ _ Q)|exact Q]. Qed.
+
 Theorem proves_sound c ss : proves c ss = true -> Forall meaning ss -> proved c.
 Proof.
   unfold proves. destruct (ways (inlined_claim c) (cells ss)) as [ws|] eqn:E; [|discriminate]. intros O M.
-  assert (W := all_open_sound ss ws O M). apply inlined_proved. unfold proved. assert (P := ways_prove _ _ ws E W).
-  destruct (what (inlined_claim c)) eqn:K; try (apply P; intros; discriminate). exact (exists_proved _ _ _ ws K E W).
+  assert (W := all_open_sound ss ws O M). apply inlined_proved. unfold proved, right_or_nothing, place.
+  assert (V := ways_value _ _ ws E W). assert (P := ways_prove _ _ ws E W).
+  destruct (what (inlined_claim c)) eqn:K; try (split; [intro; apply V; intros; discriminate|apply P; intros; discriminate]).
+  exact (exists_proved _ _ _ ws K E W).
 Qed.
 
 Theorem refutes_sound c ss : refutes c ss = true -> Forall meaning ss -> refuted c.
 Proof.
   unfold refutes. destruct (refuting_ways (inlined_claim c)) as [ws|] eqn:E; [|discriminate]. intros O M.
-  assert (W := all_open_sound ss ws O M). apply inlined_refuted. unfold refuted.
-  destruct (what (inlined_claim c)) eqn:K; try (apply (ways_refute _ ws E W); rewrite K; discriminate). exact (exists_refuted _ _ ws K E W).
+  assert (W := all_open_sound ss ws O M). apply inlined_refuted. unfold refuted. assert (R := ways_refute _ ws E W).
+  destruct (what (inlined_claim c)) eqn:K;
+    try (destruct R as [x [Q J]]; [intros; discriminate|]; exists x; split; [|exact J]; exact (point_place _ _ Q)).
+  intros x Q. unfold place in Q. rewrite K in Q. exact (exists_refuted _ _ ws K E W x Q).
 Qed.
 
 (** With the texts of statements and certificates. *)

@@ -167,9 +167,10 @@ Definition somewhere (more : list form) (modes : list mode) : option goal :=
 (** That a claim states a point, and that it is not near. *)
 Definition stated_form (r : reference) : option form := normal_condition names true (Both (fst r) (snd r)).
 Definition beyond_form (r : reference) : option form := normal_condition names false (Both (fst r) (closure true (snd r))).
-Definition reference_ways (facts : list form) (r : reference) : option (list way) :=
+(** What of it is so whether or not a force is in the domain, [without_force], and what at each force, [facts]. *)
+Definition reference_ways (without_force facts : list form) (r : reference) : option (list way) :=
   let* here := normal_condition names true (fst r) in
-  let* region_goal := has_value_goal facts (fst r) in
+  let* region_goal := has_value_goal without_force (fst r) in
   let* forces_goal := has_value_goal (here :: facts) (snd r) in
   let* closure_goal := has_value_goal (here :: facts) (closure true (snd r)) in Some [[region_goal]; [forces_goal]; [closure_goal]].
 
@@ -216,7 +217,7 @@ Definition ways_of_kind (cells : list form) (facts : list form) (forces : form) 
       let closed := with_boundaries s in
       let* region := normal_condition names true (region c) in
       require quantities_fit closed && all_modelled_here s && form_free [code (force s)] region in
-      let* values := map_option (reference_ways facts) (map snd claims ++ except) in
+      let* values := map_option (reference_ways (region :: bicycle_facts s) facts) (map snd claims ++ except) in
       let* outside := map_option beyond_form except in
       let common := outside ++ there in
       let* stated := map_option (fun i => let* here := stated_form (snd i) in one_motion_ways closed (here :: common) [All []] [fst i]) claims in
@@ -247,7 +248,7 @@ Definition ways (cells : list form) : option (list way) :=
   | _ =>
       let facts := if of_any_force (what c) then bicycle_facts s else point_facts s in
       let* yes := normal_condition names true (region c) in
-      let* region_goal := has_value_goal facts (region c) in
+      let* region_goal := has_value_goal (bicycle_facts s) (region c) in
       let* forces := normal_condition names true (at_forces c) in
       let* forces_goal := if without_forces (what c) then Some [] else let* g := has_value_goal (yes :: facts) (at_forces c) in Some [[g]] in
       let* rest := ways_of_kind cells (yes :: facts) forces in Some ([region_goal] :: forces_goal ++ rest)

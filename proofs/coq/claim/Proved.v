@@ -211,7 +211,7 @@ Proof.
   set (facts := if of_any_force (what c) then bicycle_facts (in_setting c) else point_facts (in_setting c)) in *.
   assert (G : exists yes region_goal forces forces_goal rest,
     normal_condition (paper_scope (in_setting c) None) true (region c) = Some yes
-    /\ has_value_goal c facts (region c) = Some region_goal
+    /\ has_value_goal c (bicycle_facts (in_setting c)) (region c) = Some region_goal
     /\ normal_condition (paper_scope (in_setting c) None) true (at_forces c) = Some forces
     /\ (if without_forces (what c) then Some [] else let* g := has_value_goal c (yes :: facts) (at_forces c) in Some [[g]]) = Some forces_goal
     /\ ways_of_kind c cells (yes :: facts) forces = Some rest
@@ -220,9 +220,10 @@ Proof.
       exists f, g, f0, l, l0; repeat (split; [reflexivity || assumption|]); reflexivity. }
   clear E. destruct G as [yes [rg [forces [fg [rest [R0 [RG [F [FG [K S]]]]]]]]]]. subst ws.
   inversion W as [|? ? A B]; subst. apply one_goal in A. apply Forall_app in B. destruct B as [B D].
+  assert (B0 : bicycle (in_setting c) x) by (destruct (of_any_force (what c)); [exact P|exact (of_bicycle _ _ P)]).
   assert (H : here c x facts).
   { unfold facts. destruct (of_any_force (what c)); [exact (bicycle_here c x P)|exact (point_here c x P)]. }
-  destruct (has_value_sound c x T _ _ _ H RG A) as [R|R]; [|right; split; [exact I|now left]].
+  destruct (has_value_sound c x T _ _ _ (bicycle_here c x B0) RG A) as [R|R]; [|right; split; [exact I|now left]].
   assert (H' := here_also c x _ _ _ R0 R H).
   assert (V : if without_forces (what c) then True else has_value (paper (in_setting c) x) (at_forces c)).
   { destruct (without_forces (what c)); [exact Logic.I|]. options FG; inversion FG; subst; inversion B as [|? ? G _]; subst; apply one_goal in G;
@@ -243,6 +244,24 @@ Proof.
     - destruct (unique_kind c x cells claims except modes yes forces rest T Q P R0 R F V K D) as [N [B'|B']]; [left|right]; split; assumption.
     - exfalso. exact (Y _ _ _ eq_refl). }
   destruct both as [[N B']|[N B']]; [left|right]; auto.
+Qed.
+
+(** At every bicycle, with a force or without. *)
+Lemma ways_value c cells ws : ways c cells = Some ws -> Forall way_holds ws -> (forall modes, what c <> Claim.Exists modes) ->
+  forall x, bicycle (in_setting c) x -> valued_at c x.
+Proof.
+  intros E W X x P. unfold ways in E. options E. apply andb_true_iff in E0. destruct E0 as [C T].
+  split; [exact (interval_sound _ x C)|].
+  assert (G : exists facts region_goal forces forces_goal rest,
+    has_value_goal c (bicycle_facts (in_setting c)) (region c) = Some region_goal
+    /\ ways_of_kind c cells facts forces = Some rest /\ ws = [region_goal] :: forces_goal ++ rest).
+  { destruct (what c) eqn:K; try (exfalso; exact (X _ eq_refl)); options E; inversion E; subst;
+      eexists; exists g, f0, l, l0; repeat (split; [reflexivity || eassumption|]); reflexivity. }
+  destruct G as [facts [rg [forces [fg [rest [RG [K Q]]]]]]]. subst ws. inversion W as [|? ? A B]; subst. apply one_goal in A.
+  apply Forall_app in B. destruct B as [_ D]. split; [exact (has_value_sound c x T _ _ _ (bicycle_here c x P) RG A)|].
+  intro R. destruct (what c) as [md|modes|modes h|modes|modes|h|claims|claims|model hs es|model given hs es|claims except modes|p h from] eqn:O; try exact Logic.I.
+  - unfold ways_of_kind in K. rewrite O in K. options K. exact (motion_forms_modelled _ _ _ _ E0).
+  - exact (unique_valued c x cells claims except modes _ _ _ T O P R K D).
 Qed.
 
 Theorem ways_prove c cells ws : ways c cells = Some ws -> Forall way_holds ws -> (forall modes, what c <> Claim.Exists modes) ->

@@ -100,13 +100,22 @@ Proof.
   split; [exact A|]. split; [exact B|exact C].
 Qed.
 
-Lemma reference_sound facts r ws : here c x facts -> reference_ways c facts r = Some ws -> Forall way_holds ws ->
+Lemma reference_region_sound without_force facts r ws : here c x without_force ->
+  reference_ways c without_force facts r = Some ws -> Forall way_holds ws -> has_value (paper s x) (fst r).
+Proof.
+  intros H E W. unfold reference_ways in E. options E. inversion E; subst; clear E. inversion W as [|? ? A _]; subst.
+  apply one_goal in A. exact (has_value_sound c x two_apart _ _ _ H E1 A).
+Qed.
+
+Lemma reference_sound without_force facts r ws : here c x without_force -> here c x facts ->
+  reference_ways c without_force facts r = Some ws -> Forall way_holds ws ->
   has_value (paper s x) (fst r)
   /\ (is (paper s x) true (fst r) -> has_value (paper s x) (snd r) /\ has_value (paper s x) (closure true (snd r))).
 Proof.
-  intros H E W. unfold reference_ways in E. options E. inversion E; subst; clear E.
+  intros H0 H E W. split; [exact (reference_region_sound without_force facts r ws H0 E W)|].
+  unfold reference_ways in E. options E. inversion E; subst; clear E.
   inversion W as [|? ? A W']; subst. inversion W' as [|? ? B W'']; subst. inversion W'' as [|? ? D _]; subst. apply one_goal in A, B, D.
-  split; [exact (has_value_sound c x two_apart _ _ _ H E1 A)|]. intro R. assert (H' := here_also c x _ _ _ E0 R H).
+  intro R. assert (H' := here_also c x _ _ _ E0 R H).
   split; [exact (has_value_sound c x two_apart _ _ _ H' E2 B)|exact (has_value_sound c x two_apart _ _ _ H' E3 D)].
 Qed.
 
@@ -159,6 +168,17 @@ Section Kind.
 Variable c : claim.
 Notation s := (in_setting c).
 
+Lemma unique_valued x cells claims except modes facts forces ws :
+  no_name_twice (names_of_motions s 2) = true -> what c = Unique claims except modes -> bicycle s x ->
+  is (paper s x) true (region c) -> ways_of_kind c cells facts forces = Some ws -> Forall way_holds ws ->
+  forall r, In r (map snd claims ++ except) -> has_value (paper s x) (fst r).
+Proof.
+  intros T K B R E W r I. unfold ways_of_kind in E. rewrite K in E. options E. inversion E; subst; clear E.
+  apply Forall_app in W. destruct W as [Values _]. apply Forall_concat in Values. rewrite Forall_forall in Values.
+  destruct (map_option_In _ _ _ E2 _ I) as [w [G J]].
+  refine (reference_region_sound c x T _ _ r w _ G (Values _ J)). exact (here_also c x _ _ _ E0 R (bicycle_here c x B)).
+Qed.
+
 Lemma unique_kind x cells claims except modes yes forces ws :
   no_name_twice (names_of_motions s 2) = true -> what c = Unique claims except modes -> point s x ->
   normal_condition (paper_scope s None) true (region c) = Some yes -> is (paper s x) true (region c) ->
@@ -177,7 +197,8 @@ Proof.
     has_value (paper s y) (fst r)
     /\ (is (paper s y) true (fst r) -> has_value (paper s y) (snd r) /\ has_value (paper s y) (closure true (snd r)))).
   { intros r I y Q Z. destruct (map_option_In _ _ _ E2 _ I) as [w [G J]].
-    exact (reference_sound c y T _ r w (facts_at y Q Z) G (Values _ J)). }
+    refine (reference_sound c y T _ _ r w _ (facts_at y Q Z) G (Values _ J)).
+    exact (here_also c y _ _ _ E0 Z (bicycle_here c y (of_bicycle _ _ Q))). }
   assert (Hx := facts_at x P R).
   assert (decided : forall r, In r (map snd claims ++ except) ->
     Claim.near c x r \/ is (paper s x) false (Both (fst r) (closure true (snd r)))).

@@ -6,13 +6,14 @@ From Slipproof.claim Require Import Expression Mechanism Claim RunValues RunCond
 Import ListNotations.
 Local Open Scope R_scope.
 
-(** The values of the paper's symbols; those that are missing are 0. [None]: they are no point, or it is not known. *)
+(** The values of the paper's symbols; those that are missing are 0. [None]: they are no point, or no bicycle if the claim is
+    about any force, or it is not known. *)
 Definition run (c : claim) (q : list (string * Q)) : option outcome :=
   let s := in_setting c in
   let paper_here := here s q in
   let paper_along := along s q in
   let inner := inner_names s paper_here in
-  match is_point s paper_here paper_along inner with
+  match is_point s paper_here paper_along inner (negb (of_any_force (what c))) with
   | Some true =>
       if on_interval paper_along (force_domain s) then
         match status_of paper_here (judged_where c) with
@@ -30,9 +31,13 @@ Definition run (c : claim) (q : list (string * Q)) : option outcome :=
       else None
   | _ => None
   end.
-Definition no_point (s : setting) (q : list (string * Q)) : bool :=
+Definition no_point (c : claim) (q : list (string * Q)) : bool :=
+  let s := in_setting c in
   let paper_here := here s q in
-  match is_point s paper_here (along s q) (inner_names s paper_here) with Some false => true | _ => false end.
+  match is_point s paper_here (along s q) (inner_names s paper_here) (negb (of_any_force (what c))) with
+  | Some false => true
+  | _ => false
+  end.
 
 (** Soundness *)
 
@@ -229,12 +234,20 @@ Proof.
 Qed.
 End Sound.
 
+Lemma is_place c q : match is_point (in_setting c) (here (in_setting c) q) (along (in_setting c) q)
+                           (inner_names (in_setting c) (here (in_setting c) q)) (negb (of_any_force (what c))) with
+  | Some true => place c (x q) | Some false => ~ place c (x q) | None => True end.
+Proof.
+  assert (P := is_point_sound (in_setting c) q (negb (of_any_force (what c)))). unfold place.
+  destruct (is_point _ _ _ _ _) as [[|]|]; [| |exact I]; destruct (of_any_force (what c)); exact P.
+Qed.
+
 (** What is said is true; where nothing is said, and something is right, too, it is not called right. *)
 Theorem run_sound c q o : run c q = Some o ->
-  point (in_setting c) (fun name => Q2R (lookup q name)) /\ judged c (fun name => Q2R (lookup q name)) o.
+  place c (fun name => Q2R (lookup q name)) /\ judged c (fun name => Q2R (lookup q name)) o.
 Proof.
-  change (fun name => Q2R (lookup q name)) with (x q). unfold run. assert (P := is_point_sound (in_setting c) q).
-  destruct (is_point _ _ _ _) as [[|]|]; try discriminate.
+  change (fun name => Q2R (lookup q name)) with (x q). unfold run. assert (P := is_place c q).
+  destruct (is_point _ _ _ _ _) as [[|]|]; try discriminate.
   destruct (on_interval _ _) eqn:F; [|discriminate]. apply on_interval_sound in F. intro H. split; [exact P|].
   assert (S := status_sound (fun _ => 0) _ _ (here_agree (in_setting c) q _) (judged_where c)). unfold judged.
   destruct (status_of _ (judged_where c)); [| | |discriminate].
@@ -245,7 +258,5 @@ Proof.
   - inversion H; subst. tauto.
 Qed.
 
-Theorem no_point_sound s q : no_point s q = true -> ~ point s (fun name => Q2R (lookup q name)).
-Proof.
-  unfold no_point. assert (P := is_point_sound s q). destruct (is_point _ _ _ _) as [[|]|]; try discriminate. intros _. exact P.
-Qed.
+Theorem no_point_sound c q : no_point c q = true -> ~ place c (fun name => Q2R (lookup q name)).
+Proof. unfold no_point. assert (P := is_place c q). destruct (is_point _ _ _ _ _) as [[|]|]; try discriminate. intros _. exact P. Qed.

@@ -67,7 +67,7 @@ Definition load_check : option bool :=
 Definition circle_checks (names : scope) (a : string * string * condition) : list (option bool) :=
   let '(c, n, d) := a in [must (status_of names d); must (status_of names (square_sum c n))].
 
-Definition point_checks : list (option bool) :=
+Definition bicycle_checks : list (option bool) :=
   map (fun d => must (status_of paper_here (snd d))) (paper_parameters s)
   ++ flat_map (circle_checks paper_here) (paper_angles s)
   ++ map (fun name => has_answer (of_scene name)) (scene_symbols s)
@@ -75,9 +75,11 @@ Definition point_checks : list (option bool) :=
   ++ flat_map (circle_checks inner) (angles m)
   ++ map (fun c => must (status_of inner c)) (assumptions m)
   ++ map (fun e => has_answer (answer_of inner e)) (numbers s)
-  ++ [load_check; match load m with Some (_, c) => must (status_of inner c) | None => Some true end;
-      must (status_of paper_here (force_domain s))].
-Definition is_point : option bool := all_of point_checks.
+  ++ [load_check].
+Definition force_checks : list (option bool) :=
+  [match load m with Some (_, c) => must (status_of inner c) | None => Some true end; must (status_of paper_here (force_domain s))].
+(** With a force of the domain, or with any. *)
+Definition is_point (of_domain : bool) : option bool := all_of (bicycle_checks ++ if of_domain then force_checks else []).
 
 (** Comparisons of numbers that are affine in the force, and conjunctions of them, hold on an interval. *)
 Definition is_affine (a : answer) : bool :=
@@ -229,50 +231,63 @@ Proof.
   - intros [e [a [b [E _]]]]. discriminate.
 Qed.
 
-Theorem is_point_sound : match is_point here along (inner_names here) with
-  | Some true => point s x | Some false => ~ point s x | None => True end.
+Lemma bicycle_checked : (forall b, In b (bicycle_checks here along (inner_names here)) -> b = Some true) -> bicycle s x.
 Proof.
-  destruct (is_point _ _ _) as [[|]|] eqn:E; [| |exact I].
-  - assert (A := all_of_true _ E). clear E. unfold point_checks in A. constructor; [constructor| |].
-    + intros p c J. told (must_here c) (A (must (status_of here c))); [exact T|]. apply in_or_app; left. apply in_map_iff. exists (p, c). auto.
-    + intros c n d J. assert (B : forall b, In b (circle_checks here (c, n, d)) -> b = Some true).
-      { intros b K. apply A. apply in_or_app; right; apply in_or_app; left. apply in_flat_map. eauto. }
-      simpl in B. told (must_here d) (B _ (or_introl eq_refl)). told (must_here (square_sum c n)) (B _ (or_intror (or_introl eq_refl))). auto.
-    + intros name J. assert (B := A (has_answer (of_scene here name))).
-      told (has_answer_sound _ _ _ (of_scene_means (fun _ => 0) name)) B; [exact T|].
-      do 2 (apply in_or_app; right). apply in_or_app; left. apply in_map_iff. eauto.
-    + intros u p c J G. told (must_inner c u) (A (must (status_of (inner_names here) c))); [exact T|].
-      do 3 (apply in_or_app; right). apply in_or_app; left. apply in_map_iff. exists (p, c). simpl. rewrite G. auto.
-    + intros u c n d J. assert (B : forall b, In b (circle_checks (inner_names here) (c, n, d)) -> b = Some true).
-      { intros b K. apply A. do 4 (apply in_or_app; right). apply in_or_app; left. apply in_flat_map. eauto. }
-      simpl in B. told (must_inner d u) (B _ (or_introl eq_refl)). told (must_inner (square_sum c n) u) (B _ (or_intror (or_introl eq_refl))). auto.
-    + intros u c J. told (must_inner c u) (A (must (status_of (inner_names here) c))); [exact T|].
-      do 5 (apply in_or_app; right). apply in_or_app; left. apply in_map_iff. eauto.
-    + intros u e J. assert (B := A (has_answer (answer_of (inner_names here) e))).
-      told (has_answer_sound _ _ _ (answer_means _ _ _ (inner_agree _ _ (reads_in_order u)) e)) B; [exact T|].
-      do 6 (apply in_or_app; right). apply in_or_app; left. apply in_map_iff. eauto.
-    + told load_check_sound (A (load_check along)); [exact T|]. do 7 (apply in_or_app; right). now left.
+  intro A. unfold bicycle_checks in A. constructor.
+  - intros p c J. told (must_here c) (A (must (status_of here c))); [exact T|]. apply in_or_app; left. apply in_map_iff. exists (p, c). auto.
+  - intros c n d J. assert (B : forall b, In b (circle_checks here (c, n, d)) -> b = Some true).
+    { intros b K. apply A. apply in_or_app; right; apply in_or_app; left. apply in_flat_map. eauto. }
+    simpl in B. told (must_here d) (B _ (or_introl eq_refl)). told (must_here (square_sum c n)) (B _ (or_intror (or_introl eq_refl))). auto.
+  - intros name J. assert (B := A (has_answer (of_scene here name))).
+    told (has_answer_sound _ _ _ (of_scene_means (fun _ => 0) name)) B; [exact T|].
+    do 2 (apply in_or_app; right). apply in_or_app; left. apply in_map_iff. eauto.
+  - intros u p c J G. told (must_inner c u) (A (must (status_of (inner_names here) c))); [exact T|].
+    do 3 (apply in_or_app; right). apply in_or_app; left. apply in_map_iff. exists (p, c). simpl. rewrite G. auto.
+  - intros u c n d J. assert (B : forall b, In b (circle_checks (inner_names here) (c, n, d)) -> b = Some true).
+    { intros b K. apply A. do 4 (apply in_or_app; right). apply in_or_app; left. apply in_flat_map. eauto. }
+    simpl in B. told (must_inner d u) (B _ (or_introl eq_refl)). told (must_inner (square_sum c n) u) (B _ (or_intror (or_introl eq_refl))). auto.
+  - intros u c J. told (must_inner c u) (A (must (status_of (inner_names here) c))); [exact T|].
+    do 5 (apply in_or_app; right). apply in_or_app; left. apply in_map_iff. eauto.
+  - intros u e J. assert (B := A (has_answer (answer_of (inner_names here) e))).
+    told (has_answer_sound _ _ _ (answer_means _ _ _ (inner_agree _ _ (reads_in_order u)) e)) B; [exact T|].
+    do 6 (apply in_or_app; right). apply in_or_app; left. apply in_map_iff. eauto.
+  - told load_check_sound (A (load_check along)); [exact T|]. do 7 (apply in_or_app; right). now left.
+Qed.
+
+Lemma bicycle_missed : In (Some false) (bicycle_checks here along (inner_names here)) -> ~ bicycle s x.
+Proof.
+  intros E P. unfold bicycle_checks in E. repeat (apply in_app_or in E; destruct E as [E|E]).
+  - apply in_map_iff in E. destruct E as [[p c] [C J]]. simpl in C. told (must_here c) C. exact (T (domains s x P _ _ J)).
+  - apply in_flat_map in E. destruct E as [[[c n] d] [J K]]. destruct (paper_circles s x P _ _ _ J) as [D Q].
+    destruct K as [C|[C|[]]]; [told (must_here d) C|told (must_here (square_sum c n)) C]; auto.
+  - apply in_map_iff in E. destruct E as [name [C J]]. told (has_answer_sound _ _ _ (of_scene_means (fun _ => 0) name)) C.
+    exact (T (scene_values s x P _ J)).
+  - apply in_map_iff in E. destruct E as [[p c] [C J]]. simpl in C. destruct (is_given s p) eqn:G; [|discriminate].
+    told (must_inner c (fun _ => 0)) C. exact (T (mechanism_domains s x P _ _ _ J G)).
+  - apply in_flat_map in E. destruct E as [[[c n] d] [J K]]. destruct (circles s x P (fun _ => 0) _ _ _ J) as [D Q].
+    destruct K as [C|[C|[]]]; [told (must_inner d (fun _ => 0)) C|told (must_inner (square_sum c n) (fun _ => 0)) C]; auto.
+  - apply in_map_iff in E. destruct E as [c [C J]]. told (must_inner c (fun _ => 0)) C. exact (T (assumed s x P _ _ J)).
+  - apply in_map_iff in E. destruct E as [e [C J]].
+    told (has_answer_sound _ _ _ (answer_means _ _ _ (inner_agree _ _ (reads_in_order (fun _ => 0))) e)) C.
+    exact (T (coefficients s x P _ _ J)).
+  - destruct E as [C|[]]. told load_check_sound C. exact (T (degree_one s x P)).
+Qed.
+
+Theorem is_point_sound of_domain : match is_point here along (inner_names here) of_domain with
+  | Some true => if of_domain then point s x else bicycle s x
+  | Some false => ~ (if of_domain then point s x else bicycle s x)
+  | None => True
+  end.
+Proof.
+  destruct (is_point _ _ _ _) as [[|]|] eqn:E; [| |exact I].
+  - assert (A := all_of_true _ E). assert (B := bicycle_checked (fun b J => A b (in_or_app _ _ _ (or_introl J)))).
+    destruct of_domain; [|exact B]. constructor; [exact B| |].
     + intros u l c L. told (must_inner c u) (A (must (status_of (inner_names here) c))); [exact T|].
-      do 7 (apply in_or_app; right). right; left. now rewrite L.
-    + told (must_here (force_domain s)) (A (must (status_of here (force_domain s)))); [exact T|].
-      do 7 (apply in_or_app; right). right; right. now left.
-  - intro P. apply all_of_false in E. unfold point_checks in E.
-    repeat (apply in_app_or in E; destruct E as [E|E]).
-    + apply in_map_iff in E. destruct E as [[p c] [C J]]. simpl in C. told (must_here c) C. exact (T (domains s x (of_bicycle s x P) _ _ J)).
-    + apply in_flat_map in E. destruct E as [[[c n] d] [J K]]. destruct (paper_circles s x (of_bicycle s x P) _ _ _ J) as [D Q].
-      destruct K as [C|[C|[]]]; [told (must_here d) C|told (must_here (square_sum c n)) C]; auto.
-    + apply in_map_iff in E. destruct E as [name [C J]]. told (has_answer_sound _ _ _ (of_scene_means (fun _ => 0) name)) C.
-      exact (T (scene_values s x (of_bicycle s x P) _ J)).
-    + apply in_map_iff in E. destruct E as [[p c] [C J]]. simpl in C. destruct (is_given s p) eqn:G; [|discriminate].
-      told (must_inner c (fun _ => 0)) C. exact (T (mechanism_domains s x (of_bicycle s x P) _ _ _ J G)).
-    + apply in_flat_map in E. destruct E as [[[c n] d] [J K]]. destruct (circles s x (of_bicycle s x P) (fun _ => 0) _ _ _ J) as [D Q].
-      destruct K as [C|[C|[]]]; [told (must_inner d (fun _ => 0)) C|told (must_inner (square_sum c n) (fun _ => 0)) C]; auto.
-    + apply in_map_iff in E. destruct E as [c [C J]]. told (must_inner c (fun _ => 0)) C. exact (T (assumed s x (of_bicycle s x P) _ _ J)).
-    + apply in_map_iff in E. destruct E as [e [C J]].
-      told (has_answer_sound _ _ _ (answer_means _ _ _ (inner_agree _ _ (reads_in_order (fun _ => 0))) e)) C.
-      exact (T (coefficients s x (of_bicycle s x P) _ _ J)).
-    + destruct E as [C|[C|[C|[]]]].
-      * told load_check_sound C. exact (T (degree_one s x (of_bicycle s x P))).
+      apply in_or_app; right. left. now rewrite L.
+    + told (must_here (force_domain s)) (A (must (status_of here (force_domain s)))); [exact T|]. apply in_or_app; right. right. now left.
+  - apply all_of_false, in_app_or in E. intro P. destruct E as [E|E].
+    + apply (bicycle_missed E). destruct of_domain; [exact (of_bicycle s x P)|exact P].
+    + destruct of_domain; [|contradiction]. destruct E as [C|[C|[]]].
       * destruct (load m) as [[l c]|] eqn:L; [|discriminate]. told (must_inner c (fun _ => 0)) C. exact (T (load_in_domain s x P _ _ _ L)).
       * told (must_here (force_domain s)) C. exact (T (force_in_domain s x P)).
 Qed.

@@ -129,7 +129,7 @@ let worth claim point =
   | Some Judge.Wrong -> "wrong"
   | Some Judge.SaysNothing -> "nothing"
   | Some Judge.NoValue -> "no-value"
-  | None -> if Judge.no_point claim.in_setting point then "no-point" else "unknown"
+  | None -> if Judge.no_point claim point then "no-point" else "unknown"
 
 let at_points points claims =
   match (text points most_of_claims, text claims most_of_claims) with
