@@ -114,12 +114,13 @@ bool MonotoneProof::strict() const {
 
 std::optional<MonotoneProof> prove_monotone(const MixedProblem& problem, Effort& effort) {
   SparseMatrix B = symmetric_part(problem.A);
+  const SparseMatrix across = transposed(B);
   const std::vector<std::size_t> part = parts_of(B);
   std::vector<double> diagonal(B.rows, 0);
   std::vector<std::vector<std::size_t>> rows_of(B.rows);
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < B.rows; ++i) {
-    if (B.columns_of(i).empty()) continue;
+    if (B.columns_of(i).empty() && across.columns_of(i).empty()) continue;
     rows_of[part[i]].push_back(i);
     rows.push_back(i);
     for (std::size_t e = B.starts[i]; e < B.starts[i + 1]; ++e) diagonal[i] += B.column[e] == i ? B.value[e] : 0;

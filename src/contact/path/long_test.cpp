@@ -67,6 +67,9 @@ struct ScaledDerivative {
 DependentPart dependent_in_long_numbers(const ModeSystem& system, const SystemBlock& block,
                                         std::span<const Rational> z) {
   LongMatrix J = ScaledDerivative(system, block, z).matrix();
+  // An equation that no unknown of the block is in holds or fails by its constant; an unknown that is in no equation
+  // may have any value.
+  if (J.size() == 0) return {block.equations, block.unknowns, true};
   for (std::size_t i = 0; i < block.equations.size(); ++i) {
     if (system.equations()[block.equations[i]].kind == ModeSystem::Kind::linear) continue;
     J.row(static_cast<Index>(i)) *= DoubleDouble(64);

@@ -104,9 +104,10 @@ class OpenPart {
         sets_(force_sets(problem, exact_rows(problem, x_), change)),
         reduced_(problem, sets_, scales_) {
     const auto rows = static_cast<Work>(problem.size()), columns = static_cast<Work>(reduced_.size());
+    if (reduced_.size() == 0) return;  // with these velocities no contact has a force: nothing is open
     effort_.spend(times(4 * rows, times(columns, columns)));
     const Dense B = reduced_.derivative(problem, scales_);
-    const double pivot = B.size() == 0 ? 0 : B.colwise().norm().maxCoeff();
+    const double pivot = B.colwise().norm().maxCoeff();
     if (pivot > 0) decomposition_.setThreshold(std::min(1 / pivot, 0.5));  // what is below 1 is open
     decomposition_.compute(B);
     N_ = decomposition_.colsPermutation() *

@@ -53,7 +53,8 @@ class JudgedRecords {
     result_.lines.reserve(bytes);
   }
 
-  /// judge(judgement) judges a record, at the latest in finish(), or throws BrokenRecord. False if the run stops there.
+  /// judge(judgement) judges a record, at the latest in finish(), or throws BrokenRecord. If it fails otherwise, this
+  /// record is undecided. False if the run stops there.
   /// `line` is 0 if there are no lines.
   template <class Judge, class Finish>
   bool add(std::uint64_t record, std::uint64_t line, const Judge& judge, const Finish& finish) {
@@ -61,7 +62,8 @@ class JudgedRecords {
     entry.record = record;
     try {
       entry.broken = false;
-      judge(entry.judgement);
+      const std::string failure = failure_of([&] { judge(entry.judgement); });
+      if (!failure.empty()) entry.judgement = undecided_judgement(failure);
     } catch (const BrokenRecord& found) {
       entry.broken = true;
       if (!result_.take(found, line, record, entry.judgement, options_)) return false;
