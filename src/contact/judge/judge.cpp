@@ -11,6 +11,7 @@
 #include "contact/exact/exact_lcp.hpp"
 #include "contact/exact/no_solution.hpp"
 #include "contact/judge/find.hpp"
+#include "contact/judge/others.hpp"
 #include "contact/judge/small.hpp"
 #include "contact/path/solve.hpp"
 
@@ -222,7 +223,10 @@ class ContactCase {
 
   void exclude_others() {
     extra("whether it is the only solution", [&] { j_.unique_by = prove_unique(problem_, effort_); });
-    if (j_.unique_by || !j_.enclosure || !j_.enclosure->pinned.empty()) return;
+    if (j_.unique_by) return;
+    constexpr Work part = 20;
+    extra("another solution in a linear mode", [&] { look_in_linear_modes(problem_, options_.effort / part, j_); });
+    if (!j_.other_exact.empty() || !j_.enclosure || !j_.enclosure->pinned.empty()) return;
     if (j_.enclosure->proof || j_.enclosure->system.size() > options_.others_up_to) return;
     extra("another solution", [&] { j_.other = another_solution(problem_, *j_.enclosure); });
   }

@@ -51,6 +51,12 @@ struct ContactJudgeOptions {
   std::size_t others_up_to = 200;  ///< unknowns of a mode up to which other solutions are looked for
 };
 
+/// A search for other solutions in modes whose equations are linear.
+struct LinearSearch {
+  Work modes = 0;  ///< how many there are, endless if more than that
+  bool tried = false;
+};
+
 struct ContactJudgement {
   ContactVerdict verdict = ContactVerdict::invalid;
   std::string reason;                    ///< why nothing stronger is proved; what is invalid
@@ -71,12 +77,15 @@ struct ContactJudgement {
   std::vector<Rational> exact;         ///< a solution of the problem, rho from the answer, where one was computed
   std::optional<Enclosure> other;      ///< a solution elsewhere: there are several
   std::vector<Rational> other_exact;
+  std::optional<LinearSearch> linear_modes;
   std::optional<UniqueProof> unique_by;  ///< why there is no other; without it all modes were tried
   std::vector<Rational> multipliers;     ///< a proof that there is no solution at all (no_solution.hpp)
   std::vector<std::string> left_out;     ///< what was looked for beyond that, and failed: what it is, and why
 
   /// Whether a solution within rho is known.
   bool has_solution() const { return enclosure || !exact.empty() || (every && every->unique()); }
+  /// Of a certified answer: whether it is proved that there is no other solution.
+  bool others_excluded() const { return verdict == ContactVerdict::unique; }
   /// Within which no solution is; 0 where nothing is known of it.
   double excluded() const { return std::max(exclusion ? exclusion->radius : 0, every ? every->apart : 0); }
 };

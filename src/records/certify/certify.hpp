@@ -16,11 +16,12 @@ struct CertifySummary {
   std::uint64_t records = 0;
   std::array<std::uint64_t, record_verdict_count> verdicts{};
   TierCounts tiers{};
-  std::uint64_t broken = 0;          ///< invalid records that could not be read
-  double worst_certified_error = 0;  ///< largest relative error of a component among certified records
-  double worst_error = 0;            ///< the same among records that are the right motion, certified or not
-  std::uint64_t with_rho = 0;        ///< contact problems whose certified answers have a rho instead of an error
-  double worst_rho = 0;              ///< the largest of these rho
+  std::uint64_t broken = 0;           ///< invalid records that could not be read
+  double worst_certified_error = 0;   ///< largest relative error of a component among certified records
+  double worst_error = 0;             ///< the same among records that are the right motion, certified or not
+  std::uint64_t with_rho = 0;         ///< contact problems whose certified answers have a rho instead of an error
+  double worst_rho = 0;               ///< the largest of these rho
+  std::uint64_t others_possible = 0;  ///< certified records that are not proved to be the only solution
 
   std::uint64_t count(RecordVerdict v) const { return verdicts[static_cast<std::size_t>(v)]; }
   void add(const CertifySummary& other);

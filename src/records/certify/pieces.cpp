@@ -44,7 +44,7 @@ PieceCount count_lines(const PieceLines& piece) {
 
 std::string summary_bytes(const CertifySummary& s) {
   ByteWriter bytes;
-  bytes.number(s.records).number(s.broken).number(s.with_rho);
+  bytes.number(s.records).number(s.broken).number(s.with_rho).number(s.others_possible);
   for (const std::uint64_t count : s.verdicts) bytes.number(count);
   for (const std::uint64_t count : s.tiers) bytes.number(count);
   return bytes.real(s.worst_certified_error).real(s.worst_error).real(s.worst_rho).take();
@@ -56,6 +56,7 @@ CertifySummary read_summary(std::string_view text) {
   s.records = bytes.number();
   s.broken = bytes.number();
   s.with_rho = bytes.number();
+  s.others_possible = bytes.number();
   for (std::uint64_t& count : s.verdicts) count = bytes.number();
   for (std::uint64_t& count : s.tiers) count = bytes.number();
   s.worst_certified_error = bytes.real();

@@ -47,6 +47,7 @@ struct RecordJudgement {
   std::size_t motions = 0;      ///< how many motions the scene has
   bool counted = true;          ///< whether they were looked for
   bool continuum = false;       ///< there are also infinitely many others
+  bool others_excluded = true;  ///< of a certified one: it is proved that there is no other
   /// Upper bound on the largest relative error of a component, if certified, ambiguous or inaccurate.
   double max_error = 0;
   /// Upper bound on Distance::scaled to the nearest motion, of a wrong answer, too; nothing where none is known, or

@@ -128,6 +128,14 @@ Json coulomb_json(const ContactJudgement& j) {
   return line;
 }
 
+/// What is known of other solutions than a certified answer's.
+void add_others(const ContactJudgement& j, Json& line) {
+  if (is_certified(j.verdict) && !j.others_excluded()) line["others"] = "not excluded";
+  if (!j.linear_modes) return;
+  line["linear_modes"] = Json{{"number", j.linear_modes->modes == endless ? Json() : Json(j.linear_modes->modes)},
+                              {"tried", j.linear_modes->tried}};
+}
+
 /// Whether a solution that was found is the only one, and in what sense.
 Json uniqueness(const ContactJudgement& j) {
   if (j.verdict == ContactVerdict::unique) return "globally";
@@ -191,6 +199,7 @@ std::string contact_members(const JudgedProblem& problem, std::size_t answer) {
     }
     if (is_certified(j.verdict) || j.verdict == ContactVerdict::ambiguous) line["unique"] = uniqueness(j);
   }
+  add_others(j, line);
   if (j.every && std::isfinite(j.every->eta)) line["velocities_within"] = at_most(j.every->eta);
   if (j.enclosure && j.enclosure->proof) line["velocities_within"] = at_most(j.eta);
   if (j.excluded() > 0) line["no_solution_within"] = at_least(j.excluded());

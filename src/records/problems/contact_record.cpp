@@ -37,6 +37,7 @@ RecordJudgement as_record(const JudgedProblem& problem, std::size_t answer) {
   RecordJudgement result;
   const ContactJudgement& judgement = problem.answers[answer].judgement;
   result.verdict = record_verdict(judgement.verdict);
+  result.others_excluded = !is_certified(judgement.verdict) || judgement.others_excluded();
   result.rho = judgement.rho;
   result.members = contact_members(problem, answer);
   return result;

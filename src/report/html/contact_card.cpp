@@ -71,7 +71,8 @@ class NumberList {
 
 std::string uniqueness(const ContactJudgement& j) {
   if (j.verdict == ContactVerdict::unique) return "; there is no other";
-  return j.enclosure && j.enclosure->locally_unique ? "; near it there is no other" : "";
+  const std::string near = j.enclosure && j.enclosure->locally_unique ? "; near it there is no other" : "";
+  return is_certified(j.verdict) ? near + "; others are not excluded" : near;
 }
 
 /// Contacts, and rows of the other unknowns, count from 1.

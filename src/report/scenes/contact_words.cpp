@@ -68,7 +68,8 @@ std::string verdict_words(const ContactJudgement& j, const ContactUnits& units) 
       return fmt::format("A solution is within {} of the answer, and there is another one elsewhere.",
                          in(j.rho, units.force));
     case ContactVerdict::solution_within_rho:
-      return fmt::format("An exact solution is within {} of the answer in each component{}.", in(j.rho, units.force),
+      return fmt::format("An exact solution is within {} of the answer in each component{}; others are not excluded.",
+                         in(j.rho, units.force),
                          j.enclosure && j.enclosure->locally_unique ? ", and near it there is no other" : "");
     case ContactVerdict::inaccurate:
       return fmt::format(
@@ -83,7 +84,9 @@ std::string verdict_words(const ContactJudgement& j, const ContactUnits& units) 
                          in(j.every->eta, units.velocity));
     case ContactVerdict::velocities_of_a_solution:
       return fmt::format(
-          "An exact solution has velocities within {} of those of the answer. Forces differ by up to {}.",
+          "An exact solution has velocities within {} of those of the answer. Forces differ by up to {}. Others are "
+          "not "
+          "excluded.",
           in(j.eta, units.velocity), in(j.rho, units.force));
     case ContactVerdict::none_within_rho:
     case ContactVerdict::wrong:
@@ -115,6 +118,10 @@ std::vector<std::string> further_words(const ContactJudgement& j, const ContactU
   }
   if (j.unique_by) {
     sentences.push_back(fmt::format("There is one solution for every constant, too ({}).", name(j.unique_by->kind)));
+  }
+  if (j.linear_modes && !j.linear_modes->tried && is_certified(j.verdict)) {
+    sentences.emplace_back(
+        "No other solution was looked for among modes without sliding: there are too many for the effort.");
   }
   for (const std::string& failure : j.left_out) sentences.push_back("Not found, " + failure + ".");
   if (j.undetermined == 1) {

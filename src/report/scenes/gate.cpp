@@ -23,6 +23,7 @@ std::string case_name(const GateFailure& failure) {
 std::string message_of(const GateFailure& failure) {
   const Json line = Json::parse(failure.line);
   std::string text = line.value("verdict", std::string(name(failure.verdict)));
+  if (line.contains("others")) text += ": others " + line["others"].get<std::string>();
   if (line.contains("reason")) text += ": " + line["reason"].get<std::string>();
   if (line.contains("violated") && line["violated"].is_string()) {
     text += ": violates " + line["violated"].get<std::string>() + ", margin " + line.value("margin", std::string());
@@ -48,17 +49,19 @@ FailingVerdicts::FailingVerdicts(const std::vector<std::string>& names) {
       fails_[i] = known = true;
     }
     if (!known) throw std::invalid_argument(wanted);
+    only_ = only_ || wanted == name(RecordVerdict::ambiguous);
   }
 }
 
 void GateRun::add(std::uint64_t record, const RecordJudgement& judgement, const FailingVerdicts& fails) {
   ++records;
-  if (!fails(judgement.verdict)) return;
+  if (!fails(judgement)) return;
   ++failed;
   if (listed.size() == most_listed) return;
   std::string line;
   append_line(line, record, judgement);
-  listed.push_back({record, judgement.verdict, std::move(line)});
+  const bool certified = judgement.verdict == RecordVerdict::certified;  // and perhaps not the only one
+  listed.push_back({record, certified ? RecordVerdict::ambiguous : judgement.verdict, std::move(line)});
 }
 
 std::string gate_text(const GateRun& run) {

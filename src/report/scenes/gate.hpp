@@ -20,9 +20,16 @@ class FailingVerdicts {
   explicit FailingVerdicts(const std::vector<std::string>& names);
 
   bool operator()(RecordVerdict verdict) const { return fails_[static_cast<std::size_t>(verdict)]; }
+  /// Where `ambiguous` is named, a certified answer fails, too, unless it is proved to be the only one.
+  bool operator()(const RecordJudgement& judgement) const {
+    return (*this)(judgement.verdict) ||
+           (only_ && judgement.verdict == RecordVerdict::certified && !judgement.others_excluded);
+  }
+  bool only() const { return only_; }
 
  private:
   std::array<bool, record_verdict_count> fails_{};
+  bool only_ = false;
 };
 
 /// A record, or an answer, that fails: its number, its verdict, and its line of output.

@@ -46,6 +46,31 @@ TEST_CASE("--fail-on says which verdicts fail, and without it exit codes are as 
   CHECK(run({"certify", block, "--tolerance", "1e-12", "--fail-on", "inaccurate"}).exit_code == 1);
 }
 
+TEST_CASE("--fail-on ambiguous fails where uniqueness is not proved, of files and of lines") {
+  const TemporaryFolder folder;
+  const std::string ball = R"({"dimension":3,"W":[[1,0,0],[0,1,0],[0,0,1]],"q":[-1,0.25,0],"mu":0.5,"r":[1,-0.25,0]})"
+                           "\n";
+  const std::string definite = R"({"M":[[2,1],[1,2]],"q":[-5,-6],"z":["4/3","7/3"]})"
+                               "\n";
+  const std::string file = folder.write("ball.json", ball), lines = folder.write("balls.jsonl", ball + definite);
+  for (const std::string& given : {file, lines}) {
+    CHECK(run({"certify", given}).exit_code == 0);
+    CHECK(run({"certify", given, "--fail-on", "wrong,inaccurate,undecided"}).exit_code == 0);
+    const std::string sarif = folder.path() / "s.sarif";
+    const auto failed = run({"certify", given, "--fail-on", "ambiguous", "--quiet", "--sarif", sarif});
+    CHECK(failed.exit_code == 1);
+    CHECK(failed.out.find("others ") != std::string::npos);
+    const auto results = nlohmann::json::parse(read_file(sarif))["runs"][0]["results"];
+    REQUIRE(results.size() == 1);
+    CHECK(results[0]["ruleId"] == "ambiguous");
+  }
+  CHECK(run({"certify", folder.write("d.jsonl", definite), "--fail-on", "ambiguous"}).exit_code == 0);
+  CHECK(run({"certify", lines, "--fail-on", "ambiguous", "--checkpoint", folder.path() / "c"}).exit_code == 1);
+  CHECK(run({"certify", file})
+            .out.find("of the answer in each component, and near it there is no other; others are not "
+                      "excluded.") != std::string::npos);
+}
+
 TEST_CASE("a log has what fails, the first ten with their reasons, and then the verdict") {
   const auto quiet = run({"certify", examples, "--fail-on", "wrong,inaccurate", "--quiet"});
   CHECK(quiet.out.starts_with("4 of 10 records fail\n  " + examples + ": record "));

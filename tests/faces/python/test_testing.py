@@ -38,6 +38,17 @@ def test_wrong_answers_say_what_is_broken_and_what_is_right():
     assert "z[0]: found nan" in message(lambda: assert_certified([[2, 1], [1, 2]], [-5, -6], [float("nan"), 2]))
 
 
+def test_only_asks_for_a_proof_that_there_is_no_other_solution():
+    text = message(lambda: assert_certified(W, q, [10, -5, 0], mu, dimension=3, only=True))
+    assert text.startswith("the answer is solution within rho") and "other solutions are not excluded" in text
+    coupled, push = [[6, 2, -2], [2, 9, -8], [-2, -8, 9]], [0, 1, -2]
+    assert assert_certified(coupled, push, [0, 0, 0], 3, dimension=3).verdict == "ambiguous"
+    text = message(lambda: assert_certified(coupled, push, [0, 0, 0], 3, dimension=3, only=True))
+    assert "the answer is ambiguous" in text and "another solution: z = [" in text
+    assert assert_certified(W, q, [10.4, -5.2, 0], mu, dimension=3, law="associated", only=True).only
+    assert assert_certified([[2, 1], [1, 2]], [-5, -6], [4 / 3, 7 / 3], only=True).only
+
+
 def test_motions_by_their_numbers():
     motion = slipproof.solve("cases/city-bicycle.toml").motions[0]
     assert assert_motion("cases/city-bicycle.toml", {"a": motion.a}).modes == motion.modes

@@ -11,8 +11,10 @@ void add_gate_options(CLI::App& command, GateArguments& options) {
   group
       ->add_option(
           "--fail-on", options.fail_on,
-          "Verdicts that end with exit code 1, others with 0: some of ambiguous,\ninaccurate, wrong, undecided, with "
-          "commas; invalid ones always do. Without it all\nare told by their own exit codes")
+          "Verdicts that end with exit code 1, others with 0: some of ambiguous (or not\nproved to be the only "
+          "solution), "
+          "inaccurate, wrong, undecided, with commas;\ninvalid ones always do. Without it all are told by their own "
+          "exit codes")
       ->delimiter(',')
       ->check([](const std::string& word) {
         try {
@@ -56,7 +58,7 @@ int Gate::exit_code(const CertifySummary& summary, int without) const {
   for (std::size_t i = 0; i < record_verdict_count; ++i) {
     if (summary.verdicts[i] > 0 && fails_(static_cast<RecordVerdict>(i))) return refuted_or_not_certified;
   }
-  return as_it_should_be;
+  return fails_.only() && summary.others_possible > 0 ? refuted_or_not_certified : as_it_should_be;
 }
 
 int Gate::exit_code(int without) const {

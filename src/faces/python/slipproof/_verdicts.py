@@ -76,6 +76,11 @@ class Verdict(Result):
         """Whether the verdict is one of the best that an answer can get."""
         return self.verdict in _CERTIFIED
 
+    @property
+    def only(self) -> bool:
+        """Whether the answer is certified, and it is proved that there is no other solution."""
+        return self.certified and "others" not in self.details
+
     def to_dict(self) -> Dict[str, Any]:
         """The output line of ``slipproof certify``, as a dict."""
         return dict(self.details)

@@ -45,6 +45,9 @@ def _solutions(verdict: Verdict, *looked: Any) -> Iterator[str]:
         yield f"a solution: z = [{', '.join(found['z'])}]"
     if verdict.details.get("found"):
         return
+    if verdict.details.get("other"):
+        yield f"another solution: z = [{', '.join(str(x) for x in verdict.details['other'])}]"
+        return
     for look in looked:
         refined = look().refined()
         if refined:
@@ -56,16 +59,18 @@ def assert_certified(W: Any, q: Any, z: Any, mu: Any = None, *, tolerance: float
                      **options: Any) -> Verdict:
     """Fails unless ``z`` is right for the contact problem w = ``W`` z + ``q`` with the friction ``mu``.
 
-    These, ``tolerance`` and ``options`` are those of :func:`slipproof.certify`. ``only``: an answer that is one of several is not enough. The message says which contact breaks which law, by how
-    much, and has a solution if one is found. Returns the verdict. Raises AssertionError, and what ``certify`` raises.
+    These, ``tolerance`` and ``options`` are those of :func:`slipproof.certify`. ``only``: it has to be
+    proved that there is no other solution. The message says which contact breaks which law, by how much, and has a solution if one is found. Returns the verdict. Raises AssertionError, and what ``certify`` raises.
     """
     __tracebackhide__ = True
     verdict: Union[Verdict, Verdicts] = certify(W, q, z, mu, tolerance=tolerance, **options)
     if isinstance(verdict, Verdicts):
         raise TypeError("found several problems, expected one")
-    if verdict.certified or (verdict.verdict == "ambiguous" and not only):
+    if (verdict.only if only else verdict.certified or verdict.verdict == "ambiguous"):
         return verdict
     lines = [f"the answer is {verdict.verdict}, at a tolerance of {tolerance:g}"]
+    if verdict.certified:
+        raise AssertionError(lines[0] + "; other solutions are not excluded")
     if verdict.verdict == "invalid":
         raise AssertionError("\n  ".join([*lines, verdict.details["reason"]]))
     look = partial(certify, tolerance=tolerance, **{**options, "method": "enclosure", "refine": True, "mu": mu})

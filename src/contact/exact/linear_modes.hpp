@@ -1,0 +1,34 @@
+// Solutions in the modes whose equations are all linear, each found exactly.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "base/number/effort.hpp"
+#include "contact/problem/mixed_problem.hpp"
+
+namespace slipproof {
+
+/// Whether contacts in space may slide, in one of four directions: along their tangential axes. Other directions are
+/// unknown, and have no linear equations.
+enum class Slides : std::uint8_t { none, axes };
+
+/// The number of modes by Coulomb's law in which each contact is open or sticks, is closed where it has no friction, or
+/// slides: in the plane always. Endless if more than that.
+Work linear_modes(const MixedProblem& problem, Slides slides);
+
+/// About how much work each_linear_solution() is: its numbers grow with each force that is eliminated.
+Work work_of_linear_modes(const MixedProblem& problem, const ContactProblem& contacts, Slides slides);
+
+/// Calls visit(r) with the forces of each solution in these modes, until it returns false. A mode whose equations leave
+/// forces open is tried with these at 0, and at their values in `start`; its other solutions are missed. One solution
+/// may be visited several times. The modes are a tree: contacts are decided one after the other, and the forces of
+/// closed ones are eliminated from what is left, so that modes share most of the work. `contacts` is the problem
+/// without its free unknowns, `start` has its size.
+void each_linear_solution(const MixedProblem& problem, const ContactProblem& contacts, Slides slides,
+                          std::span<const double> start,
+                          const std::function<bool(const std::vector<Rational>&)>& visit);
+
+}  // namespace slipproof
