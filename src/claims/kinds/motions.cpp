@@ -20,7 +20,7 @@ class MotionsKind : public KindBase {
   Judgement judge(ClaimJudge& at) const override {
     const auto claimed = at.sample().true_at(at.programs().forces);
     if (claimed.parts.empty()) return claimed.valued() ? Judgement{} : ClaimJudge::undecided();
-    for (const LoadCell& cell : at.sample().cells()) {
+    for (const LoadCell& cell : at.sample().cells(at.body().modes)) {
       for (const ForceInterval& part : claimed.parts) {
         ForceInterval here = ClaimJudge::common(cell.loads, part);
         if (here.empty()) continue;

@@ -37,14 +37,14 @@ std::optional<Stated> stated(ClaimJudge& at, std::size_t claim) {
 }
 
 /// Points and open intervals of forces on which neither the motions nor the claims change.
-Intervals pieces(ClaimJudge& at, const std::vector<Intervals>& changes) {
+Intervals pieces(ClaimJudge& at, const std::vector<LoadCell>& cells, const std::vector<Intervals>& changes) {
   std::vector<Rational> cuts;
   const auto cut = [&](const ForceInterval& interval) {
     for (const auto& end : {interval.lower(), interval.upper()}) {
       if (end) cuts.push_back(*end);
     }
   };
-  for (const LoadCell& cell : at.sample().cells()) cut(cell.loads);
+  for (const LoadCell& cell : cells) cut(cell.loads);
   for (const Intervals& parts : changes) std::for_each(parts.begin(), parts.end(), cut);
   cut(at.domain());
   std::sort(cuts.begin(), cuts.end());
@@ -63,12 +63,12 @@ Intervals pieces(ClaimJudge& at, const std::vector<Intervals>& changes) {
   return result;
 }
 
-std::optional<Judgement> not_one_motion(ClaimJudge& at, const ForceInterval& piece, const Modes& expected) {
+std::optional<Judgement> not_one_motion(ClaimJudge& at, const std::vector<LoadCell>& cells, const ForceInterval& piece,
+                                        const Modes& expected) {
   const auto fail = [&](Reason reason, std::optional<MechanismMode> mode) {
     return ClaimJudge::refuted(reason, std::move(mode), piece);
   };
   const Rational force = piece.sample();
-  const auto& cells = at.sample().cells();
   const auto cell =
       std::find_if(cells.begin(), cells.end(), [&](const LoadCell& c) { return c.loads.contains(force); });
   if (!cell->continua.empty()) return fail(Reason::continuum, cell->continua.front());
@@ -113,9 +113,14 @@ class UniqueKind : public KindBase {
     }
     const auto where = at.sample().true_at(at.programs().forces);
     std::vector<Intervals> changes{where.parts, excepted};
-    for (const Stated& one : known) changes.insert(changes.end(), {one.forces, one.near});
+    Modes named = at.body().modes;
+    for (const Stated& one : known) {
+      changes.insert(changes.end(), {one.forces, one.near});
+      named.push_back(one.mode);
+    }
+    const std::vector<LoadCell>& cells = at.sample().cells(named);
     bool judged = false;
-    for (const ForceInterval& piece : pieces(at, changes)) {
+    for (const ForceInterval& piece : pieces(at, cells, changes)) {
       const Rational force = piece.sample();
       if (!contains(where.parts, force) || contains(excepted, force)) continue;
       Modes expected;
@@ -127,10 +132,10 @@ class UniqueKind : public KindBase {
       if (expected.empty() && beside) continue;
       judged = true;
       if (expected.empty()) {
-        if (auto failure = not_one_motion(at, piece, at.body().modes)) return *failure;
+        if (auto failure = not_one_motion(at, cells, piece, at.body().modes)) return *failure;
       }
       for (const MechanismMode& mode : expected) {
-        if (auto failure = not_one_motion(at, piece, {mode})) return *failure;
+        if (auto failure = not_one_motion(at, cells, piece, {mode})) return *failure;
       }
     }
     if (!where.valued()) return ClaimJudge::undecided();

@@ -116,16 +116,20 @@ std::unique_ptr<SolvedSample> SolvedSample::under(const CompiledSetting& other) 
   sample->motions_ = motions_;
   sample->domain_ = domain_;
   sample->cells_ = cells_;
+  sample->named_ = named_;
   return sample;
 }
 
-const std::vector<LoadCell>& SolvedSample::cells() {
-  if (!cells_) cells_ = std::make_shared<const std::vector<LoadCell>>(cells_told(Told::modes));
+const std::vector<LoadCell>& SolvedSample::cells(const std::vector<MechanismMode>& named) {
+  if (!cells_ || (!motions().all_tried() && named != named_)) {
+    cells_ = std::make_shared<const std::vector<LoadCell>>(cells_told(Told::modes, named));
+    named_ = named;
+  }
   return *cells_;
 }
 
-std::vector<LoadCell> SolvedSample::cells_told(Told told) {
-  std::vector<LoadCell> cells = motions().cells(told);
+std::vector<LoadCell> SolvedSample::cells_told(Told told, const std::vector<MechanismMode>& named) {
+  std::vector<LoadCell> cells = motions().cells(told, named);
   const bool same = load_ == Affine<Rational>(0, 1);
   for (LoadCell& cell : cells) {
     if (same) break;

@@ -40,10 +40,11 @@ class SolvedSample {
   Rational load(const Rational& x) const { return load_.at(x); }
   /// Converts loads to values of the force variable.
   ForceInterval in_variable(const ForceInterval& loads) const;
-  /// The partition of the line of the force variable; motions have modes only. Made at the first call.
-  const std::vector<LoadCell>& cells();
+  /// The partition of the line of the force variable; motions have modes only, all or at least the named ones that they
+  /// have. Made at the first call, and, where not all modes are tried, whenever other modes are named.
+  const std::vector<LoadCell>& cells(const std::vector<MechanismMode>& named = {});
   /// The same with the motions' numbers; made anew at each call.
-  std::vector<LoadCell> cells_with_numbers() { return cells_told(Told::numbers); }
+  std::vector<LoadCell> cells_with_numbers() { return cells_told(Told::numbers, {}); }
   /// The equations that hold in every mode without an open contact; for a mode, also the equations of its states.
   LinearRows equations(const std::optional<MechanismMode>& mode);
   /// The domain of the force variable.
@@ -78,7 +79,7 @@ class SolvedSample {
   SolvedSample(const CompiledSetting& setting, std::vector<Rational> values);
   bool read_scene();
   bool read_load();
-  std::vector<LoadCell> cells_told(Told told);
+  std::vector<LoadCell> cells_told(Told told, const std::vector<MechanismMode>& named);
   void put_in_variable(MotionOverLoads& motion) const;
 
   const CompiledSetting* setting_;
@@ -92,6 +93,7 @@ class SolvedSample {
   std::shared_ptr<const MotionsOverLoads> motions_;
   std::optional<ForceInterval> domain_;
   std::shared_ptr<const std::vector<LoadCell>> cells_;
+  std::vector<MechanismMode> named_;  ///< in cells_
 };
 
 /// The forms of a mode's quantities, in the order of Setting::quantities().

@@ -183,6 +183,18 @@ bool has_too_many_to_try(const FrictionProblem& problem) {
   return mode_count(kinds_of(problem)) > max_tried;
 }
 
+std::optional<ModesOf> every_mode(const FrictionProblem& problem, const std::optional<Rational>& load) {
+  if (!has_too_many_to_try(problem)) return modes_of(problem, load);
+  const bool over_loads = problem.has_load && !load;
+  if (mode_count(kinds_of(problem)) > (over_loads ? max_listed_over_loads : max_listed)) return std::nullopt;
+  try {
+    Effort effort(kinematic_effort);
+    return ModeSolver(problem, load).all(&effort);
+  } catch (const TooMuchWork&) {
+    return std::nullopt;
+  }
+}
+
 std::vector<ConsistentMode> consistent_modes(const FrictionProblem& problem, const std::optional<Rational>& load) {
   if (!has_too_many_to_try(problem)) return ModeSolver(problem, load).consistent();
   Effort effort(kinematic_effort);

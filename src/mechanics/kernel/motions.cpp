@@ -1,6 +1,7 @@
 #include "mechanics/kernel/motions.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <list>
 #include <map>
 #include <utility>
@@ -45,6 +46,7 @@ MotionsAtLoad gather(const FrictionProblem& problem, const std::vector<Consisten
         for (std::size_t k = 0; k < forces.size(); ++k) widen(found.forces[k], forces[k]);
       }
     }
+    for (const std::size_t i : motion.within) found.continua.push_back(consistent[i].mode);
   }
   for (const std::size_t i : merged.continua) {
     const ConsistentMode& mode = consistent[i];
@@ -66,13 +68,20 @@ std::vector<MechanismMode> hysteresis(const FrictionProblem& problem, const Moti
   if (found.motions.size() < 2 || !found.continua.empty()) return {};
   const auto lowered = without_hysteresis(problem);
   if (!lowered) return {};
-  const std::vector<ConsistentMode> lower_modes = ModeSolver(*lowered, load).consistent();
-  const MotionsAtLoad left = gather(*lowered, lower_modes);
+  const MergedModes left = merge(*lowered, consistent_modes(*lowered, load));
   if (left.motions.size() != 1 || !left.continua.empty()) return {};
   std::vector<MechanismMode> gone = modes_with_motions(consistent);
-  const std::vector<MechanismMode> stay = modes_with_motions(lower_modes);
+  const std::vector<MechanismMode> stay =
+      modes_with_motions(ModeSolver(*lowered, load, states_in(gone, problem.elements.size())).consistent_among(gone));
   std::erase_if(gone, [&](const auto& mode) { return std::find(stay.begin(), stay.end(), mode) != stay.end(); });
   return gone;
+}
+
+MotionsAtLoad gather_with_hysteresis(const FrictionProblem& problem, const std::vector<ConsistentMode>& consistent,
+                                     const std::optional<Rational>& load) {
+  MotionsAtLoad result = gather(problem, consistent);
+  result.hysteresis = hysteresis(problem, result, consistent, load);
+  return result;
 }
 
 /// The cells of the loads, from the modes.
@@ -186,21 +195,20 @@ class Cells {
       add_motion(result, first, loads.is_point() ? at_point.emplace_back(problem_, std::move(here)).of_cells : mode,
                  strict);
     }
-    if (!continua.empty()) leave_out_contained(result, first, continua, load);
+    if (!continua.empty()) add_continua(result, first, continua, load);
     return result;
   }
 
-  void leave_out_contained(LoadCell& cell, const std::vector<const ModeOfCells*>& first,
-                           const std::vector<Polyhedron>& continua, const Rational& load) const {
-    std::vector<MotionOverLoads> left;
+  /// To each motion, the continua that contain it.
+  void add_continua(LoadCell& cell, const std::vector<const ModeOfCells*>& first,
+                    const std::vector<Polyhedron>& continua, const Rational& load) const {
     for (std::size_t k = 0; k < cell.motions.size(); ++k) {
       const std::vector<Rational> accelerations = first[k]->accelerations_at(load);
-      const bool contained = std::any_of(continua.begin(), continua.end(), [&](const Polyhedron& solutions) {
-        return contains(problem_, solutions, accelerations, nullptr);
-      });
-      if (!contained) left.push_back(std::move(cell.motions[k]));
+      for (std::size_t i = 0; i < continua.size(); ++i) {
+        if (contains(problem_, continua[i], accelerations, nullptr))
+          cell.motions[k].continua.push_back(cell.continua[i]);
+      }
     }
-    cell.motions = std::move(left);
   }
 
   /// A mode's motion, or the mode to those of the same motion; forces that differ among them are undetermined.
@@ -256,6 +264,15 @@ std::vector<MechanismMode> MotionAtLoad::all_modes() const {
   return all;
 }
 
+std::vector<MechanismMode> modes_in(const MotionsAtLoad& found, const ContinuumAtLoad& continuum) {
+  std::vector<MechanismMode> inside;
+  for (const MotionAtLoad& motion : found.motions) {
+    if (std::ranges::find(motion.continua, continuum.mode) != motion.continua.end())
+      std::ranges::move(motion.all_modes(), std::back_inserter(inside));
+  }
+  return inside;
+}
+
 std::optional<FrictionProblem> without_hysteresis(const FrictionProblem& problem) {
   FrictionProblem result = problem;
   bool differs = false;
@@ -278,34 +295,34 @@ MergedModes merge(const FrictionProblem& problem, const std::vector<ConsistentMo
     }
     std::vector<Rational> accelerations = at_origin(consistent[i].solutions.space, problem.accelerations);
     const auto [place, is_new] = places.emplace(accelerations, result.motions.size());
-    if (is_new) result.motions.push_back({std::move(accelerations), {}});
+    if (is_new) result.motions.push_back({std::move(accelerations), {}, {}});
     result.motions[place->second].modes.push_back(i);
   }
-  std::erase_if(result.motions, [&](const MergedModes::Motion& motion) {
-    return std::any_of(result.continua.begin(), result.continua.end(), [&](std::size_t i) {
-      return contains(problem, consistent[i].solutions, motion.accelerations, effort);
-    });
-  });
+  for (MergedModes::Motion& motion : result.motions) {
+    for (const std::size_t i : result.continua) {
+      if (contains(problem, consistent[i].solutions, motion.accelerations, effort)) motion.within.push_back(i);
+    }
+  }
   return result;
 }
 
-MotionsAtLoad motions_of(const FrictionProblem& problem, const std::optional<Rational>& load) {
+MotionsAtLoad motions_of(const FrictionProblem& problem, const std::optional<Rational>& load, Listing listing) {
   const FrictionProblem solved = without_equations(problem);
-  if (has_too_many_to_try(solved)) {
-    Effort effort(kinematic_effort);
-    return motions_by_kinematics(solved, load, effort);
+  if (listing == Listing::modes || !has_too_many_to_try(solved)) {
+    if (auto modes = every_mode(solved, load)) {
+      MotionsAtLoad result = gather_with_hysteresis(solved, modes->consistent, load);
+      result.rejected = std::move(modes->rejected);
+      return result;
+    }
   }
-  ModesOf modes = modes_of(solved, load);
-  MotionsAtLoad result = gather(solved, modes.consistent);
-  result.hysteresis = hysteresis(solved, result, modes.consistent, load);
-  result.rejected = std::move(modes.rejected);
-  return result;
+  Effort effort(kinematic_effort);
+  return motions_by_kinematics(solved, load, effort);
 }
 
 MotionsAtLoad motions_by_kinematics(const FrictionProblem& problem, const std::optional<Rational>& load,
                                     Effort& effort) {
   const FrictionProblem solved = without_equations(problem);
-  MotionsAtLoad result = gather(solved, kinematic_modes(solved, load, effort));
+  MotionsAtLoad result = gather_with_hysteresis(solved, kinematic_modes(solved, load, effort), load);
   result.by_kinematics = true;
   return result;
 }

@@ -18,6 +18,7 @@ struct MotionAtLoad {
   std::vector<MechanismMode> boundary_modes;  ///< the others
   std::vector<Rational> accelerations;        ///< in the order of FrictionProblem::accelerations
   std::vector<Range> forces;                  ///< of FrictionProblem::forces, over all of its modes
+  std::vector<MechanismMode> continua;        ///< modes of the continua that contain it
 
   bool strict() const { return !modes.empty(); }
   /// Those of both lists.
@@ -31,21 +32,24 @@ struct ContinuumAtLoad {
 };
 
 struct MotionsAtLoad {
-  std::vector<MotionAtLoad> motions;  ///< those that no continuum contains
+  std::vector<MotionAtLoad> motions;  ///< of all modes with one motion, alone or in a continuum
   std::vector<ContinuumAtLoad> continua;
   std::vector<RejectedMode> rejected;
-  /// The modes were not all tried: of each motion one mode is told, and none of those that were rejected.
+  /// The modes were not all tried: some boundary modes of each motion are missing, and all that are rejected.
   bool by_kinematics = false;
   /// Several motions that are one where each static limit is the kinetic one: the modes that there are no more then.
   std::vector<MechanismMode> hysteresis;
 };
 
-/// The modes at one load, merged: motions, each with the indices of its modes, and continua. A motion within a
-/// continuum is not listed separately.
+/// All modes of the motions that a continuum contains.
+std::vector<MechanismMode> modes_in(const MotionsAtLoad& found, const ContinuumAtLoad& continuum);
+
+/// The modes at one load, merged: motions, each with the indices of its modes and of the continua that contain it, and
+/// continua.
 struct MergedModes {
   struct Motion {
     std::vector<Rational> accelerations;
-    std::vector<std::size_t> modes;
+    std::vector<std::size_t> modes, within;
   };
   std::vector<Motion> motions;
   std::vector<std::size_t> continua;
@@ -54,9 +58,16 @@ struct MergedModes {
 MergedModes merge(const FrictionProblem& problem, const std::vector<ConsistentMode>& consistent,
                   Effort* effort = nullptr);
 
-/// All motions at a load, which need not be of the domain; a problem without a load takes none. By kinematics where
-/// there are too many modes to try (kinematic_modes.hpp); throws TooMuchWork beyond its effort.
-MotionsAtLoad motions_of(const FrictionProblem& problem, const std::optional<Rational>& load);
+/// What is found of more than max_tried modes (kinematic_modes.hpp).
+enum class Listing : std::uint8_t {
+  motions,  ///< every motion, by kinematics, with some of its modes
+  modes     ///< every mode, if every_mode() has them; if not, as before
+};
+
+/// All motions at a load, which need not be of the domain; a problem without a load takes none. Throws TooMuchWork
+/// beyond kinematic_effort.
+MotionsAtLoad motions_of(const FrictionProblem& problem, const std::optional<Rational>& load,
+                         Listing listing = Listing::motions);
 
 /// The same by kinematics (kinematic_modes.hpp), for any number of modes. Throws TooMuchWork beyond the effort.
 MotionsAtLoad motions_by_kinematics(const FrictionProblem& problem, const std::optional<Rational>& load,
@@ -71,6 +82,7 @@ struct MotionOverLoads {
   std::vector<MechanismMode> modes, boundary_modes;
   std::vector<Affine<Rational>> accelerations;          ///< of the load
   std::vector<std::optional<Affine<Rational>>> forces;  ///< nothing where one is undetermined
+  std::vector<MechanismMode> continua;                  ///< modes of the continua that contain it
 };
 
 /// Loads with the same motions: a point, or an open interval.

@@ -14,12 +14,9 @@ namespace {
 class KernelMotions final : public MotionsOverLoads {
  public:
   KernelMotions(FrictionProblem problem, const std::optional<std::vector<MechanismMode>>& only)
-      : problem_(without_equations(problem)) {
+      : problem_(without_equations(problem)), kinds_(kinds_of(problem_)) {
     if (only) {
-      std::vector<MechanismMode> modelled = *only;
-      std::erase_if(modelled, [&](const MechanismMode& mode) { return !is_modelled(mode); });
-      consistent_ =
-          ModeSolver(problem_, std::nullopt, states_in(modelled, problem_.elements.size())).consistent_among(modelled);
+      consistent_ = consistent_among(*only);
     } else {
       consistent_ = consistent_modes(problem_, std::nullopt);
       all_tried_ = !has_too_many_to_try(problem_);
@@ -44,9 +41,27 @@ class KernelMotions final : public MotionsOverLoads {
     return entry->second ? &*entry->second : nullptr;
   }
 
-  std::vector<LoadCell> cells(Told told) const override { return cells_of(problem_, consistent_, told); }
+  std::vector<LoadCell> cells(Told told, const std::vector<MechanismMode>& named) const override {
+    if (all_tried_ || named.empty()) return cells_of(problem_, consistent_, told);
+    std::vector<MechanismMode> more = named;
+    std::erase_if(more, [&](const MechanismMode& mode) { return consistent(mode) != nullptr; });
+    std::vector<ConsistentMode> modes = consistent_among(std::move(more));
+    modes.insert(modes.begin(), consistent_.begin(), consistent_.end());
+    return cells_of(problem_, modes, told);
+  }
+
+  bool all_tried() const override { return all_tried_; }
 
  private:
+  /// Those of some modes that are modelled and have solutions, each once.
+  std::vector<ConsistentMode> consistent_among(std::vector<MechanismMode> modes) const {
+    std::erase_if(modes, [&](const MechanismMode& mode) { return !is_modelled(mode); });
+    std::ranges::sort(modes);
+    const auto twice = std::ranges::unique(modes);
+    modes.erase(twice.begin(), twice.end());
+    return ModeSolver(problem_, std::nullopt, states_in(modes, problem_.elements.size())).consistent_among(modes);
+  }
+
   /// Null for a mode that was not found.
   const ConsistentMode* consistent(const MechanismMode& mode) const {
     const auto found = std::ranges::find(consistent_, mode, &ConsistentMode::mode);
@@ -118,9 +133,10 @@ class KernelMotions final : public MotionsOverLoads {
     std::vector<std::size_t> free_;
   };
 
-  bool is_modelled(const MechanismMode& mode) const { return has_mode(kinds_of(problem_), mode); }
+  bool is_modelled(const MechanismMode& mode) const { return has_mode(kinds_, mode); }
 
   FrictionProblem problem_;
+  std::vector<ElementKind> kinds_;
   std::vector<ConsistentMode> consistent_;
   std::vector<ForceInterval> strict_;
   bool all_tried_ = true;

@@ -34,7 +34,12 @@ class MotionsOverLoads {
   /// Null if its equations have no solution at any load. Computed at the first call for a mode.
   virtual const ModeForms* forms(const MechanismMode& mode) const = 0;
   /// The loads of the domain as points and open intervals, from below, in each of which the motions are the same modes.
-  virtual std::vector<LoadCell> cells(Told told = Told::numbers) const = 0;
+  /// Where not all modes are tried (kinematic_modes.hpp) each motion has those of its modes that kinematics finds, and
+  /// those that are `named`.
+  virtual std::vector<LoadCell> cells(Told told = Told::numbers,
+                                      const std::vector<MechanismMode>& named = {}) const = 0;
+  /// Whether all modes are tried, so that no mode need be named.
+  virtual bool all_tried() const = 0;
 };
 
 /// Uses the kernel. Without `only`, solves all modes, at most max_modes. With `only`, solves these modes and no others;

@@ -23,7 +23,8 @@ std::vector<LoadCell> all_cells(const FrictionProblem& problem) {
   MotionsAtLoad found = motions_of(problem, std::nullopt);
   LoadCell cell;
   for (MotionAtLoad& motion : found.motions) {
-    cell.motions.push_back({std::move(motion.modes), std::move(motion.boundary_modes), {}, {}});
+    cell.motions.push_back(
+        {std::move(motion.modes), std::move(motion.boundary_modes), {}, {}, std::move(motion.continua)});
   }
   for (ContinuumAtLoad& continuum : found.continua) cell.continua.push_back(std::move(continuum.mode));
   return {std::move(cell)};

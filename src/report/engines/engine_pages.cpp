@@ -231,7 +231,8 @@ class EnginePages {
   }
 
   static std::string motions_text(const MotionsAtLoad& found) {
-    return std::to_string(found.motions.size()) + (found.continua.empty() ? "" : ", continuum");
+    const auto alone = std::ranges::count_if(found.motions, [](const auto& motion) { return motion.continua.empty(); });
+    return std::to_string(alone) + (found.continua.empty() ? "" : ", continuum");
   }
 
   static ReportCell cell_of(const EngineScene& scene, const std::string& engine, const std::string& asked,

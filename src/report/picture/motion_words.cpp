@@ -65,6 +65,20 @@ std::string NumberWords::range(const Range& range) const {
   return (exact ? "in " : "in ≈ ") + ends;
 }
 
+std::string counted_motions(const MotionsAtLoad& found) {
+  const std::size_t continua = found.continua.size();
+  if (continua == 0) return counted(found.motions.size(), "motion");
+  const auto alone = static_cast<std::size_t>(std::ranges::count_if(
+      found.motions, [](const MotionAtLoad& motion) { return motion.continua.empty(); }));
+  const std::size_t inside = found.motions.size() - alone;
+  std::string text = alone > 0 ? counted(alone, "motion") + ", " : "";
+  text += continua == 1 ? "1 continuum of motions" : fmt::format("{} continua of motions", continua);
+  if (inside > 0) {
+    text += fmt::format(", with {} of other modes in {}", counted(inside, "motion"), continua == 1 ? "it" : "them");
+  }
+  return text;
+}
+
 std::vector<Range> shown_numbers(const MechanismScene& scene, const MotionAtLoad* motion) {
   std::vector<Range> shown;
   if (motion != nullptr) shown = motion->forces;

@@ -30,6 +30,9 @@ class NumberWords {
   bool fractions_ = true;
 };
 
+/// `2 motions`; `1 continuum of motions, with 2 motions of other modes in it`; `1 motion, 2 continua of motions`.
+std::string counted_motions(const MotionsAtLoad& found);
+
 /// The load, and the forces of a motion: what its picture shows.
 std::vector<Range> shown_numbers(const MechanismScene& scene, const MotionAtLoad* motion);
 

@@ -24,8 +24,9 @@ class MotionsPicture {
   MotionsPicture(const Element& svg, const MechanismScene& scene, const MotionsAtLoad& found)
       : svg_(svg),
         scene_(scene),
+        count_(found.motions.empty() && found.continua.empty() ? "no motion" : counted_motions(found)),
         motions_(drawn_motions(found)),
-        strict_(found.motions.size()),
+        single_(found.motions.size()),
         look_(common_look(scene, motions_)) {}
 
   void draw() {
@@ -51,16 +52,13 @@ class MotionsPicture {
   std::size_t panels() const { return std::max<std::size_t>(motions_.size(), 1); }
 
   std::string below_title() const {
-    const std::size_t continua = motions_.size() - strict_;
     std::vector<std::string> parts;
     if (scene_.mechanism.load && scene_.load) {
       const std::string& unit = scene_.mechanism.load->unit;
       parts.push_back(plain_symbol(scene_.mechanism.load->symbol) + " " + look_.numbers->value(*scene_.load) +
                       (unit.empty() || unit == "1" ? "" : " " + unit));
     }
-    if (strict_ > 0 || continua == 0) parts.push_back(strict_ == 0 ? "no motion" : counted(strict_, "motion"));
-    if (continua > 0)
-      parts.push_back(continua == 1 ? "a continuum of motions" : fmt::format("{} continua of motions", continua));
+    parts.push_back(count_);
     return fmt::format("{}", fmt::join(parts, ", "));
   }
 
@@ -79,7 +77,7 @@ class MotionsPicture {
     const MotionAtLoad* motion = i < motions_.size() ? &motions_[i] : nullptr;
     std::string title = "no motion";
     if (motion != nullptr) {
-      title = fmt::format("{}: {}{}", i + 1, modes_text(*motion), i < strict_ ? "" : " (continuum)");
+      title = fmt::format("{}: {}{}", i + 1, modes_text(*motion), i < single_ ? "" : " (continuum)");
       text({at[0], at[1] + 16}, 16, "ink", title);
       if (bicycle()) text({at[0], at[1] + 36}, 13, "soft", in_words(*motion));
     }
@@ -94,8 +92,9 @@ class MotionsPicture {
 
   const Element svg_;
   const MechanismScene& scene_;
+  const std::string count_;
   const std::vector<MotionAtLoad> motions_;
-  const std::size_t strict_;
+  const std::size_t single_;  ///< of motions_, those before the continua
   const CommonLook look_;
 };
 

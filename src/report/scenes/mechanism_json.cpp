@@ -25,10 +25,14 @@ class SolveDocument {
     document["load"] = load();
     document["notes"] = solved_.scene.notes;
     document["by_kinematics"] = solved_.by_kinematics;
+    document["complete"] = !solved_.by_kinematics;
     document["every_q"] = every_load_json(solved_.for_every_q);
     if (solved_.at_load) put_motions(document, mechanism_, *solved_.at_load);
     document["not_modelled"] = not_modelled();
-    if (mechanism_.load) document["ranges"] = ranges();
+    if (mechanism_.load) {
+      document["ranges"] = ranges();
+      document["ranges_complete"] = solved_.ranges_complete;
+    }
     if (!solved_.at_load) document["cells"] = cells();
     return document;
   }

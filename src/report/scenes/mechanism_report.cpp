@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "base/input/diagnostic.hpp"
@@ -11,6 +12,7 @@
 #include "contact/problem/every_push.hpp"
 #include "mechanics/kernel/kinematic_modes.hpp"
 #include "mechanics/mechanism/words.hpp"
+#include "report/picture/motion_words.hpp"
 #include "report/values/every_load.hpp"
 #include "report/values/number_text.hpp"
 
@@ -31,29 +33,43 @@ FrictionProblem checked_problem(const MechanismScene& scene) {
 }  // namespace
 
 SolvedMechanism::SolvedMechanism(MechanismScene given, bool with_every_q)
-    : scene(std::move(given)), problem(checked_problem(scene)), by_kinematics(has_too_many_to_try(problem)) {
+    : scene(std::move(given)), problem(checked_problem(scene)) {
   try {
     find_motions();
   } catch (const TooMuchWork&) {
     throw InputError({{scene.mechanism.file, 0, 0, too_many_modes(mode_count(kinds_of(problem)))}});
   }
-  if (by_kinematics || !with_every_q) return;
+  if (has_too_many_to_try(problem) || !with_every_q) return;
   if (const auto contacts = contact_problem(problem)) for_every_q = for_every_push(*contacts);
 }
 
 void SolvedMechanism::find_motions() {
-  if (problem.has_load) modes = consistent_modes(problem, std::nullopt);
+  if (problem.has_load) find_modes();
   if (problem.has_load && !scene.load) {
     cells = cells_of(problem, modes);
+    by_kinematics = !ranges_complete;
     return;
   }
-  at_load = motions_of(problem, scene.load);
+  at_load = motions_of(problem, scene.load, Listing::modes);
+  by_kinematics = at_load->by_kinematics;
+  if (has_too_many_to_try(problem)) return;
   // Modes that were excluded together share a reason. Solved alone, each has its own reason, which may be a single
   // condition.
   const ModeSolver solver(problem, scene.load);
   for (RejectedMode& rejected : at_load->rejected) {
     if (!rejected.margin) rejected = std::move(solver.one(rejected.mode).rejected.front());
   }
+}
+
+void SolvedMechanism::find_modes() {
+  if (has_too_many_to_try(problem)) {
+    if (auto all = every_mode(problem, std::nullopt)) {
+      modes = std::move(all->consistent);
+      return;
+    }
+    ranges_complete = false;
+  }
+  modes = consistent_modes(problem, std::nullopt);
 }
 
 namespace {
@@ -75,7 +91,9 @@ class SolveText {
                                           (modes < 1e15 ? counted(static_cast<std::size_t>(modes), "contact mode")
                                                         : fmt::format("{:.3g} contact modes", modes)));
     if (solved_.by_kinematics) {
-      document_.paragraph("Too many modes to try each: of each motion one is told, not those at its borders.");
+      document_.paragraph(
+          "Too many modes to try each: every motion is found, but not every mode at its border, and rejected modes are "
+          "not listed.");
     }
     if (solved_.at_load) {
       write_motions(*solved_.at_load);
@@ -93,16 +111,22 @@ class SolveText {
                          : "in " + to_string(ForceInterval::between(range.lower, true, range.upper, true))});
   }
 
+  /// As many names as a line holds, and how many more there are.
+  static std::string first_of(const std::vector<MechanismMode>& modes, std::string_view between) {
+    constexpr std::size_t shown = 8;
+    const std::size_t count = std::min(modes.size(), shown);
+    const auto name_of = [](const MechanismMode& mode) { return name(mode); };
+    return listed(std::vector(modes.begin(), modes.begin() + static_cast<std::ptrdiff_t>(count)), name_of, between) +
+           (modes.size() > count ? " and " + counted(modes.size() - count, "other") : "");
+  }
+
   void write_motion(Document& document, const MotionAtLoad& motion) const {
     Document& below = document.section(equal_modes(motion.strict() ? motion.modes : motion.boundary_modes) +
                                        (motion.strict() ? "  (strict)" : "  (boundary)"));
     if (motion.strict() && !motion.boundary_modes.empty()) {
-      constexpr std::size_t told = 8;
-      std::vector<MechanismMode> first = motion.boundary_modes;
-      if (first.size() > told) first.resize(told);
-      const std::size_t more = motion.boundary_modes.size() - first.size();
-      below.line("on the boundary of " + equal_modes(first) + (more > 0 ? " and " + counted(more, "other") : ""));
+      below.line("on the boundary of " + first_of(motion.boundary_modes, " = "));
     }
+    if (!motion.continua.empty()) below.line("in the continuum of " + first_of(motion.continua, ", in that of "));
     ReportTable& table = below.table({{"", ""}});
     for (std::size_t i = 0; i < accelerations_.size(); ++i) {
       table.row({accelerations_[i], number_text(motion.accelerations[i], digits_)});
@@ -110,40 +134,53 @@ class SolveText {
     for (std::size_t i = 0; i < forces_.size(); ++i) write_value(table, forces_[i], motion.forces[i]);
   }
 
-  void write_continuum(Document& document, const ContinuumAtLoad& continuum) const {
-    ReportTable& table = document
-                             .section(name(continuum.mode) + "  a continuum of motions " +
-                                      (continuum.strict ? "(strict)" : "(boundary)"))
-                             .table({{"", ""}});
+  void write_continuum(Document& document, const MotionsAtLoad& found, const ContinuumAtLoad& continuum) const {
+    Document& below = document.section(name(continuum.mode) + "  a continuum of motions " +
+                                       (continuum.strict ? "(strict)" : "(boundary)"));
+    const std::vector<MechanismMode> inside = modes_in(found, continuum);
+    if (!inside.empty()) below.line("contains the motions of " + first_of(inside, ", "));
+    ReportTable& table = below.table({{"", ""}});
     for (std::size_t i = 0; i < accelerations_.size(); ++i) {
       write_value(table, accelerations_[i], continuum.accelerations[i]);
     }
     for (std::size_t i = 0; i < forces_.size(); ++i) write_value(table, forces_[i], continuum.forces[i]);
   }
 
+  /// One by one, or, if that takes more than some pages, counted by what is violated.
+  void write_rejected(const std::vector<RejectedMode>& rejected) {
+    if (static_cast<double>(rejected.size()) > max_tried) return count_rejected(rejected);
+    ReportTable& table =
+        document_.section("Rejected, with what is violated", {0, 4}).table({{{"", false, 12}, {"", false, 14}, ""}});
+    for (const RejectedMode& mode : rejected) {
+      std::vector<ReportCell> cells{name(mode.mode), what_is_broken(mechanism_, mode)};
+      if (mode.margin) cells.emplace_back(number_text(*mode.margin, digits_));
+      table.row(std::move(cells));
+    }
+  }
+
+  void count_rejected(const std::vector<RejectedMode>& rejected) {
+    std::map<std::string, std::size_t> counts;
+    for (const RejectedMode& mode : rejected) ++counts[what_is_broken(mechanism_, mode)];
+    ReportTable& table = document_.section("Rejected, counted by what is violated (--json lists each)", {0, 4})
+                             .table({{{"", false, 14}, {"", true}}});
+    for (const auto& [broken, count] : counts) table.row({broken, counted(count, "mode")});
+  }
+
   void write_motions(const MotionsAtLoad& found) {
-    std::string heading = counted(found.motions.size(), "motion");
+    std::string heading = counted_motions(found);
     if (solved_.scene.load) {
       heading = fmt::format("{} = {} {}: {}", mechanism_.load->symbol, exact_text(*solved_.scene.load),
                             mechanism_.load->unit, heading);
     }
     Document& section = document_.section(heading);
     for (const MotionAtLoad& motion : found.motions) write_motion(section, motion);
-    for (const ContinuumAtLoad& continuum : found.continua) write_continuum(section, continuum);
+    for (const ContinuumAtLoad& continuum : found.continua) write_continuum(section, found, continuum);
     if (!found.hysteresis.empty()) {
       document_.paragraph(
           "Hysteresis: with the static coefficients as low as the kinetic ones one motion is left, without " +
           equal_modes(found.hysteresis));
     }
-    if (!found.rejected.empty()) {
-      ReportTable& table =
-          document_.section("Rejected, with what is violated", {0, 4}).table({{{"", false, 12}, {"", false, 14}, ""}});
-      for (const RejectedMode& mode : found.rejected) {
-        std::vector<ReportCell> cells{name(mode.mode), what_is_broken(mechanism_, mode)};
-        if (mode.margin) cells.emplace_back(number_text(*mode.margin, digits_));
-        table.row(std::move(cells));
-      }
-    }
+    if (!found.rejected.empty()) write_rejected(found.rejected);
     document_.line(every_load_line(solved_.for_every_q));
     const auto strict =
         std::count_if(found.motions.begin(), found.motions.end(), [](const auto& m) { return m.strict(); });

@@ -14,14 +14,15 @@ namespace slipproof {
 
 /// A scene of a mechanism with all results about its motions.
 struct SolvedMechanism {
-  /// Where there are too many modes to try, motions are found by kinematics (kinematic_modes.hpp). Throws InputError if
-  /// that takes more than some seconds, or if a coefficient has no value. Without `with_every_q`, for_every_q stays
-  /// empty: it may take most of the time.
+  /// Finds every mode, or, where there are too many to try, every motion by kinematics (kinematic_modes.hpp). Throws
+  /// InputError if that takes more than some seconds, or if a coefficient has no value. Without `with_every_q`,
+  /// for_every_q stays empty: it may take most of the time.
   explicit SolvedMechanism(MechanismScene given, bool with_every_q = true);
 
   MechanismScene scene;
   FrictionProblem problem;               ///< with its equations solved
-  bool by_kinematics = false;            ///< of each motion one mode is told, and no rejected modes
+  bool by_kinematics = false;            ///< boundary modes of the motions found are missing, and rejected modes
+  bool ranges_complete = true;           ///< whether `modes` and `cells` have all modes
   std::vector<ConsistentMode> modes;     ///< for all loads; empty for a mechanism without a load
   std::optional<MotionsAtLoad> at_load;  ///< if the load has a value, or the mechanism has no load
   std::vector<LoadCell> cells;           ///< if the load has no value
@@ -29,6 +30,7 @@ struct SolvedMechanism {
 
  private:
   void find_motions();
+  void find_modes();
 };
 
 /// What the report says first of a scene: the title, its notes, and the parts of it that are not modelled.

@@ -21,7 +21,7 @@ class MotionsDocument {
   void put(Json& document, const MotionsAtLoad& found) const {
     Json motions = Json::array(), continua = Json::array(), rejected = Json::array();
     for (const MotionAtLoad& motion : found.motions) motions.push_back(motion_json(motion));
-    for (const ContinuumAtLoad& continuum : found.continua) continua.push_back(continuum_json(continuum));
+    for (const ContinuumAtLoad& continuum : found.continua) continua.push_back(continuum_json(found, continuum));
     for (const RejectedMode& mode : found.rejected) rejected.push_back(rejected_json(mode));
     document["motions"] = std::move(motions);
     document["hysteresis"] = names_json(found.hysteresis);
@@ -47,10 +47,11 @@ class MotionsDocument {
             {"status", motion.strict() ? "strict" : "boundary"},
             {"accelerations", std::move(accelerations)},
             {"forces", std::move(forces)},
-            {"force_ranges", std::move(undetermined)}};
+            {"force_ranges", std::move(undetermined)},
+            {"continua", names_json(motion.continua)}};
   }
 
-  Json continuum_json(const ContinuumAtLoad& continuum) const {
+  Json continuum_json(const MotionsAtLoad& found, const ContinuumAtLoad& continuum) const {
     Json ranges = Json::object();
     for (std::size_t i = 0; i < accelerations_.size(); ++i) {
       ranges[accelerations_[i]] = range_json(continuum.accelerations[i]);
@@ -58,7 +59,8 @@ class MotionsDocument {
     for (std::size_t i = 0; i < forces_.size(); ++i) ranges[forces_[i]] = range_json(continuum.forces[i]);
     return {{"mode", name(continuum.mode)},
             {"status", continuum.strict ? "strict" : "boundary"},
-            {"ranges", std::move(ranges)}};
+            {"ranges", std::move(ranges)},
+            {"modes_inside", names_json(modes_in(found, continuum))}};
   }
 
   Json rejected_json(const RejectedMode& mode) const {
@@ -92,7 +94,9 @@ Json cell_json(const LoadCell& cell) {
   Json entry, motions = Json::array();
   put_interval(entry, "load", cell.loads);
   for (const MotionOverLoads& motion : cell.motions) {
-    motions.push_back({{"modes", names_json(motion.modes)}, {"boundary_modes", names_json(motion.boundary_modes)}});
+    motions.push_back({{"modes", names_json(motion.modes)},
+                       {"boundary_modes", names_json(motion.boundary_modes)},
+                       {"continua", names_json(motion.continua)}});
   }
   entry["motions"] = std::move(motions);
   entry["continua"] = names_json(cell.continua);
