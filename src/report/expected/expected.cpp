@@ -22,7 +22,7 @@ ExpectedAnswer expected_answer(MechanismScene scene, const std::string& id) {
       throw InputError({{m.file, 0, 0, id + ": [threshold]: " + error.what()}});
     }
   }
-  return {id, SolvedMechanism(std::move(scene)), std::move(changes)};
+  return {id, SolvedMechanism(std::move(scene), true, Listing::motions), std::move(changes)};
 }
 
 }  // namespace slipproof

@@ -135,7 +135,7 @@ Json pictures_of(const SolvedMechanism& solved) {
 }
 
 Json motions_answer(const MechanismScene& scene, const std::string& text, bool ranges, bool with_every_q) {
-  const SolvedMechanism solved(scene, with_every_q);
+  const SolvedMechanism solved(scene, with_every_q, Listing::motions);  // quickly, as values are dragged
   Json answer;
   answer["scene"] = text;
   answer["name"] = scene.name;

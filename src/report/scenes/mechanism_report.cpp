@@ -32,10 +32,10 @@ FrictionProblem checked_problem(const MechanismScene& scene) {
 
 }  // namespace
 
-SolvedMechanism::SolvedMechanism(MechanismScene given, bool with_every_q)
+SolvedMechanism::SolvedMechanism(MechanismScene given, bool with_every_q, Listing listing)
     : scene(std::move(given)), problem(checked_problem(scene)) {
   try {
-    find_motions();
+    find_motions(listing);
   } catch (const TooMuchWork&) {
     throw InputError({{scene.mechanism.file, 0, 0, too_many_modes(mode_count(kinds_of(problem)))}});
   }
@@ -43,14 +43,14 @@ SolvedMechanism::SolvedMechanism(MechanismScene given, bool with_every_q)
   if (const auto contacts = contact_problem(problem)) for_every_q = for_every_push(*contacts);
 }
 
-void SolvedMechanism::find_motions() {
-  if (problem.has_load) find_modes();
+void SolvedMechanism::find_motions(Listing listing) {
+  if (problem.has_load) find_modes(listing);
   if (problem.has_load && !scene.load) {
     cells = cells_of(problem, modes);
     by_kinematics = !ranges_complete;
     return;
   }
-  at_load = motions_of(problem, scene.load, Listing::modes);
+  at_load = motions_of(problem, scene.load, listing);
   by_kinematics = at_load->by_kinematics;
   if (has_too_many_to_try(problem)) return;
   // Modes that were excluded together share a reason. Solved alone, each has its own reason, which may be a single
@@ -61,15 +61,13 @@ void SolvedMechanism::find_motions() {
   }
 }
 
-void SolvedMechanism::find_modes() {
+void SolvedMechanism::find_modes(Listing listing) {
+  std::optional<ModesOf> all;
   if (has_too_many_to_try(problem)) {
-    if (auto all = every_mode(problem, std::nullopt)) {
-      modes = std::move(all->consistent);
-      return;
-    }
-    ranges_complete = false;
+    if (listing == Listing::modes) all = every_mode(problem, std::nullopt);
+    ranges_complete = all.has_value();
   }
-  modes = consistent_modes(problem, std::nullopt);
+  modes = all ? std::move(all->consistent) : consistent_modes(problem, std::nullopt);
 }
 
 namespace {

@@ -14,10 +14,10 @@ namespace slipproof {
 
 /// A scene of a mechanism with all results about its motions.
 struct SolvedMechanism {
-  /// Finds every mode, or, where there are too many to try, every motion by kinematics (kinematic_modes.hpp). Throws
-  /// InputError if that takes more than some seconds, or if a coefficient has no value. Without `with_every_q`,
-  /// for_every_q stays empty: it may take most of the time.
-  explicit SolvedMechanism(MechanismScene given, bool with_every_q = true);
+  /// Finds every mode, or, where there are too many to try or only motions are asked for, every motion by kinematics
+  /// (kinematic_modes.hpp). Throws InputError if that takes more than some seconds, or if a coefficient has no value.
+  /// Without `with_every_q`, for_every_q stays empty: it may take most of the time.
+  explicit SolvedMechanism(MechanismScene given, bool with_every_q = true, Listing listing = Listing::modes);
 
   MechanismScene scene;
   FrictionProblem problem;               ///< with its equations solved
@@ -29,8 +29,8 @@ struct SolvedMechanism {
   std::optional<EveryLoad> for_every_q;  ///< nothing if the theorem does not apply to the contacts
 
  private:
-  void find_motions();
-  void find_modes();
+  void find_motions(Listing listing);
+  void find_modes(Listing listing);
 };
 
 /// What the report says first of a scene: the title, its notes, and the parts of it that are not modelled.
