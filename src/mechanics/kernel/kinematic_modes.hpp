@@ -9,8 +9,8 @@
 // their states have, N >= 0, gap >= 0 and |S| <= mu N.
 //
 // Each motion is found, in a mode whose signs are those of its accelerations. Other modes that it has at their borders,
-// as a foot that lifts with gap 0, are not: there can be 4^n of them. every_mode() finds these, too, as long as they can
-// all be tried.
+// as a foot that lifts with gap 0, are not: there can be 4^n of them. every_mode() finds these, too, as long as they
+// can all be tried.
 #pragma once
 
 #include <optional>

@@ -68,8 +68,8 @@ std::string NumberWords::range(const Range& range) const {
 std::string counted_motions(const MotionsAtLoad& found) {
   const std::size_t continua = found.continua.size();
   if (continua == 0) return counted(found.motions.size(), "motion");
-  const auto alone = static_cast<std::size_t>(std::ranges::count_if(
-      found.motions, [](const MotionAtLoad& motion) { return motion.continua.empty(); }));
+  const auto alone = static_cast<std::size_t>(
+      std::ranges::count_if(found.motions, [](const MotionAtLoad& motion) { return motion.continua.empty(); }));
   const std::size_t inside = found.motions.size() - alone;
   std::string text = alone > 0 ? counted(alone, "motion") + ", " : "";
   text += continua == 1 ? "1 continuum of motions" : fmt::format("{} continua of motions", continua);

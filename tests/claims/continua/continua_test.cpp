@@ -1,5 +1,5 @@
-// Bodies with continua of motions: walls, wedges, redundant contacts, no mass. Every mode that brute force finds is told
-// by `solve`, in the cells over the loads, by `search` and in claims.
+// Bodies with continua of motions: walls, wedges, redundant contacts, no mass. Every mode that brute force finds is
+// told by `solve`, in the cells over the loads, by `search` and in claims.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -62,8 +62,8 @@ class BodyClaims {
   Outcome judged(const std::string& kind, Modes modes, bool strict, SolvedSample& sample) {
     const std::string id = (strict ? "strict." : "closed.") + kind;
     const std::size_t claim = index(id);
-    ClaimBody& body = kind == "unique" ? file_.claims[file_.claims[claim].printed.claims[0]].printed
-                                       : file_.claims[claim].printed;
+    ClaimBody& body =
+        kind == "unique" ? file_.claims[file_.claims[claim].printed.claims[0]].printed : file_.claims[claim].printed;
     body.modes = std::move(modes);
     return judge(file_, compiled_, claim, Reading::printed, sample).outcome;
   }
@@ -119,8 +119,7 @@ struct Counts {
 void check_solve(const MotionsAtLoad& found, const BruteMotions& there, Counts& counts) {
   CHECK(found.motions.size() == there.motions.size());
   for (const MotionAtLoad& motion : found.motions) {
-    const auto same =
-        there.motions.find(Accelerations(motion.accelerations.begin(), motion.accelerations.begin() + 3));
+    const auto same = there.motions.find(Accelerations(motion.accelerations.begin(), motion.accelerations.begin() + 3));
     REQUIRE(same != there.motions.end());
     CHECK(names_of(motion.modes) == same->second.modes);
     CHECK(names_of(motion.boundary_modes) == same->second.boundary_modes);
@@ -193,8 +192,7 @@ void check_claims(BodyClaims& claims, const Body& body, const Rational& load, co
     const Names& modes = !strict && motion.modes.empty() ? motion.boundary_modes : motion.modes;
     if (!modes.empty()) one_of_each.push_back(mode_named(*modes.rbegin()));
   }
-  const bool continuum =
-      std::ranges::any_of(there.continua, [&](const auto& mode) { return mode.second || !strict; });
+  const bool continuum = std::ranges::any_of(there.continua, [&](const auto& mode) { return mode.second || !strict; });
   const bool right = !continuum && !one_of_each.empty();
   if (!one_of_each.empty()) CHECK(outcome("motions", one_of_each) == (right ? Outcome::holds : Outcome::refuted));
   counts.right += right ? 1 : 0;
@@ -302,7 +300,8 @@ TEST_CASE("a body held between two walls: each of its 16 modes gets an answer, a
   REQUIRE(found.motions.size() == 2);
   REQUIRE(found.continua.size() == 1);
   CHECK(name(found.continua[0].mode) == "slip-/slip-");
-  const auto rests = std::ranges::find_if(found.motions, [](const auto& motion) { return motion.accelerations[1] == 0; });
+  const auto rests =
+      std::ranges::find_if(found.motions, [](const auto& motion) { return motion.accelerations[1] == 0; });
   REQUIRE(rests != found.motions.end());
   CHECK(names_of(rests->modes) == Names{"stick/stick"});
   CHECK(rests->continua.size() == 1);

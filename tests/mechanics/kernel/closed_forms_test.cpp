@@ -126,8 +126,12 @@ TEST_CASE("a plate without mass cannot be pulled harder than friction holds it")
   CHECK(loads_of(p) == Loads{{"stick", "[-5, 5]"}, {"slip+", "{-5}"}, {"slip-", "{5}"}});
   CHECK(only(p, Rational(4), "stick") == 4);
   const MotionsAtLoad torn = motions_of(p, Rational(5));
-  CHECK(torn.motions.empty());  // rest is the end of the continuum
   REQUIRE(torn.continua.size() == 1);
+  REQUIRE(torn.motions.size() == 1);  // rest is the end of the continuum
+  CHECK(torn.motions[0].accelerations[0] == 5);
+  CHECK_FALSE(torn.motions[0].strict());
+  CHECK(torn.motions[0].continua == std::vector<MechanismMode>{torn.continua[0].mode});
+  CHECK(modes_in(torn, torn.continua[0]) == torn.motions[0].boundary_modes);
   CHECK(torn.continua[0].accelerations[0] == Range{Rational(5), std::nullopt});
   CHECK(torn.continua[0].accelerations[1] == Range{Rational(5), Rational(5)});
   const MotionsAtLoad none = motions_of(p, Rational(6));

@@ -91,6 +91,39 @@ FrictionProblem random_body(test::RandomProblems& random, std::size_t contacts) 
   return p;
 }
 
+/// A block of weight 1 that is pushed along the floor, beside five others that are not pushed. Each has the unknowns x,
+/// y, N and S.
+FrictionProblem six_blocks(const Rational& mu_s, const Rational& mu_k, const Rational& push, int weight_of_others) {
+  FrictionProblem p;
+  p.unknowns = 24;
+  p.has_load = true;
+  const auto unit = [&](std::size_t i, const Rational& factor) {
+    AffineForm form{0, std::vector<Rational>(p.unknowns + 1)};
+    form.coefficients[i] = factor;
+    return form;
+  };
+  for (std::size_t i = 0; i < 24; i += 4) {
+    ProblemElement e;
+    e.kind.law = ElementKind::Law::coulomb;
+    e.slip = unit(i, 1), e.gap = unit(i + 1, 1), e.normal = unit(i + 2, 1), e.tangent = unit(i + 3, 1);
+    e.static_limit = unit(i + 2, mu_s), e.kinetic_limit = unit(i + 2, mu_k);
+    p.accelerations.insert(p.accelerations.end(), {e.slip, e.gap});
+    p.forces.insert(p.forces.end(), {e.normal, e.tangent});
+    p.equations.insert(p.equations.end(), {e.slip - e.tangent, e.gap - e.normal});
+    p.equations.back().constant = i == 0 ? 1 : weight_of_others;
+    p.elements.push_back(std::move(e));
+  }
+  p.equations[0].constant = -push;
+  p.equations[0].coefficients.back() = -1;
+  return p;
+}
+
+MechanismMode first_of_six(ElementState state, ElementState others = ElementState::stick) {
+  MechanismMode mode(6, others);
+  mode[0] = state;
+  return mode;
+}
+
 }  // namespace
 
 TEST_CASE("a body on two to seven contacts has the motions that all of its modes have") {
@@ -188,4 +221,43 @@ TEST_CASE("modes that were not tried are found when they are asked for") {
   mode.assign(6, ElementState::slip_forward);
   CHECK_FALSE(motions->find(mode)->closed->contains(Rational(1, 4)));
   CHECK(motions->find(mode)->strict->contains(Rational(3, 4)));
+}
+
+TEST_CASE("beyond 1024 modes hysteresis is told, and every rejected mode") {
+  const MechanismMode rests = first_of_six(ElementState::stick), slips = first_of_six(ElementState::slip_forward);
+  const FrictionProblem pushed = six_blocks(Rational(3, 4), Rational(1, 4), Rational(1, 2), 1);
+  REQUIRE(has_too_many_to_try(pushed));
+  const MotionsAtLoad by_kinematics = motions_of(pushed, Rational(0));
+  CHECK(by_kinematics.by_kinematics);
+  CHECK(by_kinematics.motions.size() == 2);
+  CHECK(by_kinematics.hysteresis == std::vector<MechanismMode>{rests});
+  const MotionsAtLoad all = motions_of(pushed, Rational(0), Listing::modes);
+  CHECK_FALSE(all.by_kinematics);
+  REQUIRE(all.motions.size() == 2);
+  CHECK(all.motions[0].modes == std::vector<MechanismMode>{rests});
+  CHECK(all.motions[1].modes == std::vector<MechanismMode>{slips});
+  CHECK(all.hysteresis == std::vector<MechanismMode>{rests});
+  CHECK(all.rejected.size() == 4094);
+}
+
+TEST_CASE("beyond 1024 modes every boundary mode is told, or those that are named") {
+  // What neither weighs nor is pushed stays where it is in all four states, each of them at its border.
+  const FrictionProblem at_rest = six_blocks(Rational(1, 2), Rational(1, 2), Rational(1, 4), 0);
+  const MotionsAtLoad all = motions_of(at_rest, Rational(0), Listing::modes);
+  REQUIRE(all.motions.size() == 1);
+  CHECK(all.motions[0].modes.empty());
+  CHECK(all.motions[0].boundary_modes.size() == 1024);
+  CHECK(all.rejected.size() == 3072);
+  const MechanismMode border = first_of_six(ElementState::stick, ElementState::lift);
+  const auto told = [&](const std::vector<MechanismMode>& named) {
+    for (const LoadCell& cell : motions_over_loads(at_rest)->cells(Told::modes, named)) {
+      if (!cell.loads.contains(0)) continue;
+      REQUIRE(cell.motions.size() == 1);
+      return std::ranges::count(cell.motions[0].boundary_modes, border) == 1;
+    }
+    return false;
+  };
+  CHECK(told({border}));
+  CHECK_FALSE(told({}));
+  CHECK_FALSE(told({first_of_six(ElementState::lift)}));
 }

@@ -152,11 +152,12 @@ NaiveMotions naively_gathered(const FrictionProblem& problem, const std::vector<
                               const std::optional<Rational>& load) {
   NaiveMotions result;
   for (const NaiveMode& mode : modes) add_mode(result, problem, mode, load);
-  std::erase_if(result.motions, [&](const auto& motion) {
-    return std::any_of(modes.begin(), modes.end(), [&](const NaiveMode& mode) {
-      return result.continua.count(mode.name) > 0 && naively_contains(problem, mode, motion.first, load);
-    });
-  });
+  for (auto& [accelerations, motion] : result.motions) {
+    for (const NaiveMode& mode : modes) {
+      if (result.continua.count(mode.name) > 0 && naively_contains(problem, mode, accelerations, load))
+        motion.continua.insert(mode.name);
+    }
+  }
   return result;
 }
 

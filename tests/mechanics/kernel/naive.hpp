@@ -25,7 +25,7 @@ struct NaiveMode {
 std::vector<NaiveMode> naive_modes(const FrictionProblem& problem);
 
 struct NaiveMotion {
-  std::set<std::string> modes, boundary_modes;
+  std::set<std::string> modes, boundary_modes, continua;
   std::vector<ForceInterval> forces;  ///< the least intervals that hold those of all of its modes
 };
 

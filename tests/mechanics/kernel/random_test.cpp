@@ -96,6 +96,7 @@ void check_motions(const FrictionProblem& problem, const std::vector<NaiveMode>&
     REQUIRE(same != expected.motions.end());
     CHECK(names_of(motion.modes) == same->second.modes);
     CHECK(names_of(motion.boundary_modes) == same->second.boundary_modes);
+    CHECK(names_of(motion.continua) == same->second.continua);
     check_forces(motion.forces, same->second.forces, counts);
     counts.boundary += motion.strict() ? 0 : 1;
   }
@@ -161,7 +162,8 @@ void check_cell(const FrictionProblem& solved, const LoadCell& cell, const Ratio
     const MotionOverLoads& motion = cell.motions[m];
     const auto same = std::find_if(at.motions.begin(), at.motions.end(), [&](const MotionAtLoad& other) {
       return names_of(other.modes) == names_of(motion.modes) &&
-             names_of(other.boundary_modes) == names_of(motion.boundary_modes);
+             names_of(other.boundary_modes) == names_of(motion.boundary_modes) &&
+             names_of(other.continua) == names_of(motion.continua);
     });
     REQUIRE(same != at.motions.end());
     for (std::size_t i = 0; i < motion.accelerations.size(); ++i) {
