@@ -106,10 +106,11 @@ class UniqueWriter {
       any_cell = any_cell ? make(Operation::logical_or, {any_cell, cells[i]}) : cells[i];
     }
     writer_.implied({".rest.cells", {}, {}}, any_cell);
-    for (std::size_t i = 0; i < claim_.modes.size(); ++i) {
-      for (std::size_t k = i; k < claim_.modes.size(); ++k) {
-        writer_.one_motion(fmt::format(".rest.one.{}-{}", i + 1, k + 1), common_,
-                           writer_.motion(claim_.modes[i], false), writer_.motion(claim_.modes[k], false));
+    std::vector<MotionText> motions;  // of 160 modes there are 12,880 pairs
+    for (const MechanismMode& mode : claim_.modes) motions.push_back(writer_.motion(mode, false));
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+      for (std::size_t k = i; k < motions.size(); ++k) {
+        writer_.one_motion(fmt::format(".rest.one.{}-{}", i + 1, k + 1), common_, motions[i], motions[k]);
       }
     }
   }

@@ -57,7 +57,7 @@ struct UniquenessAlong {
 };
 
 /// The largest number of modes that are followed along a line.
-inline constexpr std::size_t max_critical_modes = 32;
+inline constexpr std::size_t max_critical_modes = 128;
 
 /// Throws std::invalid_argument, with a message for people, if the scene has no such parameter or has more modes;
 /// NoValue if a coefficient of the scene itself has no value.

@@ -92,10 +92,11 @@ void name_certificates(ClaimResult& claim, const Found& found) {
 
 void add_certificates(const ClaimsFile& file, ClaimResult& claim, Certificates& certificates) {
   const Claim& stated = file.claims[claim.claim];
-  const Found proof = find(claim_statements(file, stated, claim.reading), certificates);
+  const std::vector<NamedStatement> statements = claim_statements(file, stated, claim.reading);
+  const Found proof = find(statements, certificates);
   Found refutation = find(claim_refutation(file, stated, claim.reading), certificates);
   if (!refutation.proved) {
-    Found counterexample = find_counterexample(claim_statements(file, stated, claim.reading), certificates);
+    Found counterexample = find_counterexample(statements, certificates);
     if (counterexample.proved) refutation = std::move(counterexample);
   }
   // For the direction that the file asks for, all statements count; for the other, only if the folder has some.
