@@ -232,7 +232,8 @@ class EnginePages {
 
   static std::string motions_text(const MotionsAtLoad& found) {
     const auto alone = std::ranges::count_if(found.motions, [](const auto& motion) { return motion.continua.empty(); });
-    return std::to_string(alone) + (found.continua.empty() ? "" : ", continuum");
+    if (found.continua.empty()) return std::to_string(alone);
+    return alone > 0 ? std::to_string(alone) + ", continuum" : "continuum";
   }
 
   static ReportCell cell_of(const EngineScene& scene, const std::string& engine, const std::string& asked,
