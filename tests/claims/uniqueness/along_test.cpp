@@ -113,3 +113,10 @@ TEST_CASE("what is no parameter of the scene is refused") {
   const MechanismScene scene = read_scene(SLIPPROOF_SOURCE_DIR "/cases/ambiguous.toml");
   CHECK_THROWS_WITH_AS(uniqueness_along(scene, "ff"), doctest::Contains("ff"), std::invalid_argument);
 }
+
+TEST_CASE("a collar on two guides has 36 modes, which are followed along its friction") {
+  const auto scene = read_scene(SLIPPROOF_SOURCE_DIR "/tests/claims/uniqueness/collar-scene.toml");
+  const UniquenessAlong found = uniqueness_along(scene, "mu");
+  CHECK(found.at_own.apart.empty());
+  CHECK_FALSE(found.cells.empty());
+}
