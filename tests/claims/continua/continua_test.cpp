@@ -51,7 +51,7 @@ class BodyClaims {
   const Mechanism& mechanism() const { return *file_.settings[0].mechanism; }
   const std::vector<MechanismMode>& all() const { return all_; }
 
-  /// A sample that does not depend on the number of solved claims.
+  /// The sample of a body; its last parameter is the load that the claims are about.
   std::unique_ptr<SolvedSample> sample(const Body& body, const Rational& load, bool strict) const {
     std::vector<Rational> values = parameters_of(body);
     values.push_back(load);
