@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "base/input/utf8.hpp"
 #include "base/number/format.hpp"
 #include "report/markup/symbol.hpp"
 
@@ -20,6 +21,39 @@ std::string_view sign_of(Relation relation) {
 }
 
 void put(const Element& row, const Expression& expression, Binding at_least);
+
+bool is_word(std::string_view symbol) {
+  return utf8_count(typeset_symbol(symbol).letter) > 1;
+}
+
+/// Whether what is written of an expression ends, or begins, with a name of several letters.
+bool ends_with_word(const Expression& e) {
+  if (e->operation == Operation::symbol) return typeset_symbol(e->symbol).subscript.empty() && is_word(e->symbol);
+  return e->operation == Operation::multiply && ends_with_word(e->operands[1]);
+}
+bool begins_with_word(const Expression& e) {
+  switch (e->operation) {
+    case Operation::symbol:
+      return is_word(e->symbol);
+    case Operation::signum:
+    case Operation::minimum:
+    case Operation::maximum:
+      return true;
+    case Operation::multiply:
+    case Operation::power:
+      return begins_with_word(e->operands[0]);
+    default:
+      return false;
+  }
+}
+
+/// Without a sign, two numbers side by side would read as one, and so would a name of several letters and its
+/// neighbour.
+std::string_view times_sign(const Node& product) {
+  const auto &left = product.operands[0], &right = product.operands[1];
+  const bool needed = right->operation == Operation::number || ends_with_word(left) || begins_with_word(right);
+  return needed ? "·" : "\xE2\x81\xA2";
+}
 
 void infix(const Element& row, const Node& node, std::string_view sign, Binding right) {
   put(row, node.operands[0], laid_out(node.operation));
@@ -67,8 +101,7 @@ void put_bare(const Element& row, const Node& node) {
       infix(row, node, "−", Binding::product);
       break;
     case Operation::multiply:
-      // Without a sign, two adjacent numbers would read as one.
-      infix(row, node, node.operands[1]->operation == Operation::number ? "·" : "\xE2\x81\xA2", Binding::unary);
+      infix(row, node, times_sign(node), Binding::unary);
       break;
     case Operation::divide: {
       const Element fraction = row.add("mfrac");

@@ -8,23 +8,11 @@
 namespace slipproof {
 
 std::string_view greek(std::string_view name) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 17> letters{{{"xi", "ξ"},
-                                                                                   {"eta", "η"},
-                                                                                   {"sigma", "σ"},
-                                                                                   {"mu", "μ"},
-                                                                                   {"omega", "ω"},
-                                                                                   {"eps", "ε"},
-                                                                                   {"varepsilon", "ε"},
-                                                                                   {"phi", "φ"},
-                                                                                   {"Delta", "Δ"},
-                                                                                   {"delta", "δ"},
-                                                                                   {"alpha", "α"},
-                                                                                   {"beta", "β"},
-                                                                                   {"gamma", "γ"},
-                                                                                   {"theta", "θ"},
-                                                                                   {"lambda", "λ"},
-                                                                                   {"kappa", "κ"},
-                                                                                   {"tau", "τ"}}};
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 24> letters{
+      {{"xi", "ξ"},   {"eta", "η"},        {"sigma", "σ"}, {"mu", "μ"},     {"omega", "ω"}, {"om", "ω"},
+       {"eps", "ε"},  {"varepsilon", "ε"}, {"phi", "φ"},   {"Delta", "Δ"},  {"delta", "δ"}, {"alpha", "α"},
+       {"beta", "β"}, {"gamma", "γ"},      {"theta", "θ"}, {"lambda", "λ"}, {"kappa", "κ"}, {"tau", "τ"},
+       {"nu", "ν"},   {"rho", "ρ"},        {"psi", "ψ"},   {"chi", "χ"},    {"zeta", "ζ"},  {"Omega", "Ω"}}};
   const auto found = std::find_if(letters.begin(), letters.end(), [&](const auto& l) { return l.first == name; });
   return found == letters.end() ? std::string_view() : found->second;
 }
@@ -43,8 +31,15 @@ Symbol typeset_symbol(std::string_view name) {
   std::size_t end = rest.size();
   while (end > 1 && is_digit(rest[end - 1])) --end;
   if (end < rest.size()) symbol.subscript = rest.substr(end);
-  const std::string_view letter = greek(rest.substr(0, end));
-  symbol.letter = letter.empty() ? rest.substr(0, end) : letter;
+  const std::string_view word = rest.substr(0, end), letter = greek(word);
+  symbol.letter = letter.empty() ? word : letter;
+  if (!letter.empty() || !symbol.subscript.empty()) return symbol;
+  // lr is l_r, and muf is mu_f.
+  const std::string_view stem = word.substr(0, word.size() - std::min<std::size_t>(word.size(), 1));
+  const std::string_view of_stem = greek(stem);
+  if (stem.size() != 1 && of_stem.empty()) return symbol;
+  symbol.letter = of_stem.empty() ? stem : of_stem;
+  symbol.subscript = word.substr(stem.size());
   return symbol;
 }
 

@@ -14,7 +14,7 @@ struct Symbol {
   std::string superscript;  ///< the number of the assertion that `N2_1` belongs to; may be empty
 };
 
-/// `xi1`, `b0`, `M2`, `eps2`, `a_y`, `F_sigma`, `N2_1`, `sigma`.
+/// `xi1`, `b0`, `M2`, `eps2`, `a_y`, `F_sigma`, `N2_1`, `sigma`; `ay` and `muf` are `a_y` and `mu_f`.
 Symbol typeset_symbol(std::string_view name);
 
 /// The Greek letter with this name, such as `xi`, `eps`, `varepsilon`; empty if there is none.

@@ -69,7 +69,7 @@ class MotionDrawing {
     const auto [cx, cy] = sketch_.place(0, sketch_.h0());
     const double down = nearest_binary64(weight) * unit_;
     sketch_.arrow({cx, cy + 6}, 0, down, "load");
-    label(cx + 7, cy + 6 + down / 2, "Mg", exactly(weight), "start", "ink");
+    label(cx + 7, cy + 6 + down / 2, "M g", exactly(weight), "start", "ink");
     pedal(F);
     acceleration(slipproof::acceleration(motion, "a"));
   }
@@ -122,8 +122,9 @@ class MotionDrawing {
                                         (value("external").is_zero() ? " (internal)" : " (external)"));
   }
 
+  /// The arrow is that of M a, to scale with the forces.
   void acceleration(const Rational& a) const {
-    const double length = a > 0 ? 34 : a < 0 ? -34 : 0;
+    const double length = nearest_binary64(Rational(value("M") * a)) * unit_;
     const auto [cx, cy] = sketch_.place(0, sketch_.h0());
     sketch_.arrow({cx + (a > 0 ? 10 : -10), cy - 2}, length, 0, "normal");
     label(12, 20, "a", exactly(a), "start", "ink");

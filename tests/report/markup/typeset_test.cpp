@@ -53,6 +53,32 @@ TEST_CASE("symbols have their letters and indices") {
   CHECK(typeset_symbol("F_sigma").subscript == "σ");
 }
 
+TEST_CASE("a letter or a Greek name with one more letter is set as with an index, so that one symbol is set one way") {
+  for (const auto& [short_name, name] : {std::pair{"lr", "l_r"}, {"Iw", "I_w"}, {"muf", "mu_f"}, {"ay", "a_y"}}) {
+    CAPTURE(name);
+    CHECK(plain_symbol(short_name) == plain_symbol(name));
+    CHECK(typeset_symbol(short_name).letter == typeset_symbol(name).letter);
+    CHECK(typeset_symbol(short_name).subscript == typeset_symbol(name).subscript);
+  }
+  CHECK(plain_symbol("mu") == "μ");
+  CHECK(plain_symbol("gap") == "gap");
+  CHECK(plain_symbol("om") == "ω");
+}
+
+TEST_CASE("names of several letters do not run into their neighbours") {
+  const auto set = [](const char* text) {
+    const ElementTree document("p");
+    add_math(document.root(), parse_expression(text, Sort::number));
+    return plain(document.xml());
+  };
+  CHECK(set("share*B") == "share·B");
+  CHECK(set("B*share*C") == "B·share·C");
+  CHECK(set("share^2*B").find("·") == std::string::npos);
+  CHECK(set("F*sign(x)").starts_with("F·sign"));
+  CHECK(set("sx*t*D").find("·") == std::string::npos);  // s with the index x
+  CHECK(set("2*mu*m").find("·") == std::string::npos);
+}
+
 TEST_CASE("fractions, indices and parentheses") {
   CHECK(contains(math("\\frac{1}{2}"), "<mfrac><mrow><mn>1</mn></mrow><mrow><mn>2</mn></mrow></mfrac>"));
   CHECK(contains(math("M_{0}"), "<msub>"));
