@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "report/picture/polyline.hpp"
 
 namespace slipproof {
 
@@ -20,6 +24,20 @@ void add_arrow(const Element& svg, Point from, double dx, double dy, std::string
       .set("stroke", "none")
       .set("d", fmt::format("M{:.2f},{:.2f}L{:.2f},{:.2f}L{:.2f},{:.2f}Z", tip_x, tip_y, bx - w * uy, by + w * ux,
                             bx + w * uy, by - w * ux));
+}
+
+double add_turn(const Element& svg, Point centre, bool counterclockwise, std::string_view css_class) {
+  constexpr double radius = 11;
+  constexpr int steps = 18;
+  const double side = counterclockwise ? -1 : 1;  // y points down
+  std::vector<Pixel> arc;
+  for (int i = 0; i <= steps; ++i) {  // from above or below to the left
+    const double angle = side * (i * 1.5 / steps - 0.5) * std::numbers::pi;
+    arc.push_back({centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle)});
+  }
+  svg.add("path", css_class).set("style", "fill:none").set("d", path_of(arc));
+  add_arrow(svg, {centre[0] - radius, centre[1] + side}, 0, -side * 8, css_class);
+  return radius;
 }
 
 bool cover(Point from, Point to, Point other_from, Point other_to) {

@@ -19,6 +19,9 @@ enum class ArrowLine : std::uint8_t { solid, dashed };
 void add_arrow(const Element& svg, Point from, double dx, double dy, std::string_view css_class,
                ArrowLine line = ArrowLine::solid);
 
+/// Adds three quarters of a circle around a point, with an arrow at its end; returns its radius.
+double add_turn(const Element& svg, Point centre, bool counterclockwise, std::string_view css_class);
+
 /// Whether two lines are on top of each other for more than some pixels.
 bool cover(Point from, Point to, Point other_from, Point other_to);
 

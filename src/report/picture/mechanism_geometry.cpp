@@ -1,5 +1,8 @@
 #include "report/picture/mechanism_geometry.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -10,6 +13,34 @@
 namespace slipproof {
 
 namespace {
+
+using namespace bodies_in_motion;
+
+Point unit(Point vector) {
+  const double length = std::hypot(vector[0], vector[1]);
+  return length > 0 ? Point{vector[0] / length, vector[1] / length} : Point{0, 0};
+}
+Point opposite(Point vector) {
+  return {-vector[0], -vector[1]};
+}
+
+}  // namespace
+
+std::string rounded_value(double x) {
+  std::string text = fmt::format("{:.4g}", x);
+  const bool exact = std::abs(std::stod(text) - x) <= 1e-12 * std::abs(x);
+  if (text[0] == '-') text.replace(0, 1, "−");
+  return (exact ? "= " : "≈ ") + text;
+}
+
+namespace {
+
+/// The square root of a number that is a square of a rational one.
+std::optional<Rational> exact_root(const Rational& x) {
+  const Integer above = sqrt(numerator(x)), below = sqrt(denominator(x));
+  if (above * above != numerator(x) || below * below != denominator(x)) return std::nullopt;
+  return Rational(above, below);
+}
 
 class GeometryReader {
  public:
@@ -31,52 +62,153 @@ class GeometryReader {
     for (std::size_t i = 0; i < scene_.mechanism.contacts.size(); ++i) {
       if (!scene_.mechanism.contacts[i].at.empty()) geometry.contacts.push_back(contact(i));
     }
-    if (scene_.mechanism.bodies) add_pushes(*scene_.mechanism.bodies, geometry);
+    const auto& load = scene_.mechanism.load;
+    if (load && (load->unit.empty() || load->unit == "N")) take_load_arrows(geometry);
+    if (scene_.mechanism.bodies) add_bodies(*scene_.mechanism.bodies, geometry);
     return geometry;
   }
 
  private:
-  void add_pushes(const Bodies& bodies, MechanismGeometry& geometry) {
-    using namespace bodies_in_motion;
-    const std::vector<bodies_in_motion::Frame> at = frames(bodies);
-    const auto point = [&](const PlanarVector& v) { return Point{number(v.x), number(v.y)}; };
-    for (const BodyForce& force : bodies.forces) {
-      const PlanarVector is = unplaced(force.is);
-      const Point push = point(force.follows ? at[force.on].in_scene(is) : is);
-      const double size = std::hypot(push[0], push[1]);
-      const PlanarVector place = at[force.on].at + at[force.on].in_scene(unplaced(force.at));
-      if (size > 0) geometry.pushes.push_back({point(place), unit(push), size, name_of(force.is)});
+  /// An arrow with the symbol of the load, a force, at one end shows the load, and acts at its other end.
+  void take_load_arrows(MechanismGeometry& geometry) {
+    using Kind = MechanismShape::Kind;
+    auto& outlines = geometry.outlines;
+    const double size =
+        nearest_binary64(*at_.number(maker_.compiled().compile(make_symbol(scene_.mechanism.load->symbol))).number);
+    for (std::size_t i = 0; i < outlines.size(); ++i) {
+      if (outlines[i].kind != Kind::arrow) continue;
+      const Point from = outlines[i].points[0], to = outlines[i].points[1];
+      const auto label = std::ranges::find_if(outlines, [&](const auto& other) {
+        return other.kind == Kind::label && !other.points.empty() && other.text == scene_.mechanism.load->symbol &&
+               (other.points[0] == from || other.points[0] == to);
+      });
+      if (label == outlines.end()) continue;
+      const bool begins = label->points[0] == to;
+      const Point along = unit({size * (to[0] - from[0]), size * (to[1] - from[1])});
+      if (size != 0)
+        geometry.pushes.push_back(
+            {begins ? from : to, along, std::abs(size), label->text, value_of(make_symbol(label->text)), begins});
+      label->points.clear(), outlines[i].points.clear();
     }
+    std::erase_if(outlines, [](const auto& outline) { return outline.points.empty(); });
+  }
+
+  void add_bodies(const Bodies& bodies, MechanismGeometry& geometry) {
+    frames_ = frames(bodies);
+    for (const BodyForce& force : bodies.forces) add_force(force, geometry.pushes);
     for (const BodyTorque& torque : bodies.torques) {
       const double size = number(torque.is);
-      if (size != 0) geometry.pushes.push_back({point(at[torque.on].at), {0, 0}, size, text_of(torque.is)});
+      if (size == 0) continue;
+      const auto [name, value] = text_of(torque.is);
+      geometry.pushes.push_back({point(frames_[torque.on].at), {0, 0}, size, name, value});
+      if (torque.back_on && *torque.back_on != ground)
+        geometry.pushes.push_back({point(frames_[*torque.back_on].at), {0, 0}, -size, name, value});
     }
+    for (const BodyJoint& joint : bodies.joints) {
+      if (joint.kind == BodyJoint::Kind::spring) add_spring(joint, geometry.pushes);
+    }
+    for (std::size_t i = ground + 1; i < frames_.size(); ++i) add_movement(bodies.bodies[i], frames_[i], geometry);
+    if (bodies.gravity) add_weights(bodies, geometry);
   }
 
-  /// Without the sign, which the arrow shows. A product that has the size of the load has its name.
-  std::string text_of(const PlacedExpression& placed) {
+  void add_force(const BodyForce& force, std::vector<MechanismGeometry::Push>& pushes) {
+    const PlanarVector is = unplaced(force.is);
+    const Frame& on = frames_[force.on];
+    const Point push = point(force.follows ? on.in_scene(is) : is),
+                place = point(on.at + on.in_scene(unplaced(force.at)));
+    const double size = std::hypot(push[0], push[1]);
+    if (size == 0) return;
+    const auto [name, value] = name_of(force.is);
+    pushes.push_back({place, unit(push), size, name, value});
+    if (force.back_on && *force.back_on != ground) pushes.push_back({place, opposite(unit(push)), size, name, value});
+  }
+
+  void add_spring(const BodyJoint& joint, std::vector<MechanismGeometry::Push>& pushes) {
+    const auto end = [&](std::size_t body, const PlacedPair& own) {
+      return point(frames_[body].at + frames_[body].in_scene(unplaced(own)));
+    };
+    const Point first = end(joint.first, joint.at), second = end(joint.second, joint.to);
+    const double tension = number(joint.tension);
+    if (tension == 0) return;
+    const Point pull = unit({tension * (second[0] - first[0]), tension * (second[1] - first[1])});
+    const auto [name, value] = text_of(joint.tension);
+    if (joint.first != ground) pushes.push_back({first, pull, std::abs(tension), name, value, true});
+    if (joint.second != ground) pushes.push_back({second, opposite(pull), std::abs(tension), name, value, true});
+  }
+
+  void add_movement(const Body& body, const Frame& frame, MechanismGeometry& geometry) {
+    const bool massless = body.mass && exact(body.mass).is_zero();  // others show how it moves along
+    const Point velocity = massless ? Point{0, 0} : point(frame.velocity);
+    const MechanismGeometry::Movement movement{point(frame.at), velocity, number(frame.spin), body.name};
+    if (movement.velocity != Point{0, 0} || movement.spin != 0) geometry.movements.push_back(movement);
+  }
+
+  void add_weights(const Bodies& bodies, MechanismGeometry& geometry) {
+    const PlanarVector gravity = unplaced(bodies.gravity);
+    const Rational gx = exact(gravity.x), gy = exact(gravity.y), square = gx * gx + gy * gy;
+    if (square.is_zero()) return;
+    const Point down = point(gravity);
+    for (std::size_t i = ground + 1; i < frames_.size(); ++i) {
+      const Expression mass = unplaced(bodies.bodies[i].mass);
+      const double size = number(mass) * std::hypot(down[0], down[1]);
+      if (!(size > 0)) continue;
+      const auto root = exact_root(square);
+      const auto weight = root ? std::optional<Rational>(exact(mass) * *root) : std::nullopt;
+      geometry.weights.push_back({point(frames_[i].at), size, weight, bodies.bodies[i].name});
+    }
+    if (gx.is_zero() && gy < 0) return;
+    const Point to = unit(down);
+    turn(geometry, -to[1], -to[0]);
+  }
+
+  /// Turns all, counterclockwise.
+  static void turn(MechanismGeometry& geometry, double cosine, double sine) {
+    const auto turn = [&](Point& p) { p = {p[0] * cosine - p[1] * sine, p[0] * sine + p[1] * cosine}; };
+    for (auto& outline : geometry.outlines) {
+      for (Point& p : outline.points) turn(p);
+    }
+    for (auto& contact : geometry.contacts) turn(contact.at), turn(contact.normal), turn(contact.along);
+    for (auto& push : geometry.pushes) turn(push.at), turn(push.along);
+    for (auto& weight : geometry.weights) turn(weight.at);
+    for (auto& movement : geometry.movements) turn(movement.at), turn(movement.velocity);
+    geometry.turned = std::atan2(sine, cosine);
+  }
+
+  /// Its name and value, without the sign, which the arrow shows. A product that has the size of the load has its name.
+  std::pair<std::string, std::string> text_of(const PlacedExpression& placed) {
     const Expression& e = placed.expression;
-    std::string text = to_string(e->operation == Operation::negate ? e->operands[0] : e);
+    const Expression named = e->operation == Operation::negate ? e->operands[0] : e;
+    std::string text = to_string(named);
     const auto& load = scene_.mechanism.load;
     const bool compound = text.find_first_of("*+/( ") != text.npos;
-    if (!compound || !load || !scene_.load) return text;
-    const auto size = at_.number(maker_.compiled().compile(e));
-    return size.number && (*size.number == *scene_.load || -*size.number == *scene_.load) ? load->symbol : text;
+    if (compound && load && scene_.load && abs(exact(e)) == abs(*scene_.load)) return text_of_load();
+    return {text, value_of(named)};
   }
-  std::string name_of(const PlacedPair& pair) {
+  std::pair<std::string, std::string> text_of_load() {
+    const std::string& symbol = scene_.mechanism.load->symbol;
+    return {symbol, value_of(make_symbol(symbol))};
+  }
+  std::string value_of(const Expression& named) {
+    const bool known = scene_.load || !scene_.mechanism.load;
+    return known && named->operation != Operation::number ? rounded_value(number(named)) : std::string();
+  }
+  std::pair<std::string, std::string> name_of(const PlacedPair& pair) {
     if (is_literal_zero(pair.x.expression)) return text_of(pair.y);
     if (is_literal_zero(pair.y.expression)) return text_of(pair.x);
-    return "(" + to_string(pair.x.expression) + ", " + to_string(pair.y.expression) + ")";
+    return {"(" + to_string(pair.x.expression) + ", " + to_string(pair.y.expression) + ")", {}};
   }
 
-  double number(const Expression& expression) { return number(PlacedExpression{expression, {}}); }
-  double number(const PlacedExpression& placed) {
-    const auto value = at_.number(maker_.compiled().compile(placed.expression));
-    if (value.number) return nearest_binary64(*value.number);
+  Rational exact(const PlacedExpression& placed) {
+    auto value = at_.number(maker_.compiled().compile(placed.expression));
+    if (value.number) return std::move(*value.number);
     const Place place = placed.place();
     throw InputError({{scene_.mechanism.file, place.line, place.column,
                        "found " + in_quotes(placed.text.text()) + ", expected a coordinate that has a value there"}});
   }
+  Rational exact(const Expression& expression) { return exact(PlacedExpression{expression, {}}); }
+  double number(const PlacedExpression& placed) { return nearest_binary64(exact(placed)); }
+  double number(const Expression& expression) { return nearest_binary64(exact(expression)); }
+  Point point(const PlanarVector& v) { return {number(v.x), number(v.y)}; }
   Point pair(const std::vector<PlacedExpression>& two) { return {number(two[0]), number(two[1])}; }
 
   MechanismGeometry::Contact contact(std::size_t index) {
@@ -86,18 +218,15 @@ class GeometryReader {
     // Slip is positive to the right, or upwards, unless the file gives a direction.
     contact.along = {contact.normal[1], -contact.normal[0]};
     const bool left = contact.along[0] < 0, down = contact.along[0] == 0 && contact.along[1] < 0;
-    if (left || down) contact.along = {-contact.along[0], -contact.along[1]};
+    if (left || down) contact.along = opposite(contact.along);
     if (!given.slip_direction.empty()) contact.along = unit(pair(given.slip_direction));
     return contact;
-  }
-  static Point unit(Point vector) {
-    const double length = std::hypot(vector[0], vector[1]);
-    return length > 0 ? Point{vector[0] / length, vector[1] / length} : Point{0, 0};
   }
 
   const MechanismScene& scene_;
   ProblemMaker maker_;
   Evaluator<Rational> at_;
+  std::vector<Frame> frames_;
 };
 
 }  // namespace

@@ -14,7 +14,9 @@
 #include "base/input/utf8.hpp"
 #include "base/number/binary64.hpp"
 #include "report/markup/number.hpp"
+#include "report/picture/arrows/mechanism_arrows.hpp"
 #include "report/picture/drawing.hpp"
+#include "report/picture/labels/contact_table.hpp"
 #include "report/picture/labels/picture_labels.hpp"
 #include "report/picture/mechanism_geometry.hpp"
 #include "report/picture/motion_words.hpp"
@@ -27,8 +29,10 @@ namespace {
 
 using ShapeKind = MechanismShape::Kind;
 
-constexpr double drawn_width = 270, drawn_height = 220, least_width = 360, widest = 436, longest_force = 72,
-                 shortest_force = 12, plain_force = 34, letter_width = 0.62, text_line = 17, free_margin = 10;
+constexpr double drawn_width = 270, drawn_height = 220, least_width = 360, widest = 456, longest_force = 72,
+                 surface = 30, letter_width = 0.62, text_line = 17, free_margin = 10, opening = 9;
+/// Of pictures of many contacts.
+constexpr double large_width = 420, large_height = 400;
 
 class MechanismDrawing {
  public:
@@ -43,27 +47,32 @@ class MechanismDrawing {
   }
 
   void draw() {
-    for (const MechanismGeometry::Contact& contact : geometry_.contacts) surface(contact);
+    for (const MechanismGeometry::Contact& contact : geometry_.contacts) this->contact(contact);
     for (const MechanismGeometry::Outline& outline : geometry_.outlines) this->outline(outline);
-    if (motion_ != nullptr) set_force_scale();
-    for (const MechanismGeometry::Contact& contact : geometry_.contacts) forces(contact);
-    for (const MechanismGeometry::Push& push : geometry_.pushes) pushed(push);
-    for (const MechanismGeometry::Outline& outline : geometry_.outlines) {
-      if (outline.kind == ShapeKind::arrow) load_arrow(pixel(outline.points[0]), pixel(outline.points[1]));
-      if (outline.kind == ShapeKind::label) labels_.words({pixel(outline.points[0])}, outline.text);
-    }
-    for (const MechanismGeometry::Contact& contact : geometry_.contacts) {
-      labels_.words({pixel(contact.at)}, contact_text(scene_, motion_, contact.index));
+    const double apart = lettered() ? 0.8 * closest() : longest_force;
+    MechanismArrows arrows(svg_,
+                           {scene_, motion_, geometry_, numbers_, view_, std::clamp(apart, 12.0, longest_force),
+                            look_.largest_force, !lettered()},
+                           labels_);
+    arrows.draw();
+    for (const Point& end : arrows.ends()) see(end);
+    described_ = arrows.described();
+    for (std::size_t i = 0; i < geometry_.contacts.size(); ++i) {
+      const MechanismGeometry::Contact& contact = geometry_.contacts[i];
+      labels_.words({view_.pixel(contact.at)},
+                    lettered() ? contact_letter(i) : contact_text(scene_, motion_, contact.index));
     }
     for (const LabelBox& box : labels_.draw(svg_)) see(box);
+    if (lettered()) table();
   }
 
   /// Adds lines of text above or below the drawing.
   void heading(const std::string& name, const std::string& below) {
     const double left = box_.left;
     double y = box_.top - (below.empty() ? 10 : 10 + text_line);
-    for (const auto& [words, size, css] : {std::tuple{name, 16.0, "ink"}, std::tuple{below, 13.0, "soft"}}) {
+    for (const auto& [words, usual, css] : {std::tuple{name, 16.0, "ink"}, std::tuple{below, 13.0, "soft"}}) {
       if (words.empty()) continue;
+      const double size = std::min(usual, widest / (letter_width * static_cast<double>(utf8_count(words))));
       svg_.add("text", css).set("x", left).set("y", y).set("font-size", size).text(words);
       see({left, y - size, left + letter_width * size * static_cast<double>(utf8_count(words)), y});
       y += text_line + 1;
@@ -72,8 +81,11 @@ class MechanismDrawing {
   void caption() {
     const double left = box_.left;
     double y = box_.bottom + text_line + 2;
-    std::vector<std::string> pieces = told();
-    if (look_.brief) pieces.clear();
+    std::vector<std::string> pieces;
+    if (!look_.brief) {
+      pieces = told();
+      for (std::string& note : notes()) pieces.push_back(std::move(note));
+    }
     for (const std::string& line : caption_lines(pieces, 54)) {
       svg_.add("text", "soft halo").set("x", left).set("y", y).set("font-size", 12).text(line);
       see({left, y - 12, left + letter_width * 12 * static_cast<double>(utf8_count(line)), y + 3});
@@ -84,6 +96,10 @@ class MechanismDrawing {
   std::string description() const {
     std::vector<std::string> parts = described_;
     for (const std::string& part : told()) parts.push_back(part);
+    if (geometry_.turned != 0) {
+      parts.push_back(fmt::format("turned by {:.3g} degrees, so that gravity points down",
+                                  geometry_.turned * 180 / std::numbers::pi));
+    }
     return fmt::format("{}.", fmt::join(parts, "; "));
   }
   /// The bounding box of the drawing, with a margin.
@@ -106,20 +122,30 @@ class MechanismDrawing {
     }
     for (const MechanismGeometry::Contact& contact : geometry_.contacts) add(contact.at, 0);
     const double across = all->right - all->left, up = all->bottom - all->top;
-    middle_ = {(all->left + all->right) / 2, (all->top + all->bottom) / 2};
+    view_.middle = {(all->left + all->right) / 2, (all->top + all->bottom) / 2};
     if (across > 0 || up > 0) {
-      scale_ = std::min(across > 0 ? drawn_width / across : drawn_height / up,
-                        up > 0 ? drawn_height / up : drawn_width / across);
+      const double width = lettered() ? large_width : drawn_width, height = lettered() ? large_height : drawn_height;
+      view_.scale = std::min(across > 0 ? width / across : height / up, up > 0 ? height / up : width / across);
     }
-    const Point corner = pixel({all->left, all->bottom}), other = pixel({all->right, all->top});
+    const Point corner = view_.pixel({all->left, all->bottom}), other = view_.pixel({all->right, all->top});
     box_ = {corner[0], corner[1], other[0], other[1]};
     labels_.keep_between(-widest / 2, widest / 2);
   }
 
-  Point pixel(Point p) const { return {scale_ * (p[0] - middle_[0]), -scale_ * (p[1] - middle_[1])}; }
-  /// Moves a place by this many pixels along a direction given with y up.
-  static Point moved(Point from, Point direction, double by) {
-    return {from[0] + by * direction[0], from[1] - by * direction[1]};
+  bool lettered() const { return geometry_.contacts.size() >= fewest_lettered; }
+  /// The least distance of two contacts, in pixels.
+  double closest() const {
+    double least = longest_force;
+    for (const MechanismGeometry::Contact& one : geometry_.contacts) {
+      for (const MechanismGeometry::Contact& other : geometry_.contacts) {
+        const double apart = view_.scale * std::hypot(one.at[0] - other.at[0], one.at[1] - other.at[1]);
+        if (apart > 4) least = std::min(least, apart);
+      }
+    }
+    return least;
+  }
+  bool lifts(const MechanismGeometry::Contact& contact) const {
+    return motion_ != nullptr && common_state(*motion_, contact.index) == name(ElementState::lift);
   }
   void see(const LabelBox& box) {
     box_ = {std::min(box_.left, box.left), std::min(box_.top, box.top), std::max(box_.right, box.right),
@@ -133,17 +159,20 @@ class MechanismDrawing {
     see(from), see(to);
   }
 
-  /// Draws the surface that the body touches, as a line perpendicular to N, and the contact itself.
-  void surface(const MechanismGeometry::Contact& contact) {
-    const Point at = pixel(contact.at), across{contact.normal[1], -contact.normal[0]};
-    if (across[0] != 0 || across[1] != 0) line(moved(at, across, -30), moved(at, across, 30), "frame", 1.5);
-    svg_.add("circle", "ink").set("cx", at[0]).set("cy", at[1]).set("r", 3);
+  /// Draws the contact, and the surface that the body touches as a line perpendicular to N; in a motion that opens the
+  /// contact it is apart from the body.
+  void contact(const MechanismGeometry::Contact& contact) {
+    const Point at = view_.pixel(contact.at), across{contact.normal[1], -contact.normal[0]};
+    const Point below = moved(at, contact.normal, lifts(contact) ? -opening : 0);
+    const double reach = lettered() ? std::min(surface, 0.45 * closest()) : surface;
+    if (has_direction(contact)) line(moved(below, across, -reach), moved(below, across, reach), "frame", 1.5);
+    svg_.add("circle", lifts(contact) ? "paper frame" : "ink").set("cx", at[0]).set("cy", at[1]).set("r", 3);
     labels_.avoid(LabelBox{at[0] - 4, at[1] - 4, at[0] + 4, at[1] + 4});
   }
 
   void outline(const MechanismGeometry::Outline& outline) {
     std::vector<Pixel> pixels;
-    for (const Point& p : outline.points) pixels.push_back({pixel(p)[0], pixel(p)[1]});
+    for (const Point& p : outline.points) pixels.push_back({view_.pixel(p)[0], view_.pixel(p)[1]});
     switch (outline.kind) {
       case ShapeKind::polygon:
         svg_.add("path", "body").set("d", closed_path_of(pixels));
@@ -153,8 +182,8 @@ class MechanismDrawing {
         svg_.add("path", "body").set("d", path_of(pixels));
         break;
       case ShapeKind::circle:
-        svg_.add("circle", "body").set("cx", pixels[0].x).set("cy", pixels[0].y).set("r", scale_ * outline.radius);
-        pixels = round(pixels[0], scale_ * outline.radius);
+        svg_.add("circle", "body").set("cx", pixels[0].x).set("cy", pixels[0].y).set("r", view_.scale * outline.radius);
+        pixels = round(pixels[0], view_.scale * outline.radius);
         break;
       case ShapeKind::point:
         svg_.add("circle", "ink").set("cx", pixels[0].x).set("cy", pixels[0].y).set("r", 2.5);
@@ -177,83 +206,35 @@ class MechanismDrawing {
     return points;
   }
 
-  const Range& range_of(std::size_t unknown) const { return range_of_force(scene_, *motion_, unknown); }
+  void table() {
+    std::vector<std::size_t> contacts;
+    for (const MechanismGeometry::Contact& contact : geometry_.contacts) contacts.push_back(contact.index);
+    see(add_contact_table(svg_, scene_, motion_, contacts, numbers_, {box_.left, box_.bottom + 6}));
+  }
+
   std::vector<std::string> told() const {
     std::vector<bool> drawn(scene_.mechanism.contacts.size());
-    for (const MechanismGeometry::Contact& c : geometry_.contacts) drawn[c.index] = drawn[c.index] || has_direction(c);
+    for (const MechanismGeometry::Contact& c : geometry_.contacts) {
+      drawn[c.index] = drawn[c.index] || lettered() || has_direction(c);
+    }
     return told_of(scene_, motion_, drawn, numbers_);
   }
-  const std::string& symbol_of(std::size_t unknown) const { return scene_.mechanism.unknowns[unknown].symbol; }
+  /// What the reader should know of the arrows.
+  std::vector<std::string> notes() const {
+    std::vector<std::string> notes;
+    if (lettered()) notes = weight_words(geometry_, numbers_);
+    if (geometry_.movements.size() > most_named)
+      std::ranges::copy(movement_words(geometry_), std::back_inserter(notes));
+    if (motion_ == nullptr) notes.emplace_back("arrows show positive directions, not to scale");
+    if (motion_ != nullptr && !scene_.mechanism.bodies) notes.emplace_back("the file has no weights to draw");
+    const bool slides = std::ranges::any_of(scene_.values.starts, [](ElementKind::Start start) {
+      return start == ElementKind::Start::slides_forward || start == ElementKind::Start::slides_backward;
+    });
+    if (slides || !geometry_.movements.empty()) notes.emplace_back("green: how it moves before");
+    return notes;
+  }
   static bool has_direction(const MechanismGeometry::Contact& contact) {
     return contact.normal[0] != 0 || contact.normal[1] != 0;
-  }
-
-  void set_force_scale() {
-    const double largest = look_.largest_force > 0 ? look_.largest_force : largest_force(scene_, *motion_);
-    if (largest > 0) unit_ = longest_force / largest;
-  }
-
-  void forces(const MechanismGeometry::Contact& contact) {
-    const MechanismContact& given = scene_.mechanism.contacts[contact.index];
-    std::string description = contact_text(scene_, motion_, contact.index);
-    const auto draw = [&](std::size_t force, Point direction, bool pushes, std::string_view css) {
-      if (motion_ != nullptr) description += ", " + symbol_of(force) + " " + numbers_.range(range_of(force));
-      if (has_direction(contact)) this->force(pixel(contact.at), force, direction, pushes, css);
-    };
-    draw(given.normal, contact.normal, true, "normal");
-    if (given.tangent) draw(*given.tangent, contact.along, false, "friction");
-    described_.push_back(std::move(description));
-  }
-
-  /// Draws an arrow that ends at the contact if it pushes, and begins there otherwise; its name is next to it.
-  void force(Point at, std::size_t unknown, Point direction, bool pushes, std::string_view css) {
-    double length = plain_force;
-    bool determined = true;
-    std::string value;
-    if (motion_ != nullptr) {
-      const Range& range = range_of(unknown);
-      const double number = nearest_binary64(shown_value(range).value_or(Rational(0)));
-      determined = range.is_point();
-      value = numbers_.range(range);
-      if (determined && number == 0) return;
-      length = number == 0 ? 0 : std::copysign(std::max(std::abs(number) * unit_, shortest_force), number);
-    }
-    // A pull leaves the contact on the side from which a push would come.
-    const double gap = 5;
-    const bool pulls = pushes && length < 0;
-    const Point start = pushes && !pulls ? moved(at, direction, -length - gap) : moved(at, direction, pulls ? -gap : 0);
-    const Point end = moved(start, direction, length);
-    add_arrow(svg_, start, end[0] - start[0], end[1] - start[1], css,
-              determined ? ArrowLine::solid : ArrowLine::dashed);
-    labels_.avoid(start, end, 4);
-    arrows_.emplace_back(start, end);
-    see(start), see(end);
-    const Point half{(start[0] + end[0]) / 2, (start[1] + end[1]) / 2};
-    labels_.symbol({pushes ? start : end, half}, symbol_of(unknown), std::move(value));
-  }
-
-  /// Draws it beside an arrow of a force on the same line, where one would hide the other. Returns where it begins.
-  Point load_arrow(Point from, Point to) {
-    const auto hides = [&](const std::pair<Point, Point>& other) { return cover(from, to, other.first, other.second); };
-    const double dx = to[0] - from[0], dy = to[1] - from[1], length = std::hypot(dx, dy);
-    if (length > 0 && std::any_of(arrows_.begin(), arrows_.end(), hides)) {
-      const Point aside{9 * dy / length, -9 * dx / length};
-      from = {from[0] + aside[0], from[1] + aside[1]};
-    }
-    add_arrow(svg_, from, dx, dy, "load");
-    labels_.avoid(from, {from[0] + dx, from[1] + dy}, 4);
-    return from;
-  }
-
-  /// An arrow that ends where the force acts, to scale beside the forces of a motion; of a couple its name and sense.
-  void pushed(const MechanismGeometry::Push& push) {
-    const Point at = pixel(push.at);
-    if (push.along == Point{0, 0}) return labels_.words({at}, push.name + (push.size > 0 ? " \u21ba" : " \u21bb"));
-    const double length = motion_ == nullptr ? plain_force : std::max(push.size * unit_, shortest_force);
-    const Point start = load_arrow(moved(at, push.along, -length), at);
-    see(start);
-    labels_.symbol({start, {(start[0] + at[0]) / 2, (start[1] + at[1]) / 2}}, {}, push.name);
-    described_.push_back("pushed by " + push.name);
   }
 
   const Element svg_;
@@ -262,11 +243,9 @@ class MechanismDrawing {
   const CommonLook& look_;
   const NumberWords numbers_;
   const MechanismGeometry geometry_;
-  Point middle_{0, 0};
-  double scale_ = 1, unit_ = 1;
+  PictureView view_;
   LabelBox box_;
   PictureLabels labels_;
-  std::vector<std::pair<Point, Point>> arrows_;  ///< of forces at contacts
   std::vector<std::string> described_;
 };
 
@@ -289,21 +268,16 @@ bool has_picture(const Mechanism& mechanism) {
                                                   [](const MechanismContact& contact) { return !contact.at.empty(); });
 }
 
+double picture_height(const MechanismScene& scene, double usual) {
+  const auto& contacts = scene.mechanism.contacts;
+  const auto drawn = static_cast<std::size_t>(
+      std::ranges::count_if(contacts, [](const MechanismContact& contact) { return !contact.at.empty(); }));
+  if (drawn < fewest_lettered) return usual;
+  return usual + large_height - drawn_height + contact_table_height(drawn);
+}
+
 double largest_force(const MechanismScene& scene, const MotionAtLoad& motion) {
-  const MechanismGeometry geometry = geometry_of(scene);
-  double largest = 0;
-  for (const MechanismGeometry::Contact& contact : geometry.contacts) {
-    const MechanismContact& given = scene.mechanism.contacts[contact.index];
-    for (const auto& force : {std::optional(given.normal), given.tangent}) {
-      if (!force) continue;
-      const auto value = shown_value(range_of_force(scene, motion, *force));
-      if (value) largest = std::max(largest, std::abs(nearest_binary64(*value)));
-    }
-  }
-  for (const MechanismGeometry::Push& push : geometry.pushes) {
-    if (push.along != Point{0, 0}) largest = std::max(largest, push.size);
-  }
-  return largest;
+  return largest_arrow(scene, motion, geometry_of(scene));
 }
 
 Element add_mechanism(const Element& parent, const MechanismScene& scene, const MotionAtLoad* motion,

@@ -25,13 +25,17 @@ struct CommonLook {
 /// The largest force of a motion that has an arrow.
 double largest_force(const MechanismScene& scene, const MotionAtLoad& motion);
 
-/// Adds the mechanism of a scene, to scale, y up, with a mark at each contact. The forces of `motion`, which must be
-/// one of motions_of() its problem, act at the contacts. Their arrows are in proportion to each other, with a visible
-/// minimum length: N acts from outside on the body that it pushes, S along positive slip. A force that is undetermined
-/// is dashed, at the middle of its range. Without a motion all arrows have the same length and point in the positive
-/// directions. Forces and contacts without a place are listed below the drawing. Everything is inside the viewBox.
-/// Needs picture_style() in the document. Throws InputError if the mechanism has no picture, or if a coordinate has no
-/// value.
+/// How high the picture of a mechanism should be: as usual, or higher where a table of its contacts is below it.
+double picture_height(const MechanismScene& scene, double usual);
+
+/// Adds the mechanism of a scene, to scale, y up, with a mark at each contact; turned so that gravity points down. The
+/// forces of `motion`, which must be one of motions_of() its problem, act at the contacts; pushes, weights and
+/// velocities are those of a scene of bodies. Arrows of forces are to scale: N acts from outside on the body that it
+/// pushes, S along positive slip. A force that is undetermined is dashed, at the middle of its range. Where a contact
+/// opens, its surface is apart from the body. Without a motion all arrows have the same length and point in the
+/// positive directions. From eight contacts on, letters name them and a table below says the rest. Forces and contacts
+/// without a place are listed below the drawing. Everything is inside the viewBox. Needs picture_style() in the
+/// document. Throws InputError if the mechanism has no picture, or if a coordinate has no value.
 Element add_mechanism(const Element& parent, const MechanismScene& scene, const MotionAtLoad* motion,
                       std::string_view title, const CommonLook& look = {});
 

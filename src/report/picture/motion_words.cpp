@@ -93,16 +93,30 @@ std::string common_state(const MotionAtLoad& motion, std::size_t element) {
   return std::string(name(modes.front()[element]));
 }
 
+std::string short_name(const MechanismMode& mode) {
+  constexpr std::size_t longest = 60;
+  const std::string whole = name(mode);
+  if (whole.size() <= longest) return whole;
+  std::vector<std::pair<ElementState, int>> counts;
+  for (const ElementState state : mode) {
+    const auto known = std::ranges::find(counts, state, [](const auto& one) { return one.first; });
+    known == counts.end() ? counts.emplace_back(state, 1), void() : void(++known->second);
+  }
+  std::vector<std::string> words;
+  for (const auto& [state, count] : counts) words.push_back(fmt::format("{} {}", count, name(state)));
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
 std::string modes_text(const MotionAtLoad& motion) {
   constexpr std::size_t longest = 34;  // letters, with the last mode beyond them: a heading as wide as a picture
   std::vector<std::string> names;
   std::size_t letters = 0;
   for (const MechanismMode& mode : motion.strict() ? motion.modes : motion.boundary_modes) {
-    if (!names.empty() && letters + name(mode).size() > longest) {
+    if (!names.empty() && letters + short_name(mode).size() > longest) {
       names.emplace_back("…");
       break;
     }
-    names.push_back(name(mode));
+    names.push_back(short_name(mode));
     letters += names.back().size();
   }
   return fmt::format("{}{}", fmt::join(names, " = "), motion.strict() ? "" : " (boundary)");

@@ -38,6 +38,8 @@ std::vector<Range> shown_numbers(const MechanismScene& scene, const MotionAtLoad
 
 /// The state of an element if it is the same in all modes of a motion; otherwise empty.
 std::string common_state(const MotionAtLoad& motion, std::size_t element);
+/// The mode's name; of one of very many elements how many are in each state.
+std::string short_name(const MechanismMode& mode);
 /// The names of the motion's modes, as many as a heading holds, and whether they hold only at a boundary.
 std::string modes_text(const MotionAtLoad& motion);
 

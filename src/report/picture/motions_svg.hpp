@@ -21,6 +21,10 @@ CommonLook common_look(const MechanismScene& scene, const std::vector<MotionAtLo
 Element add_motion(const Element& parent, const MechanismScene& scene, const MotionAtLoad* motion,
                    std::string_view title, const CommonLook& look);
 
+/// An SVG file of one motion: a bicycle with its pedal, a wheel that lifts raised; or a mechanism. Throws InputError as
+/// add_mechanism() does.
+std::string motion_svg_file(const MechanismScene& scene, const MotionAtLoad& motion);
+
 /// An SVG file with a picture for each motion, at most three in a row, under the numbers that `solve` gives them. All
 /// have one scale, and all numbers one form. Without a motion it shows the mechanism, and says that there is none. A
 /// bicycle is drawn with its pedal, and a wheel that lifts is drawn raised. Throws InputError as add_mechanism() does.

@@ -46,7 +46,7 @@ double LabelPlacer::cost(const LabelBox& box) const {
 
 LabelBox LabelPlacer::best(const Label& label, const std::vector<Label>& all) const {
   constexpr int directions = 16;
-  constexpr double wrong_name = 15, same_place = 8;
+  constexpr double wrong_name = 40, same_place = 8, clearly = 14;
   std::vector<Point> others;
   for (const Label& other : all) {
     for (const Point& point : other.near) {
@@ -66,7 +66,10 @@ LabelBox LabelPlacer::best(const Label& label, const std::vector<Label>& all) co
         const double y = point[1] + std::sin(angle) * (distance + label.height / 2);
         const LabelBox box{x - label.width / 2, y - label.height / 2, x + label.width / 2, y + label.height / 2};
         double here = distance + cost(box);
-        for (const Point& other : others) here += distance_to(other, box) < distance_to(point, box) ? wrong_name : 0;
+        for (const Point& other : others) {
+          const double nearer = distance_to(point, box) + clearly - distance_to(other, box);
+          if (nearer > 0) here += nearer > clearly ? wrong_name : wrong_name * nearer / clearly;
+        }
         if (least < 0 || here < least - 1e-6) least = here, best = box;
       }
     }

@@ -1,5 +1,8 @@
 #include "report/picture/labels/picture_labels.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/input/utf8.hpp"
 #include "report/markup/symbol.hpp"
 
@@ -16,7 +19,11 @@ double width_of(const std::string& text, double size) {
 }  // namespace
 
 void PictureLabels::symbol(const std::vector<Point>& near, const std::string& symbol, const std::string& value) {
-  const double width = width_of((symbol.empty() ? "" : plain_symbol(symbol)) + value, symbol_size) + value_gap;
+  double width = width_of(value, symbol_size) + value_gap;
+  if (!symbol.empty()) {
+    const Symbol set = typeset_symbol(symbol);
+    width += width_of(set.letter, symbol_size) + width_of(set.subscript, 0.75 * symbol_size);
+  }
   labels_.push_back({near, width, symbol_size + 3});
   texts_.push_back({symbol_size, "ink halo", symbol, value});
 }
@@ -27,8 +34,21 @@ void PictureLabels::words(const std::vector<Point>& near, const std::string& wor
   texts_.push_back({word_size, "soft halo", {}, words});
 }
 
+/// Joins a label that is far from what it names to it.
+void PictureLabels::lead(const Element& svg, const LabelBox& box, const std::vector<Point>& near) {
+  constexpr double far = 13;
+  const auto edge = [&](const Point& p) {
+    return Point{std::clamp(p[0], box.left, box.right), std::clamp(p[1], box.top + 3, box.bottom - 3)};
+  };
+  const auto away = [&](const Point& p) { return std::hypot(edge(p)[0] - p[0], edge(p)[1] - p[1]); };
+  const Point to = *std::ranges::min_element(near, {}, away), from = edge(to);
+  if (away(to) <= far) return;
+  svg.add("line", "measure").set("x1", from[0]).set("y1", from[1]).set("x2", to[0]).set("y2", to[1]);
+}
+
 std::vector<LabelBox> PictureLabels::draw(const Element& svg) {
   std::vector<LabelBox> boxes = placer_.place(labels_);
+  for (std::size_t i = 0; i < texts_.size(); ++i) lead(svg, boxes[i], labels_[i].near);
   for (std::size_t i = 0; i < texts_.size(); ++i) {
     const Text& label = texts_[i];
     const Element text = svg.add("text", label.css);

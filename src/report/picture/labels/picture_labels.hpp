@@ -20,10 +20,12 @@ class PictureLabels {
   void symbol(const std::vector<Point>& near, const std::string& symbol, const std::string& value);
   void words(const std::vector<Point>& near, const std::string& words);
 
-  /// Places and draws all labels; returns where they are.
+  /// Places and draws all labels, with lines to what they name where that is far; returns where they are.
   std::vector<LabelBox> draw(const Element& svg);
 
  private:
+  static void lead(const Element& svg, const LabelBox& box, const std::vector<Point>& near);
+
   struct Text {
     double size;
     std::string_view css;

@@ -1,0 +1,62 @@
+#include "report/picture/labels/contact_table.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "base/input/utf8.hpp"
+
+namespace slipproof {
+
+namespace {
+
+constexpr double row_height = 16, letter_width = 7.4, between = 12, size = 12;
+
+using Row = std::array<std::string, 4>;
+
+std::string force_text(const MechanismScene& scene, const MotionAtLoad& motion, std::size_t unknown,
+                       const NumberWords& numbers) {
+  return numbers.range(range_of_force(scene, motion, unknown));
+}
+
+}  // namespace
+
+std::string contact_letter(std::size_t index) {
+  const std::string last(1, static_cast<char>('a' + index % 26));
+  return index < 26 ? last : contact_letter(index / 26 - 1) + last;
+}
+
+LabelBox add_contact_table(const Element& svg, const MechanismScene& scene, const MotionAtLoad* motion,
+                           const std::vector<std::size_t>& contacts, const NumberWords& numbers, Point corner) {
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const MechanismContact& contact = scene.mechanism.contacts[contacts[i]];
+    Row row{contact_letter(i), contact_text(scene, motion, contacts[i])};
+    if (motion != nullptr) {
+      row[2] = "N " + force_text(scene, *motion, contact.normal, numbers);
+      if (contact.tangent) row[3] = "S " + force_text(scene, *motion, *contact.tangent, numbers);
+    }
+    rows.push_back(std::move(row));
+  }
+  double x = corner[0];
+  for (std::size_t column = 0; column < Row().size(); ++column) {
+    std::size_t widest = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const std::string& words = rows[i][column];
+      widest = std::max(widest, utf8_count(words));
+      if (words.empty()) continue;
+      svg.add("text", column == 0 ? "ink" : "soft")
+          .set("x", x)
+          .set("y", corner[1] + row_height * static_cast<double>(i + 1) - 4)
+          .set("font-size", size)
+          .text(words);
+    }
+    if (widest > 0) x += letter_width * static_cast<double>(widest) + between;
+  }
+  return {corner[0], corner[1], x - between, corner[1] + contact_table_height(rows.size())};
+}
+
+double contact_table_height(std::size_t contacts) {
+  return row_height * static_cast<double>(contacts);
+}
+
+}  // namespace slipproof

@@ -1,0 +1,28 @@
+// Names for the contacts of a picture: beside each where they are few, otherwise letters that a table explains.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mechanics/kernel/motions.hpp"
+#include "mechanics/scene/scene.hpp"
+#include "report/markup/element.hpp"
+#include "report/picture/labels/label_placer.hpp"
+#include "report/picture/motion_words.hpp"
+
+namespace slipproof {
+
+/// From so many contacts on they have letters.
+inline constexpr std::size_t fewest_lettered = 8;
+
+/// `a`, `b`, ..., `z`, `aa`, ...
+std::string contact_letter(std::size_t index);
+
+/// Adds a line for each of these contacts, with its letter, its name and state, and its forces; returns where they are.
+LabelBox add_contact_table(const Element& svg, const MechanismScene& scene, const MotionAtLoad* motion,
+                           const std::vector<std::size_t>& contacts, const NumberWords& numbers, Point corner);
+
+/// How high that table is.
+double contact_table_height(std::size_t contacts);
+
+}  // namespace slipproof
