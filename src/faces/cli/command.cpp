@@ -3,9 +3,11 @@
 #include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 
 #include "base/input/diagnostic.hpp"
+#include "base/output/listed.hpp"
 
 namespace slipproof::cli {
 
@@ -38,6 +40,18 @@ void print_document(const Document& document, const CommonOptions& options) {
     return print(blocks.back().line.text() + "\n");
   }
   print(options.markdown ? markdown_of(document) : text_of(document));
+}
+
+void expect_ending(const std::string& option, const std::string& file, const std::vector<std::string_view>& endings,
+                   std::string_view advice) {
+  if (file.empty() || file == "-" || file.starts_with("/dev/")) return;
+  if (std::ranges::any_of(endings, [&](std::string_view ending) { return file.ends_with(ending); })) return;
+  throw CLI::ValidationError(option, "found " + in_quotes(file) + ", expected a name that ends in " +
+                                         listed(endings, " or ") + std::string(advice));
+}
+
+void expect_page_name(const std::string& option, const std::string& file) {
+  expect_ending(option, file, {".html", ".htm"});
 }
 
 CLI::Validator whole_number(std::uint64_t low, std::uint64_t high) {

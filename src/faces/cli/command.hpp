@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/crew/transport.hpp"
 #include "base/output/standard_output.hpp"
@@ -60,6 +61,14 @@ CLI::Validator whole_number(std::uint64_t low, std::uint64_t high = std::numeric
 
 /// Accepts a decimal number from low to high and nothing else: no NaN, blank or hexadecimal.
 CLI::Validator number_in(double low, double high);
+
+/// Refuses a file to write whose name ends in none of these, such as `.svg`: a name promises a format. Accepts an empty
+/// name, `-`, and what is below /dev. `advice` follows the endings in the message.
+void expect_ending(const std::string& option, const std::string& file, const std::vector<std::string_view>& endings,
+                   std::string_view advice = {});
+
+/// The same for the name of a page.
+void expect_page_name(const std::string& option, const std::string& file);
 
 /// Writes to standard output. Throws OutputError.
 inline void print(std::string_view text) {

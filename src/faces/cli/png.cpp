@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "faces/cli/command.hpp"
+
 #ifdef SLIPPROOF_RSVG
 
 #include <librsvg/rsvg.h>
@@ -70,6 +72,10 @@ std::string png_of(std::string_view) {
 #endif
 
 namespace slipproof::cli {
+
+void expect_picture_name(const std::string& file, std::string_view advice) {
+  expect_ending("--out", file, {".svg", ".png"}, advice);
+}
 
 std::string picture_for(const std::string& file, std::string svg) {
   return file.ends_with(".png") ? png_of(svg) : std::move(svg);

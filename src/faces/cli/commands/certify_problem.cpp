@@ -119,6 +119,7 @@ void add_problem_options(CLI::App& command, CertifyProblemArguments& options) {
 
 int run_certify_problem(const CertifyProblemArguments& options, const GateArguments& gate_options,
                         const CommonOptions& common) {
+  expect_page_name("--report", options.report);
   ContactFileOptions judge;
   if (options.tolerance) judge.judge.tolerance = *options.tolerance;
   if (options.effort) judge.judge.effort = *options.effort;

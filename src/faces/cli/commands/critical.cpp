@@ -21,11 +21,6 @@ struct CriticalArguments {
   int digits = 6;
 };
 
-void expect_drawing_name(const std::string& out) {
-  if (out.empty() || out.ends_with(".svg") || out.ends_with(".png")) return;
-  throw CLI::ValidationError("--out", "found " + in_quotes(out) + ", expected a name that ends in .svg or .png");
-}
-
 void draw(const CriticalArguments& arguments, const SceneAlong& found) {
   const OutputFile out(arguments.out, {arguments.scene, found.scene.mechanism.file});
   try {
@@ -60,7 +55,7 @@ void add_critical(CLI::App& app, int& exit_code) {
                      "Also draw a picture over the parameter and the load: a file .svg or .png");
   add_report_options(command, options->common);
   command.callback([options, &exit_code] {
-    expect_drawing_name(options->out);
+    expect_picture_name(options->out);
     run_critical(*options);
     exit_code = as_it_should_be;
   });

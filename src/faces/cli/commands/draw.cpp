@@ -69,12 +69,12 @@ std::string figure_of_motions(MechanismScene scene, const DrawArguments& argumen
   };
   if (mode) {
     const auto motion = std::find_if(motions.begin(), motions.end(), has_mode);
-    if (motion != motions.end()) return mechanism_svg_file(scene, &*motion);
+    if (motion != motions.end()) return motion_svg_file(scene, *motion);
     refuse(arguments, "the motion of " + name(*mode) + " at " + scene.mechanism.load->symbol + " = " +
                           exact_text(*scene.load) + " is one of a continuum, which --load with --motion all draws");
   }
   const std::size_t number = std::stoul(arguments.motion);
-  if (number <= motions.size()) return mechanism_svg_file(scene, &motions[number - 1]);
+  if (number <= motions.size()) return motion_svg_file(scene, motions[number - 1]);
   refuse(arguments, fmt::format("found --motion {}, expected at most {}: so many motions it has there{}", number,
                                 motions.size(), found.continua.empty() ? "" : ", continua counted"));
 }
@@ -119,10 +119,10 @@ void add_draw(CLI::App& app, int& exit_code) {
                   "directions")
       ->check(motion_choice());
   command.add_option("--load", options->load, "The value of the load, in place of the scene's, such as 7/4");
-  command.add_option("-o,--out", options->out,
-                     "The file to write, a PNG if its name ends in .png; default: standard output");
+  command.add_option("-o,--out", options->out, "The file to write, .svg or .png; default: standard output");
   add_common_options(command, options->common);
   command.callback([options, &exit_code] {
+    expect_picture_name(options->out);
     Inputs inputs{options->scene};
     const std::string figure = figure_of(*options, inputs);
     exit_code = as_it_should_be;

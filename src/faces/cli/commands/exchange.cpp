@@ -60,6 +60,7 @@ void import_scene(const ImportArguments& arguments) {
   Inputs inputs;
   inputs.add(arguments.file);
   const OutputFile output(arguments.output, inputs);
+  expect_ending("--output", arguments.output, {arguments.spatial ? ".json" : ".toml"});
   imported::Scene scene = imported::read_scene_of_bodies(arguments.file);
   const std::size_t bodies = scene.bodies.size() - 1;
   if (arguments.spatial) {
@@ -140,6 +141,7 @@ void export_scene(const ExportArguments& arguments) {
   const MechanismScene scene = scene_of(arguments);
   inputs.add(scene.mechanism.file);
   const OutputFile file(arguments.output, inputs);
+  expect_ending("--output", arguments.output, {".json"});
   std::string text;
   std::size_t contacts = 0;
   if (arguments.bodies) {

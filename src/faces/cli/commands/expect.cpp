@@ -3,6 +3,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -32,6 +33,12 @@ std::string id_of(const std::string& file) {
   return std::filesystem::path(file).stem().string();
 }
 
+std::vector<std::string_view> endings_of(const std::string& format) {
+  if (format == "pytest") return {".py"};
+  if (format == "c++") return {".hpp", ".h", ".hh", ".hxx"};
+  return {format == "csv" ? ".csv" : ".json"};
+}
+
 void expect(const ExpectArguments& arguments) {
   Inputs inputs;
   std::set<std::string> ids;
@@ -48,6 +55,7 @@ void expect(const ExpectArguments& arguments) {
   }
   std::optional<OutputFile> output;
   if (!arguments.output.empty()) output.emplace(arguments.output, inputs);
+  expect_ending("--output", arguments.output, endings_of(arguments.format), ", as --format says");
   std::vector<ExpectedAnswer> answers;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     answers.push_back(expected_answer(std::move(scenes[i]), id_of(arguments.scenes[i])));

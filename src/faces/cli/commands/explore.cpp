@@ -33,6 +33,7 @@ std::string built_page(const std::filesystem::path& file) {
 }
 
 void write_explorer(const ExploreArguments& arguments) {
+  expect_page_name("--out", arguments.out);
   const MechanismScene scene = read_scene(arguments.scene);
   print_warnings(scene.mechanism, arguments.common);
   const std::filesystem::path file = explorer_file();

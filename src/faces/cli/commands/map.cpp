@@ -43,12 +43,11 @@ std::string number_or_complaint(const std::string& text) {
   }
 }
 
-/// Refuses a file name that ends neither in .svg nor in .png, unless an option gives the format.
-void expect_picture_name(const MapArguments& options) {
-  const bool asked = options.svg || options.png || options.common.json || options.out.empty() || options.out == "-";
-  if (asked || options.out.ends_with(".svg") || options.out.ends_with(".png")) return;
-  throw CLI::ValidationError("--out", "found " + in_quotes(options.out) +
-                                          ", expected a name that ends in .svg or .png; or say --svg or --png");
+/// An option that gives the format goes before the file's name.
+void expect_map_name(const MapArguments& options) {
+  if (options.svg || options.png) return;
+  if (options.common.json) return expect_ending("--out", options.out, {".json"});
+  expect_picture_name(options.out, "; or say --svg or --png");
 }
 
 /// What to draw; made before the work begins.
@@ -74,7 +73,7 @@ PlannedMap planned(const MapArguments& options) {
 }
 
 void draw_map(const MapArguments& options) {
-  expect_picture_name(options);
+  expect_map_name(options);
   PlannedMap map = planned(options);
   std::optional<OutputFile> out;
   if (!options.out.empty() && options.out != "-")

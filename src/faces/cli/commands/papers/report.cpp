@@ -111,6 +111,7 @@ void add_report(CLI::App& app, int& exit_code) {
     options->verify.certificates = options->certificates_of(path);
     std::optional<OutputFile> out;
     if (options->out != "-") out.emplace(options->out, files_of(page_folders(path, options->trade), file));
+    expect_page_name("--out", options->out);
     PageInput input = report_input(path, file, *options, *options->verify.certificates);
     const VerifyResult result = VerifyRun({{path, &file, options->verify}}, *options).result(0);
     input.result = &result;

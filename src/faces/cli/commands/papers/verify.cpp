@@ -132,6 +132,7 @@ int run_verify(VerifyArguments& options, const CLI::Option& samples) {
   PageInput input;
   if (!options.report.empty()) {
     report.emplace(options.report, files_of(page_folders(path, options.trade), file));
+    expect_page_name("--report", options.report);
     input = report_input(path, file, options, *options.verify.certificates);
   }
   const VerifyResult result = run.result(0);
