@@ -83,7 +83,7 @@ class Sliders {
       const PlaneColumns columns(scene_, find_across(scene_, axes.x));
       const AxisChoice choice(columns, scene_, axes);
       const Axis across = choice.across();
-      value["range"] = axis_json(is_load ? choice.up(across) : across);
+      value["range"] = axis_json(is_load ? choice.up(across).axis : across);
     } catch (const std::invalid_argument&) {
       value["range"] = nullptr;
     } catch (const InputError&) {

@@ -22,6 +22,12 @@ MotionSet motion_set(const LoadCell& cell) {
   return set;
 }
 
+bool opens(const MotionSet& set) {
+  if (set.motions.size() != 1) return false;
+  const MechanismMode& mode = set.motions[0].front();
+  return std::find(mode.begin(), mode.end(), ElementState::lift) != mode.end();
+}
+
 std::string name(const MotionSet& set) {
   std::string text;
   for (const auto& modes : set.motions) text += (text.empty() ? "" : ", ") + equal_modes(modes);

@@ -85,6 +85,8 @@ struct MotionSet {
   bool operator==(const MotionSet& other) const { return motions == other.motions && continua == other.continua; }
 };
 MotionSet motion_set(const LoadCell& cell);
+/// Whether the set is one motion in which a contact is open.
+bool opens(const MotionSet& set);
 /// `stick/stick, stick/lift`; `no motion`.
 std::string name(const MotionSet& set);
 

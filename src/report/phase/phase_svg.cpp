@@ -18,13 +18,6 @@ namespace slipproof {
 
 namespace {
 
-/// Whether the set is one motion in which a contact is open.
-bool opens(const MotionSet& set) {
-  if (set.motions.size() != 1) return false;
-  const MechanismMode& mode = set.motions[0].front();
-  return std::find(mode.begin(), mode.end(), ElementState::lift) != mode.end();
-}
-
 /// Width needed for the numbers of the vertical axis and its name.
 double left_of(const Plane& plane) {
   std::size_t longest = 0;

@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include "report/markup/number.hpp"
+#include "report/phase/phase_signs.hpp"
 #include "report/phase/phase_svg.hpp"
 #include "report/picture/palette.hpp"
 
@@ -28,11 +29,15 @@ std::string fitting(std::string words, const std::vector<std::string>& more, dou
   return words;
 }
 
+Element add_entry(const Element& svg, std::string_view css_class, double top, std::size_t index) {
+  const double y = top + entry_height * static_cast<double>(index);
+  return svg.add("g", css_class).set("transform", "translate(60 " + short_number(y) + ")");
+}
+
 void add_legend(const Element& svg, const PhasePicture& picture, double top) {
   const PhaseRegions& regions = picture.regions;
   for (std::size_t i = 0; i < regions.sets.size(); ++i) {
-    const double y = top + entry_height * static_cast<double>(i);
-    const Element entry = svg.add("g", "key").set("transform", "translate(60 " + short_number(y) + ")");
+    const Element entry = add_entry(svg, "key", top, i);
     paint_swatch(entry.add("rect"), picture, i);
     const auto& motions = regions.sets[i].motions;
     std::string more;
@@ -41,6 +46,12 @@ void add_legend(const Element& svg, const PhasePicture& picture, double top) {
     const std::string note = thin_note(picture, i), first = note.empty() ? note : note + " ";
     const std::string words = fitting(first + name(regions.sets[i]), {more}, picture.options.width);
     entry.add("text", "ink").set("x", 38).set("y", 13).text(words);
+  }
+  std::size_t index = regions.sets.size();
+  for (const PhaseSign& sign : phase_signs(picture)) {
+    const Element entry = add_entry(svg, "sign", top, index++);
+    draw_sign(entry, picture, sign);
+    entry.add("text", "ink").set("x", 38).set("y", 13).text(fitting(sign.words, {}, picture.options.width));
   }
 }
 
@@ -88,7 +99,8 @@ std::string phase_svg_file(const PhasePicture& picture) {
   const double row = heading_height + enlargement_options(options).height;
   const double plots = title_height + options.height + row * static_cast<double>((enlarged + 1) / 2);
   const std::string note = whole_note(diagram, picture.regions);
-  const double legend = 16 + entry_height * static_cast<double>(picture.regions.sets.size());
+  const std::size_t entries = picture.regions.sets.size() + phase_signs(picture).size();
+  const double legend = 16 + entry_height * static_cast<double>(entries);
   const double height = plots + legend + (note.empty() ? 0 : 20);
   const ElementTree document("svg");
   const Element svg = document.root().set("xmlns", "http://www.w3.org/2000/svg");

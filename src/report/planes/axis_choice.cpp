@@ -41,14 +41,22 @@ Axis AxisChoice::across() const {
   return axis;
 }
 
-Axis AxisChoice::up(const Axis& across) const {
+AxisChoice::Up AxisChoice::up(const Axis& across) const {
   const MechanismLoad& load = *columns_.mechanism().load;
   Axis axis;
   axis.symbol = load.symbol;
   axis.unit = load.unit;
   const auto problem = columns_.problem(typical(across));
   const ForceInterval domain = problem ? problem->load_domain : ForceInterval();
-  auto [low, high] = changes(problem);
+  const std::vector<Rational> all = changes(problem);
+  const Rational reach = this->reach(all);
+  Rational low = 0, high = 0;
+  if (domain.lower() && *domain.lower() > 0) low = high = *domain.lower();
+  if (domain.upper() && *domain.upper() < 0) low = high = *domain.upper();
+  for (const Rational& load : all) {
+    if (abs(load) <= reach) low = std::min(low, load), high = std::max(high, load);
+  }
+  if (low == high) low = low - 1, high = high + 1;
   const Rational margin = (high - low) / 6;
   low = low - margin, high = high + margin;
   if (domain.lower() && low < *domain.lower()) low = *domain.lower();
@@ -58,7 +66,13 @@ Axis AxisChoice::up(const Axis& across) const {
   expect_order(axis.symbol, axis.from, axis.to);
   ForceInterval seen = ForceInterval::between(axis.from, true, axis.to, true);
   seen.intersect(domain);
-  if (!seen.empty() && !seen.is_point()) return axis;
+  if (!seen.empty() && !seen.is_point()) {
+    std::vector<Rational> beyond;
+    for (const Rational& load : all) {
+      if (load < axis.from || load > axis.to) beyond.push_back(load);
+    }
+    return {std::move(axis), std::move(beyond)};
+  }
   throw std::invalid_argument(fmt::format("found the range of {} from {} to {}, expected one with values in {}",
                                           axis.symbol, exact_text(axis.from), exact_text(axis.to), to_string(domain)));
 }
@@ -126,24 +140,33 @@ Rational AxisChoice::typical(const Axis& axis) const {
   return middle;
 }
 
-AxisChoice::Ends AxisChoice::changes(const std::optional<FrictionProblem>& problem) const {
-  std::optional<Rational> low, high;
-  const auto see = [&](const Rational& load) {
-    low = low ? std::min(*low, load) : load;
-    high = high ? std::max(*high, load) : load;
-  };
-  see(Rational(0));
-  if (scene_.load) see(*scene_.load);
-  if (problem) {
-    for (const LoadCell& cell : motions_over_loads(*problem)->cells(Told::modes)) {
-      if (cell.loads.is_point()) see(*cell.loads.lower());
-    }
-    if (!problem->load_domain.empty() && !problem->load_domain.contains(Rational(0)) && *low == *high) {
-      see(problem->load_domain.sample());
-    }
+std::vector<Rational> AxisChoice::changes(const std::optional<FrictionProblem>& problem) const {
+  std::vector<Rational> loads;
+  if (scene_.load) loads.push_back(*scene_.load);
+  if (!problem) return loads;
+  for (const LoadCell& cell : motions_over_loads(*problem)->cells(Told::modes)) {
+    if (cell.loads.is_point()) loads.push_back(*cell.loads.lower());
   }
-  if (*low == *high) return {*low - 1, *high + 1};
-  return {*low, *high};
+  return loads;
+}
+
+/// Begins with the scene's load, or where it has none with the middle one of all changes, and with the two changes that
+/// are nearest to 0; goes on until the next change is more than five times as far.
+Rational AxisChoice::reach(std::vector<Rational> changes) const {
+  constexpr std::size_t at_least = 2;
+  constexpr int far = 5;
+  for (Rational& load : changes) load = abs(load);
+  std::erase(changes, Rational(0));
+  std::ranges::sort(changes);
+  if (changes.empty()) return 0;
+  Rational reach = scene_.load ? Rational(abs(*scene_.load)) : Rational(0);
+  if (reach.is_zero()) reach = changes[(changes.size() - 1) / 2];
+  reach = std::max(reach, changes[std::min(at_least, changes.size()) - 1]);
+  for (const Rational& load : changes) {
+    if (load > far * reach) break;
+    reach = std::max(reach, load);
+  }
+  return reach;
 }
 
 }  // namespace slipproof

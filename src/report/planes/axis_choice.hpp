@@ -15,8 +15,13 @@ class AxisChoice {
 
   Axis across() const;
 
-  /// All loads at which something changes at one value of x, with a margin.
-  Axis up(const Axis& across) const;
+  /// The loads around the scene's at which something changes at one value of x, with a margin; loads that are many
+  /// times larger are left out and listed.
+  struct Up {
+    Axis axis;
+    std::vector<Rational> beyond;  ///< where something changes outside
+  };
+  Up up(const Axis& across) const;
 
  private:
   using Ends = std::pair<Rational, Rational>;
@@ -35,7 +40,9 @@ class AxisChoice {
   /// The scene's own x if it is inside; otherwise the value in the domain that is nearest to the middle.
   Rational typical(const Axis& axis) const;
 
-  Ends changes(const std::optional<FrictionProblem>& problem) const;
+  std::vector<Rational> changes(const std::optional<FrictionProblem>& problem) const;
+  /// How far from 0 the loads go that are shown.
+  Rational reach(std::vector<Rational> changes) const;
 
   const PlaneColumns& columns_;
   const MechanismScene& scene_;

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/number/format.hpp"
 #include "mechanics/points/degrees.hpp"
 #include "report/phase/plane_words.hpp"
 #include "report/planes/axis_choice.hpp"
@@ -43,6 +44,13 @@ std::string note_of(const PlaneColumns& columns, const MechanismScene& scene, co
   return note;
 }
 
+std::string beyond_words(const std::string& note, const Axis& load, const std::vector<Rational>& beyond) {
+  std::vector<std::string> numbers;
+  for (const Rational& one : beyond) numbers.push_back(decimal_text(one, 6));
+  return fmt::format("{}Beyond the picture motions change at {} near {}.", note.empty() ? "" : " ", load.symbol,
+                     fmt::join(numbers, ", "));
+}
+
 bool shows(const Axis& axis, const Rational& x) {
   return axis.from <= x && x <= axis.to;
 }
@@ -67,9 +75,11 @@ Plane mechanism_plane(const MechanismScene& scene, const MechanismAxes& axes, st
   plane.id = std::move(id);
   plane.title = scene.name;
   plane.x = choice.across();
-  plane.y = choice.up(plane.x);
+  AxisChoice::Up up = choice.up(plane.x);
+  plane.y = std::move(up.axis);
   plane.finds_domain = plane.joins_alike = true;
   plane.note = note_of(*columns, scene, plane.x);
+  if (!up.beyond.empty() && !axes.y_from && !axes.y_to) plane.note += beyond_words(plane.note, plane.y, up.beyond);
   const auto own = columns->own();
   if (scene.load && own && shows(plane.x, *own) && shows(plane.y, *scene.load))
     plane.mark = Plane::Mark{*own, *scene.load, "the scene"};

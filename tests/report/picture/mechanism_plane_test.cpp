@@ -157,6 +157,38 @@ TEST_CASE("a block on a shaken floor stays until it slides or tips, exactly wher
   CHECK(map_json(diagram, scene) == map_json(phase_diagram(mechanism_plane(scene, axes, "m"), 16), scene));
 }
 
+TEST_CASE("without a range the loads around the scene's are shown, and those far away are told") {
+  const Plane plane = mechanism_plane(shipped_scene("bicycle"), {}, "m");  // a push of 300 N
+  CHECK(plane.y.from > -3000);
+  CHECK(plane.y.from < -1319);  // the motions change at -1319, 1592 and 1623, and at -9043 and 12301
+  CHECK(plane.y.to > 1623);
+  CHECK(plane.y.to < 3000);
+  CHECK(plane.note.find("Beyond the picture motions change at F near -9042.92, 12301.4.") != std::string::npos);
+  MechanismAxes wanted;
+  wanted.y_from = -100;
+  CHECK(mechanism_plane(shipped_scene("bicycle"), wanted, "m").note.find("Beyond") == std::string::npos);
+  CHECK(mechanism_plane(shipped_scene("ladder"), {}, "m").note.find("Beyond") == std::string::npos);
+}
+
+TEST_CASE("the legend of a map has all signs in it: the scene's dot, lines, dots and stripes") {
+  const PhaseDiagram diagram = phase_diagram(mechanism_plane(shipped_scene("bicycle"), {}, "m"), 24);
+  pugi::xml_document svg;
+  REQUIRE(svg.load_string(phase_svg_file(diagram).c_str()));
+  std::string words;
+  for (const auto& entry : svg.select_nodes("//g[@class='sign']/text"))
+    words += std::string(entry.node().child_value()) + "\n";
+  CHECK(words.find("the scene: ") == 0);
+  CHECK(words.find("F = 300 N") != std::string::npos);
+  CHECK(words.find("on a line the motions change") != std::string::npos);
+  CHECK(words.find("dots: a contact opens") != std::string::npos);
+  CHECK(!svg.select_nodes("//g[@class='sign']/circle[@class='ink']").empty());
+  const double height = svg.document_element().attribute("height").as_double();
+  for (const auto& entry : svg.select_nodes("//g[@class='sign']")) {
+    const std::string place = entry.node().attribute("transform").value();
+    CHECK(std::stod(place.substr(place.find(' '))) < height - 15);
+  }
+}
+
 TEST_CASE("another parameter goes up: what hangs on the ladder, or how high") {
   const MechanismScene ladder = shipped_scene("ladder");
   const MechanismScene high = with_load(ladder, "d");

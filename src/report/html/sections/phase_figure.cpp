@@ -9,6 +9,7 @@
 #include "report/markup/latex.hpp"
 #include "report/markup/symbol.hpp"
 #include "report/phase/phase_points.hpp"
+#include "report/phase/phase_signs.hpp"
 #include "report/phase/phase_svg.hpp"
 
 namespace slipproof {
@@ -78,6 +79,11 @@ void add_legend(const Element& parent, const PhasePicture& picture, bool words) 
     if (words && set.motions.size() == 1) text.text(" " + picture.diagram.plane.words(set.motions[0].front()));
     if (set.motions.size() > 1) text.text(" ambiguous: " + std::to_string(set.motions.size()) + " motions");
     if (const std::string note = thin_note(picture, i); !note.empty()) text.text(" " + note);
+  }
+  for (const PhaseSign& sign : phase_signs(picture)) {
+    const Element item = list.add("li");
+    draw_sign(item.add("svg", "swatch").set("viewBox", "0 0 28 18").set("aria-hidden", "true"), picture, sign);
+    item.add("span").text(sign.words);
   }
 }
 
