@@ -14,8 +14,6 @@ namespace slipproof {
 
 namespace {
 
-using namespace bodies_in_motion;
-
 Point unit(Point vector) {
   const double length = std::hypot(vector[0], vector[1]);
   return length > 0 ? Point{vector[0] / length, vector[1] / length} : Point{0, 0};
@@ -94,7 +92,7 @@ class GeometryReader {
   }
 
   void add_bodies(const Bodies& bodies, MechanismGeometry& geometry) {
-    frames_ = frames(bodies);
+    frames_ = bodies_in_motion::frames(bodies);
     for (const BodyForce& force : bodies.forces) add_force(force, geometry.pushes);
     for (const BodyTorque& torque : bodies.torques) {
       const double size = number(torque.is);
@@ -112,10 +110,10 @@ class GeometryReader {
   }
 
   void add_force(const BodyForce& force, std::vector<MechanismGeometry::Push>& pushes) {
-    const PlanarVector is = unplaced(force.is);
-    const Frame& on = frames_[force.on];
+    const bodies_in_motion::PlanarVector is = bodies_in_motion::unplaced(force.is);
+    const bodies_in_motion::Frame& on = frames_[force.on];
     const Point push = point(force.follows ? on.in_scene(is) : is),
-                place = point(on.at + on.in_scene(unplaced(force.at)));
+                place = point(on.at + on.in_scene(bodies_in_motion::unplaced(force.at)));
     const double size = std::hypot(push[0], push[1]);
     if (size == 0) return;
     const auto [name, value] = name_of(force.is);
@@ -125,7 +123,7 @@ class GeometryReader {
 
   void add_spring(const BodyJoint& joint, std::vector<MechanismGeometry::Push>& pushes) {
     const auto end = [&](std::size_t body, const PlacedPair& own) {
-      return point(frames_[body].at + frames_[body].in_scene(unplaced(own)));
+      return point(frames_[body].at + frames_[body].in_scene(bodies_in_motion::unplaced(own)));
     };
     const Point first = end(joint.first, joint.at), second = end(joint.second, joint.to);
     const double tension = number(joint.tension);
@@ -136,7 +134,7 @@ class GeometryReader {
     if (joint.second != ground) pushes.push_back({second, opposite(pull), std::abs(tension), name, value, true});
   }
 
-  void add_movement(const Body& body, const Frame& frame, MechanismGeometry& geometry) {
+  void add_movement(const Body& body, const bodies_in_motion::Frame& frame, MechanismGeometry& geometry) {
     const bool massless = body.mass && exact(body.mass).is_zero();  // others show how it moves along
     const Point velocity = massless ? Point{0, 0} : point(frame.velocity);
     const MechanismGeometry::Movement movement{point(frame.at), velocity, number(frame.spin), body.name};
@@ -144,12 +142,12 @@ class GeometryReader {
   }
 
   void add_weights(const Bodies& bodies, MechanismGeometry& geometry) {
-    const PlanarVector gravity = unplaced(bodies.gravity);
+    const bodies_in_motion::PlanarVector gravity = bodies_in_motion::unplaced(bodies.gravity);
     const Rational gx = exact(gravity.x), gy = exact(gravity.y), square = gx * gx + gy * gy;
     if (square.is_zero()) return;
     const Point down = point(gravity);
     for (std::size_t i = ground + 1; i < frames_.size(); ++i) {
-      const Expression mass = unplaced(bodies.bodies[i].mass);
+      const Expression mass = bodies_in_motion::unplaced(bodies.bodies[i].mass);
       const double size = number(mass) * std::hypot(down[0], down[1]);
       if (!(size > 0)) continue;
       const auto root = exact_root(square);
@@ -208,7 +206,7 @@ class GeometryReader {
   Rational exact(const Expression& expression) { return exact(PlacedExpression{expression, {}}); }
   double number(const PlacedExpression& placed) { return nearest_binary64(exact(placed)); }
   double number(const Expression& expression) { return nearest_binary64(exact(expression)); }
-  Point point(const PlanarVector& v) { return {number(v.x), number(v.y)}; }
+  Point point(const bodies_in_motion::PlanarVector& v) { return {number(v.x), number(v.y)}; }
   Point pair(const std::vector<PlacedExpression>& two) { return {number(two[0]), number(two[1])}; }
 
   MechanismGeometry::Contact contact(std::size_t index) {
@@ -226,7 +224,7 @@ class GeometryReader {
   const MechanismScene& scene_;
   ProblemMaker maker_;
   Evaluator<Rational> at_;
-  std::vector<Frame> frames_;
+  std::vector<bodies_in_motion::Frame> frames_;
 };
 
 }  // namespace

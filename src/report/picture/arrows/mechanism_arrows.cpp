@@ -13,7 +13,7 @@ namespace slipproof {
 
 namespace {
 
-constexpr double plain_force = 34, gap = 5, longest_velocity = 40, sliding_length = 24;
+constexpr double plain_force = 34, contact_gap = 5, longest_velocity = 40, sliding_length = 24;
 
 double length_of(Point v) {
   return std::hypot(v[0], v[1]);
@@ -136,7 +136,8 @@ void MechanismArrows::force(Point at, std::size_t unknown, Point direction, bool
   }
   // A pull leaves the contact on the side from which a push would come.
   const bool pulls = pushes && length < 0;
-  const Point start = pushes && !pulls ? moved(at, direction, -length - gap) : moved(at, direction, pulls ? -gap : 0);
+  const Point start =
+      pushes && !pulls ? moved(at, direction, -length - contact_gap) : moved(at, direction, pulls ? -contact_gap : 0);
   const Point end = moved(start, direction, length);
   add_arrow(svg_, start, end[0] - start[0], end[1] - start[1], css, determined ? ArrowLine::solid : ArrowLine::dashed);
   see(start, end);

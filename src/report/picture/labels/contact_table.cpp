@@ -9,7 +9,7 @@ namespace slipproof {
 
 namespace {
 
-constexpr double row_height = 16, letter_width = 7.4, between = 12, size = 12;
+constexpr double table_row = 16, table_letter = 7.4, column_gap = 12, table_text = 12;
 
 using Row = std::array<std::string, 4>;
 
@@ -46,17 +46,17 @@ LabelBox add_contact_table(const Element& svg, const MechanismScene& scene, cons
       if (words.empty()) continue;
       svg.add("text", column == 0 ? "ink" : "soft")
           .set("x", x)
-          .set("y", corner[1] + row_height * static_cast<double>(i + 1) - 4)
-          .set("font-size", size)
+          .set("y", corner[1] + table_row * static_cast<double>(i + 1) - 4)
+          .set("font-size", table_text)
           .text(words);
     }
-    if (widest > 0) x += letter_width * static_cast<double>(widest) + between;
+    if (widest > 0) x += table_letter * static_cast<double>(widest) + column_gap;
   }
-  return {corner[0], corner[1], x - between, corner[1] + contact_table_height(rows.size())};
+  return {corner[0], corner[1], x - column_gap, corner[1] + contact_table_height(rows.size())};
 }
 
 double contact_table_height(std::size_t contacts) {
-  return row_height * static_cast<double>(contacts);
+  return table_row * static_cast<double>(contacts);
 }
 
 }  // namespace slipproof
