@@ -16,7 +16,7 @@ bool always(const IntegerPolynomial&) {
 }
 
 /// From the constant up.
-IntegerPolynomial polynomial(const std::vector<int>& coefficients) {
+IntegerPolynomial ascending(const std::vector<int>& coefficients) {
   IntegerPolynomial result, power(1);
   for (const int c : coefficients) {
     result = result + power * IntegerPolynomial(c);
@@ -37,13 +37,13 @@ void add_factors(const IntegerPolynomial& p, std::set<IntegerPolynomial>& factor
   fmpz_poly_factor_clear(factored);
 }
 
-class Draw {
+class PolynomialDraw {
  public:
   IntegerPolynomial polynomial(int degree, int size) {
     std::vector<int> coefficients;
     for (int i = 0; i <= degree; ++i) coefficients.push_back(number(-size, size));
     coefficients.back() = number(1, size);
-    return ::polynomial(coefficients);
+    return ascending(coefficients);
   }
   int number(int low, int high) { return std::uniform_int_distribution<int>(low, high)(engine_); }
 
@@ -54,7 +54,7 @@ class Draw {
 }  // namespace
 
 TEST_CASE("factor base: the factors of each polynomial by itself, whatever is known before") {
-  Draw draw;
+  PolynomialDraw draw;
   for (int round = 0; round < 20; ++round) {
     FactorBase base;
     std::set<IntegerPolynomial> expected;
@@ -71,9 +71,9 @@ TEST_CASE("factor base: the factors of each polynomial by itself, whatever is kn
 }
 
 TEST_CASE("factor base: few divisions of hundreds of polynomials by hundreds of others") {
-  Draw draw;
+  PolynomialDraw draw;
   FactorBase base;
-  const IntegerPolynomial shared = polynomial({-2, 0, 0, 1});
+  const IntegerPolynomial shared = ascending({-2, 0, 0, 1});
   std::uint64_t polynomials = 0;
   for (int i = 0; i < 400; ++i, ++polynomials) base.add(shared * draw.polynomial(8, 1'000'000), always);
   CHECK(base.factors().size() > 390);
@@ -86,25 +86,25 @@ TEST_CASE("factor base: few divisions of hundreds of polynomials by hundreds of 
 
 TEST_CASE("factor base: a factor that vanishes modulo the prime, or whose leading coefficient does") {
   const Integer prime = Integer((1L << 61) - 1);
-  const IntegerPolynomial vanishing = IntegerPolynomial(prime) * polynomial({1, 1}), lower(Integer(1), prime);
+  const IntegerPolynomial vanishing = IntegerPolynomial(prime) * ascending({1, 1}), lower(Integer(1), prime);
   FactorBase base;
   base.add(lower, always);
-  base.add(lower * lower * polynomial({3, 0, 1}), always);
+  base.add(lower * lower * ascending({3, 0, 1}), always);
   base.add(vanishing, always);
-  base.add(vanishing * polynomial({1, 0, 1}), always);
+  base.add(vanishing * ascending({1, 0, 1}), always);
   CHECK(base.factors() ==
-        std::set<IntegerPolynomial>{lower, polynomial({1, 1}), polynomial({3, 0, 1}), polynomial({1, 0, 1})});
+        std::set<IntegerPolynomial>{lower, ascending({1, 1}), ascending({3, 0, 1}), ascending({1, 0, 1})});
 }
 
 TEST_CASE("factor base: what does not matter is not factored") {
   FactorBase base;
-  base.add(polynomial({-1, 1}), always);
+  base.add(ascending({-1, 1}), always);
   int asked = 0;
-  base.add(polynomial({-1, 1}) * polynomial({1, 0, 1}), [&](const IntegerPolynomial& rest) {
+  base.add(ascending({-1, 1}) * ascending({1, 0, 1}), [&](const IntegerPolynomial& rest) {
     ++asked;
-    CHECK(rest == polynomial({1, 0, 1}));
+    CHECK(rest == ascending({1, 0, 1}));
     return false;
   });
   CHECK(asked == 1);
-  CHECK(base.factors() == std::set<IntegerPolynomial>{polynomial({-1, 1})});
+  CHECK(base.factors() == std::set<IntegerPolynomial>{ascending({-1, 1})});
 }

@@ -11,7 +11,7 @@ using namespace slipproof::test;
 
 namespace {
 
-const std::filesystem::path papers = SLIPPROOF_SOURCE_DIR "/proofs";
+const std::filesystem::path proofs_folder = SLIPPROOF_SOURCE_DIR "/proofs";
 
 std::string in_paper(const std::string& key) {
   return replaced(small, "source = \"paper.tex\"\n", "source = \"paper.tex\"\n" + key);
@@ -51,7 +51,7 @@ TEST_CASE("another origin is refused at its place") {
 
 TEST_CASE("the claims of the shipped papers and their sources agree on what is ours") {
   std::size_t printed = 0, ours = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(papers)) {
+  for (const auto& entry : std::filesystem::directory_iterator(proofs_folder)) {
     if (!std::filesystem::exists(entry.path() / "claims.toml")) continue;
     const ClaimsFile file = read_claims(entry.path() / "claims.toml");
     const std::filesystem::path path = entry.path() / "sources.txt";
@@ -72,7 +72,7 @@ TEST_CASE("the claims of the shipped papers and their sources agree on what is o
     }
   }
   const std::string counts = std::to_string(printed) + " claims as printed, " + std::to_string(ours) + " of our own";
-  for (const auto& page : {papers / "README.md", papers / "../README.md"}) {
+  for (const auto& page : {proofs_folder / "README.md", proofs_folder / "../README.md"}) {
     CAPTURE(page.string());
     CHECK(read_file(page).find(counts) != std::string::npos);
   }
