@@ -21,7 +21,7 @@ Let names := paper_scope s None.
 Definition normal_all (scope : Normal.scope) : list condition -> option (list form) := map_option (normal_condition scope true).
 
 (** Of several motions the second has the suffix _2, and so on; or '2, if a name of the setting is that of an unknown with such a
-    suffix: of bodies A and A_2. No name in a file has a prime. *)
+    suffix of one digit: of bodies A and A_2. No name in a file has a prime. *)
 Fixpoint rest_after (start name : string) : option string :=
   match start, name with
   | EmptyString, _ => Some name
@@ -30,7 +30,7 @@ Fixpoint rest_after (start name : string) : option string :=
   end.
 Definition is_digit (c : ascii) : bool := match digit c with Some _ => true | None => false end.
 Definition of_further_motion (unknown name : string) : bool :=
-  match rest_after (unknown ++ "_") name with Some (String c text) => all_in is_digit (String c text) | _ => false end.
+  match rest_after (unknown ++ "_") name with Some (String c EmptyString) => is_digit c | _ => false end.
 Definition mark : string :=
   let written := symbols s ++ map fst (paper_definitions s) ++ unknowns m ++ map fst (quantities m) in
   if existsb (fun unknown => existsb (of_further_motion unknown) written) (unknowns m) then "'" else "_".

@@ -55,11 +55,11 @@ class MadeUpNames {
                                [&](const std::string& other) { return is_part(name, other) || is_part(other, name); });
   }
 
-  /// Whether the name is that of an unknown of a further motion.
+  /// Whether the name is that of an unknown of a further motion, of which there are fewer than ten: `a_22` is none.
   bool is_of_motion(std::string_view name) const {
-    const std::size_t last = name.find_last_not_of(digits);
-    return last != name.npos && last + 1 < name.size() && name[last] == mark_ &&
-           std::ranges::find(unknowns_, name.substr(0, last)) != unknowns_.end();
+    const std::size_t ending = 2;
+    return name.size() > ending && digits.find(name.back()) != digits.npos && name[name.size() - ending] == mark_ &&
+           std::ranges::find(unknowns_, name.substr(0, name.size() - ending)) != unknowns_.end();
   }
 
   /// Whether an assumption of this name would be called like a part of another: `a.1` and `a.1.2` are parts of `a`

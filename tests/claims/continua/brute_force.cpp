@@ -122,9 +122,9 @@ std::optional<Rational> only_value(System system, Row form) {
 }
 
 /// The unknowns are ax, ay, alpha, then N and S of each contact.
-class Modes {
+class AllModes {
  public:
-  Modes(const Body& body, const Rational& load) : body_(body), size_(3 + 2 * body.contacts.size() + 1) {
+  AllModes(const Body& body, const Rational& load) : body_(body), size_(3 + 2 * body.contacts.size() + 1) {
     for (std::size_t i = 0; i < 3; ++i) {
       Row row(size_);
       row[i] = body.mass[i];
@@ -195,7 +195,7 @@ class Modes {
   std::vector<Row> dynamics_;
 };
 
-std::optional<Accelerations> only_accelerations(const Modes& modes, const System& system) {
+std::optional<Accelerations> only_accelerations(const AllModes& modes, const System& system) {
   Accelerations result;
   for (std::size_t i = 0; i < 3; ++i) {
     auto value = only_value(system, modes.acceleration(i, 0));
@@ -220,7 +220,7 @@ std::set<std::string> BruteMotions::consistent(bool strict) const {
 }
 
 BruteMotions brute_force(const Body& body, const Rational& load) {
-  const Modes modes(body, load);
+  const AllModes modes(body, load);
   BruteMotions result;
   std::map<std::string, System> continua;
   std::vector<std::size_t> mode(body.contacts.size());
@@ -229,7 +229,7 @@ BruteMotions brute_force(const Body& body, const Rational& load) {
     const System closed = modes.system(mode, false);
     if (is_solvable(closed)) {
       std::string name;
-      for (const std::size_t state : mode) name += (name.empty() ? "" : "/") + std::string(Modes::states[state]);
+      for (const std::size_t state : mode) name += (name.empty() ? "" : "/") + std::string(AllModes::states[state]);
       const bool strict = is_solvable(modes.system(mode, true));
       if (const auto accelerations = only_accelerations(modes, closed)) {
         BruteMotions::Motion& motion = result.motions[*accelerations];
@@ -240,7 +240,7 @@ BruteMotions brute_force(const Body& body, const Rational& load) {
       }
     }
     std::size_t k = 0;
-    while (k < mode.size() && ++mode[k] == Modes::states.size()) mode[k++] = 0;
+    while (k < mode.size() && ++mode[k] == AllModes::states.size()) mode[k++] = 0;
     more = k < mode.size();
   }
   for (auto& [accelerations, motion] : result.motions) {

@@ -13,7 +13,7 @@ namespace {
 
 using meaning::Says;
 
-constexpr std::uint64_t quick = test::quick(600, 60);
+constexpr std::uint64_t quick_pairs = test::quick(600, 60);
 
 /// How often something was proved without samples.
 struct Settled {
@@ -46,7 +46,7 @@ void compare(bool mechanisms, std::uint64_t seed) {
                                 if (difference.empty()) difference = settled_otherwise(pair, settled);
                                 return difference.empty() ? test::stated_otherwise(pair, dice, stated) : difference;
                               });
-  const auto pairs = test::how_many<std::uint64_t>("SLIPPROOF_FORCE_DOMAINS", quick);
+  const auto pairs = test::how_many<std::uint64_t>("SLIPPROOF_FORCE_DOMAINS", quick_pairs);
   comparison.run(pairs);
   MESSAGE(settled.vacuous << " proved vacuous, " << settled.identities << " proved by identities");
   if (pairs < 5'000) return;  // too few to see both

@@ -53,7 +53,7 @@ forces = "F >= mu*m*g"
   }
 };
 
-ProgramEnd run(const TemporaryFolder& folder, const std::string& arguments) {
+ProgramEnd within(const TemporaryFolder& folder, const std::string& arguments) {
   const std::string program = std::string(SLIPPROOF_BINARY_DIR) + "/slipproof";
   const std::string script = "cd " + quoted(folder.path().string()) + " && timeout 60 " + quoted(program) + ' ' +
                              arguments + " --quiet >out 2>err";
@@ -69,15 +69,15 @@ const std::string verify = "verify claims.toml --samples 20 --lines 0 --threads 
 TEST_CASE("verify: a named pipe in place of a statement or a certificate proves nothing and is not waited for") {
   const Paper paper;
   paper.pipe("certificates/P.always.statement");
-  const ProgramEnd end = run(paper, verify);
+  const ProgramEnd end = within(paper, verify);
   CHECK(end.exit_code != 124);
   CHECK(end.out.find("P.always") != std::string::npos);
   const Paper other;
-  REQUIRE(run(other, "prove claims.toml --threads 1").exit_code == 0);
-  CHECK(run(other, verify).exit_code == 0);
+  REQUIRE(within(other, "prove claims.toml --threads 1").exit_code == 0);
+  CHECK(within(other, verify).exit_code == 0);
   other.pipe("certificates/P.always.cert");
   other.pipe("certificates/claims.canonical");
-  CHECK(run(other, verify).exit_code != 124);
+  CHECK(within(other, verify).exit_code != 124);
 }
 
 TEST_CASE("prove: a named pipe in place of a statement or a certificate is refused by its name") {
@@ -86,7 +86,7 @@ TEST_CASE("prove: a named pipe in place of a statement or a certificate is refus
     CAPTURE(name);
     const Paper paper;
     paper.pipe(name);
-    const ProgramEnd end = run(paper, "prove claims.toml --threads 1");
+    const ProgramEnd end = within(paper, "prove claims.toml --threads 1");
     if (std::string(name) == "certificates/old.statement") {
       CHECK(end.exit_code == 0);  // it is not of these claims, and nobody opens it
       continue;
@@ -102,7 +102,7 @@ TEST_CASE("report: a named pipe beside the claims is refused by its name") {
     CAPTURE(name);
     const Paper paper;
     paper.pipe(name);
-    const ProgramEnd end = run(paper, "report claims.toml --samples 20 --lines 0 --threads 1 --out page.html");
+    const ProgramEnd end = within(paper, "report claims.toml --samples 20 --lines 0 --threads 1 --out page.html");
     CHECK(end.exit_code == 3);
     CHECK(end.err.find(name) != std::string::npos);
   }

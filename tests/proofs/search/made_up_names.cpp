@@ -59,7 +59,7 @@ on = "$B"
 is = ["-$F", "0"]
 )";
 
-const std::string claims = R"(schema = "slipproof/claims/1"
+const std::string claims_text = R"(schema = "slipproof/claims/1"
 paper = { title = "x", authors = ["x"], source = "x" }
 [[setting]]
 id = "x"
@@ -121,7 +121,7 @@ std::string with(const Names& names, const std::string& text) {
 std::vector<NamedStatement> statements(const Names& names) {
   const test::TemporaryFolder folder;
   folder.write("m.toml", with(names, scene));
-  const ClaimsFile file = parse_claims(with(names, claims), folder.path() / "claims.toml");
+  const ClaimsFile file = parse_claims(with(names, claims_text), folder.path() / "claims.toml");
   std::vector<NamedStatement> result;
   for (const Claim& claim : file.claims) {
     for (auto& some :
@@ -228,7 +228,7 @@ TEST_CASE("made-up names: a statement about two motions is proved whatever the b
 TEST_CASE("made-up names: made fresh one after another") {
   const test::TemporaryFolder folder;
   folder.write("m.toml", with(plain, scene));
-  const ClaimsFile file = parse_claims(with(plain, claims), folder.path() / "claims.toml");
+  const ClaimsFile file = parse_claims(with(plain, claims_text), folder.path() / "claims.toml");
   MadeUpNames names(SettingNames(file.settings.front()), {"ax_A", "N_p"});
   CHECK(names.ending(1).empty());
   CHECK(names.ending(2) == "_2");

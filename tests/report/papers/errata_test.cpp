@@ -47,11 +47,6 @@ test::SmallClaims with_claims(const std::string& claims) {
   return small;
 }
 
-std::string formula(const std::string& id, const std::string& holds, const std::string& more = "") {
-  return "[[claim]]\nid = \"" + id + "\"\nline = 7\nstatement = \"s\"\nkind = \"formula\"\nholds = \"" + holds +
-         "\"\n" + more;
-}
-
 /// In whatever form the errata are written.
 std::vector<std::string> all_forms(const Judged& judged) {
   const Document document = errata_document(judged.file, judged.all);
@@ -156,7 +151,8 @@ TEST_CASE("text, Markdown, JSON and SARIF hold the same findings") {
 }
 
 TEST_CASE("a refuted claim without a grade is a finding, false until somebody says otherwise, and that is said") {
-  const Judged judged(with_claims(formula("X1", "b = 2*b") + formula("X2", "b < 0", "grade = \"gap\"\n")));
+  const Judged judged(
+      with_claims(test::formula_claim("X1", "b = 2*b") + test::formula_claim("X2", "b < 0", "grade = \"gap\"\n")));
   REQUIRE(judged.all.findings.size() == 2);
   CHECK(judged.all.findings[0].grade == Grade::wrong);
   CHECK_FALSE(judged.all.findings[0].graded);
@@ -171,8 +167,8 @@ TEST_CASE("a refuted claim without a grade is a finding, false until somebody sa
 }
 
 TEST_CASE("a refuted part of a finding that was not judged is a finding itself") {
-  Judged judged(with_claims(formula("X1", "b = b + 1", "grade = \"false\"\n") +
-                            formula("X2", "b = b + 2", "part_of = [\"X1\"]\n")));
+  Judged judged(with_claims(test::formula_claim("X1", "b = b + 1", "grade = \"false\"\n") +
+                            test::formula_claim("X2", "b = b + 2", "part_of = [\"X1\"]\n")));
   CHECK(judged.all.findings.size() == 1);
   std::erase_if(judged.result.claims, [](const ClaimResult& r) { return r.claim == 0; });
   const Errata rest = errata(judged.file, judged.result);
@@ -181,19 +177,19 @@ TEST_CASE("a refuted part of a finding that was not judged is a finding itself")
 }
 
 TEST_CASE("no form of the errata is an all-clear where claims are undecided, vacuous, or none was judged") {
-  const Judged open(with_claims(formula("X1", "b/(b - b) = 1") + formula("X2", "b > 0")));
+  const Judged open(with_claims(test::formula_claim("X1", "b/(b - b) = 1") + test::formula_claim("X2", "b > 0")));
   CHECK(open.all.findings.empty());
   for (const std::string& form : all_forms(open)) {
     CAPTURE(form);
     CHECK(form.find("1 is undecided (X1)") != form.npos);
     CHECK(form.find("no all-clear") != form.npos);
   }
-  const Judged empty(with_claims(formula("X1", "b > 0", "region = \"b < 0\"\n")));
+  const Judged empty(with_claims(test::formula_claim("X1", "b > 0", "region = \"b < 0\"\n")));
   CHECK(standing_text(empty.all).find("1 is vacuous (X1)") != std::string::npos);
   CHECK(standing_text(empty.all).find("no all-clear") != std::string::npos);
   const Errata none = errata(open.file, VerifyResult{});
   CHECK(standing_text(none) == "No claim was judged: nothing is known.");
-  const Judged fine(with_claims(formula("X1", "b + f > b")));
+  const Judged fine(with_claims(test::formula_claim("X1", "b + f > b")));
   CHECK(standing_text(fine.all).find("no all-clear") == std::string::npos);
 }
 

@@ -16,11 +16,6 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-std::string formula(const std::string& id, const std::string& holds, const std::string& more = "") {
-  return "[[claim]]\nid = \"" + id + "\"\nline = 7\nstatement = \"s\"\nkind = \"formula\"\nholds = \"" + holds +
-         "\"\n" + more;
-}
-
 JudgedPaper judged(const std::string& claims) {
   test::SmallClaims small;
   small.parameters = "b = { domain = \"b > 0\", meaning = \"b\" }\n";
@@ -37,8 +32,9 @@ const char* const ours = "origin = \"ours\"\n";
 /// Two as printed, of which one is refuted, and three of our own, of which one is.
 const JudgedPaper& mixed() {
   static const JudgedPaper paper =
-      judged(formula("P1", "b + b = 2*b") + formula("P2", "b > 1") + formula("T1", "b + b = 2*b", ours) +
-             formula("T2", "b = b", ours) + formula("T3", "b > 2", ours));
+      judged(test::formula_claim("P1", "b + b = 2*b") + test::formula_claim("P2", "b > 1") +
+             test::formula_claim("T1", "b + b = 2*b", ours) + test::formula_claim("T2", "b = b", ours) +
+             test::formula_claim("T3", "b > 2", ours));
   return paper;
 }
 
@@ -49,7 +45,7 @@ std::string page(const JudgedPaper& paper) {
   return page_html(input);
 }
 
-bool has(const std::string& text, const std::string& part) {
+bool stands_in(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
@@ -61,8 +57,8 @@ TEST_CASE("the errata count claims as printed and of our own apart, and mark fin
       "2 claims were judged as printed: 1 is proved for all parameters, 1 is refuted. 3 claims of our own were "
       "judged: 2 are proved for all parameters, 1 is refuted."));
   const std::string text = text_of(errata_document(mixed().file, list));
-  CHECK(has(text, "[P2]\n"));
-  CHECK(has(text, "[T3], our own\n"));
+  CHECK(stands_in(text, "[P2]\n"));
+  CHECK(stands_in(text, "[T3], our own\n"));
   const Json json = Json::parse(errata_json(mixed().file, list)), sarif = Json::parse(errata_sarif(mixed().file, list));
   CHECK(json["claims"]["judged"] == 5);
   CHECK(json["claims"]["printed"]["refuted"] == 1);
@@ -77,10 +73,10 @@ TEST_CASE("the errata count claims as printed and of our own apart, and mark fin
 TEST_CASE("verify calls no claim of our own printed, in text, Markdown and JSON") {
   const Document document = verify_document(mixed().file, mixed().result);
   const std::string text = text_of(document);
-  CHECK(has(text, "P2          printed   refuted"));
-  CHECK(has(text, "T3          ours      refuted"));
-  CHECK(has(text, "2 claims were judged as printed"));
-  CHECK(has(markdown_of(document), "| T3 | ours | refuted |"));
+  CHECK(stands_in(text, "P2          printed   refuted"));
+  CHECK(stands_in(text, "T3          ours      refuted"));
+  CHECK(stands_in(text, "2 claims were judged as printed"));
+  CHECK(stands_in(markdown_of(document), "| T3 | ours | refuted |"));
   const Json json = Json::parse(verify_json(mixed().file, mixed().result));
   CHECK(json["printed"]["judged"] == 2);
   CHECK(json["ours"]["refuted"] == 1);
@@ -92,20 +88,20 @@ TEST_CASE("verify calls no claim of our own printed, in text, Markdown and JSON"
 }
 
 TEST_CASE("the list of papers has a row for what is printed and one for our own") {
-  const std::vector<JudgedPaper> papers{mixed(), judged(formula("T1", "b + b = 2*b", ours))};
+  const std::vector<JudgedPaper> papers{mixed(), judged(test::formula_claim("T1", "b + b = 2*b", ours))};
   const std::string text = text_of(papers_document(papers));
-  CHECK(has(text, "1 source") == false);
-  CHECK(has(text,
-            "s REFUTED 2 sources, 2 as printed: proved 1 hold 0 refuted 1 open 0, 4 of our own: proved 3 hold 0 "
-            "refuted 1 open 0, 2 findings"));
-  CHECK(has(markdown_of(papers_document(papers)), "| small | ours | 1 |"));  // the second has nothing printed
+  CHECK(stands_in(text, "1 source") == false);
+  CHECK(stands_in(text,
+                 "s REFUTED 2 sources, 2 as printed: proved 1 hold 0 refuted 1 open 0, 4 of our own: proved 3 hold 0 "
+                 "refuted 1 open 0, 2 findings"));
+  CHECK(stands_in(markdown_of(papers_document(papers)), "| small | ours | 1 |"));  // the second has nothing printed
   const Json json = Json::parse(papers_json(papers));
   CHECK(json["papers"][0]["claims"] == 5);
   CHECK(json["papers"][0]["printed"]["claims"] == 2);
   CHECK(json["papers"][0]["ours"]["claims"] == 3);
   const std::string index = gallery_html(papers, "0", "");
-  CHECK(has(index, "2 sources, 2 claims as printed, 4 of our own"));
-  CHECK(has(index, "3 claims of our own"));
+  CHECK(stands_in(index, "2 sources, 2 claims as printed, 4 of our own"));
+  CHECK(stands_in(index, "3 claims of our own"));
 }
 
 TEST_CASE("a page counts both apart, and a claim of our own is stated, not printed") {
@@ -121,18 +117,19 @@ TEST_CASE("a page counts both apart, and a claim of our own is stated, not print
   CHECK(number("claims as printed") == "2");
   CHECK(number("refuted as printed") == "1");
   CHECK(number("claims of our own") == "3");
-  CHECK(has(tree.select_node("//*[@id='claim-P2']//h4").node().child_value(), "As printed"));
-  CHECK(has(tree.select_node("//*[@id='claim-T3']//h4").node().child_value(), "As stated"));
-  CHECK(tree.select_node("//*[@id='claim-T3'][contains(@class,'ours')]//small[.='our own']"));
+  CHECK(stands_in(tree.select_node("//*[@id='claim-P2']//h4").node().child_value(), "As printed"));
+  CHECK(stands_in(tree.select_node("//*[@id='claim-T3']//h4").node().child_value(), "As stated"));
+  CHECK(tree.select_node("//*[@id='claim-T3'][stands_in(@class,'ours')]//small[.='our own']"));
   CHECK(tree.select_nodes("//fieldset//input[@id='show-ours']").size() == 1);
 }
 
 TEST_CASE("a page without a paper behind it has no headings of one, no paper and nothing printed") {
-  const std::string html = page(judged(formula("T1.2", "b + b = 2*b", ours) + formula("A3", "b = b", ours)));
+  const std::string html =
+      page(judged(test::formula_claim("T1.2", "b + b = 2*b", ours) + test::formula_claim("A3", "b = b", ours)));
   for (const char* words :
        {"Section ", "Assertion ", "The paper", "the paper", "as printed", "As printed", "authors."}) {
     CAPTURE(words);
-    CHECK_FALSE(has(html, words));
+    CHECK_FALSE(stands_in(html, words));
   }
-  CHECK_FALSE(has(html, "show-ours\""));
+  CHECK_FALSE(stands_in(html, "show-ours\""));
 }

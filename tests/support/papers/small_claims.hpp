@@ -37,4 +37,10 @@ struct SmallClaims {
   }
 };
 
+/// A claim of the kind `formula`, as a table.
+inline std::string formula_claim(const std::string& id, const std::string& holds, const std::string& more = "") {
+  return "[[claim]]\nid = \"" + id + "\"\nline = 7\nstatement = \"s\"\nkind = \"formula\"\nholds = \"" + holds +
+         "\"\n" + more;
+}
+
 }  // namespace slipproof::test
