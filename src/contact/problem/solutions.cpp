@@ -93,6 +93,7 @@ ContactSolutions ContactSolver::try_all(Effort& effort) const {
   MergedModes merged = merge(kernel_problem_, consistent, &effort);
   ContactSolutions found;
   for (MergedModes::Motion& motion : merged.motions) {
+    if (!motion.within.empty()) continue;
     ContactSolution& solution = found.solutions.emplace_back(solution_of(problem_, std::move(motion.accelerations)));
     for (const std::size_t i : motion.modes) {
       solution.modes.push_back(consistent[i].mode);
