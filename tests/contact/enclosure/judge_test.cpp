@@ -110,7 +110,7 @@ TEST_CASE("an answer that is right for the pyramid is told as that") {
 }
 
 TEST_CASE("two solutions are shown") {
-  // A rod like Painleve's: pushing makes friction press harder than it resists. It may leave, or slide on.
+  // A rod like Painleve's: pushing makes friction press harder than it resists. It may leave, stick, or slide on.
   MixedProblem p;
   p.A = from_dense(3, 3, std::vector<double>{1, 2, 0, 2, 5, 0, 0, 0, 1});
   p.mu = {1};
@@ -118,11 +118,20 @@ TEST_CASE("two solutions are shown") {
   p.c = {1, 6, 0};
   const auto found = judged(p, {0, 0, 0});
   CHECK(found.verdict == ContactVerdict::ambiguous);
-  REQUIRE(found.other);
-  const auto other = center_of(*found.other);
+  CHECK(found.other_exact == std::vector<Rational>{7, -4, 0});  // sticking: 7 - 8 + 1 = 0 and 14 - 20 + 6 = 0
+  CHECK(judged(p, {1, -1, 0}).verdict == ContactVerdict::ambiguous);
+  // Beside a point that slides along (3, 4) no mode of both has linear equations.
+  p.A = from_dense(6, 6, std::vector<double>{1, 2, 0, 0, 0, 0, 2, 5, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0,
+                                             0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1});
+  p.mu = {1, 0.25};
+  p.c = {1, 6, 0, -10, 3, 4};
+  const auto both = judged(p, {0, 0, 0, 10, -1.5, -2});
+  CHECK(both.verdict == ContactVerdict::ambiguous);
+  CHECK(both.other_exact.empty());
+  REQUIRE(both.other);
+  const auto other = center_of(*both.other);
   CHECK(std::abs(other[0] - 1) < 1e-12);
   CHECK(std::abs(other[1] + 1) < 1e-12);
-  CHECK(judged(p, {1, -1, 0}).verdict == ContactVerdict::ambiguous);
 }
 
 TEST_CASE("a block on four corners: forces that nothing determines are pinned") {
