@@ -71,7 +71,7 @@ TEST_CASE("verify: a named pipe in place of a statement or a certificate proves 
   paper.pipe("certificates/P.always.statement");
   const ProgramEnd end = within(paper, verify);
   CHECK(end.exit_code != 124);
-  CHECK(end.out.find("P.always") != std::string::npos);
+  CHECK(end.out.find(" proved 0 missing 2") != std::string::npos);
   const Paper other;
   REQUIRE(within(other, "prove claims.toml --threads 1").exit_code == 0);
   CHECK(within(other, verify).exit_code == 0);
@@ -111,12 +111,15 @@ TEST_CASE("report: a named pipe beside the claims is refused by its name") {
 TEST_CASE("an input that the user names may be a pipe") {
   const Paper paper;
   const std::string program = quoted(std::string(SLIPPROOF_BINARY_DIR) + "/slipproof");
+  paper.write("scene.toml", R"(name = "x"
+mechanism = "m.toml"
+values = { m = "1", mu = "1", g = "1", F = "2" }
+)");
   paper.pipe("scene");
-  const std::string script =
-      "cd " + quoted(paper.path().string()) +
-      " && { printf 'name = \"x\"\\nmechanism = \"m.toml\"\\nvalues = { m = \"1\", mu = \"1\", g = "
-      "\"1\" }\\n' >scene & } && timeout 60 " +
-      program + " solve scene --load 2 --quiet >out 2>err";
+  // tee opens the pipe itself, so that its minute ends where nobody reads
+  const std::string script = "cd " + quoted(paper.path().string()) +
+                             " && { timeout 60 tee scene <scene.toml >/dev/null 2>&1 & } && timeout 60 " + program +
+                             " solve scene --quiet >out 2>err";
   const int status = std::system(script.c_str());
   CHECK(WEXITSTATUS(status) == 0);
   CHECK(slipproof::test::read_file(paper.path() / "out").find("s SOLVED") != std::string::npos);
