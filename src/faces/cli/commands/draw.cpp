@@ -79,9 +79,7 @@ std::string figure_of_motions(MechanismScene scene, const DrawArguments& argumen
                                 motions.size(), found.continua.empty() ? "" : ", continua counted"));
 }
 
-std::string figure_of(const DrawArguments& arguments, Inputs& inputs) {
-  MechanismScene scene = read_scene(arguments.scene);
-  inputs.add(scene.mechanism.file);
+std::string figure_of(MechanismScene scene, const DrawArguments& arguments) {
   print_warnings(scene.mechanism, arguments.common);
   if (!arguments.load.empty()) {
     if (!scene.mechanism.load) refuse(arguments, "found --load, but the mechanism has no load");
@@ -122,12 +120,15 @@ void add_draw(CLI::App& app, int& exit_code) {
   command.add_option("-o,--out", options->out, "The file to write, .svg or .png; default: standard output");
   add_common_options(command, options->common);
   command.callback([options, &exit_code] {
+    MechanismScene scene = read_scene(options->scene);
+    std::optional<OutputFile> out;
+    if (!options->out.empty() && options->out != "-")
+      out.emplace(options->out, Inputs{options->scene, scene.mechanism.file});
     expect_picture_name(options->out);
-    Inputs inputs{options->scene};
-    const std::string figure = figure_of(*options, inputs);
+    const std::string figure = figure_of(std::move(scene), *options);
     exit_code = as_it_should_be;
-    if (options->out.empty() || options->out == "-") return print(figure);
-    write_file(options->out, picture_for(options->out, figure), inputs);
+    if (!out) return print(figure);
+    out->write(picture_for(options->out, figure));
     if (!options->common.quiet) print("s DRAWN " + options->out + "\n");
   });
 }
