@@ -51,12 +51,14 @@ bool surely_irreducible(const IntegerPolynomial& p) {
 
 }  // namespace
 
+/// Monic, so that remainders of it need no inverse.
 class FactorBase::Residue {
  public:
   explicit Residue(const IntegerPolynomial& p) {
     constexpr ulong prime = (ulong{1} << 61) - 1;
     nmod_poly_init(value_, prime);
     fmpz_poly_get_nmod_poly(value_, p.flint());
+    if (nmod_poly_is_zero(value_) == 0) nmod_poly_make_monic(value_, value_);
   }
   Residue(const Residue&) = delete;
   Residue& operator=(const Residue&) = delete;
@@ -64,6 +66,10 @@ class FactorBase::Residue {
 
   bool divides(const Residue& other) const {
     if (nmod_poly_is_zero(value_) != 0) return nmod_poly_is_zero(other.value_) != 0;
+    if (nmod_poly_degree(value_) == 1) {
+      const ulong root = nmod_neg(nmod_poly_get_coeff_ui(value_, 0), value_->mod);
+      return nmod_poly_evaluate_nmod(other.value_, root) == 0;
+    }
     Residue remainder;
     nmod_poly_rem(remainder.value_, other.value_, value_);
     return nmod_poly_is_zero(remainder.value_) != 0;
@@ -92,14 +98,15 @@ IntegerPolynomial FactorBase::without_known(IntegerPolynomial p) {
       residue = std::make_unique<Residue>(p);
     }
   }
-  constexpr std::uint64_t patience = 64;
-  std::erase_if(known_, [](const Known& known) { return known.tried / patience > known.divided; });
+  constexpr std::uint64_t patience = 64, patience_for_each = 512;
+  std::erase_if(known_, [](const Known& known) { return known.tried > patience + patience_for_each * known.divided; });
   return p;
 }
 
 void FactorBase::insert(IntegerPolynomial factor) {
   const auto [place, is_new] = factors_.insert(std::move(factor));
-  if (is_new) known_.push_back({&*place, std::make_unique<Residue>(*place)});
+  // One that is not new was given up, and divided a polynomial nevertheless.
+  known_.push_back({&*place, std::make_unique<Residue>(*place), 0, is_new ? 0U : 1U});
 }
 
 void FactorBase::add(const IntegerPolynomial& p, const std::function<bool(const IntegerPolynomial&)>& matters) {
@@ -109,6 +116,7 @@ void FactorBase::add(const IntegerPolynomial& p, const std::function<bool(const 
     insert(rest.primitive());
     return;
   }
+  ++factored_;
   fmpz_poly_factor_t factored;
   fmpz_poly_factor_init(factored);
   fmpz_poly_factor(factored, rest.flint());

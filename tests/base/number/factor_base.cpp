@@ -84,6 +84,20 @@ TEST_CASE("factor base: few divisions of hundreds of polynomials by hundreds of 
   CHECK(base.remainders() < polynomials * 70);
 }
 
+TEST_CASE("factor base: few polynomials are factored where each shared factor is in 1 of 100") {
+  PolynomialDraw draw;
+  FactorBase base;
+  std::vector<IntegerPolynomial> shared;
+  for (int i = 0; i < 100; ++i) shared.push_back(ascending({-2 - i, 0, 0, i + 1, 0, 1}));
+  const std::uint64_t polynomials = 1500;
+  for (std::uint64_t i = 0; i < polynomials; ++i) base.add(shared[i % 100] * draw.polynomial(8, 1'000'000), always);
+  // Each shared factor is found, given up, and found once more.
+  CHECK(base.factors().size() > polynomials);
+  CHECK(base.factored() >= 100);
+  CHECK(base.factored() < 400);  // a few more since six primes do not show every irreducible one
+  CHECK(base.remainders() < polynomials * 200);
+}
+
 TEST_CASE("factor base: a factor that vanishes modulo the prime, or whose leading coefficient does") {
   const Integer prime = Integer((1L << 61) - 1);
   const IntegerPolynomial vanishing = IntegerPolynomial(prime) * ascending({1, 1}), lower(Integer(1), prime);
