@@ -18,6 +18,7 @@ struct Found {
   RealRoot place;
   const IntegerPolynomial* polynomial;
   int sign_below = 0;  ///< of it below the root, once it was asked for
+  double near = nearest_binary64(place.lower);
 };
 
 bool inside(const Rational& t, const LinePart& part) {
@@ -74,10 +75,13 @@ void refine(Found& root) {
   Rational middle = (place.lower + place.upper) / 2;
   if (root.sign_below == 0) root.sign_below = root.polynomial->sign_at(place.lower);
   const bool below = root.polynomial->sign_at(middle) == root.sign_below;
+  if (below) root.near = nearest_binary64(middle);
   (below ? place.lower : place.upper) = std::move(middle);
 }
 
+/// Rounding keeps the order of numbers, so that most need no exact comparison.
 bool precedes(const Found& x, const Found& y) {
+  if (x.near != y.near) return x.near < y.near;
   return std::tie(x.place.lower, x.place.upper) < std::tie(y.place.lower, y.place.upper);
 }
 
