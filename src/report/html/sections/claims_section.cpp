@@ -30,7 +30,7 @@ void add_filter(const Element& section, bool both_origins) {
     option("show-printed", "as printed");
     option("show-ours", "our own");
   }
-  option("show-failing", "refuted or without a value");
+  option("show-failing", "refuted, undecided or vacuous");
   option("show-proved", "proved for all parameters");
 }
 

@@ -158,17 +158,26 @@ std::string proved_share(std::size_t proved, std::size_t sampled_only) {
   return proved > 0 && sampled_only == 0 ? "all" : std::to_string(proved) + " of them";
 }
 
+/// How many claims have each verdict, from the given one of claim_verdicts on: `20 refuted, 3 undecided`.
+std::string listed_counts(const VerdictCounts& counts, std::size_t first) {
+  std::string text;
+  for (std::size_t i = first; i < counts.size(); ++i) {
+    if (counts[i] == 0) continue;
+    text += (text.empty() ? "" : ", ") + std::to_string(counts[i]) + " " + std::string(claim_verdicts[i]);
+  }
+  return text;
+}
+
 /// The verdicts on claims as printed, and as repaired where there are repairs.
 void add_printed_cards(const Element& cards, const VerdictTotals& counts) {
   const VerdictCounts &printed = counts.printed, &repaired = counts.repaired;
-  const std::size_t open = printed[3] + printed[4];
+  const std::string open = listed_counts(printed, 3);
   add_card(cards, "plain", sum(printed), "claims as printed",
            sum(repaired) > 0 ? "and as repaired, where the print cannot be meant" : "", "#claims");
   add_card(cards, "good", printed[0] + printed[1], "hold as printed",
            proved_share(printed[0], printed[1]) + " proved for all parameters", "#claims");
   add_card(cards, "bad", printed[2], "refuted as printed",
-           open > 0 ? std::to_string(open) + " more have no value as printed" : "with exact counterexamples",
-           "#claims");
+           open.empty() ? "with exact counterexamples" : "beside them, " + open, "#claims");
   if (sum(repaired) == 0) return;
   add_card(cards, "good", repaired[0] + repaired[1], "hold as repaired",
            proved_share(repaired[0], repaired[1]) + " proved for all parameters, " + std::to_string(repaired[2]) +
@@ -177,11 +186,15 @@ void add_printed_cards(const Element& cards, const VerdictTotals& counts) {
 }
 
 void add_own_card(const Element& cards, const VerdictCounts& ours) {
-  const std::size_t fail = sum(ours) - ours[0] - ours[1];
-  add_card(cards, fail == 0 ? "good" : "bad", sum(ours), "claims of our own",
-           proved_share(ours[0], sum(ours) - ours[0]) + " proved for all parameters" +
-               (fail == 0 ? "" : ", " + std::to_string(fail) + " refuted or without a value"),
-           "#claims");
+  const std::string rest = listed_counts(ours, 2);
+  add_card(
+      cards,
+      rest.empty()  ? "good"
+      : ours[2] > 0 ? "bad"
+                    : "plain",
+      sum(ours), "claims of our own",
+      proved_share(ours[0], sum(ours) - ours[0]) + " proved for all parameters" + (rest.empty() ? "" : ", " + rest),
+      "#claims");
 }
 
 void add_cards(const Element& section, const PageInput& input, const Errata& errata, const VerdictTotals& counts) {
@@ -189,7 +202,8 @@ void add_cards(const Element& section, const PageInput& input, const Errata& err
   if (sum(counts.printed) > 0) add_printed_cards(cards, counts);
   if (sum(counts.ours) > 0) add_own_card(cards, counts.ours);
   if (sum(counts.printed) > 0 || !errata.findings.empty()) {
-    add_card(cards, "bad", errata.findings.size(), "findings", findings_detail(errata.findings), "#errata");
+    add_card(cards, "bad", errata.findings.size(), errata.findings.size() == 1 ? "finding" : "findings",
+             findings_detail(errata.findings), "#errata");
   }
   if (!input.certificates.empty()) {
     const std::size_t accepted = count(input.certificates, CertificateState::accepted);
