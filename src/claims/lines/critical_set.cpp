@@ -9,7 +9,7 @@ void CriticalSet::add(const IntegerPolynomial& p) {
   if (p.degree() > 0) polynomials_.insert(p.primitive());
 }
 
-void CriticalSet::add(const Affine<IntegerPolynomial>& form) {
+void CriticalSet::add(const Affine<IntegerPolynomial>& form, std::size_t mode) {
   if (form.beta.is_zero()) {
     add(form.alpha);
     return;
@@ -17,7 +17,7 @@ void CriticalSet::add(const Affine<IntegerPolynomial>& form) {
   add(form.beta);
   IntegerPolynomial common = gcd(form.alpha, form.beta);
   if (form.beta.coefficient(form.beta.degree()) < 0) common = -std::move(common);
-  groups_[group_].emplace(exact_quotient(form.alpha, common), exact_quotient(form.beta, common));
+  groups_[group_].insert({exact_quotient(form.alpha, common), exact_quotient(form.beta, common), mode});
 }
 
 void CriticalSet::add(const ForcePolynomial& p) {
@@ -55,7 +55,8 @@ std::size_t CriticalSet::branch_of(const LineFunction& difference) {
 std::set<IntegerPolynomial> CriticalSet::polynomials() const {
   std::set<IntegerPolynomial> result = polynomials_;
   const auto meet = [&](const Form& x, const Form& y) {
-    const IntegerPolynomial determinant = x.first * y.second - y.first * x.second;
+    if (x.mode != 0 && x.mode == y.mode) return;
+    const IntegerPolynomial determinant = x.alpha * y.beta - y.alpha * x.beta;
     if (determinant.degree() > 0) result.insert(determinant.primitive());
   };
   for (std::size_t i = 0; i < groups_.size(); ++i) {

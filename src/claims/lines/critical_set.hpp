@@ -1,6 +1,7 @@
 // The polynomials along a line of bicycles whose zeros matter, collected while formulas are evaluated.
 #pragma once
 
+#include <compare>
 #include <optional>
 #include <set>
 #include <utility>
@@ -22,8 +23,13 @@ class CriticalSet {
     if (group >= groups_.size()) groups_.resize(group + 1);
   }
 
+  /// Begins a mode in the group: where ends of its forces meet each other is added by who knows them.
+  void begin_mode() { ++mode_; }
+
   void add(const IntegerPolynomial& p);
-  void add(const Affine<IntegerPolynomial>& form);
+  void add(const Affine<IntegerPolynomial>& form) { add(form, 0); }
+  /// Adds an end of the mode's forces.
+  void add_end(const Affine<IntegerPolynomial>& form) { add(form, mode_); }
   /// Adds numerator and denominator of a number that is compared with 0 or divided by.
   void add(const LineFunction& x);
   /// For limits: adds all coefficients, since the force then stands for the growing parameter.
@@ -39,12 +45,17 @@ class CriticalSet {
   std::set<IntegerPolynomial> polynomials() const;
 
  private:
-  using Form = std::pair<IntegerPolynomial, IntegerPolynomial>;
+  struct Form {
+    IntegerPolynomial alpha, beta;
+    std::size_t mode;  ///< whose forces end there; 0 for none
+    std::weak_ordering operator<=>(const Form&) const = default;
+  };
   void add(const ForcePolynomial& p);
+  void add(const Affine<IntegerPolynomial>& form, std::size_t mode);
 
   std::set<IntegerPolynomial> polynomials_, orders_;
   std::vector<std::set<Form>> groups_{1};
-  std::size_t group_ = 0;
+  std::size_t group_ = 0, mode_ = 0;
   std::vector<ForcePolynomial> branches_;
 };
 

@@ -101,6 +101,19 @@ const LineMechanism::StateRows& LineMechanism::rows_of(std::size_t index, Elemen
   return rows;
 }
 
+/// The ends of a mode's forces are among the forms without other unknowns; where two of them meet, what is left of
+/// them without the force vanishes, and is critical as any common factor of a row is.
+bool LineMechanism::add_conditions(Conditions conditions, const std::vector<std::size_t>& free) {
+  for (const std::size_t unknown : free) {
+    if (!conditions.eliminate(unknown)) return false;
+  }
+  const std::vector<PolynomialRow> ends = conditions.rows();
+  if (!conditions.eliminate(in_every_mode().free().size())) return false;
+  found_.begin_mode();
+  for (const PolynomialRow& end : ends) found_.add_end(over_force(end));
+  return true;
+}
+
 bool LineMechanism::add_mode(const MechanismMode& mode, const std::vector<std::size_t>& wanted) {
   if (!in_every_mode().solvable()) return false;
   std::vector<PolynomialRow> equations, conditions;
@@ -113,11 +126,7 @@ bool LineMechanism::add_mode(const MechanismMode& mode, const std::vector<std::s
   const SolvedRows solved(std::move(equations), unknowns, found_);
   if (!solved.solvable()) return false;
   for (PolynomialRow& condition : conditions) solved.reduce(condition);
-  bool complete = true;
-  for (const std::size_t unknown : solved.free()) complete = complete && eliminate(conditions, unknown, found_);
-  if (complete) {
-    for (const PolynomialRow& condition : conditions) found_.add(over_force(condition));
-  }
+  const bool complete = add_conditions(Conditions(std::move(conditions), found_), solved.free());
   for (const std::size_t slot : wanted) {
     const std::size_t quantity = slot - setting_.quantity_slot(0), first = system_->accelerations.size();
     auto [value, factor] =

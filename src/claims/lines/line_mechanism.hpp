@@ -53,6 +53,8 @@ class LineMechanism {
   const SolvedRows& in_every_mode();
   ScaledRow reduced(const FormRow<LineFunction>& form);
   const StateRows& rows_of(std::size_t element, ElementState state);
+  /// False if there are too many combinations.
+  bool add_conditions(Conditions conditions, const std::vector<std::size_t>& free);
 
   const CompiledSetting& setting_;
   LineEvaluator& paper_;

@@ -1,13 +1,14 @@
 #include "claims/lines/polynomial_rows.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace slipproof {
 
 namespace {
 
-/// The largest number of conditions from which undetermined forces are eliminated.
-constexpr std::size_t max_forms = 400;
+/// So many combinations of a mode's conditions are looked at.
+constexpr std::size_t max_combinations = 1000;
 
 /// Divides by the common factor of all entries; where that vanishes, the row differs.
 void make_primitive(PolynomialRow& row, CriticalSet& found) {
@@ -93,26 +94,53 @@ void SolvedRows::add_rest(const PolynomialRow& row) {
   solvable_ = solvable_ && !slope.is_zero();
 }
 
-/// Eliminates an unknown from conditions, whatever their signs; false if that gives too many.
-bool eliminate(std::vector<PolynomialRow>& forms, std::size_t unknown, CriticalSet& found) {
-  std::vector<PolynomialRow> result, with;
-  for (PolynomialRow& form : forms) {
-    (form[unknown].is_zero() ? result : with).push_back(std::move(form));
-  }
-  for (const PolynomialRow& form : with) found.add(form[unknown]);
-  if (result.size() + with.size() * (with.size() + 1) / 2 > max_forms) return false;
-  for (std::size_t i = 0; i < with.size(); ++i) {
-    for (std::size_t k = 0; k < i; ++k) {
-      PolynomialRow combined;
-      for (std::size_t j = 0; j < with[i].size(); ++j) {
-        combined.push_back(with[k][unknown] * with[i][j] - with[i][unknown] * with[k][j]);
-      }
-      make_primitive(combined, found);
-      result.push_back(std::move(combined));
+Conditions::Conditions(std::vector<PolynomialRow> given, CriticalSet& found) : found_(found) {
+  for (std::size_t i = 0; i < given.size(); ++i) left_.insert({{i}, std::move(given[i])});
+}
+
+bool Conditions::eliminate(std::size_t column) {
+  std::vector<Combination> with;
+  std::set<Combination> all;
+  left_.swap(all);
+  while (!all.empty()) {
+    auto next = all.extract(all.begin());
+    if (next.value().row[column].is_zero()) {
+      left_.insert(std::move(next));
+    } else {
+      found_.add(next.value().row[column]);
+      with.push_back(std::move(next.value()));
     }
   }
-  forms = std::move(result);
+  ++eliminated_;
+  for (std::size_t i = 0; i < with.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      combine(with[k], with[i], column);
+      if (left_.size() > max_combinations) return false;
+    }
+  }
   return true;
+}
+
+void Conditions::combine(const Combination& x, const Combination& y, std::size_t column) {
+  Combination both;
+  std::ranges::set_union(x.of, y.of, std::back_inserter(both.of));
+  if (both.of.size() > eliminated_ + 1) return;
+  for (std::size_t j = 0; j < x.row.size(); ++j) {
+    both.row.push_back(x.row[column] * y.row[j] - y.row[column] * x.row[j]);
+  }
+  make_primitive(both.row, found_);
+  const auto first = std::ranges::find_if(both.row, [](const auto& entry) { return !entry.is_zero(); });
+  if (first == both.row.end()) return;
+  if (first->coefficient(first->degree()) < 0) {
+    for (IntegerPolynomial& entry : both.row) entry = -std::move(entry);
+  }
+  left_.insert(std::move(both));
+}
+
+std::vector<PolynomialRow> Conditions::rows() const {
+  std::set<PolynomialRow> rows;
+  for (const Combination& combination : left_) rows.insert(combination.row);
+  return {rows.begin(), rows.end()};
 }
 
 }  // namespace slipproof

@@ -2,8 +2,10 @@
 // vanishes, the elimination differs, so these polynomials are critical.
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -40,7 +42,29 @@ class SolvedRows {
   CriticalSet& found_;
 };
 
-/// Eliminates an unknown from conditions, whatever their signs, pair by pair; false if that gives too many.
-bool eliminate(std::vector<PolynomialRow>& forms, std::size_t unknown, CriticalSet& found);
+/// Conditions of a mode, from which unknowns and then the force are eliminated by Fourier and Motzkin. Signs of
+/// coefficients change along the line, so every two conditions are combined. Chernikov's rule keeps that few: once k
+/// columns are gone, a combination of more than k + 1 of the given conditions follows from others, at every place.
+class Conditions {
+ public:
+  Conditions(std::vector<PolynomialRow> given, CriticalSet& found);
+
+  /// Eliminates the column; false, and then nothing is left to go on with, if that gives too many combinations.
+  bool eliminate(std::size_t column);
+  /// What is left, each once but for its sign.
+  std::vector<PolynomialRow> rows() const;
+
+ private:
+  struct Combination {
+    std::vector<std::size_t> of;  ///< the given conditions in it, ascending
+    PolynomialRow row;
+    std::weak_ordering operator<=>(const Combination&) const = default;
+  };
+  void combine(const Combination& x, const Combination& y, std::size_t column);
+
+  std::set<Combination> left_;
+  std::size_t eliminated_ = 0;
+  CriticalSet& found_;
+};
 
 }  // namespace slipproof
