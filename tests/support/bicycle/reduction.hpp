@@ -1,5 +1,5 @@
 // The equations of motion reduced to what is solved: in each contact mode two equations in two unknowns, without a
-// division, over any commutative ring. proofs/REDUCTION.md derives them; tests hold them against
+// division, over any commutative ring. proofs/MODEL.md derives them; tests hold them against
 // equations.hpp.
 #pragma once
 
