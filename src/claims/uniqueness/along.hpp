@@ -1,8 +1,9 @@
 // Finds exactly for which values of a parameter of a scene each load has one motion.
 //
 // The parameter, usually the coefficient of friction, runs along a line. The places where the answer can change are
-// known exactly (claims/lines/critical.hpp), and so are the zeros of the mode determinants (contact/every_load.hpp).
-// Between two such values nothing changes, so one rational number there gives the answer for all.
+// known exactly (claims/lines/critical.hpp), and so are the zeros of the mode determinants
+// (contact/problem/every_load.hpp). Between two such values nothing changes, so one rational number there gives the
+// answer for all.
 #pragma once
 
 #include <optional>

@@ -1,8 +1,8 @@
 // Proves that a mechanism has one motion in its whole domain, whatever pushes it.
 //
 // Theorem 1 of proofs/two-wheeler: planar contacts that start from rest and can open, with a positive definite matrix
-// W, have one motion for every q if and only if all mode determinants are positive (contact/every_load.hpp). Here W and
-// the determinants are expressions over the mechanism's parameters, and each condition is a statement
+// W, have one motion for every q if and only if all mode determinants are positive (contact/problem/every_load.hpp).
+// Here W and the determinants are expressions over the mechanism's parameters, and each condition is a statement
 // (proofs/FORMAT.md): in the domain, D > 0. The prover looks for a certificate of each, and the checker verifies it.
 //
 // Example: a block of mass m on the floor has W = diag(1/m, 1/m), and the determinant 1/m in slip+ and slip-; m > 0

@@ -1,4 +1,4 @@
-// Bounds on the distance of every solution, for convex laws (MATHEMATICS.md).
+// Bounds on the distance of every solution, for convex laws (contact/MATHEMATICS.md).
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Krawczyk's test for large sparse blocks, in the Euclidean norm: no inverse is formed (MATHEMATICS.md, "Large
+// Krawczyk's test for large sparse blocks, in the Euclidean norm: no inverse is formed (contact/MATHEMATICS.md, "Large
 // blocks").
 #pragma once
 

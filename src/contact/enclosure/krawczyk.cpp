@@ -48,7 +48,7 @@ class KrawczykTest {
   }
 
  private:
-  /// The bound on |K - z| of MATHEMATICS.md; `order` times the terms of second order: 1 for a zero, 2 for its
+  /// The bound on |K - z| of contact/MATHEMATICS.md; `order` times the terms of second order: 1 for a zero, 2 for its
   /// uniqueness.
   std::vector<double> bound_with(double order) const {
     stop_if_asked();

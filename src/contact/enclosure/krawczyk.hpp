@@ -45,8 +45,8 @@ struct KrawczykBox {
   bool unique = false;         ///< the zero is the only one in the box
 };
 
-/// Krawczyk's test in components, MATHEMATICS.md: nothing where it fails, which says nothing about zeros. Rounding to
-/// nearest is all that is assumed of the machine. 2 n^3 operations.
+/// Krawczyk's test in components, contact/MATHEMATICS.md: nothing where it fails, which says nothing about zeros.
+/// Rounding to nearest is all that is assumed of the machine. 2 n^3 operations.
 std::optional<KrawczykBox> krawczyk(const ModeSystem& system, const SystemBlock& block, std::span<const double> z);
 
 }  // namespace slipproof

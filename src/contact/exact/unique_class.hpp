@@ -50,8 +50,8 @@ bool proves(const UniqueProof& proof, const MixedProblem& problem);
 /// few entries each d takes a tenth of a second, for 1,000 full rows L takes a second.
 std::optional<UniqueProof> prove_unique(const MixedProblem& problem, Effort& effort);
 
-/// Of planar friction: A with what the bound of contact/every_load.hpp subtracts from its diagonal, rounded down.
-/// Nothing where that is not positive.
+/// Of planar friction: A with what the bound of contact/problem/every_load.hpp subtracts from its diagonal, rounded
+/// down. Nothing where that is not positive.
 std::optional<SparseMatrix> lowered_by_friction(const MixedProblem& problem);
 
 /// There are 4^n mode determinants.

@@ -17,9 +17,10 @@ struct PathEnd {
   std::vector<Rational> slip;  ///< |u_T| / (mu r_N), of each contact that slides in space; 0 of others
 };
 
-/// From the point nearest to `x` that obeys Coulomb's law (MATHEMATICS.md). Nothing if the path leads elsewhere, or
-/// meets a border of three modes or more; that proves nothing. Each step solves a system of the size of the mode's in
-/// numbers of 106 bits; there are a few for each border that is passed. `x` is finite. Throws TooMuchWork.
+/// From the point nearest to `x` that obeys Coulomb's law (contact/MATHEMATICS.md). Nothing if the path leads
+/// elsewhere, or meets a border of three modes or more; that proves nothing. Each step solves a system of the size of
+/// the mode's in numbers of 106 bits; there are a few for each border that is passed. `x` is finite. Throws
+/// TooMuchWork.
 std::optional<PathEnd> follow_path(const MixedProblem& problem, std::span<const double> x, Effort& effort);
 
 }  // namespace slipproof

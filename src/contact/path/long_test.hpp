@@ -15,7 +15,7 @@ namespace slipproof {
 DependentPart dependent_in_long_numbers(const ModeSystem& system, const SystemBlock& block,
                                         std::span<const Rational> z);
 
-/// The test of enclosure/MATHEMATICS.md, (1). All that depends on A and the point is computed exactly and rounded up
+/// The test of contact/MATHEMATICS.md, (E1). All that depends on A and the point is computed exactly and rounded up
 /// once; the inverse has 106 bits.
 class LongTest {
  public:

@@ -1,5 +1,5 @@
 // A point of a path of solutions: of problems that lead from one near the answer's to the one that is asked about
-// (MATHEMATICS.md).
+// (contact/MATHEMATICS.md).
 #pragma once
 
 #include <Eigen/Core>

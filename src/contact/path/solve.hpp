@@ -10,10 +10,10 @@
 
 namespace slipproof {
 
-/// A solution by Coulomb's law that a path leads to from `x` (MATHEMATICS.md), enclosed in long numbers. Parts of the
-/// problem that share no row are solved one by one, in binary64 where that is enough. Its forces may be far from those
-/// of `x` where rounding determines them; its velocities are near. Nothing if none was found, which proves nothing. `x`
-/// is finite. Throws TooMuchWork; parts have up to `largest_on_path` rows.
+/// A solution by Coulomb's law that a path leads to from `x` (contact/MATHEMATICS.md), enclosed in long numbers. Parts
+/// of the problem that share no row are solved one by one, in binary64 where that is enough. Its forces may be far from
+/// those of `x` where rounding determines them; its velocities are near. Nothing if none was found, which proves
+/// nothing. `x` is finite. Throws TooMuchWork; parts have up to `largest_on_path` rows.
 std::optional<Enclosure> solve_along_path(const MixedProblem& problem, std::span<const double> x, Effort& effort);
 inline constexpr std::size_t largest_on_path = 800;
 

@@ -52,8 +52,8 @@ struct ContactSolutions {
   bool one() const { return solutions.size() == 1 && continua.empty(); }
 };
 
-/// Solves the modes of a problem by the kernel of all mechanisms (motions/modes_of.hpp). The problem is checked by
-/// mistake_in() and must outlive it; immutable once made.
+/// Solves the modes of a problem by the kernel of all mechanisms (mechanics/kernel/mode_solver.hpp). The problem is
+/// checked by mistake_in() and must outlive it; immutable once made.
 class ContactSolver {
  public:
   /// What is done unless more is asked for: a second or two.

@@ -167,7 +167,8 @@ class OpenPart {
     return verified(g, y);
   }
 
-  /// g . x = g . x0 + y . A (x - x0) - z . (x - x0) with z = A^T y - g, all without rounding (MATHEMATICS.md, (1)).
+  /// g . x = g . x0 + y . A (x - x0) - z . (x - x0) with z = A^T y - g, all without rounding (contact/MATHEMATICS.md,
+  /// (R1)).
   Bound verified(const DenseVector& g, const DenseVector& y) const {
     std::vector<double> multipliers;
     Bound bound;

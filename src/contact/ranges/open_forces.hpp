@@ -1,4 +1,4 @@
-// What an answer's velocities leave open of its forces (MATHEMATICS.md).
+// What an answer's velocities leave open of its forces (contact/MATHEMATICS.md).
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 # Stops the configuration when value-changing floating-point options are in force, wherever they come from.
-# A consumer of the installed headers is stopped by number/rational.hpp.
+# A consumer of the installed headers is stopped by base/number/rational.hpp.
 get_directory_property(directory_options COMPILE_OPTIONS)
 set(flags "$ENV{CXXFLAGS};${directory_options};${CMAKE_CXX_FLAGS}")
 foreach(config DEBUG RELEASE RELWITHDEBINFO MINSIZEREL)

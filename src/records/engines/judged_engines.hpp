@@ -14,7 +14,7 @@
 namespace slipproof {
 
 /// How near an answer is to a motion: the largest error of an acceleration over the largest acceleration of its kind
-/// (contact/yardstick.hpp).
+/// (contact/problem/yardstick.hpp).
 enum class EngineVerdict : std::uint8_t {
   right,      ///< within `engine_right`
   near,       ///< within `contact_near`

@@ -1,4 +1,4 @@
-// Compares the answer of a record with the exact solutions of a mode, by the rule of contact/yardstick.hpp.
+// Compares the answer of a record with the exact solutions of a mode, by the rule of contact/problem/yardstick.hpp.
 #pragma once
 
 #include "contact/problem/yardstick.hpp"

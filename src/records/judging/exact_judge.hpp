@@ -18,7 +18,7 @@ class ExactJudge {
   ~ExactJudge();
 
   /// A record outside the domain, or with a number that is not finite, is invalid. Relative errors are as defined in
-  /// contact/yardstick.hpp and RecordAnswer. The record must be complete.
+  /// contact/problem/yardstick.hpp and RecordAnswer. The record must be complete.
   RecordJudgement operator()(const Record& record);
 
  private:

@@ -25,7 +25,7 @@ inline constexpr std::size_t record_verdict_count = 6;
 std::string_view name(RecordVerdict verdict);
 
 struct JudgeOptions {
-  /// Largest relative error of a component, as contact/yardstick.hpp defines it.
+  /// Largest relative error of a component, as contact/problem/yardstick.hpp defines it.
   double tolerance = 1e-9;
   /// An answer counts as a badly computed motion if each component is within this of the motion's, relative to the
   /// yardstick of its kind if that is larger. Beyond this the answer is wrong.

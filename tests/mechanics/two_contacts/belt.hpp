@@ -15,7 +15,7 @@ namespace slipproof::test::two_contacts {
 
 inline const std::array<std::string, 8> belt_modes{"OO", "+O", "++", "+-", "+S", "O+", "O-", "OS"};
 
-/// The sets that some body may have by the rules and by the theorem of proofs/two-contacts/MATHEMATICS.md: the indices
+/// The sets that some body may have by the rules and by the theorem of proofs/two-contacts/README.md: the indices
 /// of the motions have the same sum under each load, and each border between two modes is met. To each set the sums.
 std::map<Modes, std::set<int>> left_on_a_belt(const std::vector<Rule>& rules);
 

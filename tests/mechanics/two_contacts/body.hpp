@@ -61,7 +61,7 @@ class Library {
 /// boundaries are not looked for. Nothing where a body or its load is special: both normals and the tangent of a
 /// contact depend on each other, or both edges of the first cone and the first one of the second, or the determinant of
 /// a mode is 0, or the forces of two contacts that stick end at an edge of each.
-/// Each mode has its index (proofs/two-contacts/MATHEMATICS.md).
+/// Each mode has its index (proofs/two-contacts/README.md).
 using Indices = std::map<std::string, int>;
 std::optional<Indices> by_cramers_rule(const Body& body);
 Modes modes_of(const Indices& indices);

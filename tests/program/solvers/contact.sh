@@ -1,6 +1,6 @@
 #!/bin/sh
 # contact.sh RECORDER SLIPPROOF DATA OUT: every solver of RECORDER (record_contact) on every file of DATA, at three
-# tolerances, judged by `slipproof certify`. Writes OUT/verdicts.csv, and OUT/README.md below "## Tables". Needs jq.
+# tolerances, judged by `slipproof certify`. Writes OUT/verdicts.csv, and OUT/tables.txt. Needs jq.
 set -eu
 recorder=$1 slipproof=$2 data=$3 out=$4
 none=,,,,,,

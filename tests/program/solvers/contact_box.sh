@@ -1,7 +1,7 @@
 #!/bin/sh
 # contact_box.sh NAME SLIPPROOF DATA OUT RECORDER...: every solver of a game engine, by its recorders
 # (record_contact_bullet and record_contact_bullet64, or record_contact_dart), on every file of DATA that it takes, judged
-# by `slipproof certify` for the cone and for the pyramid. Writes OUT/NAME.csv, and OUT/README.md below "## Tables". Needs
+# by `slipproof certify` for the cone and for the pyramid. Writes OUT/NAME.csv, and OUT/tables.txt. Needs
 # jq.
 set -eu
 name=$1 slipproof=$2 data=$3 out=$4

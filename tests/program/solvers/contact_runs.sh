@@ -40,8 +40,8 @@ every_run() {
   done
 }
 
-# The pages' tables, made anew from OUT's verdicts.
+# The tables, made anew from OUT's verdicts.
 write_tables() {
-  sh "$(dirname "$0")/contact_tables.sh" "$1" >"$work/README.md"
-  cp "$work/README.md" "$1/README.md"
+  sh "$(dirname "$0")/contact_tables.sh" "$1" >"$work/tables.txt"
+  cp "$work/tables.txt" "$1/tables.txt"
 }

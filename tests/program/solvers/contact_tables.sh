@@ -1,10 +1,8 @@
 #!/bin/sh
-# contact_tables.sh FOLDER: prints FOLDER/README.md, with what is below "## Tables" made anew from FOLDER/verdicts.csv,
-# and from those of the game engines, FOLDER/bullet.csv and FOLDER/dart.csv, if they are there.
+# contact_tables.sh FOLDER: prints FOLDER/tables.txt, made anew from FOLDER/verdicts.csv, and from those of the game
+# engines, FOLDER/bullet.csv and FOLDER/dart.csv, if they are there.
 set -eu
 cd "$1"
-sed '/^## Tables/,$d' README.md
-echo '## Tables'
 awk -F, '
   BEGIN {
     kinds = split("unique,solution within rho,ambiguous,eps-solution,wrong,invalid,crash,time limit", kind, ",")
@@ -30,7 +28,7 @@ awk -F, '
   END {
     split("fc3d gfc3d fc2d lcp", order, " ")
     split("3D|3D, global form|2D|LCP", titles, "|")
-    print "\n| solver | runs | unique | solution within rho | ambiguous | eps-solution | wrong | invalid | crash | time limit |", \
+    print "| solver | runs | unique | solution within rho | ambiguous | eps-solution | wrong | invalid | crash | time limit |", \
           "success, yet wrong or invalid | failure, yet certified |"
     print "|---|---|---|---|---|---|---|---|---|---|---|---|"
     for (f = 1; f <= 4; ++f) for (c = 1; c <= columns[order[f]]; ++c) {
@@ -80,7 +78,7 @@ engine() {
       }
     }
     END {
-      print "\n### " title "\n\nThe sweeps of pgs " sweeps ":\n"
+      print "\n" title "\n\nThe sweeps of pgs " sweeps ":\n"
       print "| 3D | for the cone | backward error | right for | `--law box` | backward error |\n|---|---|---|---|---|---|"
       for (r = 1; r <= files["3D"]; ++r) printf "| %s | %s\n", file["3D", r], found[file["3D", r]]
       print "\nOf each file and solver, the verdicts for the cone " settings ", letters as above, and"

@@ -1,4 +1,4 @@
-// The contact problems in cases/contact-problems get the verdicts that their page tells.
+// The contact problems in cases/contact-problems get the verdicts that cases/CERTIFYING.md tells.
 #include <fstream>
 #include <sstream>
 
@@ -39,7 +39,7 @@ std::string text_of(const std::string& path) {
 
 TEST_CASE("each law's shipped line gets the verdict that its table tells") {
   const std::string folder = std::string(SLIPPROOF_SOURCE_DIR) + "/cases/contact-problems/";
-  const auto expected = verdicts_in_table(folder + "README.md", "laws.jsonl");
+  const auto expected = verdicts_in_table(folder + "../CERTIFYING.md", "laws.jsonl");
   const auto lines = problems(text_of(folder + "laws.jsonl")).lines();
   REQUIRE(lines.size() == 10);
   REQUIRE(expected.size() == lines.size());
@@ -51,7 +51,7 @@ TEST_CASE("each law's shipped line gets the verdict that its table tells") {
 
 TEST_CASE("the shipped examples get the verdicts that their table tells, and the bicycle is the one of the scene") {
   const std::string folder = std::string(SLIPPROOF_SOURCE_DIR) + "/cases/";
-  const auto expected = verdicts_in_table(folder + "contact-problems/README.md", "examples.jsonl");
+  const auto expected = verdicts_in_table(folder + "CERTIFYING.md", "examples.jsonl");
   const std::string all = text_of(folder + "contact-problems/examples.jsonl");
   const auto lines = problems(all).lines();
   REQUIRE(lines.size() == 10);

@@ -1,6 +1,6 @@
 #!/bin/sh
-# house.sh PROJECT: at most nine wings, each with a page of its own that names its rooms; in src and in tests no folder
-# with more than 20 source files, no source file above 350 lines; and the drawing in CONTRIBUTING.md is that of drawing.sh.
+# house.sh PROJECT: at most nine wings; layers.txt says what each room holds; in src and in tests no folder with more than
+# 20 source files, no source file above 350 lines; and the drawing in CONTRIBUTING.md is that of drawing.sh.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 cd "$1"
@@ -12,13 +12,9 @@ wrong() {
 
 wings=$(find src -mindepth 1 -maxdepth 1 -type d | wc -l)
 [ "$wings" -le 9 ] || wrong "src has $wings wings, at most 9 are told apart at a glance"
-for wing in src/*/; do
-  [ -e "${wing}README.md" ] || wrong "${wing}README.md is missing: a page on what stands in the wing"
-done
-
-for room in $(sed -n 's#^\([a-z_]*/[a-z_]*\)\**$#\1#p' src/layers.txt); do
-  grep -q "^| \`${room#*/}\` |" "src/${room%/*}/README.md" || wrong "src/${room%/*}/README.md does not say what stands in $room"
-done
+awk '/^[a-z_]+\// { if (room != "") print room; room = $1; next } /^#   / { room = "" } END { if (room != "") print room }' \
+  src/layers.txt | while read -r room; do echo "src/layers.txt does not say what $room holds: a line \"#   ...\" below it"; done |
+  grep . && status=1
 
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT

@@ -1,4 +1,4 @@
-// The conditions of a contact mode on a motion: the table of contact states in proofs/MODEL.md.
+// The conditions of a contact mode on a motion: the contact states of proofs/MODEL.md.
 #pragma once
 
 #include <vector>

@@ -1,6 +1,33 @@
-// The equations of motion reduced to what is solved: in each contact mode two equations in two unknowns, without a
-// division, over any commutative ring. proofs/REDUCTION.md derives them; tests hold them against
-// equations.hpp.
+// The equations of motion (equations.hpp) reduced to what is solved: in each contact mode two equations in two
+// unknowns, without a division, over any commutative ring. Tests hold the kernel's motions of mechanism `bicycle`
+// against these.
+//
+// With mu = r2/r1, I0 = I1 mu^2 + I2, and e = 1 for an external force, 0 for an internal one: the chain gives eps1 =
+// mu eps2 + (1 - mu) phi, the sprocket's equation T = (I1 eps1 - F L)/r1. With both in the rear wheel's equation and
+// in the pitch equation, less mu times the former,
+//
+//   M a     = S2 + S3 - e F
+//   M a_y   = M g - N2 - N3
+//   I0 eps2 + k phi = mu L F - R S2                                                   k = mu (1 - mu) I1
+//   I3 eps3         = -R S3
+//   k eps2 + Jt phi = b2 N2 - b3 N3 - h (S2 + S3) - mu L F + e (L + h) F              Jt = J + (1 - mu)^2 I1
+//
+// The code keeps r1^2 I0 = A, r1^2 k = K, r1^2 Jt = B, so that no division is needed. A wheel that sticks has R eps =
+// a - h phi, so R^2 S3 = -I3 (a - h phi), and the like for S2; one that slips has S = -+ f N; one that lifts S = N =
+// 0. So each S is an affine function of a, and of one more unknown y:
+//
+//   both on the road  y = N2   N2 = y            N3 = M g - y      phi = 0   a_y = 0
+//   front lifts       y = phi  N2 = M (g - b2 y) N3 = 0            phi = y   a_y = b2 y
+//   rear lifts        y = phi  N2 = 0            N3 = M (g + b3 y) phi = y   a_y = -b3 y
+//   both lift         y = phi  N2 = 0            N3 = 0            phi = y   a_y = g
+//
+// The equation along x and the pitch equation are left in (a, y). A wheel that does not stick has eps from its own
+// equation, divided by its inertia; where the rear one slips or lifts, the pitch equation is multiplied by A to put
+// that eps2 in. Cramer's rule gives a and y over the determinant D of the two equations, and every other quantity
+// over D times something positive. F enters linearly, so that it may be a symbol (alpha + beta F): each condition is
+// then (alpha + beta F)/(D positive) >= 0, a half line of forces, all of them or none, and a mode is consistent on
+// one interval. A mode is singular iff D = 0, or a wheel without inertia (I3 = 0, or I1 = I2 = 0) does not stick: its
+// eps is then free.
 #pragma once
 
 #include <array>

@@ -11,7 +11,7 @@ inline AffineForm to_form(const LinearForm<Rational>& form) {
 }
 
 /// A bicycle with the force F as its load. Accelerations are a, a_y, phi, eps2, eps3 and the gaps and slips; forces S2,
-/// S3, N2, N3: the order of the quantities in model/contact_mode.hpp.
+/// S3, N2, N3: the order of the quantities in support/bicycle/contact_mode.hpp.
 inline FrictionProblem bicycle_problem(const Bicycle<Rational>& p, const Road<Rational>& road, ForceKind kind) {
   using Form = LinearForm<Rational>;
   const auto x = [](std::size_t i) { return Form::variable(i); };
