@@ -7,8 +7,8 @@ rm -rf "$scratch"
 cp -r "$paper" "$scratch"
 "$slipproof" prove --quiet "$scratch/claims.toml" || true
 for statement in "$scratch"/forgotten/*.statement; do
-  cp "$statement" "$scratch/certificates"
-  "$slipproof" prove --again --quiet "$scratch/certificates/$(basename "$statement")"
+  "$slipproof" prove --again --quiet "$statement"
+  cat "$statement" "${statement%.statement}.cert" >>"$scratch/claims.theorems"
 done
 rm -r "$scratch/forgotten"
 "$judge" "$scratch" >"$scratch/verdicts" || true

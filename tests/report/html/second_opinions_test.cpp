@@ -123,9 +123,9 @@ TEST_CASE("a bad table is refused with all that is wrong, and where") {
 TEST_CASE("the evidence says who agrees and who timed out, the first screen counts, from the table alone") {
   const EvidencePage page(
       "statement,z3,cvc5,coq\n"
-      "certificates/A1.1.always,unsat,timeout,accepted\n"
-      "certificates/A1.1.only-then,unsat,unsat,-\n"
-      "theorems/A1.2a,unknown,-,accepted\n");
+      "claims.theorems/A1.1.always,unsat,timeout,accepted\n"
+      "claims.theorems/A1.1.only-then,unsat,unsat,-\n"
+      "by-hand.theorems/A1.2a,unknown,-,accepted\n");
   CHECK(page.text("//details[@id='claim-A1.1']")
             .find("Second opinions. z3 confirms A1.1.only-then and A1.1.always, was not asked of A1.1.defined; cvc5 "
                   "confirms A1.1.only-then, timed out on A1.1.always, was not asked of A1.1.defined; Coq accepts "
@@ -140,7 +140,7 @@ TEST_CASE("the evidence says who agrees and who timed out, the first screen coun
 }
 
 TEST_CASE("without the table, the page says nothing of second opinions") {
-  const EvidencePage without(""), with("statement,z3,cvc5,coq\ncertificates/A1.1a,unknown,-,timeout\n");
+  const EvidencePage without(""), with("statement,z3,cvc5,coq\nclaims.theorems/A1.1a,unknown,-,timeout\n");
   CHECK(without.text("//body").find("econd opinion") == std::string::npos);
   CHECK(with.text("//details[@id='claim-A1.1a']")
             .find("Second opinions. z3 could not tell of A1.1a, was not asked of A1.1a.defined; Coq timed out on "
