@@ -30,7 +30,11 @@ type file = Text of string | Too_long | No_text
 let load_file path most =
   let read file =
     let text = Buffer.create 4096 in
-    (try Buffer.add_channel text file (most + 1) with End_of_file -> ());
+    (try
+       while Buffer.length text <= most do
+         Buffer.add_channel text file (min 65536 (most + 1 - Buffer.length text))
+       done
+     with End_of_file -> ());
     if Buffer.length text > most then Too_long else Text (Buffer.contents text)
   in
   try
