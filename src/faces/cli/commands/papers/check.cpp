@@ -1,4 +1,5 @@
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,14 +15,14 @@ namespace {
 struct CheckArguments {
   CommonOptions common;
   std::vector<std::string> certificates;
-  std::string show;
+  std::optional<std::string> show;
 };
 
 /// Prints a part of a theorem file.
 int show(const CheckArguments& options) {
   if (options.certificates.size() != 1)
     throw CLI::ValidationError("--show", "found several files, expected one theorem file");
-  const check::Shown part = check::show_part(options.show, options.certificates.front());
+  const check::Shown part = check::show_part(*options.show, options.certificates.front());
   if (!part.problem.empty()) throw InputError({{"", 0, 0, part.problem}});
   print(part.text);
   return as_it_should_be;
@@ -41,7 +42,7 @@ void add_check(CLI::App& app, int& exit_code) {
                      "claims.canonical");
   add_common_options(command, options->common);
   command.callback([options, &exit_code] {
-    if (!options->show.empty()) {
+    if (options->show) {
       exit_code = show(*options);
       return;
     }

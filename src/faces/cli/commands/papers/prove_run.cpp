@@ -92,7 +92,7 @@ struct ProveRun::Stated {
   const Claim* claim;
   Reading reading;
   std::vector<NamedStatement> statements;
-  std::vector<NamedStatement> refutations{};  ///< those that were found necessary
+  std::vector<NamedStatement> others{};  ///< those that were found necessary, or proved earlier
 };
 
 ProveRun::ProveRun(const ProveOptions& options, const CommonOptions& common, Inputs inputs)
@@ -218,7 +218,7 @@ std::vector<NamedStatement> ProveRun::refutations(const ClaimsFile& file, const 
 TheoremFile ProveRun::arranged(const ClaimsFile& file, const std::vector<Stated>& all, const TheoremFile& found) const {
   TheoremFile result{.claims = canonical_claims(file), .theorems = {}};
   for (const Stated& one : all) {
-    for (const auto* statements : {&one.statements, &one.refutations}) {
+    for (const auto* statements : {&one.statements, &one.others}) {
       for (const auto& [name, text, refutes] : *statements) {
         if (settled_.contains(name) || result.find(name) != nullptr) continue;
         const Theorem* const known = found.find(name);
@@ -234,6 +234,23 @@ template <class Wanted>
 void add_missing(TheoremFile& file, const TheoremFile& found, const Wanted& wanted) {
   for (const Theorem& theorem : found.theorems) {
     if (file.find(theorem.name) == nullptr && wanted(theorem.name)) file.theorems.push_back(theorem);
+  }
+}
+
+/// The statements of both directions that have a certificate from an earlier run, whatever `expect` says now.
+void ProveRun::keep_proved(const ClaimsFile& file, std::vector<Stated>& all, const TheoremFile& found) const {
+  if (arranged(file, all, found).theorems.size() == found.theorems.size()) return;
+  for (Stated& one : all) {
+    failure_of([&] {  // what fails here was told of its statements
+      for (const auto& stated : {claim_statements, claim_refutation}) {
+        for (NamedStatement& statement : stated(file, *one.claim, one.reading)) {
+          const Theorem* const known = found.find(statement.name);
+          const bool same = known != nullptr && known->statement == statement.text;
+          if (same && known->certificate.starts_with("slipproof-certificate "))
+            one.others.push_back(std::move(statement));
+        }
+      }
+    });
   }
 }
 
@@ -263,10 +280,11 @@ void ProveRun::prove_claims(const ClaimsFile& file, const PaperFolder& paper,
   std::vector<StatementSource> first = by_hand, more;
   for (const Stated& one : all) append(first, sources(one.statements, theorems));
   prove(first);
-  for (Stated& one : all) one.refutations = sound(*one.claim, [&] { return refutations(file, one); });
+  for (Stated& one : all) one.others = sound(*one.claim, [&] { return refutations(file, one); });
   contain(TheoremFile(output_.contents(theorems)), everything);
-  for (const Stated& one : all) append(more, sources(one.refutations, theorems));
+  for (const Stated& one : all) append(more, sources(one.others, theorems));
   if (!more.empty()) prove(more);
+  keep_proved(file, all, output_.contents(theorems));
   contain(TheoremFile(output_.contents(theorems)), [&](const std::string& theorem) {
     return std::any_of(failed_.begin(), failed_.end(), [&](const auto& claim) { return is_about(theorem, claim.id); });
   });

@@ -45,6 +45,7 @@ class ProveRun {
   std::vector<NamedStatement> refutations(const ClaimsFile& file, const Stated& stated);
   const ProofOutcome* outcome(const std::string& theorem) const;
   TheoremFile arranged(const ClaimsFile& file, const std::vector<Stated>& all, const TheoremFile& found) const;
+  void keep_proved(const ClaimsFile& file, std::vector<Stated>& all, const TheoremFile& found) const;
   std::vector<StatementSource> sources(const std::vector<NamedStatement>& statements,
                                        const std::filesystem::path& theorems);
   void write(const FileOutcome& outcome);
