@@ -97,7 +97,7 @@ let split text =
   if !present = None then raise Malformed;
   parts
 
-let most_of_theorems = 1 lsl 30
+let most_of_theorems = 1 lsl 28 (* bytes *)
 let is_theorem_file path =
   Filename.check_suffix path ".theorems" && Filename.basename path <> ".theorems" && not (is_folder path)
 

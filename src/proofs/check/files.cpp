@@ -63,7 +63,7 @@ bool is_below(const fs::path& path, const fs::path& folder) {
   return !error && !inside.empty() && *inside.begin() != "..";
 }
 
-constexpr std::size_t kMaxTheoremFile = std::size_t{1} << 30;  ///< bytes
+constexpr std::size_t kMaxTheoremFile = std::size_t{1} << 28;  ///< bytes
 
 bool is_theorem_file(const fs::path& path) {
   std::error_code error;

@@ -13,7 +13,7 @@ namespace slipproof {
 namespace {
 
 constexpr std::string_view theorem_extension = ".theorems";
-constexpr std::size_t max_theorem_file = std::size_t{1} << 30U, max_single_file = std::size_t{1} << 28U;
+constexpr std::size_t max_file = std::size_t{1} << 28U;
 
 enum class PartKind { claims, statement, certificate };
 
@@ -105,7 +105,7 @@ std::string TheoremFile::text() const {
 }
 
 TheoremFile read_theorems(const std::filesystem::path& file) {
-  const std::string text = read_found_file(file, max_theorem_file);
+  const std::string text = read_found_file(file, max_file);
   return TheoremReader(file, text).read();
 }
 
@@ -140,7 +140,7 @@ std::optional<std::string> TheoremTexts::at(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;  // a pipe is not even opened: that waits
   try {
-    return read_text_file(path, max_single_file);
+    return read_text_file(path, max_file);
   } catch (const InputError&) {
     return std::nullopt;
   }

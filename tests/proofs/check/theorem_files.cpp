@@ -79,7 +79,7 @@ TEST_CASE("what is wrong with a part has its line in the whole file") {
   const auto at = text.rfind("term 1\n");
   text.replace(at, 7, "term 2 x\n");
   folder.write("t.theorems", text);
-  CHECK(report(folder, "t.theorems").starts_with("accepted a\nrejected t.theorems:22: b: contradiction: "));
+  CHECK(report(folder, "t.theorems").starts_with("accepted a\nrejected t.theorems:21: b: contradiction: "));
   folder.write("t.theorems", kClaims + proved("a") + "slipproof-statement 1\ntheorem b\nreal x\nshow x > y\n");
   CHECK(report(folder, "t.theorems").find("unreadable t.theorems:16: b: show: expected a number or a known name\n") !=
         std::string::npos);

@@ -41,14 +41,14 @@ struct EvidencePage {
     const auto claims = folder.write("claims.toml", test::read_file(test::shipped_folder / "claims.toml"));
     std::vector<std::string> names = three;
     names.insert(names.end(), {"A1.1.defined", "A1.1a.defined"});
-    for (const char* below : {"certificates", "theorems"}) std::filesystem::create_directory(folder.path() / below);
-    for (const char* ending : {".statement", ".cert"}) {
-      const auto shipped = [&](const std::string& name) {
-        return test::read_file(test::shipped_certificates / (name + ending));
-      };
-      for (const std::string& name : names) folder.write("certificates/" + name + ending, shipped(name));
-      folder.write(std::string("theorems/A1.2a") + ending, shipped("A1.2a"));
-    }
+    const auto shipped = [&](const std::string& name) {
+      const std::filesystem::path part = test::shipped_certificates / name;
+      return test::read_file(part.string() + ".statement") + test::read_file(part.string() + ".cert");
+    };
+    std::string theorems;
+    for (const std::string& name : names) theorems += shipped(name);
+    folder.write("claims.theorems", theorems);
+    folder.write("by-hand.theorems", shipped("A1.2a"));
     if (!table.empty()) folder.write("second-opinions.csv", table);
     VerifyOptions options;
     options.samples = 5;

@@ -18,7 +18,7 @@ Theorem& theorem_named(TheoremFile& file, const std::string& name) {
 }
 
 TheoremChanges compared(const std::filesystem::path& path, const TheoremFile& before, const TheoremFile& now) {
-  TheoremChanges result{.file = path};
+  TheoremChanges result{.file = path.lexically_normal()};
   for (const Theorem& theorem : now.theorems) {
     const Theorem* const old = before.find(theorem.name);
     const bool same = old != nullptr && old->statement == theorem.statement && old->certificate == theorem.certificate;

@@ -292,7 +292,8 @@ void ProveRun::prove_claims(const ClaimsFile& file, const PaperFolder& paper,
   unstated_ = unstated_claims(file);
   for (const UnstatedClaim& claim : unstated_) note("no statement of " + claim.id + ": " + claim.why);
   for (const UnstatedClaim& claim : failed_) note("failed    " + claim.id + ": " + claim.why);
-  if (before != theorems) note("left      " + before.string() + ": " + theorems.filename().string() + " replaces it");
+  if (before != theorems)
+    note("left      " + before.lexically_normal().string() + ": " + theorems.filename().string() + " replaces it");
 }
 
 void ProveRun::save() {
