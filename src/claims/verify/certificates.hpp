@@ -64,7 +64,6 @@ class Certificates {
   /// The bytes of NAME.cert; nothing if there is no such text.
   std::optional<std::string> certificate(const std::string& name) const;
   const std::filesystem::path& folder() const { return paper_.folder; }
-  const PaperFolder& paper() const { return paper_; }
   /// The name for check() of a statement that is made from a claim.
   std::string of_claim(const std::string& statement) const { return generated_.filename().string() + "/" + statement; }
   /// The canonical claims with the statements; nothing if there are none.
