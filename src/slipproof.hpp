@@ -33,7 +33,6 @@
 #include "mechanics/search/search.hpp"
 #include "proofs/check/files.hpp"
 #include "proofs/check_contact/files.hpp"
-#include "proofs/other_provers/coq.hpp"
 #include "proofs/other_provers/smtlib.hpp"
 #include "proofs/search/prove_files.hpp"
 #include "records/certify/certify.hpp"

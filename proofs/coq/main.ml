@@ -1,4 +1,4 @@
-(* slipproof-check-verified CERT|STATEMENT|FOLDER...: the extracted checker on files, which it finds and names as
+(* slipproof-check-verified CERT|STATEMENT|THEOREMS|FOLDER...: the extracted checker on files, which it finds and names as
    slipproof-check does. Exit codes: 0 if all certificates are accepted, 5 if one is rejected, otherwise 3 if one is
    missing or cannot be read, 4 if the search for one ended without; 2 for wrong usage, 6 if the result cannot be written.
    slipproof-check-verified --compare RECORD: on what the tests of slipproof-check recorded, `VERDICT S C`, then S bytes
@@ -6,7 +6,7 @@
 
 open Support
 
-let usage = "usage: slipproof-check-verified CERT|STATEMENT|FOLDER...\n       slipproof-check-verified --compare RECORD\n"
+let usage = "usage: slipproof-check-verified CERT|STATEMENT|THEOREMS|FOLDER...\n       slipproof-check-verified --compare RECORD\n"
 
 (* Statement after statement is often the same. *)
 let last = ref ("", None)
@@ -50,21 +50,24 @@ let verdict path =
   | Text statement -> (
       match bounded (fun () -> reading statement) with
       | None -> "unreadable"
+      | Some _ when is_missing path -> "missing"
       | Some read -> (
-          match Unix.lstat path with
-          | exception Unix.Unix_error (Unix.ENOENT, _, _) -> "missing"
-          | exception Unix.Unix_error _ -> "unreadable"
-          | _ -> (
-              match load path most_of_certificate with
-              | Text certificate -> judge_certificate read certificate
-              | Too_long -> "rejected"
-              | No_text -> "unreadable")))
+          match load path most_of_certificate with
+          | Text certificate -> judge_certificate read certificate
+          | Too_long -> "rejected"
+          | No_text -> "unreadable"))
 
 module Paths = Set.Make (struct
   type t = string
 
   let compare a b = compare (String.split_on_char '/' a) (String.split_on_char '/' b)
 end)
+
+(* Of a theorem file that cannot be split the file, which `verdict` calls unreadable. *)
+let certificates_of_file path =
+  match parts_ending path ".statement" with
+  | [] -> [ path ]
+  | statements -> List.map (fun statement -> with_extension statement ".cert") statements
 
 (* The certificates of all statements in a folder and below, and those without a statement; and what `verdict` then
    calls unreadable: what cannot be looked at, folders that cannot be listed, and links to folders elsewhere, which are
@@ -74,6 +77,7 @@ let rec find root folder found =
     let path = Filename.concat folder name in
     let kind = kind path in
     if kind = Some Unix.S_DIR then find root path found
+    else if is_theorem_file path then List.fold_left (fun found path -> Paths.add path found) found (certificates_of_file path)
     else if List.mem (extension path) [ ".cert"; ".statement" ] then Paths.add (with_extension path ".cert") found
     else if kind = None || (is_folder path && not (is_below path root)) then Paths.add path found
     else found
@@ -85,6 +89,7 @@ let rec find root folder found =
 (* Of an argument that is a folder without any, the folder. *)
 let certificates path =
   if is_folder path then match Paths.elements (find path path Paths.empty) with [] -> [ path ] | found -> found
+  else if is_theorem_file path then certificates_of_file path
   else if extension path = ".statement" then [ with_extension path ".cert" ]
   else [ path ]
 

@@ -27,10 +27,14 @@ let implode letters = String.of_seq (List.to_seq letters)
 type file = Text of string | Too_long | No_text
 
 (* Opens regular files only: others may have no end, or wait for a writer. *)
-let load path most =
+let load_file path most =
   let read file =
     let text = Buffer.create 4096 in
-    (try Buffer.add_channel text file (most + 1) with End_of_file -> ());
+    (try
+       while Buffer.length text <= most do
+         Buffer.add_channel text file (min 65536 (most + 1 - Buffer.length text))
+       done
+     with End_of_file -> ());
     if Buffer.length text > most then Too_long else Text (Buffer.contents text)
   in
   try
@@ -48,6 +52,82 @@ let is_below path root =
     let root = Unix.realpath root and path = Unix.realpath path in
     path = root || root = "/" || String.starts_with ~prefix:(root ^ "/") path
   with Unix.Unix_error _ -> false
+
+(* Theorem files (proofs/FORMAT.md). A part of FILE.theorems is called NAME.statement, NAME.cert or claims.canonical, and
+   has the path FILE.theorems/PART. *)
+exception Malformed
+
+let theorem_name line =
+  let is_letter_or_digit c = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') in
+  let is_in_name c = is_letter_or_digit c || List.mem c [ '_'; '\''; '.'; '-' ] in
+  if not (String.starts_with ~prefix:"theorem " line) then raise Malformed;
+  let name = String.sub line 8 (String.length line - 8) in
+  let size = String.length name in
+  if size = 0 || size > 100 || (not (is_letter_or_digit name.[0])) || not (String.for_all is_in_name name) then raise Malformed;
+  name
+
+(* The parts by name; raises Malformed. *)
+let split text =
+  let parts = Hashtbl.create 64 and size = String.length text in
+  let line_end start = Option.value (String.index_from_opt text start '\n') ~default:size in
+  let line start = String.sub text start (line_end start - start) in
+  let theorem = ref "" and present = ref None in
+  let finish stop =
+    let add (part, start) =
+      if Hashtbl.mem parts part then raise Malformed;
+      Hashtbl.add parts part (String.sub text start (stop - start))
+    in
+    Option.iter add !present
+  in
+  let begin_part part start = finish start; present := Some (part, start) in
+  let rec read start =
+    if start < size then begin
+      let next = min size (line_end start + 1) in
+      (match line start with
+      | "slipproof-claims 1" -> if start > 0 then raise Malformed else begin_part "claims.canonical" start
+      | "slipproof-statement 1" -> theorem := theorem_name (line next); begin_part (!theorem ^ ".statement") start
+      | "slipproof-certificate 1" | "slipproof-undecided 1" ->
+          if !theorem = "" then raise Malformed else begin_part (!theorem ^ ".cert") start
+      | _ -> if !present = None then raise Malformed);
+      read next
+    end
+  in
+  read 0;
+  finish size;
+  if !present = None then raise Malformed;
+  parts
+
+let most_of_theorems = 1 lsl 28 (* bytes *)
+let is_theorem_file path =
+  Filename.check_suffix path ".theorems" && Filename.basename path <> ".theorems" && not (is_folder path)
+
+let last_file = ref ("", None)
+
+(* Of a theorem file that cannot be read or split none. *)
+let parts_of file =
+  let read () =
+    match load_file file most_of_theorems with
+    | Text text -> ( try Some (split text) with Malformed -> None)
+    | Too_long | No_text -> None
+  in
+  if fst !last_file <> file then last_file := (file, read ());
+  snd !last_file
+
+(* The paths of those parts whose names end so. *)
+let parts_ending file ending =
+  let add part _ found = if Filename.check_suffix part ending then Filename.concat file part :: found else found in
+  match parts_of file with None -> [] | Some parts -> List.sort compare (Hashtbl.fold add parts [])
+
+let part path = Option.bind (parts_of (Filename.dirname path)) (fun parts -> Hashtbl.find_opt parts (Filename.basename path))
+
+(* A file, or a part of a theorem file. *)
+let load path most =
+  if not (is_theorem_file (Filename.dirname path)) then load_file path most
+  else match part path with None -> No_text | Some text -> if String.length text > most then Too_long else Text text
+
+let is_missing path =
+  if is_theorem_file (Filename.dirname path) then part path = None
+  else match Unix.lstat path with exception Unix.Unix_error (Unix.ENOENT, _, _) -> true | exception Unix.Unix_error _ -> false | _ -> false
 
 (* How many bytes from a place are one character that can be shown, as in src/proofs/check/files.cpp. *)
 let shown_character text place =

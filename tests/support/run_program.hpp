@@ -4,9 +4,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -21,7 +23,29 @@ struct ProgramEnd {
   std::string out, err;
 };
 
+/// Of a theorem file's text the part NAME.statement, NAME.cert or claims.canonical; empty if there is none.
+inline std::string part_of(const std::string& text, const std::filesystem::path& part) {
+  const std::string begin = "slipproof-", statement = "slipproof-statement 1\ntheorem " + part.stem().string() + "\n";
+  const auto next = [&](std::size_t place) { return std::min(text.find("\n" + begin, place), text.size() - 1) + 1; };
+  if (part == "claims.canonical") return text.starts_with("slipproof-claims ") ? text.substr(0, next(0)) : "";
+  const std::size_t place = text.starts_with(statement) ? 0 : text.find("\n" + statement) + 1;
+  if (place == 0 && !text.starts_with(statement)) return "";
+  const std::size_t end = next(place);
+  if (part.extension() == ".statement") return text.substr(place, end - place);
+  const bool has_certificate = end < text.size() && text.compare(end, 21, "slipproof-statement 1") != 0;
+  return has_certificate ? text.substr(end, next(end) - end) : "";
+}
+
+/// The bytes of a file, or of a part of a theorem file, FILE.theorems/NAME.cert; empty if there is none.
 inline std::string read_file(const std::filesystem::path& path) {
+  static std::map<std::filesystem::path, std::string> shipped;  // theorem files, which are long
+  const std::filesystem::path whole = path.parent_path();
+  if (whole.extension() == ".theorems" && std::filesystem::is_regular_file(whole)) {
+    if (!whole.string().starts_with(SLIPPROOF_SOURCE_DIR "/proofs/")) return part_of(read_file(whole), path.filename());
+    const auto [place, is_new] = shipped.try_emplace(whole);
+    if (is_new) place->second = read_file(whole);
+    return part_of(place->second, path.filename());
+  }
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   text << file.rdbuf();

@@ -1,7 +1,7 @@
 (* slipproof-judge-verified --at POINTS CLAIMS: what the claims of a canonical file are worth at points, which are lines
    `CLAIM NAME=VALUE ...` with rational values: right, wrong, nothing, no-value, no-point, or unknown.
-   slipproof-judge-verified FOLDER...: judges the claims of papers, from files `claims.canonical` in these folders and
-   below, with the statements and certificates beside each; writes a line for each certificate and each claim. Exit
+   slipproof-judge-verified FOLDER...: judges the claims of papers, from theorem files in these folders and below, or files
+   `claims.canonical` with the statements and certificates beside each; writes a line for each certificate and each claim. Exit
    codes: 0 if each claim is proved or refuted and each certificate accepted, 5 if a certificate is rejected, otherwise 3
    if a file cannot be read, 4 if a claim is open; 2 for wrong usage, 6 if the result cannot be written. *)
 open Support
@@ -11,16 +11,21 @@ let most_of_statement = 1_048_576
 let most_of_certificate = 50_000_000
 let most_of_claims = 16_777_216
 
-(* The regular files in a folder and below, by name; folders that are links are not followed. *)
+(* The parts of a theorem file; the file itself if it has none. *)
+let parts file = match parts_ending file "" with [] -> [ file ] | parts -> parts
+
+(* The regular files in a folder and below, and the parts of theorem files, by name; folders that are links are not
+   followed. *)
 let rec files folder =
   match Sys.readdir folder with
+  | exception Sys_error _ when is_theorem_file folder -> parts folder
   | exception Sys_error _ -> []
   | names ->
       Array.sort compare names;
       List.concat_map
         (fun name ->
           let path = Filename.concat folder name in
-          match kind path with Some Unix.S_DIR -> files path | Some Unix.S_REG -> [ path ] | _ -> [])
+          match kind path with Some Unix.S_DIR -> files path | Some Unix.S_REG -> if is_theorem_file path then parts path else [ path ] | _ -> [])
         (Array.to_list names)
 
 let text path most = match load path most with Text text -> Some text | _ -> None
@@ -112,6 +117,7 @@ let judge folder =
   let ending suffix = List.filter (fun path -> Filename.check_suffix path suffix) all in
   let checked = List.map check (ending ".statement") in
   List.iter (fun (_, certificate, _, verdict) -> say verdict certificate) checked;
+  List.iter (say "unreadable") (List.filter is_theorem_file all);
   let claims = ending "claims.canonical" in
   if claims = [] then say "unreadable" folder;
   List.iter (judge_claims checked) claims

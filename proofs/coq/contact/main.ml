@@ -138,6 +138,28 @@ let judge_text asked text =
 
 let most_of_file = 1 lsl 28 (* bytes, as in slipproof-check-contact *)
 
+(* The certificates in a text, each with its first line: what is before the first belongs to it. *)
+let certificates_in text =
+  let size = String.length text in
+  let rec split parts start line place number begun =
+    if place >= size then List.rev ((line, String.sub text start (size - start)) :: parts)
+    else
+      let stop = Option.value (String.index_from_opt text place '\n') ~default:size in
+      let is_header = String.sub text place (stop - place) = "slipproof-contact 1" in
+      if is_header && begun then
+        split ((line, String.sub text start (place - start)) :: parts) place number (stop + 1) (number + 1) true
+      else split parts start line (stop + 1) (number + 1) (begun || is_header)
+  in
+  split [] 0 1 0 1 false
+
+(* The verdicts on a text's certificates, with a line where there are several. *)
+let judge_all asked text =
+  match certificates_in text with
+  | [ (_, text) ] -> [ ("", judge_text asked text) ]
+  | several -> List.map (fun (line, text) -> (":" ^ string_of_int line, judge_text asked text)) several
+
+let only verdict message = [ ("", (verdict, message)) ]
+
 let judge_channel asked channel =
   let text = Buffer.create 65536 in
   (try
@@ -145,8 +167,8 @@ let judge_channel asked channel =
        Buffer.add_channel text channel 65536
      done
    with End_of_file -> ());
-  if Buffer.length text > most_of_file then ("unreadable", "it has more than 268435456 bytes")
-  else judge_text asked (Buffer.contents text)
+  if Buffer.length text > most_of_file then only "unreadable" "it has more than 268435456 bytes"
+  else judge_all asked (Buffer.contents text)
 
 (* Opens regular files only: others may have no end, or wait for a writer. *)
 let judge_file asked path =
@@ -155,17 +177,17 @@ let judge_file asked path =
     match Unix.stat path with
     | exception Unix.Unix_error ((Unix.ENOENT | Unix.ENOTDIR), _, _) -> (
         match Unix.lstat path with
-        | { st_kind = Unix.S_LNK; _ } -> ("unreadable", "it is a link to nothing")
-        | _ | (exception Unix.Unix_error _) -> ("missing", "there is no such file"))
-    | exception Unix.Unix_error (error, _, _) -> ("unreadable", Unix.error_message error)
-    | { st_kind = Unix.S_REG; st_size; _ } when st_size > most_of_file -> ("unreadable", "it has more than 268435456 bytes")
+        | { st_kind = Unix.S_LNK; _ } -> only "unreadable" "it is a link to nothing"
+        | _ | (exception Unix.Unix_error _) -> only "missing" "there is no such file")
+    | exception Unix.Unix_error (error, _, _) -> only "unreadable" (Unix.error_message error)
+    | { st_kind = Unix.S_REG; st_size; _ } when st_size > most_of_file -> only "unreadable" "it has more than 268435456 bytes"
     | { st_kind = Unix.S_REG; _ } -> (
         match open_in_bin path with
-        | exception Sys_error _ -> ("unreadable", "the file cannot be opened")
+        | exception Sys_error _ -> only "unreadable" "the file cannot be opened"
         | channel ->
             Fun.protect ~finally:(fun () -> close_in_noerr channel) (fun () ->
-                try judge_channel asked channel with Sys_error _ -> ("unreadable", "it cannot be read")))
-    | _ -> ("unreadable", "it is not a regular file")
+                try judge_channel asked channel with Sys_error _ -> only "unreadable" "it cannot be read"))
+    | _ -> only "unreadable" "it is not a regular file"
 
 (* A name in which a byte that is not printable ASCII is \xHH: otherwise it could pass for other lines. *)
 let printable text =
@@ -178,12 +200,14 @@ let worst = [ ("rejected", "REJECTED", 5); ("unreadable", "UNREADABLE", 3); ("mi
 
 let check asked paths =
   let show path =
-    let verdict, message = judge_file asked path in
-    let name = if List.length paths > 1 then printable path ^ ": " else "" in
-    Printf.printf "%s%s%s%s\n" name verdict (if verdict = "accepted" then "\n" ^ name else ": ") message;
-    verdict
+    let show_one (place, (verdict, message)) =
+      let name = if List.length paths > 1 || place <> "" then printable path ^ place ^ ": " else "" in
+      Printf.printf "%s%s%s%s\n" name verdict (if verdict = "accepted" then "\n" ^ name else ": ") message;
+      verdict
+    in
+    List.map show_one (judge_file asked path)
   in
-  let found = List.map show paths in
+  let found = List.concat_map show paths in
   let count verdict = List.length (List.filter (String.equal verdict) found) in
   let _, word, code = List.find (fun (verdict, _, _) -> count verdict > 0) worst in
   Printf.printf "s %s %d accepted, %d rejected, %d missing, 0 undecided, %d unreadable%s\n" word (count "accepted")

@@ -4,11 +4,13 @@
 #include <fstream>
 #include <string_view>
 
+#include "proofs/statement/theorems.hpp"
+
 namespace slipproof {
 
 namespace {
 
-constexpr std::string_view main_file = "claims.toml", generated = "certificates";
+constexpr std::string_view main_file = "claims.toml", generated_name = "certificates";
 
 /// Finds the quoted value after `key =` if a line has one; reads nothing else of TOML.
 bool has_schema(std::string_view line) {
@@ -27,8 +29,11 @@ bool has_claims_file(const std::filesystem::path& folder) {
   return std::filesystem::exists(folder / main_file, error) || !claims_files_in(folder).empty();
 }
 
-bool holds_certificates(const std::filesystem::path& folder) {
-  return folder == generated || folder.extension() == "." + std::string(generated);
+/// Whether a folder or file is made from claims: old_certificates(), or the theorem file of a claims file.
+bool is_generated(const std::filesystem::path& path) {
+  const std::filesystem::path name = path.filename();
+  if (name == generated_name || name.extension() == "." + std::string(generated_name)) return true;
+  return is_theorem_file(path) && is_claims_file(std::filesystem::path(path).replace_extension(".toml"));
 }
 
 }  // namespace
@@ -56,24 +61,34 @@ std::vector<std::filesystem::path> claims_files_in(const std::filesystem::path& 
   return files;
 }
 
+std::filesystem::path PaperFolder::old_certificates() const {
+  return folder / (is_main ? std::string(generated_name) : name + "." + std::string(generated_name));
+}
+
+std::filesystem::path PaperFolder::generated() const {
+  std::error_code error;
+  const bool is_old =
+      !std::filesystem::exists(theorems(), error) && std::filesystem::is_directory(old_certificates(), error);
+  return is_old ? old_certificates() : theorems();
+}
+
 bool PaperFolder::owns(const std::filesystem::path& file) const {
   const std::filesystem::path inside = file.lexically_normal().lexically_relative(folder.lexically_normal());
+  const std::filesystem::path own = generated();
   std::filesystem::path below = folder;
-  for (const std::filesystem::path& name : inside.parent_path()) {
+  for (const std::filesystem::path& name : is_theorem_file(file) ? inside : inside.parent_path()) {
     below /= name;
-    if (below == generated()) continue;
-    if (holds_certificates(name) || has_claims_file(below)) return false;
+    if (below == own) continue;
+    if (is_generated(below) || (!is_theorem_file(below) && has_claims_file(below))) return false;
   }
   return true;
 }
 
 PaperFolder paper_folder(const std::filesystem::path& claims) {
-  PaperFolder result{.folder = claims.has_parent_path() ? claims.parent_path() : "."};
+  PaperFolder result{.folder = claims.has_parent_path() ? claims.parent_path() : ".", .name = claims.stem().string()};
   const auto others = claims_files_in(result.folder);
   const auto is_another = [&](const std::filesystem::path& file) { return file.filename() != claims.filename(); };
-  const bool stands_beside = std::any_of(others.begin(), others.end(), is_another);
-  if (claims.filename() != main_file && stands_beside)
-    result.certificates = claims.stem().string() + "." + std::string(generated);
+  result.is_main = claims.filename() == main_file || std::none_of(others.begin(), others.end(), is_another);
   return result;
 }
 

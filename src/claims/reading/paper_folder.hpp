@@ -15,16 +15,17 @@ std::vector<std::filesystem::path> claims_files_in(const std::filesystem::path& 
 
 struct PaperFolder {
   std::filesystem::path folder;
-  /// The folder for files made from the claims: `certificates` for claims.toml and for the only claims file in a
-  /// folder; NAME.certificates for NAME.toml if there are other claims files.
-  std::string certificates = "certificates";
+  std::string name = "claims";  ///< of the claims file, without its extension
+  bool is_main = true;          ///< whether the figures and second opinions in the folder are about this paper
 
-  /// Whether the figures and second opinions in the folder are about this paper.
-  bool is_main() const { return certificates == "certificates"; }
-  /// The folder for files made from the claims.
-  std::filesystem::path generated() const { return folder / certificates; }
-  /// Whether a file below the folder belongs to the paper. It does not if it is in a folder with claims files of its
-  /// own, or in the `certificates` of another paper.
+  /// NAME.theorems: the file for what is made from the claims.
+  std::filesystem::path theorems() const { return folder / (name + ".theorems"); }
+  /// What earlier versions had instead: the folder `certificates`, or `NAME.certificates` of one that is not main.
+  std::filesystem::path old_certificates() const;
+  /// Of these two the one that exists; the file if there are both or none.
+  std::filesystem::path generated() const;
+  /// Whether a file below the folder, or a part of a theorem file, belongs to the paper. It does not if it is in a
+  /// folder with claims files of its own, or made from the claims of another paper.
   bool owns(const std::filesystem::path& file) const;
 };
 

@@ -13,7 +13,4 @@ namespace slipproof {
 /// Leaves out claims of other kinds. Linear in the length of the settings and claims.
 std::string canonical_claims(const ClaimsFile& file);
 
-/// The name of the file for it, beside the statements of the claims.
-inline constexpr const char* canonical_name = "claims.canonical";
-
 }  // namespace slipproof

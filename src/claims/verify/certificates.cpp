@@ -1,8 +1,6 @@
 #include "claims/verify/certificates.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <optional>
 
 #include "base/crew/bytes.hpp"
@@ -14,19 +12,12 @@
 #include "claims/verify/verify.hpp"
 #include "proofs/check/files.hpp"
 #include "proofs/statement/refutation_text.hpp"
+#include "proofs/statement/theorems.hpp"
 #include "proofs/statement/undecided.hpp"
 
 namespace slipproof {
 
 namespace {
-
-std::optional<std::string> bytes_of(const std::filesystem::path& path) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;  // a pipe is not even opened: that waits
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return std::nullopt;
-  return std::string{std::istreambuf_iterator<char>(file), {}};
-}
 
 /// What a folder has for the statements that together express something.
 struct Found {
@@ -37,7 +28,7 @@ struct Found {
 };
 
 CheckedCertificate no_statement(const std::string& file, const std::string& theorem) {
-  return {file, theorem, CertificateState::missing, "the folder has no such statement"};
+  return {file, theorem, CertificateState::missing, "there is no such statement"};
 }
 
 Found find(const std::vector<NamedStatement>& statements, Certificates& certificates) {
@@ -47,7 +38,7 @@ Found find(const std::vector<NamedStatement>& statements, Certificates& certific
     const auto text = certificates.statement(file);
     result.any = result.any || text;
     if (text && *text != statement.text) {
-      result.outdated.push_back(statement.name + ": the statement in the folder is not the claim's");
+      result.outdated.push_back(statement.name + ": its statement is not the claim's");
     } else if (text) {
       result.statements.push_back(certificates.check(file));
     } else {
@@ -140,28 +131,52 @@ ClaimResult result_of_certificates(const ClaimsFile& file, std::size_t claim, Re
   return result;
 }
 
-CheckedCertificate checked_now(const std::filesystem::path& folder, const std::string& name) {
-  const check::FileResult found = check::check_file(folder / (name + ".cert"));
+CheckedCertificate checked_now(check::Checker& checker, const std::filesystem::path& folder, const std::string& name) {
+  const check::FileResult found = checker.check(folder / (name + ".cert"));
   CheckedCertificate result{name, found.theorem, found.verdict, found.message};
   const std::string prefix = folder.string() + "/";
   if (result.message.starts_with(prefix)) result.message.erase(0, prefix.size());
-  const std::string file = name + ".cert: ";  // the message already says which search it was
-  if (result.state == CertificateState::undecided && result.message.starts_with(file)) {
-    result.message.erase(0, file.size());
+  if (result.state == CertificateState::undecided) {
+    result.message.erase(0, result.message.find("the search"));  // its place says which search it was, as the name does
   }
   return result;
 }
 
 }  // namespace
 
+struct Certificates::Sources {
+  TheoremTexts texts;
+  check::Checker checker;
+};
+
+Certificates::Certificates(PaperFolder paper, std::string second_checker)
+    : paper_(std::move(paper)),
+      generated_(paper_.generated()),
+      sources_(std::make_shared<Sources>()),
+      second_checker_(std::move(second_checker)) {}
+
+Certificates::Certificates(const std::filesystem::path& folder, std::string second_checker)
+    : Certificates(PaperFolder{folder.empty() ? "." : folder}, std::move(second_checker)) {}
+
+Certificates::Certificates(const Certificates& other)
+    : paper_(other.paper_), generated_(other.generated_), sources_(other.sources_) {}
+
 std::optional<std::string> Certificates::statement(const std::string& name) const {
-  return bytes_of(paper_.folder / (name + ".statement"));
+  return sources_->texts.at(paper_.folder / (name + ".statement"));
+}
+
+std::optional<std::string> Certificates::certificate(const std::string& name) const {
+  return sources_->texts.at(paper_.folder / (name + ".cert"));
+}
+
+std::optional<std::string> Certificates::canonical() const {
+  return sources_->texts.at(generated_ / canonical_name);
 }
 
 const CheckedCertificate& Certificates::check(const std::string& name) {
   const std::scoped_lock lock(mutex_);
   const auto known = checked_.find(name);
-  return known != checked_.end() ? known->second : add(checked_now(paper_.folder, name));
+  return known != checked_.end() ? known->second : add(checked_now(sources_->checker, paper_.folder, name));
 }
 
 const CheckedCertificate& Certificates::add(CheckedCertificate certificate) {
@@ -187,11 +202,14 @@ void Certificates::take(std::string_view checked) {
 }
 
 std::string Certificates::digest() const {
+  TheoremTexts now;
   std::map<std::string, std::string> files;
+  const auto add = [&](const std::filesystem::path& file) {
+    if (const auto text = now.at(file)) files.emplace(file.string(), sha256(*text));
+  };
   std::error_code error;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(paper_.generated(), error)) {
-    if (const auto text = bytes_of(entry.path())) files.emplace(entry.path().string(), sha256(*text));
-  }
+  if (is_theorem_file(generated_)) add(generated_);
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(generated_, error)) add(entry.path());
   std::string all;
   for (const auto& [name, digest] : files) all += name + ' ' + digest + '\n';
   return sha256(all);
@@ -234,16 +252,12 @@ void Certificates::ask_second_checker_about(CheckedCertificate& certificate) {
 std::string Certificates::judgement(const std::string& claim) {
   const std::scoped_lock lock(mutex_);
   if (!second_verdicts_) return "";
-  const auto found = second_verdicts_->find(check::printable((paper_.generated() / claim).lexically_normal()));
+  const auto found = second_verdicts_->find(check::printable((generated_ / claim).lexically_normal()));
   return found == second_verdicts_->end() ? "" : found->second;
 }
 
-std::optional<std::string> Certificates::certificate(const std::string& name) const {
-  return bytes_of(paper_.folder / (name + ".cert"));
-}
-
-std::string check_certificates(const ClaimsFile& file, std::size_t claim, Reading reading, const PaperFolder& paper) {
-  Certificates certificates(paper);
+std::string check_certificates(const ClaimsFile& file, std::size_t claim, Reading reading, const Certificates& all) {
+  Certificates certificates(all);
   result_of_certificates(file, claim, reading, certificates);
   const std::vector<CheckedCertificate> checked = certificates.so_far();
   ByteWriter bytes;
@@ -270,7 +284,7 @@ void find_certificates(const ClaimsFile& file, VerifyResult& result, Certificate
 }
 
 void find_judgements(const ClaimsFile& file, VerifyResult& result, Certificates& certificates) {
-  const auto stated = bytes_of(certificates.paper().generated() / canonical_name);
+  const auto stated = certificates.canonical();
   if (!result.second_checker || !stated || *stated != canonical_claims(file)) return;
   for (ClaimResult& claim : result.claims) {
     const std::string name = file.claims[claim.claim].id + (claim.reading == Reading::repaired ? ".repaired" : "");

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -24,7 +25,7 @@ using CertificateState = check::Verdict;
 
 /// A statement, and what the checker says about its certificate.
 struct CheckedCertificate {
-  std::string name;     ///< of the file, relative to the folder, without its extension: `certificates/A1.1.always`
+  std::string name;     ///< relative to the folder, without an extension: `claims.theorems/A1.1.always`
   std::string theorem;  ///< the name in the statement; empty if it cannot be read
   CertificateState state = CertificateState::missing;
   std::string message;  ///< why it is not accepted; files are relative to the folder
@@ -38,17 +39,17 @@ struct SecondChecker {
   std::vector<std::string> from_statements{};  ///< the other claims that are proved or refuted
 };
 
-/// The certificates in the folder of a claims file and below. A certificate is checked at its first request, and only
-/// once. May be used by several threads.
+/// The certificates of a claims file, and of statements written by hand in its folder and below. A certificate is
+/// checked at its first request, and only once. May be used by several threads.
 class Certificates {
  public:
   /// With a `second_checker` (see ask_second_checker()), a certificate that only our checker accepts is rejected.
-  explicit Certificates(PaperFolder paper, std::string second_checker = "")
-      : paper_(std::move(paper)), second_checker_(std::move(second_checker)) {}
-  explicit Certificates(const std::filesystem::path& folder, std::string second_checker = "")
-      : Certificates(PaperFolder{folder.empty() ? "." : folder}, std::move(second_checker)) {}
+  explicit Certificates(PaperFolder paper, std::string second_checker = "");
+  explicit Certificates(const std::filesystem::path& folder, std::string second_checker = "");
+  /// The same, with nothing checked yet, and without a second checker. Shares what was read.
+  explicit Certificates(const Certificates& other);
 
-  /// Checks the certificate of NAME.statement, whether or not the file exists.
+  /// Checks the certificate of NAME.statement, whether or not it exists.
   const CheckedCertificate& check(const std::string& name);
   /// Takes over results of check_certificates(); those certificates then count as checked.
   void take(std::string_view checked);
@@ -58,14 +59,15 @@ class Certificates {
   std::vector<CheckedCertificate> so_far();
   /// The certificates of all statements, by name.
   std::vector<CheckedCertificate> all();
-  /// The bytes of NAME.statement; nothing if there is no such file.
+  /// The bytes of NAME.statement; nothing if there is no such text.
   std::optional<std::string> statement(const std::string& name) const;
-  /// The bytes of NAME.cert; nothing if there is no such file.
+  /// The bytes of NAME.cert; nothing if there is no such text.
   std::optional<std::string> certificate(const std::string& name) const;
   const std::filesystem::path& folder() const { return paper_.folder; }
-  const PaperFolder& paper() const { return paper_; }
   /// The name for check() of a statement that is made from a claim.
-  std::string of_claim(const std::string& statement) const { return paper_.certificates + "/" + statement; }
+  std::string of_claim(const std::string& statement) const { return generated_.filename().string() + "/" + statement; }
+  /// The canonical claims with the statements; nothing if there are none.
+  std::optional<std::string> canonical() const;
   /// What a second checker that judges claims says of one, `proved`, `refuted` or `open`, by the name that the claim's
   /// statements begin with; empty: nothing.
   std::string judgement(const std::string& claim);
@@ -76,7 +78,11 @@ class Certificates {
   const CheckedCertificate& add(CheckedCertificate certificate);
   void ask_second_checker_about(CheckedCertificate& certificate);
 
+  struct Sources;
+
   PaperFolder paper_;
+  std::filesystem::path generated_;
+  std::shared_ptr<Sources> sources_;
   std::string second_checker_;
   std::optional<std::map<std::filesystem::path, std::string>> second_verdicts_;  ///< after the second checker was asked
   std::mutex mutex_;
@@ -85,7 +91,7 @@ class Certificates {
 
 /// Checks the certificates that find_certificates() needs for a claim, without a second checker. One rank does this for
 /// Certificates::take() of another.
-std::string check_certificates(const ClaimsFile& file, std::size_t claim, Reading reading, const PaperFolder& paper);
+std::string check_certificates(const ClaimsFile& file, std::size_t claim, Reading reading, const Certificates& all);
 
 /// The numbers at which statements of a claim are false; `prove` writes them in place of certificates.
 std::vector<NamedValues> failing_numbers(const ClaimsFile& file, std::size_t claim, Reading reading,

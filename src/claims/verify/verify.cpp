@@ -65,7 +65,7 @@ class Verification::Run {
       return tally.take();
     }
     if (question == VerifyQuestion::certificates) {
-      return slipproof::check_certificates(tasks_.file, task.claim, task.reading, options_.certificates->paper());
+      return slipproof::check_certificates(tasks_.file, task.claim, task.reading, *options_.certificates);
     }
     return conclusion_bytes(conclude(tasks_, task, read_tally(bytes)));
   }

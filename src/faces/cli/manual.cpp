@@ -73,7 +73,7 @@ WrittenPage page_of(const DescribedCommand& command, const std::string& version)
   const bool also_alone = command.name == "check";
   if (also_alone) {
     page.add(".br\n");
-    page.synopsis("slipproof-check", "CERT|STATEMENT|FOLDER...");
+    page.synopsis("slipproof-check", "CERT|STATEMENT|THEOREMS|FOLDER...");
   }
   page.section("DESCRIPTION");
   page.add(roff(command.text) + ".\n");

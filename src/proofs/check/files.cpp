@@ -63,6 +63,36 @@ bool is_below(const fs::path& path, const fs::path& folder) {
   return !error && !inside.empty() && *inside.begin() != "..";
 }
 
+constexpr std::size_t kMaxTheoremFile = std::size_t{1} << 28;  ///< bytes
+
+bool is_theorem_file(const fs::path& path) {
+  std::error_code error;
+  return path.extension() == kTheorems && !fs::is_directory(path, error);
+}
+
+TheoremFile load_theorems(const fs::path& file) {
+  const File whole = load(file, kMaxTheoremFile);
+  TheoremFile result;
+  if (whole.text && whole.text->size() <= kMaxTheoremFile) return split_theorems(*whole.text);
+  result.problem = whole.text ? " the file is too long" : " " + whole.problem;
+  return result;
+}
+
+/// The certificates of a theorem file; the file itself if it cannot be split.
+void find_parts(const fs::path& file, std::set<fs::path>& found) {
+  const TheoremFile parts = load_theorems(file);
+  if (!parts.problem.empty()) found.insert(file);
+  if (!parts.problem.empty()) return;
+  for (const auto& [name, theorem] : parts.theorems) found.insert(file / (name + ".cert"));
+}
+
+/// `LINE[:COLUMN]: what is wrong` in a part, for its whole file and with the name of the theorem.
+std::string in_whole_file(const std::string& message, const Part& part, const std::string& name) {
+  const std::size_t digits = message.find(':'), text = message.find(": ");
+  const std::size_t line = std::stoul(message.substr(0, digits)) + part.line - 1;
+  return std::to_string(line) + message.substr(digits, text - digits) + ": " + name + message.substr(text);
+}
+
 /// Each folder is read to its end before those in it are opened: nesting costs no open files.
 void find_certificates(const fs::path& folder, const fs::path& root, std::set<fs::path>& found) {
   std::error_code error, ignored;
@@ -72,6 +102,8 @@ void find_certificates(const fs::path& folder, const fs::path& root, std::set<fs
     const fs::file_type type = entry->symlink_status(ignored).type();
     if (type == fs::file_type::directory) {
       below.push_back(std::move(path));
+    } else if (is_theorem_file(path)) {
+      find_parts(path, found);
     } else if (path.extension() == ".statement" || path.extension() == ".cert") {
       found.insert(path.replace_extension(".cert"));
     } else if (type == fs::file_type::none || (fs::is_directory(path, ignored) && !is_below(path, root))) {
@@ -102,13 +134,54 @@ std::string_view to_string(Verdict verdict) {
   return kVerdicts.at(static_cast<std::size_t>(verdict));
 }
 
-FileResult check_file(const fs::path& certificate) {
+std::shared_ptr<const TheoremFile> Checker::parts_of(const fs::path& file) {
+  const std::scoped_lock lock(mutex_);
+  if (!parts_ || last_ != file) parts_ = std::make_shared<const TheoremFile>(load_theorems(file));
+  last_ = file;
+  return parts_;
+}
+
+FileResult Checker::check_part(const fs::path& certificate) {
+  FileResult result{certificate, Verdict::unreadable, "", ""};
+  const fs::path file = certificate.parent_path();
+  const std::shared_ptr<const TheoremFile> parts = parts_of(file);
+  const auto say = [&](Verdict verdict, const std::string& message) {
+    result.verdict = verdict;
+    result.message = printable(file) + ":" + message;
+    return result;
+  };
+  if (!parts->problem.empty()) return say(Verdict::unreadable, parts->problem);
+  const std::string name = certificate.stem().string(), shown = printable(name);
+  const auto found = parts->theorems.find(name);
+  if (certificate.extension() != ".cert" || found == parts->theorems.end())
+    return say(Verdict::unreadable, " there is no theorem " + shown);
+  const auto& [statement, proof] = found->second;
+  const Judgement judgement = judge(statement.text, proof.text);
+  result.theorem = judgement.theorem;
+  const std::string place = std::to_string((proof.line > 0 ? proof : statement).line) + ": " + shown + ": ";
+  if (judgement.verdict == Verdict::unreadable)
+    return say(judgement.verdict, in_whole_file(judgement.message, statement, shown));
+  if (proof.line == 0) return say(Verdict::missing, place + "there is no certificate");
+  if (judgement.verdict == Verdict::undecided)
+    return say(judgement.verdict, place + "the search ended without a certificate" + judgement.message);
+  if (judgement.verdict == Verdict::rejected)
+    return say(judgement.verdict, in_whole_file(judgement.message, proof, shown));
+  result.verdict = Verdict::accepted;
+  return result;
+}
+
+FileResult Checker::check(const fs::path& certificate) {
+  if (is_theorem_file(certificate.parent_path())) return check_part(certificate);
   FileResult result{certificate, Verdict::unreadable, "", ""};
   const auto say = [&](Verdict verdict, const fs::path& file, const std::string& message) {
     result.verdict = verdict;
     result.message = printable(file) + ":" + message;
     return result;
   };
+  if (is_theorem_file(certificate)) {
+    const TheoremFile parts = load_theorems(certificate);
+    return say(Verdict::unreadable, certificate, parts.problem.empty() ? " no statements here" : parts.problem);
+  }
   if (certificate.extension() != ".cert") {
     std::error_code error, ignored;
     const bool folder = fs::is_directory(certificate, ignored);
@@ -116,7 +189,7 @@ FileResult check_file(const fs::path& certificate) {
     const bool exists_unseen = error && error != std::errc::no_such_file_or_directory;
     return say(Verdict::unreadable, certificate,
                exists_unseen ? " " + error.message()
-               : !folder     ? " expected NAME.cert, NAME.statement or a folder"
+               : !folder     ? " expected NAME.cert, NAME.statement, NAME.theorems or a folder"
                : link        ? " a link to a folder elsewhere, which is not followed"
                              : " the folder cannot be listed");
   }
@@ -139,24 +212,47 @@ FileResult check_file(const fs::path& certificate) {
   return result;
 }
 
+FileResult check_file(const fs::path& certificate) {
+  return Checker().check(certificate);
+}
+
+Shown show_part(const std::string& name, const fs::path& file) {
+  const TheoremFile parts = load_theorems(file);
+  if (!parts.problem.empty()) return {"", printable(file) + ":" + parts.problem};
+  if (name == "claims.canonical" && parts.claims.line > 0) return {parts.claims.text, ""};
+  const auto named = [&](std::string_view ending) {
+    const bool ends = name.ends_with(ending);
+    return ends ? parts.theorems.find(name.substr(0, name.size() - ending.size())) : parts.theorems.end();
+  };
+  const auto statement = named(".statement"), proof = named(".cert"), both = named(""), none = parts.theorems.end();
+  if (both != none) return {both->second.statement.text + both->second.certificate.text, ""};
+  if (statement != none) return {statement->second.statement.text, ""};
+  if (proof != none && proof->second.certificate.line > 0) return {proof->second.certificate.text, ""};
+  return {"", printable(file) + ": there is no " + printable(name)};
+}
+
 std::vector<fs::path> certificates_in(const fs::path& argument) {
   std::error_code error;
-  if (!fs::is_directory(argument, error)) {
+  std::set<fs::path> result;
+  if (is_theorem_file(argument)) {
+    find_parts(argument, result);
+  } else if (fs::is_directory(argument, error)) {
+    find_certificates(argument, argument, result);
+  } else {
     return {argument.extension() == ".statement" ? fs::path(argument).replace_extension(".cert") : argument};
   }
-  std::set<fs::path> result;
-  find_certificates(argument, argument, result);
   return {result.begin(), result.end()};
 }
 
 Report check_files(const std::vector<std::string>& arguments) {
   Report report;
+  Checker checker;
   for (const std::string& argument : arguments) {
     const auto certificates = certificates_in(argument);
     if (certificates.empty()) {
       report.results.push_back({argument, Verdict::unreadable, {}, printable(argument) + ": no statements here"});
     }
-    for (const auto& certificate : certificates) report.results.push_back(check_file(certificate));
+    for (const auto& certificate : certificates) report.results.push_back(checker.check(certificate));
   }
   std::array<std::size_t, kVerdicts.size()> count{};
   for (const FileResult& result : report.results) {

@@ -24,7 +24,8 @@ struct ContactReport {
   int exit_code = 0;    ///< 0 all accepted, 5 some rejected, else 3 some unreadable or missing
 };
 
-/// Of several files each line begins with the name.
+/// A file may have several certificates, each beginning with the line `slipproof-contact 1`; each gets a verdict. Of
+/// several files each line begins with the name, of several certificates in a file with the name and the first line.
 ContactReport check_contact_files(const std::vector<std::string>& paths, std::string_view asked = "");
 
 }  // namespace slipproof::check_contact

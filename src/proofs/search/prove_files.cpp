@@ -9,26 +9,37 @@
 #include "base/input/text_file.hpp"
 #include "base/parallel/failure.hpp"
 #include "base/parallel/in_parallel.hpp"
-#include "proofs/check/files.hpp"
+#include "proofs/check/judge.hpp"
 #include "proofs/statement/statement.hpp"
+#include "proofs/statement/theorems.hpp"
 
 namespace slipproof {
 
 namespace {
 
-constexpr std::size_t max_certificate_size = std::size_t{1} << 28U;
+/// The mistakes of a statement, at their places in its file.
+std::vector<Diagnostic> mistakes_of(const StatementSource& source) {
+  const std::filesystem::path origin = source.origin.empty() ? source.path : source.origin, file = file_of(origin);
+  try {
+    prove::Statement(origin.string(), source.text);
+    return {};
+  } catch (const InputError& error) {
+    std::vector<Diagnostic> mistakes = error.diagnostics();
+    if (file == origin) return mistakes;
+    for (Diagnostic& mistake : mistakes) {
+      mistake.file = file.string();
+      mistake.line += mistake.line > 0 ? source.line - 1 : source.line;
+      mistake.message = source.path.stem().string() + ": " + mistake.message;
+    }
+    return mistakes;
+  }
+}
 
 /// Throws InputError with what is wrong with all of them.
-void refuse_malformed(const std::vector<std::filesystem::path>& statements, unsigned threads) {
+void refuse_malformed(const std::vector<StatementSource>& statements, unsigned threads) {
   std::vector<std::vector<Diagnostic>> mistakes(statements.size());
   on_threads(threads, [&] {
-    in_parallel(0, statements.size(), [&](std::size_t i) {
-      try {
-        prove::Statement(statements[i].string(), read_found_file(statements[i]));
-      } catch (const InputError& error) {
-        mistakes[i] = error.diagnostics();
-      }
-    });
+    in_parallel(0, statements.size(), [&](std::size_t i) { mistakes[i] = mistakes_of(statements[i]); });
   });
   std::vector<Diagnostic> all;
   for (const auto& some : mistakes) all.insert(all.end(), some.begin(), some.end());
@@ -66,54 +77,57 @@ FileOutcome read_outcome(std::string_view text) {
   return file;
 }
 
-/// The outcome for an accepted certificate of the statement.
-std::optional<FileOutcome> kept(const std::filesystem::path& statement) {
-  const std::filesystem::path certificate = certificate_of(statement);
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(certificate, error)) return std::nullopt;
-  const check::FileResult checked = check::check_file(certificate);
-  if (checked.verdict != check::Verdict::accepted) return std::nullopt;
-  FileOutcome result{.statement = statement, .outcome = {}, .kept = true};
-  result.outcome.theorem = checked.theorem;
+/// The outcome if the statement has an accepted certificate.
+std::optional<FileOutcome> kept(const StatementSource& source) {
+  if (!source.certificate) return std::nullopt;
+  const check::Judgement judged = check::judge(source.text, *source.certificate);
+  if (judged.verdict != check::Verdict::accepted) return std::nullopt;
+  FileOutcome result{.statement = source.path, .outcome = {}, .kept = true};
+  result.outcome.theorem = judged.theorem;
   result.outcome.verdict = ProofOutcome::Verdict::proved;
-  result.outcome.certificate = read_found_file(certificate, max_certificate_size);
-  result.outcome.vacuous = uses_assumptions_only(result.outcome.certificate) &&
-                           !claims_contradiction(statement.string(), read_found_file(statement));
+  result.outcome.certificate = *source.certificate;
+  result.outcome.vacuous =
+      uses_assumptions_only(result.outcome.certificate) && !claims_contradiction(source.path.string(), source.text);
   return result;
 }
 
-FileOutcome outcome_of(const std::filesystem::path& statement, const std::string& text, const ProveOptions& options,
-                       const prove::Limits& limits) {
+FileOutcome outcome_of(const StatementSource& source, const ProveOptions& options, const prove::Limits& limits) {
   if (!options.again) {
-    if (auto old = kept(statement)) return *std::move(old);
+    if (auto old = kept(source)) return *std::move(old);
   }
-  FileOutcome result{.statement = statement, .outcome = {}};
-  const std::string why = failure_of([&] { result.outcome = prove_statement(statement.string(), text, limits); });
+  FileOutcome result{.statement = source.path, .outcome = {}};
+  const std::string why =
+      failure_of([&] { result.outcome = prove_statement(source.path.string(), source.text, limits); });
   if (!why.empty()) {
-    result.outcome.theorem = statement.stem().string();
+    result.outcome.theorem = source.path.stem().string();
     result.outcome.leftover = {"a search that failed: " + why};
   }
   if (options.again && !result.outcome.proved()) {
-    if (auto old = kept(statement)) return *std::move(old);
+    if (auto old = kept(source)) return *std::move(old);
   }
   return result;
 }
 
-std::string statement_request(const std::filesystem::path& statement) {
-  return ByteWriter().text(statement.string()).text(read_found_file(statement)).take();
+std::string statement_request(const StatementSource& source) {
+  ByteWriter bytes;
+  bytes.text(source.path.string()).text(source.text).number(source.certificate ? 1 : 0);
+  return bytes.text(source.certificate.value_or("")).take();
 }
 
 std::string answer_within(std::string_view request, const ProveOptions& options, const prove::Limits& limits) {
   ByteReader bytes(request);
-  const std::filesystem::path statement = bytes.text();
-  const std::string text(bytes.text());
+  StatementSource source{.path = bytes.text(), .text = {}};
+  source.text = bytes.text();
+  const bool has_certificate = bytes.number() != 0;
+  std::string certificate(bytes.text());
+  if (has_certificate) source.certificate = std::move(certificate);
   bytes.end();
-  return outcome_bytes(outcome_of(statement, text, options, limits));
+  return outcome_bytes(outcome_of(source, options, limits));
 }
 
 class Run {
  public:
-  Run(const std::vector<std::filesystem::path>& statements, const ProveOptions& options)
+  Run(const std::vector<StatementSource>& statements, const ProveOptions& options)
       : statements_(statements), options_(options), outcomes_(statements.size()) {}
 
   std::vector<FileOutcome> outcomes() {
@@ -123,7 +137,7 @@ class Run {
           options_.crew, [&](std::string_view asked) { return search(asked); }, statements_.size(), request,
           [&](std::uint64_t i, const std::string& result) {
             outcomes_[i] = read_outcome(result);
-            outcomes_[i].statement = statements_[i];
+            outcomes_[i].statement = statements_[i].path;
             const std::scoped_lock lock(mutex_);
             ++progress_.done;
             if (options_.finished) options_.finished(i, outcomes_[i]);
@@ -151,7 +165,7 @@ class Run {
     if (options_.progress) options_.progress(progress_);
   }
 
-  const std::vector<std::filesystem::path>& statements_;
+  const std::vector<StatementSource>& statements_;
   const ProveOptions& options_;
   std::vector<FileOutcome> outcomes_;
   std::mutex mutex_;
@@ -164,15 +178,36 @@ std::filesystem::path certificate_of(std::filesystem::path statement) {
   return statement.replace_extension(".cert");
 }
 
-std::vector<std::filesystem::path> statements_in(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> result;
-  std::error_code error;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder, error)) {
-    if (entry.path().extension() == ".statement") result.push_back(entry.path());
+std::vector<std::filesystem::path> statements_in(const std::filesystem::path& folder_or_file) {
+  std::vector<std::filesystem::path> result, files;
+  if (is_theorem_file(folder_or_file)) {
+    files.push_back(folder_or_file);
+  } else {
+    std::error_code error;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_or_file, error)) {
+      if (entry.path().extension() == ".statement" || is_theorem_file(entry.path())) files.push_back(entry.path());
+    }
+    if (error)
+      throw InputError(
+          {{folder_or_file.string(), 0, 0, "found " + error.message() + ", expected a folder of statements"}});
+    std::sort(files.begin(), files.end());
   }
-  if (error)
-    throw InputError({{folder.string(), 0, 0, "found " + error.message() + ", expected a folder of statements"}});
-  std::sort(result.begin(), result.end());
+  for (const std::filesystem::path& file : files) {
+    if (!is_theorem_file(file)) result.push_back(file);
+    if (!is_theorem_file(file)) continue;
+    for (const Theorem& theorem : read_theorems(file).theorems) result.push_back(file / (theorem.name + ".statement"));
+  }
+  return result;
+}
+
+std::vector<StatementSource> read_statements(const std::vector<std::filesystem::path>& paths) {
+  TheoremTexts texts;
+  std::vector<StatementSource> result;
+  for (const std::filesystem::path& path : paths) {
+    const bool is_part = file_of(path) != path;
+    const std::string text = is_part ? texts.at(path).value_or("") : read_found_file(path);
+    result.push_back({path, text, texts.at(certificate_of(path)), {}, texts.line_of(path)});
+  }
   return result;
 }
 
@@ -180,8 +215,7 @@ std::string answer_statement(std::string_view request, const ProveOptions& optio
   return answer_within(request, options, options.limits);
 }
 
-std::vector<FileOutcome> prove_files(const std::vector<std::filesystem::path>& statements,
-                                     const ProveOptions& options) {
+std::vector<FileOutcome> prove_files(const std::vector<StatementSource>& statements, const ProveOptions& options) {
   refuse_malformed(statements, options.threads);
   return Run(statements, options).outcomes();
 }

@@ -1,8 +1,9 @@
-// Many statements at once: files in, certificates out.
+// Many statements at once: texts in, certificates out.
 #pragma once
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,17 +14,30 @@ namespace slipproof {
 
 class Crew;
 
-/// The statements in a folder and the folders in it, in the order of their names.
-std::vector<std::filesystem::path> statements_in(const std::filesystem::path& folder);
+/// The statements in a folder and the folders in it, in the order of their names; those of a theorem file in its order,
+/// with the paths of its parts (proofs/statement/theorems.hpp). Throws InputError.
+std::vector<std::filesystem::path> statements_in(const std::filesystem::path& folder_or_file);
 
-/// The path of a statement's certificate: in the same folder.
+/// The path of a statement's certificate: in the same folder or file.
 std::filesystem::path certificate_of(std::filesystem::path statement);
 
-/// What came of one file.
+/// A statement that is to be proved.
+struct StatementSource {
+  std::filesystem::path path;
+  std::string text;
+  std::optional<std::string> certificate{};  ///< the one that it has so far, or what is in its place
+  std::filesystem::path origin{};            ///< where messages find the text; empty: at `path`
+  std::size_t line = 1;                      ///< its first line in that file
+};
+
+/// Reads statements and what they have as certificates. Throws InputError.
+std::vector<StatementSource> read_statements(const std::vector<std::filesystem::path>& paths);
+
+/// What came of one statement.
 struct FileOutcome {
   std::filesystem::path statement;
   ProofOutcome outcome;
-  bool kept = false;  ///< its certificate stood there and is accepted: not searched again
+  bool kept = false;  ///< its certificate is accepted: not searched again
 };
 
 /// How far the work is.
@@ -43,13 +57,13 @@ struct ProveOptions {
   std::function<void(const ProveProgress& progress)> progress;  ///< now and then, from one thread at a time
 };
 
-/// Answers a request to a rank: a statement's path and text. Each rank reads the certificate itself. Only those
-/// `options` count that the outcome depends on. Throws InputError.
+/// Answers a request to a rank: a statement's path, text and certificate. Only those `options` count that the outcome
+/// depends on. Throws InputError.
 std::string answer_statement(std::string_view request, const ProveOptions& options);
 
-/// Proves each; the outcomes are in the order of the files, the same at any number of threads. An accepted certificate
-/// is never given up: if `again` finds none, the old one is kept. Before any search, throws InputError with the
-/// mistakes of all files.
-std::vector<FileOutcome> prove_files(const std::vector<std::filesystem::path>& statements, const ProveOptions& options);
+/// Proves each; the outcomes are in the order of the statements, the same at any number of threads. An accepted
+/// certificate is never given up: if `again` finds none, the old one is kept. Before any search, throws InputError with
+/// the mistakes of all statements.
+std::vector<FileOutcome> prove_files(const std::vector<StatementSource>& statements, const ProveOptions& options);
 
 }  // namespace slipproof

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <utility>
 
 #include "base/input/text_file.hpp"
@@ -10,6 +11,7 @@
 #include "claims/reading/paper_folder.hpp"
 #include "claims/statements/claim_statements.hpp"
 #include "proofs/check/files.hpp"
+#include "proofs/statement/theorems.hpp"
 #include "report/explorer/explorer_page.hpp"
 #include "report/html/assets.hpp"
 #include "report/html/sections.hpp"
@@ -58,8 +60,9 @@ class Gathering {
       const std::string statement = certificates.statement(checked.name).value_or("");
       input_.certificates.push_back({theorem, checked.name + ".cert", statement, checked.state, checked.message});
       for (const char* ending : {".statement", ".cert"}) {
-        const std::filesystem::path file = certificates.folder() / (checked.name + ending);
-        if (std::filesystem::is_regular_file(file)) source(file, "proofs/" + checked.name + ending);
+        const std::filesystem::path file = file_of(certificates.folder() / (checked.name + ending));
+        const std::string name = "proofs/" + file.lexically_relative(certificates.folder()).generic_string();
+        if (std::filesystem::is_regular_file(file) && sources_.insert(name).second) source(file, name);
       }
     }
   }
@@ -85,6 +88,7 @@ class Gathering {
 
  private:
   PageInput& input_;
+  std::set<std::string> sources_;  ///< of the statements and certificates
 };
 
 PageFrame frame_of(const PageInput& input) {
@@ -123,8 +127,8 @@ std::vector<std::filesystem::path> files_of(const PageFolders& folders, const Cl
   for (const std::string& scene : claims.paper.scenes) files.push_back(beside / scene);
   for (std::filesystem::path file : check::certificates_in(beside)) {
     if (!paper.owns(file)) continue;
-    files.push_back(file);
-    files.push_back(file.replace_extension(".statement"));
+    files.push_back(file_of(file));
+    files.push_back(file_of(file.replace_extension(".statement")));
   }
   for (auto&& some : {files_in(folders.cases, ".toml"), files_in(folders.solvers, ".csv")}) {
     files.insert(files.end(), some.begin(), some.end());
@@ -141,12 +145,12 @@ PageInput gather(const PageFolders& folders, const ClaimsFile& claims, Certifica
   const PaperFolder paper = paper_folder(folders.claims);
   const std::filesystem::path& beside = paper.folder;
   const std::filesystem::path figures = beside / "figures.toml";
-  if (paper.is_main() && std::filesystem::exists(figures)) {
+  if (paper.is_main && std::filesystem::exists(figures)) {
     input.figures = read_figures(figures, claims);
     gathering.source(figures, "figures.toml");
   }
   gathering.certificates(certificates);
-  if (paper.is_main()) gathering.second_opinions(beside / "second-opinions.csv", certificates);
+  if (paper.is_main) gathering.second_opinions(beside / "second-opinions.csv", certificates);
   if (!folders.model.empty()) input.model = read_scene(folders.model);
   for (const std::string& scene : claims.paper.scenes) {
     input.machines.push_back(read_scene_along(beside / scene));

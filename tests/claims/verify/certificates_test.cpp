@@ -67,7 +67,7 @@ TEST_CASE("what another rank has checked counts as checked here, until a file ch
   const auto claim =
       std::find_if(file.claims.begin(), file.claims.end(), [](const Claim& c) { return c.id == "A1.1"; });
   const std::string checked = check_certificates(file, static_cast<std::size_t>(claim - file.claims.begin()),
-                                                 Reading::printed, PaperFolder{folder.path()});
+                                                 Reading::printed, Certificates(folder.path()));
   Certificates here(folder.path());
   const std::string digest = here.digest();
   CHECK(digest == Certificates(folder.path()).digest());

@@ -105,8 +105,7 @@ TEST_CASE("a folder that is not there is told before the work, and not made") {
            "map " + city_bicycle + " -o nowhere/map.svg", "report" + long_work + "--out nowhere/report.html",
            "verify" + long_work + "--report nowhere/report.html", "verify --mutants --lemmas nowhere/lemmas",
            "certify answers.csv --summary nowhere/summary --scene " + city_bicycle,
-           "prove x.statement --out nowhere/out", "prove x.statement --smtlib nowhere/smt",
-           "prove x.statement --coq nowhere/coq"}) {
+           "prove x.statement --out nowhere/out", "prove x.statement --smtlib nowhere/smt"}) {
     CAPTURE(command);
     const auto outcome = shell(folder.path(), "$slipproof " + command + " >out");
     CHECK(outcome.exit_code == 6);
@@ -123,17 +122,22 @@ TEST_CASE("no command writes over what it reads, by whatever name, and says so b
   folder.write("scene.toml", read_file(city_bicycle));
   const std::string statement = "slipproof-statement 1\ntheorem x\nreal x\nshow x^2 >= 0\n";
   folder.write("x.statement", statement);
-  for (const char* name : {"x.cert", "figures.toml", "trade.json"})
+  for (const char* name : {"x.cert", "claims.theorems", "figures.toml", "trade.json"})
     folder.write(name, "");  // refused before they are read
   const std::string report = "report claims.toml --samples 100000000 --trade trade.json --out ";
   const std::string verify = "verify claims.toml --samples 100000000 --trade trade.json --report ";
   const std::string certify = "certify answers.csv --scene scene.toml --summary ";
-  const std::vector<std::pair<std::string, std::string>> commands{
-      {"claims.toml", report},  {"trade.json", report},
-      {"x.statement", report},  {"x.cert", report},
-      {"figures.toml", report}, {"claims.toml", verify},
-      {"x.cert", verify},       {"answers.csv", certify},
-      {"scene.toml", certify},  {"scene.toml", "map scene.toml --svg -o "}};
+  const std::vector<std::pair<std::string, std::string>> commands{{"claims.toml", report},
+                                                                  {"trade.json", report},
+                                                                  {"x.statement", report},
+                                                                  {"x.cert", report},
+                                                                  {"figures.toml", report},
+                                                                  {"claims.theorems", report},
+                                                                  {"claims.toml", verify},
+                                                                  {"x.cert", verify},
+                                                                  {"answers.csv", certify},
+                                                                  {"scene.toml", certify},
+                                                                  {"scene.toml", "map scene.toml --svg -o "}};
   for (const auto& [input, command] : commands) {
     const auto file = folder.path() / input;
     const std::string before = read_file(file);
@@ -161,7 +165,7 @@ TEST_CASE("prove writes neither over the claims nor over a statement") {
   own_paper(folder);
   const std::string statement = "slipproof-statement 1\ntheorem x\nreal x\nshow x^2 >= 0\n";
   folder.write("x.statement", statement);
-  std::filesystem::create_directories(folder.path() / "out" / "certificates");
+  std::filesystem::create_directories(folder.path() / "out");
   const auto refused = [&](const std::string& link, const std::string& to, const std::string& command) {
     CAPTURE(command);
     std::filesystem::create_symlink(to, folder.path() / link);
@@ -175,7 +179,7 @@ TEST_CASE("prove writes neither over the claims nor over a statement") {
   refused("x.cert", "x.statement", "prove x.statement");
   refused("out/x.cert", "../x.statement", "prove x.statement --out out");
   refused("out/x.smt2", "../x.statement", "prove x.statement --smtlib out");
-  refused("out/certificates/T1.2.statement", "../../claims.toml", "prove claims.toml --out out");
+  refused("out/claims.theorems", "../claims.toml", "prove claims.toml --out out");
 }
 
 TEST_CASE("the report as Markdown ends as the text does, and is not asked for together with JSON") {

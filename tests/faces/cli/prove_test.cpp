@@ -41,7 +41,7 @@ std::string intervals(const std::string& claims) {
       .text();
 }
 
-const std::string proofs = SLIPPROOF_SOURCE_DIR "/proofs/rozenblat-yashin/certificates/";
+const std::string proofs = SLIPPROOF_SOURCE_DIR "/proofs/rozenblat-yashin/claims.theorems/";
 
 }  // namespace
 
@@ -53,7 +53,7 @@ TEST_CASE("prove writes the certificates that check accepts, the same bytes at a
   const auto proved = run({"prove", claims, "--out", out});
   CHECK(proved.exit_code == 0);
   CHECK(proved.out.ends_with("s PROVED 3 proved, 0 undecided\n"));
-  CHECK(read_file(out / "certificates" / "ahead.statement").find("assume motion") != std::string::npos);
+  CHECK(read_file(out / "claims.theorems" / "ahead.statement").find("assume motion") != std::string::npos);
   const std::string certificate = read_file(out / "A2.4.cert");
   CHECK_FALSE(certificate.empty());
   CHECK(run({"prove", claims, "--out", out, "--threads", "1"}).exit_code == 0);
@@ -107,13 +107,14 @@ TEST_CASE("prove takes statements of one's own, files and folders, without a cla
   CHECK(run({"prove", file, "--smtlib", folder.path() / "smt"}).exit_code == 0);
   CHECK(read_file(folder.path() / "smt" / "means.smt2").find("(check-sat)") != std::string::npos);
   std::filesystem::create_directory(folder.path() / "empty");
-  CHECK(run({"prove", folder.path() / "empty"}).err.find("a folder without *.statement") != std::string::npos);
+  CHECK(run({"prove", folder.path() / "empty"}).err.find("a folder without statements") != std::string::npos);
   const auto mixed = run({"prove", file, folder.write("claims.toml", one_claim)});
   CHECK(mixed.exit_code == 3);
-  CHECK(mixed.err.find("claims.toml: found another file, expected a statement or a folder") != std::string::npos);
+  CHECK(mixed.err.find("claims.toml: found another file, expected a statement, a theorem file or a folder") !=
+        std::string::npos);
   CHECK(run({"prove", folder.path() / "nothing.statement"}).exit_code == 3);
   const auto twin = folder.write("empty/means.statement", means);
-  for (const char* option : {"--out", "--smtlib", "--coq"}) {
+  for (const char* option : {"--out", "--smtlib"}) {
     const auto twins = run({"prove", file, twin, option, folder.path() / "both"});
     CHECK(twins.exit_code == 3);
     CHECK(twins.err.find("means.statement: found a statement of the same name as ") != std::string::npos);
@@ -122,13 +123,13 @@ TEST_CASE("prove takes statements of one's own, files and folders, without a cla
   CHECK(run({"prove", file, twin}).exit_code == 0);
 }
 
-TEST_CASE("an undecided search leaves no certificate to export") {
+TEST_CASE("an undecided search leaves no values to export") {
   const TemporaryFolder folder;
   const auto file = folder.write("t.statement", "slipproof-statement 1\ntheorem t\nreal x\nshow x^2 >= 0\n");
   folder.write("t.cert", "slipproof-undecided 1\ntheorem t\nbecause the budget is spent\n");
-  const auto exported = run({"prove", file, "--coq", folder.path() / "coq"});
+  const auto exported = run({"prove", file, "--smtlib", folder.path() / "smt"});
   CHECK(exported.exit_code == 0);
-  CHECK(exported.out.starts_with("no certificate: "));
+  CHECK(exported.out.find("s EXPORTED 0 *.witness.smt2 to ") != std::string::npos);
   for (const char* program : {"slipproof", "slipproof-check"}) {
     std::vector<std::string> arguments{folder.path()};
     if (std::string(program) == "slipproof") arguments.insert(arguments.begin(), "check");
@@ -227,13 +228,13 @@ TEST_CASE("an interval is refuted both ways, whatever is expected of it") {
   const auto claims = folder.write("claims.toml", intervals(interval("right", "0 < F < 4/(4 - 5/b)", "") +
                                                             interval("wide", "0 < F < 8/(4 - 5/b)", expected) +
                                                             interval("narrow", "0 < F < 1/(4 - 5/b)", expected)));
-  const auto certificates = folder.path() / "certificates";
+  const auto theorems = folder.path() / "claims.theorems";
   const auto as_expected = run({"prove", claims});
   CHECK(as_expected.exit_code == 0);
   CHECK(as_expected.out.find("settled   wide.refuted: the claim is refuted by wide.always.refuted\n") !=
         std::string::npos);
   CHECK(as_expected.out.find("proved    narrow.refuted\n") != std::string::npos);
-  CHECK(run({certificates}, "slipproof-check").exit_code == 0);
+  CHECK(run({theorems}, "slipproof-check").exit_code == 0);
   const auto verified = run({"verify", claims, "--samples", "30", "--json"});
   CHECK(verified.exit_code == 0);
   const Json json = Json::parse(verified.out);
@@ -247,9 +248,9 @@ TEST_CASE("an interval is refuted both ways, whatever is expected of it") {
   CHECK(not_expected.exit_code == 1);
   CHECK(not_expected.out.find("refuted   wide.always at b = ") != std::string::npos);
   CHECK(not_expected.out.find("refuted   narrow.only-then at b = ") != std::string::npos);
-  CHECK(not_expected.out.find("outdated  right.always: no claim says this; the file was not changed\n") !=
-        std::string::npos);
+  CHECK(not_expected.out.find("removed   right.always: no claim says this\n") != std::string::npos);
   const Json again = Json::parse(run({"verify", claims, "--samples", "30", "--json"}).out);
+  CHECK(not_expected.out.find("removed   narrow") == std::string::npos);  // what refutes a claim is kept
   for (const Json& claim : again["claims"]) {
     CHECK(claim["verdict"] == "refuted");
     CHECK(claim["certificates"].size() > 0);
@@ -267,7 +268,7 @@ TEST_CASE("decimals stand for what they are, in boundaries and definitions, too"
           .claims = interval("decimal", "0.0 < F < 0.5", "expect = \"refuted\"\n")}
           .text());
   CHECK(run({"prove", claims}).exit_code == 0);
-  const std::string statement = read_file(folder.path() / "certificates" / "decimal.refuted.statement");
+  const std::string statement = read_file(folder.path() / "claims.theorems" / "decimal.refuted.statement");
   CHECK(statement.find("# split: b - (1 / 2)\n") != std::string::npos);
   CHECK(statement.find("max") == std::string::npos);
 }
@@ -291,7 +292,7 @@ TEST_CASE("a claim whose statement cannot be read fails, and no other with it") 
   const Json document = Json::parse(run({"prove", "--json", claims}).out);
   REQUIRE(document["failed"].size() == 1);
   CHECK(document["failed"][0]["claim"] == "large");
-  CHECK(std::filesystem::exists(folder.path() / "certificates" / "small.refuted.cert"));
+  CHECK(read_file(folder.path() / "claims.theorems" / "small.refuted.cert") != "");
 }
 
 TEST_CASE("several claims files in a folder keep their certificates apart, and all are judged") {
@@ -299,15 +300,17 @@ TEST_CASE("several claims files in a folder keep their certificates apart, and a
   const std::string one = intervals(interval("right", "0 < F < 4/(4 - 5/b)", ""));
   const auto first = folder.write("claims.toml", one);
   CHECK(run({"prove", first}).exit_code == 0);
-  const std::string certificate = read_file(folder.path() / "certificates" / "right.always.cert");
+  const std::string certificate = read_file(folder.path() / "claims.theorems" / "right.always.cert");
   const auto second =
       folder.write("second.toml", intervals(interval("right", "0 < F < 1/(4 - 5/b)", "expect = \"refuted\"\n")));
   const auto proved = run({"prove", second});
   CHECK(proved.exit_code == 0);
-  CHECK(proved.out == "proved    right.refuted\ns PROVED 1 proved, 0 undecided\n");  // nothing of the first
-  CHECK(std::filesystem::exists(folder.path() / "second.certificates" / "right.refuted.cert"));
-  CHECK(read_file(folder.path() / "certificates" / "right.always.cert") == certificate);
-  CHECK_FALSE(std::filesystem::exists(folder.path() / "certificates" / "right.refuted.cert"));
+  const auto second_theorems = folder.path() / "second.theorems";
+  CHECK(proved.out == "proved    right.refuted\nwrote     " + second_theorems.string() +
+                          ": 1 new, 0 changed, 0 removed, 0 as before\ns PROVED 1 proved, 0 undecided\n");
+  CHECK(read_file(second_theorems / "right.refuted.cert") != "");
+  CHECK(read_file(folder.path() / "claims.theorems" / "right.always.cert") == certificate);
+  CHECK(read_file(folder.path() / "claims.theorems" / "right.refuted.cert").empty());
   CHECK(run({"prove", first}).out.ends_with("s PROVED 3 proved (3 kept), 0 undecided\n"));
 
   const Json both = Json::parse(run({"verify", folder.path(), "--samples", "30", "--lines", "0", "--json"}).out);

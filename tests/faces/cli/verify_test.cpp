@@ -69,7 +69,7 @@ TEST_CASE("proved claims name their certificates, and a tampered one exits with 
   std::filesystem::create_directory(folder.path() / "certificates");
   for (const std::string name : {"A1.1.always.statement", "A1.1.always.cert", "A1.1.only-then.statement",
                                  "A1.1.only-then.cert", "A1.1.defined.statement", "A1.1.defined.cert"}) {
-    folder.write("certificates/" + name, read_file(proofs / "certificates" / name));
+    folder.write("certificates/" + name, read_file(proofs / "claims.theorems" / name));
   }
   const auto claims = folder.path() / "claims.toml";
   const std::vector<std::string> text{"verify", "--samples", "100", "--only", "A1.1", claims};
@@ -82,7 +82,7 @@ TEST_CASE("proved claims name their certificates, and a tampered one exits with 
   CHECK_FALSE(claim.contains("rejected"));
 
   folder.write("certificates/A1.1.always.cert",
-               replaced(read_file(proofs / "certificates/A1.1.always.cert"), "\nterm 1 ", "\nterm 2 "));
+               replaced(read_file(proofs / "claims.theorems/A1.1.always.cert"), "\nterm 1 ", "\nterm 2 "));
   for (const std::string more : {"--quiet", "--errata", "--seed=1"}) {
     auto arguments = text;
     arguments.push_back(more);
@@ -133,7 +133,7 @@ TEST_CASE("certificates that a claims file asks for and that are not there are m
   for (const char* file : {"claims.toml", "second-opinions.csv", "figures.toml"}) {
     folder.write(file, read_file(proofs / file));
   }
-  std::filesystem::copy(proofs / "theorems", folder.path() / "theorems");
+  folder.write("by-hand.theorems", read_file(proofs / "by-hand.theorems"));
   const auto output = [&](const std::vector<std::string>& more) {
     std::vector<std::string> all{"verify", "--samples", "40",   "--lines",
                                  "0",      "--only",    "A1.1", folder.path() / "claims.toml"};
@@ -156,8 +156,7 @@ TEST_CASE("certificates that a claims file asks for and that are not there are m
   const std::string page = (folder.path() / "page.html").string();
   output({"--report", page});
   CHECK(read_file(page).find(sentence) != std::string::npos);
-  CHECK(read_file(page).find("No proof of A1.1.always: missing; the folder has no such statement<") !=
-        std::string::npos);
+  CHECK(read_file(page).find("No proof of A1.1.always: missing; there is no such statement<") != std::string::npos);
 }
 
 TEST_CASE("the errata of some claims show a misprint as those of all claims do, or not at all") {

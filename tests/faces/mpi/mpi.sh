@@ -42,7 +42,10 @@ search=(search ladder --samples 4000)
 trade=(trade --scenes 60 --seconds 0 --json) # the same but for its speeds
 prove=(prove statements)
 mkdir statements
-cp "$sources"/proofs/wheelie-and-stoppie/certificates/W1*.statement statements
+theorems=$sources/proofs/wheelie-and-stoppie/claims.theorems
+for name in $(awk '$0 == "slipproof-statement 1" { getline; print substr($0, 9) }' "$theorems" | grep '^W1'); do
+  "$slipproof" check --show "$name.statement" "$theorems" >"statements/$name.statement"
+done
 for i in 1 2 3 4 5; do
   printf 'slipproof-statement 1\ntheorem power%d\nreal x\nassume positive: x > 0\nshow x^%d + 1 > x\n' "$i" $((2 * i)) \
     >"statements/power$i.statement"

@@ -31,7 +31,7 @@ def results():
                                      L=0.17, J=15.7, f=0.8, g=9.81, F=np.array([300.0, 3000.0]))
     verified = slipproof.verify("proofs/block-on-incline/claims.toml", samples=20)
     yield from (verified, verified[0])
-    yield from (slipproof.prove("x^2 >= 0"), slipproof.prove("x > 0"), slipproof.check("proofs/block-on-incline/certificates"))
+    yield from (slipproof.prove("x^2 >= 0"), slipproof.prove("x > 0"), slipproof.check("proofs/block-on-incline/claims.theorems"))
     yield from (slipproof.critical(SCENE), slipproof.search("painleve-rod", samples=5))
     yield slipproof.phase_diagram(SCENE, columns=4)
     yield slipproof.Body("b", mass=1)

@@ -132,6 +132,14 @@ def test_prove_keeps_the_certificates(tmp_path):
     assert "each certificate so far is in its file" in terminal.seen and (tmp_path / "a.cert").exists()
     assert continuation(terminal.seen) == ["prove", "a.statement", "hard.statement", "--effort", "1000000000000"]
     assert "kept" in run(tmp_path, "prove", "a.statement").stdout
+    # A theorem file is written whole, with what was found until then.
+    both = easy.format("a") + hard
+    (tmp_path / "mine.theorems").write_text(both)
+    terminal = Terminal("prove", "mine.theorems", "--effort", "1000000000000", folder=tmp_path)
+    terminal.until(r"hard: \d+ million steps")
+    assert terminal.interrupt() == -signal.SIGINT
+    certificate = (tmp_path / "a.cert").read_text()
+    assert (tmp_path / "mine.theorems").read_text() == easy.format("a") + certificate + hard
 
 
 def test_progress_has_the_time_left_and_makes_way_for_output(many):

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "base/input/text_file.hpp"
 #include "mechanics/two_contacts/sets.hpp"
 #include "proofs/check/files.hpp"
+#include "support/run_program.hpp"
 
 namespace slipproof::test::two_contacts {
 
@@ -87,7 +87,7 @@ std::set<Modes> left_at_rest(const std::vector<Rule>& rules) {
 std::optional<Modes> modes_of_statement(const std::string& name) {
   static const std::map<std::string, char> letters{{"stick", 'S'}, {"slip+", '+'},   {"slip-", '-'},
                                                    {"lift", 'O'},  {"slides+", '+'}, {"slides-", '-'}};
-  for (const std::string& line : split(read_text_file(folder / "theorems" / (name + ".statement")), '\n')) {
+  for (const std::string& line : split(test::read_file(folder / "by-hand.theorems" / (name + ".statement")), '\n')) {
     if (!line.starts_with("# A: ")) continue;
     Modes modes;
     for (const std::string& part : split(line.substr(2), ',')) {
@@ -138,10 +138,10 @@ TEST_CASE("the rules name all statements, and each has a certificate that is acc
   for (const std::vector<Rule>& of : {rules.rest, rules.alike, rules.belt}) {
     for (const Rule& rule : of) named.insert(rule.statements.begin(), rule.statements.end());
   }
-  for (const auto& entry : std::filesystem::directory_iterator(folder / "theorems")) {
-    if (entry.path().extension() != ".cert") continue;
-    found.insert(entry.path().stem().string());
-    CHECK(check::check_file(entry.path()).verdict == check::Verdict::accepted);
+  const check::Report report = check::check_files({(folder / "by-hand.theorems").string()});
+  for (const check::FileResult& result : report.results) {
+    found.insert(result.theorem);
+    CHECK(result.verdict == check::Verdict::accepted);
   }
   CHECK(found == named);
 }

@@ -43,7 +43,11 @@ attack() {
   mv out new
   (cd new && find . -type d -exec mkdir -p ../old/{} \;)
   while IFS= read -r file; do
-    printf 'what stood in %s before\n%.0s' "$file" {1..200} >"old/${file#new/}"
+    if [[ $file == *.theorems ]]; then
+      printf 'slipproof-statement 1\ntheorem before%d\nreal x\nshow x^2 >= 0\n' {1..200} >"old/${file#new/}"
+    else
+      printf 'what stood in %s before\n%.0s' "$file" {1..200} >"old/${file#new/}"
+    fi
   done < <(find new -type f)
   for ((i = 0; i < kills; ++i)); do
     rm -rf out && cp -r old out
@@ -59,14 +63,20 @@ attack() {
   echo "$name: $kills kills within $length microseconds"
 }
 
-scene=$sources/cases/city-bicycle.toml proofs=$sources/proofs/rozenblat-yashin/certificates
+scene=$sources/cases/city-bicycle.toml proofs=$sources/proofs/rozenblat-yashin/claims.theorems
 {
   echo 'F,a,S2,S3,N2,N3'
   for ((i = 1; i <= 3000; ++i)); do echo "$((i % 7)),0.1,0.2,0.3,400,433"; done
 } >answers.csv
 attack certify "$slipproof" certify --scene "$scene" --summary out/summary.json answers.csv
 attack map "$slipproof" map "$scene" --columns 600 -o out/map.svg
-attack prove "$slipproof" prove "$proofs"/A2.4*.statement "$proofs"/A3.*.statement --out out
+mkdir statements
+for name in $(awk '$0 == "slipproof-statement 1" { getline; print substr($0, 9) }' "$proofs" | grep -E '^(A2\.4|A3\.)'); do
+  "$slipproof" check --show "$name.statement" "$proofs" >"statements/$name.statement"
+done
+cat statements/*.statement >chosen.theorems
+attack prove "$slipproof" prove statements/*.statement --out out
+attack theorems "$slipproof" prove chosen.theorems --out out
 attack report "$slipproof" report "$sources/proofs/rear-drive/claims.toml" --samples 20 --lines 0 --out out/report.html
-echo "$interrupted of $((4 * kills)) were running when they were killed, $failures failures"
+echo "$interrupted of $((5 * kills)) were running when they were killed, $failures failures"
 ((failures == 0 && interrupted > 0))

@@ -138,8 +138,8 @@ TEST_CASE("an argument may be a certificate, its statement, or a folder, and not
   const Proved folder;
   const fs::path in = folder.path();
   CHECK(report(in / "t.statement", in) == "accepted t\n" + summary("ACCEPTED", 1, 0, 0, 0, 0));
-  CHECK(report(in / "t", in) ==
-        "unreadable t: expected NAME.cert, NAME.statement or a folder\n" + summary("UNREADABLE", 0, 0, 0, 0, 1));
+  CHECK(report(in / "t", in) == "unreadable t: expected NAME.cert, NAME.statement, NAME.theorems or a folder\n" +
+                                    summary("UNREADABLE", 0, 0, 0, 0, 1));
   fs::create_directory(in / "empty");
   CHECK(report(in / "empty", in) == "unreadable empty: no statements here\n" + summary("UNREADABLE", 0, 0, 0, 0, 1));
   CHECK(report(in / "nothing.cert", in) ==

@@ -27,8 +27,15 @@ std::vector<std::filesystem::path> shipped() {
 }
 
 std::string content(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
+  static std::filesystem::path last;
+  static TheoremFile file;
+  if (last != path.parent_path()) {
+    last = path.parent_path();
+    std::ifstream stream(last, std::ios::binary);
+    file = split_theorems(std::string(std::istreambuf_iterator<char>(stream), {}));
+  }
+  const StatedTheorem& theorem = file.theorems.at(path.stem().string());
+  return path.extension() == ".cert" ? theorem.certificate.text : theorem.statement.text;
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -246,8 +253,9 @@ TEST_CASE("all shipped certificates are accepted") {
   constexpr std::size_t step = slipproof::test::quick(1, 16);
   const auto certificates = shipped();
   REQUIRE(certificates.size() > 40);
+  Checker checker;
   for (std::size_t i = 0; i < certificates.size(); i += step) {
-    const FileResult result = check_file(certificates[i]);
+    const FileResult result = checker.check(certificates[i]);
     INFO(result.message);
     CHECK(result.verdict == Verdict::accepted);
   }

@@ -35,11 +35,11 @@ TEST_CASE("a mutant that is another proof of the same statement is accepted and 
     int line;
   };
   for (const Mutant& mutant : std::vector<Mutant>{
-           {"rear-drive/certificates/T1.8", "have e3: -H*f + b + c > 0", "have e3: -H*f + b2+ c > 0", 25},
-           {"rozenblat-yashin/certificates/E2.5.backwards", "set a = 0", "set a =20", 13},
-           {"rozenblat-yashin/certificates/E2.6.repaired.backwards", "set a_y = 0", "set a_y = 3", 97},
-           {"rozenblat-yashin/certificates/E4.13.repaired.backwards", "term 1 e1 e2 e3", "term 1 force.1.3", 37},
-           {"rozenblat-yashin/certificates/R2.3.3", "have e11: b2*phi - g > 0", "have e11: b2*phi - g >=0", 21}}) {
+           {"rear-drive/claims.theorems/T1.8", "have e3: -H*f + b + c > 0", "have e3: -H*f + b2+ c > 0", 25},
+           {"rozenblat-yashin/claims.theorems/E2.5.backwards", "set a = 0", "set a =20", 13},
+           {"rozenblat-yashin/claims.theorems/E2.6.repaired.backwards", "set a_y = 0", "set a_y = 3", 97},
+           {"rozenblat-yashin/claims.theorems/E4.13.repaired.backwards", "term 1 e1 e2 e3", "term 1 force.1.3", 37},
+           {"rozenblat-yashin/claims.theorems/R2.3.3", "have e11: b2*phi - g > 0", "have e11: b2*phi - g >=0", 21}}) {
     CAPTURE(std::string(mutant.certificate));
     const std::string name = (kSecondProofs / mutant.certificate).string();
     const std::string statement = slipproof::test::read_file(name + ".statement");

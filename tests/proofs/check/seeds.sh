@@ -3,9 +3,21 @@
 # reads them.
 set -eu
 mkdir -p "$2"
-find "$1" -name '*.cert' -size -5k | while read -r certificate; do
-  statement=${certificate%.cert}.statement
-  { cat "$statement"; echo ====; tail -n +3 "$certificate"; } >"$2/$(basename "$certificate")"
+find "$1" -name '*.theorems' | while read -r file; do
+  awk -v out="$2" '
+    function flush() {
+      if (proof != "" && length(proof) <= 4000) {
+        printf "%s====\n%s", statement, proof >(out "/" name ".cert")
+        close(out "/" name ".cert")
+      }
+      statement = proof = ""
+    }
+    $0 == "slipproof-statement 1" { flush(); part = 1; line = 0 }
+    $0 == "slipproof-certificate 1" { part = 2; line = 0 }
+    { ++line }
+    part == 1 { statement = statement $0 "\n"; if (line == 2) name = substr($0, 9) }
+    part == 2 && line > 2 { proof = proof $0 "\n" }
+    END { flush() }' "$file"
 done
 # No certificate that splits is short.
 cat >"$2/split" <<'END'

@@ -1,11 +1,11 @@
 #!/bin/sh
-# size.sh CHECKER LINES: what decides on a certificate is all of CHECKER but files.*, which find and load the texts, and
-# main.cpp. It has at most LINES lines, empty ones and comments aside, and opens no files; and all of CHECKER includes only
+# size.sh CHECKER LINES: what decides on a certificate is all of CHECKER but files.* and theorem_file.*, which find, load
+# and part the texts, and main.cpp. It has at most LINES lines, empty ones and comments aside, and opens no files; and all of CHECKER includes only
 # itself, the standard library and GMP.
 set -eu
 cd "$1"
 name=proofs/$(basename "$PWD")
-deciding=$(ls ./*.cpp ./*.hpp | grep -vE '^\./(files\.[ch]pp|main\.cpp)$')
+deciding=$(ls ./*.cpp ./*.hpp | grep -vE '^\./((theorem_)?files?\.[ch]pp|main\.cpp)$')
 # shellcheck disable=SC2086
 lines=$(cat $deciding | grep -cvE '^[[:space:]]*(//.*)?$')
 [ "$lines" -le "$2" ] || {

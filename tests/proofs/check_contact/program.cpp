@@ -1,4 +1,6 @@
 // The program slipproof-check-contact, and the files that it takes.
+#include <algorithm>
+
 #include "proofs/check_contact/examples.hpp"
 #include "proofs/check_contact/files.hpp"
 #include "support/run_program.hpp"
@@ -47,6 +49,24 @@ TEST_CASE("the program's words and exit codes") {
   CHECK(program({"--unknown"}).exit_code == 2);
   CHECK(program({"--help"}).exit_code == 0);
   CHECK(program({"--version"}).out.starts_with("slipproof-check-contact "));
+}
+
+TEST_CASE("a file may have several certificates, and each has a verdict with its line") {
+  const slipproof::test::TemporaryFolder folder;
+  const std::string bad = replaced(kRod, "answer 0", "answer 5"), broken = replaced(kRod, "end", "fin");
+  const auto lines = std::to_string(std::count(kRod.begin(), kRod.end(), '\n') + 1);
+  const auto last = std::to_string(2 * std::count(kRod.begin(), kRod.end(), '\n') + 1);
+  const std::string file = folder.write("three", kRod + bad + broken);
+  const auto outcome = program({file});
+  CHECK(outcome.exit_code == 5);
+  CHECK(outcome.out.starts_with(file + ":1: accepted\n" + file + ":1: a solution within"));
+  CHECK(outcome.out.find("\n" + file + ":" + lines + ": rejected: component 0") != std::string::npos);
+  CHECK(outcome.out.find("\n" + file + ":" + last + ": unreadable: line 16, column 1: found 'fin'") !=
+        std::string::npos);
+  CHECK(outcome.out.ends_with("\n" + summary("REJECTED", 1, 1, 0, 1)));
+  CHECK(program({"-"}, kRod + kRod).out.ends_with(summary("ACCEPTED", 2, 0, 0, 0)));
+  CHECK(program({folder.write("before", "junk\n" + kRod)}).exit_code == 3);
+  CHECK(program({folder.write("after", kRod + "junk\n")}).exit_code == 3);
 }
 
 TEST_CASE("what is no file has a message, and a name cannot pass for another line") {

@@ -182,7 +182,7 @@ TEST_CASE("what is false in print has no proof") {
 TEST_CASE("every claim has a proof or a refutation, as far as statements can say it") {
   for (const char* paper : {"rozenblat-yashin", "rear-drive"}) {
     const std::filesystem::path file = shipped_folder.parent_path() / paper / "claims.toml";
-    const std::filesystem::path certificates = file.parent_path() / "certificates";
+    const std::filesystem::path theorems = file.parent_path() / "claims.theorems";
     const ClaimsFile claims = read_claims(file);
     std::vector<NamedStatement> statements;
     for (const Claim& claim : claims.claims) {
@@ -194,8 +194,8 @@ TEST_CASE("every claim has a proof or a refutation, as far as statements can say
     CHECK(statements.size() > 30);
     for (const NamedStatement& statement : statements) {
       INFO(statement.name);
-      CHECK(test::read_file(certificates / (statement.name + ".statement")) == statement.text);
-      CHECK(std::filesystem::exists(certificates / (statement.name + ".cert")));
+      CHECK(test::read_file(theorems / (statement.name + ".statement")) == statement.text);
+      CHECK(test::read_file(theorems / (statement.name + ".cert")) != "");
     }
   }
 }

@@ -48,7 +48,7 @@ TEST_CASE("a statement that no sample refutes and no search proves stays undecid
 }
 
 TEST_CASE("the limit on steps ends a search, the same way each time") {
-  const std::string text = read_file(shipped_folder / "theorems" / "A5.2.cell.lifts.3.statement");
+  const std::string text = read_file(shipped_folder / "by-hand.theorems" / "A5.2.cell.lifts.3.statement");
   slipproof::prove::Limits limits;
   limits.steps = 20'000;
   const slipproof::ProofOutcome first = slipproof::prove_statement("limited", text, limits);
@@ -70,20 +70,20 @@ TEST_CASE("what the checker refuses for its limits is undecided, not proved") {
 }
 
 TEST_CASE("neither the number of threads nor that of ranks changes a byte") {
-  std::vector<std::filesystem::path> statements = slipproof::statements_in(shipped_folder / "theorems");
+  std::vector<std::filesystem::path> statements = slipproof::statements_in(shipped_folder / "by-hand.theorems");
   std::erase_if(statements,
                 [](const auto& path) { return path.filename().string().find("cell") != std::string::npos; });
   REQUIRE(statements.size() > 20);
   slipproof::ProveOptions options;
   options.again = true;
   options.threads = 1;
-  const auto one = slipproof::prove_files(statements, options);
+  const auto one = slipproof::prove_files(slipproof::read_statements(statements), options);
   std::vector<slipproof::FileOutcome> several;
   slipproof::test::by_crew(
       3, [&](std::string_view request) { return slipproof::answer_statement(request, options); },
       [&](slipproof::Crew& crew) {
         options.crew = &crew;
-        several = slipproof::prove_files(statements, options);
+        several = slipproof::prove_files(slipproof::read_statements(statements), options);
       });
   REQUIRE(one.size() == several.size());
   for (std::size_t i = 0; i < one.size(); ++i) {

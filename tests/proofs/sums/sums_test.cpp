@@ -24,7 +24,7 @@ using namespace slipproof;
 using namespace slipproof::prove;
 using test::statement;
 
-const std::filesystem::path squares_folder = SLIPPROOF_SOURCE_DIR "/proofs/squares/theorems";
+const std::filesystem::path squares_folder = SLIPPROOF_SOURCE_DIR "/proofs/squares/by-hand.theorems";
 
 bool solver_installed() {
   if (sums::has_semidefinite_solver()) return true;

@@ -24,12 +24,15 @@ try() {
     failed=1
   fi
 }
-# claims NAME: a folder of that name, whose claims.canonical comes from standard input
+# claims NAME: a folder of that name, whose claims.canonical comes from standard input, and NAME-file with them as a theorem
+# file
 claims() {
-  mkdir -p "$scratch/$1/certificates"
+  mkdir -p "$scratch/$1/certificates" "$scratch/$1-file"
   cat >"$scratch/$1/certificates/claims.canonical"
+  cp "$scratch/$1/certificates/claims.canonical" "$scratch/$1-file/claims.theorems"
 }
-canonical=$paper/certificates/claims.canonical
+canonical=$scratch/canonical
+sed '/^slipproof-statement 1$/,$d' "$paper/claims.theorems" >"$canonical"
 try 2
 try 2 --at
 try 2 --at "$scratch/none"
@@ -46,7 +49,14 @@ printf 'setting \033[2J\007\n' | claims escapes
 awk 'BEGIN { for (i = 0; i < 200000; ++i) printf "("; print "" }' | claims brackets
 awk 'BEGIN { for (i = 0; i < 20000000; ++i) printf "x" }' | claims long
 { cat "$canonical"; cat "$canonical"; } | claims twice
-for name in empty junk zeros half returns escapes brackets long twice; do try "3 4" "$scratch/$name"; done
+for name in empty junk zeros half returns escapes brackets long twice; do
+  try "3 4" "$scratch/$name"
+  try "3 4" "$scratch/$name-file"
+done
+mkdir -p "$scratch/waiting" "$scratch/unending" "$scratch/nested/claims.theorems"
+mkfifo "$scratch/waiting/claims.theorems"
+ln -s /dev/zero "$scratch/unending/claims.theorems"
+for name in waiting unending nested; do try "3 4" "$scratch/$name"; done
 mkdir -p "$scratch/pipe/certificates" "$scratch/endless/certificates" "$scratch/folder/certificates/claims.canonical" "$scratch/loop"
 mkfifo "$scratch/pipe/certificates/claims.canonical"
 ln -s /dev/zero "$scratch/endless/certificates/claims.canonical"

@@ -6,9 +6,12 @@ slipproof=$1 judge=$2 paper=$3 scratch=$4
 rm -rf "$scratch"
 cp -r "$paper" "$scratch"
 "$slipproof" prove --quiet "$scratch/claims.toml" || true
+awk '$0 == "slipproof-statement 1" { first = $0; getline; its = /^theorem F1\./; $0 = first "\n" $0 } !its' \
+  "$scratch/claims.theorems" >"$scratch/others"
+mv "$scratch/others" "$scratch/claims.theorems"
 for statement in "$scratch"/forgotten/*.statement; do
-  cp "$statement" "$scratch/certificates"
-  "$slipproof" prove --again --quiet "$scratch/certificates/$(basename "$statement")"
+  "$slipproof" prove --again --quiet "$statement"
+  cat "$statement" "${statement%.statement}.cert" >>"$scratch/claims.theorems"
 done
 rm -r "$scratch/forgotten"
 "$judge" "$scratch" >"$scratch/verdicts" || true

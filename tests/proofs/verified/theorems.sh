@@ -8,7 +8,11 @@ rm -rf "$folder"
 mkdir -p "$folder"
 cd "$folder"
 ulimit -s unlimited
-find "$proofs" -name '*.cert' | sort | awk "NR % $every == 0" | split -l 50 - list.
+for file in $(find "$proofs" -name '*.theorems' | sort); do
+  awk -v file="$file" '
+    $0 == "slipproof-statement 1" { getline; name = substr($0, 9) }
+    $0 == "slipproof-certificate 1" { print file "/" name ".cert" }' "$file"
+done | awk "NR % $every == 0" | split -l 50 - list.
 cat list.* | wc -l
 for list in list.*; do
   xargs sh "$script" <"$list" >"T_${list#list.}.v"

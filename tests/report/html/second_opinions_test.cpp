@@ -41,14 +41,14 @@ struct EvidencePage {
     const auto claims = folder.write("claims.toml", test::read_file(test::shipped_folder / "claims.toml"));
     std::vector<std::string> names = three;
     names.insert(names.end(), {"A1.1.defined", "A1.1a.defined"});
-    for (const char* below : {"certificates", "theorems"}) std::filesystem::create_directory(folder.path() / below);
-    for (const char* ending : {".statement", ".cert"}) {
-      const auto shipped = [&](const std::string& name) {
-        return test::read_file(test::shipped_certificates / (name + ending));
-      };
-      for (const std::string& name : names) folder.write("certificates/" + name + ending, shipped(name));
-      folder.write(std::string("theorems/A1.2a") + ending, shipped("A1.2a"));
-    }
+    const auto shipped = [&](const std::string& name) {
+      const std::filesystem::path part = test::shipped_certificates / name;
+      return test::read_file(part.string() + ".statement") + test::read_file(part.string() + ".cert");
+    };
+    std::string theorems;
+    for (const std::string& name : names) theorems += shipped(name);
+    folder.write("claims.theorems", theorems);
+    folder.write("by-hand.theorems", shipped("A1.2a"));
     if (!table.empty()) folder.write("second-opinions.csv", table);
     VerifyOptions options;
     options.samples = 5;
@@ -123,9 +123,9 @@ TEST_CASE("a bad table is refused with all that is wrong, and where") {
 TEST_CASE("the evidence says who agrees and who timed out, the first screen counts, from the table alone") {
   const EvidencePage page(
       "statement,z3,cvc5,coq\n"
-      "certificates/A1.1.always,unsat,timeout,accepted\n"
-      "certificates/A1.1.only-then,unsat,unsat,-\n"
-      "theorems/A1.2a,unknown,-,accepted\n");
+      "claims.theorems/A1.1.always,unsat,timeout,accepted\n"
+      "claims.theorems/A1.1.only-then,unsat,unsat,-\n"
+      "by-hand.theorems/A1.2a,unknown,-,accepted\n");
   CHECK(page.text("//details[@id='claim-A1.1']")
             .find("Second opinions. z3 confirms A1.1.only-then and A1.1.always, was not asked of A1.1.defined; cvc5 "
                   "confirms A1.1.only-then, timed out on A1.1.always, was not asked of A1.1.defined; Coq accepts "
@@ -140,7 +140,7 @@ TEST_CASE("the evidence says who agrees and who timed out, the first screen coun
 }
 
 TEST_CASE("without the table, the page says nothing of second opinions") {
-  const EvidencePage without(""), with("statement,z3,cvc5,coq\ncertificates/A1.1a,unknown,-,timeout\n");
+  const EvidencePage without(""), with("statement,z3,cvc5,coq\nclaims.theorems/A1.1a,unknown,-,timeout\n");
   CHECK(without.text("//body").find("econd opinion") == std::string::npos);
   CHECK(with.text("//details[@id='claim-A1.1a']")
             .find("Second opinions. z3 could not tell of A1.1a, was not asked of A1.1a.defined; Coq timed out on "

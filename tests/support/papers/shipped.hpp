@@ -8,7 +8,7 @@
 namespace slipproof::test {
 
 inline const std::filesystem::path shipped_folder = SLIPPROOF_SOURCE_DIR "/proofs/rozenblat-yashin";
-inline const std::filesystem::path shipped_certificates = shipped_folder / "certificates";
+inline const std::filesystem::path shipped_certificates = shipped_folder / "claims.theorems";
 
 inline const ClaimsFile& shipped_paper() {
   static const ClaimsFile file = read_claims(shipped_folder / "claims.toml");

@@ -215,8 +215,8 @@ class Check(Result, Sequence[CheckedCertificate]):
 
 
 def check(*paths: _Path) -> Check:
-    """Checks certificates: ``paths`` are their files, statements, or folders of them. Errors in one are reported, not
-    raised. Raises FileNotFoundError if one is not there."""
+    """Checks certificates: ``paths`` are their files, statements, theorem files, or folders of them. Errors in one are
+    reported, not raised. Raises FileNotFoundError if one is not there."""
     if not paths:
         raise wrong_type("paths", None, "at least one certificate, statement or folder")
     return Check(*_core.check([_file("paths", p) for p in paths]))

@@ -1,7 +1,9 @@
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "base/input/diagnostic.hpp"
 #include "faces/cli/command.hpp"
 #include "proofs/check/files.hpp"
 #include "report/values/exact_json.hpp"
@@ -13,7 +15,18 @@ namespace {
 struct CheckArguments {
   CommonOptions common;
   std::vector<std::string> certificates;
+  std::optional<std::string> show;
 };
+
+/// Prints a part of a theorem file.
+int show(const CheckArguments& options) {
+  if (options.certificates.size() != 1)
+    throw CLI::ValidationError("--show", "found several files, expected one theorem file");
+  const check::Shown part = check::show_part(*options.show, options.certificates.front());
+  if (!part.problem.empty()) throw InputError({{"", 0, 0, part.problem}});
+  print(part.text);
+  return as_it_should_be;
+}
 
 }  // namespace
 
@@ -21,9 +34,18 @@ void add_check(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CheckArguments>();
   CLI::App& command =
       *app.add_subcommand("check", "Check certificates against their statements, as slipproof-check does");
-  command.add_option("CERT", options->certificates, "Certificates, their statements, or folders of them")->required();
+  command
+      .add_option("CERT", options->certificates, "Certificates, their statements, theorem files, or folders of them")
+      ->required();
+  command.add_option("--show", options->show,
+                     "Do not check; print this part of a theorem file: NAME.statement, NAME.cert, NAME for both, or\n"
+                     "claims.canonical");
   add_common_options(command, options->common);
   command.callback([options, &exit_code] {
+    if (options->show) {
+      exit_code = show(*options);
+      return;
+    }
     const check::Report report = check::check_files(options->certificates);
     exit_code = report.exit_code;
     if (!options->common.json) return print((options->common.quiet ? "" : report.text) + report.summary);

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -16,8 +15,8 @@
 #include "faces/cli/crew_run.hpp"
 #include "faces/cli/interrupt.hpp"
 #include "faces/cli/warnings.hpp"
-#include "proofs/other_provers/coq.hpp"
 #include "proofs/other_provers/smtlib.hpp"
+#include "proofs/statement/theorems.hpp"
 
 namespace slipproof::cli {
 
@@ -28,12 +27,10 @@ struct ProveArguments {
   ProveOptions prove;
   CrewArguments crew;
   std::vector<std::string> inputs;
-  std::string out, smtlib, coq;
+  std::string out, smtlib;
 };
 
-constexpr std::size_t max_certificate_size = std::size_t{1} << 28U;
-
-/// A statement, and its name in the output folder.
+/// A statement, or part of a theorem file, and its name in the output folder.
 struct StatementFile {
   std::filesystem::path file, name;
 };
@@ -53,17 +50,22 @@ std::vector<StatementFile> statements_of(const PaperFolder& paper) {
   return result;
 }
 
-/// Statements that do not belong to a claims file: files, and folders of files.
+/// Statements that do not belong to a claims file: files, theorem files, and folders of both.
 std::vector<StatementFile> own_statements(const std::vector<std::string>& inputs) {
   std::vector<StatementFile> result;
   for (const std::filesystem::path input : inputs) {
     const auto refuse = [&](const char* found) {
-      throw InputError({{input.string(), 0, 0, std::string("found ") + found + ", expected a statement or a folder"}});
+      throw InputError({{input.string(), 0, 0,
+                         std::string("found ") + found + ", expected a statement, a theorem file or a folder"}});
     };
     if (std::filesystem::is_directory(input)) {
       const std::vector<StatementFile> below = statements_below(input);
-      if (below.empty()) refuse("a folder without *.statement");
+      if (below.empty()) refuse("a folder without statements");
       result.insert(result.end(), below.begin(), below.end());
+    } else if (is_theorem_file(input)) {
+      for (const std::filesystem::path& part : statements_in(input)) {
+        result.push_back({part, input.filename() / part.filename()});
+      }
     } else if (input.extension() == ".statement") {
       result.push_back({input, input.filename()});
     } else {
@@ -85,83 +87,95 @@ void refuse_equal_names(const std::vector<StatementFile>& statements) {
   }
 }
 
+/// The name in a folder of exports: those of FILE.theorems are in the folder FILE.
+std::filesystem::path exported_name(std::filesystem::path name, const char* extension) {
+  name.replace_extension(extension);
+  std::filesystem::path folder = name.parent_path();
+  if (is_theorem_file(folder)) folder.replace_extension();
+  return folder / name.filename();
+}
+
 /// Writes the result of `text_of` for each statement, under the same name. Does not write empty texts.
+template <class TextOf>
 void export_statements(const std::vector<StatementFile>& statements, const std::filesystem::path& out,
-                       const char* extension, const std::function<std::string(const std::filesystem::path&)>& text_of) {
+                       const char* extension, const TextOf& text_of) {
   Inputs inputs;
+  std::vector<std::filesystem::path> files;
   for (const StatementFile& statement : statements) {
-    inputs.add(statement.file);
-    inputs.add(certificate_of(statement.file));
+    files.push_back(statement.file);
+    for (const auto& path : {statement.file, certificate_of(statement.file)}) inputs.add(file_of(path));
   }
   const OutputFolder folder(out, inputs);
+  const std::vector<StatementSource> sources = read_statements(files);
   std::size_t written = 0;
-  for (const StatementFile& statement : statements) {
-    const std::string text = text_of(statement.file);
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const std::string text = text_of(sources[i]);
     if (text.empty()) continue;
-    std::filesystem::path name = statement.name;
-    folder.write(name.replace_extension(extension), text);
+    folder.write(exported_name(statements[i].name, extension), text);
     ++written;
   }
   print("s EXPORTED " + std::to_string(written) + " *" + extension + " to " + out.string() + '\n');
 }
 
-/// The result of `make` for the statement and its certificate; empty if there is no certificate.
-template <class Make>
-std::string with_certificate(const std::filesystem::path& statement, const Make& make) {
-  const std::filesystem::path certificate = certificate_of(statement);
-  std::error_code error;
-  if (!std::filesystem::exists(certificate, error)) return "";
-  const std::string text = read_found_file(certificate, max_certificate_size);
-  if (text.starts_with("slipproof-undecided ")) return "";
-  return make(statement.string(), read_found_file(statement), certificate.string(), text);
-}
-
 void export_smtlib(const std::vector<StatementFile>& statements, const std::filesystem::path& out) {
-  export_statements(statements, out, ".smt2", [](const std::filesystem::path& file) {
-    return smtlib_text(file.string(), read_found_file(file));
+  export_statements(statements, out, ".smt2", [](const StatementSource& statement) {
+    return smtlib_text(statement.path.string(), statement.text);
   });
-  export_statements(statements, out, ".witness.smt2",
-                    [](const std::filesystem::path& file) { return with_certificate(file, smtlib_witness_text); });
-}
-
-void export_coq(const std::vector<StatementFile>& statements, const std::filesystem::path& out) {
-  export_statements(statements, out, ".v", [](const std::filesystem::path& file) {
-    std::string text = with_certificate(file, coq_text);
-    if (text.empty()) print("no certificate: " + file.string() + '\n');
-    return text;
+  export_statements(statements, out, ".witness.smt2", [](const StatementSource& statement) -> std::string {
+    if (!statement.certificate || statement.certificate->starts_with("slipproof-undecided ")) return "";
+    return smtlib_witness_text(statement.path.string(), statement.text, certificate_of(statement.path).string(),
+                               *statement.certificate);
   });
-}
-
-/// Copies the statements to a folder; their certificates will be written there.
-std::vector<StatementFile> copied(const std::vector<StatementFile>& statements, const std::filesystem::path& out) {
-  Inputs inputs;
-  for (const StatementFile& statement : statements) inputs.add(statement.file);
-  const OutputFolder folder(out, inputs);
-  for (const StatementFile& statement : statements) inputs.refuse(certificate_of(out / statement.name));
-  std::vector<StatementFile> result;
-  std::error_code error;
-  for (const auto& [file, name] : statements) {
-    if (!std::filesystem::equivalent(out / name, file, error)) folder.write(name, read_found_file(file));
-    result.push_back({out / name, name});
-  }
-  return result;
-}
-
-/// Copies the statements in the folder of a claims file and below.
-void copy_statements(const PaperFolder& paper, const std::filesystem::path& out) {
-  if (out == paper.folder) return;
-  std::vector<StatementFile> statements = statements_of(paper);
-  std::erase_if(statements, [&](const StatementFile& statement) {
-    const std::filesystem::path inside = statement.file.lexically_normal().lexically_relative(out.lexically_normal());
-    return !inside.empty() && *inside.begin() != "..";  // it is inside `out`, left by an earlier run
-  });
-  copied(statements, out);
 }
 
 std::vector<std::filesystem::path> files_of(const std::vector<StatementFile>& statements) {
   std::vector<std::filesystem::path> files;
   for (const StatementFile& statement : statements) files.push_back(statement.file);
   return files;
+}
+
+/// Copies the statements to a folder, where their certificates will be written. Theorem files are written with these.
+std::vector<StatementSource> copied(const std::vector<StatementFile>& statements, const std::filesystem::path& out,
+                                    ProveRun& run) {
+  Inputs inputs;
+  for (const StatementFile& statement : statements) inputs.add(file_of(statement.file));
+  const OutputFolder folder(out, inputs);
+  TheoremTexts there;
+  std::map<std::filesystem::path, TheoremFile> copies;
+  std::vector<StatementSource> result = read_statements(files_of(statements));
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    StatementSource& source = result[i];
+    const std::filesystem::path& from = statements[i].file;
+    const std::filesystem::path to = out / statements[i].name;
+    std::error_code error;
+    if (std::filesystem::equivalent(file_of(to), file_of(from), error)) continue;
+    source = {.path = to,
+              .text = source.text,
+              .certificate = there.at(certificate_of(to)),
+              .origin = from,
+              .line = source.line};
+    if (file_of(to) != to) {
+      const std::string certificate = source.certificate.value_or("");
+      copies[file_of(to)].theorems.push_back({to.stem().string(), source.text, certificate});
+    } else {
+      inputs.refuse(certificate_of(to));
+      folder.write(statements[i].name, source.text);
+    }
+  }
+  for (auto& [file, theorems] : copies) run.contain(file, std::move(theorems));
+  return result;
+}
+
+/// The statements that were written by hand; in `out`, if that is another folder.
+std::vector<StatementSource> by_hand(const PaperFolder& paper, const std::filesystem::path& out, ProveRun& run) {
+  std::vector<StatementFile> statements = statements_of(paper);
+  std::erase_if(statements, [&](const StatementFile& s) { return s.file.parent_path() == paper.generated(); });
+  if (out == paper.folder) return read_statements(files_of(statements));
+  std::erase_if(statements, [&](const StatementFile& statement) {
+    const std::filesystem::path inside = statement.file.lexically_normal().lexically_relative(out.lexically_normal());
+    return !inside.empty() && *inside.begin() != "..";  // it is inside `out`, left by an earlier run
+  });
+  return copied(statements, out, run);
 }
 
 Exit run_prove(ProveArguments& options) {
@@ -175,30 +189,31 @@ Exit run_prove(ProveArguments& options) {
   options.prove.crew = crew.crew();
   const std::filesystem::path first = options.inputs.empty() ? "" : options.inputs.front();
   std::error_code error;
-  const bool own =
-      options.inputs.size() > 1 || first.extension() == ".statement" || std::filesystem::is_directory(first, error);
+  const bool own = options.inputs.size() > 1 || first.extension() == ".statement" || is_theorem_file(first) ||
+                   std::filesystem::is_directory(first, error);
   const std::filesystem::path claims = own ? std::filesystem::path() : claims_path(first.string());
-  PaperFolder paper = own ? PaperFolder{} : paper_folder(claims);
-  const bool exports = !options.smtlib.empty() || !options.coq.empty();
+  const PaperFolder paper = own ? PaperFolder{} : paper_folder(claims);
+  const bool exports = !options.smtlib.empty();
   if (own || exports) {
     const std::vector<StatementFile> statements = own ? own_statements(options.inputs) : statements_of(paper);
     if (exports || !options.out.empty()) refuse_equal_names(statements);
-    if (!options.smtlib.empty()) export_smtlib(statements, options.smtlib);
-    if (!options.coq.empty()) export_coq(statements, options.coq);
-    if (exports) return as_it_should_be;
+    if (exports) {
+      export_smtlib(statements, options.smtlib);
+      return as_it_should_be;
+    }
     ProveRun run(options.prove, options.common);
-    run.prove(files_of(options.out.empty() ? statements : copied(statements, options.out)));
+    run.prove(options.out.empty() ? read_statements(files_of(statements)) : copied(statements, options.out, run));
     return run.conclude();
   }
   const std::filesystem::path out = options.out.empty() ? paper.folder : std::filesystem::path(options.out);
   const ClaimsFile file = read_claims(claims);
   print_warnings(file, options.common);
   const OutputFolder made(out, Inputs{claims});
-  copy_statements(paper, out);
-  paper.folder = out;
-  const OutputFolder made_inside(paper.generated(), Inputs{claims});
   ProveRun run(options.prove, options.common, Inputs{claims});
-  run.prove_claims(file, paper);
+  PaperFolder results = paper;
+  results.folder = out;
+  run.reserve(results.theorems());  // refuses a place where it cannot be written, before anything is read
+  run.prove_claims(file, results, by_hand(paper, out, run));
   return run.conclude();
 }
 
@@ -223,15 +238,14 @@ void add_prove(CLI::App& app, int& exit_code, Transport& transport) {
   command.add_option(
       "INPUT", options->inputs,
       "A claims file, with your own statements next to it and below, except those in folders of\n"
-      "other papers; default: the shipped paper. Or, without claims: files *.statement and folders of them");
+      "other papers; default: the shipped paper. Or, without claims: files *.statement and *.theorems, and\n"
+      "folders of them");
   command.add_option(
       "--out", options->out,
-      "Folder for statements and certificates; default: next to your own statements, those of claims in\n"
-      "`certificates` next to the claims file, or `NAME.certificates` if NAME.toml is one of several");
+      "Folder for statements and certificates; default: next to your own statements; those of NAME.toml in\n"
+      "NAME.theorems next to it, which is written whole or not at all");
   command.add_option("--smtlib", options->smtlib,
                      "Do not search; write the negation of each statement to this folder as SMT-LIB 2");
-  command.add_option("--coq", options->coq,
-                     "Do not search; write each statement with its certificate to this folder as a Coq file");
   command
       .add_option("--effort", options->prove.limits.steps,
                   "Steps of polynomial arithmetic for each statement: the same on every machine, unlike time")

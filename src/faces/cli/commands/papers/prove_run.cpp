@@ -11,6 +11,7 @@
 #include "base/number/format.hpp"
 #include "base/output/output_file.hpp"
 #include "base/parallel/failure.hpp"
+#include "base/parallel/stop.hpp"
 #include "claims/statements/canonical_claims.hpp"
 #include "claims/statements/claim_statements.hpp"
 #include "proofs/statement/statement.hpp"
@@ -56,14 +57,32 @@ Json as_json(const FileOutcome& file) {
   return entry;
 }
 
-/// Adds to each mistake the claim that the statement was made from.
-InputError naming_claims(const InputError& error, const std::map<std::string, std::string>& claims) {
-  std::vector<Diagnostic> diagnostics = error.diagnostics();
-  for (Diagnostic& diagnostic : diagnostics) {
-    const auto claim = claims.find(diagnostic.file);
-    if (claim != claims.end()) diagnostic.message = claim->second + ": " + diagnostic.message;
+/// Whether a theorem's name begins with that of the claim.
+bool is_about(const std::string& theorem, const std::string& claim) {
+  return theorem == claim || theorem.starts_with(claim + ".");
+}
+
+/// What an earlier run has made of the claims: a theorem file, or a folder.
+TheoremFile earlier(const std::filesystem::path& found) {
+  if (!std::filesystem::exists(found)) return {};
+  if (is_theorem_file(found)) return read_theorems(found);
+  TheoremFile result;
+  for (const StatementSource& old : read_statements(statements_in(found))) {
+    result.theorems.push_back({old.path.stem().string(), old.text, old.certificate.value_or("")});
   }
-  return InputError(std::move(diagnostics));
+  return result;
+}
+
+void append(std::vector<StatementSource>& all, const std::vector<StatementSource>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+Json as_json(const TheoremChanges& file) {
+  return {{"file", file.file.string()},
+          {"new", file.added},
+          {"changed", file.changed},
+          {"removed", file.removed},
+          {"as_before", file.as_before}};
 }
 
 }  // namespace
@@ -73,10 +92,11 @@ struct ProveRun::Stated {
   const Claim* claim;
   Reading reading;
   std::vector<NamedStatement> statements;
+  std::vector<NamedStatement> others{};  ///< those that were found necessary, or proved earlier
 };
 
 ProveRun::ProveRun(const ProveOptions& options, const CommonOptions& common, Inputs inputs)
-    : options_(options), common_(common), inputs_(std::move(inputs)), line_(!common.quiet) {
+    : options_(options), common_(common), output_(std::move(inputs)), line_(!common.quiet) {
   options_.threads = common.threads;
   if (line_.is_shown()) options_.progress = [this](const ProveProgress& progress) { tell(progress); };
 }
@@ -96,12 +116,11 @@ void ProveRun::note(const std::string& line) {
   print(line + '\n');
 }
 
-void ProveRun::write(const FileOutcome& file) const {
+void ProveRun::write(const FileOutcome& file) {
   if (file.kept) return;
-  const std::filesystem::path certificate = certificate_of(file.statement);
   const ProofOutcome& outcome = file.outcome;
-  write_file(certificate, outcome.proved() ? outcome.certificate : undecided_text(outcome.theorem, reasons(outcome)),
-             inputs_, Targets::files);
+  output_.put(file.statement,
+              outcome.proved() ? outcome.certificate : undecided_text(outcome.theorem, reasons(outcome)));
 }
 
 void ProveRun::say(const FileOutcome& file) {
@@ -110,10 +129,12 @@ void ProveRun::say(const FileOutcome& file) {
   note(text);
 }
 
-void ProveRun::prove(const std::vector<std::filesystem::path>& statements) {
-  for (const std::filesystem::path& statement : statements) inputs_.add(statement);
-  for (const std::filesystem::path& statement : statements)
-    OutputFile(certificate_of(statement), inputs_, Targets::files);
+void ProveRun::contain(const std::filesystem::path& file, TheoremFile contents) {
+  output_.contain(file, std::move(contents));
+}
+
+void ProveRun::prove(const std::vector<StatementSource>& statements) {
+  output_.prepare(statements);
   // Results are written at once, but reported in the order of the files.
   std::vector<std::optional<FileOutcome>> waiting(statements.size());
   std::size_t next = 0;
@@ -122,7 +143,12 @@ void ProveRun::prove(const std::vector<std::filesystem::path>& statements) {
     waiting[index] = outcome;
     for (; next < waiting.size() && waiting[next]; ++next) say(*waiting[next]);
   };
-  for (FileOutcome& outcome : prove_files(statements, options_)) outcomes_.push_back(std::move(outcome));
+  try {
+    for (FileOutcome& outcome : prove_files(statements, options_)) outcomes_.push_back(std::move(outcome));
+  } catch (const Stopped&) {
+    output_.save();
+    throw;
+  }
 }
 
 /// The result of `write` for a claim. If statements cannot be written or read, only this claim fails.
@@ -188,58 +214,100 @@ std::vector<NamedStatement> ProveRun::refutations(const ClaimsFile& file, const 
   return {};
 }
 
-void ProveRun::prove_claims(const ClaimsFile& file, const PaperFolder& paper) {
-  const std::filesystem::path generated = paper.generated();
-  std::map<std::string, std::string> claims;  // by file
-  std::set<std::filesystem::path> written;
-  const auto write_statement = [&](const NamedStatement& statement, const Claim& claim) {
-    const std::filesystem::path path = generated / (statement.name + ".statement");
-    write_file(path, statement.text, inputs_, Targets::files);
-    claims.emplace(path.string(), "claim " + claim.id + " (line " + std::to_string(claim.line) + ")");
-    written.insert(path);
-    return path;
+/// The statements in the order of the claims, each with the certificate that it has in `found`.
+TheoremFile ProveRun::arranged(const ClaimsFile& file, const std::vector<Stated>& all, const TheoremFile& found) const {
+  TheoremFile result{.claims = canonical_claims(file), .theorems = {}};
+  for (const Stated& one : all) {
+    for (const auto* statements : {&one.statements, &one.others}) {
+      for (const auto& [name, text, refutes] : *statements) {
+        if (settled_.contains(name) || result.find(name) != nullptr) continue;
+        const Theorem* const known = found.find(name);
+        result.theorems.push_back({name, text, known == nullptr ? "" : known->certificate});
+      }
+    }
+  }
+  return result;
+}
+
+/// Adds the theorems of `found` that are wanted and not there.
+template <class Wanted>
+void add_missing(TheoremFile& file, const TheoremFile& found, const Wanted& wanted) {
+  for (const Theorem& theorem : found.theorems) {
+    if (file.find(theorem.name) == nullptr && wanted(theorem.name)) file.theorems.push_back(theorem);
+  }
+}
+
+/// The statements of both directions that have a certificate from an earlier run, whatever `expect` says now.
+void ProveRun::keep_proved(const ClaimsFile& file, std::vector<Stated>& all, const TheoremFile& found) const {
+  if (arranged(file, all, found).theorems.size() == found.theorems.size()) return;
+  for (Stated& one : all) {
+    failure_of([&] {  // what fails here was told of its statements
+      for (const auto& stated : {claim_statements, claim_refutation}) {
+        for (NamedStatement& statement : stated(file, *one.claim, one.reading)) {
+          const Theorem* const known = found.find(statement.name);
+          const bool same = known != nullptr && known->statement == statement.text;
+          if (same && known->certificate.starts_with("slipproof-certificate "))
+            one.others.push_back(std::move(statement));
+        }
+      }
+    });
+  }
+}
+
+std::vector<StatementSource> ProveRun::sources(const std::vector<NamedStatement>& statements,
+                                               const std::filesystem::path& theorems) {
+  std::vector<StatementSource> result;
+  for (const NamedStatement& statement : statements) {
+    const Theorem* const known = output_.contents(theorems).find(statement.name);
+    result.push_back({theorems / (statement.name + ".statement"), statement.text});
+    if (known != nullptr && !known->certificate.empty()) result.back().certificate = known->certificate;
+  }
+  return result;
+}
+
+void ProveRun::prove_claims(const ClaimsFile& file, const PaperFolder& paper,
+                            const std::vector<StatementSource>& by_hand) {
+  const std::filesystem::path theorems = paper.theorems(), before = paper.generated();
+  std::vector<Stated> all = stated(file);
+  // Until all is done, the file also has what it had: a later step may ask for it.
+  const auto contain = [&](const TheoremFile& found, const auto& wanted) {
+    TheoremFile contents = arranged(file, all, found);
+    add_missing(contents, found, wanted);
+    output_.contain(theorems, std::move(contents));
   };
-  try {
-    const std::vector<Stated> all = stated(file);
-    const std::string canonical = canonical_claims(file);
-    if (!canonical.empty()) write_file(generated / canonical_name, canonical, inputs_, Targets::files);
-    for (const Stated& one : all) {
-      for (const NamedStatement& statement : one.statements) write_statement(statement, *one.claim);
-    }
-    // Other files in the folder of generated statements are from claims that have changed.
-    std::vector<std::filesystem::path> statements = statements_in(paper.folder);
-    std::erase_if(statements, [&](const auto& path) { return !paper.owns(path); });
-    const auto is_outdated = [&](const std::filesystem::path& path) {
-      return !written.contains(path) && path.lexically_relative(generated).begin()->string() != "..";
-    };
-    std::vector<std::filesystem::path> old;
-    std::copy_if(statements.begin(), statements.end(), std::back_inserter(old), is_outdated);
-    std::erase_if(statements, is_outdated);
-    prove(statements);
-    std::vector<std::filesystem::path> more;
-    for (const Stated& one : all) {
-      const auto found = sound(*one.claim, [&] { return refutations(file, one); });
-      for (const NamedStatement& s : found) more.push_back(write_statement(s, *one.claim));
-    }
-    if (!more.empty()) prove(more);
-    for (const auto& [theorem, why] : settled_) {
-      for (const char* ending : {".statement", ".cert"}) std::filesystem::remove(generated / (theorem + ending));
-      note("settled   " + theorem + ": the claim is " + why);
-    }
-    for (const std::filesystem::path& path : old) {
-      if (!written.contains(path)) outdated_.push_back(path.stem().string());
-    }
-    unstated_ = unstated_claims(file);
-    for (const UnstatedClaim& claim : unstated_) note("no statement of " + claim.id + ": " + claim.why);
-    for (const UnstatedClaim& claim : failed_) note("failed    " + claim.id + ": " + claim.why);
-    for (const std::string& name : outdated_)
-      note("outdated  " + name + ": no claim says this; the file was not changed");
-  } catch (const InputError& error) {
-    throw naming_claims(error, claims);
+  const auto everything = [](const std::string&) { return true; };
+  contain(earlier(before), everything);
+  std::vector<StatementSource> first = by_hand, more;
+  for (const Stated& one : all) append(first, sources(one.statements, theorems));
+  prove(first);
+  for (Stated& one : all) one.others = sound(*one.claim, [&] { return refutations(file, one); });
+  contain(TheoremFile(output_.contents(theorems)), everything);
+  for (const Stated& one : all) append(more, sources(one.others, theorems));
+  if (!more.empty()) prove(more);
+  keep_proved(file, all, output_.contents(theorems));
+  contain(TheoremFile(output_.contents(theorems)), [&](const std::string& theorem) {
+    return std::any_of(failed_.begin(), failed_.end(), [&](const auto& claim) { return is_about(theorem, claim.id); });
+  });
+  for (const auto& [theorem, why] : settled_) note("settled   " + theorem + ": the claim is " + why);
+  unstated_ = unstated_claims(file);
+  for (const UnstatedClaim& claim : unstated_) note("no statement of " + claim.id + ": " + claim.why);
+  for (const UnstatedClaim& claim : failed_) note("failed    " + claim.id + ": " + claim.why);
+  if (before != theorems)
+    note("left      " + before.lexically_normal().string() + ": " + theorems.filename().string() + " replaces it");
+}
+
+void ProveRun::save() {
+  output_.save();
+  changes_ = output_.changes();
+  for (const TheoremChanges& file : changes_) {
+    for (const std::string& name : file.removed) note("removed   " + name + ": no claim says this");
+    note(fmt::format("wrote     {}: {} new, {} changed, {} removed, {} as before", file.file.string(), file.added,
+                     file.changed, file.removed.size(), file.as_before));
   }
 }
 
 Exit ProveRun::conclude() {
+  save();
   using Verdict = ProofOutcome::Verdict;
   const auto count = [&](Verdict verdict) {
     return std::count_if(outcomes_.begin(), outcomes_.end(), [&](const FileOutcome& file) {
@@ -260,7 +328,7 @@ Exit ProveRun::conclude() {
     document["schema"] = "slipproof/prove/1";
     document["effort"] = options_.limits.steps;
     document["theorems"] = std::move(theorems);
-    if (!outdated_.empty()) document["outdated"] = outdated_;
+    for (const TheoremChanges& changes : changes_) document["files"].push_back(as_json(changes));
     for (const UnstatedClaim& claim : unstated_) {
       document["unstated"].push_back(Json{{"claim", claim.id}, {"why", claim.why}});
     }

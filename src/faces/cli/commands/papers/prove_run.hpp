@@ -11,6 +11,7 @@
 #include "claims/reading/paper_folder.hpp"
 #include "claims/statements/unstated.hpp"
 #include "faces/cli/command.hpp"
+#include "faces/cli/commands/papers/prove_output.hpp"
 #include "faces/cli/progress.hpp"
 #include "proofs/search/prove_files.hpp"
 #include "report/values/exact_json.hpp"
@@ -22,13 +23,18 @@ class ProveRun {
   /// Results must not overwrite one of `inputs`, or a statement that is to be proved.
   ProveRun(const ProveOptions& options, const CommonOptions& common, Inputs inputs = {});
 
-  /// Proves the statements, and writes for each its certificate, or why there is none, to the folder of the statement.
-  void prove(const std::vector<std::filesystem::path>& statements);
-  /// Writes the statements of the claims to the folder for generated files, and proves them together with all other
-  /// statements of the paper. If a statement is false, also writes and proves its refutation. If a claim is not
-  /// settled, tries to refute it. If the statements of a claim cannot be written or read, only this claim fails.
-  void prove_claims(const ClaimsFile& file, const PaperFolder& paper);
-  /// Reports the results of all statements, and returns the exit code.
+  /// Throws as OutputFile does if the theorem file could not be written, and InputError if there is another file.
+  void reserve(const std::filesystem::path& file) { output_.contents(file); }
+  /// What a theorem file will contain when it is written, unless prove_claims() says otherwise.
+  void contain(const std::filesystem::path& file, TheoremFile contents);
+  /// Proves the statements, and writes for each its certificate, or why there is none, to its folder or theorem file.
+  void prove(const std::vector<StatementSource>& statements);
+  /// Proves the statements of the claims together with those that were written by hand. If a statement is false, also
+  /// proves its refutation. If a claim is not settled, tries to refute it. If the statements of a claim cannot be
+  /// written or read, only this claim fails. The theorem file then has these statements and no others.
+  void prove_claims(const ClaimsFile& file, const PaperFolder& paper, const std::vector<StatementSource>& by_hand);
+  /// Writes the theorem files and what has changed in them, reports the results of all statements, and returns the exit
+  /// code.
   Exit conclude();
 
  private:
@@ -38,18 +44,23 @@ class ProveRun {
   std::vector<Stated> stated(const ClaimsFile& file);
   std::vector<NamedStatement> refutations(const ClaimsFile& file, const Stated& stated);
   const ProofOutcome* outcome(const std::string& theorem) const;
-  void write(const FileOutcome& outcome) const;
+  TheoremFile arranged(const ClaimsFile& file, const std::vector<Stated>& all, const TheoremFile& found) const;
+  void keep_proved(const ClaimsFile& file, std::vector<Stated>& all, const TheoremFile& found) const;
+  std::vector<StatementSource> sources(const std::vector<NamedStatement>& statements,
+                                       const std::filesystem::path& theorems);
+  void write(const FileOutcome& outcome);
   void say(const FileOutcome& outcome);
   void tell(const ProveProgress& progress);
   void note(const std::string& line);
+  void save();
 
   ProveOptions options_;
   const CommonOptions& common_;
-  Inputs inputs_;
+  ProveOutput output_;
   ProgressLine line_;
   std::vector<FileOutcome> outcomes_;
   std::map<std::string, std::string> settled_;  ///< undecided statements, and why they do not matter
-  std::vector<std::string> outdated_;
+  std::vector<TheoremChanges> changes_;
   std::vector<UnstatedClaim> unstated_;
   std::vector<UnstatedClaim> failed_;  ///< claims with an error
 };

@@ -129,7 +129,7 @@ PageInput report_input(const std::filesystem::path& claims, const ClaimsFile& fi
 /// The name of a paper among others: its folder, with the name of the claims file if the folder has several.
 std::string paper_name(const std::filesystem::path& claims) {
   const std::string folder = std::filesystem::absolute(claims).parent_path().filename().string();
-  return paper_folder(claims).is_main() ? folder : folder + "." + claims.stem().string();
+  return paper_folder(claims).is_main ? folder : folder + "." + claims.stem().string();
 }
 
 std::vector<std::filesystem::path> papers_in(const std::filesystem::path& path) {
