@@ -8,7 +8,6 @@
 
 #include "base/files/numpy.hpp"
 #include "base/files/words.hpp"
-#include "base/files/zip_archive.hpp"
 #include "base/input/text_file.hpp"
 #include "base/input/utf8.hpp"
 #include "contact/formats/fclib.hpp"
@@ -55,6 +54,11 @@ const PartName* part_named(std::string_view name) {
   return at == part_names.end() ? nullptr : at;
 }
 
+struct NamedNumbers {
+  std::string name;
+  std::vector<double> numbers;
+};
+
 /// What a file calls by the names of parts.
 SolverAnswer answer_of(const std::vector<NamedNumbers>& named, const std::string& file) {
   SolverAnswer answer;
@@ -67,16 +71,6 @@ SolverAnswer answer_of(const std::vector<NamedNumbers>& named, const std::string
     answer.*part->part = numbers;
   }
   return answer;
-}
-
-SolverAnswer npz_answer(std::string_view bytes, const std::string& file, const AnswerSizes& sizes) {
-  return answer_of(read_npz(bytes, file,
-                            [&](std::string_view name) -> WantedArray {
-                              const PartName* part = part_named(name);
-                              if (part == nullptr) return {};
-                              return {true, sizes.*part->size};
-                            }),
-                   file);
 }
 
 SolverAnswer json_answer(std::string_view text, const std::string& file, const AnswerSizes& sizes) {
@@ -127,7 +121,12 @@ void refuse_unknown(std::string_view bytes, const std::string& file) {
 }
 
 SolverAnswer answer_in(const std::string& bytes, const std::string& file, const AnswerSizes& sizes) {
-  if (bytes.starts_with(zip_signature)) return npz_answer(bytes, file, sizes);
+  if (bytes.starts_with(zip_signature)) {
+    refuse(
+        file,
+        "found an archive of NumPy (.npz), expected one array (.npy) with r, or JSON with r, u, v and lambda. Python "
+        "makes one: numpy.save(\"r.npy\", numpy.load(\"a.npz\")[\"r\"])");
+  }
   if (bytes.starts_with(npy_signature)) return answer_of({{"r", read_npy(bytes, file, sizes.r)}}, file);
   const std::optional<ProblemFormat> format = format_of(bytes);
   if (format == ProblemFormat::fclib) return read_fclib_answer(bytes, file, sizes);

@@ -5,7 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "base/files/npy_header.hpp"
+#include "base/files/numpy.hpp"
+#include "base/files/words.hpp"
 #include "contact/formats/json_problem.hpp"
 #include "records/judging/block_judge.hpp"
 #include "records/problems/contact_record.hpp"
@@ -147,10 +148,16 @@ class LineJudge {
 /// Sets the format from the first byte if the options do not give it.
 CertifyOptions with_format(CertifyOptions options, ChunkReader& chunks) {
   if (options.format != RecordFormat::by_first_byte) return options;
-  if (chunks.first() == npy_signature[0]) {
-    throw InputError({{options.file, 0, 0,
-                       "found a NumPy array in a stream, expected CSV or JSON Lines; arrays are read from files, by "
-                       "their names"}});
+  if (chunks.begins_with(zip_signature)) {
+    refuse(
+        options.file,
+        "found an archive of NumPy (.npz), expected CSV, JSON Lines or one structured array (.npy). Python makes one "
+        "of its columns: z = numpy.load(\"a.npz\"); numpy.save(\"a.npy\", "
+        "numpy.rec.fromarrays(list(z.values()), names=z.files))");
+  }
+  if (chunks.begins_with(npy_signature)) {
+    refuse(options.file,
+           "found a NumPy array in a stream, expected CSV or JSON Lines; arrays are read from files, by their names");
   }
   options.format = chunks.first() == '{' ? RecordFormat::json_lines : RecordFormat::csv;
   return options;

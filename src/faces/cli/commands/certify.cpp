@@ -34,7 +34,7 @@ struct CertifyArguments {
   CertifyOptions certify;
   CertifyProblemArguments problem;
   std::string file, scene, mechanism, decimal = "nearest", broken = "report", format, summary, parts;
-  TableOptions table;
+  std::vector<std::string> columns;
   CrewArguments crew;
   GateArguments gate;
   std::optional<double> tolerance;
@@ -111,11 +111,9 @@ bool is_one_problem(const CertifyArguments& options) {
 /// Certifies a table, or lines of text.
 CertifySummary certify_records(const CertifyArguments& options, bool table, const LineSink& sink,
                                const Progress& progress, CountedBytes& bytes) {
-  if (table) return certify(open_table(options.file, options.table), sink, options.certify, progress);
-  if (!options.table.names.empty() || !options.table.place.empty()) {
-    throw InputError(
-        {{options.file, 0, 0, "found no table, expected one with --columns and --table: .npy, .npz or HDF5"}});
-  }
+  if (table) return certify(open_table(options.file, options.columns), sink, options.certify, progress);
+  if (!options.columns.empty())
+    throw InputError({{options.file, 0, 0, "found no array (.npy), expected one with --columns"}});
   return certify(bytes.open(options.file), sink, options.certify, progress);
 }
 
@@ -187,7 +185,7 @@ int run_certify(CertifyArguments& options) {
   const bool table =
       options.file != "-" && !options.problem.any() && options.format.empty() && is_table_file(options.file);
   if (options.file == "-") refuse_crew(options, "standard input");
-  if (table) refuse_crew(options, "a table");
+  if (table) refuse_crew(options, "an array");
   if (!table && is_one_problem(options)) {
     refuse_crew(options, "one contact problem");
     if (options.certify.judge.every_q || options.decimal == "exact") {
@@ -268,10 +266,10 @@ void add_certify(CLI::App& app, int& exit_code, Transport& transport) {
   CLI::App& command = *app.add_subcommand(
       "certify", "Certify outputs of floating-point solvers, for scenes or contact problems:\na line of JSON for each");
   command
-      .add_option(
-          "FILE", options->file,
-          "CSV with a header, JSON Lines (- for standard input); NumPy's .npy or .npz,\nan HDF5 table; or a contact "
-          "problem's file: FCLIB HDF5, Siconos text,\nMatrixMarket, JSON")
+      .add_option("FILE", options->file,
+                  "CSV with a header, JSON Lines (- for standard input), NumPy's .npy;\nor a contact problem's file: "
+                  "FCLIB HDF5, "
+                  "Siconos text, MatrixMarket, JSON")
       ->required();
   auto* scene = command.add_option("--scene", options->scene,
                                    "Scene file, of a bicycle or a mechanism, with the values that all records share");
@@ -301,10 +299,9 @@ void add_certify(CLI::App& app, int& exit_code, Transport& transport) {
                       JudgeOptions().effort, ContactJudgeOptions().effort))
       ->check(whole_number(1));
   command
-      .add_option("--columns", options->table.names,
+      .add_option("--columns", options->columns,
                   "Names of the columns of an array without names, as in --columns F,a,S2,S3,N2,N3")
       ->delimiter(',');
-  command.add_option("--table", options->table.place, "Data set or group in an HDF5 file with several tables");
   command.add_flag("--ignore-unknown", options->certify.ignore_unknown, "Skip unknown columns");
   command.add_option("--summary", options->summary, "Write the counts to this file, as JSON");
   command.add_flag("--every-q", options->certify.judge.every_q,
