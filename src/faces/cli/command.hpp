@@ -29,7 +29,7 @@ enum Exit : int {
   failed = 70,  ///< an error of the program itself; the number is from sysexits.h
 };
 
-/// The meaning of each exit code, for manual pages.
+/// The meaning of each exit code, for the help.
 inline constexpr std::array<std::pair<Exit, std::string_view>, 8> exit_codes{{
     {as_it_should_be, "all as it should be"},
     {refuted_or_not_certified, "refuted, or not certified"},
@@ -109,6 +109,5 @@ void add_report(CLI::App& app, int& exit_code);
 void add_map(CLI::App& app, int& exit_code);
 void add_draw(CLI::App& app, int& exit_code);
 void add_explore(CLI::App& app, int& exit_code);
-void add_documentation(CLI::App& app, int& exit_code);
 
 }  // namespace slipproof::cli

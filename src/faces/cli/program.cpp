@@ -98,7 +98,6 @@ int run_command(int argc, char** argv, Transport& transport) {
   add_map(app, exit_code);
   add_draw(app, exit_code);
   add_explore(app, exit_code);
-  add_documentation(app, exit_code);
   if (transport.ranks() > 1) refuse_alone(app, {"certify", "prove", "search", "trade", "verify"});
   try {
     refuse_unknown_command(app, argc, argv);
