@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/crew/transport.hpp"
 #include "base/output/standard_output.hpp"
 #include "report/document/document.hpp"
 
@@ -98,13 +97,12 @@ void add_show(CLI::App& app, int& exit_code);
 void add_expect(CLI::App& app, int& exit_code);
 void add_critical(CLI::App& app, int& exit_code);
 void add_simulate(CLI::App& app, int& exit_code);
-void add_search(CLI::App& app, int& exit_code, Transport& transport);
-void add_trade(CLI::App& app, int& exit_code, Transport& transport);
+void add_search(CLI::App& app, int& exit_code);
+void add_trade(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
-void add_prove(CLI::App& app, int& exit_code, Transport& transport);
-void add_certify(CLI::App& app, int& exit_code, Transport& transport);
-void add_join(CLI::App& app, int& exit_code);
-void add_verify(CLI::App& app, int& exit_code, Transport& transport);
+void add_prove(CLI::App& app, int& exit_code);
+void add_certify(CLI::App& app, int& exit_code);
+void add_verify(CLI::App& app, int& exit_code);
 void add_report(CLI::App& app, int& exit_code);
 void add_map(CLI::App& app, int& exit_code);
 void add_draw(CLI::App& app, int& exit_code);
