@@ -81,10 +81,10 @@ void certify_columns(benchmark::State& state) {
       RecordColumns columns(judge.fields(), block.rows);
       for (const TableColumn& column : table.columns) {
         if (const auto field = judge.fields().find(column.name)) {
-          columns.numbers[*field] = {table.cells(block, column), static_cast<std::ptrdiff_t>(table.stride(column))};
+          columns.numbers[*field] = {Table::cells(block, column), static_cast<std::ptrdiff_t>(table.stride(column))};
         }
       }
-      const auto* const kinds = table.cells(block, table.columns[test::kind_cell]);
+      const auto* const kinds = Table::cells(block, table.columns[test::kind_cell]);
       const std::size_t stride = table.stride(table.columns[test::kind_cell]);
       std::vector<double> external(block.rows);
       for (std::size_t i = 0; i < block.rows; ++i) external[i] = kinds[i * stride];

@@ -1,240 +1,221 @@
 #include "base/crew/crew.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <atomic>
+#include <exception>
+#include <thread>
 #include <utility>
 
 #include "base/crew/bytes.hpp"
-#include "base/parallel/stop.hpp"
+#include "base/number/flint_memory.hpp"
+#include "base/parallel/in_parallel.hpp"
 
 namespace slipproof {
 
 namespace {
 
-/// What a message is about: its first byte.
-enum class Word : char { ready = 'r', request = 'q', answer = 'a', dismissed = 'd' };
+constexpr std::chrono::milliseconds patience{5};
+constexpr std::chrono::seconds flush_after{60}, most_without_rank_0{2};
 
-constexpr std::chrono::milliseconds patience{1};
-
-std::string with_word(Word word, std::string_view bytes = {}) {
-  return static_cast<char>(word) + std::string(bytes);
+std::string list_request(std::uint64_t list) {
+  return "list " + std::to_string(list);
 }
 
 }  // namespace
 
-/// What is known of the requests of one call.
+/// A list of requests, and what is known of them here.
 class Crew::Stage {
  public:
-  using Request = std::function<std::string(std::uint64_t)>;
   using Take = std::function<void(std::uint64_t, std::string)>;
 
-  Stage(std::uint64_t count, std::size_t window, const Request& request, const Take& take, Taking taking)
-      : count_(count), window_(window), request_(request), take_(take), taking_(taking) {}
+  Stage(std::vector<std::string> list, const Crew& crew, const Take* take = nullptr)
+      : requests(std::move(list)), failures(requests.size()), crew_(crew), take_(take) {}
 
-  bool done() const { return taken_ == count_; }
-  /// The next one to hand out, while not too many results wait for an earlier one.
-  bool has_next() const { return next_ < std::min(count_, taken_ + window_); }
-  std::pair<std::uint64_t, std::string> next() {
-    std::string request = request_(next_);
-    out_.emplace(next_, request);
-    return {next_++, std::move(request)};
-  }
-  /// The request with this number; it is no longer outstanding.
-  std::string returned(std::uint64_t number) {
-    auto request = out_.extract(number);
-    if (request.empty()) throw BrokenBytes();
-    return std::move(request.mapped());
-  }
-  void put(Reply answer) {
-    const std::uint64_t number = answer.number;
-    if (taking_ == Taking::as_they_come && answer.kind == Reply::Kind::result) {
-      take_(number, std::move(answer).result());
-      waiting_.emplace(number, std::nullopt);
-    } else {
-      waiting_.emplace(number, std::move(answer));
+  /// Takes what is there; true where all is taken.
+  bool advance() {
+    const std::unique_lock lock(mutex_, std::try_to_lock);
+    if (!lock || take_ == nullptr) return false;
+    for (; taken_ < requests.size(); ++taken_) {
+      auto result = crew_.find(requests[taken_]);
+      if (!result && failures[taken_]) std::rethrow_exception(failures[taken_]);
+      if (!result) return false;
+      (*take_)(taken_, *std::move(result));
     }
+    return true;
   }
-  void take_in_order() {
-    for (auto first = waiting_.begin(); first != waiting_.end() && first->first == taken_; first = waiting_.begin()) {
-      std::optional<Reply> answer = std::move(waiting_.extract(first).mapped());
-      if (answer) take_(taken_, std::move(*answer).result());
-      ++taken_;
-    }
+  std::uint64_t taken() const { return taken_; }
+  void fail(std::uint64_t i, std::exception_ptr failure) {
+    const std::scoped_lock lock(mutex_);
+    failures[i] = std::move(failure);
   }
-  std::string missing(const std::function<bool(const std::string&)>& is_kept) const {
-    std::vector<std::uint64_t> missing;
-    for (std::uint64_t i = taken_; i < count_; ++i) {
-      const bool kept = waiting_.contains(i) || (i >= next_ && is_kept(request_(i)));
-      if (!kept) missing.push_back(i + 1);
-    }
-    return fmt::format("stopped on request: {} of {} pieces are done, missing: {}", count_ - missing.size(), count_,
-                       ranges_text(missing));
-  }
+
+  const std::vector<std::string> requests;
+  std::vector<std::exception_ptr> failures;
 
  private:
-  std::uint64_t count_, next_ = 0, taken_ = 0;
-  std::size_t window_;
-  const Request& request_;
-  const Take& take_;
-  Taking taking_;
-  std::map<std::uint64_t, std::string> out_;
-  std::map<std::uint64_t, std::optional<Reply>> waiting_;  ///< for an earlier one; nothing where it is taken already
+  const Crew& crew_;
+  const Take* take_;
+  std::uint64_t taken_ = 0;
+  std::mutex mutex_;
 };
 
-Crew::Crew(Transport& transport, CrewOptions options, Service service)
-    : transport_(transport),
-      options_(std::move(options)),
-      service_(std::move(service)),
-      slots_(static_cast<std::size_t>(transport.ranks())),
-      free_(slots_.size()),
-      pool_(options_.threads, service_) {
-  if (transport.ranks() <= most_ranks_helped) slots_[0] = free_[0] = pool_.slots();
-}
-
-void dismiss_others(Transport& transport) {
-  for (int rank = 1; rank < transport.ranks(); ++rank) {
-    try {
-      transport.send(rank, with_word(Word::dismissed));
-    } catch (const std::exception&) {  // a rank that is gone needs no dismissal
-    }
+Crew::Crew(CrewOptions options, Service service)
+    : options_(std::move(options)), service_(std::move(service)), own_(journal_of(options_.rank), options_.work) {
+  for (int rank = 0; rank < options_.ranks || std::filesystem::exists(journal_of(rank)); ++rank) {
+    if (rank == options_.rank) continue;
+    others_.emplace(rank, Journal(journal_of(rank), options_.work, Journal::Access::read));
   }
+  while (options_.rank == 0 && own_.has(list_request(lists_))) ++lists_;
 }
 
-Crew::~Crew() {
-  if (leads()) dismiss_others(transport_);
+std::filesystem::path Crew::journal_of(int rank) const {
+  std::filesystem::path journal = options_.checkpoint;
+  return rank == 0 ? journal : journal += '.' + std::to_string(rank);
 }
 
-void Crew::serve() {
-  transport_.send(0, with_word(Word::ready, ByteWriter().number(pool_.slots()).take()));
-  while (true) {
-    while (const auto message = transport_.receive()) {
-      if (message->bytes.at(0) == static_cast<char>(Word::dismissed)) return;
-      ByteReader bytes(std::string_view(message->bytes).substr(1));
-      const std::uint64_t number = bytes.number();
-      pool_.ask(number, std::string(bytes.text()));
-      bytes.end();
-    }
-    while (const auto answer = pool_.answer(patience)) {
-      transport_.send(0, with_word(Word::answer, answer->to_bytes()));
-    }
-  }
+void Crew::refresh() {
+  const std::scoped_lock lock(mutex_);
+  for (auto& [rank, journal] : others_) journal.refresh();
 }
 
-void Crew::each(std::uint64_t count, const std::function<std::string(std::uint64_t)>& request,
-                const std::function<void(std::uint64_t, std::string)>& take, Taking taking) {
-  constexpr std::size_t results_a_slot = 16;
-  Stage stage(count, results_a_slot * pool_.slots() * free_.size(), request, take, taking);
-  while (!stage.done()) {
-    slipproof::stop_if_asked();
-    hand_out(stage);
-    collect(stage);
-    stage.take_in_order();
-    look_after(stage);
-  }
-}
-
-/// To each rank in turn, so that the last requests are spread.
-void Crew::hand_out(Stage& stage) {
-  bool some = true;
-  while (some) {
-    some = false;
-    for (std::size_t rank = 0; rank < free_.size() && stage.has_next(); ++rank) {
-      if (free_[rank] == 0) continue;
-      auto [number, request] = stage.next();
-      some = true;
-      if (auto result = kept(request)) {
-        stage.returned(number);
-        stage.put({.number = number, .bytes = *std::move(result)});
-        continue;
-      }
-      --free_[rank];
-      if (rank == 0) {
-        pool_.ask(number, std::move(request));
-      } else {
-        transport_.send(static_cast<int>(rank),
-                        with_word(Word::request, ByteWriter().number(number).text(request).take()));
-      }
-    }
-  }
-}
-
-/// Whatever is there now; waits a moment for the first.
-void Crew::collect(Stage& stage) {
-  bool some = false;
-  while (const auto message = transport_.receive()) {
-    heard(stage, *message);
-    some = true;
-  }
-  while (auto answer = pool_.answer(some ? std::chrono::milliseconds(0) : patience)) {
-    answered(stage, *std::move(answer));
-    ++free_[0];
-    some = true;
-  }
-}
-
-void Crew::heard(Stage& stage, const Message& message) {
-  const auto from = static_cast<std::size_t>(message.from);
-  const std::string_view bytes = std::string_view(message.bytes).substr(1);
-  switch (static_cast<Word>(message.bytes.at(0))) {
-    case Word::ready:
-      // A rank that came late to an earlier crew may say so again: what it has been given counts.
-      free_.at(from) += ByteReader(bytes).number() - slots_.at(from);
-      slots_.at(from) = ByteReader(bytes).number();
-      return;
-    case Word::answer:
-      ++free_.at(from);
-      answered(stage, Reply::from_bytes(bytes));
-      return;
-    case Word::request:
-    case Word::dismissed:
-      break;
-  }
-  throw BrokenBytes();
-}
-
-void Crew::answered(Stage& stage, Reply answer) {
-  const std::string request = stage.returned(answer.number);
-  if (options_.journal != nullptr && answer.kind == Reply::Kind::result) {
-    options_.journal->keep(request, answer.bytes);
-  }
-  stage.put(std::move(answer));
-}
-
-std::optional<std::string> Crew::kept(std::string_view request) const {
-  if (options_.journal == nullptr) return std::nullopt;
-  auto result = options_.journal->find(request);
-  if (result && options_.still_counts && !options_.still_counts(request, *result)) return std::nullopt;
+std::optional<std::string> Crew::find(std::string_view request) const {
+  const std::scoped_lock lock(mutex_);
+  auto result = own_.find(request);
+  for (auto other = others_.begin(); !result && other != others_.end(); ++other) result = other->second.find(request);
   return result;
 }
 
-void Crew::look_after(const Stage& stage) {
+bool Crew::is_kept(std::string_view request) const {
+  const std::scoped_lock lock(mutex_);
+  return own_.has(request) ||
+         std::ranges::any_of(others_, [&](const auto& other) { return other.second.has(request); });
+}
+
+void Crew::keep(std::string_view request, std::string_view result) {
+  const std::scoped_lock lock(mutex_);
+  own_.keep(request, result);
   const auto now = std::chrono::steady_clock::now();
-  if (options_.journal != nullptr && now - flushed_ >= options_.flush_after) {
-    options_.journal->flush();
-    flushed_ = now;
-  }
-  if (!options_.stop_asked || !options_.stop_asked() || stage.done()) return;
-  if (options_.journal != nullptr) options_.journal->flush();
-  throw Unfinished(stage.missing([this](const std::string& request) { return kept(request).has_value(); }));
+  if (now - flushed_ < flush_after) return;
+  own_.flush();
+  flushed_ = now;
 }
 
-void Crew::stop_if_asked() const {
-  if (options_.stop_asked && options_.stop_asked()) throw Unfinished("stopped on request, while rank 0 worked alone");
+/// Answers these requests, which are in the order of the list, on threads of their own: one that waits for a part of
+/// its work must not begin with another request. Takes what comes.
+void Crew::answer(Stage& stage, const std::vector<std::uint64_t>& which) {
+  std::atomic<std::size_t> next = 0;
+  std::exception_ptr failure;
+  std::mutex mutex;
+  const auto answer_one = [&](std::uint64_t i) {
+    stop_if_asked();
+    try {
+      if (!is_kept(stage.requests[i])) keep(stage.requests[i], service_(stage.requests[i]));
+    } catch (const Stopped&) {
+      throw;
+    } catch (const std::exception&) {
+      stage.fail(i, std::current_exception());
+    }
+    stage.advance();
+  };
+  const auto work = [&, token = StopScope::token()] {
+    give_back_flint_memory_at_end();  // of what the service computes with
+    const StopScope scope(token);
+    try {
+      for (std::size_t k = next++; k < which.size(); k = next++) answer_one(which[k]);
+    } catch (...) {
+      next = which.size();
+      const std::scoped_lock lock(mutex);
+      failure = std::current_exception();
+    }
+  };
+  {
+    std::vector<std::jthread> threads;
+    const auto count = std::min(static_cast<std::size_t>(thread_count(options_.threads)), which.size());
+    while (threads.size() < count) threads.emplace_back(work);
+  }
+  if (failure) std::rethrow_exception(failure);
 }
 
-std::string ranges_text(const std::vector<std::uint64_t>& numbers) {
-  constexpr std::size_t most = 10;
-  std::string text;
-  std::size_t ranges = 0, i = 0;
-  for (; i < numbers.size() && ranges < most; ++ranges) {
-    std::size_t last = i;
-    while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) ++last;
-    text += fmt::format("{}{}", text.empty() ? "" : ", ", numbers[i]);
-    if (last > i) text += fmt::format("-{}", numbers[last]);
-    i = last + 1;
+void Crew::each(std::uint64_t count, const std::function<std::string(std::uint64_t)>& request,
+                const std::function<void(std::uint64_t, std::string)>& take) {
+  const auto ranks = static_cast<std::uint64_t>(options_.ranks);
+  std::vector<std::string> requests;
+  ByteWriter list;
+  for (std::uint64_t i = 0; i < count; ++i) list.text(requests.emplace_back(request(i)));
+  if (ranks > 1) keep(list_request(lists_++), list.take());
+  Stage stage(std::move(requests), *this, &take);
+  std::vector<bool> lives(ranks, true);
+  lives[0] = false;  // at first rank 0 answers its own
+  for (refresh(); !stage.advance(); refresh()) {
+    std::vector<std::uint64_t> left;
+    for (std::uint64_t i = stage.taken(); i < count; ++i) {
+      if (!lives[i % ranks] && !stage.failures[i] && !is_kept(stage.requests[i])) left.push_back(i);
+    }
+    answer(stage, left);
+    if (left.empty()) std::this_thread::sleep_for(patience);
+    stop_if_asked();
+    for (std::uint64_t rank = 1; rank < ranks; ++rank) {
+      lives[rank] = Journal::is_written(journal_of(static_cast<int>(rank)));
+    }
   }
-  return i < numbers.size() ? text + fmt::format(" and {} more", numbers.size() - i) : text;
+  own_.flush();
+}
+
+void Crew::serve() {
+  const auto begin = std::chrono::steady_clock::now();
+  bool was_there = false;
+  try {
+    while (true) {
+      const bool is_there = Journal::is_written(options_.checkpoint);
+      refresh();
+      was_there = was_there || is_there;
+      if (const auto list = others_.at(0).find(list_request(lists_))) {
+        if (!answer_list(*list)) return;
+        ++lists_;
+        continue;
+      }
+      if (!is_there && (was_there || std::chrono::steady_clock::now() - begin > most_without_rank_0)) return;
+      std::this_thread::sleep_for(patience);
+      stop_if_asked();
+    }
+  } catch (const std::exception&) {
+    return;
+  }
+}
+
+/// This rank's share; false where something failed.
+bool Crew::answer_list(std::string_view bytes) {
+  ByteReader list(bytes);
+  std::vector<std::string> requests;
+  while (!list.rest().empty()) requests.emplace_back(list.text());
+  std::vector<std::uint64_t> share;
+  for (auto i = static_cast<std::size_t>(options_.rank); i < requests.size();
+       i += static_cast<std::size_t>(options_.ranks)) {
+    share.push_back(i);
+  }
+  Stage stage(std::move(requests), *this);
+  answer(stage, share);
+  own_.flush();
+  return std::ranges::none_of(stage.failures, [](const std::exception_ptr& failure) { return failure != nullptr; });
+}
+
+void share(Crew* crew, const Service& service, std::uint64_t count,
+           const std::function<std::string(std::uint64_t)>& request,
+           const std::function<void(std::uint64_t, std::string)>& take, bool in_order) {
+  if (crew != nullptr) return crew->each(count, request, take);
+  std::mutex mutex;
+  std::uint64_t taken = 0;
+  std::map<std::uint64_t, std::string> waiting;  // for an earlier one
+  each_in_parallel(0, count, [&](std::size_t i) {
+    std::string result = service(request(i));
+    const std::scoped_lock lock(mutex);
+    if (!in_order) return take(i, std::move(result));
+    waiting.emplace(i, std::move(result));
+    while (const auto next = waiting.extract(taken)) {
+      ++taken;
+      take(next.key(), std::move(next.mapped()));
+    }
+  });
 }
 
 }  // namespace slipproof

@@ -1,91 +1,78 @@
-// Many ranks at one work: rank 0 hands out requests as the others are free, computes too, and has the results in order.
+// Work by index: by the threads of this process, or by a crew of many ranks, the processes of one run, which share
+// nothing but files. Rank 0 writes lists of requests into its journal, as the work goes on. Rank r answers the requests
+// r, r + N, r + 2 N, ... of each list of N ranks, and keeps the results in a journal of its own. Rank 0 takes them from
+// all journals, in the order of the list; what a rank that is gone has not answered, it answers itself.
+//
+// Requests 0 to 5 of 2 ranks: rank 0 answers 0, 2, 4, and rank 1 answers 1, 3, 5. If rank 1 is killed while it works on
+// 3, rank 0 does 3 and 5 when it has done 4. If rank 0 is killed, rank 1 ends with the list; the same command goes on
+// with whatever the journals have, also with another number of ranks.
 #pragma once
 
 #include <chrono>
-#include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
+#include <map>
+#include <mutex>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/crew/journal.hpp"
-#include "base/crew/pool.hpp"
-#include "base/crew/transport.hpp"
 
 namespace slipproof {
 
+/// Answers a request, from many threads at once, on whichever rank: the same bytes everywhere.
+using Service = std::function<std::string(std::string_view request)>;
+
 struct CrewOptions {
-  unsigned threads = 0;        ///< of this rank; 0: all its cores
-  Journal* journal = nullptr;  ///< of rank 0: what is in it is not asked again
-  /// Of rank 0: whether what the journal has of a request still counts; without it all does.
-  std::function<bool(std::string_view request, std::string_view result)> still_counts = {};
-  std::function<bool()> stop_asked = {};  ///< of rank 0, looked at every few milliseconds: a signal came
-  std::chrono::seconds flush_after{60};   ///< the journal is flushed that often
+  std::filesystem::path checkpoint;  ///< the journal of rank 0; rank r has CHECKPOINT.r
+  std::string work = {};             ///< as for Journal
+  int rank = 0, ranks = 1;
+  unsigned threads = 0;  ///< of this rank; 0: all its cores
 };
 
-/// The order in which results are taken.
-enum class Taking : std::uint8_t { in_order, as_they_come };
-
-/// The work was asked to stop: some requests have no result yet.
-class Unfinished : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// With more ranks than this, rank 0 only coordinates and computes nothing itself.
-inline constexpr int most_ranks_helped = 32;
-
-/// The other ranks end: they wait for rank 0, also where it fails before it has a crew. Of rank 0, once.
-void dismiss_others(Transport& transport);
-
-/// Ranks that answer requests with the same service. On rank 0 each() may be called as often as is wanted; on the
-/// others serve() returns when the crew of rank 0 is gone. Used from one thread.
+/// One rank of a run. On rank 0 each() may be called as often as is wanted, from one thread; serve() on the others.
 class Crew {
  public:
-  Crew(Transport& transport, CrewOptions options, Service service);
-  /// Of rank 0: dismisses the others.
-  ~Crew();
-  Crew(const Crew&) = delete;
-  Crew& operator=(const Crew&) = delete;
+  /// Throws as Journal does.
+  Crew(CrewOptions options, Service service);
 
-  bool leads() const { return transport_.rank() == 0; }
-
-  /// On the other ranks: answers requests until rank 0 dismisses them.
+  /// On the other ranks: answers their share of each list, until rank 0 is gone. Says nothing of what fails: rank 0
+  /// meets it again.
   void serve();
 
-  /// On rank 0: calls take(i, result) for each request(i), i = 0, 1, ... count - 1, by default in this order, whatever
-  /// rank answers first. request() may be called twice for the same number. Memory holds a bounded number of results.
-  /// Throws InputError, OutputError and std::runtime_error as the service did, for the first request in the order that
-  /// has no result; Unfinished, which names the missing requests, if a stop is asked for; Stopped; and whatever take()
-  /// throws. After a throw each() must not be called again.
+  /// On rank 0: calls take(i, result) for each request(i), i = 0, 1, ... count - 1, in this order. Results wait in the
+  /// journals, not in memory. Throws what the service throws for the first request that has no result; Stopped; and
+  /// whatever take() throws.
   void each(std::uint64_t count, const std::function<std::string(std::uint64_t)>& request,
-            const std::function<void(std::uint64_t, std::string)>& take, Taking taking = Taking::in_order);
-
-  /// Of rank 0: throws Unfinished where a stop is asked for, while it works without the others.
-  void stop_if_asked() const;
+            const std::function<void(std::uint64_t, std::string)>& take);
 
  private:
   class Stage;
-  void hand_out(Stage& stage);
-  void collect(Stage& stage);
-  void heard(Stage& stage, const Message& message);
-  void answered(Stage& stage, Reply answer);
-  std::optional<std::string> kept(std::string_view request) const;
-  void look_after(const Stage& stage);
+  std::filesystem::path journal_of(int rank) const;
+  void refresh();
+  std::optional<std::string> find(std::string_view request) const;
+  bool is_kept(std::string_view request) const;
+  void keep(std::string_view request, std::string_view result);
+  bool answer_list(std::string_view bytes);
+  void answer(Stage& stage, const std::vector<std::uint64_t>& which);
 
-  Transport& transport_;
   CrewOptions options_;
   Service service_;
-  std::vector<std::size_t> slots_;  ///< by rank: requests it can have at once
-  std::vector<std::size_t> free_;   ///< and of them those that it has not
+  Journal own_;
+  std::map<int, Journal> others_;  ///< by rank, also of earlier runs with more ranks
+  std::uint64_t lists_ = 0;        ///< handed out, or answered
+  mutable std::mutex mutex_;       ///< of the journals
   std::chrono::steady_clock::time_point flushed_ = std::chrono::steady_clock::now();
-  Pool pool_;
 };
 
-/// "3-17, 20": increasing numbers from 1, for people; at most ten ranges, then how many more.
-std::string ranges_text(const std::vector<std::uint64_t>& numbers);
+/// take(i, answer to request(i)) for i = 0, 1, ... count - 1, one at a time. Without a crew `service` answers, on the
+/// threads of the caller's on_threads(), and results are taken as they come unless `in_order`; with one, whose service
+/// it must be, they are taken in order. What is thrown is as of Crew::each(); without a crew what any of them throws.
+void share(Crew* crew, const Service& service, std::uint64_t count,
+           const std::function<std::string(std::uint64_t)>& request,
+           const std::function<void(std::uint64_t, std::string)>& take, bool in_order = false);
 
 }  // namespace slipproof

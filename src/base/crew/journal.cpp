@@ -1,13 +1,11 @@
 #include "base/crew/journal.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <system_error>
+#include <utility>
 
 #include "base/crew/bytes.hpp"
 #include "base/input/diagnostic.hpp"
@@ -22,44 +20,28 @@ constexpr std::string_view journal_signature = "slipproof-journal 1\n";
 constexpr std::size_t digest_size = 64;
 constexpr std::size_t record_head = digest_size + 8 + digest_size + 8;  // digest, then a text, then a length
 
-std::string journal_head(std::string_view work) {
-  return std::string(journal_signature) + ByteWriter().text(work).take();
-}
-
-bool is_regular(const Descriptor& file) {
-  struct stat found {};
-  return ::fstat(file.number(), &found) == 0 && S_ISREG(found.st_mode);
+/// The lock of an open file, which ends with the process and, unlike flock's, can be asked about.
+struct flock write_lock() {
+  struct flock lock {};
+  lock.l_type = F_WRLCK;
+  lock.l_whence = SEEK_SET;
+  return lock;
 }
 
 Descriptor open_journal(const std::filesystem::path& path) {
   Descriptor file(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
   if (!file.open()) throw OutputError(path.string(), errno);
-  if (::flock(file.number(), LOCK_EX | LOCK_NB) != 0) {
-    throw OutputError(path.string(), errno == EWOULDBLOCK ? "another run is writing it" : "it cannot be locked");
-  }
-  if (!is_regular(file)) throw OutputError(path.string(), "it is no file");
-  return file;
-}
-
-Descriptor journal_to_read(const std::filesystem::path& path) {
-  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));  // or it waits at a pipe
-  if (!file.open()) {
-    throw InputError({{path.string(), 0, 0, "cannot be read: " + std::generic_category().message(errno)}});
-  }
-  if (!is_regular(file))
-    throw InputError({{path.string(), 0, 0, "found no regular file, expected what a run has kept"}});
-  if (::flock(file.number(), LOCK_SH | LOCK_NB) != 0) {
-    throw InputError({{path.string(), 0, 0, "found a run that is still writing it, expected a finished one"}});
+  struct stat found {};
+  if (::fstat(file.number(), &found) != 0 || !S_ISREG(found.st_mode)) throw OutputError(path.string(), "it is no file");
+  struct flock lock = write_lock();
+  if (::fcntl(file.number(), F_OFD_SETLK, &lock) != 0) {
+    const bool taken = errno == EACCES || errno == EAGAIN;
+    throw OutputError(path.string(), taken ? "another run is writing it" : "it cannot be locked");
   }
   return file;
 }
 
-std::string record_digest(std::string_view request_digest, std::string_view result) {
-  return sha256(std::string(request_digest) + std::string(result));
-}
-
-}  // namespace
-
+/// Up to `size` bytes from an offset on, fewer at the file's end.
 std::string read_at(int file, std::uint64_t offset, std::uint64_t size, const std::filesystem::path& path) {
   std::string bytes(size, '\0');
   std::size_t done = 0;
@@ -74,62 +56,73 @@ std::string read_at(int file, std::uint64_t offset, std::uint64_t size, const st
   return bytes;
 }
 
-Journal::Journal(std::filesystem::path path, std::string_view work)
-    : path_(std::move(path)), file_(open_journal(path_)) {
-  const std::string head = journal_head(work);
-  const std::string found = read_at(file_.number(), 0, head.size(), path_);
-  // A killed run may have written only part of the head.
-  if (found.size() < head.size() && head.starts_with(found)) {
-    if (::ftruncate(file_.number(), 0) != 0) throw OutputError(path_.string(), errno);
-    if (::lseek(file_.number(), 0, SEEK_SET) < 0) throw OutputError(path_.string(), errno);
-    if (const int error = write_all(file_.number(), head)) throw OutputError(path_.string(), error);
-    end_ = head.size();
+std::string record_digest(std::string_view request_digest, std::string_view result) {
+  return sha256(std::string(request_digest) + std::string(result));
+}
+
+}  // namespace
+
+Journal::Journal(std::filesystem::path path, std::string_view work, Access access)
+    : path_(std::move(path)), head_(std::string(journal_signature) + ByteWriter().text(work).take()) {
+  if (access == Access::read) {
+    refresh();
     return;
   }
-  if (!found.starts_with(journal_signature)) {
-    throw InputError({{path_.string(), 0, 0, "found another file, expected a checkpoint, or none yet"}});
+  file_ = open_journal(path_);
+  if (!check_head()) {
+    if (::ftruncate(file_.number(), 0) != 0) throw OutputError(path_.string(), errno);
+    if (const int error = write_all(file_.number(), head_)) throw OutputError(path_.string(), error);
   }
-  if (found != head) {
-    throw InputError({{path_.string(), 0, 0,
-                       "found a checkpoint of other work, expected one of the same arguments, version and input"}});
-  }
-  read_results(head.size());
+  end_ = head_.size();
+  read_results();
   if (::ftruncate(file_.number(), static_cast<off_t>(end_)) != 0) throw OutputError(path_.string(), errno);
   if (::lseek(file_.number(), static_cast<off_t>(end_), SEEK_SET) < 0) throw OutputError(path_.string(), errno);
 }
 
-Journal::Journal(std::filesystem::path path) : path_(std::move(path)), file_(journal_to_read(path_)) {
-  const std::string found = read_at(file_.number(), 0, journal_signature.size() + 8, path_);
-  if (found.size() < journal_signature.size() + 8 || !found.starts_with(journal_signature)) {
-    throw InputError({{path_.string(), 0, 0, "found another file, or a part of it, expected what a run has kept"}});
-  }
-  const std::uint64_t work = ByteReader(std::string_view(found).substr(journal_signature.size())).number();
-  const std::uint64_t size = std::filesystem::file_size(path_);
-  if (work < size - found.size()) read_results(found.size() + work);
-  if (end_ != size) {
-    throw InputError(
-        {{path_.string(), 0, 0, fmt::format("found other bytes than were written, from byte {} on", end_ + 1)}});
-  }
+void Journal::refresh() {
+  file_ = Descriptor(::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));  // anew, for file systems of a network
+  if (!file_.open()) return;
+  if (end_ == 0 && check_head()) end_ = head_.size();
+  if (end_ != 0) read_results();
 }
 
-void Journal::read_results(std::uint64_t at) {
+bool Journal::is_written(const std::filesystem::path& path) {
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  struct flock lock = write_lock();
+  return file.open() && ::fcntl(file.number(), F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+}
+
+/// Whether the head is there. A killed run may have written only a part of it.
+bool Journal::check_head() const {
+  const std::string found = read_at(file_.number(), 0, head_.size(), path_);
+  if (found == head_) return true;
+  if (found.size() < head_.size() && head_.starts_with(found)) return false;
+  throw InputError({{path_.string(), 0, 0,
+                     found.starts_with(journal_signature)
+                         ? "found a checkpoint of other work, expected one of the same arguments, version and input"
+                         : "found another file, expected a checkpoint, or none yet"}});
+}
+
+void Journal::read_results() {
   struct stat found {};
   if (::fstat(file_.number(), &found) != 0) throw OutputError(path_.string(), errno);
   const auto size = static_cast<std::uint64_t>(found.st_size);
-  while (size - at >= record_head) {
-    const std::string head = read_at(file_.number(), at, record_head, path_);
+  while (size >= end_ + record_head) {
+    const std::string head = read_at(file_.number(), end_, record_head, path_);
     if (head.size() < record_head) break;
     const std::string digest = head.substr(0, digest_size);
-    ByteReader rest(std::string_view(head).substr(digest_size));
-    if (rest.number() != digest_size) break;
+    if (ByteReader(std::string_view(head).substr(digest_size)).number() != digest_size) break;
     std::string request = head.substr(digest_size + 8, digest_size);
     const std::uint64_t length = ByteReader(std::string_view(head).substr(digest_size + 8 + digest_size)).number();
-    if (length > size - at - record_head) break;
-    if (record_digest(request, read_at(file_.number(), at + record_head, length, path_)) != digest) break;
-    places_.insert_or_assign(std::move(request), ResultPlace{at + record_head, length, digest});
-    at += record_head + length;
+    if (length > size - end_ - record_head) break;
+    if (record_digest(request, read_at(file_.number(), end_ + record_head, length, path_)) != digest) break;
+    places_.insert_or_assign(std::move(request), ResultPlace{end_ + record_head, length, digest});
+    end_ += record_head + length;
   }
-  end_ = at;
+}
+
+bool Journal::has(std::string_view request) const {
+  return places_.contains(sha256(request));
 }
 
 std::optional<std::string> Journal::find(std::string_view request) const {

@@ -1,4 +1,4 @@
-// Keeps the results of long work as they come, so that a later run can continue.
+// Keeps the results of long work as they come, so that a later run, or another process, can use them.
 #pragma once
 
 #include <cstdint>
@@ -12,26 +12,28 @@
 
 namespace slipproof {
 
-/// Up to `size` bytes of an open file from an offset on, fewer at its end. Throws InputError.
-std::string read_at(int file, std::uint64_t offset, std::uint64_t size, const std::filesystem::path& path);
-
 /// A file with the results of requests. Each result is found again by its request, so neither the number of ranks nor
-/// the order of the work matters. A result is written at once. If a killed program or a full disk leaves part of one,
-/// its length or its digest shows this, and the part is cut off.
+/// the order of the work matters. One process writes it, and locks it while it lives; others may read what it has
+/// written so far. If a killed program or a full disk leaves part of a result, its length or its digest shows this, and
+/// the part is cut off.
 ///
 /// Format: `slipproof-journal 1`, a newline, the text that describes the work; then for each result the digest
 /// (SHA-256, hexadecimal) of request and result, the request's digest, and the result. Each text follows its length.
 class Journal {
  public:
-  /// Opens or creates the file. `work` describes what the results depend on, apart from the requests: version,
-  /// arguments, input. Throws InputError if the file is not a journal, or one of other work; OutputError if it cannot
-  /// be written, or another run is writing it.
-  Journal(std::filesystem::path path, std::string_view work);
+  enum class Access : std::uint8_t { write, read };
 
-  /// Opens an existing journal read-only, whatever run wrote it. Throws InputError if the file is not a journal, is
-  /// damaged, or is being written.
-  explicit Journal(std::filesystem::path path);
+  /// Opens the file; creates it to write. To read, there may be no file yet. `work` describes what the results depend
+  /// on, apart from the requests: version, arguments, input. Throws InputError if the file is not a journal, or one of
+  /// other work; OutputError if it cannot be written, or another run is writing it.
+  Journal(std::filesystem::path path, std::string_view work, Access access = Access::write);
 
+  /// Whether a process that writes this file lives.
+  static bool is_written(const std::filesystem::path& path);
+  /// Of another's journal: reads what has been added since. Throws InputError.
+  void refresh();
+
+  bool has(std::string_view request) const;
   /// The result of a request, if there is one. Throws InputError if the file was changed meanwhile.
   std::optional<std::string> find(std::string_view request) const;
   /// Adds a result. Throws OutputError.
@@ -40,7 +42,6 @@ class Journal {
   void flush() const;
 
   std::size_t size() const { return places_.size(); }
-  const std::filesystem::path& path() const { return path_; }
 
  private:
   struct ResultPlace {
@@ -48,11 +49,13 @@ class Journal {
     std::string digest;
   };
 
-  void read_results(std::uint64_t at);
+  bool check_head() const;
+  void read_results();
 
   std::filesystem::path path_;
-  Descriptor file_;
-  std::uint64_t end_ = 0;
+  std::string head_;  ///< the first bytes of the file
+  Descriptor file_{-1};
+  std::uint64_t end_ = 0;                                   ///< of the results that were read; 0: not even the head was
   std::map<std::string, ResultPlace, std::less<>> places_;  ///< by the request's digest
 };
 

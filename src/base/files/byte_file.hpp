@@ -61,22 +61,13 @@ class MemoryBytes final : public PlacedBytes {
 /// Bytes in their order, in memory that does not grow with their number.
 class ByteRun {
  public:
-  virtual ~ByteRun() = default;
+  ByteRun(std::shared_ptr<const PlacedBytes> file, std::uint64_t offset) : file_(std::move(file)), offset_(offset) {}
   /// Throws InputError where the bytes are not there.
-  virtual void read(char* to, std::size_t count) = 0;
-  /// Passes over bytes.
-  virtual void skip(std::uint64_t count) = 0;
-};
-
-/// Uncompressed bytes of a file.
-class PlainRun final : public ByteRun {
- public:
-  PlainRun(std::shared_ptr<const PlacedBytes> file, std::uint64_t offset) : file_(std::move(file)), offset_(offset) {}
-  void read(char* to, std::size_t count) override {
+  void read(char* to, std::size_t count) {
     file_->read(offset_, to, count);
     offset_ += count;
   }
-  void skip(std::uint64_t count) override { offset_ += count; }
+  void skip(std::uint64_t count) { offset_ += count; }
 
  private:
   std::shared_ptr<const PlacedBytes> file_;

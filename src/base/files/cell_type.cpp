@@ -4,6 +4,8 @@
 #include <cstring>
 #include <limits>
 
+#include "base/input/utf8.hpp"
+
 namespace slipproof {
 
 namespace {
@@ -21,21 +23,6 @@ std::uint64_t bits_at(const CellType& type, const char* cell) {
 std::int64_t signed_value(std::uint64_t bits, std::size_t size) {
   const auto unused = static_cast<unsigned>(64 - 8 * size);
   return static_cast<std::int64_t>(bits << unused) >> unused;
-}
-
-void append_utf8(std::string& text, std::uint32_t c) {
-  if (c < 0x80) {
-    text += static_cast<char>(c);
-  } else if (c < 0x800) {
-    text += static_cast<char>(0xC0 | c >> 6U);
-    text += static_cast<char>(0x80 | (c & 0x3F));
-  } else if (c < 0x10000) {
-    text += static_cast<char>(0xE0 | c >> 12U);
-    text += static_cast<char>(0x80 | (c >> 6U & 0x3F));
-    text += static_cast<char>(0x80 | (c & 0x3F));
-  } else {
-    text += '?';
-  }
 }
 
 }  // namespace

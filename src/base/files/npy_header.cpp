@@ -94,7 +94,7 @@ std::string text_of(const Literal& literal) {
 
 class HeaderReader {
  public:
-  HeaderReader(const std::string& file, const std::string& where) : file_(file), where_(where) {}
+  explicit HeaderReader(const std::string& file) : file_(file) {}
 
   NpyHeader read(std::string_view text) {
     LiteralReader reader(text);
@@ -113,7 +113,7 @@ class HeaderReader {
     return std::move(header_);
   }
 
-  [[noreturn]] void fail(const std::string& message) const { refuse(file_, where_ + message); }
+  [[noreturn]] void fail(const std::string& message) const { refuse(file_, message); }
 
  private:
   const Literal& value(const Literal& dictionary, const std::string& key) const {
@@ -202,7 +202,7 @@ class HeaderReader {
     }
   }
 
-  const std::string &file_, &where_;
+  const std::string& file_;
   NpyHeader header_;
 };
 
@@ -229,8 +229,8 @@ CellType cell_type(std::string_view name) {
   return type;
 }
 
-NpyHeader read_npy_header(ByteRun& run, std::uint64_t size, const std::string& file, const std::string& where) {
-  HeaderReader reader(file, where);
+NpyHeader read_npy_header(ByteRun& run, std::uint64_t size, const std::string& file) {
+  HeaderReader reader(file);
   const auto next = [&](std::size_t count) {
     std::string bytes(count, '\0');
     run.read(bytes.data(), count);

@@ -29,9 +29,8 @@ struct NpyHeader {
 };
 
 /// Reads the header of an array of `size` bytes, and leaves the run at the data, whose size must be exactly what the
-/// header says. Throws InputError with `where` in front of the message. Refuses arrays of objects: only Python could
-/// read them, by running their code.
-NpyHeader read_npy_header(ByteRun& run, std::uint64_t size, const std::string& file, const std::string& where);
+/// header says. Throws InputError. Refuses arrays of objects: only Python could read them, by running their code.
+NpyHeader read_npy_header(ByteRun& run, std::uint64_t size, const std::string& file);
 
 /// The type that '<f8' and its like name, in quotes or without.
 CellType cell_type(std::string_view name);

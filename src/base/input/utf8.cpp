@@ -24,6 +24,22 @@ std::size_t utf8_length(std::string_view text) {
   return 0;
 }
 
+void append_utf8(std::string& text, std::uint32_t c) {
+  const auto put = [&](std::uint32_t byte) { text += static_cast<char>(byte); };
+  const auto rest = [&](unsigned shift) { put(0x80U | (c >> shift & 0x3FU)); };
+  if (c < 0x80) {
+    put(c);
+  } else if (c < 0x800) {
+    put(0xC0U | c >> 6U), rest(0);
+  } else if (c < 0x10000) {
+    put(0xE0U | c >> 12U), rest(6), rest(0);
+  } else if (c < 0x110000) {
+    put(0xF0U | c >> 18U), rest(12), rest(6), rest(0);
+  } else {
+    text += '?';
+  }
+}
+
 std::size_t utf8_count(std::string_view text) {
   return static_cast<std::size_t>(
       std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; }));

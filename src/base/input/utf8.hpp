@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -10,6 +11,9 @@ namespace slipproof {
 /// Bytes of the character with which `text` begins, 1 to 4; 0 if it begins with none (overlong forms and surrogates are
 /// none).
 std::size_t utf8_length(std::string_view text);
+
+/// Adds a character; a question mark for a number that is none.
+void append_utf8(std::string& text, std::uint32_t c);
 
 /// The number of characters: of bytes that do not continue one.
 std::size_t utf8_count(std::string_view text);

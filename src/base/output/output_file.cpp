@@ -92,10 +92,6 @@ OutputFile::OutputFile(std::filesystem::path path, const Inputs& inputs, Targets
 }
 
 void OutputFile::write(std::string_view contents) const {
-  write_by([contents](const Sink& sink) { sink(contents); });
-}
-
-void OutputFile::write_by(const std::function<void(const Sink&)>& contents) const {
   if (kind_ == Kind::file) return write_beside(contents);
   // A second open of the file would begin at its start: a copy of the descriptor continues at its position.
   const Descriptor file(kind_ == Kind::descriptor ? ::dup(*descriptor_named(target_))
@@ -104,13 +100,11 @@ void OutputFile::write_by(const std::function<void(const Sink&)>& contents) cons
   write_to(file.number(), contents);
 }
 
-void OutputFile::write_to(int descriptor, const std::function<void(const Sink&)>& contents) const {
-  contents([&](std::string_view text) {
-    if (const int error = write_all(descriptor, text)) throw OutputError(path_.string(), error);
-  });
+void OutputFile::write_to(int descriptor, std::string_view contents) const {
+  if (const int error = write_all(descriptor, contents)) throw OutputError(path_.string(), error);
 }
 
-void OutputFile::write_beside(const std::function<void(const Sink&)>& contents) const {
+void OutputFile::write_beside(std::string_view contents) const {
   try {
     TemporaryFile file(folder_of(target_));
     write_to(file.descriptor(), contents);

@@ -30,19 +30,14 @@ class OutputFile {
   /// Throws OutputError for a pipe or device if only files are allowed.
   explicit OutputFile(std::filesystem::path path, const Inputs& inputs = {}, Targets allowed = Targets::all);
 
-  using Sink = std::function<void(std::string_view)>;
-
   /// Puts the contents there, as often as it is called. Throws OutputError.
   void write(std::string_view contents) const;
-  /// The same for everything that contents(sink) passes to the sink. Rethrows what it throws; the older content of a
-  /// file then stays.
-  void write_by(const std::function<void(const Sink&)>& contents) const;
 
  private:
   enum class Kind { file, descriptor, special };
 
-  void write_to(int descriptor, const std::function<void(const Sink&)>& contents) const;
-  void write_beside(const std::function<void(const Sink&)>& contents) const;
+  void write_to(int descriptor, std::string_view contents) const;
+  void write_beside(std::string_view contents) const;
 
   std::filesystem::path path_;    ///< as the caller says it
   std::filesystem::path target_;  ///< behind symbolic links

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "base/crew/share.hpp"
+#include "base/crew/crew.hpp"
 #include "base/parallel/failure.hpp"
 #include "base/parallel/in_parallel.hpp"
 #include "claims/verify/conclusion.hpp"

@@ -105,7 +105,9 @@ class FclibFile {
     if (!global && !local) {
       refuse(name_, file_.has("/fclib_global_rolling")
                         ? "/fclib_global_rolling: found rolling friction, expected /fclib_local or /fclib_global"
-                        : "found neither /fclib_local nor /fclib_global, expected one of them");
+                        : "found neither /fclib_local nor /fclib_global, expected one of them. Records are read "
+                          "from CSV, JSON Lines and .npy; Python makes an array of a table in HDF5: "
+                          "numpy.save(\"a.npy\", h5py.File(\"a.h5\")[\"table\"][:])");
     }
     global ? read_global("/fclib_global") : read_local("/fclib_local");
     if (global && local) read_.problem.remarks.emplace_back("/fclib_local is not read, since /fclib_global is there");

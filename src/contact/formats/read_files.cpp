@@ -8,12 +8,10 @@
 
 #include "base/files/numpy.hpp"
 #include "base/files/words.hpp"
-#include "base/files/zip_archive.hpp"
 #include "base/input/text_file.hpp"
 #include "base/input/utf8.hpp"
 #include "contact/formats/fclib.hpp"
 #include "contact/formats/json_problem.hpp"
-#include "contact/formats/json_tree.hpp"
 #include "contact/formats/matrix_market.hpp"
 #include "contact/formats/problem_check.hpp"
 #include "contact/formats/siconos.hpp"
@@ -55,6 +53,11 @@ const PartName* part_named(std::string_view name) {
   return at == part_names.end() ? nullptr : at;
 }
 
+struct NamedNumbers {
+  std::string name;
+  std::vector<double> numbers;
+};
+
 /// What a file calls by the names of parts.
 SolverAnswer answer_of(const std::vector<NamedNumbers>& named, const std::string& file) {
   SolverAnswer answer;
@@ -69,26 +72,18 @@ SolverAnswer answer_of(const std::vector<NamedNumbers>& named, const std::string
   return answer;
 }
 
-SolverAnswer npz_answer(std::string_view bytes, const std::string& file, const AnswerSizes& sizes) {
-  return answer_of(read_npz(bytes, file,
-                            [&](std::string_view name) -> WantedArray {
-                              const PartName* part = part_named(name);
-                              if (part == nullptr) return {};
-                              return {true, sizes.*part->size};
-                            }),
-                   file);
-}
-
 SolverAnswer json_answer(std::string_view text, const std::string& file, const AnswerSizes& sizes) {
-  const JsonNode root = read_json_tree(text, file);
-  const JsonNumbers numbers(file);
+  const JsonProblem json(text, file);
   std::vector<NamedNumbers> lists;
-  for (std::size_t k = 0; k < root.keys.size(); ++k) {
-    const std::string& key = root.keys[k];
+  for (const std::string_view key : json.keys()) {
     const PartName* part = part_named(key);
     if (part == nullptr) continue;
-    lists.push_back({key, numbers.list(root.items[k], key, true)});
-    refuse_more(file, key + ": ", lists.back().numbers.size(), sizes.*part->size);
+    NamedNumbers& list = lists.emplace_back(NamedNumbers{std::string(key), {}});
+    const JsonNode& node = *json.find(key);
+    refuse_more(file, list.name + ": ", node.size(), sizes.*part->size);
+    std::size_t rounded = 0;
+    json.each_number(node, list.name,
+                     [&](const JsonNode& x) { list.numbers.push_back(nearest_number(x, true, rounded)); });
   }
   return answer_of(lists, file);
 }
@@ -127,7 +122,12 @@ void refuse_unknown(std::string_view bytes, const std::string& file) {
 }
 
 SolverAnswer answer_in(const std::string& bytes, const std::string& file, const AnswerSizes& sizes) {
-  if (bytes.starts_with(zip_signature)) return npz_answer(bytes, file, sizes);
+  if (bytes.starts_with(zip_signature)) {
+    refuse(
+        file,
+        "found an archive of NumPy (.npz), expected one array (.npy) with r, or JSON with r, u, v and lambda. Python "
+        "makes one: numpy.save(\"r.npy\", numpy.load(\"a.npz\")[\"r\"])");
+  }
   if (bytes.starts_with(npy_signature)) return answer_of({{"r", read_npy(bytes, file, sizes.r)}}, file);
   const std::optional<ProblemFormat> format = format_of(bytes);
   if (format == ProblemFormat::fclib) return read_fclib_answer(bytes, file, sizes);
@@ -136,6 +136,24 @@ SolverAnswer answer_in(const std::string& bytes, const std::string& file, const 
     return answer_of({{"r", read_market_vector(bytes, file, sizes.r)}}, file);
   }
   return answer_of({{"r", plain_numbers(bytes, file, sizes.r)}}, file);
+}
+
+/// Whether the object in a file is a problem for this reader: a large one, or one on several lines. What is no JSON but
+/// has a list is meant as one.
+bool is_problem_object(const std::string& path) {
+  try {
+    const std::string text = read_text_file(path, max_problem_file_size);
+    const std::size_t begin = text.find('{'), end = text.rfind('}');
+    const bool in_lines = text.find('\n', begin) < end;
+    try {
+      const JsonProblem json(text, path);
+      return json.is_large() || (in_lines && json.is_problem());
+    } catch (const InputError&) {
+      return text.find('[') != std::string::npos;
+    }
+  } catch (const InputError&) {
+    return false;
+  }
 }
 
 /// With all remarks.
@@ -171,8 +189,8 @@ ReadProblem read_problem_file(const std::string& path) {
   return checked(std::move(result), path);
 }
 
-ReadProblem read_problem_line(std::string_view line, const std::string& file) {
-  return checked(read_json_problem(line, file), file);
+ReadProblem read_problem_line(const JsonProblem& json) {
+  return checked(read_json_problem(json), json.file());
 }
 
 SolverAnswer read_answer_file(const std::string& path, const AnswerSizes& sizes) {
@@ -203,10 +221,7 @@ bool is_problem_file(const std::string& path) {
   start.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
   const std::optional<ProblemFormat> format = format_of(start);
   if (format != ProblemFormat::json) return format.has_value();
-  if (is_json_lines(path)) return false;
-  file.clear();
-  file.seekg(0);
-  return file.good() && begins_as_json_problem(file);
+  return !is_json_lines(path) && is_problem_object(path);
 }
 
 }  // namespace slipproof

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "contact/formats/problem_file.hpp"
+#include "contact/formats/json_problem.hpp"
 
 namespace slipproof {
 
@@ -12,8 +12,8 @@ namespace slipproof {
 /// collects all remarks. Throws InputError. Linear in the file, except for sorting matrices.
 ReadProblem read_problem_file(const std::string& path);
 
-/// The same of a line of JSON Lines, which begins at line 1 of `file` in messages.
-ReadProblem read_problem_line(std::string_view line, const std::string& file);
+/// The same of what was read of a line of JSON Lines, which is line 1 of its file in messages.
+ReadProblem read_problem_line(const JsonProblem& json);
 
 /// What a solver gives, alone in a file; its origin is the path. Parts that are longer than `sizes` say are refused
 /// before room is made for them; all else `check_answer` holds against a problem. Throws InputError.

@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/crew/transport.hpp"
 #include "base/output/standard_output.hpp"
 #include "report/document/document.hpp"
 
@@ -29,7 +28,7 @@ enum Exit : int {
   failed = 70,  ///< an error of the program itself; the number is from sysexits.h
 };
 
-/// The meaning of each exit code, for manual pages.
+/// The meaning of each exit code, for the help.
 inline constexpr std::array<std::pair<Exit, std::string_view>, 8> exit_codes{{
     {as_it_should_be, "all as it should be"},
     {refuted_or_not_certified, "refuted, or not certified"},
@@ -98,17 +97,15 @@ void add_show(CLI::App& app, int& exit_code);
 void add_expect(CLI::App& app, int& exit_code);
 void add_critical(CLI::App& app, int& exit_code);
 void add_simulate(CLI::App& app, int& exit_code);
-void add_search(CLI::App& app, int& exit_code, Transport& transport);
-void add_trade(CLI::App& app, int& exit_code, Transport& transport);
+void add_search(CLI::App& app, int& exit_code);
+void add_trade(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
-void add_prove(CLI::App& app, int& exit_code, Transport& transport);
-void add_certify(CLI::App& app, int& exit_code, Transport& transport);
-void add_join(CLI::App& app, int& exit_code);
-void add_verify(CLI::App& app, int& exit_code, Transport& transport);
+void add_prove(CLI::App& app, int& exit_code);
+void add_certify(CLI::App& app, int& exit_code);
+void add_verify(CLI::App& app, int& exit_code);
 void add_report(CLI::App& app, int& exit_code);
 void add_map(CLI::App& app, int& exit_code);
 void add_draw(CLI::App& app, int& exit_code);
 void add_explore(CLI::App& app, int& exit_code);
-void add_documentation(CLI::App& app, int& exit_code);
 
 }  // namespace slipproof::cli

@@ -11,41 +11,43 @@
 
 namespace slipproof::cli {
 
-/// The option --checkpoint, and the ranks of the run.
+/// The number of this process among those of its run, as its launcher says: mpirun of Open MPI or MPICH, srun, or who
+/// sets SLIPPROOF_RANK and SLIPPROOF_RANKS. Without one, the only rank.
+struct Rank {
+  int rank = 0, ranks = 1;
+};
+/// Throws CLI::ValidationError for a rank that is none of the ranks.
+Rank launched();
+/// Ranks other than 0 print nothing.
+void be_silent();
+
+/// The option --checkpoint.
 struct CrewArguments {
-  Transport* transport = nullptr;
   std::string checkpoint;
 
-  bool many() const { return transport != nullptr && transport->ranks() > 1; }
-  bool leads() const { return !many() || transport->rank() == 0; }
-  std::function<bool(std::string_view, std::string_view)> still_counts = {};  ///< as in CrewOptions
   /// If false, the work needs no crew.
-  bool wanted() const { return many() || !checkpoint.empty(); }
+  bool wanted() const { return !checkpoint.empty() || launched().ranks > 1; }
 };
+void add_crew_options(CLI::App& command, CrewArguments& arguments);
 
 /// A short digest of a file's content; if it is not a file, its name.
 std::string digest_of(const std::filesystem::path& file);
 
-/// Adds --checkpoint, and returns it.
-CLI::Option* add_crew_options(CLI::App& command, CrewArguments& arguments);
-
-/// The crew of a running command. SIGTERM asks rank 0 to stop; it then stops the others.
+/// The crew of a running command.
 class CrewRun {
  public:
   /// `work` says what the results depend on, as for Journal. The checkpoint must not overwrite `inputs`. Throws as
-  /// Journal does.
+  /// Journal does, and CLI::ValidationError for many ranks without a checkpoint.
   CrewRun(const CrewArguments& arguments, unsigned threads, const std::function<std::string()>& work,
           const Inputs& inputs, Service service);
 
-  /// On a rank that only answers: answers until rank 0 has all results, then returns true. On other ranks returns false
-  /// at once.
+  /// On a rank that only answers: answers until rank 0 has all results, then returns true. On rank 0 returns false at
+  /// once.
   bool served();
-  /// Null if no journal is wanted; the same holds for the crew.
-  Journal* journal() { return journal_ ? &*journal_ : nullptr; }
+  /// Null if none is wanted.
   Crew* crew() { return crew_ ? &*crew_ : nullptr; }
 
  private:
-  std::optional<Journal> journal_;
   std::optional<Crew> crew_;
 };
 

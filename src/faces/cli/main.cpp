@@ -2,6 +2,5 @@
 #include "faces/cli/program.hpp"
 
 int main(int argc, char** argv) {
-  slipproof::Alone alone;
-  return slipproof::cli::run_program(argc, argv, alone);
+  return slipproof::cli::run_program(argc, argv);
 }

@@ -15,7 +15,6 @@
 #include <string_view>
 #include <vector>
 
-#include "base/crew/crew.hpp"
 #include "base/input/diagnostic.hpp"
 #include "base/input/near_match.hpp"
 #include "base/number/effort.hpp"
@@ -24,6 +23,7 @@
 #include "base/output/output_error.hpp"
 #include "base/parallel/failure.hpp"
 #include "faces/cli/command.hpp"
+#include "faces/cli/crew_run.hpp"
 #include "faces/cli/interrupt.hpp"
 
 namespace slipproof::cli {
@@ -75,7 +75,7 @@ std::string exit_codes_text() {
   return text;
 }
 
-int run_command(int argc, char** argv, Transport& transport) {
+int run_command(int argc, char** argv) {
   CLI::App app("Exact, provable answers about dry friction", "slipproof");
   app.set_version_flag("--version", "slipproof " SLIPPROOF_VERSION);
   app.require_subcommand(1);
@@ -85,22 +85,22 @@ int run_command(int argc, char** argv, Transport& transport) {
   add_show(app, exit_code);
   add_expect(app, exit_code);
   add_exchange(app, exit_code);
-  add_search(app, exit_code, transport);
+  add_search(app, exit_code);
   add_critical(app, exit_code);
   add_simulate(app, exit_code);
-  add_certify(app, exit_code, transport);
-  add_join(app, exit_code);
-  add_trade(app, exit_code, transport);
-  add_verify(app, exit_code, transport);
-  add_prove(app, exit_code, transport);
+  add_certify(app, exit_code);
+  add_trade(app, exit_code);
+  add_verify(app, exit_code);
+  add_prove(app, exit_code);
   add_check(app, exit_code);
   add_report(app, exit_code);
   add_map(app, exit_code);
   add_draw(app, exit_code);
   add_explore(app, exit_code);
-  add_documentation(app, exit_code);
-  if (transport.ranks() > 1) refuse_alone(app, {"certify", "prove", "search", "trade", "verify"});
   try {
+    const Rank place = launched();
+    if (place.rank != 0) be_silent();
+    if (place.ranks > 1) refuse_alone(app, {"certify", "prove", "search", "trade", "verify"});
     refuse_unknown_command(app, argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -111,14 +111,13 @@ int run_command(int argc, char** argv, Transport& transport) {
   return exit_code;
 }
 
-/// The same, until Ctrl-C. Many ranks are stopped by who started them.
-int run(int argc, char** argv, Transport& transport) {
-  if (transport.ranks() > 1) return run_command(argc, argv, transport);
+/// The same, until Ctrl-C.
+int run(int argc, char** argv) {
   Continuation continuation;
   try {
     const CtrlC ctrl_c;
     const StopScope scope(ctrl_c.token());
-    return run_command(argc, argv, transport);
+    return run_command(argc, argv);
   } catch (const Interrupted& interrupted) {
     continuation = interrupted.continuation();
   } catch (const Stopped&) {
@@ -131,7 +130,7 @@ int run(int argc, char** argv, Transport& transport) {
 
 }  // namespace
 
-int run_program(int argc, char** argv, Transport& transport) {
+int run_program(int argc, char** argv) {
   keep_standard_streams_apart();
   std::signal(SIGXFSZ, SIG_IGN);  // writing beyond the file size limit then fails with an ordinary error
   try {
@@ -140,14 +139,15 @@ int run_program(int argc, char** argv, Transport& transport) {
     std::cerr << "slipproof: " << error.what() << '\n';
     return usage;
   }
+  return exit_code_of([&] { return run(argc, argv); });
+}
+
+int exit_code_of(const std::function<int()>& work) {
   try {
-    return run(argc, argv, transport);
+    return work();
   } catch (const InputError& error) {
     std::cerr << error.what() << '\n';
     return bad_input;
-  } catch (const Unfinished& error) {
-    std::cerr << error.what() << '\n';
-    return not_written;
   } catch (const OutputError& error) {
     std::cerr << error.what() << '\n';
     return not_written;

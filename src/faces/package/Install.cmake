@@ -32,11 +32,9 @@ install(EXPORT slipproof NAMESPACE slipproof:: FILE slipproofTargets.cmake DESTI
 
 get_target_property(linked slipproof LINK_LIBRARIES)
 set(optional_libraries "")
-foreach(library hdf5 zlib)
-  if(PkgConfig::${library} IN_LIST linked)
-    string(APPEND optional_libraries " ${library}")
-  endif()
-endforeach()
+if(PkgConfig::hdf5 IN_LIST linked)
+  string(APPEND optional_libraries " hdf5")
+endif()
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/slipproofConfig.cmake.in
                               ${PROJECT_BINARY_DIR}/slipproofConfig.cmake INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/slipproofConfigVersion.cmake COMPATIBILITY SameMinorVersion)

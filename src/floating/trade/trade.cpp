@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "base/crew/bytes.hpp"
-#include "base/crew/share.hpp"
+#include "base/crew/crew.hpp"
 #include "base/parallel/in_parallel.hpp"
 #include "floating/trade/accuracy.hpp"
 #include "floating/trade/arithmetic.hpp"
@@ -56,7 +56,7 @@ JudgedTrade judge_pieces(const TradeOptions& options, const Workloads& workloads
     share(
         crew, [&](std::string_view request) { return trade_answer(options, request); },
         workloads.size() * workloads.pieces(), [](std::uint64_t i) { return ByteWriter().number(i).take(); }, take,
-        Taking::in_order);
+        true);
   });
   return all;
 }
@@ -109,7 +109,6 @@ Trade measure_trade(const TradeOptions& options, const std::function<void(std::s
     const Workload workload = workloads.make(w);
     trade.workloads.push_back(workload);
     for (std::size_t t = 0; t < arithmetics.size(); ++t) {
-      if (crew != nullptr) crew->stop_if_asked();
       TradeRow& row = trade.rows.emplace_back(judged.workloads[w].at(t).row);
       row.workload = workload.name;
       row.type = trade.types[t].name;

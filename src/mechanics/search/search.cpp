@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-#include "base/crew/share.hpp"
+#include "base/crew/crew.hpp"
 #include "base/parallel/in_parallel.hpp"
 #include "mechanics/search/search_bytes.hpp"
 

@@ -4,7 +4,7 @@
 #include <mutex>
 
 #include "base/crew/bytes.hpp"
-#include "base/crew/share.hpp"
+#include "base/crew/crew.hpp"
 #include "base/input/diagnostic.hpp"
 #include "base/input/text_file.hpp"
 #include "base/parallel/failure.hpp"

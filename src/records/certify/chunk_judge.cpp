@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "base/files/npy_header.hpp"
-#include "contact/formats/json_problem.hpp"
+#include "base/files/numpy.hpp"
+#include "base/files/words.hpp"
 #include "records/judging/block_judge.hpp"
 #include "records/problems/contact_record.hpp"
 #include "records/problems/problem_reader.hpp"
@@ -68,11 +68,9 @@ class LineJudge {
       throw BrokenRecord{0, "found a record, expected a contact problem, which --law and --within are for"};
     }
     if (reader_.has_usual_lines() && read_usual(line, judgement)) return;
-    if (may_be_problem && (options_.as_files() || is_any_problem(line))) {
-      judgement = judge_problem_of(line, at);
-    } else {
-      judge_record(line, at, judgement);
-    }
+    // A record has no lists.
+    const bool looks_like_problem = may_be_problem && (options_.as_files() || line.find('[') != std::string_view::npos);
+    if (!looks_like_problem || !judge_problem_of(line, at, judgement)) judge_record(line, at, judgement);
   }
 
   void finish() {
@@ -81,19 +79,28 @@ class LineJudge {
   }
 
  private:
-  static bool is_any_problem(std::string_view line) { return is_json_problem(line) || is_problem(line); }
-
   static RecordJudgement not_finite(const NotFinite& found, std::uint64_t at) {
     return invalid_judgement(place_text(at, found.column) + found.reason);
   }
 
-  RecordJudgement judge_problem_of(std::string_view line, std::uint64_t at) const {
-    if (options_.as_files() || is_json_problem(line)) return judge_contact_line(line, options_);
-    const ProblemRecord record = read_problem(line, options_.decimal_exact, options_.ignore_unknown);
-    if (record.not_finite) return not_finite(*record.not_finite, at);
+  /// False for an object that is no problem.
+  bool judge_problem_of(std::string_view line, std::uint64_t at, RecordJudgement& judgement) const {
+    const JsonProblem json = of_line([&] { return JsonProblem(line, options_.file); });
+    if (options_.as_files() || json.is_large()) {
+      judgement = judge_contact_line(json, options_);
+      return true;
+    }
+    if (!json.is_problem()) return false;
+    const ProblemRecord record =
+        of_line([&] { return read_problem(json, line, options_.decimal_exact, options_.ignore_unknown); });
+    if (record.not_finite) {
+      judgement = not_finite(*record.not_finite, at);
+      return true;
+    }
     JudgeOptions judge = options_.judge;
     judge.tolerance = options_.contact.tolerance;
-    return judge_problem(record.problem, record.answer, judge);
+    judgement = judge_problem(record.problem, record.answer, judge);
+    return true;
   }
 
   /// One with room for a record.
@@ -147,10 +154,16 @@ class LineJudge {
 /// Sets the format from the first byte if the options do not give it.
 CertifyOptions with_format(CertifyOptions options, ChunkReader& chunks) {
   if (options.format != RecordFormat::by_first_byte) return options;
-  if (chunks.first() == npy_signature[0]) {
-    throw InputError({{options.file, 0, 0,
-                       "found a NumPy array in a stream, expected CSV or JSON Lines; arrays are read from files, by "
-                       "their names"}});
+  if (chunks.begins_with(zip_signature)) {
+    refuse(
+        options.file,
+        "found an archive of NumPy (.npz), expected CSV, JSON Lines or one structured array (.npy). Python makes one "
+        "of its columns: z = numpy.load(\"a.npz\"); numpy.save(\"a.npy\", "
+        "numpy.rec.fromarrays(list(z.values()), names=z.files))");
+  }
+  if (chunks.begins_with(npy_signature)) {
+    refuse(options.file,
+           "found a NumPy array in a stream, expected CSV or JSON Lines; arrays are read from files, by their names");
   }
   options.format = chunks.first() == '{' ? RecordFormat::json_lines : RecordFormat::csv;
   return options;

@@ -143,11 +143,11 @@ class TableJudge {
   void add_column(std::size_t k, const TableBlock& block, RecordColumns& columns, InMemory& memory) const {
     const TableColumn& column = table_.columns[k];
     if (bound_[k] == ignored_column) return;
-    const char* const cells = table_.cells(block, column);
+    const char* const cells = Table::cells(block, column);
     const std::size_t stride = table_.stride(column);
-    const auto in_memory = [&](std::size_t field, std::size_t rows) -> std::vector<double>& {
-      std::vector<double>& values = memory.numbers.emplace_back(rows);
-      columns.numbers[field] = {values.data(), rows == 1 ? 0 : static_cast<std::ptrdiff_t>(sizeof(double))};
+    const auto in_memory = [&](std::size_t field) -> std::vector<double>& {
+      std::vector<double>& values = memory.numbers.emplace_back(block.rows);
+      columns.numbers[field] = {values.data(), static_cast<std::ptrdiff_t>(sizeof(double))};
       return values;
     };
     if (bound_[k] == mode_column) {
@@ -155,12 +155,12 @@ class TableJudge {
       read_codes(column.type, cells, stride, mode_code, memory.modes, memory);
       columns.modes = std::span<const std::uint16_t>(memory.modes);
     } else if (bound_[k] == word_column) {
-      read_codes(column.type, cells, stride, word_code, in_memory(judge_.fields().word_field(), block.rows), memory);
+      read_codes(column.type, cells, stride, word_code, in_memory(judge_.fields().word_field()), memory);
     } else {
       const auto field = static_cast<std::size_t>(bound_[k]);
       columns.numbers[field] = {cells, static_cast<std::ptrdiff_t>(stride)};
       if (column.type.is_native()) return;
-      std::vector<double>& values = in_memory(field, stride == 0 ? 1 : block.rows);
+      std::vector<double>& values = in_memory(field);
       read_numbers(column.type, cells, stride, values.size(), values.data());
     }
   }

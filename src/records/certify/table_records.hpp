@@ -1,4 +1,4 @@
-// Certifies the records of a binary table: NumPy's arrays, HDF5.
+// Certifies the records of a table: an array of NumPy.
 #pragma once
 
 #include "records/certify/certify.hpp"

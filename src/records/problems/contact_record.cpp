@@ -7,25 +7,11 @@
 
 namespace slipproof {
 
-namespace {
-
-ReadProblem read(std::string_view line, const CertifyOptions& options) {
+RecordJudgement judge_contact_line(const JsonProblem& json, const CertifyOptions& options) {
   if (options.decimal_exact) {
     throw BrokenRecord{0, "found a problem whose decimals mean the nearest binary64, expected one of W, q and z alone"};
   }
-  try {
-    return read_problem_line(line, options.file);
-  } catch (const InputError& error) {
-    std::string messages;
-    for (const Diagnostic& d : error.diagnostics()) messages += (messages.empty() ? "" : "; ") + d.message;
-    throw BrokenRecord{error.diagnostics().front().column, messages};
-  }
-}
-
-}  // namespace
-
-RecordJudgement judge_contact_line(std::string_view line, const CertifyOptions& options) {
-  ReadProblem given = read(line, options);
+  ReadProblem given = of_line([&] { return read_problem_line(json); });
   return judged_or_undecided([&] {
     const JudgedProblem problem =
         judge_problem_file(options.file, std::move(given), {options.contact, std::nullopt, options.law});

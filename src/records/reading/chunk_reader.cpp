@@ -23,6 +23,12 @@ char ChunkReader::first() {
   return at == std::string::npos ? '\0' : rest_[at];
 }
 
+bool ChunkReader::begins_with(std::string_view text) {
+  while (rest_.size() < text.size() && text.starts_with(rest_) && fill(rest_)) {
+  }
+  return rest_.starts_with(text);
+}
+
 std::string ChunkReader::header() {
   std::string line;
   while (blank(line)) {

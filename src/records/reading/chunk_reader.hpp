@@ -45,6 +45,8 @@ class ChunkReader {
 
   /// The first byte that is not blank, without consuming it; 0 at the end of the input.
   char first();
+  /// Whether the input begins with this text, without consuming it.
+  bool begins_with(std::string_view text);
 
   /// The first line that is not blank, without its line end; empty at the end of the input.
   std::string header();

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "records/reading/json_object.hpp"
+#include "base/files/json_tree.hpp"
+#include "base/files/words.hpp"
 
 namespace slipproof {
 
@@ -97,28 +98,6 @@ bool RecordReader::read_usual(const CsvLine& line, UsualLines& lines, RecordBloc
   return true;
 }
 
-/// Receives the values under the keys of a line.
-class JsonRecord {
- public:
-  JsonRecord(const RecordReader& reader, Record& record) : reader_(reader), record_(record) {}
-
-  int key(const std::string& name) {
-    const auto column = find_column(reader_.fields_, name);
-    if (column && *column != mode_column) {
-      const auto field = *column == word_column ? reader_.fields_.word_field() : static_cast<std::size_t>(*column);
-      if (record_.present[field]) throw BrokenRecord{0, "found " + in_quotes(name) + " twice, expected it once"};
-    }
-    if (column) return *column;
-    if (reader_.options_.ignore_unknown) return ignored_column;
-    throw BrokenRecord{0, "found the key " + in_quotes(name) + ", expected a parameter or a part of the answer"};
-  }
-  void put(int column, std::string_view text, std::size_t place) { reader_.put(record_, column, text, place); }
-
- private:
-  const RecordReader& reader_;
-  Record& record_;
-};
-
 void RecordReader::read(std::string_view line, Record& record) const {
   record.clear(fields_.size());
   if (csv_) {
@@ -128,11 +107,38 @@ void RecordReader::read(std::string_view line, Record& record) const {
         [&](int column, std::string_view text, std::size_t place) { put(record, column, text, place); });
     if (record.present == complete_) return;
   } else {
-    JsonRecord json(*this, record);
-    JsonObject<JsonRecord>::read(line, json);
+    read_json(line, record);
   }
   if (const std::string reason = incomplete(record.present, fields_, certified_); !reason.empty()) {
     throw BrokenRecord{csv_ ? std::size_t{1} : 0, reason};
+  }
+}
+
+void RecordReader::read_json(std::string_view line, Record& record) const {
+  JsonTree json;
+  try {
+    json = read_json_tree(line);
+  } catch (const FormatStop& stop) {
+    throw BrokenRecord{stop.position + 1, stop.message};
+  }
+  for (std::size_t k = 0; k < json.root.keys.size(); ++k) {
+    const std::string_view key = json.root.keys[k];
+    const JsonNode& value = json.root.items[k];
+    const auto column = find_column(fields_, key);
+    if (!column && options_.ignore_unknown) continue;
+    if (!column) {
+      throw BrokenRecord{0, "found the key " + in_quotes(key) + ", expected a parameter or a part of the answer"};
+    }
+    const bool is_word = *column == word_column;
+    if (*column != mode_column && record.present[is_word ? fields_.word_field() : static_cast<std::size_t>(*column)]) {
+      throw BrokenRecord{0, "found " + in_quotes(key) + " twice, expected it once"};
+    }
+    if (value.kind == JsonNode::Kind::null) continue;
+    const bool is_number = value.kind == JsonNode::Kind::number;
+    if (!is_number && value.kind != JsonNode::Kind::text) {
+      throw BrokenRecord{0, "found " + std::string(name(value.kind)) + ", expected an object of numbers"};
+    }
+    put(record, *column, value.text, is_number ? static_cast<std::size_t>(value.text.data() - line.data()) + 1 : 0);
   }
 }
 

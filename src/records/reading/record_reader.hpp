@@ -46,7 +46,7 @@ class RecordReader {
   bool read_usual(const CsvLine& line, UsualLines& lines, RecordBlock& block) const;
 
  private:
-  friend class JsonRecord;
+  void read_json(std::string_view line, Record& record) const;
 
   void put(Record& record, int column, std::string_view text, std::size_t place) const;
 

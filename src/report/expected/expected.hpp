@@ -22,12 +22,8 @@ ExpectedAnswer expected_answer(MechanismScene scene, const std::string& id);
 /// Schema slipproof/expected/1 (cases/engines/README.md): one document, or for several scenes an array of them. Numbers
 /// are exact, and the nearest binary64.
 std::string expected_json(const std::vector<ExpectedAnswer>& answers);
-/// A line for each motion and quantity, and for each threshold.
-std::string expected_csv(const std::vector<ExpectedAnswer>& answers);
 /// A file for pytest: one test a scene, of a function accelerations(scene) that its user writes. Throws InputError for
 /// a mechanism without bodies, which no engine can have.
 std::string expected_pytest(const std::vector<ExpectedAnswer>& answers);
-/// A header of constexpr data, in C++17.
-std::string expected_header(const std::vector<ExpectedAnswer>& answers);
 
 }  // namespace slipproof

@@ -1,7 +1,10 @@
 #include <string_view>
 
+#include "base/algebra/real_roots.hpp"
+#include "base/number/binary64.hpp"
+#include "base/number/format.hpp"
+#include "mechanics/kernel/motions.hpp"
 #include "report/expected/expected.hpp"
-#include "report/expected/numbers.hpp"
 #include "report/values/mode_json.hpp"
 
 namespace slipproof {
@@ -11,7 +14,7 @@ namespace expected {
 namespace {
 
 Json number_json(const Rational& value) {
-  return {{"exact", exact_text(value)}, {"double", binary64(value, 0)}};
+  return {{"exact", exact_text(value)}, {"double", nearest_binary64(value) + 0.0}};
 }
 Json number_json(const std::optional<Rational>& value) {
   return value ? number_json(*value) : Json(nullptr);
@@ -103,10 +106,11 @@ class ExpectedDocument {
   Json root_json(const RealRoot& root) const {
     if (root.is_rational()) return number_json(root.lower);
     const std::string& symbol = scene_.threshold->parameter;
-    const ToldRoot told = told_root(root, symbol);
+    RealRoot place = root;
+    const double nearest = nearest_binary64(place);
     return {{"polynomial", text_of(*root.polynomial, symbol)},
-            {"interval", {exact_text(told.place.lower), exact_text(told.place.upper)}},
-            {"double", told.nearest}};
+            {"interval", {exact_text(place.lower), exact_text(place.upper)}},
+            {"double", nearest}};
   }
 
   const ExpectedAnswer& answer_;

@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "base/number/binary64.hpp"
 #include "base/output/json.hpp"
 #include "contact/exchange/export_bodies.hpp"
+#include "mechanics/kernel/motions.hpp"
 #include "report/expected/expected.hpp"
-#include "report/expected/numbers.hpp"
 
 namespace slipproof {
 
@@ -58,6 +60,30 @@ def test_motion(name):
     )
 )py";
 
+/// A motion or a continuum, with a range for each acceleration.
+struct ToldMotion {
+  std::string modes;  ///< joined by ` = `, strict ones first; those of a continuum say so
+  std::vector<Range> accelerations;
+};
+
+std::vector<ToldMotion> told_motions(const ExpectedAnswer& answer) {
+  std::vector<ToldMotion> result;
+  for (const MotionAtLoad& motion : answer.solved.at_load->motions) {
+    ToldMotion told{equal_modes(motion.all_modes()), {}};
+    for (const Rational& value : motion.accelerations) told.accelerations.push_back({value, value});
+    result.push_back(std::move(told));
+  }
+  for (const ContinuumAtLoad& continuum : answer.solved.at_load->continua) {
+    result.push_back({"continuum " + name(continuum.mode), continuum.accelerations});
+  }
+  return result;
+}
+
+/// The nearest binary64 to a value; an end that is absent is infinite with this sign.
+double binary64(const std::optional<Rational>& value, int sign) {
+  return value ? nearest_binary64(*value) + 0.0 : sign * std::numeric_limits<double>::infinity();
+}
+
 /// A JSON value as Python writes it.
 std::string python(const Json& value, std::size_t indent = 0) {
   const std::string inner(indent + 4, ' '), outer(indent, ' ');
@@ -99,7 +125,7 @@ Json scene_json(const ExpectedAnswer& answer) {
   const auto told = told_motions(answer);
   Json motions = Json::object();
   for (const ToldMotion& motion : told) {
-    Json& entry = motions[(motion.continuum ? "continuum " : "") + motion.modes] = Json::object();
+    Json& entry = motions[motion.modes] = Json::object();
     for (std::size_t i = 0; i < m.accelerations; ++i) {
       entry[m.unknowns[i].symbol] = {binary64(motion.accelerations[i].lower, -1),
                                      binary64(motion.accelerations[i].upper, 1)};

@@ -1,16 +1,15 @@
-// Requests go to many ranks, here threads, and the results are those of one, in its order.
+// Requests go to many ranks, here threads, and the results are those of one, in its order, whatever rank is gone.
 #include "base/crew/crew.hpp"
 
 #include <doctest/doctest.h>
 
 #include <atomic>
-#include <chrono>
-#include <set>
 #include <string>
 #include <thread>
 
 #include "base/input/diagnostic.hpp"
-#include "support/thread_ranks.hpp"
+#include "base/parallel/in_parallel.hpp"
+#include "support/crew_ranks.hpp"
 
 using namespace slipproof;
 using namespace slipproof::test;
@@ -24,101 +23,87 @@ std::string slow_square(std::string_view request) {
   return std::to_string(i * i);
 }
 
-/// The results of requests 0..count-1, one after the other.
-std::string results_by(int ranks, unsigned threads, std::uint64_t count, const Service& service,
-                       CrewOptions options = {}) {
+/// The results of requests 0 to count - 1, one after the other, by a crew or by threads.
+std::string results(Crew* crew, std::uint64_t count, const Service& service) {
   std::string text;
-  ThreadRanks all(ranks);
-  options.threads = threads;
-  all.run(
-      [&](Transport& transport) {
-        Crew crew(transport, options, service);
-        for (int stage = 0; stage < 2; ++stage) {
-          crew.each(
-              count, [](std::uint64_t i) { return std::to_string(i); },
-              [&](std::uint64_t i, const std::string& result) { text += std::to_string(i) + ":" + result + ' '; });
-        }
-      },
-      [&](Transport& transport) { Crew(transport, {.threads = threads}, service).serve(); });
+  share(
+      crew, service, count, [](std::uint64_t i) { return std::to_string(i); },
+      [&](std::uint64_t i, const std::string& result) { text += std::to_string(i) + ":" + result + ' '; }, true);
+  return text;
+}
+
+std::string squares(int count) {
+  std::string text;
+  for (int i = 0; i < count; ++i) text += std::to_string(i) + ":" + std::to_string(i * i) + ' ';
   return text;
 }
 
 }  // namespace
 
-TEST_CASE("the same results in the same order, by any number of ranks and threads") {
-  std::string expected;
-  for (int stage = 0; stage < 2; ++stage) {
-    for (int i = 0; i < 200; ++i) expected += std::to_string(i) + ":" + std::to_string(i * i) + ' ';
-  }
+TEST_CASE("the same results in the same order, by threads and by any number of ranks") {
+  CHECK(on_threads(2, [] { return results(nullptr, 200, slow_square); }) == squares(200));
   for (const int ranks : {1, 2, 3, 8}) {
-    for (const unsigned threads : {1U, 2U}) {
-      CAPTURE(ranks);
-      CAPTURE(threads);
-      CHECK(results_by(ranks, threads, 200, slow_square) == expected);
-    }
+    CAPTURE(ranks);
+    by_crew(ranks, slow_square, [&](Crew& crew) {
+      CHECK(results(&crew, 200, slow_square) == squares(200));
+      CHECK(results(&crew, 300, slow_square) == squares(300));
+      CHECK(results(&crew, 0, slow_square).empty());
+    });
   }
-  CHECK(results_by(3, 1, 0, slow_square).empty());
 }
 
-TEST_CASE("more than one rank works") {
-  std::mutex mutex;
-  std::set<std::thread::id> workers;
-  results_by(3, 1, 60, [&](std::string_view request) {
-    {
-      const std::scoped_lock lock(mutex);
-      workers.insert(std::this_thread::get_id());
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    return std::string(request);
-  });
-  CHECK(workers.size() == 3);
+TEST_CASE("each rank answers its share of a list, and rank 0 that of ranks which are not there") {
+  const TemporaryFolder folder;
+  const std::string path = folder.path() / "checkpoint";
+  by_crew(
+      3, slow_square, [&](Crew& crew) { results(&crew, 90, slow_square); }, folder.path());
+  CHECK(Journal(path + ".1", "work", Journal::Access::read).size() == 30);
+  CHECK(Journal(path + ".2", "work", Journal::Access::read).find("5") == "25");
+  const TemporaryFolder empty;
+  Crew alone({.checkpoint = empty.path() / "checkpoint", .ranks = 3, .threads = 1}, slow_square);
+  CHECK(results(&alone, 90, slow_square) == squares(90));
 }
 
-TEST_CASE("what a service throws is thrown in the order of the requests, whoever met it first") {
+TEST_CASE("what a service throws is thrown in the order of the requests, whichever rank met it first") {
+  const Service service = [](std::string_view request) -> std::string {
+    const int i = std::stoi(std::string(request));
+    if (i == 9) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    if (i >= 9) throw InputError({{"file", 3, static_cast<std::size_t>(i), "found x, expected y"}});
+    return {};
+  };
   for (const int ranks : {1, 4}) {
     CAPTURE(ranks);
-    std::atomic<int> taken = 0;
-    ThreadRanks all(ranks);
-    const Service service = [](std::string_view request) -> std::string {
-      const int i = std::stoi(std::string(request));
-      if (i == 9) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-      if (i >= 9) throw InputError({{"file", 3, static_cast<std::size_t>(i), "found x, expected y"}});
-      return {};
-    };
-    all.run(
-        [&](Transport& transport) {
-          Crew crew(transport, {.threads = 1}, service);
-          CHECK_THROWS_WITH_AS(crew.each(
-                                   30, [](std::uint64_t i) { return std::to_string(i); },
-                                   [&](std::uint64_t, const std::string&) { ++taken; }),
-                               "file:3:9: found x, expected y", InputError);
-        },
-        [&](Transport& transport) { Crew(transport, {.threads = 1}, service).serve(); });
+    int taken = 0;
+    by_crew(ranks, service, [&](Crew& crew) {
+      CHECK_THROWS_WITH_AS(crew.each(
+                               30, [](std::uint64_t i) { return std::to_string(i); },
+                               [&](std::uint64_t, const std::string&) { ++taken; }),
+                           "file:3:9: found x, expected y", InputError);
+    });
     CHECK(taken == 9);
   }
-  CHECK_THROWS_WITH_AS(
-      results_by(2, 1, 5, [](std::string_view) -> std::string { throw std::runtime_error("no luck"); }), "no luck",
-      std::runtime_error);
 }
 
-TEST_CASE("a stop ends the work, and says what is missing") {
-  int asked = 0;
-  CHECK_THROWS_AS(results_by(2, 1, 100'000, slow_square, {.stop_asked = [&] { return ++asked > 20; }}), Unfinished);
-  std::string text;
-  try {
-    results_by(1, 1, 5, slow_square, {.stop_asked = [] { return true; }});
-  } catch (const Unfinished& unfinished) {
-    text = unfinished.what();
+TEST_CASE("a run that ended anywhere goes on with other ranks, which are asked nothing twice") {
+  const TemporaryFolder folder;
+  std::atomic<int> calls = 0;
+  const Service service = [&](std::string_view request) {
+    ++calls;
+    return slow_square(request);
+  };
+  for (const int ranks : {1, 3, 2, 5}) {
+    by_crew(
+        ranks, service,
+        [&](Crew& crew) {
+          const auto take = [&](std::uint64_t i, const std::string&) {
+            if (i == 40 * static_cast<unsigned>(ranks)) throw std::runtime_error("killed");
+          };
+          CHECK_THROWS(crew.each(
+              500, [](std::uint64_t i) { return std::to_string(i); }, take));
+        },
+        folder.path());
   }
-  CHECK(text.starts_with("stopped on request: "));
-  CHECK(text.ends_with("5"));
-}
-
-TEST_CASE("ranges are told shortly") {
-  CHECK(ranges_text({}) == "");
-  CHECK(ranges_text({3}) == "3");
-  CHECK(ranges_text({1, 2, 3, 7, 9, 10}) == "1-3, 7, 9-10");
-  std::vector<std::uint64_t> odd;
-  for (std::uint64_t i = 0; i < 15; ++i) odd.push_back(2 * i + 1);
-  CHECK(ranges_text(odd) == "1, 3, 5, 7, 9, 11, 13, 15, 17, 19 and 5 more");
+  by_crew(
+      2, service, [&](Crew& crew) { CHECK(results(&crew, 500, service) == squares(500)); }, folder.path());
+  CHECK(calls < 600);  // a few by a rank whose place was taken
 }

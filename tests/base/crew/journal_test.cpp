@@ -3,16 +3,11 @@
 
 #include <doctest/doctest.h>
 
-#include <atomic>
-#include <chrono>
 #include <string>
-#include <thread>
 
-#include "base/crew/crew.hpp"
 #include "base/input/diagnostic.hpp"
 #include "base/output/output_error.hpp"
 #include "support/run_program.hpp"
-#include "support/thread_ranks.hpp"
 
 using namespace slipproof;
 using namespace slipproof::test;
@@ -43,13 +38,20 @@ TEST_CASE("results are found in a later run") {
     CHECK(journal.find("y") == result_text);
     CHECK_THROWS_AS(Journal(path, "work"), OutputError);  // one run at a time
   }
+  CHECK_FALSE(Journal::is_written(path));
   Journal again(path, "work");
+  CHECK(Journal::is_written(path));
   CHECK(again.size() == 3);
   CHECK(again.find("x") == "1");
   CHECK(again.find("y") == result_text);
   CHECK(again.find("z") == "");
+  Journal reader(path, "work", Journal::Access::read);
   again.keep("w", "4");
   CHECK(again.find("w") == "4");
+  CHECK_FALSE(reader.find("w"));
+  reader.refresh();
+  CHECK(reader.find("w") == "4");
+  CHECK(reader.find("x") == "1");
 }
 
 TEST_CASE("another file and other work are refused, and stay as they were") {
@@ -61,6 +63,7 @@ TEST_CASE("another file and other work are refused, and stay as they were") {
   const std::string whole = one_result(folder);
   CHECK_THROWS_AS(Journal(folder.path() / "one", "work of another kind"), InputError);
   CHECK_THROWS_AS(Journal(folder.path() / "one", "wor"), InputError);
+  CHECK_THROWS_AS(Journal(folder.path() / "one", "wor", Journal::Access::read), InputError);
   CHECK(read_file(folder.path() / "one") == whole);
   CHECK_THROWS_AS(Journal(folder.path(), "work"), OutputError);
   CHECK_THROWS_AS(Journal(folder.path() / "none" / "journal", "work"), OutputError);
@@ -88,45 +91,4 @@ TEST_CASE("no changed byte of a result goes unnoticed") {
     changed[i] = static_cast<char>(changed[i] ^ 1);
     CHECK(Journal(folder.write("changed", changed), "work").size() == 0);
   }
-}
-
-TEST_CASE("a run that was stopped goes on with another number of ranks, and asks nothing twice") {
-  const TemporaryFolder folder;
-  std::atomic<int> calls = 0;
-  const Service service = [&](std::string_view request) {
-    ++calls;
-    std::this_thread::sleep_for(std::chrono::microseconds(200));
-    return std::string(request) + "!";
-  };
-  std::string text;
-  bool finished = false;
-  int runs = 0;
-  for (const int ranks : {1, 3, 2, 5, 1}) {
-    if (finished) break;
-    ++runs;
-    text.clear();
-    Journal journal(folder.path() / "journal", "work");
-    const std::size_t enough = journal.size() + 30;
-    ThreadRanks all(ranks);
-    all.run(
-        [&](Transport& transport) {
-          Crew crew(
-              transport,
-              {.threads = 1, .journal = &journal, .stop_asked = [&] { return runs < 4 && journal.size() >= enough; }},
-              service);
-          try {
-            crew.each(
-                200, [](std::uint64_t i) { return std::to_string(i); },
-                [&](std::uint64_t, const std::string& result) { text += result; });
-            finished = true;
-          } catch (const Unfinished&) {
-          }
-        },
-        [&](Transport& transport) { Crew(transport, {.threads = 1}, service).serve(); });
-  }
-  std::string expected;
-  for (int i = 0; i < 200; ++i) expected += std::to_string(i) + "!";
-  CHECK(text == expected);
-  CHECK(runs == 4);
-  CHECK(calls < 200 + 3 * 20);  // beside what was under way at a stop
 }

@@ -13,9 +13,9 @@
 #include "claims/sampling/sampler.hpp"
 #include "claims/verify/verify.hpp"
 #include "report/papers/verify_report.hpp"
+#include "support/crew_ranks.hpp"
 #include "support/how_many.hpp"
 #include "support/papers/shipped.hpp"
-#include "support/thread_ranks.hpp"
 
 using namespace slipproof;
 

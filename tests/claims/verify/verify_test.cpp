@@ -10,9 +10,9 @@
 #include "support/bicycle/bicycle_motions.hpp"
 #include "support/bicycle/conditions.hpp"
 #include "support/bicycle/equations.hpp"
+#include "support/crew_ranks.hpp"
 #include "support/how_many.hpp"
 #include "support/papers/shipped.hpp"
-#include "support/thread_ranks.hpp"
 
 using namespace slipproof;
 

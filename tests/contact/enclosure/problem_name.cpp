@@ -42,7 +42,7 @@ TEST_CASE("one problem has one canonical form, however it is written") {
           "entries": [[2, 2, 1e-1], [1, 1, 1], [0, 1, "1/2"], [0, 0, 2], [2, 0, 0], [1, 0, 0.25]]}, "r": [5, 0, 0]})";
   CHECK(in_file("dense.json", dense) == kForm);
   CHECK(in_file("sparse.json", sparse) == kForm);
-  CHECK(form(read_problem_line(dense, "lines.jsonl")) == kForm);
+  CHECK(form(read_problem_line(JsonProblem(dense, "lines.jsonl"))) == kForm);
   CHECK(in_file("siconos.dat", "3\n1\n0\n3\n3\n3 3\n2 0.25 0\n0.5 1 0\n0 0 0.1\n-10 0.5 0\n0.75\n") == kForm);
   folder.write("w_q.mtx", "%%MatrixMarket matrix array real general\n3 1\n-10\n0.5\n0\n");
   folder.write("w_mu.mtx", "%%MatrixMarket matrix array real general\n1 1\n0.75\n");

@@ -1,6 +1,4 @@
 // Problems as one JSON object.
-#include <sstream>
-
 #include "contact/formats/json_problem.hpp"
 #include "contact/formats/read_files.hpp"
 #include "support/files/small_files.hpp"
@@ -15,8 +13,10 @@ ReadProblem json(const std::string& text) {
 }
 
 bool begins(const std::string& text) {
-  std::istringstream stream(text);
-  return begins_as_json_problem(stream);
+  return is_problem_file(Folder().write("p.json", text));
+}
+bool is_large(const std::string& line) {
+  return JsonProblem(line, "FILE").is_large();
 }
 
 }  // namespace
@@ -113,12 +113,12 @@ TEST_CASE("what is for the reader of records stays so") {
   CHECK_FALSE(begins("{\n\"h\": 1, \"f\": 2}"));
 }
 
-TEST_CASE("lines of JSON Lines that are for this reader") {
-  CHECK(is_json_problem(R"({"r": [NaN, 1, -Infinity], "dimension": 3, "W": [[1]], "q": [1]})"));
-  CHECK(is_json_problem(R"({"W": {"rows": 1, "columns": 1, "entries": [[0, 0, 2]]}, "q": [1]})"));
-  CHECK(is_json_problem(R"({"M": [[1]], "f": [1], "H": [[1]], "w": [0]})"));
-  CHECK_FALSE(is_json_problem(R"({"dimension": 2, "W": [[1, 2], [3, 4]], "q": [1, 2], "mu": 0.5, "z": [1, 2]})"));
-  CHECK_FALSE(is_json_problem(R"({"h": 1, "f": 2, "a": 3})"));
+TEST_CASE("large problems are told from those that are judged in exact numbers") {
+  CHECK(is_large(R"({"r": [NaN, 1, -Infinity], "dimension": 3, "W": [[1]], "q": [1]})"));
+  CHECK(is_large(R"({"W": {"rows": 1, "columns": 1, "entries": [[0, 0, 2]]}, "q": [1]})"));
+  CHECK(is_large(R"({"M": [[1]], "f": [1], "H": [[1]], "w": [0]})"));
+  CHECK_FALSE(is_large(R"({"dimension": 2, "W": [[1, 2], [3, 4]], "q": [1, 2], "mu": 0.5, "z": [1, 2]})"));
+  CHECK_FALSE(is_large(R"({"h": 1, "f": 2, "a": 3})"));
 }
 
 TEST_CASE("lists of numbers and of anything else are read alike") {
@@ -156,12 +156,13 @@ TEST_CASE("malformed JSON is refused with its place or its path") {
       {
           {"{", "FILE:1:2: found no JSON object: "},
           {"{\"dimension\": 3,\n \"W\" [[1]]}", "FILE:2:6: found no JSON object: "},
-          {"{\"q\": [1e999]}", "FILE: q[1]: found an infinity, or a number that becomes one, expected a finite number"},
+          {"{\"q\": [1e999]}",
+           "FILE:1:8: q[1]: found an infinity, or a number that becomes one, expected a finite number"},
           {"{\"q\": [1, \"2\", 3, 1e999x]}", "FILE:1:"},
           {"{\"q\": [01]}", "FILE:1:9: found no JSON object: "},
-          {R"({"q": [1, 2], "q": [1, 2]})", "FILE: found the key 'q' twice, expected it once"},
+          {R"({"q": [1, 2], "q": [1, 2]})", "FILE:1:15: found the key 'q' twice, expected it once"},
           {"{NaN: 1}", "FILE:1:2: found NaN, expected a key"},
-          {deep, "FILE: found values nested more than 8 deep"},
+          {deep, "FILE:1:15: found values nested more than 8 deep"},
           {"{}", "FILE: q: found nothing, expected a list of numbers"},
           {"{} {}", "FILE:1:4: found no JSON object: "},
           {start + "1}",
@@ -169,13 +170,15 @@ TEST_CASE("malformed JSON is refused with its place or its path") {
           {start + "[[1, 2]]}", "FILE: the number of rows of W: found 1, expected 2, the length of the vectors"},
           {start + "[[1, 2], [3]]}",
            "FILE: the number of columns of W[2]: found 1, expected 2, the length of the vectors"},
-          {start + "[[1, 2], [3, null]]}", "FILE: W[2][2]: found no number, expected one"},
-          {start + "[[1, 2], [3, NaN]]}", "FILE: W[2][2]: found NaN, expected a finite number"},
-          {start + "[[1, 2], [3, -Infinity]]}", "FILE: W[2][2]: found an infinity, or a number that becomes one"},
-          {start + "[[1, 2], [3, \"1e9999999\"]]}", "FILE: W[2][2]: found an infinity, or a number that becomes one"},
-          {start + "[[1, 2], [3, \"1e4999/3\"]]}", "FILE: W[2][2]: found a '/' after a number"},
-          {start + "[[1, 2], [3, \"0x1p99999999\"]]}", "FILE: W[2][2]: found the exponent 99999999, expected one from"},
-          {start + "[[1, 2], [3, \"x\"]]}", "FILE: W[2][2]: found 'x', expected a digit"},
+          {start + "[[1, 2], [3, null]]}", "FILE:1:58: W[2][2]: found no number, expected one"},
+          {start + "[[1, 2], [3, NaN]]}", "FILE:1:58: W[2][2]: found NaN, expected a finite number"},
+          {start + "[[1, 2], [3, -Infinity]]}", "FILE:1:58: W[2][2]: found an infinity, or a number that becomes one"},
+          {start + "[[1, 2], [3, \"1e9999999\"]]}",
+           "FILE:1:59: W[2][2]: found an infinity, or a number that becomes one"},
+          {start + "[[1, 2], [3, \"1e4999/3\"]]}", "FILE:1:59: W[2][2]: found a '/' after a number"},
+          {start + "[[1, 2], [3, \"0x1p99999999\"]]}",
+           "FILE:1:59: W[2][2]: found the exponent 99999999, expected one from"},
+          {start + "[[1, 2], [3, \"x\"]]}", "FILE:1:59: W[2][2]: found 'x', expected a digit"},
           {start + R"({"rows": 2, "columns": 2}})", "FILE: W: found other keys, expected rows, columns and a list of"},
           {start + R"({"rows": 2, "columns": 2, "entries": [], "x": 1}})", "FILE: W: found other keys, expected rows"},
           {start + R"({"rows": 1099511627776, "columns": 2, "entries": []}})",

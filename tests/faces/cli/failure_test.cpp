@@ -1,6 +1,5 @@
 #include <doctest/doctest.h>
 
-#include <array>
 #include <filesystem>
 #include <functional>
 #include <iostream>
@@ -14,31 +13,15 @@
 
 namespace {
 
-/// Fails as soon as it is asked anything.
-class Failing final : public slipproof::Transport {
- public:
-  explicit Failing(std::function<void()> fail) : fail_(std::move(fail)) {}
-  int rank() const override { return fail_(), 0; }
-  int ranks() const override { return fail_(), 1; }
-  void send(int, std::string) override {}
-  std::optional<slipproof::Message> receive() override { return std::nullopt; }
-
- private:
-  std::function<void()> fail_;
-};
-
 struct Ended {
   int exit_code = 0;
   std::string said;
 };
 
-Ended program_in_which(std::function<void()> fail) {
+Ended program_in_which(const std::function<void()>& fail) {
   std::ostringstream said;
   std::streambuf* const before = std::cerr.rdbuf(said.rdbuf());
-  std::array<std::string, 2> words{"slipproof", "--version"};
-  std::array<char*, 3> arguments{words[0].data(), words[1].data(), nullptr};
-  Failing transport(std::move(fail));
-  const int exit_code = slipproof::cli::run_program(2, arguments.data(), transport);
+  const int exit_code = slipproof::cli::exit_code_of([&] { return fail(), 0; });
   std::cerr.rdbuf(before);
   return {exit_code, said.str()};
 }

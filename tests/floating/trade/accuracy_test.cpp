@@ -6,7 +6,7 @@
 #include "base/crew/bytes.hpp"
 #include "floating/trade/arithmetic.hpp"
 #include "report/scenes/trade_report.hpp"
-#include "support/thread_ranks.hpp"
+#include "support/crew_ranks.hpp"
 
 using namespace slipproof;
 

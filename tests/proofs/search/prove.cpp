@@ -13,10 +13,10 @@
 #include "proofs/check/files.hpp"
 #include "proofs/search/prove_files.hpp"
 #include "proofs/search/small_statement.hpp"
+#include "support/crew_ranks.hpp"
 #include "support/papers/shipped.hpp"
 #include "support/replaced.hpp"
 #include "support/run_program.hpp"
-#include "support/thread_ranks.hpp"
 
 using slipproof::test::read_file;
 using slipproof::test::replaced;

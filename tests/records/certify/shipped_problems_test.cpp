@@ -63,7 +63,8 @@ TEST_CASE("the shipped examples get the verdicts that their table tells, and the
 
   const ContactProblem problem = loaded_contacts(read_scene(folder + "ambiguous.toml")).problem;
   const std::size_t last = all.rfind("{");
-  const auto record = read_problem(std::string_view(all).substr(last, all.find('\n', last) - last), false, false);
+  const std::string line = all.substr(last, all.find('\n', last) - last);
+  const auto record = read_problem(JsonProblem(line, "examples.jsonl"), line, false, false);
   CHECK(record.problem.W == problem.W);
   CHECK(record.problem.q == problem.q);
   CHECK(record.problem.mu == problem.mu);

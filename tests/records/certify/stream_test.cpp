@@ -6,7 +6,6 @@
 #include <mutex>
 #include <thread>
 
-#include "base/input/json_words.hpp"
 #include "support/certified.hpp"
 
 using namespace slipproof;
@@ -106,6 +105,6 @@ TEST_CASE("the words are words only outside of texts, and no keys; what is no JS
   CHECK(judged_line(R"({"M":[[2]],"q":[-1],"z":[NaN)")["reason"].get<std::string>().starts_with("line 1, column 29: "));
   CHECK(judged_line(R"({"q":[-1],NaN:1})")["reason"] == "line 1, column 11: found NaN, expected a key");
   CHECK(judged_line(R"({"M":[[NaN]],"q":[-1],"z":[0]})")["reason"] ==
-        "line 1, column 8: M[1][1]: found NaN, expected a finite number");
+        "line 1, column 8: M[1][1]: found NaN, expected a finite number within binary64's range");
   CHECK(judged_line(R"({"M":[[1]],"q":[-1],"z":[nan]})")["verdict"] == "invalid");
 }

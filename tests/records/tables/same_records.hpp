@@ -42,31 +42,17 @@ class SameRecords {
   double number(std::size_t row, std::size_t column) const { return std::strtod(cells_[row][column].c_str(), nullptr); }
   const Cells& cells(std::size_t row) const { return cells_[row]; }
 
-  /// One column as an array of its own.
-  std::string column(std::size_t k, const std::string& descr) const {
-    std::string data;
-    for (std::size_t i = 0; i < size(); ++i) {
-      if (descr.find('U') != std::string::npos) {
-        for (std::size_t c = 0; c < 11; ++c)
-          data += little(c < cells_[i][k].size() ? static_cast<unsigned char>(cells_[i][k][c]) : 0, 4);
-      } else {
-        data += k == kind_cell ? npy_number(cells_[i][k] == "external", descr) : npy_number(number(i, k), descr);
-      }
-    }
-    return npy_with(npy_dictionary("'" + descr + "'", "(" + std::to_string(size()) + ",)"), data);
-  }
-
  private:
   std::vector<Cells> cells_;
 };
 
 inline Certified certified_table(const std::string& path, const CertifyOptions& given = {},
-                                 const TableOptions& table = {}) {
+                                 const std::vector<std::string>& names = {}) {
   CertifyOptions options = given;
   options.file = path;
   Certified result;
   result.summary = certify(
-      open_table(path, table), [&result](std::string_view out) { result.text += out; }, options);
+      open_table(path, names), [&result](std::string_view out) { result.text += out; }, options);
   return result;
 }
 

@@ -4,7 +4,7 @@
 
 #include "mechanics/reading/shipped.hpp"
 #include "mechanics/scene/narrow.hpp"
-#include "support/thread_ranks.hpp"
+#include "support/crew_ranks.hpp"
 
 using namespace slipproof;
 

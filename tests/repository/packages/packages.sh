@@ -59,8 +59,6 @@ expect '*s SOLVED modes*' slipproof solve /usr/share/slipproof/cases/touring-bic
 expect '*s SOLVED motions 2 *' slipproof solve /usr/share/slipproof/cases/mechanisms/scenes/block-on-incline.toml
 expect '*s VERIFIED*' slipproof verify --only A5.1 --samples 20
 expect '*s ACCEPTED*' slipproof-check /usr/share/slipproof/proofs/rozenblat-yashin
-expect '*SLIPPROOF-CERTIFY*' zcat /usr/share/man/man1/slipproof-certify.1.gz
-expect 'certify ' bash -c 'source /usr/share/bash-completion/completions/slipproof; COMP_WORDS=(slipproof cert) COMP_CWORD=1; _slipproof; echo "${COMPREPLY[*]} "'
 expect '' sh -c 'cc -std=c99 $(pkg-config --cflags slipproof) -o /new/main /new/main.c $(pkg-config --libs slipproof)'
 expect 'stick/stick with ax = 0*' /new/main /usr/share/slipproof/cases/mechanisms/scenes/block-on-incline.toml
 if [[ " ${names[*]} " == *" python3-slipproof "* ]]; then

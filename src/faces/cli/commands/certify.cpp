@@ -33,8 +33,8 @@ struct CertifyArguments {
   CommonOptions common;
   CertifyOptions certify;
   CertifyProblemArguments problem;
-  std::string file, scene, mechanism, decimal = "nearest", broken = "report", format, summary, parts;
-  TableOptions table;
+  std::string file, scene, mechanism, decimal = "nearest", broken = "report", format, summary;
+  std::vector<std::string> columns;
   CrewArguments crew;
   GateArguments gate;
   std::optional<double> tolerance;
@@ -111,11 +111,9 @@ bool is_one_problem(const CertifyArguments& options) {
 /// Certifies a table, or lines of text.
 CertifySummary certify_records(const CertifyArguments& options, bool table, const LineSink& sink,
                                const Progress& progress, CountedBytes& bytes) {
-  if (table) return certify(open_table(options.file, options.table), sink, options.certify, progress);
-  if (!options.table.names.empty() || !options.table.place.empty()) {
-    throw InputError(
-        {{options.file, 0, 0, "found no table, expected one with --columns and --table: .npy, .npz or HDF5"}});
-  }
+  if (table) return certify(open_table(options.file, options.columns), sink, options.certify, progress);
+  if (!options.columns.empty())
+    throw InputError({{options.file, 0, 0, "found no array (.npy), expected one with --columns"}});
   return certify(bytes.open(options.file), sink, options.certify, progress);
 }
 
@@ -123,9 +121,9 @@ CertifySummary certify_records(const CertifyArguments& options, bool table, cons
 std::string certified_work(const CertifyArguments& options, const RecordPieces& pieces) {
   const CertifyOptions& c = options.certify;
   return fmt::format(
-      "certify {}\nparts {} scene {} mechanism {}\nformat {} decimal {} broken {} unknown {} from {}\n"
+      "certify {}\nscene {} mechanism {}\nformat {} decimal {} broken {} unknown {} from {}\n"
       "tolerance {} {} effort {} {} every-q {} law {} within {}\n",
-      pieces.input(), !options.parts.empty(), options.scene.empty() ? "" : digest_of(options.scene),
+      pieces.input(), options.scene.empty() ? "" : digest_of(options.scene),
       c.mechanism ? digest_of(c.mechanism->mechanism.file) : "", static_cast<int>(c.format), options.decimal,
       options.broken, c.ignore_unknown, c.first_record, c.judge.tolerance, c.contact.tolerance, c.judge.effort,
       c.contact.effort, c.judge.every_q, options.problem.law, c.contact.within.value_or(-1));
@@ -136,58 +134,29 @@ Exit certified_exit(const CertifySummary& summary) {
   return summary.nothing_refuted() ? undecided : refuted_or_not_certified;
 }
 
-/// The last lines of a run without parts.
-PartsEnd end_of(const CertifyArguments& options, const CertifySummary& summary, std::vector<PartRange> ranges) {
-  PartsEnd end{.ranges = std::move(ranges), .exit_code = certified_exit(summary)};
-  (options.common.json ? end.err : end.out) = summary_text(summary);
-  return end;
-}
-
 /// Certifies by a crew; returns nothing on ranks that only answer.
 std::optional<CertifySummary> certify_shared(const CertifyArguments& options, const LineSink& sink,
                                              const Progress& progress) {
   const RecordPieces pieces(options.certify);
-  std::optional<PartWriter> part;
-  if (!options.parts.empty()) part.emplace(options.parts, options.crew.transport->rank());
   CrewRun run(
       options.crew, options.common.threads, [&] { return certified_work(options, pieces); },
-      Inputs{options.file, options.scene},
-      [&](std::string_view request) { return pieces.answer(request, part ? &*part : nullptr); });
+      Inputs{options.file, options.scene}, [&](std::string_view request) { return pieces.answer(request); });
   if (run.served()) return std::nullopt;
-  if (!part) return pieces.certify(*run.crew(), sink, progress);
-  std::vector<PartRange> ranges;
-  const CertifySummary summary = pieces.certify(
-      *run.crew(), [&](std::string_view range) { ranges.push_back(PartRange::from_bytes(range)); }, progress);
-  keep_end(*run.journal(), end_of(options, summary, std::move(ranges)));
-  return summary;
+  return pieces.certify(*run.crew(), sink, progress);
 }
 
 /// Refuses other input than a file of lines, since a crew can share out nothing else.
 void refuse_crew(const CertifyArguments& options, const char* found) {
   if (!options.crew.wanted()) return;
   throw CLI::ValidationError(
-      "FILE",
-      std::string("found ") + found + ", expected a file of CSV or JSON Lines for --checkpoint, --parts or many ranks");
-}
-
-/// A run with parts continues from their index.
-void prepare_parts(CertifyArguments& options) {
-  if (options.parts.empty()) return;
-  if (options.common.quiet)
-    throw CLI::ValidationError("--parts", "found --quiet, which prints no lines, expected one of both");
-  options.crew.checkpoint = parts_index(options.parts).string();
-  if (!options.crew.leads()) return;
-  options.crew.still_counts = [parts = PartSizes(options.parts)](std::string_view request, std::string_view result) {
-    return RecordPieces::stands(request, result, parts);
-  };
+      "FILE", std::string("found ") + found + ", expected a file of CSV or JSON Lines for --checkpoint or many ranks");
 }
 
 int run_certify(CertifyArguments& options) {
-  prepare_parts(options);
   const bool table =
       options.file != "-" && !options.problem.any() && options.format.empty() && is_table_file(options.file);
   if (options.file == "-") refuse_crew(options, "standard input");
-  if (table) refuse_crew(options, "a table");
+  if (table) refuse_crew(options, "an array");
   if (!table && is_one_problem(options)) {
     refuse_crew(options, "one contact problem");
     if (options.certify.judge.every_q || options.decimal == "exact") {
@@ -199,7 +168,7 @@ int run_certify(CertifyArguments& options) {
     return run_certify_problem(options.problem, options.gate, options.common);
   }
   if (options.crew.wanted() && options.gate.writes()) {
-    throw CLI::ValidationError("--junit, --sarif", "found with --checkpoint, --parts or many ranks, expected without");
+    throw CLI::ValidationError("--junit, --sarif", "found with --checkpoint or many ranks, expected without");
   }
   if (options.tolerance) options.certify.judge.tolerance = options.certify.contact.tolerance = *options.tolerance;
   options.certify.contact.within = options.problem.within;
@@ -262,16 +231,15 @@ Continuation by_records(const CertifyArguments& options) {
 
 }  // namespace
 
-void add_certify(CLI::App& app, int& exit_code, Transport& transport) {
+void add_certify(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CertifyArguments>();
-  options->crew.transport = &transport;
   CLI::App& command = *app.add_subcommand(
       "certify", "Certify outputs of floating-point solvers, for scenes or contact problems:\na line of JSON for each");
   command
-      .add_option(
-          "FILE", options->file,
-          "CSV with a header, JSON Lines (- for standard input); NumPy's .npy or .npz,\nan HDF5 table; or a contact "
-          "problem's file: FCLIB HDF5, Siconos text,\nMatrixMarket, JSON")
+      .add_option("FILE", options->file,
+                  "CSV with a header, JSON Lines (- for standard input), NumPy's .npy;\nor a contact problem's file: "
+                  "FCLIB HDF5, "
+                  "Siconos text, MatrixMarket, JSON")
       ->required();
   auto* scene = command.add_option("--scene", options->scene,
                                    "Scene file, of a bicycle or a mechanism, with the values that all records share");
@@ -301,23 +269,16 @@ void add_certify(CLI::App& app, int& exit_code, Transport& transport) {
                       JudgeOptions().effort, ContactJudgeOptions().effort))
       ->check(whole_number(1));
   command
-      .add_option("--columns", options->table.names,
+      .add_option("--columns", options->columns,
                   "Names of the columns of an array without names, as in --columns F,a,S2,S3,N2,N3")
       ->delimiter(',');
-  command.add_option("--table", options->table.place, "Data set or group in an HDF5 file with several tables");
   command.add_flag("--ignore-unknown", options->certify.ignore_unknown, "Skip unknown columns");
   command.add_option("--summary", options->summary, "Write the counts to this file, as JSON");
   command.add_flag("--every-q", options->certify.judge.every_q,
                    "For each contact problem in a line: does it have one solution for every q?");
   add_problem_options(command, options->problem);
   add_gate_options(command, options->gate);
-  CLI::Option* checkpoint = add_crew_options(command, options->crew);
-  command
-      .add_option("--parts", options->parts,
-                  "Each rank writes its lines to files of its own, PREFIX.RANK.1, which slipproof join\nputs together; "
-                  "the same command continues where a run ended")
-      ->type_name("PREFIX")
-      ->excludes(checkpoint);
+  add_crew_options(command, options->crew);
   add_common_options(command, options->common);
   command.callback([options, &exit_code, &command] {
     options->problem.refine = command.count("--refine") > 0;

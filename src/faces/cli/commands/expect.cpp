@@ -23,20 +23,11 @@ struct ExpectArguments {
 };
 
 std::string text_of(const std::string& format, const std::vector<ExpectedAnswer>& answers) {
-  if (format == "csv") return expected_csv(answers);
-  if (format == "pytest") return expected_pytest(answers);
-  if (format == "c++") return expected_header(answers);
-  return expected_json(answers);
+  return format == "pytest" ? expected_pytest(answers) : expected_json(answers);
 }
 
 std::string id_of(const std::string& file) {
   return std::filesystem::path(file).stem().string();
-}
-
-std::vector<std::string_view> endings_of(const std::string& format) {
-  if (format == "pytest") return {".py"};
-  if (format == "c++") return {".hpp", ".h", ".hh", ".hxx"};
-  return {format == "csv" ? ".csv" : ".json"};
 }
 
 void expect(const ExpectArguments& arguments) {
@@ -55,7 +46,7 @@ void expect(const ExpectArguments& arguments) {
   }
   std::optional<OutputFile> output;
   if (!arguments.output.empty()) output.emplace(arguments.output, inputs);
-  expect_ending("--output", arguments.output, endings_of(arguments.format), ", as --format says");
+  expect_ending("--output", arguments.output, {arguments.format == "pytest" ? ".py" : ".json"}, ", as --format says");
   std::vector<ExpectedAnswer> answers;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     answers.push_back(expected_answer(std::move(scenes[i]), id_of(arguments.scenes[i])));
@@ -71,11 +62,8 @@ void add_expect(CLI::App& app, int& exit_code) {
   CLI::App& command =
       *app.add_subcommand("expect", "Write the motions that a physics engine should find, as data or as tests");
   command.add_option("SCENE", options->scenes, "Scene files (TOML), each with a value of its load")->required();
-  command
-      .add_option("--format", options->format,
-                  "json; csv, a line for each motion and quantity; pytest, a file of tests for an engine of one's own; "
-                  "c++, a header")
-      ->check(CLI::IsMember({"json", "csv", "pytest", "c++"}))
+  command.add_option("--format", options->format, "json, or pytest: a file of tests for an engine of one's own")
+      ->check(CLI::IsMember({"json", "pytest"}))
       ->capture_default_str();
   command.add_option("-o,--output", options->output, "Where it goes; standard output if left out");
   command.callback([options, &exit_code] {

@@ -67,9 +67,8 @@ Exit run_search(SearchArguments& arguments) {
 
 }  // namespace
 
-void add_search(CLI::App& app, int& exit_code, Transport& transport) {
+void add_search(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<SearchArguments>();
-  options->crew.transport = &transport;
   CLI::App& command =
       *app.add_subcommand("search", "Search for points where a mechanism has no motion, several, or a continuum");
   command.add_option("MECHANISM", options->mechanism, "Mechanism file (TOML), or the name of a shipped one")

@@ -43,9 +43,8 @@ int run_trade(TradeArguments& options) {
 
 }  // namespace
 
-void add_trade(CLI::App& app, int& exit_code, Transport& transport) {
+void add_trade(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<TradeArguments>();
-  options->crew.transport = &transport;
   CLI::App& command = *app.add_subcommand("trade", "Measure speed and accuracy of the number types");
   auto* quick = command.add_flag("--quick", options->quick, "25 scenes of each workload, rough timings: seconds");
   command.add_option("--scenes", options->trade.scenes, "Scenes of each workload")

@@ -68,7 +68,7 @@ wheel() {
 }
 
 # What becomes part of the module, or stands beside it.
-parts=(libflint-dev libgmp-dev libmpfr-dev libtbb12 libmd-dev libpugixml-dev zlib1g-dev libfmt-dev libeigen3-dev libboost-dev
+parts=(libflint-dev libgmp-dev libmpfr-dev libtbb12 libmd-dev libpugixml-dev libfmt-dev libeigen3-dev libboost-dev
   nlohmann-json3-dev libtomlplusplus-dev libfast-float-dev pybind11-dev)
 repair() {
   rm -f "$folder"/slipproof-*.whl

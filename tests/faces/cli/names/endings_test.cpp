@@ -26,9 +26,7 @@ TEST_CASE("a name with another ending than the format's is refused, and nothing 
       {{"map", scene, "--columns", "4", "--json", "-o"}, ".svg", ".json"},
       {{"critical", scene, "-o"}, ".gif", ".svg or .png"},
       {{"expect", cube, "-o"}, ".csv", ".json"},
-      {{"expect", cube, "--format", "csv", "-o"}, ".json", ".csv"},
       {{"expect", cube, "--format", "pytest", "-o"}, ".txt", ".py"},
-      {{"expect", cube, "--format", "c++", "-o"}, ".cpp", ".hpp"},
       {{"export", cube, "-o"}, ".toml", ".json"},
       {{"import", cases + "imported/crate.sdf", "-o"}, ".json", ".toml"},
       {{"import", cases + "imported/crate.sdf", "--spatial", "-o"}, ".toml", ".json"},
@@ -58,8 +56,6 @@ TEST_CASE("a name with the format's ending is written, and so is a device") {
     CHECK(run(command).exit_code == 0);
   };
   written({"draw", cube, "-o"}, folder.path() / "cube.svg");
-  written({"expect", cube, "--format", "csv", "-o"}, folder.path() / "cube.csv");
-  written({"expect", cube, "--format", "c++", "-o"}, folder.path() / "cube.hpp");
   written({"export", cube, "-o"}, folder.path() / "cube.json");
   written({"draw", cube, "-o"}, "/dev/null");
   written({"expect", cube, "-o"}, "/dev/null");

@@ -229,9 +229,8 @@ Continuation by_certificates(const ProveArguments& options) {
 
 }  // namespace
 
-void add_prove(CLI::App& app, int& exit_code, Transport& transport) {
+void add_prove(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ProveArguments>();
-  options->crew.transport = &transport;
   CLI::App& command = *app.add_subcommand(
       "prove",
       "Prove the claims of a paper, or your own statements, for all parameters;\nwrite a certificate for each");

@@ -97,7 +97,7 @@ int verify_papers(const std::vector<std::filesystem::path>& papers, const Verify
     throw CLI::ValidationError("CLAIMS", flag + " is about one paper; found a folder, expected its claims.toml");
   }
   const auto judged = judge_papers(papers, options, options.report);
-  if (!options.crew.leads()) return as_it_should_be;
+  if (launched().rank != 0) return as_it_should_be;
   print_report(
       options.common, [&] { return papers_json(judged); }, [&] { return papers_document(judged); });
   return exit_of(summary(judged));
@@ -154,9 +154,8 @@ int run_verify(VerifyArguments& options, const CLI::Option& samples) {
 
 }  // namespace
 
-void add_verify(CLI::App& app, int& exit_code, Transport& transport) {
+void add_verify(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<VerifyArguments>();
-  options->crew.transport = &transport;
   CLI::App& command =
       *app.add_subcommand("verify", "Judge the claims of a paper at sampled rational bicycles, every force at once");
   command.add_option("CLAIMS", options->claims,
