@@ -108,6 +108,11 @@ class ContactCase {
     extra("ranges of open forces", [&] { j_.open = open_forces(problem_, j_.x, options_.tolerance, effort); });
   }
 
+  /// All solutions of a small problem, and the mode of an answer that is none.
+  void tell_all() {
+    if (!j_.small) j_.small = small_case(problem_, j_.x, u_, options_.tolerance, effort_);
+  }
+
   bool certainly_several() const { return j_.other || !j_.other_exact.empty(); }
   bool certainly_one() const { return j_.unique_by || (j_.every && j_.every->unique()) || (all_ && all_->one()); }
   /// Whether the known solution is the nearest there is.
@@ -139,22 +144,11 @@ class ContactCase {
     return error_of(problem_, j_.x, u_, solution);
   }
 
-  /// Holds the answer against all solutions where a problem in the plane or without friction is small; true if that
-  /// settles it.
+  /// Holds the answer against all solutions of a small problem; true if that settles it.
   bool judge_among_all() {
-    const std::size_t n = problem_.size(), free = problem_.free, most_free = 200;
-    if (problem_.dimension == 3 || free > most_free || n - free > few_components || (n == free && n > 0)) return false;
-    try {
-      effort_.spend(times(times(free, free), times(free, 8)));
-      const auto small = eliminated(problem_);
-      if (!small) return false;
-      ProblemAnswer answer{to_rationals(std::span(j_.x).subspan(free)), std::nullopt, std::nullopt};
-      if (!u_.empty()) answer.w = to_rationals(u_);
-      SmallJudgement found = judge_small(small->problem, answer, options_.tolerance, effort_);
-      if (found.all && found.meant) take(*small, found);
-      all_ = std::move(found.all);
-    } catch (const TooMuchWork&) {
-    }
+    tell_all();
+    if (j_.small && j_.small->found.meant) take(j_.small->eliminated, j_.small->found);
+    if (j_.small) all_ = j_.small->found.all;
     return all_.has_value();
   }
 
@@ -340,6 +334,7 @@ ContactJudgement judge_contacts(const MixedProblem& problem, std::vector<double>
       judgement.reason = "the nearest solution is farther from it than a hundredth of the largest force";
     }
   }
+  if (judgement.verdict == ContactVerdict::wrong && problem.is_coulomb()) found.tell_all();
   if (right) found.look_for_open_forces();
   return judgement;
 }

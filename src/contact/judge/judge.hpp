@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -51,6 +52,8 @@ struct ContactJudgeOptions {
   std::size_t others_up_to = 200;  ///< unknowns of a mode up to which other solutions are looked for
 };
 
+struct SmallCase;
+
 /// A search for other solutions in modes whose equations are linear.
 struct LinearSearch {
   Work modes = 0;  ///< how many there are, endless if more than that
@@ -78,9 +81,10 @@ struct ContactJudgement {
   std::optional<Enclosure> other;      ///< a solution elsewhere: there are several
   std::vector<Rational> other_exact;
   std::optional<LinearSearch> linear_modes;
-  std::optional<UniqueProof> unique_by;  ///< why there is no other; without it all modes were tried
-  std::vector<Rational> multipliers;     ///< a proof that there is no solution at all (no_solution.hpp)
-  std::vector<std::string> left_out;     ///< what was looked for beyond that, and failed: what it is, and why
+  std::optional<UniqueProof> unique_by;    ///< why there is no other; without it all modes were tried
+  std::vector<Rational> multipliers;       ///< a proof that there is no solution at all (no_solution.hpp)
+  std::vector<std::string> left_out;       ///< what was looked for beyond that, and failed: what it is, and why
+  std::shared_ptr<const SmallCase> small;  ///< where all solutions of a small problem are known (small.hpp)
 
   /// Whether a solution within rho is known.
   bool has_solution() const { return enclosure || !exact.empty() || (every && every->unique()); }

@@ -217,4 +217,22 @@ SmallJudgement judge_small(const ContactProblem& problem, const ProblemAnswer& a
   return SmallJudge(problem, answer, tolerance, effort).judge();
 }
 
+std::shared_ptr<const SmallCase> small_case(const MixedProblem& problem, std::span<const double> x,
+                                            std::span<const double> u, double tolerance, Effort& effort) {
+  const std::size_t n = problem.size(), free = problem.free, most_free = 200;
+  if (problem.dimension == 3 || free > most_free || n - free > few_components || (n == free && n > 0)) return nullptr;
+  try {
+    effort.spend(times(times(free, free), times(free, 8)));
+    auto eliminated = slipproof::eliminated(problem);
+    if (!eliminated) return nullptr;
+    ProblemAnswer answer{to_rationals(x.subspan(free)), std::nullopt, std::nullopt};
+    if (!u.empty()) answer.w = to_rationals(u);
+    SmallJudgement found = judge_small(eliminated->problem, answer, tolerance, effort);
+    if (!found.all) return nullptr;
+    return std::make_shared<SmallCase>(SmallCase{*std::move(eliminated), std::move(answer), std::move(found)});
+  } catch (const TooMuchWork&) {
+    return nullptr;
+  }
+}
+
 }  // namespace slipproof

@@ -1,12 +1,15 @@
 // An answer to a small problem, held against all solutions of the problem in exact numbers.
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "contact/judge/judge.hpp"
 #include "contact/problem/every_load.hpp"
+#include "contact/problem/mixed_problem.hpp"
 #include "contact/problem/solutions.hpp"
 #include "contact/problem/yardstick.hpp"
 
@@ -43,6 +46,15 @@ struct SmallJudgement {
   bool near() const;
 };
 
+/// A small problem, an answer to it, and what was found.
+struct SmallCase {
+  EliminatedProblem eliminated;  ///< the problem without its free unknowns
+  ProblemAnswer answer;
+  SmallJudgement found;
+
+  const ContactProblem& problem() const { return eliminated.problem; }
+};
+
 /// Compares Distance::scaled (yardstick.hpp) with the tolerance, and with `contact_near` beyond which an answer is
 /// wrong. z is one kind of quantity, w and q are another. If z = 0, its yardstick is the largest |q_i / W_ii|. Of
 /// infinitely many solutions the nearest counts. The verdict on a right answer is `undecided` if other solutions cannot
@@ -51,5 +63,11 @@ struct SmallJudgement {
 /// the size of the problem. Throws TooMuchWork.
 SmallJudgement judge_small(const ContactProblem& problem, const ProblemAnswer& answer, double tolerance,
                            Effort& effort);
+
+/// Holds an answer, free unknowns included, against all solutions of a problem in the plane or without friction that
+/// has at most `few_components` components. `u` are the velocities that it gives, or empty. Null for any other problem,
+/// where not all solutions are known, and beyond the effort.
+std::shared_ptr<const SmallCase> small_case(const MixedProblem& problem, std::span<const double> x,
+                                            std::span<const double> u, double tolerance, Effort& effort);
 
 }  // namespace slipproof

@@ -13,6 +13,7 @@
 #include "contact/exact/exact_lcp.hpp"
 #include "contact/formats/problem_check.hpp"
 #include "contact/judge/find.hpp"
+#include "contact/judge/small_json.hpp"
 
 namespace slipproof {
 
@@ -155,6 +156,14 @@ Json open_forces_json(const OpenForces& open) {
           {"all", open.all}};
 }
 
+/// All solutions of a small problem, and the exact margin by which a wrong answer's mode fails.
+Json all_json(const SmallCase& small) {
+  Json all{{"solutions", small.found.all->solutions.size()}, {"continuum", !small.found.all->continua.empty()}};
+  if (small.found.own) add_own_mode(small.problem(), small.answer, small.found, all);
+  add_solutions(small.problem(), small.found, all);
+  return all;
+}
+
 }  // namespace
 
 JudgedProblem::JudgedProblem(std::string name, ReadProblem read, const ContactFileOptions& options)
@@ -228,6 +237,7 @@ std::string contact_members(const JudgedProblem& problem, std::size_t answer) {
   if (!j.exact.empty() && j.exact.size() <= 64) line["exact"] = exact_texts(j.exact);
   if (!j.other_exact.empty()) line["other"] = exact_texts(j.other_exact);
   if (j.unique_by) line["unique_by"] = name(j.unique_by->kind);
+  if (j.small) line["all"] = all_json(*j.small);
   if (!j.left_out.empty()) line["left_out"] = j.left_out;
   if (!problem.problem.remarks.empty()) line["remarks"] = problem.problem.remarks;
   return ',' + inner_json_text(line);

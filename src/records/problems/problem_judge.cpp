@@ -3,6 +3,7 @@
 #include "base/number/binary64.hpp"
 #include "base/number/format.hpp"
 #include "base/output/json.hpp"
+#include "contact/judge/small_json.hpp"
 #include "contact/problem/every_load_json.hpp"
 
 namespace slipproof {
@@ -33,7 +34,7 @@ class ProblemRecordWriter {
   void tell(const SmallJudgement& found) {
     result_.verdict = record_verdict(found.verdict);
     if (found.near()) {
-      result_.mode_names = inner_json_text(modes_json(found.meant->modes));
+      result_.mode_names = inner_json_text(modes_json(problem_, found.meant->modes));
       result_.max_error = enclose(found.meant->distance.relative).upper;
     }
     if (found.unique_by) details_["unique_by"] = name(*found.unique_by);
@@ -43,7 +44,7 @@ class ProblemRecordWriter {
       tell_its_mode(found);
     } else {
       result_.counted = false;
-      explain(found);
+      add_own_mode(problem_, answer_, found, details_);
       if (found.verdict == ContactVerdict::undecided) details_["unexamined"] = others_unexamined(found);
     }
   }
@@ -52,16 +53,9 @@ class ProblemRecordWriter {
   void tell_all(const SmallJudgement& found) {
     result_.motions = found.all->solutions.size();
     result_.continuum = !found.all->continua.empty();
-    if (found.own) explain(found);
+    if (found.own) add_own_mode(problem_, answer_, found, details_);
     if (result_.verdict == RecordVerdict::certified) return;
-    details_["found"] = Json::array();
-    for (const auto& s : found.all->solutions) details_["found"].push_back(to_json(s));
-    for (std::size_t i = 0; i < found.members.size(); ++i) {
-      const ContactContinuum& c = found.all->continua[i];
-      details_["continua"].push_back({{"mode", name(problem_, c.mode)},
-                                      {"parameters", c.directions.size()},
-                                      {"nearest_z", exact_texts(found.members[i])}});
-    }
+    add_solutions(problem_, found, details_);
   }
 
   /// The answer is the solution of its mode, or one of them; the other modes were not tried.
@@ -74,25 +68,6 @@ class ProblemRecordWriter {
     details_["unexamined"] = others_unexamined(found);
   }
 
-  /// What is wrong with the mode that the answer claims or suggests.
-  void explain(const SmallJudgement& found) {
-    details_[answer_.mode ? "claimed" : "looks_like"] = name(problem_, found.looks_like);
-    details_["violated"] = nullptr;
-    switch (found.own->kind) {
-      case ModeOutcome::Kind::violated:
-        details_["violated"] = name(problem_, *found.own->condition);
-        details_["margin"] = exact_text(found.own->margin);
-        break;
-      case ModeOutcome::Kind::inconsistent:
-        details_["reason"] = "the mode has no solution";
-        break;
-      case ModeOutcome::Kind::solution:
-      case ModeOutcome::Kind::continuum:
-        details_["reason"] = "the mode is right, its numbers are not";
-        break;
-    }
-  }
-
   void tell_every_q() {
     Effort again(options_.effort);
     const EveryLoad found = for_every_load(problem_, again);
@@ -101,19 +76,6 @@ class ProblemRecordWriter {
 
   std::string others_unexamined(const SmallJudgement& found) const {
     return "the other modes: " + too_much_work(found.needed, options_.effort);
-  }
-
-  Json modes_json(const std::vector<ProblemMode>& modes) const {
-    Json names = Json::array();
-    for (const ProblemMode& mode : modes) names.push_back(name(problem_, mode));
-    return names;
-  }
-
-  Json to_json(const ContactSolution& s) const {
-    return {{"modes", modes_json(s.modes)},
-            {"status", s.strict ? "strict" : "boundary"},
-            {"z", exact_texts(s.z)},
-            {"w", exact_texts(s.w)}};
   }
 
   const ContactProblem& problem_;
