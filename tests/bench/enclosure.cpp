@@ -140,7 +140,7 @@ void exact_complementarity(benchmark::State& state) {
   problem.A = from_dense(n, n, A);
   problem.mu.assign(n, 0);
   for (auto _ : state) {
-    Effort effort(endless);
+    Effort effort(unlimited);
     if (!solve_lcp(problem, std::vector<bool>(n, true), effort)) state.SkipWithError("no solution");
   }
 }

@@ -273,7 +273,7 @@ LinearOptimum minimize(const AffineForm& objective, const std::vector<AffineForm
   const Work pivot = times(rows * columns, product_work(bits * std::min(rows, columns)));
   const LinearOptimum result =
       minimize(objective, constraints, static_cast<std::size_t>(std::min<Work>(effort.left() / pivot, 1U << 30U)));
-  effort.spend(result.kind == LinearOptimum::Kind::given_up ? endless : times(pivot, result.pivots));
+  effort.spend(result.kind == LinearOptimum::Kind::given_up ? unlimited : times(pivot, result.pivots));
   return result;
 }
 

@@ -87,7 +87,7 @@ bool is_true(const Expression& truth) {
   return truth->operation == Operation::truth && truth->truth;
 }
 
-Expression both(const Expression& x, const Expression& y) {
+Expression conjunction(const Expression& x, const Expression& y) {
   if (is_true(x)) return y;
   return is_true(y) ? x : make(Operation::logical_and, {x, y});
 }

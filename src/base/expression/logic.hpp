@@ -18,7 +18,7 @@ Expression closure(const Expression& truth);
 bool is_true(const Expression& truth);  ///< the word `true`
 
 /// `x and y`, where one of them may be `true`.
-Expression both(const Expression& x, const Expression& y);
+Expression conjunction(const Expression& x, const Expression& y);
 /// Joined by `and`; null for none.
 Expression all_of(const std::vector<Expression>& truths);
 /// The conjuncts of all of the conditions together: chains of comparisons link by link, anything under `or` and `not`

@@ -6,11 +6,11 @@
 namespace slipproof {
 
 Work plus(Work x, Work y) {
-  return x > endless - y ? endless : x + y;
+  return x > unlimited - y ? unlimited : x + y;
 }
 
 Work times(Work x, Work y) {
-  return y != 0 && x > endless / y ? endless : x * y;
+  return y != 0 && x > unlimited / y ? unlimited : x * y;
 }
 
 std::size_t bit_count(const Integer& x) {

@@ -13,7 +13,7 @@ namespace slipproof {
 
 /// Counted in operations on words of 64 bits, about; one or two nanoseconds each.
 using Work = std::uint64_t;
-inline constexpr Work endless = std::numeric_limits<Work>::max();
+inline constexpr Work unlimited = std::numeric_limits<Work>::max();
 
 /// A sum and a product that stay endless where they would be more.
 Work plus(Work x, Work y);

@@ -1,4 +1,5 @@
-// Small numbers: how tall a rational is, the least tall one in an interval, and how simple some together are.
+// Small numbers: the height of a rational, the rational of least height in an interval, and how simple some together
+// are.
 #pragma once
 
 #include <optional>

@@ -42,7 +42,7 @@ inline Approximate operator-(const Approximate& x) {
 inline Approximate operator+(const Approximate& x, const Approximate& y) {
   const double value = x.value + y.value, of_y = value - x.value;
   const double rounded = (x.value - (value - of_y)) + (y.value - of_y);
-  return {value, (x.error + y.error + std::fabs(rounded)) * batch_slack};
+  return {value, (x.error + y.error + std::fabs(rounded)) * bound_inflation};
 }
 inline Approximate operator-(const Approximate& x, const Approximate& y) {
   return x + -y;
@@ -51,14 +51,14 @@ inline Approximate operator*(const Approximate& x, const Approximate& y) {
   const double value = x.value * y.value, size_x = std::fabs(x.value), most_y = std::fabs(y.value) + y.error;
   const double propagated = size_x * y.error + x.error * most_y;
   const double rounded = batch_rounding * std::fabs(value) + underflow_unless_zero(size_x + x.error, most_y);
-  return {value, (propagated + rounded) * batch_slack};
+  return {value, (propagated + rounded) * bound_inflation};
 }
 inline Approximate operator/(const Approximate& x, const Approximate& y) {
   const double value = x.value / y.value, size = std::fabs(value), size_y = std::fabs(y.value);
   const double least = size_y - y.error, underflow = underflow_unless_zero(std::fabs(x.value) + x.error, 1);
   if (!(least > 0 && size_y < batch_largest_divisor)) return {value, std::numeric_limits<double>::infinity()};
   const double propagated = (x.error + size * y.error + underflow) / least;
-  return {value, (propagated + batch_rounding * size + underflow) * batch_slack};
+  return {value, (propagated + batch_rounding * size + underflow) * bound_inflation};
 }
 
 /// -1, 0 or +1; nothing where the bound leaves it open.

@@ -31,7 +31,7 @@ inline SharedRange operator-(const SharedRange& x) {
 }
 inline SharedRange operator+(const SharedRange& x, const SharedRange& y) {
   SharedRange sum{x.lower + y.lower, x.upper + y.upper, 0};
-  sum.error = (x.error + y.error + batch_rounding * sum.size()) * batch_slack;
+  sum.error = (x.error + y.error + batch_rounding * sum.size()) * bound_inflation;
   return sum;
 }
 inline SharedRange operator-(const SharedRange& x, const SharedRange& y) {
@@ -43,7 +43,7 @@ inline SharedRange operator*(const SharedRange& x, const SharedRange& y) {
   const double size_x = x.size(), size_y = y.size(), most_x = size_x + x.error, most_y = size_y + y.error;
   const double propagated = size_x * y.error + x.error * most_y;
   const double rounded = batch_rounding * product.size() + (most_x > 0 && most_y > 0 ? batch_underflow : 0);
-  product.error = (propagated + rounded) * batch_slack;
+  product.error = (propagated + rounded) * bound_inflation;
   return product;
 }
 inline SharedRange operator/(const SharedRange& x, const SharedRange& y) {
@@ -54,7 +54,7 @@ inline SharedRange operator/(const SharedRange& x, const SharedRange& y) {
   SharedRange quotient{lower, upper, 0};
   const double underflow = x.size() + x.error > 0 ? batch_underflow : 0;
   const double propagated = (x.error + quotient.size() * y.error + underflow) / least;
-  quotient.error = (propagated + batch_rounding * quotient.size() + underflow) * batch_slack;
+  quotient.error = (propagated + batch_rounding * quotient.size() + underflow) * bound_inflation;
   return quotient;
 }
 

@@ -19,7 +19,8 @@ Expression not_given(const Expression& shown, const std::vector<Expression>& giv
   const std::vector<Expression> known = conjuncts(given);
   Expression rest = make_truth(true);
   for (const Expression& e : conjuncts({shown})) {
-    if (std::none_of(known.begin(), known.end(), [&](const Expression& k) { return same(k, e); })) rest = both(rest, e);
+    if (std::none_of(known.begin(), known.end(), [&](const Expression& k) { return same(k, e); }))
+      rest = conjunction(rest, e);
   }
   return rest;
 }

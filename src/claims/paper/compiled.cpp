@@ -13,18 +13,18 @@ namespace {
 
 Expression scene_condition(const Setting::PointConditions& conditions) {
   Expression all = make_truth(true);
-  for (const Expression& e : conditions.truths) all = both(all, e);
-  for (const Expression& e : conditions.defined) all = both(all, make_comparison({e, e}, {Relation::equal}));
+  for (const Expression& e : conditions.truths) all = conjunction(all, e);
+  for (const Expression& e : conditions.defined) all = conjunction(all, make_comparison({e, e}, {Relation::equal}));
   return all;
 }
 
 /// A load that is not linear as written has no point.
 Expression point_condition(const Setting& setting, const Setting::PointConditions& conditions) {
   Expression all = make_truth(!setting.mechanism->load || conditions.slope != nullptr);
-  for (const Parameter& parameter : setting.parameters) all = both(all, parameter.domain);
-  all = both(all, scene_condition(conditions));
+  for (const Parameter& parameter : setting.parameters) all = conjunction(all, parameter.domain);
+  all = conjunction(all, scene_condition(conditions));
   if (!conditions.slope) return all;
-  return both(all, make_comparison({conditions.slope, make_number(0)}, {Relation::not_equal}));
+  return conjunction(all, make_comparison({conditions.slope, make_number(0)}, {Relation::not_equal}));
 }
 
 /// What the parameter must be equal to; null if its domain allows more than one constant.

@@ -63,7 +63,7 @@ class SceneReader {
     refuse_open_without_lift();
     if (const auto& load = setting_.mechanism->load) {
       for (const PlacedExpression& bound : load->domain) {
-        setting_.force.domain = both(setting_.force.domain, setting_.in_paper(bound.expression));
+        setting_.force.domain = conjunction(setting_.force.domain, setting_.in_paper(bound.expression));
       }
     }
   }

@@ -122,14 +122,14 @@ std::unique_ptr<SolvedSample> SolvedSample::under(const CompiledSetting& other) 
 
 const std::vector<LoadCell>& SolvedSample::cells(const std::vector<MechanismMode>& named) {
   if (!cells_ || (!motions().all_tried() && named != named_)) {
-    cells_ = std::make_shared<const std::vector<LoadCell>>(cells_told(Told::modes, named));
+    cells_ = std::make_shared<const std::vector<LoadCell>>(cells_in_detail(Detail::modes, named));
     named_ = named;
   }
   return *cells_;
 }
 
-std::vector<LoadCell> SolvedSample::cells_told(Told told, const std::vector<MechanismMode>& named) {
-  std::vector<LoadCell> cells = motions().cells(told, named);
+std::vector<LoadCell> SolvedSample::cells_in_detail(Detail detail, const std::vector<MechanismMode>& named) {
+  std::vector<LoadCell> cells = motions().cells(detail, named);
   const bool same = load_ == Affine<Rational>(0, 1);
   for (LoadCell& cell : cells) {
     if (same) break;

@@ -44,7 +44,7 @@ class SolvedSample {
   /// have. Made at the first call, and, where not all modes are tried, whenever other modes are named.
   const std::vector<LoadCell>& cells(const std::vector<MechanismMode>& named = {});
   /// The same with the motions' numbers; made anew at each call.
-  std::vector<LoadCell> cells_with_numbers() { return cells_told(Told::numbers, {}); }
+  std::vector<LoadCell> cells_with_numbers() { return cells_in_detail(Detail::numbers, {}); }
   /// The equations that hold in every mode without an open contact; for a mode, also the equations of its states.
   LinearRows equations(const std::optional<MechanismMode>& mode);
   /// The domain of the force variable.
@@ -79,7 +79,7 @@ class SolvedSample {
   SolvedSample(const CompiledSetting& setting, std::vector<Rational> values);
   bool read_scene();
   bool read_load();
-  std::vector<LoadCell> cells_told(Told told, const std::vector<MechanismMode>& named);
+  std::vector<LoadCell> cells_in_detail(Detail detail, const std::vector<MechanismMode>& named);
   void put_in_variable(MotionOverLoads& motion) const;
 
   const CompiledSetting* setting_;

@@ -257,7 +257,7 @@ Expression ClaimWriter::in_one_of(const References& others, bool stated) const {
   Expression result;
   for (const std::size_t other : others) {
     const ClaimBody& its = body(other);
-    const Expression here = stated ? both(its.region, its.forces) : its.region;
+    const Expression here = stated ? conjunction(its.region, its.forces) : its.region;
     result = result ? make(Operation::logical_or, {result, here}) : here;
   }
   return result;

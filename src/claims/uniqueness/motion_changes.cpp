@@ -58,7 +58,7 @@ void add_change(std::vector<MotionChange>& changes, MotionChange change) {
 
 std::vector<MotionChange> along_load(const MechanismScene& scene, const Rational& from, const Rational& to) {
   const auto solved = motions_over_loads(without_equations(friction_problem(scene.mechanism, scene.values)));
-  const std::vector<LoadCell> cells = solved->cells(Told::modes);
+  const std::vector<LoadCell> cells = solved->cells(Detail::modes);
   std::vector<MotionChange> changes;
   for (std::size_t i = 1; i + 1 < cells.size(); ++i) {
     const auto point = cells[i].loads.lower();

@@ -47,7 +47,7 @@ Setting setting_along(const MechanismScene& scene, const std::string& parameter)
     setting.force.symbol = load->symbol;
     setting.scene.emplace(load->symbol, make_symbol(load->symbol));
     for (const PlacedExpression& bound : load->domain) {
-      setting.force.domain = both(setting.force.domain, setting.in_paper(bound.expression));
+      setting.force.domain = conjunction(setting.force.domain, setting.in_paper(bound.expression));
     }
   }
   return setting;

@@ -40,13 +40,13 @@ class EnclosureSearch {
 
   std::variant<Enclosure, NoEnclosure> run(std::span<const double> answer) {
     std::vector<double> x(answer.begin(), answer.end());
-    enter(looks_like(problem_, x, scales_), x);
+    enter(guess_mode(problem_, x, scales_), x);
     for (int attempt = 0; attempt < options_.modes; ++attempt) {
       if (auto failure = prepare()) return std::move(*failure);
       const bool converged = improve();
       if (!all_finite(z_)) return NoEnclosure{"Newton's method runs away from the answer", {}};
       x = system_->x_at(z_);
-      ConeMode next = looks_like(problem_, x, scales_);
+      ConeMode next = guess_mode(problem_, x, scales_);
       if (next != system_->mode()) {
         enter(std::move(next), x);
       } else if (converged) {
@@ -59,7 +59,7 @@ class EnclosureSearch {
   /// In the mode in which these contacts touch.
   std::optional<Enclosure> run_touching(std::span<const double> answer, std::span<const std::size_t> contacts) {
     std::vector<double> x(answer.begin(), answer.end());
-    ConeMode mode = looks_like(problem_, x, scales_);
+    ConeMode mode = guess_mode(problem_, x, scales_);
     for (const std::size_t k : contacts) mode[k] = ConeState::touch;
     enter(std::move(mode), std::move(x));
     if (prepare() || !improve() || !all_finite(z_)) return std::nullopt;

@@ -49,7 +49,7 @@ double before_projection(const MixedProblem& problem, std::span<const double> x,
   return x[row] - approximate_row(problem, row, x) / scale;
 }
 
-ConeMode looks_like(const MixedProblem& problem, std::span<const double> x, std::span<const double> scales) {
+ConeMode guess_mode(const MixedProblem& problem, std::span<const double> x, std::span<const double> scales) {
   ConeMode mode;
   const bool box = problem.law.kind == FrictionLaw::box;
   for (std::size_t k = 0; k < problem.contacts(); ++k) {

@@ -43,7 +43,7 @@ double before_projection(const MixedProblem& problem, std::span<const double> x,
                          double scale);
 
 /// One that `x` looks like, by where the projection of r - u / scale onto the cone falls.
-ConeMode looks_like(const MixedProblem& problem, std::span<const double> x, std::span<const double> scales);
+ConeMode guess_mode(const MixedProblem& problem, std::span<const double> x, std::span<const double> scales);
 
 /// The problem must outlive it. Unknowns and equations as src/proofs/check_contact/FORMAT.md orders them. With z for
 /// the unknowns:

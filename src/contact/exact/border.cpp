@@ -141,7 +141,7 @@ class ExactCheck {
 class Border {
  public:
   Border(const MixedProblem& problem, std::span<const double> x)
-      : problem_(problem), x_(x), scales_(contact_scales(problem)), looks_like_(looks_like(problem, x, scales_)) {
+      : problem_(problem), x_(x), scales_(contact_scales(problem)), looks_like_(guess_mode(problem, x, scales_)) {
     for (std::size_t k = 0; k < problem.contacts(); ++k) {
       std::vector<double> u;
       for (std::size_t i = problem.normal(k); i < problem.normal(k) + problem.dimension; ++i) {

@@ -50,8 +50,8 @@ class PlanarWriter {
     for (std::size_t i = 1; i < scene_.bodies.size(); ++i) bodies += body(i);
     for (const Joint& one : scene_.joints) held += joint(one);
     const std::string touching = contacts();
-    result_.told = scene_.told;
-    result_.told.insert(result_.told.end(), told_.begin(), told_.end());
+    result_.import_notes = scene_.import_notes;
+    result_.import_notes.insert(result_.import_notes.end(), told_.begin(), told_.end());
     result_.plane = view_.name;
     result_.text = head() + bodies + held + touching;
     return std::move(result_);
@@ -62,7 +62,7 @@ class PlanarWriter {
     std::string text;
     text += fmt::format("# {} {} in its plane {}. What was left out, moved, turned or assumed:\n", scene_.format,
                         scene_.name, view_.name);
-    for (const std::string& one : result_.told) text += "# - " + one + "\n";
+    for (const std::string& one : result_.import_notes) text += "# - " + one + "\n";
     text += "schema = \"slipproof/mechanism/1\"\n";
     text += "name = " + toml_string(scene_.name.empty() ? scene_.format : scene_.name) + "\n";
     const Point gravity = view_(*scene_.gravity);

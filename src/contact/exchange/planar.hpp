@@ -13,8 +13,8 @@ struct PlanarOptions : TouchOptions {
 };
 
 struct PlanarMechanism {
-  std::string text;               ///< of the mechanism's file
-  std::vector<std::string> told;  ///< what was left out, moved, turned or assumed
+  std::string text;                       ///< of the mechanism's file
+  std::vector<std::string> import_notes;  ///< what was left out, moved, turned or assumed
   std::string plane;
   std::size_t contacts = 0;
 };

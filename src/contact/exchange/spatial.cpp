@@ -22,12 +22,12 @@ class SpatialBuilder {
     result_.problem.H.resize(size);
     result_.problem.G.resize(size);
     for (std::size_t i = 1; i < scene_.bodies.size(); ++i) add_body(i);
-    std::vector<std::string> told;
-    const auto contacts = spatial_contacts(scene_, options_.touch, mistakes_, told);
-    for (const SpatialContact& contact : contacts) add_contact(contact, told);
+    std::vector<std::string> import_notes;
+    const auto contacts = spatial_contacts(scene_, options_.touch, mistakes_, import_notes);
+    for (const SpatialContact& contact : contacts) add_contact(contact, import_notes);
     for (const Joint& joint : scene_.joints) add_joint(joint);
-    result_.told = scene_.told;
-    result_.told.insert(result_.told.end(), told.begin(), told.end());
+    result_.import_notes = scene_.import_notes;
+    result_.import_notes.insert(result_.import_notes.end(), import_notes.begin(), import_notes.end());
     return std::move(result_);
   }
 
@@ -59,7 +59,7 @@ class SpatialBuilder {
     }
   }
 
-  void add_contact(const SpatialContact& c, std::vector<std::string>& told) {
+  void add_contact(const SpatialContact& c, std::vector<std::string>& import_notes) {
     GlobalProblem& p = result_.problem;
     const auto [first, second] = tangents(c.normal);
     for (const Vector& direction : {c.normal, first, second}) {
@@ -69,7 +69,7 @@ class SpatialBuilder {
     p.mu.push_back(friction_at(scene_, *c.shape_on, *c.shape_of, options_, mistakes_));
     p.contacts.push_back(names_(c.shape_of->name + "_on_" + c.shape_on->name));
     if (!c.distance.is_zero()) {
-      told.push_back(p.contacts.back() + ": " + distance_in_words(c.distance) + ", moved to touch");
+      import_notes.push_back(p.contacts.back() + ": " + distance_in_words(c.distance) + ", moved to touch");
     }
   }
 

@@ -10,8 +10,8 @@
 namespace slipproof::imported {
 
 struct SpatialProblem {
-  GlobalProblem problem;          ///< v: three accelerations of each body's centre of mass, then three of its turning
-  std::vector<std::string> told;  ///< what was left out, moved, turned or assumed
+  GlobalProblem problem;  ///< v: three accelerations of each body's centre of mass, then three of its turning
+  std::vector<std::string> import_notes;  ///< what was left out, moved, turned or assumed
 };
 
 /// Contacts are points: the corners of a box on a plane, those of the polygon in which two faces meet, the lowest

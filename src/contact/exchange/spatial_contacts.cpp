@@ -11,11 +11,11 @@ struct Face {
   Vector centre, normal;
   std::array<Vector, 2> along;
   std::array<Rational, 2> half;
-  bool endless = false;
+  bool unlimited = false;
 
   Rational distance(const Vector& p) const { return dot(p - centre, normal); }
   bool holds(const Vector& p, const Rational& touch) const {
-    if (endless) return true;
+    if (unlimited) return true;
     for (std::size_t i = 0; i < 2; ++i) {
       if (abs(dot(p - centre, along[i])) > half[i] + touch) return false;
     }
@@ -54,7 +54,7 @@ std::vector<Vector> corners(const Shape& box) {
 
 /// The part of a polygon within a face's bounds.
 std::vector<Vector> clipped(std::vector<Vector> polygon, const Face& face) {
-  if (face.endless) return polygon;
+  if (face.unlimited) return polygon;
   for (std::size_t i = 0; i < 2; ++i) {
     for (const int side : {1, -1}) {
       const auto inside = [&](const Vector& p) -> Rational {
@@ -75,8 +75,8 @@ std::vector<Vector> clipped(std::vector<Vector> polygon, const Face& face) {
 
 class ShapeContacts {
  public:
-  ShapeContacts(const Scene& scene, const Rational& touch, Mistakes& mistakes, std::vector<std::string>& told)
-      : scene_(scene), touch_(touch), mistakes_(mistakes), told_(told) {}
+  ShapeContacts(const Scene& scene, const Rational& touch, Mistakes& mistakes, std::vector<std::string>& import_notes)
+      : scene_(scene), touch_(touch), mistakes_(mistakes), told_(import_notes) {}
 
   std::vector<SpatialContact> find() {
     for_each_pair(scene_, [&](std::size_t i, const Shape& a, std::size_t j, const Shape& b) { pair(i, a, j, b); });
@@ -231,8 +231,8 @@ class ShapeContacts {
 }  // namespace
 
 std::vector<SpatialContact> spatial_contacts(const Scene& scene, const Rational& touch, Mistakes& mistakes,
-                                             std::vector<std::string>& told) {
-  return ShapeContacts(scene, touch, mistakes, told).find();
+                                             std::vector<std::string>& import_notes) {
+  return ShapeContacts(scene, touch, mistakes, import_notes).find();
 }
 
 std::array<Vector, 2> tangents(const Vector& n) {

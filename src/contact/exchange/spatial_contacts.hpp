@@ -17,7 +17,7 @@ struct SpatialContact {
 /// All of them; mistakes where shapes are inside each other or touch in a way that is not read; sentences about what
 /// was taken for a touch.
 std::vector<SpatialContact> spatial_contacts(const Scene& scene, const Rational& touch, Mistakes& mistakes,
-                                             std::vector<std::string>& told);
+                                             std::vector<std::string>& import_notes);
 
 /// Two directions of length 1 across a normal and each other.
 std::array<Vector, 2> tangents(const Vector& normal);

@@ -9,7 +9,7 @@ void complete(Scene& scene, const TouchOptions& options) {
     scene.gravity = Vector{0, 0, -*options.gravity};
   } else if (!scene.gravity) {
     scene.gravity = Vector{0, 0, Rational(-981, 100)};
-    scene.told.push_back(scene.format + " has no gravity: 9.81 along -z is taken (--gravity says another)");
+    scene.import_notes.push_back(scene.format + " has no gravity: 9.81 along -z is taken (--gravity says another)");
   }
   if (!options.ground) return;
   Shape plane;

@@ -27,7 +27,7 @@ void add_ground_plane(Scene& scene) {
   plane.mu = Rational(50);
   plane.greater_mu = Rational(100);
   scene.bodies[0].shapes.push_back(std::move(plane));
-  scene.told.emplace_back("Gazebo's ground_plane is the plane at height 0 with the coefficients 100 and 50");
+  scene.import_notes.emplace_back("Gazebo's ground_plane is the plane at height 0 with the coefficients 100 and 50");
 }
 
 }  // namespace slipproof::imported

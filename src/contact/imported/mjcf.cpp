@@ -86,9 +86,10 @@ class MjcfReader {
       add_shape(i);
       margin = margin || m_.geom_margin[i] > m_.geom_gap[i];
     }
-    if (margin) scene_.told.emplace_back("a margin, within which MuJoCo's contacts push softly from afar, is left out");
-    scene_.told.emplace_back("MuJoCo computed lengths, masses and inertias; 15 digits of each are taken");
-    scene_.told.emplace_back("MuJoCo's contacts are soft, those of the scene hard");
+    if (margin)
+      scene_.import_notes.emplace_back("a margin, within which MuJoCo's contacts push softly from afar, is left out");
+    scene_.import_notes.emplace_back("MuJoCo computed lengths, masses and inertias; 15 digits of each are taken");
+    scene_.import_notes.emplace_back("MuJoCo's contacts are soft, those of the scene hard");
   }
 
  private:
@@ -135,7 +136,7 @@ class MjcfReader {
         check_joint(j, name_of(mjOBJ_JOINT, j, whole.name));
       }
       if (slides == 2 && hinges == 1) {
-        scene_.told.push_back(whole.name + " slides along two axes and turns: it is free in their plane");
+        scene_.import_notes.push_back(whole.name + " slides along two axes and turns: it is free in their plane");
         return;
       }
     }
@@ -157,7 +158,7 @@ class MjcfReader {
     if (at <= m_.jnt_range[2 * j] || at >= m_.jnt_range[2 * j + 1]) {
       mistakes_.add(place, name + ": found it at a limit, or beyond: a stop is not read");
     } else {
-      scene_.told.push_back(name + ": its limits, which are not reached here, are left out");
+      scene_.import_notes.push_back(name + ": its limits, which are not reached here, are left out");
     }
   }
 
@@ -231,7 +232,7 @@ void read_mjcf(TaggedFile& file, Scene& scene, Mistakes& mistakes) {
   scene.name = file.root().attribute("model").value();
   scene.rule = FrictionRule::greatest;
   check_actuators(file, mistakes);
-  scene.told = file.check(tags, mistakes);
+  scene.import_notes = file.check(tags, mistakes);
   check_attributes(file, file.root(), mistakes);
   if (!mistakes.empty()) return;
   std::string message;

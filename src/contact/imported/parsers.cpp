@@ -15,7 +15,8 @@ Turn turn_of(const std::array<double, 4>& quaternion, const std::string& whose, 
   if (found.error > 0) {
     const std::string sentence =
         fmt::format("{}: its turn is not rational; one that is {:.1g} rad away is taken", whose, found.error);
-    if (std::ranges::find(scene.told, sentence) == scene.told.end()) scene.told.push_back(sentence);
+    if (std::ranges::find(scene.import_notes, sentence) == scene.import_notes.end())
+      scene.import_notes.push_back(sentence);
   }
   return found.turn;
 }

@@ -48,7 +48,7 @@ void join_fixed(Scene& scene, Mistakes& mistakes) {
     } else {
       number[i] = number[find(i)];
       add_to(whole[number[i]], scene.bodies[i], number[i] == 0);
-      scene.told.push_back(scene.bodies[i].name + " is fixed to " + whole[number[i]].name + ": one body");
+      scene.import_notes.push_back(scene.bodies[i].name + " is fixed to " + whole[number[i]].name + ": one body");
     }
   }
   scene.bodies = std::move(whole);

@@ -62,7 +62,7 @@ struct Scene {
   std::vector<Body> bodies = the_ground();  ///< the first is what does not move
   std::vector<Joint> joints;
   FrictionRule rule = FrictionRule::none;
-  std::vector<std::string> told;  ///< sentences about what was left out, moved or turned
+  std::vector<std::string> import_notes;  ///< sentences about what was left out, moved or turned
 };
 
 /// Makes one body of those that are held fixed to each other, and of those fixed to the ground the ground. Bodies that

@@ -107,7 +107,7 @@ class SdfReader {
     } else if (root.Model() != nullptr) {
       scene_.name = root.Model()->Name();
       scene_.gravity = Vector{0, 0, Rational(-98) / 10};
-      scene_.told.push_back("a model without a world: gravity is SDF's own, 9.8 along -z");
+      scene_.import_notes.push_back("a model without a world: gravity is SDF's own, 9.8 along -z");
       read(*root.Model());
     } else {
       mistakes_.add(file_.place(file_.root()), "found neither a world nor a model, expected one");
@@ -170,7 +170,7 @@ class SdfReader {
         {written(m.Ixx()), written(m.Iyy()), written(m.Izz()), written(m.Ixy()), written(m.Ixz()), written(m.Iyz())},
         centre.turn);
     if (!link.Element()->HasElement("inertial") && !model_->Static()) {
-      scene_.told.push_back(body.name + " has no inertia of its own: SDF's is 1 kg and 1 kg m^2");
+      scene_.import_notes.push_back(body.name + " has no inertia of its own: SDF's is 1 kg and 1 kg m^2");
     }
     for (std::uint64_t i = 0; i < link.CollisionCount(); ++i) add_shape(body, *link.CollisionByIndex(i), pose);
     if (link.Element()->HasElement("gravity") && !link.Element()->Get<bool>("gravity")) {
@@ -275,7 +275,7 @@ class SdfReader {
       if (axis->Lower() >= 0 || axis->Upper() <= 0) {
         mistakes_.add(result.place, result.name + ": found it at a limit, or beyond: a stop is not read");
       } else if (axis->Lower() > -1e15 || axis->Upper() < 1e15) {
-        scene_.told.push_back(result.name + ": its limits, which are not reached here, are left out");
+        scene_.import_notes.push_back(result.name + ": its limits, which are not reached here, are left out");
       }
     }
     scene_.joints.push_back(std::move(result));
@@ -295,7 +295,7 @@ void read_sdf(TaggedFile& file, Scene& scene, Mistakes& mistakes) {
   scene.format = "SDF";
   scene.rule = FrictionRule::least;
   const bool has_ground_plane = take_known_includes(file, mistakes);
-  scene.told = file.check(tags, mistakes);
+  scene.import_notes = file.check(tags, mistakes);
   if (has_ground_plane) add_ground_plane(scene);
   const std::string_view version = file.root().attribute("version").value();
   if (version.size() != 3 || version.substr(0, 2) != "1." || version > sdf::SDF::Version()) {

@@ -33,12 +33,12 @@ TaggedFile::TaggedFile(std::string text, std::string file) : text_(std::move(tex
 
 std::vector<std::string> TaggedFile::check(const Tags& tags, Mistakes& mistakes) {
   check(root(), tags, mistakes);
-  std::vector<std::string> told;
+  std::vector<std::string> import_notes;
   for (const auto& [tag, lines] : left_out_) {
-    told.push_back("left out: " + tag + " (line" + (lines.size() == 1 ? " " : "s ") +
-                   listed(lines, [](std::size_t line) { return std::to_string(line); }) + ")");
+    import_notes.push_back("left out: " + tag + " (line" + (lines.size() == 1 ? " " : "s ") +
+                           listed(lines, [](std::size_t line) { return std::to_string(line); }) + ")");
   }
-  return told;
+  return import_notes;
 }
 
 void TaggedFile::check(pugi::xml_node node, const Tags& tags, Mistakes& mistakes) {

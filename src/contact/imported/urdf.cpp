@@ -52,7 +52,7 @@ class UrdfReader {
     if (root->name == "world") {
       scene_.joints.push_back({Joint::Kind::fixed, "world", 0, 1, {}, {}, 0, {}});
     } else {
-      scene_.told.push_back(root->name + ", the first link, is held by nothing: call it `world` to fix it");
+      scene_.import_notes.push_back(root->name + ", the first link, is held by nothing: call it `world` to fix it");
     }
   }
 
@@ -137,7 +137,7 @@ class UrdfReader {
                                                "prismatic, fixed or floating");
     }
     if (joint.limits && joint.type != urdf::Joint::FIXED && joint.limits->lower != joint.limits->upper) {
-      scene_.told.push_back(joint.name + ": its limits, which are not reached here, are left out");
+      scene_.import_notes.push_back(joint.name + ": its limits, which are not reached here, are left out");
       if (joint.limits->lower >= 0 || joint.limits->upper <= 0) {
         mistakes_.add(result.place, joint.name + ": found it at a limit, or beyond: a stop is not read");
       }
@@ -154,7 +154,7 @@ class UrdfReader {
 
 void read_urdf(TaggedFile& file, Scene& scene, Mistakes& mistakes) {
   scene.format = "URDF";
-  scene.told = file.check(tags, mistakes);
+  scene.import_notes = file.check(tags, mistakes);
   if (!mistakes.empty()) return;
   const Console console;
   const urdf::ModelInterfaceSharedPtr robot = urdf::parseURDF(file.rest());

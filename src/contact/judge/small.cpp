@@ -96,7 +96,7 @@ class SmallJudge {
     std::optional<ContactSolutions> all;
     if (few) all = solver_.all(effort_);
     if (all) return all;
-    if (auto only = solver_.only(result_.looks_like, effort_)) {
+    if (auto only = solver_.unique_solution(result_.looks_like, effort_)) {
       result_.unique_by = EveryLoad::Reason::definite;
       all.emplace();
       all->solutions.push_back(std::move(*only));
@@ -175,7 +175,7 @@ class SmallJudge {
   /// Judges the answer by its own mode.
   void judge_alone() {
     const Work needed = solver_.work_of_all();  // continua take more
-    result_.needed = needed > allowed_ ? needed : endless;
+    result_.needed = needed > allowed_ ? needed : unlimited;
     result_.own = solver_.solve(result_.looks_like, effort_);
     result_.verdict = answer_.mode ? ContactVerdict::wrong : ContactVerdict::undecided;
     const std::optional<ContactContinuum>& continuum = result_.own->continuum;

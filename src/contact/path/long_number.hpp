@@ -14,13 +14,13 @@ inline Rational power_of_two(int exponent) {
 }
 
 /// x 2^digits without what is behind its point.
-inline Integer whole(const Rational& x, int digits) {
+inline Integer scaled_truncation(const Rational& x, int digits) {
   const Rational scaled = x * power_of_two(digits);
   return numerator(scaled) / denominator(scaled);
 }
 
 /// The nearest number of 106 bits, or one beside it.
-inline DoubleDouble long_number(const Rational& x) {
+inline DoubleDouble to_double_double(const Rational& x) {
   const double high = nearest_binary64(x);
   return DoubleDouble::fast_sum(high, nearest_binary64(x - to_rational(high)));
 }

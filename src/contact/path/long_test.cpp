@@ -56,7 +56,8 @@ struct ScaledDerivative {
   LongMatrix matrix() const {
     LongMatrix J = LongMatrix::Zero(static_cast<Index>(rows.size()), static_cast<Index>(columns.size()));
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      for (const auto& [j, value] : entries[i]) J(static_cast<Index>(i), static_cast<Index>(j)) = long_number(value);
+      for (const auto& [j, value] : entries[i])
+        J(static_cast<Index>(i), static_cast<Index>(j)) = to_double_double(value);
     }
     return J;
   }
@@ -136,7 +137,7 @@ bool LongTest::invert() {
   inverse_.assign(n_, std::vector<Integer>(n_));
   for (std::size_t j = 0; j < n_; ++j) {
     for (std::size_t i = 0; i < n_; ++i) {
-      inverse_[j][i] = whole(exact_number(R(static_cast<Index>(j), static_cast<Index>(i))), digits_);
+      inverse_[j][i] = scaled_truncation(exact_number(R(static_cast<Index>(j), static_cast<Index>(i))), digits_);
     }
   }
   return true;
@@ -148,19 +149,19 @@ bool LongTest::improve() {
   for (int step = 0; step < 6; ++step) {
     if (step < 2 && !invert()) return false;
     LongVector F(static_cast<Index>(n_));
-    for (std::size_t i = 0; i < n_; ++i) F[static_cast<Index>(i)] = long_number(scaled_value(i));
+    for (std::size_t i = 0; i < n_; ++i) F[static_cast<Index>(i)] = to_double_double(scaled_value(i));
     double largest = 0;
     for (std::size_t j = 0; j < n_; ++j) {
       DoubleDouble d = 0;
       for (std::size_t i = 0; i < n_; ++i) {
-        d += long_number(Rational(inverse_[j][i]) * power_of_two(-digits_)) * F[static_cast<Index>(i)];
+        d += to_double_double(Rational(inverse_[j][i]) * power_of_two(-digits_)) * F[static_cast<Index>(i)];
       }
       if (!std::isfinite(d.high)) return false;
       Rational& z = z_[block_.unknowns[j]];
       z -= exact_number(d) * power_of_two(columns_[j]);
       const double size = std::abs(nearest_binary64(z));
       const int digits = 190 + exponent_to_one(size);
-      z = Rational(whole(z, digits)) * power_of_two(-digits);
+      z = Rational(scaled_truncation(z, digits)) * power_of_two(-digits);
       if (size > 0) largest = std::max(largest, std::abs(std::ldexp(d.high, columns_[j])) / size);
     }
     if (largest < 1e-45 || largest > 0.1 * last) break;
@@ -184,7 +185,7 @@ LongTest::Derivative LongTest::derivative() const {
   for (const auto& row : J.entries) {
     result.entries.emplace_back();
     for (const auto& [k, value] : row) {
-      result.entries.back().emplace_back(k, whole(value, static_cast<int>(result.digits)));
+      result.entries.back().emplace_back(k, scaled_truncation(value, static_cast<int>(result.digits)));
     }
   }
   return result;

@@ -47,8 +47,8 @@ PathPoint::PathPoint(const MixedProblem& problem, std::span<const double> x, uns
     std::fill_n(a_.begin() + static_cast<std::ptrdiff_t>(n), d, regularisation);
     std::vector<DoubleDouble> r, u;
     for (std::size_t i = 0; i < d; ++i) {
-      r.push_back(long_number(fit.contacts[k].r[i]));
-      u.push_back(long_number(fit.contacts[k].u[i]));
+      r.push_back(to_double_double(fit.contacts[k].r[i]));
+      u.push_back(to_double_double(fit.contacts[k].u[i]));
     }
     if (fit.contacts[k].fit == ContactFit::open || r[0].high <= 1e-13 * force_) {
       motion[n] = u[0].high > least ? u[0] : DoubleDouble(least);

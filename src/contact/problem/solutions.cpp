@@ -21,16 +21,17 @@ ContactSolver::ContactSolver(const ContactProblem& problem)
     : problem_(problem), kernel_problem_(friction_problem(problem)), kernel_(kernel_problem_, std::nullopt) {}
 
 Work ContactSolver::modes() const {
-  return problem_.size() < 63 ? Work{1} << problem_.size() : endless;  // 4 for two components with friction, 2 for one
+  return problem_.size() < 63 ? Work{1} << problem_.size()
+                              : unlimited;  // 4 for two components with friction, 2 for one
 }
 
 Work ContactSolver::work_of_all() const {
   const std::size_t n = problem_.size();
-  if (modes() == endless) return endless;
+  if (modes() == unlimited) return unlimited;
   Work work = 0, chosen = 1;  // k of n components: so many modes leave k open, with friction as without
   for (std::size_t k = 0; k <= n; ++k) {
     work = plus(work, times(chosen, kernel_.work_of(k)));
-    if (chosen > endless / 64) return endless;
+    if (chosen > unlimited / 64) return unlimited;
     chosen = chosen * (n - k) / (k + 1);
   }
   return work;
@@ -104,7 +105,7 @@ ContactSolutions ContactSolver::try_all(Effort& effort) const {
   return found;
 }
 
-std::optional<ContactSolution> ContactSolver::only(ProblemMode mode, Effort& effort) const {
+std::optional<ContactSolution> ContactSolver::unique_solution(ProblemMode mode, Effort& effort) const {
   // As integers with one denominator the entries may be longer than those of a row.
   const Work definite = times(kernel_.work_of(problem_.size()), 4);
   if (problem_.frictional() || !effort.allows(definite) || !positive_definite(problem_.W)) return std::nullopt;
@@ -125,7 +126,7 @@ std::optional<ContactSolution> ContactSolver::only(ProblemMode mode, Effort& eff
   }
 }
 
-std::optional<ContactSolution> ContactSolver::only(ProblemMode start) const {
+std::optional<ContactSolution> ContactSolver::unique_solution(ProblemMode start) const {
   Effort effort(usual_effort);
   return only(std::move(start), effort);
 }

@@ -70,8 +70,8 @@ class ContactSolver {
   std::optional<ContactSolutions> all() const;
   /// The one solution of an LCP whose matrix is positive definite (its symmetric part, as W need not be symmetric),
   /// by least-index principal pivoting from a mode. Nothing if it is not, or beyond the effort.
-  std::optional<ContactSolution> only(ProblemMode start, Effort& effort) const;
-  std::optional<ContactSolution> only(ProblemMode start) const;
+  std::optional<ContactSolution> unique_solution(ProblemMode start, Effort& effort) const;
+  std::optional<ContactSolution> unique_solution(ProblemMode start) const;
 
   /// The number of modes; endless if it is more than that.
   Work modes() const;

@@ -18,7 +18,7 @@ namespace slipproof::cli {
 
 /// Exit codes of the program.
 enum Exit : int {
-  as_it_should_be = 0,
+  success = 0,
   refuted_or_not_certified = 1,
   usage = 2,
   bad_input = 3,
@@ -30,7 +30,7 @@ enum Exit : int {
 
 /// The meaning of each exit code, for the help.
 inline constexpr std::array<std::pair<Exit, std::string_view>, 8> exit_codes{{
-    {as_it_should_be, "all as it should be"},
+    {success, "success"},
     {refuted_or_not_certified, "refuted, or not certified"},
     {usage, "wrong usage"},
     {bad_input, "bad input: all mistakes are reported, with file, line and column"},

@@ -80,7 +80,7 @@ int run_command(int argc, char** argv) {
   app.set_version_flag("--version", "slipproof " SLIPPROOF_VERSION);
   app.require_subcommand(1);
   app.footer(exit_codes_text());
-  int exit_code = as_it_should_be;
+  int exit_code = success;
   add_solve(app, exit_code);
   add_show(app, exit_code);
   add_expect(app, exit_code);
@@ -105,7 +105,7 @@ int run_command(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     std::ostringstream out;
-    exit_code = app.exit(error, out) == 0 ? as_it_should_be : usage;
+    exit_code = app.exit(error, out) == 0 ? success : usage;
     print(out.str());
   }
   return exit_code;

@@ -18,7 +18,7 @@ struct FreeInterval {
   alignas(sizeof(Lanes)) Lanes highest = Lanes{} + HUGE_VAL;
 
   void cut(const RunningError& root, const LaneBits& from_below, const LaneBits& from_above) {
-    const Lanes margin = (root.error + batch_rounding * absolute(root.value)) * batch_slack;
+    const Lanes margin = (root.error + batch_rounding * absolute(root.value)) * bound_inflation;
     const Lanes low = root.value - margin, high = root.value + margin;
     lower = chosen(from_below & (root.value > lower), root.value, lower);
     lowest = chosen(from_below & (low > lowest), low, lowest);

@@ -49,7 +49,7 @@ inline RunningError operator-(const RunningError& x) {
 }
 inline RunningError operator+(const RunningError& x, const RunningError& y) {
   const Lanes value = x.value + y.value;
-  return {value, (x.error + y.error + batch_rounding * absolute(value)) * batch_slack};
+  return {value, (x.error + y.error + batch_rounding * absolute(value)) * bound_inflation};
 }
 inline RunningError operator-(const RunningError& x, const RunningError& y) {
   return x + -y;
@@ -59,14 +59,14 @@ inline RunningError operator*(const RunningError& x, const RunningError& y) {
   const Lanes most_x = size_x + x.error, most_y = size_y + y.error;
   const Lanes propagated = size_x * y.error + x.error * most_y;
   const Lanes rounded = batch_rounding * absolute(value) + underflow_unless_zero(most_x, most_y);
-  return {value, (propagated + rounded) * batch_slack};
+  return {value, (propagated + rounded) * bound_inflation};
 }
 inline RunningError operator/(const RunningError& x, const RunningError& y) {
   const Lanes value = x.value / y.value, size_y = absolute(y.value), size = absolute(value);
   const Lanes least = size_y - y.error;
   const Lanes underflow = underflow_unless_zero(absolute(x.value) + x.error, Lanes{} + 1);
   const Lanes propagated = (x.error + size * y.error + underflow) / least;
-  const Lanes error = (propagated + batch_rounding * size + underflow) * batch_slack;
+  const Lanes error = (propagated + batch_rounding * size + underflow) * bound_inflation;
   // Where `least` is NaN, the error is NaN. `least` is never -0.0, which would compare as larger than 0 here.
   const LaneBits known = not_zero(least) & spread(bits(size_y) - bits(Lanes{} + batch_largest_divisor));
   return {value, chosen(known, error, Lanes{} + __builtin_inf())};

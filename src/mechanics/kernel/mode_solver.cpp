@@ -258,7 +258,7 @@ ModesOf ModeSolver::among(const StatesOfElements& states, Rejected rejected, Eff
   using Kind = RegularModes::Outcome::Kind;
   const ModeNumbers numbers(states);
   const std::vector<ElementKind> kinds = kinds_of(problem_);
-  NumberedModes result{{}, {}, rejected == Rejected::told};
+  NumberedModes result{{}, {}, rejected == Rejected::reported};
   ModeTree::Numbers singular;
   for (std::uint64_t number = 0; number < numbers.count(); ++number) {
     stop_if_asked();
@@ -285,7 +285,7 @@ ModesOf ModeSolver::among(const StatesOfElements& states, Rejected rejected, Eff
 }
 
 ModesOf ModeSolver::all(Effort* effort) const {
-  return among(states_, Rejected::told, effort);
+  return among(states_, Rejected::reported, effort);
 }
 
 std::vector<ConsistentMode> ModeSolver::consistent(Effort* effort) const {
@@ -304,7 +304,7 @@ std::vector<ConsistentMode> ModeSolver::consistent_among(const std::vector<Mecha
 }
 
 ModesOf ModeSolver::one(const MechanismMode& mode, Effort* effort) const {
-  return among(only(mode), Rejected::told, effort);
+  return among(only(mode), Rejected::reported, effort);
 }
 
 ModesOf modes_of(const FrictionProblem& problem, const std::optional<Rational>& load) {

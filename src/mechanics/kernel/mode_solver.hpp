@@ -63,7 +63,7 @@ class ModeSolver {
   Work work_of(std::size_t unknowns) const { return regular_.work_of(unknowns); }
 
  private:
-  enum class Rejected { told, left_out };
+  enum class Rejected { reported, left_out };
   /// What the filter excludes is rejected without a reason.
   ModesOf among(const StatesOfElements& states, Rejected rejected, Effort* effort,
                 const ModeFilter* filter = nullptr) const;

@@ -87,8 +87,8 @@ MotionsAtLoad gather_with_hysteresis(const FrictionProblem& problem, const std::
 /// The cells of the loads, from the modes.
 class Cells {
  public:
-  Cells(const FrictionProblem& problem, const std::vector<ConsistentMode>& consistent, Told told)
-      : problem_(problem), told_(told) {
+  Cells(const FrictionProblem& problem, const std::vector<ConsistentMode>& consistent, Detail detail)
+      : problem_(problem), told_(detail) {
     const NearForms accelerations = near(problem.accelerations);
     for (const ConsistentMode& mode : consistent) modes_.emplace_back(problem, mode, accelerations);
   }
@@ -218,8 +218,8 @@ class Cells {
     if (k == first.size()) {
       first.push_back(&mode);
       cell.motions.emplace_back();
-      if (told_ == Told::numbers) add_numbers(cell, mode);
-    } else if (told_ == Told::numbers) {
+      if (told_ == Detail::numbers) add_numbers(cell, mode);
+    } else if (told_ == Detail::numbers) {
       const ForcesOverLoads forces = forces_in(cell, mode);
       for (std::size_t i = 0; i < forces.size(); ++i) {
         if (cell.motions[k].forces[i] != forces[i]) cell.motions[k].forces[i].reset();
@@ -252,7 +252,7 @@ class Cells {
   }
 
   const FrictionProblem& problem_;
-  Told told_;
+  Detail told_;
   std::vector<ModeOfCells> modes_;
 };
 
@@ -328,8 +328,8 @@ MotionsAtLoad motions_by_kinematics(const FrictionProblem& problem, const std::o
 }
 
 std::vector<LoadCell> cells_of(const FrictionProblem& problem, const std::vector<ConsistentMode>& consistent,
-                               Told told) {
-  return Cells(problem, consistent, told).all();
+                               Detail detail) {
+  return Cells(problem, consistent, detail).all();
 }
 
 }  // namespace slipproof

@@ -93,11 +93,11 @@ struct LoadCell {
 };
 
 /// How much to report about motions: modes only, for counting, or modes and numbers.
-enum class Told : std::uint8_t { modes, numbers };
+enum class Detail : std::uint8_t { modes, numbers };
 
 /// Divides the domain of the load, from below, into points and open intervals, in each of which the motions have the
 /// same modes. `consistent` are the problem's modes for all loads; neighbours may be alike.
 std::vector<LoadCell> cells_of(const FrictionProblem& problem, const std::vector<ConsistentMode>& consistent,
-                               Told told = Told::numbers);
+                               Detail detail = Detail::numbers);
 
 }  // namespace slipproof

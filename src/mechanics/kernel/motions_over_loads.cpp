@@ -41,13 +41,13 @@ class KernelMotions final : public MotionsOverLoads {
     return entry->second ? &*entry->second : nullptr;
   }
 
-  std::vector<LoadCell> cells(Told told, const std::vector<MechanismMode>& named) const override {
-    if (all_tried_ || named.empty()) return cells_of(problem_, consistent_, told);
+  std::vector<LoadCell> cells(Detail detail, const std::vector<MechanismMode>& named) const override {
+    if (all_tried_ || named.empty()) return cells_of(problem_, consistent_, detail);
     std::vector<MechanismMode> more = named;
     std::erase_if(more, [&](const MechanismMode& mode) { return consistent(mode) != nullptr; });
     std::vector<ConsistentMode> modes = consistent_among(std::move(more));
     modes.insert(modes.begin(), consistent_.begin(), consistent_.end());
-    return cells_of(problem_, modes, told);
+    return cells_of(problem_, modes, detail);
   }
 
   bool all_tried() const override { return all_tried_; }

@@ -36,7 +36,7 @@ class MotionsOverLoads {
   /// The loads of the domain as points and open intervals, from below, in each of which the motions are the same modes.
   /// Where not all modes are tried (kinematic_modes.hpp) each motion has those of its modes that kinematics finds, and
   /// those that are `named`.
-  virtual std::vector<LoadCell> cells(Told told = Told::numbers,
+  virtual std::vector<LoadCell> cells(Detail detail = Detail::numbers,
                                       const std::vector<MechanismMode>& named = {}) const = 0;
   /// Whether all modes are tried, so that no mode need be named.
   virtual bool all_tried() const = 0;

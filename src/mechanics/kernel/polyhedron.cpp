@@ -256,7 +256,8 @@ std::optional<Conflict> find_conflict(const AffineSpace& space, const std::vecto
   return Narrowing(space, conditions, domain, effort).first_conflict();
 }
 
-std::optional<Polyhedron> with(const Polyhedron& solutions, const std::vector<AffineForm>& vanishing, Effort* effort) {
+std::optional<Polyhedron> restrict_to_zeros(const Polyhedron& solutions, const std::vector<AffineForm>& vanishing,
+                                            Effort* effort) {
   AffineSpace space = solutions.space;
   for (const AffineForm& form : vanishing) {
     if (!space.require(form)) return std::nullopt;
@@ -272,7 +273,7 @@ std::optional<Polyhedron> at_load(const Polyhedron& solutions, const Rational& l
   if (!solutions.space.load_is_free()) {
     return solutions.space.load() == load && solutions.loads.contains(load) ? std::optional(solutions) : std::nullopt;
   }
-  return with(solutions, {load_minus(load, solutions.space.unknowns())});
+  return restrict_to_zeros(solutions, {load_minus(load, solutions.space.unknowns())});
 }
 
 bool strict_at(const Polyhedron& solutions, const Rational& load) {

@@ -52,8 +52,8 @@ bool strict_at(const Polyhedron& solutions, const Rational& load);
 ForceInterval strict_loads(const Polyhedron& solutions);
 
 /// The solutions with form = 0.
-std::optional<Polyhedron> with(const Polyhedron& solutions, const std::vector<AffineForm>& vanishing,
-                               Effort* effort = nullptr);
+std::optional<Polyhedron> restrict_to_zeros(const Polyhedron& solutions, const std::vector<AffineForm>& vanishing,
+                                            Effort* effort = nullptr);
 
 /// Infimum and supremum; nothing if infinite.
 struct Range {
@@ -61,7 +61,7 @@ struct Range {
   bool is_point() const { return lower && upper && *lower == *upper; }
   bool operator==(const Range&) const = default;
 };
-/// Of forms over all solutions.
+/// Range of each form over the solution set.
 std::vector<Range> ranges(const Polyhedron& solutions, const std::vector<AffineForm>& forms);
 
 }  // namespace slipproof

@@ -18,7 +18,7 @@ namespace {
 
 std::vector<LoadCell> all_cells(const FrictionProblem& problem) {
   if (problem.has_load) {
-    return cells_of(problem, consistent_modes(problem, std::nullopt), Told::modes);
+    return cells_of(problem, consistent_modes(problem, std::nullopt), Detail::modes);
   }
   MotionsAtLoad found = motions_of(problem, std::nullopt);
   LoadCell cell;

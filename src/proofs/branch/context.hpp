@@ -66,8 +66,8 @@ class Context {
   std::map<std::string, BothSigns> signed_;  ///< by the text of a polynomial, as are the next ones
   std::map<std::string, Factorization> factorizations_;
   Replacements replacements_;
-  Remembered<Polynomial, 1> slopes_;
-  Remembered<Polynomial, 2> sums_;
+  Memo<Polynomial, 1> slopes_;
+  Memo<Polynomial, 2> sums_;
   int counter_ = 0;
 };
 

@@ -1,7 +1,7 @@
 // Replaces variables by the slack of a hypothesis, in one polynomial after another.
 #pragma once
 
-#include "proofs/branch/remembered.hpp"
+#include "proofs/branch/memo.hpp"
 
 namespace slipproof::prove {
 
@@ -40,8 +40,8 @@ class Replacements {
     return {variable, std::move(numerator), std::move(c)};
   }
 
-  Remembered<Replacement, 1> solved_;
-  Remembered<Polynomial, 3> applied_;
+  Memo<Replacement, 1> solved_;
+  Memo<Polynomial, 3> applied_;
 };
 
 }  // namespace slipproof::prove

@@ -117,7 +117,7 @@ ExactVerdict judge_at(const RecordSetting& setting, const Record& record, KnownP
   if (const MotionsAtLoad* all = known.motions()) {
     result.found = all;
   } else {
-    result.unexamined = "the other modes: " + too_much_work(endless, kinematic_effort);
+    result.unexamined = "the other modes: " + too_much_work(unlimited, kinematic_effort);
   }
   if (!claimed && result.unexamined.empty() && !near()) {
     find_nearest(known.modes(), answer, options, effort, result);
@@ -141,7 +141,7 @@ RecordJudgement judge_point(const RecordSetting& setting, const Record& record, 
   if (record.mode != no_mode) {
     own = setting.fields.modes().mode(record.mode);
   } else if (has_too_many_to_try(known.problem())) {
-    own = Explanation(setting, known.solved(), nothing_found, point.load).looks_like(record);
+    own = Explanation(setting, known.solved(), nothing_found, point.load).guess_mode(record);
   }
   const ExactVerdict judged = judge_at(setting, record, known, own, options);
   const MotionsAtLoad& found = *judged.found;
@@ -209,7 +209,7 @@ RecordJudgement ExactJudge::operator()(const Record& record) {
     } catch (const NoValue& error) {
       return invalid_judgement(error.what());
     } catch (const TooMuchWork&) {
-      return undecided_record(endless, options_);
+      return undecided_record(unlimited, options_);
     }
   });
 }

@@ -104,7 +104,7 @@ void Explanation::add_claimed(Json& details, const MechanismMode& mode, const Me
 }
 
 void Explanation::add_likely(Json& details, const Record& record, const MechanismValues& values) const {
-  const auto mode = looks_like(record);
+  const auto mode = guess_mode(record);
   if (!mode) {
     details["reason"] = found_.motions.empty() && found_.continua.empty() ? "there is no motion" : "no motion is near";
     return;
@@ -113,7 +113,7 @@ void Explanation::add_likely(Json& details, const Record& record, const Mechanis
   add_against(details, *mode, values);
 }
 
-std::optional<MechanismMode> Explanation::looks_like(const Record& record) const {
+std::optional<MechanismMode> Explanation::guess_mode(const Record& record) const {
   const auto& fields = setting_.fields;
   if (problem_.elements.size() != setting_.certified.mechanism.contacts.size()) return std::nullopt;
   const std::size_t accelerations = setting_.kinds.unknown_accelerations;

@@ -26,7 +26,7 @@ class Explanation {
   void add_likely(Json& details, const Record& record, const MechanismValues& values) const;
   /// The mode that the forces of the contacts suggest, so far as the record has them. Only for mechanisms without other
   /// elements.
-  std::optional<MechanismMode> looks_like(const Record& record) const;
+  std::optional<MechanismMode> guess_mode(const Record& record) const;
 
  private:
   Json motion_of(const MotionAtLoad& motion) const;

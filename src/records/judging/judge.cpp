@@ -41,7 +41,7 @@ RecordJudgement undecided_judgement(const std::string& reason) {
 
 std::string too_much_work(Work needed, Work effort) {
   const std::string allowed = "more than the effort of " + std::to_string(effort) + " allows; ";
-  if (needed == endless) return "too much work: " + allowed + "a larger --effort may do";
+  if (needed == unlimited) return "too much work: " + allowed + "a larger --effort may do";
   const std::string work = std::to_string(needed);
   return "too much work: about " + work + " operations on words, " + allowed + "--effort " + work + " would do";
 }

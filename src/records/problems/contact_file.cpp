@@ -133,7 +133,7 @@ Json coulomb_json(const ContactJudgement& j) {
 void add_others(const ContactJudgement& j, Json& line) {
   if (is_certified(j.verdict) && !j.others_excluded()) line["others"] = "not excluded";
   if (!j.linear_modes) return;
-  line["linear_modes"] = Json{{"number", j.linear_modes->modes == endless ? Json() : Json(j.linear_modes->modes)},
+  line["linear_modes"] = Json{{"number", j.linear_modes->modes == unlimited ? Json() : Json(j.linear_modes->modes)},
                               {"tried", j.linear_modes->tried}};
 }
 

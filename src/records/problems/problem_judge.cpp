@@ -24,7 +24,7 @@ class ProblemRecordWriter {
     } catch (const TooMuchWork&) {
       result_ = RecordJudgement();
       result_.verdict = RecordVerdict::undecided;
-      details_ = Json{{"reason", too_much_work(endless, options_.effort)}};
+      details_ = Json{{"reason", too_much_work(unlimited, options_.effort)}};
     }
     if (!details_.empty()) result_.details = "," + inner_json_text(details_);
     return std::move(result_);

@@ -144,7 +144,7 @@ std::vector<Rational> AxisChoice::changes(const std::optional<FrictionProblem>& 
   std::vector<Rational> loads;
   if (scene_.load) loads.push_back(*scene_.load);
   if (!problem) return loads;
-  for (const LoadCell& cell : motions_over_loads(*problem)->cells(Told::modes)) {
+  for (const LoadCell& cell : motions_over_loads(*problem)->cells(Detail::modes)) {
     if (cell.loads.is_point()) loads.push_back(*cell.loads.lower());
   }
   return loads;

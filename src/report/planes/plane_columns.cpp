@@ -38,7 +38,7 @@ std::optional<PhaseColumn> PlaneColumns::column(const Rational& x) const {
   auto there = problem(x);
   if (!there) return std::nullopt;
   PhaseColumn column;
-  column.cells = motions_over_loads(std::move(*there))->cells(Told::modes);
+  column.cells = motions_over_loads(std::move(*there))->cells(Detail::modes);
   return column;
 }
 

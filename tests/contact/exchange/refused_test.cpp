@@ -58,7 +58,7 @@ std::string said_of(const std::string& text, bool level) {
     if (level) options.ground = 0, options.mu = 1;
     const auto found = to_planar(imported::parse_scene_of_bodies(text, "scene.xml"), options);
     std::string all = "read:";
-    for (const std::string& one : found.told) all += " " + one + ";";
+    for (const std::string& one : found.import_notes) all += " " + one + ";";
     return all;
   } catch (const InputError& error) {
     return error.what();

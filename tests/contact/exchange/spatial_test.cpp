@@ -46,9 +46,10 @@ Shape box(const std::string& name, const Vector& at, const Vector& half) {
 
 std::vector<Vector> places(const imported::Scene& scene) {
   Mistakes mistakes("test");
-  std::vector<std::string> told;
+  std::vector<std::string> import_notes;
   std::vector<Vector> result;
-  for (const auto& contact : spatial_contacts(scene, Rational(1, 10000), mistakes, told)) result.push_back(contact.at);
+  for (const auto& contact : spatial_contacts(scene, Rational(1, 10000), mistakes, import_notes))
+    result.push_back(contact.at);
   CHECK(mistakes.empty());
   return result;
 }
@@ -112,8 +113,8 @@ TEST_CASE("what is farther apart than the touch does not touch, what is inside i
   CHECK(places(scene).empty());
   scene.bodies[2].shapes[0].pose.at.z = 1;
   Mistakes mistakes("test");
-  std::vector<std::string> told;
-  CHECK(spatial_contacts(scene, Rational(1, 10000), mistakes, told).empty());
+  std::vector<std::string> import_notes;
+  CHECK(spatial_contacts(scene, Rational(1, 10000), mistakes, import_notes).empty());
   CHECK_FALSE(mistakes.empty());
 }
 

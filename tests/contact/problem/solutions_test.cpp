@@ -231,7 +231,7 @@ TEST_CASE("a definite matrix has one solution, found without trying all modes") 
     REQUIRE(all);
     REQUIRE(all->one());
     for (const ElementState start : {ElementState::touch, ElementState::lift}) {
-      const auto only = solver.only(ProblemMode(n, start));
+      const auto only = solver.unique_solution(ProblemMode(n, start));
       REQUIRE(only);
       CHECK(only->z == all->solutions.front().z);
     }
@@ -239,13 +239,13 @@ TEST_CASE("a definite matrix has one solution, found without trying all modes") 
   const ContactProblem large = draw.definite(20);
   const ContactSolver solver(large);
   CHECK_FALSE(solver.all());
-  const auto only = solver.only(ProblemMode(20, ElementState::touch));
+  const auto only = solver.unique_solution(ProblemMode(20, ElementState::touch));
   REQUIRE(only);
   CHECK(solves(large, only->modes.front(), only->z));
   ContactProblem indefinite = large;
   indefinite.W[7][7] = 0;
   CHECK_FALSE(positive_definite(indefinite.W));
-  CHECK_FALSE(ContactSolver(indefinite).only(ProblemMode(20, ElementState::touch)));
+  CHECK_FALSE(ContactSolver(indefinite).unique_solution(ProblemMode(20, ElementState::touch)));
   CHECK(positive_definite({{1, 5}, {-5, 1}}));
   CHECK_FALSE(positive_definite({{1, 3}, {0, 1}}));
   CHECK_FALSE(positive_definite({{1, 1}, {1, 1}}));

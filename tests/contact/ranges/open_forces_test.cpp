@@ -46,7 +46,7 @@ void add_foot(Jacobian& H, double x, double y, double below) {
 }
 
 std::optional<OpenForces> ranges(const MixedProblem& p, std::span<const double> x, double tolerance = 1e-9) {
-  Effort effort(endless);
+  Effort effort(unlimited);
   return open_forces(p, x, tolerance, effort);
 }
 

@@ -249,15 +249,15 @@ TEST_CASE("beyond 1024 modes every boundary mode is told, or those that are name
   CHECK(all.motions[0].boundary_modes.size() == 1024);
   CHECK(all.rejected.size() == 3072);
   const MechanismMode border = first_of_six(ElementState::stick, ElementState::lift);
-  const auto told = [&](const std::vector<MechanismMode>& named) {
-    for (const LoadCell& cell : motions_over_loads(at_rest)->cells(Told::modes, named)) {
+  const auto detail = [&](const std::vector<MechanismMode>& named) {
+    for (const LoadCell& cell : motions_over_loads(at_rest)->cells(Detail::modes, named)) {
       if (!cell.loads.contains(0)) continue;
       REQUIRE(cell.motions.size() == 1);
       return std::ranges::count(cell.motions[0].boundary_modes, border) == 1;
     }
     return false;
   };
-  CHECK(told({border}));
-  CHECK_FALSE(told({}));
-  CHECK_FALSE(told({first_of_six(ElementState::lift)}));
+  CHECK(detail({border}));
+  CHECK_FALSE(detail({}));
+  CHECK_FALSE(detail({first_of_six(ElementState::lift)}));
 }

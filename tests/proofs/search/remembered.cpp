@@ -1,8 +1,7 @@
 // Results that are remembered: computed once, and as dear at each call.
-#include "proofs/branch/remembered.hpp"
-
 #include <doctest/doctest.h>
 
+#include "proofs/branch/memo.hpp"
 #include "proofs/branch/replacements.hpp"
 
 using namespace slipproof;
@@ -12,7 +11,7 @@ namespace {
 
 struct Times {
   int computed = 0;
-  Remembered<Polynomial, 2> remembered{};
+  Memo<Polynomial, 2> remembered{};
 
   Polynomial of(const Polynomial& p, const Polynomial& q, std::size_t number = 0) {
     return remembered.get([&] { return ++computed, p * q; }, number, p, q);

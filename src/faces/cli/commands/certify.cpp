@@ -130,7 +130,7 @@ std::string certified_work(const CertifyArguments& options, const RecordPieces& 
 }
 
 Exit certified_exit(const CertifySummary& summary) {
-  if (summary.all_certified()) return as_it_should_be;
+  if (summary.all_certified()) return success;
   return summary.nothing_refuted() ? undecided : refuted_or_not_certified;
 }
 
@@ -206,7 +206,7 @@ int run_certify(CertifyArguments& options) {
   const std::optional<CertifySummary> found = options.crew.wanted()
                                                   ? certify_shared(options, sink, progress)
                                                   : certify_records(options, table, sink, progress, bytes);
-  if (!found) return as_it_should_be;
+  if (!found) return success;
   const CertifySummary& summary = *found;
   line.clear();
   if (summary_file) summary_file->write(R"({"schema":"slipproof/certify/1",)" + to_json(summary).substr(1) + '\n');

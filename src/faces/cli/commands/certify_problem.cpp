@@ -23,7 +23,7 @@ namespace slipproof::cli {
 namespace {
 
 int exit_code_of(const JudgedProblem& problem) {
-  int code = as_it_should_be;
+  int code = success;
   for (const JudgedAnswer& answer : problem.answers) {
     if (is_certified(answer.judgement.verdict)) continue;
     if (answer.judgement.verdict != ContactVerdict::undecided) return refuted_or_not_certified;
@@ -35,7 +35,7 @@ int exit_code_of(const JudgedProblem& problem) {
 std::string last_line(const JudgedProblem& problem, int code) {
   const auto certified = std::count_if(problem.answers.begin(), problem.answers.end(),
                                        [](const auto& a) { return is_certified(a.judgement.verdict); });
-  const char* verdict = code == as_it_should_be ? "CERTIFIED" : code == undecided ? "UNDECIDED" : "NOT CERTIFIED";
+  const char* verdict = code == success ? "CERTIFIED" : code == undecided ? "UNDECIDED" : "NOT CERTIFIED";
   return fmt::format("s {} {}/{}\n", verdict, certified, problem.answers.size());
 }
 

@@ -57,7 +57,7 @@ void add_critical(CLI::App& app, int& exit_code) {
   command.callback([options, &exit_code] {
     expect_picture_name(options->out);
     run_critical(*options);
-    exit_code = as_it_should_be;
+    exit_code = success;
   });
 }
 

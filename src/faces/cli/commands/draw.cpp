@@ -126,7 +126,7 @@ void add_draw(CLI::App& app, int& exit_code) {
       out.emplace(options->out, Inputs{options->scene, scene.mechanism.file});
     expect_picture_name(options->out);
     const std::string figure = figure_of(std::move(scene), *options);
-    exit_code = as_it_should_be;
+    exit_code = success;
     if (!out) return print(figure);
     out->write(picture_for(options->out, figure));
     if (!options->common.quiet) print("s DRAWN " + options->out + "\n");

@@ -50,9 +50,9 @@ imported::PlanarOptions options_of(const ImportArguments& arguments) {
   return options;
 }
 
-void tell(const ImportArguments& arguments, const std::vector<std::string>& told) {
+void tell(const ImportArguments& arguments, const std::vector<std::string>& import_notes) {
   if (arguments.quiet) return;
-  for (const std::string& one : told) std::cerr << arguments.file << ": " << one << '\n';
+  for (const std::string& one : import_notes) std::cerr << arguments.file << ": " << one << '\n';
 }
 
 void import_scene(const ImportArguments& arguments) {
@@ -65,13 +65,13 @@ void import_scene(const ImportArguments& arguments) {
   const std::size_t bodies = scene.bodies.size() - 1;
   if (arguments.spatial) {
     const imported::SpatialProblem found = to_spatial(std::move(scene), options);
-    tell(arguments, found.told);
+    tell(arguments, found.import_notes);
     output.write(to_json(found.problem));
     print(fmt::format("s IMPORTED {} bodies {} contacts {} in space\n", arguments.output, bodies,
                       found.problem.contacts.size()));
   } else {
     const imported::PlanarMechanism found = to_planar(std::move(scene), options);
-    tell(arguments, found.told);
+    tell(arguments, found.import_notes);
     output.write(found.text);
     print(fmt::format("s IMPORTED {} bodies {} contacts {} plane {}\n", arguments.output, bodies, found.contacts,
                       found.plane));
@@ -99,7 +99,7 @@ void add_import(CLI::App& app, int& exit_code) {
   command.add_flag("--quiet", options->quiet, "Do not tell what was left out, moved, turned or assumed");
   command.callback([options, &exit_code] {
     import_scene(*options);
-    exit_code = as_it_should_be;
+    exit_code = success;
   });
 }
 
@@ -173,7 +173,7 @@ void add_export(CLI::App& app, int& exit_code) {
                    "Write the bodies, contacts, joints and forces in numbers, for physics engines, on one line");
   command.callback([options, &exit_code] {
     export_scene(*options);
-    exit_code = as_it_should_be;
+    exit_code = success;
   });
 }
 

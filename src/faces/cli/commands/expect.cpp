@@ -68,7 +68,7 @@ void add_expect(CLI::App& app, int& exit_code) {
   command.add_option("-o,--output", options->output, "Where it goes; standard output if left out");
   command.callback([options, &exit_code] {
     expect(*options);
-    exit_code = as_it_should_be;
+    exit_code = success;
   });
 }
 

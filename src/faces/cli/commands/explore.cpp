@@ -66,7 +66,7 @@ void add_explore(CLI::App& app, int& exit_code) {
   add_common_options(command, options->common);
   command.callback([options, &exit_code] {
     write_explorer(*options);
-    exit_code = as_it_should_be;
+    exit_code = success;
   });
 }
 

@@ -58,12 +58,12 @@ int Gate::exit_code(const CertifySummary& summary, int without) const {
   for (std::size_t i = 0; i < record_verdict_count; ++i) {
     if (summary.verdicts[i] > 0 && fails_(static_cast<RecordVerdict>(i))) return refuted_or_not_certified;
   }
-  return fails_.only() && summary.others_possible > 0 ? refuted_or_not_certified : as_it_should_be;
+  return fails_.only() && summary.others_possible > 0 ? refuted_or_not_certified : success;
 }
 
 int Gate::exit_code(int without) const {
   if (!asked_) return without;
-  return run_.failed > 0 ? refuted_or_not_certified : as_it_should_be;
+  return run_.failed > 0 ? refuted_or_not_certified : success;
 }
 
 }  // namespace slipproof::cli

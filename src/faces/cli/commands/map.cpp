@@ -119,7 +119,7 @@ void add_map(CLI::App& app, int& exit_code) {
   command.get_option("--json")->excludes(svg)->excludes(png);
   command.callback([options, &exit_code] {
     draw_map(*options);
-    exit_code = as_it_should_be;
+    exit_code = success;
   });
 }
 

@@ -49,14 +49,14 @@ Exit run_search(SearchArguments& arguments) {
   CrewRun run(
       arguments.crew, options.threads, [&] { return searched_work(arguments, mechanism); }, Inputs{mechanism.file},
       [&](std::string_view request) { return search.answer(request); });
-  if (run.served()) return as_it_should_be;
+  if (run.served()) return success;
   const SearchReport report = searched(mechanism, options, arguments.within, search, run.crew());
   print_report(
       arguments.common, [&] { return search_json(report); }, [&] { return search_document(report); });
   switch (verdict(report)) {
     case SearchVerdict::unique:
     case SearchVerdict::none_found:
-      return as_it_should_be;
+      return success;
     case SearchVerdict::found:
       return refuted_or_not_certified;
     case SearchVerdict::undecided:

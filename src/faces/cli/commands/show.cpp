@@ -26,7 +26,7 @@ void add_show(CLI::App& app, int& exit_code) {
       write_file(*equations, to_toml(mechanism), inputs);
     }
     print(show_text(mechanism, check_mechanism(mechanism)));
-    exit_code = as_it_should_be;
+    exit_code = success;
   });
 }
 

@@ -74,7 +74,7 @@ void add_simulate(CLI::App& app, int& exit_code) {
   add_report_options(command, options->common);
   command.callback([options, &exit_code] {
     run_simulate(*options);
-    exit_code = as_it_should_be;
+    exit_code = success;
   });
 }
 

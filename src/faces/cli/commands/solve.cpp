@@ -34,7 +34,7 @@ void add_solve(CLI::App& app, int& exit_code) {
   add_report_options(command, options->common);
   command.callback([options, &exit_code] {
     answer(*options);
-    exit_code = as_it_should_be;
+    exit_code = success;
   });
 }
 

@@ -32,13 +32,13 @@ int run_trade(TradeArguments& options) {
       options.crew, options.common.threads,
       [&] { return fmt::format("trade scenes {} seed {}\n", options.trade.scenes, options.trade.seed); }, {},
       [&](std::string_view request) { return trade_answer(options.trade, request); });
-  if (run.served()) return as_it_should_be;
+  if (run.served()) return success;
   ProgressLine line(!options.common.quiet);
   const auto progress = [&](std::size_t done, std::size_t all) { line.at(done, all); };
   const Trade trade = measure_trade(options.trade, progress, run.crew());
   print_report(
       options.common, [&] { return trade_json(trade); }, [&] { return trade_document(trade); });
-  return trade.sound() ? as_it_should_be : refuted_or_not_certified;
+  return trade.sound() ? success : refuted_or_not_certified;
 }
 
 }  // namespace

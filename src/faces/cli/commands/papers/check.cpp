@@ -25,7 +25,7 @@ int show(const CheckArguments& options) {
   const check::Shown part = check::show_part(*options.show, options.certificates.front());
   if (!part.problem.empty()) throw InputError({{"", 0, 0, part.problem}});
   print(part.text);
-  return as_it_should_be;
+  return success;
 }
 
 }  // namespace

@@ -185,7 +185,7 @@ Exit run_prove(ProveArguments& options) {
   CrewRun crew(options.crew, options.common.threads, work,
                Inputs(std::vector<std::filesystem::path>(options.inputs.begin(), options.inputs.end())),
                [&](std::string_view request) { return answer_statement(request, options.prove); });
-  if (crew.served()) return as_it_should_be;
+  if (crew.served()) return success;
   options.prove.crew = crew.crew();
   const std::filesystem::path first = options.inputs.empty() ? "" : options.inputs.front();
   std::error_code error;
@@ -199,7 +199,7 @@ Exit run_prove(ProveArguments& options) {
     if (exports || !options.out.empty()) refuse_equal_names(statements);
     if (exports) {
       export_smtlib(statements, options.smtlib);
-      return as_it_should_be;
+      return success;
     }
     ProveRun run(options.prove, options.common);
     run.prove(options.out.empty() ? read_statements(files_of(statements)) : copied(statements, options.out, run));

@@ -319,7 +319,7 @@ Exit ProveRun::conclude() {
   const auto proved = count(Verdict::proved), refuted = count(Verdict::refuted), left = count(Verdict::undecided);
   const Exit exit = refuted > 0                                         ? refuted_or_not_certified
                     : left > 0 || outcomes_.empty() || !failed_.empty() ? undecided
-                                                                        : as_it_should_be;
+                                                                        : success;
   if (common_.json) {
     Json document, theorems = Json::array();
     for (const FileOutcome& file : outcomes_) {

@@ -36,7 +36,7 @@ int report_engines(const std::filesystem::path& folder, const ReportArguments& o
                        ++count;
                      });
   print(options.common.json ? engine_table_json(results) : fmt::format("s REPORTED {} {} pages\n", options.out, count));
-  return as_it_should_be;
+  return success;
 }
 
 /// Reports on all papers in a folder: a page for each, and one for all.

@@ -69,7 +69,7 @@ int judge_mutants(const std::filesystem::path& claims, const ClaimsFile& file, V
   if (lemmas) write_lemmas(*lemmas, result);
   print_report(
       options.common, [&] { return mutation_json(result); }, [&] { return mutation_document(result); });
-  return result.count(MutantEnd::survivor) == 0 && result.vacuous.empty() ? as_it_should_be : undecided;
+  return result.count(MutantEnd::survivor) == 0 && result.vacuous.empty() ? success : undecided;
 }
 
 /// The first option given that applies to one paper only; empty if there is none.
@@ -97,7 +97,7 @@ int verify_papers(const std::vector<std::filesystem::path>& papers, const Verify
     throw CLI::ValidationError("CLAIMS", flag + " is about one paper; found a folder, expected its claims.toml");
   }
   const auto judged = judge_papers(papers, options, options.report);
-  if (launched().rank != 0) return as_it_should_be;
+  if (launched().rank != 0) return success;
   print_report(
       options.common, [&] { return papers_json(judged); }, [&] { return papers_document(judged); });
   return exit_of(summary(judged));
@@ -118,7 +118,7 @@ int run_verify(VerifyArguments& options, const CLI::Option& samples) {
   print_warnings(file, options.common);
   if (options.coverage) {
     print(markdown_of(coverage_document(file)));
-    return uncovered_equations(file).empty() ? as_it_should_be : refuted_or_not_certified;
+    return uncovered_equations(file).empty() ? success : refuted_or_not_certified;
   }
   if (options.mutants) {
     if (!samples.empty()) options.mutation.more_samples = options.verify.samples;
@@ -127,7 +127,7 @@ int run_verify(VerifyArguments& options, const CLI::Option& samples) {
   }
   options.verify.certificates = options.certificates_of(path);
   VerifyRun run({{path, &file, options.verify}}, options);
-  if (run.served()) return as_it_should_be;
+  if (run.served()) return success;
   std::optional<OutputFile> report;
   PageInput input;
   if (!options.report.empty()) {

@@ -91,7 +91,7 @@ Exit exit_of(Summary summary) {
     case Summary::as_expected:
       break;
   }
-  return as_it_should_be;
+  return success;
 }
 
 namespace {

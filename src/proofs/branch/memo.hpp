@@ -17,7 +17,7 @@ namespace slipproof::prove {
 /// that were computed separately are not. Value has a length(), in terms; beyond a certain total length nothing more is
 /// kept. For one thread at a time, as the ring's budget.
 template <class Value, std::size_t count>
-class Remembered {
+class Memo {
  public:
   /// compute(), for this number and these polynomials.
   template <class Compute, class... Polynomials>
