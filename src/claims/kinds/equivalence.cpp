@@ -41,8 +41,8 @@ class EquivalenceKind : public KindBase {
 
   void refute(ClaimWriter& writer) const override {
     const ClaimBody& claim = writer.body();
-    const Expression differ = make(
-        Operation::logical_or, {both(claim.forces, opposite(claim.holds)), both(claim.holds, opposite(claim.forces))});
+    const Expression differ = make(Operation::logical_or, {conjunction(claim.forces, opposite(claim.holds)),
+                                                           conjunction(claim.holds, opposite(claim.forces))});
     writer.somewhere(refuted_suffix, {claim.region, differ}, {});
   }
 

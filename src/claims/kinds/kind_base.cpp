@@ -43,7 +43,7 @@ ClaimChange::Result KindBase::settle_where(const ClaimChange& change) const {
   const ClaimBody &before = change.before(), &after = change.after();
   const Implications& in = change.in();
   Lemmas lemmas;
-  const Expression x = both(before.region, before.forces), y = both(after.region, after.forces);
+  const Expression x = conjunction(before.region, before.forces), y = conjunction(after.region, after.forces);
   if (in.equivalent({}, x, y, lemmas)) {
     return change.made(Settlement::Kind::equivalent, "before and after imply each other", std::move(lemmas));
   }

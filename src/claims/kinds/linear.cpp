@@ -133,8 +133,8 @@ ClaimChange::Result LinearKind::settle(const ClaimChange& change) const {
     if (same(then[i], now[i])) {
       beside.push_back(then[i]);
     } else {
-      x = both(x, then[i]);
-      y = both(y, now[i]);
+      x = conjunction(x, then[i]);
+      y = conjunction(y, now[i]);
     }
   }
   append(beside, equations_of(claims_in, assumed ? sources(before) : before.given));

@@ -170,7 +170,7 @@ Expression valued_at_all(ClaimWriter& writer, const Expression& region, const Ex
   Expression valued = make_truth(true);
   for (const Expression& e : unvalued) {
     if (writer.depends_on_force(e)) writer.give_up();
-    valued = both(valued, make_comparison({e, e}, {Relation::less_equal}));
+    valued = conjunction(valued, make_comparison({e, e}, {Relation::less_equal}));
   }
   return is_true(region) ? valued : make(Operation::logical_or, {opposite(region), valued});
 }
@@ -184,12 +184,12 @@ void unique_statements(ClaimWriter& writer) {
 void unique_refutation(ClaimWriter& writer) {
   const ClaimBody& claim = writer.body();
   const auto beyond = [&](std::size_t index) {
-    return opposite(both(writer.body(index).region, closure(writer.body(index).forces)));
+    return opposite(conjunction(writer.body(index).region, closure(writer.body(index).forces)));
   };
   std::vector<Expression> truths = {claim.region, claim.forces}, uses;
   for (const std::size_t index : claim.except) truths.push_back(beyond(index));
   Expression near_none = make_truth(true);
-  for (const std::size_t index : claim.claims) near_none = both(near_none, beyond(index));
+  for (const std::size_t index : claim.claims) near_none = conjunction(near_none, beyond(index));
   // The motion is in none of `right`. If its own mode is another one this is plain, unless forces are undetermined.
   const auto in_none = [&](const Expression& where, const Modes& right) {
     std::string text = "{" + writer.text(where) + "}";
@@ -204,7 +204,7 @@ void unique_refutation(ClaimWriter& writer) {
     for (const std::size_t index : claim.claims) {
       const Modes& right = writer.body(index).modes;
       if (right.front() == mode) continue;
-      const Expression stated = both(writer.body(index).region, writer.body(index).forces);
+      const Expression stated = conjunction(writer.body(index).region, writer.body(index).forces);
       where = where ? make(Operation::logical_or, {where, stated}) : stated;
       parts.push_back(in_none(stated, right));
     }

@@ -27,7 +27,7 @@ bool contains(const FrictionProblem& problem, const Polyhedron& solutions, const
     differences.push_back(problem.accelerations[i]);
     differences.back().constant -= accelerations[i];
   }
-  return with(solutions, differences, effort).has_value();
+  return restrict_to_zeros(solutions, differences, effort).has_value();
 }
 
 MotionsAtLoad gather(const FrictionProblem& problem, const std::vector<ConsistentMode>& consistent) {
@@ -122,7 +122,7 @@ class Cells {
       form.coefficients.back() -= modes_[other].acceleration(i).beta;
       differences.push_back(std::move(form));
     }
-    if (const auto common = with(continuum.solutions, differences)) add_ends(points, common->loads);
+    if (const auto common = restrict_to_zeros(continuum.solutions, differences)) add_ends(points, common->loads);
   }
 
   std::vector<Rational> breakpoints() const {

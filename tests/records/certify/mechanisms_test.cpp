@@ -113,7 +113,7 @@ class MechanismAnswersMaker {
       if (!range.is_point()) {
         AffineForm taken = force;
         taken.constant -= to_rational(rounded);
-        left = with(left, {taken}).value();
+        left = restrict_to_zeros(left, {taken}).value();
       }
       cells.push_back(cell_of(rounded));
     }
