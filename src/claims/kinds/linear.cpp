@@ -78,7 +78,7 @@ References LinearKind::sources(const ClaimBody& claim) {
   return all;
 }
 
-std::string LinearKind::conjunction(ClaimWriter& writer, const Equations& equations) {
+std::string LinearKind::conjunction_text(ClaimWriter& writer, const Equations& equations) {
   std::vector<std::string> texts;
   for (const Expression& equation : equations) {
     std::string text = writer.text(equation);
@@ -91,7 +91,7 @@ std::string LinearKind::conjunction(ClaimWriter& writer, const Equations& equati
 MotionText LinearKind::hypotheses(ClaimWriter& writer, const Equations& others) {
   MotionText result{"", ""};
   if (writer.body().from_model()) result = writer.equations(writer.body().mode());
-  if (!others.empty()) result.formula += (result.formula.empty() ? "" : " and ") + conjunction(writer, others);
+  if (!others.empty()) result.formula += (result.formula.empty() ? "" : " and ") + conjunction_text(writer, others);
   return result;
 }
 

@@ -26,13 +26,13 @@ class SystemKind : public LinearKind {
     std::vector<Expression> uses = left;
     uses.insert(uses.end(), right.begin(), right.end());
     const Assumptions region = {{"region", claim.region}};
-    writer.implied({".forwards", region, motion, false}, conjunction(writer, claim.equations), uses);
+    writer.implied({".forwards", region, motion, false}, conjunction_text(writer, claim.equations), uses);
     std::vector<std::string> others;
     for (const auto& unknown : writer.mechanics().unknowns()) {
       if (!occurs(unknown, right)) others.emplace_back(unknown);
     }
     if (others.empty()) {
-      writer.implied({".backwards", region, MotionText{motion.definitions, conjunction(writer, right)}, false},
+      writer.implied({".backwards", region, MotionText{motion.definitions, conjunction_text(writer, right)}, false},
                      motion.formula, uses);
     } else {
       writer.exists({".backwards", {{"region", claim.region}, {"equations", all_of(right)}}, {}, false}, others, motion,

@@ -128,7 +128,7 @@ std::optional<ContactSolution> ContactSolver::unique_solution(ProblemMode mode, 
 
 std::optional<ContactSolution> ContactSolver::unique_solution(ProblemMode start) const {
   Effort effort(usual_effort);
-  return only(std::move(start), effort);
+  return unique_solution(std::move(start), effort);
 }
 
 bool positive_definite(const RationalMatrix& W) {
