@@ -72,7 +72,7 @@ class LinearProgram::Dictionary {
     for (std::size_t i = 0; i < basis_.size(); ++i) {
       if (basis_[i] >= free_count_) continue;
       const Integer& factor = own[basis_[i] + 1];
-      for (std::size_t j = 0; j < objective_.size(); ++j) objective_[j] += factor * rows_[i][j];
+      for (std::size_t j = 0; j < objective_.size(); ++j) objective_[j].add_product(factor, rows_[i][j]);
     }
     if (!lower_objective()) return std::nullopt;
     return value();
@@ -102,8 +102,8 @@ class LinearProgram::Dictionary {
       const bool changes = !factor.is_zero() && !leaving[j].is_zero() && j != column + 1;
       if (row[j].is_zero() && !changes) continue;
       row[j] *= pivot;
-      if (changes) row[j] -= factor * leaving[j];
-      if (denominator_ != 1) row[j] /= denominator_;
+      if (changes) row[j].subtract_product(factor, leaving[j]);
+      if (!denominator_.is_one()) row[j] = exact_quotient(row[j], denominator_);
       if (negative) row[j] = -row[j];
     }
     row[column + 1] = negative ? Integer(-factor) : factor;
