@@ -66,6 +66,14 @@ int IntegerPolynomial::sign_changes() const {
   return changes;
 }
 
+int IntegerPolynomial::sign_changes_in_unit() const {
+  // t = 1/(1 + s) goes to s in (0, oo): coefficients turned round, moved by 1.
+  IntegerPolynomial turned;
+  fmpz_poly_reverse(turned.value_, value_, degree() + 1);
+  fmpz_poly_taylor_shift(turned.value_, turned.value_, Integer(1).flint());
+  return turned.sign_changes();
+}
+
 IntegerPolynomial IntegerPolynomial::primitive() const {
   IntegerPolynomial result;
   fmpz_poly_primitive_part(result.value_, value_);
@@ -78,14 +86,20 @@ IntegerPolynomial IntegerPolynomial::beyond(const Rational& lower) const {
   return result;
 }
 
-IntegerPolynomial IntegerPolynomial::between(const Rational& lower, const Rational& upper) const {
-  // s in (0, oo) goes to lower + (upper - lower)/(1 + s): the interval brought to (0, 1), turned round, moved by 1.
+IntegerPolynomial IntegerPolynomial::on_unit(const Rational& lower, const Rational& upper) const {
   IntegerPolynomial result = beyond(lower);
   const Rational width = upper - lower;
   scale(result.value_, numerator(width), false);
   scale(result.value_, denominator(width), true);
-  fmpz_poly_reverse(result.value_, result.value_, degree() + 1);
-  fmpz_poly_taylor_shift(result.value_, result.value_, Integer(1).flint());
+  return result;
+}
+
+IntegerPolynomial IntegerPolynomial::stretched_twice() const {
+  IntegerPolynomial result = *this;
+  for (slong i = 0; i < degree(); ++i) {
+    fmpz* coefficient = fmpz_poly_get_coeff_ptr(result.value_, i);
+    fmpz_mul_2exp(coefficient, coefficient, static_cast<ulong>(degree() - i));
+  }
   return result;
 }
 
