@@ -1,5 +1,7 @@
 #include "base/algebra/integer_polynomial.hpp"
 
+#include <flint/fmpz_poly_mat.h>
+
 #include "base/rounding/approximate.hpp"
 
 namespace slipproof {
@@ -119,6 +121,21 @@ bool operator<(const IntegerPolynomial& x, const IntegerPolynomial& y) {
     if (order != 0) return order < 0;
   }
   return false;
+}
+
+IntegerPolynomial determinant(const std::vector<std::vector<IntegerPolynomial>>& rows) {
+  const auto size = static_cast<slong>(rows.size());
+  fmpz_poly_mat_t matrix;
+  fmpz_poly_mat_init(matrix, size, size);
+  for (slong i = 0; i < size; ++i) {
+    const auto& row = rows[static_cast<std::size_t>(i)];
+    for (slong j = 0; j < size; ++j)
+      fmpz_poly_set(fmpz_poly_mat_entry(matrix, i, j), row[static_cast<std::size_t>(j)].flint());
+  }
+  IntegerPolynomial result;
+  fmpz_poly_mat_det(result.flint(), matrix);
+  fmpz_poly_mat_clear(matrix);
+  return result;
 }
 
 }  // namespace slipproof

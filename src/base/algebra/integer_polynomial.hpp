@@ -115,4 +115,7 @@ class IntegerPolynomial {
   fmpz_poly_t value_;
 };
 
+/// Of a square matrix; columns beyond it are left out.
+IntegerPolynomial determinant(const std::vector<std::vector<IntegerPolynomial>>& rows);
+
 }  // namespace slipproof
