@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-#include "base/algebra/bareiss.hpp"
+#include "base/algebra/elimination.hpp"
 
 namespace slipproof {
 
@@ -19,7 +19,7 @@ constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 /// Each row's variable as an affine form of the columns' variables (Chvatal's dictionary). Variables below `free_count`
 /// may have any sign, all others are >= 0; the point of the dictionary has 0 for all variables in columns.
 ///
-/// In integers over one denominator, as in base/algebra/bareiss.hpp: entries are minors of the constraints. Each
+/// In integers over one denominator: entries are minors of the constraints, so that divisions by it are exact. Each
 /// constraint, and with it the meaning of its variable, is multiplied by the common denominator of its numbers.
 class LinearProgram::Dictionary {
  public:
