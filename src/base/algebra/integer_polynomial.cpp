@@ -1,5 +1,7 @@
 #include "base/algebra/integer_polynomial.hpp"
 
+#include <flint/fmpz_poly_mat.h>
+
 #include "base/rounding/approximate.hpp"
 
 namespace slipproof {
@@ -66,6 +68,14 @@ int IntegerPolynomial::sign_changes() const {
   return changes;
 }
 
+int IntegerPolynomial::sign_changes_in_unit() const {
+  // t = 1/(1 + s) goes to s in (0, oo): coefficients turned round, moved by 1.
+  IntegerPolynomial turned;
+  fmpz_poly_reverse(turned.value_, value_, degree() + 1);
+  fmpz_poly_taylor_shift(turned.value_, turned.value_, Integer(1).flint());
+  return turned.sign_changes();
+}
+
 IntegerPolynomial IntegerPolynomial::primitive() const {
   IntegerPolynomial result;
   fmpz_poly_primitive_part(result.value_, value_);
@@ -78,14 +88,20 @@ IntegerPolynomial IntegerPolynomial::beyond(const Rational& lower) const {
   return result;
 }
 
-IntegerPolynomial IntegerPolynomial::between(const Rational& lower, const Rational& upper) const {
-  // s in (0, oo) goes to lower + (upper - lower)/(1 + s): the interval brought to (0, 1), turned round, moved by 1.
+IntegerPolynomial IntegerPolynomial::on_unit(const Rational& lower, const Rational& upper) const {
   IntegerPolynomial result = beyond(lower);
   const Rational width = upper - lower;
   scale(result.value_, numerator(width), false);
   scale(result.value_, denominator(width), true);
-  fmpz_poly_reverse(result.value_, result.value_, degree() + 1);
-  fmpz_poly_taylor_shift(result.value_, result.value_, Integer(1).flint());
+  return result;
+}
+
+IntegerPolynomial IntegerPolynomial::stretched_twice() const {
+  IntegerPolynomial result = *this;
+  for (slong i = 0; i < degree(); ++i) {
+    fmpz* coefficient = fmpz_poly_get_coeff_ptr(result.value_, i);
+    fmpz_mul_2exp(coefficient, coefficient, static_cast<ulong>(degree() - i));
+  }
   return result;
 }
 
@@ -105,6 +121,21 @@ bool operator<(const IntegerPolynomial& x, const IntegerPolynomial& y) {
     if (order != 0) return order < 0;
   }
   return false;
+}
+
+IntegerPolynomial determinant(const std::vector<std::vector<IntegerPolynomial>>& rows) {
+  const auto size = static_cast<slong>(rows.size());
+  fmpz_poly_mat_t matrix;
+  fmpz_poly_mat_init(matrix, size, size);
+  for (slong i = 0; i < size; ++i) {
+    const auto& row = rows[static_cast<std::size_t>(i)];
+    for (slong j = 0; j < size; ++j)
+      fmpz_poly_set(fmpz_poly_mat_entry(matrix, i, j), row[static_cast<std::size_t>(j)].flint());
+  }
+  IntegerPolynomial result;
+  fmpz_poly_mat_det(result.flint(), matrix);
+  fmpz_poly_mat_clear(matrix);
+  return result;
 }
 
 }  // namespace slipproof

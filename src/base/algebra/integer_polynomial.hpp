@@ -59,9 +59,14 @@ class IntegerPolynomial {
   int sign_changes() const;
   /// The polynomial with coprime coefficients, the leading one positive, that has the same roots; 0 stays 0.
   IntegerPolynomial primitive() const;
-  /// A polynomial whose positive roots are the roots between two numbers, or beyond `lower`, moved.
-  IntegerPolynomial between(const Rational& lower, const Rational& upper) const;
+  /// The same for the roots in (0, 1).
+  int sign_changes_in_unit() const;
+  /// A polynomial whose positive roots are the roots beyond `lower`, moved.
   IntegerPolynomial beyond(const Rational& lower) const;
+  /// A polynomial whose roots in (0, 1) are the roots between two numbers, moved and scaled.
+  IntegerPolynomial on_unit(const Rational& lower, const Rational& upper) const;
+  /// p(t/2), times a positive number.
+  IntegerPolynomial stretched_twice() const;
   /// p(-t).
   IntegerPolynomial mirrored() const;
 
@@ -109,5 +114,8 @@ class IntegerPolynomial {
 
   fmpz_poly_t value_;
 };
+
+/// Of a square matrix; columns beyond it are left out.
+IntegerPolynomial determinant(const std::vector<std::vector<IntegerPolynomial>>& rows);
 
 }  // namespace slipproof

@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-#include "base/algebra/bareiss.hpp"
+#include "base/algebra/elimination.hpp"
 
 namespace slipproof {
 
@@ -19,7 +19,7 @@ constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 /// Each row's variable as an affine form of the columns' variables (Chvatal's dictionary). Variables below `free_count`
 /// may have any sign, all others are >= 0; the point of the dictionary has 0 for all variables in columns.
 ///
-/// In integers over one denominator, as in base/algebra/bareiss.hpp: entries are minors of the constraints. Each
+/// In integers over one denominator: entries are minors of the constraints, so that divisions by it are exact. Each
 /// constraint, and with it the meaning of its variable, is multiplied by the common denominator of its numbers.
 class LinearProgram::Dictionary {
  public:
@@ -72,7 +72,7 @@ class LinearProgram::Dictionary {
     for (std::size_t i = 0; i < basis_.size(); ++i) {
       if (basis_[i] >= free_count_) continue;
       const Integer& factor = own[basis_[i] + 1];
-      for (std::size_t j = 0; j < objective_.size(); ++j) objective_[j] += factor * rows_[i][j];
+      for (std::size_t j = 0; j < objective_.size(); ++j) objective_[j].add_product(factor, rows_[i][j]);
     }
     if (!lower_objective()) return std::nullopt;
     return value();
@@ -102,8 +102,8 @@ class LinearProgram::Dictionary {
       const bool changes = !factor.is_zero() && !leaving[j].is_zero() && j != column + 1;
       if (row[j].is_zero() && !changes) continue;
       row[j] *= pivot;
-      if (changes) row[j] -= factor * leaving[j];
-      if (denominator_ != 1) row[j] /= denominator_;
+      if (changes) row[j].subtract_product(factor, leaving[j]);
+      if (!denominator_.is_one()) row[j] = exact_quotient(row[j], denominator_);
       if (negative) row[j] = -row[j];
     }
     row[column + 1] = negative ? Integer(-factor) : factor;

@@ -170,6 +170,8 @@ const std::string& MultiPolynomial::text() const {
 }
 
 MultiPolynomial& MultiPolynomial::operator+=(const MultiPolynomial& other) {
+  if (other.is_zero()) return *this;
+  if (is_zero()) return *this = other;
   const auto result = blank(*ring_);
   fmpq_mpoly_add(result->polynomial, value_->polynomial, other.value_->polynomial, ring_->context_);
   value_ = result;
@@ -177,6 +179,7 @@ MultiPolynomial& MultiPolynomial::operator+=(const MultiPolynomial& other) {
 }
 
 MultiPolynomial& MultiPolynomial::operator-=(const MultiPolynomial& other) {
+  if (other.is_zero()) return *this;
   const auto result = blank(*ring_);
   fmpq_mpoly_sub(result->polynomial, value_->polynomial, other.value_->polynomial, ring_->context_);
   value_ = result;

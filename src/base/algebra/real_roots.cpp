@@ -27,7 +27,7 @@ bool inside(const Rational& t, const LinePart& part) {
 
 /// By Descartes' rule of signs: `false` is certain.
 bool may_have_roots(const IntegerPolynomial& p, const LinePart& part) {
-  if (part.lower && part.upper) return p.between(*part.lower, *part.upper).sign_changes() > 0;
+  if (part.lower && part.upper) return p.on_unit(*part.lower, *part.upper).sign_changes_in_unit() > 0;
   if (part.lower) return p.beyond(*part.lower).sign_changes() > 0;
   if (part.upper) return p.mirrored().beyond(-*part.upper).sign_changes() > 0;
   return true;
@@ -36,6 +36,8 @@ bool may_have_roots(const IntegerPolynomial& p, const LinePart& part) {
 /// Bisection by Descartes' rule (Vincent, Collins and Akritas): the number of sign changes of the polynomial of an
 /// interval is 0 where there is no root and, once the interval is small, 1 where there is one. It needs a polynomial
 /// without multiple roots; here it is irreducible and not linear, so that no rational end of an interval is a root.
+/// An interval comes with its polynomial moved to (0, 1), from which those of its halves take one scaling and one
+/// shift.
 class Isolation {
  public:
   explicit Isolation(const IntegerPolynomial& p) : p_(p) {}
@@ -48,21 +50,28 @@ class Isolation {
     Rational lower = -far, upper = far;
     if (part.lower && *part.lower > lower) lower = *part.lower;
     if (part.upper && *part.upper < upper) upper = *part.upper;
-    if (lower < upper) split(lower, upper, roots);
+    if (lower < upper) split(lower, upper, p_.on_unit(lower, upper), roots);
   }
 
  private:
-  void split(const Rational& lower, const Rational& upper, std::vector<Found>& roots) {
-    const int changes = p_.between(lower, upper).sign_changes();
+  void split(const Rational& lower, const Rational& upper, const IntegerPolynomial& moved, std::vector<Found>& roots) {
+    if (moved.sign_changes() == 0) return;
+    const int changes = moved.sign_changes_in_unit();
     if (changes == 0) return;
     if (changes == 1) {
       roots.push_back({{lower, upper}, &p_});
       return;
     }
     // Zero is the first middle: sizes then differ by powers of two from one side to the other.
-    const Rational middle = sign(lower) < 0 && sign(upper) > 0 ? Rational(0) : Rational((lower + upper) / 2);
-    split(lower, middle, roots);
-    split(middle, upper, roots);
+    if (sign(lower) < 0 && sign(upper) > 0) {
+      split(lower, 0, p_.on_unit(lower, 0), roots);
+      split(0, upper, p_.on_unit(0, upper), roots);
+      return;
+    }
+    const Rational middle = (lower + upper) / 2;
+    const IntegerPolynomial left = moved.stretched_twice();
+    split(lower, middle, left, roots);
+    split(middle, upper, left.beyond(1), roots);
   }
 
   const IntegerPolynomial& p_;

@@ -44,26 +44,6 @@ std::vector<LoadsApart> apart_without_load(const FrictionProblem& problem) {
   return {{ForceInterval(), found.motions.size(), !found.continua.empty()}};
 }
 
-/// Bareiss's method: each entry is a minor, so the divisions are exact.
-IntegerPolynomial determinant_of(std::vector<PolynomialRow> m, std::size_t size) {
-  if (m.size() != size) return 0;
-  IntegerPolynomial previous = 1;
-  bool negative = false;
-  for (std::size_t k = 0; k < size; ++k) {
-    std::size_t pivot = k;
-    while (pivot < size && m[pivot][k].is_zero()) ++pivot;
-    if (pivot == size) return 0;
-    if (pivot != k) m[pivot].swap(m[k]), negative = !negative;
-    for (std::size_t i = k + 1; i < size; ++i) {
-      for (std::size_t j = k + 1; j < size; ++j) {
-        m[i][j] = exact_quotient(m[k][k] * m[i][j] - m[i][k] * m[k][j], previous);
-      }
-    }
-    previous = m[k][k];
-  }
-  return negative ? -previous : previous;
-}
-
 /// A scene with one parameter free.
 class SceneLine {
  public:
@@ -168,7 +148,8 @@ class SceneLine {
     std::set<IntegerPolynomial> result;
     if (!mechanism.has_value()) return result;
     for (const MechanismMode& mode : modes) {
-      result.insert(determinant_of(mechanism.equations(mode), compiled_.unknowns()));
+      const std::vector<PolynomialRow> equations = mechanism.equations(mode);
+      result.insert(equations.size() == compiled_.unknowns() ? determinant(equations) : 0);
     }
     return result;
   }

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/algebra/flint_matrix.hpp"
 #include "base/number/binary64.hpp"
 #include "contact/enclosure/enclosure.hpp"
-#include "contact/linear/flint.hpp"
 
 namespace slipproof {
 

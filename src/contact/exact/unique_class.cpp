@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 
-#include "base/algebra/bareiss.hpp"
+#include "base/algebra/elimination.hpp"
 #include "base/number/binary64.hpp"
 #include "base/rounding/exact_sum.hpp"
 #include "contact/linear/definite.hpp"
@@ -26,7 +26,7 @@ class Minors {
       chosen_.push_back(rows[k]);
       if (left[k][k].sign() <= 0) return false;
       const std::vector<std::size_t> later(rows.begin() + static_cast<std::ptrdiff_t>(k) + 1, rows.end());
-      if (!all_positive(eliminated(left, k, previous), later, left[k][k])) return false;
+      if (!all_positive(eliminated_once(left, k, previous), later, left[k][k])) return false;
       chosen_.pop_back();
     }
     return true;
@@ -35,18 +35,6 @@ class Minors {
   const std::vector<std::size_t>& chosen() const { return chosen_; }
 
  private:
-  /// What is left after row k, without the rows before it.
-  static IntegerMatrix eliminated(const IntegerMatrix& m, std::size_t k, const Integer& previous) {
-    IntegerMatrix result;
-    for (std::size_t i = k + 1; i < m.size(); ++i) {
-      auto& row = result.emplace_back();
-      for (std::size_t j = k + 1; j < m.size(); ++j) {
-        row.push_back(exact_quotient(m[k][k] * m[i][j] - m[i][k] * m[k][j], previous));
-      }
-    }
-    return result;
-  }
-
   std::vector<std::size_t> chosen_;
 };
 

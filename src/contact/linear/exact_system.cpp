@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <limits>
 
-#include "base/algebra/bareiss.hpp"
+#include "base/algebra/elimination.hpp"
+#include "base/algebra/flint_matrix.hpp"
 #include "base/number/flint_memory.hpp"
-#include "contact/linear/flint.hpp"
 
 namespace slipproof {
 

@@ -3,23 +3,11 @@
 #include <algorithm>
 #include <array>
 
-#include "base/algebra/bareiss.hpp"
 #include "contact/problem/solutions.hpp"
 
 namespace slipproof {
 
 namespace {
-
-Rational determinant_of(const RationalMatrix& matrix) {
-  Rational scale = 1;
-  IntegerMatrix rows;
-  for (const auto& row : matrix) {
-    scale *= Rational(common_denominator(row));
-    rows.push_back(clear_denominators(row));
-  }
-  const Echelon echelon = eliminate(std::move(rows), matrix.size());
-  return echelon.rank() < matrix.size() ? Rational(0) : Rational(Rational(echelon.pivot) / scale);
-}
 
 /// The equations of a mode over z, without their constants.
 RationalMatrix mode_matrix(const ContactProblem& p, const ProblemMode& mode) {
@@ -92,7 +80,7 @@ std::string_view name(EveryLoad::Reason reason) {
 }
 
 Rational mode_determinant(const ContactProblem& problem, const ProblemMode& mode) {
-  return determinant_of(mode_matrix(problem, mode));
+  return determinant(mode_matrix(problem, mode));
 }
 
 bool is_unique_by_bound(const ContactProblem& problem) {

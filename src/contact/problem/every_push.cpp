@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "base/algebra/bareiss.hpp"
 #include "contact/problem/solutions.hpp"
 #include "mechanics/kernel/affine_space.hpp"
 
@@ -16,9 +15,7 @@ struct SymmetricRange {
   RationalMatrix kernel;
 
   explicit SymmetricRange(const RationalMatrix& matrix) {
-    IntegerMatrix rows;
-    for (const auto& row : matrix) rows.push_back(clear_denominators(row));
-    const Echelon echelon = eliminate(std::move(rows), matrix.size());
+    const Echelon echelon = eliminate(matrix);
     columns = echelon.pivot_columns;
     for (std::size_t j = 0; j < matrix.size(); ++j) {
       if (std::ranges::binary_search(columns, j)) continue;

@@ -3,9 +3,9 @@
 #include <iterator>
 #include <utility>
 
+#include "base/algebra/flint_matrix.hpp"
 #include "base/number/binary64.hpp"
 #include "base/rounding/exact_sum.hpp"
-#include "contact/linear/flint.hpp"
 
 namespace slipproof {
 

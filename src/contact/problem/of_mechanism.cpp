@@ -1,7 +1,6 @@
 // The contacts of a mechanism as a contact problem: its equations solved for contact forces.
 #include <algorithm>
 
-#include "base/algebra/bareiss.hpp"
 #include "contact/problem/every_load.hpp"
 
 namespace slipproof {
@@ -45,25 +44,19 @@ std::optional<ContactProblem> contact_problem(const FrictionProblem& problem) {
   }
   // The equations, and forces = z, over the unknowns; right-hand sides: z, and 1.
   const std::size_t n = problem.unknowns, right = forces.size() + 1;
-  IntegerMatrix rows;
+  RationalMatrix rows;
   const auto add = [&](const AffineForm& form, std::optional<std::size_t> force) {
     std::vector<Rational> row(form.coefficients.begin(), form.coefficients.begin() + static_cast<std::ptrdiff_t>(n));
     row.resize(n + right);
     if (force) row[n + *force] = 1;
     row.back() = -form.constant;
-    rows.push_back(clear_denominators(row));
+    rows.push_back(std::move(row));
   };
   for (const AffineForm& equation : problem.equations) add(equation, std::nullopt);
   for (std::size_t k = 0; k < forces.size(); ++k) add(*forces[k], k);
-  const Echelon echelon = eliminate(std::move(rows), n);
-  if (echelon.rank() < n) return std::nullopt;
+  const Echelon echelon = eliminate(rows);
   // Equations that are left over tie the forces to each other: then they are no unknowns of their own.
-  for (std::size_t i = n; i < echelon.rows.size(); ++i) {
-    const auto& row = echelon.rows[i];
-    if (std::any_of(row.begin() + static_cast<std::ptrdiff_t>(n), row.end(),
-                    [](const auto& x) { return !x.is_zero(); }))
-      return std::nullopt;
-  }
+  if (echelon.rank(n) < n || echelon.rank() > n) return std::nullopt;
   for (const AffineForm* form : motions) {
     std::vector<Rational> row(right);
     row.back() = form->constant;

@@ -6,12 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "base/number/rational.hpp"
+#include "base/algebra/elimination.hpp"
 #include "mechanics/kernel/regular_modes.hpp"
 
 namespace slipproof {
-
-using RationalMatrix = std::vector<std::vector<Rational>>;
 
 /// Without `mu` a linear complementarity problem: z >= 0, w >= 0, z_i w_i = 0.
 /// With it planar frictional contact: z = (N_1, T_1, N_2, T_2, ...) are the normal and tangential forces (or impulses),

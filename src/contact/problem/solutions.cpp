@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "base/algebra/bareiss.hpp"
 #include "mechanics/kernel/motions.hpp"
 
 namespace slipproof {
@@ -140,14 +139,12 @@ bool positive_definite(const RationalMatrix& W) {
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j) m[i][j] = integer_times(W[i][j] + W[j][i], common);
   }
-  // Bareiss without a choice of pivots: they are the leading principal minors.
-  Integer previous = 1;
-  for (std::size_t k = 0; k < n; ++k) {
-    if (m[k][k].sign() <= 0) return false;
-    for (std::size_t i = k + 1; i < n; ++i) {
-      for (std::size_t j = k + 1; j < n; ++j) m[i][j] = exact_quotient(m[k][k] * m[i][j] - m[i][k] * m[k][j], previous);
-    }
-    previous = m[k][k];
+  // The pivots on the diagonal are the leading principal minors.
+  for (Integer previous = 1; !m.empty();) {
+    if (m[0][0].sign() <= 0) return false;
+    IntegerMatrix left = eliminated_once(m, 0, previous);
+    previous = std::move(m[0][0]);
+    m = std::move(left);
   }
   return true;
 }

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "base/algebra/bareiss.hpp"
+#include "base/algebra/elimination.hpp"
 #include "base/number/format.hpp"
 #include "mechanics/checks/check_parts.hpp"
 #include "mechanics/checks/free_motion.hpp"
@@ -149,14 +149,9 @@ class ElementCheck {
     }
     return rows;
   }
-  static std::size_t rank(const std::vector<Numbers>& rows, std::size_t columns) {
-    IntegerMatrix matrix;
-    for (const Numbers& row : rows) matrix.push_back(clear_denominators(row));
-    return eliminate(std::move(matrix), columns).rank();
-  }
   bool contradict(const FrictionProblem& problem, std::size_t count) const {
-    const auto rows = link_rows(problem, count);
-    return rank(rows, m_.accelerations + 1) < rank(rows, m_.accelerations + 2);
+    const Echelon echelon = eliminate(link_rows(problem, count));
+    return echelon.rank(m_.accelerations + 1) < echelon.rank();
   }
 
   void check_links() {
@@ -198,10 +193,10 @@ class ElementCheck {
     const auto index = static_cast<std::size_t>(&contact - m_.contacts.data());
     const auto fixed = [&](const CheckPoint& point) {
       auto rows = link_rows(point.problem, m_.links.size());
-      const std::size_t before = rank(rows, m_.accelerations);
+      const std::size_t before = eliminate(rows).rank(m_.accelerations);
       rows.push_back(motion_of(point.problem.elements[index].gap));
       rows.back().resize(m_.accelerations + 2);
-      return rank(rows, m_.accelerations) == before;
+      return eliminate(rows).rank(m_.accelerations) == before;
     };
     if (!std::ranges::all_of(points_.all(), fixed)) return;
     find(contact.gap, "the links fix " + contact.gap_name + ": they carry the load of the contact " + contact.name +

@@ -1,21 +1,21 @@
 #include "mechanics/checks/free_motion.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
-#include "base/algebra/bareiss.hpp"
+#include "base/algebra/elimination.hpp"
 #include "mechanics/points/sampling.hpp"
 
 namespace slipproof::mechanism_checks {
 
 std::optional<Matrix> solve(const std::vector<Row>& rows, std::size_t unknowns) {
-  IntegerMatrix matrix;
+  RationalMatrix matrix;
   for (const Row& row : rows) {
-    std::vector<Rational> whole = row.coefficients;
-    whole.insert(whole.end(), row.right.begin(), row.right.end());
-    matrix.push_back(clear_denominators(whole));
+    matrix.push_back(row.coefficients);
+    matrix.back().insert(matrix.back().end(), row.right.begin(), row.right.end());
   }
-  const Echelon echelon = eliminate(std::move(matrix), unknowns);
-  if (rows.size() != unknowns || echelon.rank() < unknowns) return std::nullopt;
+  const Echelon echelon = eliminate(matrix);
+  if (rows.size() != unknowns || echelon.rank(unknowns) < unknowns) return std::nullopt;
   Matrix solution;
   for (std::size_t i = 0; i < unknowns; ++i) {
     std::vector<Rational> values;
@@ -100,15 +100,15 @@ namespace {
 
 /// The links, from the first, whose accelerations are a combination of those before them.
 std::vector<std::size_t> dependent_links(const Mechanism& mechanism, const FrictionProblem& problem) {
-  std::vector<std::size_t> dependent;
-  IntegerMatrix rows;
+  RationalMatrix columns(mechanism.accelerations);
   for (std::size_t i = 0; i < mechanism.links.size(); ++i) {
-    const auto& form = problem.equations[mechanism.equations.size() + i].coefficients;
-    rows.push_back(
-        clear_denominators({form.begin(), form.begin() + static_cast<std::ptrdiff_t>(mechanism.accelerations)}));
-    if (eliminate(rows, mechanism.accelerations).rank() == rows.size()) continue;
-    dependent.push_back(i);
-    rows.pop_back();
+    const AffineForm& form = problem.equations[mechanism.equations.size() + i];
+    for (std::size_t j = 0; j < columns.size(); ++j) columns[j].push_back(form.coefficients[j]);
+  }
+  const Echelon echelon = eliminate(columns);
+  std::vector<std::size_t> dependent;
+  for (std::size_t i = 0; i < mechanism.links.size(); ++i) {
+    if (!std::ranges::binary_search(echelon.pivot_columns, i)) dependent.push_back(i);
   }
   return dependent;
 }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/algebra/bareiss.hpp"
+#include "base/algebra/elimination.hpp"
 
 namespace slipproof {
 

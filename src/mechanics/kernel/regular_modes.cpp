@@ -26,11 +26,9 @@ class RegularModes::Elimination {
     std::erase_if(columns_, [](const Column& column) { return column.empty(); });
     IntegerMatrix matrix;
     for (const Row* row : rows_) matrix.push_back(entries_of(*row));
-    const Echelon echelon = eliminate(std::move(matrix), columns_.size());
-    if (echelon.rank() < columns_.size()) return Outcome::Kind::singular;
-    for (std::size_t i = echelon.rank(); i < echelon.rows.size(); ++i) {
-      const auto sides = echelon.rows[i].end() - static_cast<std::ptrdiff_t>(problem_.right_sides_);
-      if (std::all_of(sides, echelon.rows[i].end(), [](const Integer& x) { return x.is_zero(); })) continue;
+    const Echelon echelon = eliminate(std::move(matrix));
+    if (echelon.rank(columns_.size()) < columns_.size()) return Outcome::Kind::singular;
+    if (echelon.rank() > columns_.size()) {
       return problem_.load_ ? Outcome::Kind::inconsistent : Outcome::Kind::singular;
     }
     pivot_ = echelon.pivot;

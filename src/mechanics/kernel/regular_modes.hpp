@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/algebra/bareiss.hpp"
+#include "base/algebra/elimination.hpp"
 #include "base/number/effort.hpp"
 #include "base/number/raw_fraction.hpp"
 #include "mechanics/elements/state_rows.hpp"

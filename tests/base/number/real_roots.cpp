@@ -118,9 +118,12 @@ TEST_CASE("integer polynomials: signs, order and moving") {
     CHECK(p.sign_at(t) == sign(Rational(2 * t * t * t - 3 * t * t + 1)));
     CHECK(p.beyond(Rational(-5, 3)).sign_at(t) == p.sign_at(t - Rational(5, 3)));
     CHECK(p.mirrored().sign_at(t) == p.sign_at(-t));
+    CHECK(p.stretched_twice().sign_at(t) == p.sign_at(t / 2));
+    CHECK(p.on_unit(Rational(-5, 3), Rational(1, 2)).sign_at(t) == p.sign_at(Rational(13, 6) * t - Rational(5, 3)));
   }
   CHECK(p.sign_changes() == 2);
-  CHECK(p.between(2, 3).sign_changes() == 0);
+  CHECK(p.on_unit(-1, 0).sign_changes_in_unit() == 1);
+  CHECK(p.on_unit(2, 3).sign_changes_in_unit() == 0);
   CHECK((p * IntegerPolynomial(-6)).primitive() == p);
   CHECK(exact_quotient(p, t_minus(1)) == polynomial({2, -1, -1}));
   CHECK(gcd(p, t_minus(1)) == t_minus(1));

@@ -73,8 +73,8 @@ class Draw {
   std::mt19937_64 engine_;
 };
 
-/// By the first row; n! steps.
-inline Rational determinant(const std::vector<Rationals>& m) {
+/// The determinant by the first row; n! steps.
+inline Rational expansion(const std::vector<Rationals>& m) {
   if (m.empty()) return 1;
   Rational result = 0;
   for (std::size_t j = 0; j < m.size(); ++j) {
@@ -85,7 +85,7 @@ inline Rational determinant(const std::vector<Rationals>& m) {
         if (k != j) rest.back().push_back(m[i][k]);
       }
     }
-    result += (j % 2 == 0 ? 1 : -1) * m[0][j] * determinant(rest);
+    result += (j % 2 == 0 ? 1 : -1) * m[0][j] * expansion(rest);
   }
   return result;
 }
@@ -114,13 +114,13 @@ inline std::vector<Rationals> part(const std::vector<Rationals>& A, unsigned set
 
 /// By Cramer's rule; nothing if singular.
 inline std::optional<Rationals> cramer(const std::vector<Rationals>& A, const Rationals& b) {
-  const Rational d = determinant(A);
+  const Rational d = expansion(A);
   if (d == 0) return std::nullopt;
   Rationals x;
   for (std::size_t j = 0; j < A.size(); ++j) {
     auto replaced = A;
     for (std::size_t i = 0; i < A.size(); ++i) replaced[i][j] = b[i];
-    x.push_back(determinant(replaced) / d);
+    x.push_back(expansion(replaced) / d);
   }
   return x;
 }

@@ -53,6 +53,14 @@ class FlintRationalMatrix {
     const fmpq value = x.flint();
     fmpq_set(fmpq_mat_entry(value_, static_cast<slong>(i), static_cast<slong>(j)), &value);
   }
+  Rational determinant() const {
+    fmpq_t value;
+    fmpq_init(value);
+    fmpq_mat_det(value, value_);
+    Rational result(value);
+    fmpq_clear(value);
+    return result;
+  }
 
  private:
   fmpq_mat_t value_;
