@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "faces/c_interface/slipproof.h"
-#include "report/scenes/mechanism_report.hpp"
+#include "mechanics/scene/solve_mechanism.hpp"
 
 namespace slipproof::c {
 
@@ -43,7 +43,7 @@ Tables tables(const SolvedMechanism& solved);
 
 struct slipproof_solution {
   explicit slipproof_solution(slipproof::MechanismScene scene)
-      : solved(std::move(scene)), tables(slipproof::c::tables(solved)) {}
+      : solved(solve_mechanism(std::move(scene))), tables(slipproof::c::tables(solved)) {}
 
   const slipproof::SolvedMechanism solved;
   const slipproof::c::Tables tables;

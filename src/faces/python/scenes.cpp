@@ -7,6 +7,7 @@
 
 #include "base/input/diagnostic.hpp"
 #include "claims/uniqueness/along.hpp"
+#include "contact/problem/every_push.hpp"
 #include "faces/python/bind.hpp"
 #include "faces/python/interruptible.hpp"
 #include "faces/python/numbers.hpp"
@@ -14,7 +15,7 @@
 #include "mechanics/checks/show.hpp"
 #include "mechanics/reading/read_mechanism.hpp"
 #include "mechanics/reading/shipped.hpp"
-#include "mechanics/scene/scene.hpp"
+#include "mechanics/scene/solve_mechanism.hpp"
 #include "report/scenes/mechanism_report.hpp"
 #include "report/uniqueness/uniqueness_report.hpp"
 
@@ -45,8 +46,10 @@ class Solution {
         accelerations_(acceleration_names(solved_->scene.mechanism)),
         forces_(force_names(solved_->scene.mechanism)) {}
 
-  std::string json() const { return solve_json(*solved_); }
-  std::string text(int digits) const { return text_of(solve_document(*solved_, digits)); }
+  std::string json() const { return solve_json(*solved_, for_every_push(solved_->problem)); }
+  std::string text(int digits) const {
+    return text_of(solve_document(*solved_, for_every_push(solved_->problem), digits));
+  }
 
   /// For each motion at the load: (modes, boundary modes, names of the numbers, ranges of the other forces). None if
   /// the scene has no load.
@@ -128,10 +131,11 @@ py::list Solution::cells() const {
 
 Solution solve(const MechanismScene& scene) {
   if (!is_short(scene)) {
-    return Solution(interruptible([scene](Call&) { return std::make_unique<const SolvedMechanism>(scene); }));
+    return Solution(
+        interruptible([scene](Call&) { return std::make_unique<const SolvedMechanism>(solve_mechanism(scene)); }));
   }
   const WithoutInterpreter released;
-  return Solution(std::make_unique<const SolvedMechanism>(scene));
+  return Solution(std::make_unique<const SolvedMechanism>(solve_mechanism(scene)));
 }
 
 /// (document, text). An empty `x` stands for the usual parameter.

@@ -6,7 +6,7 @@
 #include "base/algebra/real_roots.hpp"
 #include "base/number/binary64.hpp"
 #include "base/number/format.hpp"
-#include "mechanics/kernel/motions.hpp"
+#include "mechanics/kernel/motion.hpp"
 #include "report/expected/expected.hpp"
 
 namespace slipproof::expected {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "mechanics/kernel/motions.hpp"
+#include "mechanics/kernel/motion.hpp"
 #include "mechanics/scene/scene.hpp"
 #include "report/markup/element.hpp"
 #include "report/picture/motion_words.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mechanics/kernel/motions.hpp"
+#include "mechanics/kernel/motion.hpp"
 #include "mechanics/scene/scene.hpp"
 
 namespace slipproof {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mechanics/kernel/motions.hpp"
+#include "mechanics/kernel/motion.hpp"
 #include "mechanics/scene/scene.hpp"
 #include "report/picture/mechanism_svg.hpp"
 

@@ -10,8 +10,8 @@
 #include "claims/judge/judge.hpp"
 #include "claims/reading/read_claims_file.hpp"
 #include "claims/sampling/solved_sample.hpp"
+#include "mechanics/scene/solve_mechanism.hpp"
 #include "mechanics/search/found_motions.hpp"
-#include "report/scenes/mechanism_report.hpp"
 #include "support/how_many.hpp"
 
 using namespace slipproof;
@@ -230,7 +230,7 @@ MechanismScene scene_of(const Mechanism& mechanism, const Body& body, const Rati
 
 /// The document of `solve` has each mode once: with a motion, as a continuum, or rejected.
 void check_document(const Mechanism& mechanism, const Body& body, const Rational& load, const BruteMotions& there) {
-  const SolvedMechanism solved(scene_of(mechanism, body, load), false);
+  const SolvedMechanism solved = solve_mechanism(scene_of(mechanism, body, load));
   const std::string json = solve_json(solved), text = text_of(solve_document(solved, 6));
   std::size_t strict = 0;
   for (const auto& [accelerations, motion] : there.motions) strict += motion.modes.empty() ? 0 : 1;

@@ -16,10 +16,10 @@
 #include "faces/cli/png.hpp"
 #include "faces/cli/warnings.hpp"
 #include "mechanics/scene/bicycle_scene.hpp"
+#include "mechanics/scene/solve_mechanism.hpp"
 #include "report/picture/bicycle_figure.hpp"
 #include "report/picture/mechanism_svg.hpp"
 #include "report/picture/motions_svg.hpp"
-#include "report/scenes/mechanism_report.hpp"
 
 namespace slipproof::cli {
 
@@ -44,7 +44,7 @@ MechanismMode choose_load(MechanismScene& scene, const DrawArguments& arguments)
   if (arguments.motion == every_motion) {
     refuse(arguments, "the scene has no value of the load " + symbol + ", expected --load for --motion all");
   }
-  const std::vector<ConsistentMode> modes = SolvedMechanism(scene).modes;
+  const std::vector<ConsistentMode> modes = solve_mechanism(scene).modes;
   const std::size_t number = std::stoul(arguments.motion);
   if (number > modes.size()) {
     refuse(arguments, fmt::format("found --motion {}, expected at most {}: so many modes have a motion at some {}",
@@ -59,7 +59,7 @@ MechanismMode choose_load(MechanismScene& scene, const DrawArguments& arguments)
 std::string figure_of_motions(MechanismScene scene, const DrawArguments& arguments) {
   std::optional<MechanismMode> mode;
   if (scene.mechanism.load && !scene.load) mode = choose_load(scene, arguments);
-  const MotionsAtLoad found = *SolvedMechanism(scene).at_load;
+  const MotionsAtLoad found = *solve_mechanism(scene).at_load;
   if (arguments.motion == every_motion) return motions_svg_file(scene, found);
   const std::vector<MotionAtLoad> motions = drawn_motions(found);
   if (motions.empty()) refuse(arguments, "there is no motion at this load, and none to draw");

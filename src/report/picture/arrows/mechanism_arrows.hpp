@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "mechanics/kernel/motions.hpp"
+#include "mechanics/kernel/motion.hpp"
 #include "mechanics/scene/scene.hpp"
 #include "report/markup/element.hpp"
 #include "report/picture/labels/picture_labels.hpp"
