@@ -122,7 +122,7 @@ Json pictures_of(const SolvedMechanism& solved) {
   const CommonLook look = common_look(solved.scene, motions);
   const auto add = [&](const std::string& title, const MotionAtLoad* motion) {
     const ElementTree document("div");
-    const Element svg = add_motion(document.root(), solved.scene, motion, title, look);
+    const Element svg = add_mechanism(document.root(), solved.scene, motion, title, look);
     svg.add("style").code(picture_style());
     pictures.push_back({{"title", title}, {"svg", svg.xml()}});
   };
