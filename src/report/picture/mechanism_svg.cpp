@@ -31,7 +31,7 @@ namespace {
 using ShapeKind = MechanismShape::Kind;
 
 constexpr double drawn_width = 270, drawn_height = 220, least_width = 360, widest = 456, longest_force = 72,
-                 surface = 30, letter_width = 0.62, text_line = 17, free_margin = 10, opening = 9;
+                 surface = 30, letter_width = 0.62, text_line = 17, free_margin = 10, opening = 14;
 /// Of pictures of many contacts.
 constexpr double large_width = 420, large_height = 400;
 
